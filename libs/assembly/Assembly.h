@@ -1,0 +1,68 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The structure: rigid blocks, some of them fixed, as they were built.
+#pragma once
+
+#include "geometry/Polygon.h"
+
+#include <string>
+#include <vector>
+
+namespace drystone
+{
+
+template<int Dim>
+struct Block;
+
+template<>
+struct Block<2>
+{
+    Polygon outline;      ///< counter-clockwise, in the global frame as built [m]
+    double thickness = 1; ///< out of plane [m]
+    int support = -1;     ///< index into Assembly::supports of the support that fixes this block, or -1 when it is free
+};
+
+/// A named group of fixed blocks: the ground, an abutment. Loads and moving supports refer to it by name.
+struct Support
+{
+    std::string name; ///< as in the dictionary: `ground`, `left`, ...
+    std::string type; ///< `ground`, `blocks` or `abutments`: how it was made
+};
+
+/// All blocks of a structure. A block's index in `blocks` is its name everywhere a user sees it (0/motion,
+/// blockMotion, VTK block id); rows of the equilibrium matrix are numbered over the free blocks only.
+template<int Dim>
+struct Assembly
+{
+    std::vector<Block<Dim>> blocks;
+    std::vector<Support> supports;
+};
+
+/// For each block its position among the free blocks, or -1 for a fixed one. Size: blocks.
+template<int Dim>
+std::vector<int> freeIndices(const Assembly<Dim>& assembly);
+
+/// Volume, mass centre and inertia of a block of uniform density.
+template<int Dim>
+struct BlockMass
+{
+    double volume = 0; ///< [m3]
+    Vector<Dim> centroid = Vector<Dim>::Zero(); ///< as built [m]
+    Eigen::Matrix<double, rotationCount<Dim>, rotationCount<Dim>> inertia; ///< about the centroid, for unit density [m5]
+};
+
+template<int Dim>
+BlockMass<Dim> blockMass(const Block<Dim>& block);
+
+/// Where a block is, relative to as built: turned about its mass centre, then moved. Used by time stepping (finite
+/// rotations) and by every writer.
+template<int Dim>
+struct Placement;
+
+template<>
+struct Placement<2>
+{
+    Vector<2> translation = Vector<2>::Zero(); ///< of the mass centre [m]
+    double rotation = 0;                       ///< [rad], positive counter-clockwise
+};
+
+} // namespace drystone

@@ -1,0 +1,38 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Contact points: the ends of the joints, where blocks pass forces to each other.
+#pragma once
+
+#include "assembly/Assembly.h"
+
+namespace drystone
+{
+
+/// One point where a corner of one block faces an edge of another. The contact force (n, t) acts on `block` along
+/// (normal, tangent) and reversed on `neighbour`; n >= 0 presses the two together.
+template<int Dim>
+struct ContactPoint
+{
+    int block = -1;     ///< index in Assembly::blocks
+    int neighbour = -1; ///< index in Assembly::blocks
+    int joint = -1;     ///< index of the joint this point belongs to: one straight shared edge of two blocks
+    Vector<Dim> position = Vector<Dim>::Zero(); ///< [m]
+    Vector<Dim> normal = Vector<Dim>::Zero();   ///< unit vector from `neighbour` into `block`
+    double gap = 0;                             ///< distance along the normal, negative when overlapping [m]
+};
+
+/// Direction of positive shear on `block`: the normal turned by -90 degrees.
+inline Vector<2> tangent(const ContactPoint<2>& point)
+{
+    return {point.normal.y(), -point.normal.x()};
+}
+
+/// Contact points of the structure as built: for each pair of blocks whose outlines share a straight edge (conforming
+/// or not), the two ends of each shared piece. Two edges share a piece when they run in opposite directions within the
+/// angular tolerance, lie within the distance tolerance of each other and overlap by more than it.
+///
+/// Points of one joint follow each other; joints are sorted by (block, neighbour), block < neighbour.
+/// \param tolerance distance relative to the mean block size (square root of the mean block face)
+template<int Dim>
+std::vector<ContactPoint<Dim>> findContactPoints(const Assembly<Dim>& assembly, double tolerance = 1e-6);
+
+} // namespace drystone
