@@ -1,0 +1,167 @@
+#!/usr/bin/env python3
+# Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+"""Checks which room includes which: the arrows of CONTRIBUTING.md, and one user for each third-party library.
+
+checkLayers.py [ROOT]        prints each forbidden #include as file:line, exit status 1 when there is one
+checkLayers.py --self-test   plants violations in a scratch tree and demands that each is found
+"""
+import pathlib
+import re
+import sys
+import tempfile
+
+# What each room may include, itself apart. Sorted from the ground up; a room only ever sees rooms below it.
+below = {
+    "core": "",
+    "geometry": "core",
+    "assembly": "core geometry",
+    "texture": "core geometry assembly",
+    "conic": "core",
+    "io": "core geometry assembly",
+    "statics": "core geometry assembly conic",
+    "dynamics": "core geometry assembly conic",
+    "functionObjects": "core geometry assembly conic statics dynamics io",
+    "studies": "core geometry texture assembly conic statics dynamics io functionObjects",
+}
+allRooms = set(below)
+
+# Third-party headers by the pattern of their name. Each belongs to one room; Eigen and fmt are everyone's.
+thirdParty = {
+    "Eigen": r"(unsupported/)?Eigen/",
+    "fmt": r"fmt/",
+    "PEGTL": r"tao/pegtl",
+    "CLI11": r"CLI/",
+    "muParser": r"muParser",
+    "VTK": r"vtk",
+    "GSL": r"gsl/",
+    "NLopt": r"nlopt",
+    "SuiteSparse": r"(suitesparse/)?(cholmod|amd|colamd|ccolamd|camd|umfpack|SuiteSparse)",
+    "BLAS and LAPACK": r"(cblas|lapacke?|openblas)",
+    "zlib": r"zlib\.h",
+    "OpenMP": r"omp\.h",
+}
+everyones = {"Eigen", "fmt", "OpenMP"}
+
+# What C, C++ and POSIX offer: names without an ending, and these.
+system = re.compile(r"[a-z_]+$|(sys|netinet|arpa)/[a-z]+\.h$|"
+                    r"(unistd|fcntl|signal|dirent|limits|pthread|sched|pwd|poll|termios|dlfcn|fenv)\.h$")
+include = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)[>"]')
+
+
+def sourceFiles(root):
+    """Every source file of libs/ and applications/ with the room it belongs to."""
+    for path in sorted(root.glob("libs/*/**/*")) + sorted(root.glob("applications/*/*/**/*")):
+        if path.suffix in (".h", ".cpp"):
+            parts = path.relative_to(root).parts
+            yield path, parts[1] if parts[0] == "libs" else "applications"
+
+
+def violations(root):
+    """Each forbidden include as a line `file:line: what is wrong`."""
+    found = []
+    usersOf = {}  # third-party library: {room: first place}
+    for path, room in sourceFiles(root):
+        name = path.relative_to(root)
+        if room != "applications" and room not in allRooms:
+            found.append(f"{name}:1: libs/{room} is a room that test/layers/checkLayers.py does not know")
+            continue
+        allowed = allRooms if room == "applications" else set(below[room].split()) | {room}
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), start=1):
+            match = include.match(line)
+            if not match:
+                continue
+            header = match.group(2)
+            place = f"{name}:{number}"
+            if match.group(1) == '"':
+                target = header.split("/")[0]
+                if "/" not in header:
+                    # A file beside this one: only an application has its own.
+                    if room != "applications" or not (path.parent / header).exists():
+                        found.append(f'{place}: "{header}" is to be included with its room, as "{room}/{header}"')
+                elif not (root / "libs" / header).exists():
+                    found.append(f'{place}: there is no libs/{header}')
+                elif target not in allowed:
+                    found.append(f"{place}: {room} may not see {target}" +
+                                 (f" (only {' '.join(sorted(allowed - {room}))})" if allowed - {room} else ""))
+                continue
+            library = next((key for key, pattern in thirdParty.items() if re.match(pattern, header)), None)
+            if library is None:
+                if not system.match(header):
+                    found.append(f"{place}: <{header}> is of a library that test/layers/checkLayers.py does not know")
+                continue
+            if library in everyones:
+                continue
+            usersOf.setdefault(library, {}).setdefault(room, place)
+            if path.suffix == ".h":
+                found.append(f"{place}: {library} in a header: whoever includes it would see {library} too")
+    for library, rooms in usersOf.items():
+        if "applications" in rooms:
+            found.append(f"{rooms['applications']}: an application may not use {library} itself")
+        if len(rooms) > 1:
+            found.append(f"{library} is to be used by one room only, but is by {' and '.join(rooms)}: " +
+                         " ".join(rooms.values()))
+    return found
+
+
+def selfTest():
+    """Every kind of violation, each of which must be found, and alone."""
+    good = {"libs/core/Error.h": "#pragma once\n#include <string>\n#include <fmt/format.h>\n#include <unistd.h>\n",
+            "libs/core/Dictionary.cpp": "#include <tao/pegtl.hpp>\n",
+            "libs/geometry/Polygon.h": '#include "core/Error.h"\n#include <Eigen/Core>\n',
+            "libs/conic/Program.h": '#include "core/Error.h"\n',
+            "libs/statics/LimitAnalysis.h": '#include "conic/Program.h"\n#include "geometry/Polygon.h"\n',
+            "libs/dynamics/Step.h": '#include "conic/Program.h"\n',
+            "libs/io/Series.cpp": "#include <vtkNew.h>\n",
+            "applications/solvers/limitAnalysis/limitAnalysis.cpp":
+                '#include "statics/LimitAnalysis.h"\n#include "report.h"\n',
+            "applications/solvers/limitAnalysis/report.h": "#include <string>\n"}
+    planted = {
+        ("libs/core/Error.h", '#include "geometry/Polygon.h"'): "core may not see geometry",
+        ("libs/conic/Program.h", '#include "geometry/Polygon.h"'): "conic may not see geometry",
+        ("libs/statics/LimitAnalysis.h", '  # include "dynamics/Step.h"'): "statics may not see dynamics",
+        ("libs/dynamics/Step.h", '#include "statics/LimitAnalysis.h"'): "dynamics may not see statics",
+        ("libs/geometry/Clip.cpp", "#include <vtkPolygon.h>"): "VTK is to be used by one room only",
+        ("libs/core/Error.h", "#include <CLI/CLI.hpp>"): "CLI11 in a header",
+        ("libs/core/Error.cpp", "#include <boost/geometry.hpp>"): "does not know",
+        ("libs/core/Error.cpp", '#include "Error.h"'): 'as "core/Error.h"',
+        ("libs/core/Error.cpp", '#include "core/Eror.h"'): "there is no libs/core/Eror.h",
+        ("libs/masonry/Wall.h", "#include <vector>"): "is a room that",
+        ("applications/solvers/limitAnalysis/limitAnalysis.cpp", "#include <nlopt.h>"): "an application may not use",
+    }
+
+    def tree(files):
+        root = pathlib.Path(scratch) / f"tree{len(list(pathlib.Path(scratch).iterdir()))}"
+        for name, text in files.items():
+            (root / name).parent.mkdir(parents=True, exist_ok=True)
+            (root / name).write_text(text)
+        return root
+
+    failures = []
+    with tempfile.TemporaryDirectory() as scratch:
+        clean = violations(tree(good))
+        if clean:
+            failures.append(f"the clean tree: {clean}")
+        for (name, line), message in planted.items():
+            found = violations(tree({**good, name: good.get(name, "") + line + "\n"}))
+            if len(found) != 1 or message not in found[0]:
+                failures.append(f"{line} in {name}: expected '{message}', got {found}")
+    for failure in failures:
+        print("self-test:", failure)
+    print(f"{len(planted)} planted violations, {len(failures)} failures")
+    return failures
+
+
+def main():
+    if "--self-test" in sys.argv[1:]:
+        return 1 if selfTest() else 0
+    root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parents[2])
+    found = violations(root)
+    count = len(list(sourceFiles(root)))
+    for line in found:
+        print(line)
+    print(f"{count} files, {len(found)} violations")
+    return 1 if found or not count else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
