@@ -18,7 +18,8 @@ struct Block<2>
 {
     Polygon outline;      ///< counter-clockwise, in the global frame as built [m]
     double thickness = 1; ///< out of plane [m]
-    int support = -1;     ///< index into Assembly::supports of the support that fixes this block, or -1 when it is free
+    int support =
+        -1; ///< index into Assembly::supports of the support that fixes this block, or -1 when it is free
 };
 
 /// A named group of fixed blocks: the ground, an abutment. Loads and moving supports refer to it by name.
@@ -45,16 +46,17 @@ std::vector<int> freeIndices(const Assembly<Dim>& assembly);
 template<int Dim>
 struct BlockMass
 {
-    double volume = 0; ///< [m3]
+    double volume = 0;                          ///< [m3]
     Vector<Dim> centroid = Vector<Dim>::Zero(); ///< as built [m]
-    Eigen::Matrix<double, rotationCount<Dim>, rotationCount<Dim>> inertia; ///< about the centroid, for unit density [m5]
+    Eigen::Matrix<double, rotationCount<Dim>, rotationCount<Dim>>
+        inertia; ///< about the centroid, for unit density [m5]
 };
 
 template<int Dim>
 BlockMass<Dim> blockMass(const Block<Dim>& block);
 
-/// Where a block is, relative to as built: turned about its mass centre, then moved. Used by time stepping (finite
-/// rotations) and by every writer.
+/// Where a block is, relative to as built: turned about its mass centre, then moved. Used by time stepping
+/// (finite rotations) and by every writer.
 template<int Dim>
 struct Placement;
 

@@ -7,8 +7,19 @@
 namespace drystone
 {
 
-/// One point where a corner of one block faces an edge of another. The contact force (n, t) acts on `block` along
-/// (normal, tangent) and reversed on `neighbour`; n >= 0 presses the two together.
+/// Which corner meets which edge. It stays the same for as long as a contact in motion lasts, so that a
+/// solver can start from the force that the point carried in the last step.
+struct ContactFeature
+{
+    int vertexBlock = -1; ///< whose corner it is: the point's `block` or its `neighbour`; -1 when not known
+    int vertex = -1;      ///< index in that block's outline
+    int edge = -1;        ///< index in the other block's outline: edge i runs from vertex i to the next one
+
+    friend bool operator==(const ContactFeature&, const ContactFeature&) = default;
+};
+
+/// One point where a corner of one block faces an edge of another. The contact force (n, t) acts on `block`
+/// along (normal, tangent) and reversed on `neighbour`; n >= 0 presses the two together.
 template<int Dim>
 struct ContactPoint
 {
@@ -18,6 +29,7 @@ struct ContactPoint
     Vector<Dim> position = Vector<Dim>::Zero(); ///< [m]
     Vector<Dim> normal = Vector<Dim>::Zero();   ///< unit vector from `neighbour` into `block`
     double gap = 0;                             ///< distance along the normal, negative when overlapping [m]
+    ContactFeature feature;                     ///< filled in by MovingContacts
 };
 
 /// Direction of positive shear on `block`: the normal turned by -90 degrees.
@@ -26,9 +38,10 @@ inline Vector<2> tangent(const ContactPoint<2>& point)
     return {point.normal.y(), -point.normal.x()};
 }
 
-/// Contact points of the structure as built: for each pair of blocks whose outlines share a straight edge (conforming
-/// or not), the two ends of each shared piece. Two edges share a piece when they run in opposite directions within the
-/// angular tolerance, lie within the distance tolerance of each other and overlap by more than it.
+/// Contact points of the structure as built: for each pair of blocks whose outlines share a straight edge
+/// (conforming or not), the two ends of each shared piece. Two edges share a piece when they run in opposite
+/// directions within the angular tolerance, lie within the distance tolerance of each other and overlap by
+/// more than it.
 ///
 /// Points of one joint follow each other; joints are sorted by (block, neighbour), block < neighbour.
 /// \param tolerance distance relative to the mean block size (square root of the mean block face)

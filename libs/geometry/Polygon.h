@@ -9,19 +9,20 @@
 namespace drystone
 {
 
-/// Vertices in order round the outline, without repeating the first one [m]. Convex or concave, never crossing itself.
+/// Vertices in order round the outline, without repeating the first one [m]. Convex or concave, never
+/// crossing itself.
 using Polygon = std::vector<Vector<2>>;
 
 /// Area and its first and second moments, which times density and thickness are mass and inertia.
 struct AreaProperties
 {
-    double area = 0;                           ///< [m2], positive when the vertices run counter-clockwise
-    Vector<2> centroid = Vector<2>::Zero();    ///< [m]
-    double polarMoment = 0;                    ///< about the centroid [m4]
+    double area = 0;                        ///< [m2], positive when the vertices run counter-clockwise
+    Vector<2> centroid = Vector<2>::Zero(); ///< [m]
+    double polarMoment = 0;                 ///< about the centroid [m4]
 };
 
-/// Area properties of a simple polygon (Green's theorem, taken about the first vertex so that a block far from the
-/// origin keeps its digits).
+/// Area properties of a simple polygon (Green's theorem, taken about the first vertex so that a block far
+/// from the origin keeps its digits).
 AreaProperties areaProperties(const Polygon& polygon);
 
 } // namespace drystone

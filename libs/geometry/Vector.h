@@ -7,7 +7,8 @@
 namespace drystone
 {
 
-/// A point or direction in space [m]. In 2D the plane is x-y, gravity along -y, rotations positive counter-clockwise.
+/// A point or direction in space [m]. In 2D the plane is x-y, gravity along -y, rotations positive
+/// counter-clockwise.
 template<int Dim>
 using Vector = Eigen::Matrix<double, Dim, 1>;
 

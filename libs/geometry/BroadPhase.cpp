@@ -1,0 +1,170 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// A tree of bounding boxes, built anew for each search.
+#include "geometry/BroadPhase.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace drystone
+{
+
+namespace
+{
+
+constexpr int leafSize = 8; ///< boxes in a leaf: fewer costs more nodes, more costs more comparisons
+
+struct Node
+{
+    BoundingBox box;
+    int first = 0; ///< of the boxes below this node, in the tree's order
+    int last = 0;
+    int right = -1; ///< the left child follows its parent; -1 marks a leaf
+};
+
+void extend(BoundingBox& box, const BoundingBox& other)
+{
+    box.lower = box.lower.cwiseMin(other.lower);
+    box.upper = box.upper.cwiseMax(other.upper);
+}
+
+bool isEmpty(const BoundingBox& box)
+{
+    return !(box.lower.x() <= box.upper.x() && box.lower.y() <= box.upper.y());
+}
+
+struct Tree
+{
+    std::vector<Node> nodes;
+    std::vector<int> order;          ///< of the boxes, so that those of a node follow each other
+    std::vector<BoundingBox> sorted; ///< the boxes in that order
+};
+
+int build(Tree& tree, const std::vector<BoundingBox>& boxes, int first, int last)
+{
+    const int index = static_cast<int>(tree.nodes.size());
+    Node node;
+    node.first = first;
+    node.last = last;
+    BoundingBox centres;
+    for (int i = first; i < last; ++i)
+    {
+        const BoundingBox& box = boxes[tree.order[i]];
+        extend(node.box, box);
+        const Vector<2> centre = box.lower + box.upper;
+        extend(centres, {centre, centre});
+    }
+    tree.nodes.push_back(node);
+    if (last - first <= leafSize)
+    {
+        return index;
+    }
+    const Vector<2> extent = centres.upper - centres.lower;
+    const int axis = extent.y() > extent.x() ? 1 : 0;
+    const int middle = first + (last - first) / 2;
+    std::nth_element(tree.order.begin() + first, tree.order.begin() + middle, tree.order.begin() + last,
+                     [&boxes, axis](int a, int b)
+                     {
+                         const double centreA = boxes[a].lower[axis] + boxes[a].upper[axis];
+                         const double centreB = boxes[b].lower[axis] + boxes[b].upper[axis];
+                         return centreA != centreB ? centreA < centreB : a < b;
+                     });
+    build(tree, boxes, first, middle);
+    const int right = build(tree, boxes, middle, last);
+    tree.nodes[index].right = right;
+    return index;
+}
+
+} // namespace
+
+BoundingBox boundingBox(const Polygon& polygon)
+{
+    BoundingBox box;
+    for (const Vector<2>& vertex : polygon)
+    {
+        box.lower = box.lower.cwiseMin(vertex);
+        box.upper = box.upper.cwiseMax(vertex);
+    }
+    return box;
+}
+
+BoundingBox enlarged(const BoundingBox& box, double distance)
+{
+    return {box.lower.array() - distance, box.upper.array() + distance};
+}
+
+bool meet(const BoundingBox& a, const BoundingBox& b)
+{
+    return a.lower.x() <= b.upper.x() && b.lower.x() <= a.upper.x() && a.lower.y() <= b.upper.y()
+           && b.lower.y() <= a.upper.y();
+}
+
+bool contains(const BoundingBox& outer, const BoundingBox& inner)
+{
+    return outer.lower.x() <= inner.lower.x() && outer.lower.y() <= inner.lower.y()
+           && inner.upper.x() <= outer.upper.x() && inner.upper.y() <= outer.upper.y();
+}
+
+std::vector<std::pair<int, int>> findMeetingPairs(const std::vector<BoundingBox>& boxes)
+{
+    std::vector<std::pair<int, int>> pairs;
+    Tree tree;
+    tree.order.reserve(boxes.size());
+    for (int i = 0; i < static_cast<int>(boxes.size()); ++i)
+    {
+        if (!isEmpty(boxes[i]))
+        {
+            tree.order.push_back(i);
+        }
+    }
+    if (tree.order.empty())
+    {
+        return pairs;
+    }
+    tree.nodes.reserve(2 * boxes.size() / leafSize + 2);
+    build(tree, boxes, 0, static_cast<int>(tree.order.size()));
+    tree.sorted.reserve(tree.order.size());
+    for (const int i : tree.order)
+    {
+        tree.sorted.push_back(boxes[i]);
+    }
+
+    pairs.reserve(4 * boxes.size());
+    std::vector<int> waiting;
+    for (int i = 0; i < static_cast<int>(boxes.size()); ++i)
+    {
+        const BoundingBox& box = boxes[i];
+        if (isEmpty(box))
+        {
+            continue;
+        }
+        const std::size_t before = pairs.size();
+        waiting.assign(1, 0);
+        while (!waiting.empty())
+        {
+            const int index = waiting.back();
+            waiting.pop_back();
+            const Node& node = tree.nodes[index];
+            if (!meet(box, node.box))
+            {
+                continue;
+            }
+            if (node.right >= 0)
+            {
+                waiting.push_back(node.right);
+                waiting.push_back(index + 1);
+                continue;
+            }
+            for (int k = node.first; k < node.last; ++k)
+            {
+                if (tree.order[k] > i && meet(box, tree.sorted[k]))
+                {
+                    pairs.emplace_back(i, tree.order[k]);
+                }
+            }
+        }
+        std::sort(pairs.begin() + static_cast<std::ptrdiff_t>(before), pairs.end());
+    }
+    return pairs;
+}
+
+} // namespace drystone

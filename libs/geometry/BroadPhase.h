@@ -1,0 +1,37 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The broad phase: which axis-aligned boxes meet, without looking at all pairs.
+#pragma once
+
+#include "geometry/Polygon.h"
+
+#include <utility>
+#include <vector>
+
+namespace drystone
+{
+
+/// Axis-aligned box round a block. The default is empty: it meets nothing, and extending it by a point gives
+/// that point.
+struct BoundingBox
+{
+    Vector<2> lower = Vector<2>::Constant(1e300);  ///< [m]
+    Vector<2> upper = Vector<2>::Constant(-1e300); ///< [m]
+};
+
+/// The least box that holds every vertex.
+BoundingBox boundingBox(const Polygon& polygon);
+
+/// The box with every side moved outwards by `distance` [m].
+BoundingBox enlarged(const BoundingBox& box, double distance);
+
+/// Whether the closed boxes share a point: boxes that only touch do meet.
+bool meet(const BoundingBox& a, const BoundingBox& b);
+
+/// Whether every point of `inner` is a point of `outer`.
+bool contains(const BoundingBox& outer, const BoundingBox& inner);
+
+/// All pairs (i, j), i < j, of boxes that meet, sorted. Goes through a tree of boxes split at the median, so
+/// the time is of order (n log n + pairs) for boxes of any mixture of sizes. Empty boxes meet nothing.
+std::vector<std::pair<int, int>> findMeetingPairs(const std::vector<BoundingBox>& boxes);
+
+} // namespace drystone
