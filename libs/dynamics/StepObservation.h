@@ -1,0 +1,79 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// What a time step leaves behind for those who watch a run: function objects, writers, studies.
+#pragma once
+
+#include "assembly/ContactPoint.h"
+
+#include <span>
+
+namespace drystone
+{
+
+/// How fast a block moves.
+template<int Dim>
+struct BlockVelocity;
+
+template<>
+struct BlockVelocity<2>
+{
+    Vector<2> linear = Vector<2>::Zero(); ///< of the mass centre [m/s]
+    double angular = 0;                   ///< [rad/s], positive counter-clockwise
+};
+
+/// Where the energy of the blocks is and where it has gone, in joules. Losses and work are sums since the
+/// ledger was opened, at the start of the first run; a restart goes on with them.
+struct EnergyLedger
+{
+    double opening = 0;   ///< kinetic and potential energy when the ledger was opened
+    double kinetic = 0;   ///< relative to the moving ground
+    double potential = 0; ///< of the dead load, zero as built
+    double externalWork =
+        0; ///< done by everything else from outside: live loads, the motion of the ground, supports
+    double frictionLoss = 0;    ///< in sliding
+    double impactLoss = 0;      ///< in impacts
+    double algorithmicLoss = 0; ///< of the time integration
+};
+
+/// What the ledger leaves unexplained [J]: kinetic + potential + losses - (opening + external work), zero but
+/// for rounding and the tolerance of the solver.
+inline double imbalance(const EnergyLedger& ledger)
+{
+    const double losses = ledger.frictionLoss + ledger.impactLoss + ledger.algorithmicLoss;
+    return ledger.kinetic + ledger.potential + losses - ledger.opening - ledger.externalWork;
+}
+
+/// How hard the solver worked on a step, and how well the step is solved.
+struct StepResiduals
+{
+    double initialResidual = 0; ///< relative, of the starting point
+    double primalResidual = 0;  ///< relative, of equilibrium and of the friction cones
+    double dualResidual = 0;    ///< relative, of penetration and of the flow rule
+    double gap = 0;             ///< relative, of complementarity
+    int iterations = 0;
+    int factorisations = 0;
+    int programs = 0; ///< cone programs solved for the step: more than one with non-associative friction
+    int retries = 0;  ///< attempts that did not converge before this one
+};
+
+/// The state at the end of a step. Nothing is owned: the views are valid while an observer is called, not
+/// longer.
+template<int Dim>
+struct StepObservation
+{
+    double time = 0;     ///< at the end of the step [s]
+    double timeStep = 0; ///< [s]; 0 for the state a run starts from
+    long step = 0;       ///< number of steps done since time 0
+
+    const Assembly<Dim>* assembly = nullptr;
+    std::span<const Placement<Dim>> placements;     ///< one a block, fixed ones too
+    std::span<const BlockVelocity<Dim>> velocities; ///< one a block, fixed ones too
+
+    std::span<const ContactPoint<Dim>> contactPoints; ///< where they are now
+    std::span<const Vector<Dim>> contactForces;   ///< one a point: mean over the step, (normal, tangent) [N]
+    std::span<const double> frictionCoefficients; ///< one a point
+
+    EnergyLedger energy;
+    StepResiduals residuals;
+};
+
+} // namespace drystone

@@ -1,0 +1,61 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+#include "functionObjects/ColumnFile.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+
+namespace drystone
+{
+
+namespace
+{
+
+[[noreturn]] void refuse(const std::filesystem::path& file, int reason)
+{
+    throw std::runtime_error(fmt::format("Cannot write {}: {}.", file.string(), std::strerror(reason)));
+}
+
+} // namespace
+
+ColumnFile::ColumnFile(const std::filesystem::path& path, const std::vector<std::string>& columns, int digits)
+    : file(path), columnCount(columns.size()), precision(digits)
+{
+    std::error_code error;
+    std::filesystem::create_directories(file.parent_path(), error);
+    if (error)
+        refuse(file.parent_path(), error.value());
+    stream.reset(std::fopen(file.c_str(), "w"));
+    if (!stream)
+        refuse(file, errno);
+    put(fmt::format("# {}\n", fmt::join(columns, "  ")));
+}
+
+void ColumnFile::write(std::span<const double> values)
+{
+    if (values.size() != columnCount)
+        throw std::logic_error(
+            fmt::format("{} values for the {} columns of {}", values.size(), columnCount, file.string()));
+    std::string line;
+    for (const double value : values)
+        line += fmt::format("{}{:.{}g}", line.empty() ? "" : "  ", value, precision);
+    put(line + "\n");
+}
+
+void ColumnFile::put(const std::string& line)
+{
+    // a row is shorter than the stream's buffer or not, it leaves in one call of fwrite and is flushed
+    if (std::fwrite(line.data(), 1, line.size(), stream.get()) != line.size()
+        || std::fflush(stream.get()) != 0)
+        refuse(file, errno);
+}
+
+std::filesystem::path postProcessingFolder(const std::filesystem::path& caseDirectory,
+                                           const std::string& function, const std::string& startTime)
+{
+    return caseDirectory / "postProcessing" / function / startTime;
+}
+
+} // namespace drystone
