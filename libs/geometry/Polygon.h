@@ -25,4 +25,9 @@ struct AreaProperties
 /// from the origin keeps its digits).
 AreaProperties areaProperties(const Polygon& polygon);
 
+/// The outline without the vertices that only split a straight edge: each one left out lies within
+/// `tolerance` [m] of the edge that replaces its two. Keeps the order of the rest; never fewer than three
+/// vertices.
+Polygon withoutStraightVertices(const Polygon& polygon, double tolerance);
+
 } // namespace drystone
