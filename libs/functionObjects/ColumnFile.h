@@ -19,11 +19,10 @@ class ColumnFile
 {
 public:
     /// Begin the file, in place of one that was there; folders missing on the way are made.
-    /// \param columns   with their units, without blanks: `Time[s]`
-    /// \param precision significant digits
+    /// \param columns with their units, without blanks: `Time[s]`
+    /// \param digits significant ones
     /// \throws Error naming the file and the system's reason
-    ColumnFile(const std::filesystem::path& file, const std::vector<std::string>& columns,
-               int precision = 12);
+    ColumnFile(const std::filesystem::path& path, const std::vector<std::string>& columns, int digits = 12);
 
     /// Add a row.
     /// \param values one a column

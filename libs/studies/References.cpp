@@ -246,12 +246,74 @@ double newmarkPulseDistance(double amplitude, double duration, double frictionCo
     return amplitude * (amplitude - resistance) * duration * duration / (2 * resistance);
 }
 
+std::vector<SlidingState> slidingMotion(const GroundAcceleration& ground, double frictionCoefficient,
+                                        const std::vector<double>& sampleTimes, double gravity)
+{
+    const double strength = frictionCoefficient * gravity;
+    double side = 0; // of the velocity; 0 at rest
+    double pieceEnd = 0;
+    EventProblem problem;
+    problem.rate = [&](double time, const double* y, double* rate)
+    {
+        const double instant = std::min(time, std::nextafter(pieceEnd, -1e300)); // before the jump at its end
+        rate[0] = y[1];
+        rate[1] = -ground.at(instant) - side * strength;
+    };
+    problem.event = [&](double, const double* y) { return side * y[1]; };
+
+    const std::vector<double> kinks = ground.kinks();
+    std::vector<SlidingState> samples;
+    SlidingState state;
+    while (samples.size() < sampleTimes.size())
+    {
+        const double target = sampleTimes[samples.size()];
+        if (state.time >= target)
+        {
+            samples.push_back(state);
+            continue;
+        }
+        if (side == 0)
+        {
+            state.time = firstTimeAbove(ground, strength, state.time, target);
+            if (state.time < target)
+                side = -std::copysign(1.0, ground.at(state.time));
+            continue;
+        }
+        const auto next = std::upper_bound(kinks.begin(), kinks.end(), state.time);
+        pieceEnd = next == kinks.end() ? HUGE_VAL : *next;
+        const EventOutcome outcome = integrateToEvent(
+            problem, state.time, {state.displacement, state.velocity}, std::min(pieceEnd, target));
+        state = {outcome.time, outcome.state[0], outcome.state[1]};
+        if (outcome.happened)
+        {
+            state.velocity = 0;
+            side = 0;
+        }
+    }
+    return samples;
+}
+
 double bouncingTime(double height, double restitution, double gravity)
 {
     if (!(restitution >= 0 && restitution < 1))
         throw std::domain_error("a restitution from which a bounce comes to rest is at least 0 and below 1");
     // the fall, and then hops that last 2 e, 2 e^2, 2 e^3 ... falls
     return std::sqrt(2 * height / gravity) * (1 + restitution) / (1 - restitution);
+}
+
+double bouncingHeight(double height, double restitution, double time, double gravity)
+{
+    if (time >= bouncingTime(height, restitution, gravity))
+        return 0;
+    // as if thrown up at -fall: each hop is shorter than the one before by the restitution
+    double fall = std::sqrt(2 * height / gravity);
+    double since = time + fall;
+    while (since > 2 * fall)
+    {
+        since -= 2 * fall;
+        fall *= restitution;
+    }
+    return 0.5 * gravity * since * (2 * fall - since);
 }
 
 } // namespace drystone

@@ -96,8 +96,27 @@ double slidingDistance(double velocity, double frictionCoefficient, double gravi
 double newmarkPulseDistance(double amplitude, double duration, double frictionCoefficient,
                             double gravity = 9.81);
 
+/// Displacement and velocity of a block relative to the ground, along the motion of the ground.
+struct SlidingState
+{
+    double time = 0;         ///< [s]
+    double displacement = 0; ///< [m]
+    double velocity = 0;     ///< [m/s]
+};
+
+/// Motion of a block that starts at rest on a moving ground and slides, without rocking, when |a| > mu g:
+///     v' = -a - mu g sgn(v).
+/// Integrated between the kinks of `ground`; stops are events.
+/// \return the states at the times asked for
+/// \param sampleTimes increasing, none negative [s]
+std::vector<SlidingState> slidingMotion(const GroundAcceleration& ground, double frictionCoefficient,
+                                        const std::vector<double>& sampleTimes, double gravity = 9.81);
+
 /// When a point dropped from a height has come to rest: sqrt(2 h/g) (1 + e)/(1 - e) [s].
 /// \throws std::domain_error unless 0 <= restitution < 1
 double bouncingTime(double height, double restitution, double gravity = 9.81);
+
+/// Height at a time of the same point [m].
+double bouncingHeight(double height, double restitution, double time, double gravity = 9.81);
 
 } // namespace drystone

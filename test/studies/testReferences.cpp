@@ -129,6 +129,44 @@ TEST(SlidingBlock, ClosedForms)
     EXPECT_EQ(newmarkPulseDistance(0.2 * g, 0.5, 0.2), 0);
 }
 
+TEST(SlidingBlock, IntegratedMotionUnderAPulseReachesTheClosedForm)
+{
+    const auto states = slidingMotion(RectangularPulse({0.5 * g, 0.5, 0.1}), 0.2, {0.05, 0.6, 1.3, 10});
+    ASSERT_EQ(states.size(), 4u);
+    EXPECT_EQ(states[0].displacement, 0);
+    EXPECT_NEAR(states[1].velocity, -0.3 * g * 0.5, 1e-12);
+    EXPECT_LT(states[2].velocity, 0);
+    EXPECT_NEAR(states[3].displacement, -newmarkPulseDistance(0.5 * g, 0.5, 0.2), 1e-11);
+    EXPECT_EQ(states[3].velocity, 0);
+}
+
+TEST(SlidingBlock, SlidesBothWaysUnderASineAndComesToRest)
+{
+    const SinePulse sine({0.6 * g, 2, 0}, 8);
+    const auto there = slidingMotion(sine, 0.3, {0.3, 0.5, 5});
+    EXPECT_LT(there[0].velocity, 0);
+    EXPECT_GT(there[1].velocity, 0);
+    EXPECT_EQ(there[2].velocity, 0);
+    // no faster than without friction, and the same mirrored
+    EXPECT_LT(std::abs(there[0].velocity), sine.integral(0, 0.3));
+    const auto back = slidingMotion(SinePulse({-0.6 * g, 2, 0}, 8), 0.3, {0.3, 0.5, 5});
+    for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_EQ(back[i].displacement, -there[i].displacement);
+    for (const double mu : {0.6, 0.61})
+        EXPECT_EQ(slidingMotion(sine, mu, {5})[0].displacement, 0);
+}
+
+TEST(BouncingBlock, HeightIsContinuousAndEachTopIsLowerByTheSquareOfTheRestitution)
+{
+    const double fall = std::sqrt(2 / g);
+    EXPECT_DOUBLE_EQ(bouncingHeight(1, 0.8, 0), 1);
+    EXPECT_NEAR(bouncingHeight(1, 0.8, fall), 0, 1e-12);
+    EXPECT_NEAR(bouncingHeight(1, 0.8, fall * 1.8), 0.64, 1e-12);
+    EXPECT_NEAR(bouncingHeight(1, 0.8, fall * (1 + 1.6 + 0.64)), 0.8 * 0.8 * 0.64, 1e-12);
+    EXPECT_EQ(bouncingHeight(1, 0.8, 5), 0);
+    EXPECT_NEAR(bouncingHeight(1, 0.8, bouncingTime(1, 0.8) - 1e-9), 0, 1e-12);
+}
+
 TEST(BouncingBlock, RestsAfterTheSumOfItsHops)
 {
     EXPECT_DOUBLE_EQ(bouncingTime(1, 0.8), 9 * std::sqrt(2 / g));
