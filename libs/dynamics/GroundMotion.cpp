@@ -6,6 +6,41 @@
 namespace drystone
 {
 
+GroundMotion::Component recordComponent(const RecordMotion& motion)
+{
+    CsvLayout columns = motion.columns;
+    columns.unit = motion.unit;
+    Record record = motion.format == RecordFormat::PEER_AT2 ? readPeerRecord(motion.file, motion.unit)
+                                                            : readCsvRecord(motion.file, columns);
+    const std::size_t count = record.times.size();
+    const double ownPeak = figures(record).peakAcceleration;
+    record = baselineCorrected(std::move(record), motion.baseline);
+    record = motion.peakAcceleration > 0 ? scaledToPeak(std::move(record), motion.peakAcceleration)
+                                         : scaled(std::move(record), motion.scale);
+    record = padded(record, motion.paddingBefore, motion.paddingAfter);
+    const double shift = motion.start - record.times.front();
+    for (double& time : record.times)
+        time += shift;
+
+    const RecordFigures f = figures(record);
+    GroundMotion::Component component;
+    component.summary =
+        fmt::format("    record      {} ({} values)\n", motion.file.string(), count)
+        + (record.title.empty() ? "" : fmt::format("    title       {}\n", record.title))
+        + fmt::format("    unit        {} (1 {} = {:.6g} m/s2)\n", record.unit, record.unit,
+                      accelerationUnit(record.unit))
+        + fmt::format("    scale       {:.6g}, from a PGA of {:.6g} {}\n",
+                      motion.peakAcceleration > 0 ? f.peakAcceleration / ownPeak : motion.scale,
+                      ownPeak / accelerationUnit(record.unit), record.unit)
+        + fmt::format("    PGV         {:.6g} m/s\n    PGD         {:.6g} m\n", f.peakVelocity,
+                      f.peakDisplacement)
+        + fmt::format("    significant {:.6g} s (5% to 95% of the Arias intensity, {:.6g} m/s)\n",
+                      f.significantDuration, f.ariasIntensity);
+    component.acceleration = tabulatedAcceleration(std::move(record.times), std::move(record.accelerations),
+                                                   motion.interpolation, OutOfBounds::zero);
+    return component;
+}
+
 Eigen::Vector3d groundAcceleration(const GroundMotion& motion, double time)
 {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();

@@ -24,6 +24,36 @@ struct GroundMotion
     std::vector<Component> components; ///< empty: the ground is still
 };
 
+/// How the file of a record is laid out.
+enum class RecordFormat
+{
+    PEER_AT2,
+    csv
+};
+
+/// A record as the dictionary asks for it. It is read, freed of its baseline, scaled, padded and moved in
+/// time, in this order.
+struct RecordMotion
+{
+    std::filesystem::path file; ///< absolute, or relative to where the application runs
+    RecordFormat format = RecordFormat::PEER_AT2;
+    std::string unit;                   ///< empty: the file says it
+    CsvLayout columns;                  ///< for csv; its `unit` is not used
+    Baseline baseline = Baseline::none; ///< what is taken away
+    double scale = 1;                   ///< factor
+    double peakAcceleration = 0;        ///< when positive, scale to this instead [m/s2]
+    double paddingBefore = 0;           ///< stillness added [s]
+    double paddingAfter = 0;            ///< stillness added [s]
+    double start = 0;                   ///< when the record begins [s]
+    Interpolation interpolation = Interpolation::linear;
+};
+
+/// The acceleration of a record, zero outside it, and what the log says of it.
+/// \throws Error, as the readers; when the record is zero throughout and a peak is asked for; when it has too
+/// few values
+///         for its interpolation or baseline
+GroundMotion::Component recordComponent(const RecordMotion& record);
+
 /// Acceleration of the ground at a time [m/s2]; at a jump, after it.
 Eigen::Vector3d groundAcceleration(const GroundMotion& motion, double time);
 

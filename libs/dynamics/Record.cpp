@@ -118,6 +118,8 @@ Record padded(const Record& record, double before, double after)
 {
     if (!(before >= 0 && after >= 0))
         throw std::domain_error("the stillness before and after a record cannot be negative");
+    if (before == 0 && after == 0)
+        return record;
     if (record.times.size() < 2)
         throw std::domain_error("a record of fewer than two values cannot be padded");
     Record result = record;

@@ -11,6 +11,7 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <random>
 #include <sstream>
 
 #include <unistd.h>
@@ -18,6 +19,7 @@
 using namespace drystone;
 using testing::AllOf;
 using testing::HasSubstr;
+using namespace std::string_literals;
 
 namespace
 {
@@ -216,6 +218,45 @@ TEST(PeerReader, RefusesBrokenRecordsWithTheirLine)
                 HasSubstr("/nonexistent/record.AT2"));
     EXPECT_THAT(refusal([] { readPeerRecord(std::filesystem::temp_directory_path()); }),
                 HasSubstr("directory"));
+}
+
+TEST(PeerReader, RandomDamageIsReadAsNumbersOrRefused)
+{
+    std::mt19937 random(1);
+    const std::string marks = " \n\r\t-+.,;=()0123456789eEdDNPTSxG\x00\xff#%\"["s;
+    int readAnyway = 0;
+    constexpr int copies = 3000;
+    for (int copy = 0; copy < copies; ++copy)
+    {
+        std::string text = good;
+        for (unsigned changes = 1 + random() % 4; changes > 0; --changes)
+        {
+            const std::size_t place = random() % text.size();
+            if (random() % 3 == 0)
+                text.erase(place, random() % 30);
+            else
+                text.insert(place, 1, marks[random() % marks.size()]);
+        }
+        const TemporaryFile file(text);
+        for (const bool asPeer : {true, false})
+        {
+            const std::string message = refusal(
+                [&]
+                {
+                    const Record record =
+                        asPeer ? readPeerRecord(file.path) : readCsvRecord(file.path, {0, 1, 0, "g"});
+                    ++readAnyway;
+                    for (std::size_t i = 0; i < record.times.size(); ++i)
+                    {
+                        EXPECT_TRUE(std::isfinite(record.accelerations[i]));
+                        EXPECT_TRUE(i == 0 || record.times[i] > record.times[i - 1]);
+                    }
+                });
+            EXPECT_TRUE(message.empty() || message.find(file.path.string()) != std::string::npos) << message;
+        }
+    }
+    EXPECT_GT(readAnyway, 0);
+    EXPECT_LT(readAnyway, copies);
 }
 
 TEST(PeerReader, ReadsTheSixRealRecords)
