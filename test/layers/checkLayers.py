@@ -38,6 +38,7 @@ thirdParty = {
     "SuiteSparse": r"(suitesparse/)?(cholmod|amd|colamd|ccolamd|camd|umfpack|SuiteSparse)",
     "BLAS and LAPACK": r"(cblas|lapacke?|openblas)",
     "zlib": r"zlib\.h",
+    "libdeflate": r"libdeflate\.h",
     "OpenMP": r"omp\.h",
 }
 everyones = {"Eigen", "fmt", "OpenMP"}

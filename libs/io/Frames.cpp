@@ -1,0 +1,165 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Blocks and contacts as cells with fields.
+#include "io/Frames.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <stdexcept>
+#include <utility>
+
+namespace drystone
+{
+
+namespace
+{
+
+Field emptyField(std::string name, int components, std::size_t cells, FieldType type = FieldType::real)
+{
+    Field field{std::move(name), components, {}, type};
+    field.values.reserve(cells * static_cast<std::size_t>(components));
+    return field;
+}
+
+/// Viewers cut a quadrilateral in two along the diagonal from its first vertex. For a concave one that is
+/// right only when the reentrant corner comes first; polygons of more vertices they cut properly.
+void startAtReentrantCorner(Polygon& outline)
+{
+    if (outline.size() != 4)
+        return;
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+        const Vector<2> in = outline[i] - outline[(i + 3) % 4];
+        const Vector<2> out = outline[(i + 1) % 4] - outline[i];
+        if (cross(in, out) < 0) // outlines run counter-clockwise
+        {
+            std::rotate(outline.begin(), outline.begin() + static_cast<std::ptrdiff_t>(i), outline.end());
+            return;
+        }
+    }
+}
+
+} // namespace
+
+Polygon placedOutline(const Block<2>& block, const Placement<2>& placement)
+{
+    if (placement.rotation == 0 && placement.translation.isZero(0))
+        return block.outline;
+    const Vector<2> centroid = areaProperties(block.outline).centroid;
+    const double c = std::cos(placement.rotation);
+    const double s = std::sin(placement.rotation);
+    Polygon outline = block.outline;
+    for (Vector<2>& vertex : outline)
+    {
+        const Vector<2> arm = vertex - centroid;
+        vertex = centroid + placement.translation
+                 + Vector<2>(c * arm.x() - s * arm.y(), s * arm.x() + c * arm.y());
+    }
+    return outline;
+}
+
+PolyData blockFrame(const Assembly<2>& assembly, const std::vector<Placement<2>>& placements,
+                    std::vector<Field> fields)
+{
+    const std::size_t count = assembly.blocks.size();
+    if (!placements.empty() && placements.size() != count)
+        throw std::runtime_error(
+            fmt::format("{} placements were given for {} blocks.", placements.size(), count));
+
+    PolyData data;
+    data.kind = CellKind::polygon;
+    Field blockId = emptyField("blockId", 1, count, FieldType::integer);
+    Field support = emptyField("support", 1, count, FieldType::integer);
+    Field displacement = emptyField("displacement", 2, count);
+    Field rotation = emptyField("rotation", 1, count);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        const Placement<2> placement = placements.empty() ? Placement<2>{} : placements[i];
+        Polygon outline = placedOutline(assembly.blocks[i], placement);
+        startAtReentrantCorner(outline);
+        data.cellSizes.push_back(static_cast<int>(outline.size()));
+        data.points.insert(data.points.end(), outline.begin(), outline.end());
+        blockId.values.push_back(static_cast<double>(i));
+        support.values.push_back(assembly.blocks[i].support);
+        displacement.values.push_back(placement.translation.x());
+        displacement.values.push_back(placement.translation.y());
+        rotation.values.push_back(placement.rotation);
+    }
+    data.fields = {std::move(blockId), std::move(support), std::move(displacement), std::move(rotation)};
+    std::move(fields.begin(), fields.end(), std::back_inserter(data.fields));
+    return data;
+}
+
+std::vector<ContactState> contactStates(const std::vector<Vector<2>>& forces,
+                                        const std::vector<double>& friction, double tolerance)
+{
+    if (friction.size() != forces.size())
+        throw std::runtime_error(fmt::format("{} friction coefficients were given for {} contact forces.",
+                                             friction.size(), forces.size()));
+    double largest = 0;
+    for (const Vector<2>& force : forces)
+        largest = std::max(largest, force.x());
+    std::vector<ContactState> states;
+    states.reserve(forces.size());
+    for (std::size_t i = 0; i < forces.size(); ++i)
+    {
+        const double normal = forces[i].x();
+        const double strength = friction[i] * normal;
+        if (normal <= tolerance * largest)
+            states.push_back(ContactState::open);
+        else if (std::abs(forces[i].y()) >= strength - tolerance * normal)
+            states.push_back(ContactState::sliding);
+        else
+            states.push_back(ContactState::sticking);
+    }
+    return states;
+}
+
+PolyData contactFrame(const std::vector<ContactPoint<2>>& points, const std::vector<Vector<2>>& forces,
+                      const std::vector<ContactState>& states, std::vector<Field> fields)
+{
+    const std::size_t count = points.size();
+    if (forces.size() != count || states.size() != count)
+        throw std::runtime_error(
+            fmt::format("{} contact forces and {} states were given for {} contact points.", forces.size(),
+                        states.size(), count));
+
+    PolyData data;
+    data.kind = CellKind::point;
+    data.points.reserve(count);
+    Field contactForce = emptyField("contactForce", 2, count);
+    Field normalForce = emptyField("normalForce", 1, count);
+    Field tangentialForce = emptyField("tangentialForce", 1, count);
+    Field gap = emptyField("gap", 1, count);
+    Field state = emptyField("state", 1, count, FieldType::integer);
+    Field block = emptyField("block", 1, count, FieldType::integer);
+    Field neighbour = emptyField("neighbour", 1, count, FieldType::integer);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        const ContactPoint<2>& point = points[i];
+        const Vector<2> force = forces[i].x() * point.normal + forces[i].y() * tangent(point);
+        data.points.push_back(point.position);
+        contactForce.values.push_back(force.x());
+        contactForce.values.push_back(force.y());
+        normalForce.values.push_back(forces[i].x());
+        tangentialForce.values.push_back(forces[i].y());
+        gap.values.push_back(point.gap);
+        state.values.push_back(static_cast<double>(states[i]));
+        block.values.push_back(point.block);
+        neighbour.values.push_back(point.neighbour);
+    }
+    data.fields = {std::move(contactForce), std::move(normalForce), std::move(tangentialForce),
+                   std::move(gap),          std::move(state),       std::move(block),
+                   std::move(neighbour)};
+    std::move(fields.begin(), fields.end(), std::back_inserter(data.fields));
+    return data;
+}
+
+void writeAssembly(const std::filesystem::path& file, const Assembly<2>& assembly)
+{
+    writeVtp(file, blockFrame(assembly));
+}
+
+} // namespace drystone

@@ -1,0 +1,93 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Curves over an axis, as a picture (SVG): what studies and benchmarks show their results with.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace drystone
+{
+
+enum class AxisScale
+{
+    linear,
+    logarithmic,
+};
+
+struct PlotAxis
+{
+    std::string label; ///< with its unit: "CPU time [s]"
+    AxisScale scale = AxisScale::linear;
+    std::optional<double> lower; ///< end of the axis; chosen from the data when absent
+    std::optional<double> upper;
+};
+
+enum class CurveLine
+{
+    solid,
+    dashed,
+    dotted,
+    none, ///< markers only
+};
+
+enum class CurveMarker
+{
+    automatic, ///< another one for each curve
+    none,
+    circle,
+    square,
+    diamond,
+    triangle,
+};
+
+struct PlotCurve
+{
+    std::string name; ///< in the legend; a curve without a name is left out of it
+    std::vector<double> x;
+    std::vector<double> y;
+    CurveLine line = CurveLine::solid;
+    CurveMarker marker = CurveMarker::automatic;
+    std::string colour; ///< CSS colour; another one for each curve when empty
+};
+
+enum class ReferenceDirection
+{
+    horizontal,
+    vertical,
+};
+
+/// A published value or a limit: a thin line across the plot with its name in the legend.
+struct PlotReference
+{
+    std::string name;
+    ReferenceDirection direction = ReferenceDirection::horizontal;
+    double value = 0;
+};
+
+struct Plot
+{
+    std::string title;
+    std::string subtitle; ///< for what a reader must know to trust the figure: machine, tolerance, repeats
+    PlotAxis x;
+    PlotAxis y;
+    std::vector<PlotCurve> curves;
+    std::vector<PlotReference> references;
+    double width = 760;  ///< [px]
+    double height = 440; ///< [px]
+};
+
+/// Positions of the labelled ticks of an axis from lower to upper: round numbers for a linear axis, powers of
+/// ten (and, over less than two and a half decades, 2 and 5 times them) for a logarithmic one.
+std::vector<double> axisTicks(double lower, double upper, AxisScale scale);
+
+/// Text of an SVG file. The legend stands beside the plot, so that it never covers data.
+/// \throws std::runtime_error when x and y of a curve differ in number, a value is not finite, or a
+/// logarithmic axis is to show a value that is not positive; the message names the curve and the point
+std::string plotSvg(const Plot& plot);
+
+/// The same as a file, written whole or not at all.
+void writePlot(const std::filesystem::path& file, const Plot& plot);
+
+} // namespace drystone

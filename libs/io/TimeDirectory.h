@@ -1,0 +1,81 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Time directories of a case: the state from which a run continues bit for bit.
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace drystone
+{
+
+/// How the numbers of a state are written. Both give back the same bits: ascii with as many digits as that
+/// takes (writePrecision does not shorten a state), binary as the machine has them, like OpenFOAM's binary
+/// dictionaries.
+enum class WriteFormat
+{
+    ascii,
+    binary,
+};
+
+/// Named numbers and arrays of numbers; what they mean is their owner's affair.
+struct State
+{
+    std::map<std::string, double> scalars;
+    std::map<std::string, std::vector<double>> arrays;
+    std::filesystem::path file; ///< where it was read from, for messages; empty before
+};
+
+/// A scalar of the state. \throws std::runtime_error naming the file when there is none of this name
+double stateScalar(const State& state, const std::string& name);
+
+/// An array of the state. \throws std::runtime_error naming the file when there is none of this name, or it
+/// has another size
+const std::vector<double>& stateArray(const State& state, const std::string& name, std::size_t size);
+
+/// A folder of a case whose name is a time.
+struct TimeDirectory
+{
+    double time = 0; ///< [s]
+    std::string name;
+};
+
+/// All time directories of a case in ascending order; empty when the case has none or does not exist.
+std::vector<TimeDirectory> timeDirectories(const std::filesystem::path& caseDirectory);
+
+/// The state as a dictionary of `name value;` and `name N(values);`. \throws std::runtime_error when a value
+/// is not finite
+std::string stateText(const State& state, WriteFormat format);
+
+/// Writes `<case>/<time name>/state`, whole or not at all: a new time directory appears under its name with
+/// the state already in it; other files of a directory that exists are left alone. \throws std::runtime_error
+/// as writeWholeFile
+void writeState(const std::filesystem::path& caseDirectory, const std::string& timeName, const State& state,
+                WriteFormat format);
+
+/// Reads a state of either format. \throws std::runtime_error with file and line on what is not a state, or
+/// ends too early
+State readState(const std::filesystem::path& file);
+
+/// Writes the states of one run and keeps only the last ones of them.
+class StateWriter
+{
+public:
+    /// \param purgeWrite number of time directories to keep of those that this object writes; 0 keeps all
+    StateWriter(std::filesystem::path caseDirectory, WriteFormat format, int purgeWrite);
+
+    /// Writes the state, then removes the oldest directory that this object wrote if there are now too many.
+    /// A directory that was there before is never removed.
+    void write(const std::string& timeName, const State& state);
+
+private:
+    std::filesystem::path caseDirectory_;
+    WriteFormat format_;
+    std::size_t purgeWrite_;
+    std::deque<std::string> written_;
+};
+
+} // namespace drystone

@@ -1,0 +1,55 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// What one .vtp file shows, as plain data, and how it becomes the bytes of the file.
+#pragma once
+
+#include "geometry/Vector.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace drystone
+{
+
+enum class FieldType
+{
+    real,    ///< 64 bit floating point
+    integer, ///< 32 bit; values must be whole
+};
+
+/// One quantity, with a value for every cell.
+struct Field
+{
+    std::string name;
+    int components = 1;         ///< 1, or 2 or 3 for a vector; a plane vector is written with z = 0
+    std::vector<double> values; ///< components x cells, the components of one cell following each other
+    FieldType type = FieldType::real;
+};
+
+enum class CellKind
+{
+    polygon, ///< a polygon with its own vertices; fields are cell data
+    point,   ///< a single point; fields are point data, as ParaView's glyphs want them
+};
+
+/// Cells in the plane z = 0, each with its own points.
+struct PolyData
+{
+    CellKind kind = CellKind::polygon;
+    std::vector<int> cellSizes;    ///< vertices of each polygon; left empty for points
+    std::vector<Vector<2>> points; ///< polygon by polygon [m]
+    std::vector<Field> fields;
+};
+
+std::size_t cellCount(const PolyData& data);
+
+/// The bytes of a .vtp file: VTK's XML, raw appended, compressed in zlib's format. Coordinates are written in
+/// single precision (they are looked at), fields in double (they are also computed with). \throws
+/// std::runtime_error when a value is not finite, a field has not one value a cell, or sizes do not add up;
+/// the message names the field and the cell
+std::string vtpBytes(const PolyData& data);
+
+/// The same as a file, written whole or not at all.
+void writeVtp(const std::filesystem::path& file, const PolyData& data);
+
+} // namespace drystone

@@ -1,0 +1,56 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Series of .vtp files that ParaView plays as an animation.
+#pragma once
+
+#include "io/VtkFile.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace drystone
+{
+
+/// Writes `<folder>/<name>.vtp.series`, the list of frames and their times, and `<folder>/<name>_000000.vtp`
+/// and so on, one file a frame. The list names complete files only, at any moment: ParaView may open a
+/// running case.
+///
+/// One object writes one series; a second object on the same series must not be used at the same time.
+class VtkSeries
+{
+public:
+    /// Opens the series for writing from startTime on. Frames of an earlier run up to startTime are kept, so
+    /// that a restarted run continues its animation; later ones are removed. Nothing is written before the
+    /// first frame unless frames had to be removed. \throws std::runtime_error when the list there was not
+    /// written by Drystone, or cannot be written
+    VtkSeries(std::filesystem::path folder, std::string name, double startTime);
+
+    /// Adds a frame at a time [s]. A frame of this time or later ones, if present, give way to it.
+    /// \throws std::runtime_error as vtpBytes and writeWholeFile; the list then stands as it was
+    void write(double time, const PolyData& data);
+
+    /// Times of the frames in the list, ascending [s].
+    std::vector<double> times() const;
+
+    /// The list itself: `<folder>/<name>.vtp.series`.
+    std::filesystem::path listFile() const;
+
+private:
+    struct Frame
+    {
+        std::string file;
+        double time;
+    };
+
+    std::vector<Frame> readList() const;
+    void cutFrom(std::size_t first);
+    void writeList();
+    void appendToList(const Frame& frame);
+
+    std::filesystem::path folder_;
+    std::string name_;
+    std::vector<Frame> frames_;
+    std::size_t listSize_ = 0; ///< bytes of the list file as we wrote it; 0 when it is not known
+};
+
+} // namespace drystone

@@ -1,0 +1,67 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Temporary file, then rename.
+#include "io/WholeFile.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <stdexcept>
+#include <string>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace drystone
+{
+
+namespace
+{
+
+[[noreturn]] void refuse(const std::filesystem::path& file, int reason)
+{
+    throw std::runtime_error(fmt::format(
+        "Cannot write {}: {}.\n\nCheck that its folder may be written and that the disk has room.",
+        file.string(), std::strerror(reason)));
+}
+
+} // namespace
+
+void writeWholeFile(const std::filesystem::path& file, std::string_view content)
+{
+    const std::string temporary = fmt::format("{}.{}.tmp", file.string(), ::getpid());
+    const auto open = [&]
+    { return ::open(temporary.c_str(), O_CREAT | O_WRONLY | O_TRUNC | O_CLOEXEC, 0666); };
+    int descriptor = open();
+    if (descriptor < 0 && errno == ENOENT && file.has_parent_path())
+    {
+        std::error_code failure;
+        std::filesystem::create_directories(file.parent_path(), failure);
+        if (failure)
+            refuse(file, failure.value());
+        descriptor = open();
+    }
+    if (descriptor < 0)
+        refuse(file, errno);
+
+    int reason = 0;
+    while (!content.empty() && reason == 0)
+    {
+        const auto written = ::write(descriptor, content.data(), content.size());
+        if (written >= 0)
+            content.remove_prefix(static_cast<std::size_t>(written));
+        else if (errno != EINTR)
+            reason = errno;
+    }
+    if (::close(descriptor) != 0 && reason == 0)
+        reason = errno;
+    if (reason == 0 && std::rename(temporary.c_str(), file.c_str()) != 0)
+        reason = errno;
+    if (reason != 0)
+    {
+        ::unlink(temporary.c_str());
+        refuse(file, reason);
+    }
+}
+
+} // namespace drystone

@@ -1,0 +1,17 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Files that are written whole or not at all.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+namespace drystone
+{
+
+/// Writes a file through a temporary beside it that then takes its name, so that a reader, or a run that is
+/// killed, meets the old content or the new one and never half of it. Folders missing on the way are made.
+/// \throws std::runtime_error naming the file and the system's reason (no permission, disk full, ...); the
+/// old file then stands.
+void writeWholeFile(const std::filesystem::path& file, std::string_view content);
+
+} // namespace drystone

@@ -1,0 +1,278 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Pictures: well-formed, complete and refusing what cannot be drawn. With DRYSTONE_KEEP_PICTURES=<folder> in
+/// the environment the pictures are left there to be looked at.
+#include "Scene.h"
+#include "io/Mechanism.h"
+#include "io/MechanismPicture.h"
+#include "io/Plot.h"
+#include "io/Svg.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <vtkSmartPointer.h>
+#include <vtkXMLDataElement.h>
+#include <vtkXMLUtilities.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <stdexcept>
+
+namespace drystone
+{
+
+namespace
+{
+
+using test::contact;
+using test::content;
+using test::ScratchFolder;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+/// The root element when the text is well-formed XML (read by expat), or nothing.
+vtkSmartPointer<vtkXMLDataElement> parsed(const std::string& text)
+{
+    return vtkSmartPointer<vtkXMLDataElement>::Take(vtkXMLUtilities::ReadElementFromString(text.c_str()));
+}
+
+std::size_t count(const std::string& text, const std::string& what)
+{
+    std::size_t result = 0;
+    for (auto at = text.find(what); at != text.npos; at = text.find(what, at + what.size()))
+        ++result;
+    return result;
+}
+
+void keep(const std::string& name, const std::string& text)
+{
+    if (const char* folder = std::getenv("DRYSTONE_KEEP_PICTURES"))
+        std::ofstream(std::filesystem::path(folder) / name) << text;
+}
+
+TEST(Svg, IsWellFormedWhateverTheTextSays)
+{
+    SvgDrawing drawing(100, 50);
+    drawing.text({10, 10}, "a < b && \"c\" > d\x01", {});
+    drawing.text({10, 30}, "10⁻³ µm", {});
+    ASSERT_TRUE(parsed(drawing.document()));
+    EXPECT_THAT(drawing.document(), HasSubstr("a &lt; b &amp;&amp; &quot;c&quot; &gt; d</text>"));
+    testing::internal::CaptureStderr();
+    EXPECT_FALSE(parsed("<svg><g></svg>")); // the check can fail
+    testing::internal::GetCapturedStderr();
+}
+
+TEST(Svg, RefusesCoordinatesThatAreNotFinite)
+{
+    SvgDrawing drawing(100, 50);
+    EXPECT_THROW(drawing.line({0, 0}, {std::numeric_limits<double>::quiet_NaN(), 1}, {}), std::runtime_error);
+    EXPECT_THROW(drawing.circle({0, 0}, std::numeric_limits<double>::infinity(), {}), std::runtime_error);
+}
+
+TEST(MechanismPicture, ShowsEveryFreeBlockTheBuiltOutlineAndTheGround)
+{
+    const Assembly<2> wall = test::wall(5, 6);
+    const auto placements = mechanismPlacements(wall, test::turningRates(wall, 2), 0.5 * meanBlockSize(wall));
+    const std::string svg = mechanismSvg(
+        wall, placements, {"masonryPanels/wall1", "alpha = 0.642859, 33 blocks, 174 contact points"});
+    keep("wall.svg", svg);
+    ASSERT_TRUE(parsed(svg));
+    std::size_t freeBlocks = 0;
+    for (const Block<2>& block : wall.blocks)
+        freeBlocks += block.support < 0 ? 1 : 0;
+    EXPECT_EQ(count(svg, "<polygon"), wall.blocks.size());
+    EXPECT_EQ(count(svg, "url(#fixed)"), wall.blocks.size() - freeBlocks);
+    EXPECT_THAT(svg, HasSubstr("alpha = 0.642859"));
+    // The outline as built is the four sides, in pieces of a block each, and none of the joints within: 6
+    // blocks below (two are halves), 5 above, 6 on either side; and one stroke in the legend.
+    EXPECT_EQ(count(svg, "stroke-dasharray=\"5 4\""), 6u + 5u + 2 * 6u + 1u);
+}
+
+TEST(MechanismPicture, OfAStructureAtRestHasNoLegendOfMotion)
+{
+    const Assembly<2> wall = test::wall(5, 6);
+    const std::string svg = mechanismSvg(wall, std::vector<Placement<2>>(wall.blocks.size()), {});
+    ASSERT_TRUE(parsed(svg));
+    EXPECT_THAT(svg, Not(HasSubstr("moves most")));
+}
+
+TEST(MechanismPicture, OfNothingIsStillAPicture)
+{
+    ASSERT_TRUE(parsed(mechanismSvg(Assembly<2>{}, {}, {.title = "empty"})));
+}
+
+TEST(MechanismPicture, DrawsAnArchWithItsThrust)
+{
+    // Voussoirs between radii 0.925 and 1.075, each hinging a little further.
+    Assembly<2> arch;
+    arch.supports.push_back({"springers", "blocks"});
+    std::vector<Placement<2>> placements;
+    std::vector<JointForce> thrust;
+    constexpr int voussoirs = 27;
+    const double pi = std::acos(-1.0);
+    const auto at = [&](double radius, double part)
+    { return Vector<2>(-radius * std::cos(pi * part), radius * std::sin(pi * part)); };
+    for (int i = -1; i <= voussoirs; ++i)
+    {
+        const double from = static_cast<double>(i) / voussoirs;
+        const double to = static_cast<double>(i + 1) / voussoirs;
+        const bool isFree = i >= 0 && i < voussoirs;
+        arch.blocks.push_back(
+            {{at(0.925, from), at(0.925, to), at(1.075, to), at(1.075, from)}, 1, isFree ? -1 : 0});
+        std::swap(arch.blocks.back().outline[1], arch.blocks.back().outline[3]); // counter-clockwise
+        placements.push_back(
+            {isFree ? Vector<2>(0.05 * std::sin(pi * from), -0.05 * std::sin(pi * from)) : Vector<2>(0, 0),
+             0});
+        if (i >= 0)
+            thrust.push_back({at(0.98 + 0.05 * std::cos(4 * pi * from), from),
+                              Vector<2>(0.3, 0.5 - from).normalized() * (0.5 + std::abs(0.5 - from))});
+    }
+    MechanismPicture picture{.title = "arch", .subtitle = "P/W = 0.22696"};
+    picture.thrust = thrust;
+    const std::string svg = mechanismSvg(arch, placements, picture);
+    keep("arch.svg", svg);
+    ASSERT_TRUE(parsed(svg));
+    EXPECT_EQ(count(svg, "#1b4f8f"), thrust.size() + 1); // one stroke a joint, one in the legend
+}
+
+TEST(MechanismPicture, IsWrittenWholeOrRefused)
+{
+    const ScratchFolder folder;
+    const Assembly<2> wall = test::wall(2, 2);
+    std::vector<Placement<2>> placements(wall.blocks.size());
+    writeMechanismPicture(folder / "deep/mechanism.svg", wall, placements, {.title = "wall"});
+    EXPECT_TRUE(parsed(content(folder / "deep/mechanism.svg")));
+    placements.back().rotation = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_THROW(writeMechanismPicture(folder / "bad.svg", wall, placements, {.title = "wall"}),
+                 std::runtime_error);
+    EXPECT_FALSE(std::filesystem::exists(folder / "bad.svg"));
+    placements.pop_back();
+    EXPECT_THROW(mechanismSvg(wall, placements, {}), std::runtime_error);
+}
+
+TEST(JointForces, AddUpAtTheCentreOfPressure)
+{
+    std::vector<ContactPoint<2>> points(4);
+    points[0] = contact(0, 1, 0, {0, 1}, {0, 1});
+    points[1] = contact(0, 1, 0, {4, 1}, {0, 1});
+    points[2] = contact(1, 2, 1, {0, 2}, {0, 1}); // carries nothing
+    points[3] = contact(1, 2, 1, {4, 2}, {0, 1});
+    const auto joints = jointForces(points, {{1, 0.25}, {3, 0.25}, {0, 0}, {0, 0}});
+    ASSERT_EQ(joints.size(), 1u);
+    EXPECT_EQ(joints[0].centre, Vector<2>(3, 1));
+    EXPECT_EQ(joints[0].force, Vector<2>(0.5, 4));
+}
+
+TEST(Plot, TicksOfALinearAxisAreRoundNumbers)
+{
+    EXPECT_THAT(axisTicks(0, 1, AxisScale::linear),
+                ElementsAre(0, 0.2, 0.4, testing::DoubleNear(0.6, 1e-15), 0.8, 1));
+    EXPECT_THAT(axisTicks(-3.3, 7.1, AxisScale::linear), ElementsAre(-2, 0, 2, 4, 6));
+}
+
+TEST(Plot, TicksOfALogarithmicAxisArePowersOfTen)
+{
+    const auto is = [](double value) { return testing::DoubleNear(value, 1e-12 * value); };
+    EXPECT_THAT(axisTicks(2e-3, 30, AxisScale::logarithmic), ElementsAre(is(1e-2), is(1e-1), is(1), is(10)));
+    EXPECT_THAT(axisTicks(3, 60, AxisScale::logarithmic), ElementsAre(is(5), is(10), is(20), is(50)));
+    EXPECT_THAT(axisTicks(1e-12, 1e6, AxisScale::logarithmic),
+                ElementsAre(is(1e-12), is(1e-10), is(1e-8), is(1e-6), is(1e-4), is(1e-2), is(1), is(1e2),
+                            is(1e4), is(1e6)));
+}
+
+Plot accuracyPlot()
+{
+    Plot plot;
+    plot.title = "What accuracy costs: free rocking, block 0.5 x 2 m";
+    plot.subtitle = "median error of the first period over 20 phases; one core";
+    plot.x = {"CPU time [s]", AxisScale::logarithmic, {}, {}};
+    plot.y = {"relative error of the period [-]", AxisScale::logarithmic, {}, {}};
+    for (const auto& [name, order, factor] :
+         {std::tuple{"theta = 1", 1, 2.0}, std::tuple{"theta = 0.5", 2, 5.0},
+          std::tuple{"theta = 1, Coulomb", 1, 3.0}})
+    {
+        PlotCurve curve;
+        curve.name = name;
+        for (int i = 0; i < 7; ++i)
+        {
+            const double dt = 0.02 * std::pow(0.5, i);
+            curve.x.push_back(0.002 * factor / dt);
+            curve.y.push_back(factor * std::pow(dt, order));
+        }
+        plot.curves.push_back(curve);
+    }
+    plot.curves[2].line = CurveLine::dashed;
+    plot.references.push_back({"0.5 %", ReferenceDirection::horizontal, 0.005});
+    return plot;
+}
+
+TEST(Plot, DrawsLogarithmicCurvesWithALegend)
+{
+    const std::string svg = plotSvg(accuracyPlot());
+    keep("accuracy.svg", svg);
+    ASSERT_TRUE(parsed(svg));
+    EXPECT_EQ(count(svg, "<polyline"), 3u);
+    EXPECT_THAT(svg, HasSubstr("CPU time [s]</text>"));
+    EXPECT_THAT(svg, HasSubstr("theta = 0.5</text>"));
+    EXPECT_THAT(svg, HasSubstr("10⁻⁴</text>"));
+}
+
+TEST(Plot, DrawsManyPointsWithoutMarkers)
+{
+    Plot plot;
+    plot.title = "Wall 6 at 1.1 alpha";
+    plot.x = {"time [s]", AxisScale::linear, {}, {}};
+    plot.y = {"displacement of block 145 [mm]", AxisScale::linear, {}, {}};
+    PlotCurve curve{"ux", {}, {}, CurveLine::solid, CurveMarker::automatic, ""};
+    for (int i = 0; i <= 500; ++i)
+    {
+        curve.x.push_back(0.002 * i);
+        curve.y.push_back(60 * std::sin(0.01 * i) - 20);
+    }
+    plot.curves = {curve};
+    const std::string svg = plotSvg(plot);
+    keep("time.svg", svg);
+    ASSERT_TRUE(parsed(svg));
+    EXPECT_EQ(count(svg, "<circle"), 0u);
+}
+
+TEST(Plot, OfNothingOrOfASinglePointIsStillAPlot)
+{
+    EXPECT_TRUE(parsed(plotSvg({})));
+    Plot plot;
+    plot.x.scale = AxisScale::logarithmic;
+    plot.curves.push_back({"one", {3}, {5}, CurveLine::solid, CurveMarker::automatic, ""});
+    EXPECT_TRUE(parsed(plotSvg(plot)));
+    plot.curves[0].y = {0};
+    EXPECT_TRUE(parsed(plotSvg(plot)));
+}
+
+TEST(Plot, RefusesWhatItCannotShowAndNamesIt)
+{
+    Plot plot;
+    plot.x = {"dt [s]", AxisScale::logarithmic, {}, {}};
+    plot.curves.push_back({"theta = 1", {1, 0}, {1, 2}, CurveLine::solid, CurveMarker::automatic, ""});
+    try
+    {
+        plotSvg(plot);
+        FAIL();
+    }
+    catch (const std::runtime_error& error)
+    {
+        EXPECT_THAT(error.what(), HasSubstr("Point 1 of the curve 'theta = 1'"));
+        EXPECT_THAT(error.what(), HasSubstr("dt [s]"));
+    }
+    plot.curves[0].x = {1};
+    EXPECT_THROW(plotSvg(plot), std::runtime_error);
+    plot.curves[0].x = {1, std::numeric_limits<double>::quiet_NaN()};
+    EXPECT_THROW(plotSvg(plot), std::runtime_error);
+    plot.curves.clear();
+    plot.x.lower = 5;
+    plot.x.upper = 5;
+    EXPECT_THROW(plotSvg(plot), std::runtime_error);
+}
+
+} // namespace
+
+} // namespace drystone

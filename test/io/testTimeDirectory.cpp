@@ -1,0 +1,241 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// States: the same bits back, whole or not at all.
+#include "Scene.h"
+#include "io/TimeDirectory.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <random>
+#include <stdexcept>
+
+namespace drystone
+{
+
+namespace
+{
+
+using test::content;
+using test::ScratchFolder;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+template<typename Function>
+std::string messageOf(Function function)
+{
+    try
+    {
+        function();
+    }
+    catch (const std::runtime_error& error)
+    {
+        return error.what();
+    }
+    ADD_FAILURE() << "nothing was thrown";
+    return {};
+}
+
+std::vector<std::uint64_t> bits(const std::vector<double>& values)
+{
+    std::vector<std::uint64_t> result;
+    for (const double value : values)
+        result.push_back(std::bit_cast<std::uint64_t>(value));
+    return result;
+}
+
+/// Doubles of every size and sign, the smallest, the largest and minus zero among them.
+std::vector<double> hardNumbers()
+{
+    using limits = std::numeric_limits<double>;
+    std::vector<double> values{
+        0.0,     -0.0, limits::denorm_min(), limits::min(), limits::max(),        -limits::max(), 0.1,
+        1.0 / 3, 1e22, 123456789012345678.0, 5e-324,        1 + limits::epsilon()};
+    std::mt19937_64 random(42);
+    while (values.size() < 1000)
+    {
+        const double value = std::bit_cast<double>(random());
+        if (std::isfinite(value))
+            values.push_back(value);
+    }
+    return values;
+}
+
+class EveryFormat : public testing::TestWithParam<WriteFormat>
+{
+};
+
+TEST_P(EveryFormat, GivesTheSameBitsBack)
+{
+    const ScratchFolder folder;
+    State state;
+    state.scalars["time"] = 0.1 + 0.2;
+    state.scalars["energyLoss"] = -1e-300;
+    state.arrays["displacement"] = hardNumbers();
+    state.arrays["empty"] = {};
+    state.arrays["single"] = {-0.0};
+    writeState(folder.path(), "0.3", state, GetParam());
+    const State back = readState(folder / "0.3/state");
+    EXPECT_EQ(back.scalars, state.scalars);
+    ASSERT_EQ(back.arrays.size(), 3u);
+    for (const auto& [name, values] : state.arrays)
+        EXPECT_EQ(bits(stateArray(back, name, values.size())), bits(values)) << name;
+}
+
+TEST_P(EveryFormat, CutAnywhereIsRefusedOrComplete)
+{
+    const ScratchFolder folder;
+    State state;
+    state.scalars["a"] = 1.5;
+    state.arrays["b"] = {1, 2, 3};
+    const std::string text = stateText(state, GetParam());
+    int refused = 0;
+    for (std::size_t size = 0; size + 1 < text.size(); ++size) // the last line end is not missed
+    {
+        std::ofstream(folder / "state", std::ios::binary) << text.substr(0, size);
+        try
+        {
+            const State back = readState(folder / "state");
+            // Cut between entries: what is missing is then missed by name.
+            EXPECT_LT(back.scalars.size() + back.arrays.size(), 2u) << size;
+        }
+        catch (const std::runtime_error& error)
+        {
+            EXPECT_THAT(error.what(), HasSubstr("state at line "));
+            ++refused;
+        }
+    }
+    EXPECT_GT(refused, static_cast<int>(text.size()) / 2);
+}
+
+TEST_P(EveryFormat, RefusesWhatIsNotFinite)
+{
+    const ScratchFolder folder;
+    State state;
+    state.arrays["velocity"] = {0, std::numeric_limits<double>::quiet_NaN()};
+    EXPECT_THAT(messageOf([&] { writeState(folder.path(), "1", state, GetParam()); }), HasSubstr("velocity"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "1"));
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+INSTANTIATE_TEST_SUITE_P(TimeDirectory, EveryFormat,
+                         testing::Values(WriteFormat::ascii, WriteFormat::binary));
+
+TEST(TimeDirectory, ABinaryStateWithANumberThatIsNotFiniteIsRefused)
+{
+    const ScratchFolder folder;
+    State state;
+    state.arrays["velocity"] = {1.0};
+    std::string text = stateText(state, WriteFormat::binary);
+    const double bad = std::numeric_limits<double>::infinity();
+    text.replace(text.rfind('(') + 1, 8, reinterpret_cast<const char*>(&bad), 8);
+    std::ofstream(folder / "state", std::ios::binary) << text;
+    EXPECT_THAT(messageOf([&] { readState(folder / "state"); }), HasSubstr("not a finite number"));
+}
+
+TEST(TimeDirectory, AStateMayBeEditedByHand)
+{
+    const ScratchFolder folder;
+    std::ofstream(folder / "state")
+        << "/* my\n state */\ntime 1e-3; // s\nvelocity 2 ( 1\n -2.5 );\nnone 0();\n";
+    const State state = readState(folder / "state");
+    EXPECT_EQ(stateScalar(state, "time"), 1e-3);
+    EXPECT_THAT(stateArray(state, "velocity", 2), ElementsAre(1, -2.5));
+    EXPECT_TRUE(stateArray(state, "none", 0).empty());
+}
+
+TEST(TimeDirectory, ErrorsOfAStateNameFileAndLine)
+{
+    const ScratchFolder folder;
+    const auto read = [&](const std::string& text)
+    {
+        std::ofstream(folder / "state") << text;
+        return messageOf([&] { readState(folder / "state"); });
+    };
+    EXPECT_THAT(read("time 1;\nvelocity 2(1 x);\n"), HasSubstr("state at line 2"));
+    EXPECT_THAT(read("time 1;\nvelocity 3(1 2);\n"), HasSubstr("finite number"));
+    EXPECT_THAT(read("time nan;\n"), HasSubstr("state at line 1"));
+    EXPECT_THAT(read("time 1\nvelocity 2;\n"), HasSubstr("Expected ';'"));
+    EXPECT_THAT(read("a 99999999999999(1);\n"), HasSubstr("size of a list"));
+    EXPECT_THAT(read("a -1(1);\n"), HasSubstr("size of a list"));
+    EXPECT_THAT(read("\n\n/* never\n"), HasSubstr("does not end"));
+    EXPECT_THAT(messageOf([&] { readState(folder / "absent/state"); }), HasSubstr("absent/state"));
+    EXPECT_THAT(messageOf([&] { readState(folder.path()); }), HasSubstr("Cannot read"));
+    EXPECT_THAT(read(std::string("\x7f"
+                                 "ELF\0\0\x01\x02",
+                                 8)),
+                HasSubstr("state at line 1"));
+}
+
+TEST(TimeDirectory, MissingOrMissizedEntriesNameTheFile)
+{
+    const ScratchFolder folder;
+    State state;
+    state.arrays["velocity"] = {1, 2, 3};
+    writeState(folder.path(), "2", state, WriteFormat::ascii);
+    const State back = readState(folder / "2/state");
+    EXPECT_THAT(messageOf([&] { stateScalar(back, "time"); }), HasSubstr("2/state"));
+    EXPECT_THAT(messageOf([&] { stateArray(back, "rotation", 3); }), HasSubstr("rotation"));
+    EXPECT_THAT(messageOf([&] { stateArray(back, "velocity", 6); }),
+                HasSubstr("3 values where this case needs 6"));
+}
+
+TEST(TimeDirectory, TimesAreListedInOrderAndOtherFoldersLeftOut)
+{
+    const ScratchFolder folder;
+    for (const char* name :
+         {"0", "10", "2", "0.5", "1e-05", "constant", "system", "VTK", "0.orig", "-1", ".3.77.tmp"})
+        std::filesystem::create_directory(folder / name);
+    std::ofstream(folder / "3") << "a file";
+    std::vector<std::string> names;
+    for (const TimeDirectory& directory : timeDirectories(folder.path()))
+        names.push_back(directory.name);
+    EXPECT_THAT(names, ElementsAre("-1", "0", "1e-05", "0.5", "2", "10"));
+    EXPECT_TRUE(timeDirectories(folder / "absent").empty());
+}
+
+TEST(TimeDirectory, WritingIntoADirectoryThatExistsKeepsItsOtherFiles)
+{
+    const ScratchFolder folder;
+    std::filesystem::create_directory(folder / "0");
+    std::ofstream(folder / "0/motion") << "mine";
+    State state;
+    state.scalars["time"] = 0;
+    writeState(folder.path(), "0", state, WriteFormat::ascii);
+    state.scalars["time"] = 1;
+    writeState(folder.path(), "0", state, WriteFormat::ascii);
+    EXPECT_EQ(content(folder / "0/motion"), "mine");
+    EXPECT_EQ(stateScalar(readState(folder / "0/state"), "time"), 1);
+}
+
+TEST(TimeDirectory, PurgeKeepsTheLastOnesOfThisRunAndAllOfOthers)
+{
+    const ScratchFolder folder;
+    State state;
+    writeState(folder.path(), "0", state, WriteFormat::ascii);
+    writeState(folder.path(), "0.5", state, WriteFormat::ascii);
+    StateWriter writer(folder.path(), WriteFormat::binary, 2);
+    for (const char* name : {"0.5", "1", "1.5", "2", "2.5"})
+        writer.write(name, state);
+    std::vector<std::string> names;
+    for (const TimeDirectory& directory : timeDirectories(folder.path()))
+        names.push_back(directory.name);
+    EXPECT_THAT(names, ElementsAre("0", "0.5", "2", "2.5"));
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+        EXPECT_NE(entry.path().filename().string().front(), '.');
+}
+
+TEST(TimeDirectory, ACaseThatCannotBeWrittenIsNamed)
+{
+    const ScratchFolder folder;
+    std::ofstream(folder / "case") << "a file";
+    EXPECT_THAT(messageOf([&] { writeState(folder / "case", "1", {}, WriteFormat::ascii); }),
+                HasSubstr("case/"));
+}
+
+} // namespace
+
+} // namespace drystone

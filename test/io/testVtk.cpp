@@ -1,0 +1,442 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// .vtp files and their series, read back with VTK's own reader.
+#include "Scene.h"
+#include "io/Frames.h"
+#include "io/Mechanism.h"
+#include "io/VtkSeries.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkXMLPolyDataReader.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace drystone
+{
+
+namespace
+{
+
+using test::contact;
+using test::content;
+using test::ScratchFolder;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+vtkSmartPointer<vtkPolyData> readBack(const std::filesystem::path& file)
+{
+    vtkNew<vtkXMLPolyDataReader> reader;
+    reader->SetFileName(file.c_str());
+    reader->Update();
+    return reader->GetOutput();
+}
+
+template<typename Function>
+std::string messageOf(Function function)
+{
+    try
+    {
+        function();
+    }
+    catch (const std::runtime_error& error)
+    {
+        return error.what();
+    }
+    ADD_FAILURE() << "nothing was thrown";
+    return {};
+}
+
+Assembly<2> concaveBlocks()
+{
+    Assembly<2> assembly;
+    assembly.blocks.push_back({{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}, 1, -1}); // L
+    assembly.blocks.push_back({{{3, 0}, {4, 2}, {3, 0.5}, {2, 2}}, 1, -1});               // arrowhead
+    return assembly;
+}
+
+TEST(Vtp, BlocksAreReadBackByVtkWithTheirFields)
+{
+    const ScratchFolder folder;
+    const Assembly<2> wall = test::wall(5, 6);
+    std::vector<Placement<2>> placements(wall.blocks.size());
+    placements[20] = {{0.01, -0.02}, 0.125};
+    Field speed{"speed", 1, std::vector<double>(wall.blocks.size(), 1.0 / 3), FieldType::real};
+    writeVtp(folder / "blocks.vtp", blockFrame(wall, placements, {speed}));
+
+    const auto data = readBack(folder / "blocks.vtp");
+    ASSERT_EQ(data->GetNumberOfPolys(), static_cast<vtkIdType>(wall.blocks.size()));
+    vtkCellData* fields = data->GetCellData();
+    EXPECT_EQ(fields->GetArray("blockId")->GetTuple1(20), 20);
+    EXPECT_EQ(fields->GetArray("support")->GetTuple1(0), 0);
+    EXPECT_EQ(fields->GetArray("support")->GetTuple1(20), -1);
+    EXPECT_EQ(fields->GetArray("displacement")->GetNumberOfComponents(), 3);
+    EXPECT_EQ(fields->GetArray("displacement")->GetTuple3(20)[0], 0.01); // bit for bit: fields are double
+    EXPECT_EQ(fields->GetArray("displacement")->GetTuple3(20)[1], -0.02);
+    EXPECT_EQ(fields->GetArray("displacement")->GetTuple3(20)[2], 0);
+    EXPECT_EQ(fields->GetArray("rotation")->GetTuple1(20), 0.125);
+    EXPECT_EQ(fields->GetArray("speed")->GetTuple1(7), 1.0 / 3);
+
+    vtkNew<vtkIdList> corners;
+    data->GetCellPoints(20, corners);
+    const Polygon outline = placedOutline(wall.blocks[20], placements[20]);
+    ASSERT_EQ(corners->GetNumberOfIds(), 4);
+    for (int k = 0; k < 4; ++k)
+    {
+        const double* point = data->GetPoint(corners->GetId(k));
+        EXPECT_NEAR(point[0], outline[static_cast<std::size_t>(k)].x(), 1e-6); // single precision of 2 m
+        EXPECT_NEAR(point[1], outline[static_cast<std::size_t>(k)].y(), 1e-6);
+        EXPECT_EQ(point[2], 0);
+    }
+}
+
+TEST(Vtp, ABlockTurnsAboutItsCentroidAsARigidBody)
+{
+    const Block<2> block{{{10, 5}, {12, 5}, {12, 6}, {10, 6}}, 1, -1};
+    const Polygon turned = placedOutline(block, {{1, 2}, std::acos(-1.0) / 2});
+    // Centroid (11, 5.5) moves to (12, 7.5); the corner at (-1, -0.5) from it turns to (0.5, -1).
+    EXPECT_NEAR((turned[0] - Vector<2>(12.5, 6.5)).norm(), 0, 1e-14);
+    EXPECT_NEAR((turned[2] - Vector<2>(11.5, 8.5)).norm(), 0, 1e-14);
+}
+
+TEST(Vtp, AConcaveQuadrilateralStartsAtItsReentrantCorner)
+{
+    const PolyData data = blockFrame(concaveBlocks());
+    EXPECT_THAT(data.cellSizes, ElementsAre(6, 4));
+    EXPECT_EQ(data.points[6], Vector<2>(3, 0.5));
+    EXPECT_EQ(data.points[7], Vector<2>(2, 2));
+}
+
+TEST(Vtp, ContactsCarryForcesGapsAndStates)
+{
+    const ScratchFolder folder;
+    std::vector<ContactPoint<2>> points(3);
+    points[0] = contact(0, 1, 0, {0.5, 0.25}, {0, 1});
+    points[1] = contact(0, 1, 0, {1, 0.25}, {0, 1});
+    points[1].gap = 1e-9;
+    points[2] = contact(1, 2, 1, {0.5, 0.5}, {1, 0});
+    const std::vector<Vector<2>> forces{{10, 6.5}, {0, 0}, {4, -1}};
+    const auto states = contactStates(forces, {0.65, 0.65, 0.65});
+    EXPECT_THAT(states, ElementsAre(ContactState::sliding, ContactState::open, ContactState::sticking));
+
+    writeVtp(folder / "contacts.vtp", contactFrame(points, forces, states));
+    const auto data = readBack(folder / "contacts.vtp");
+    ASSERT_EQ(data->GetNumberOfVerts(), 3);
+    vtkPointData* fields = data->GetPointData();
+    // Normal (0 1): the tangent is (1 0); normal (1 0): the tangent is (0 -1).
+    EXPECT_EQ(fields->GetArray("contactForce")->GetTuple3(0)[0], 6.5);
+    EXPECT_EQ(fields->GetArray("contactForce")->GetTuple3(0)[1], 10);
+    EXPECT_EQ(fields->GetArray("contactForce")->GetTuple3(2)[0], 4);
+    EXPECT_EQ(fields->GetArray("contactForce")->GetTuple3(2)[1], 1);
+    EXPECT_EQ(fields->GetArray("normalForce")->GetTuple1(2), 4);
+    EXPECT_EQ(fields->GetArray("tangentialForce")->GetTuple1(2), -1);
+    EXPECT_EQ(fields->GetArray("gap")->GetTuple1(1), 1e-9);
+    EXPECT_EQ(fields->GetArray("state")->GetTuple1(0), 2);
+    EXPECT_EQ(fields->GetArray("state")->GetTuple1(1), 0);
+    EXPECT_EQ(fields->GetArray("neighbour")->GetTuple1(2), 2);
+}
+
+TEST(Vtp, FrictionlessContactsThatPressAreSlidingAndUnloadedOnesOpen)
+{
+    EXPECT_THAT(contactStates({{1, 0}, {0, 0}}, {0, 0}),
+                ElementsAre(ContactState::sliding, ContactState::open));
+    EXPECT_THAT(contactStates({{0, 0}}, {0.6}), ElementsAre(ContactState::open));
+    EXPECT_TRUE(contactStates({}, {}).empty());
+}
+
+TEST(Vtp, AnEmptyAssemblyGivesAFileThatVtkReads)
+{
+    const ScratchFolder folder;
+    writeAssembly(folder / "VTK/assembly.vtp", Assembly<2>{});
+    EXPECT_EQ(readBack(folder / "VTK/assembly.vtp")->GetNumberOfCells(), 0);
+    writeVtp(folder / "contacts.vtp", contactFrame({}, {}, {}));
+    EXPECT_EQ(readBack(folder / "contacts.vtp")->GetNumberOfCells(), 0);
+}
+
+TEST(Vtp, TheFileIsRawAppendedAndZlib)
+{
+    const std::string bytes = vtpBytes(blockFrame(test::wall(5, 6)));
+    EXPECT_THAT(bytes, HasSubstr("compressor=\"vtkZLibDataCompressor\""));
+    EXPECT_THAT(bytes, HasSubstr("<AppendedData encoding=\"raw\">"));
+}
+
+TEST(Vtp, ManyBlocksSurviveTheCompressorsBlocks)
+{
+    // 20,000 blocks: arrays of several compression blocks of 32 kB, with an odd rest.
+    const ScratchFolder folder;
+    const Assembly<2> wall = test::wall(100, 200);
+    std::vector<Placement<2>> placements(wall.blocks.size());
+    for (std::size_t i = 0; i < placements.size(); ++i)
+        placements[i].translation.x() = std::sin(static_cast<double>(i));
+    writeVtp(folder / "blocks.vtp", blockFrame(wall, placements));
+    const auto data = readBack(folder / "blocks.vtp");
+    vtkDataArray* displacement = data->GetCellData()->GetArray("displacement");
+    for (std::size_t i = 0; i < placements.size(); ++i)
+        ASSERT_EQ(displacement->GetTuple3(static_cast<vtkIdType>(i))[0], placements[i].translation.x());
+}
+
+TEST(Vtp, ValuesThatAreNotFiniteAreRefusedByName)
+{
+    const ScratchFolder folder;
+    const Assembly<2> wall = test::wall(2, 2);
+    std::vector<Placement<2>> placements(wall.blocks.size());
+    placements[3].rotation = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_THAT(messageOf([&] { writeVtp(folder / "a.vtp", blockFrame(wall, placements)); }),
+                HasSubstr("not a finite number"));
+
+    Field field{"speed", 1, std::vector<double>(wall.blocks.size(), 0.0), FieldType::real};
+    field.values[4] = std::numeric_limits<double>::infinity();
+    EXPECT_THAT(messageOf([&] { writeVtp(folder / "a.vtp", blockFrame(wall, {}, {field})); }),
+                HasSubstr("speed of cell 4"));
+    field.values.pop_back();
+    EXPECT_THAT(messageOf([&] { writeVtp(folder / "a.vtp", blockFrame(wall, {}, {field})); }),
+                HasSubstr("speed"));
+    field.values = std::vector<double>(wall.blocks.size(), 0.5);
+    field.type = FieldType::integer;
+    EXPECT_THAT(messageOf([&] { writeVtp(folder / "a.vtp", blockFrame(wall, {}, {field})); }),
+                HasSubstr("not a whole number"));
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(Vtp, AFolderThatCannotBeWrittenIsNamedWithTheReason)
+{
+    const ScratchFolder folder;
+    std::ofstream(folder / "file") << "in the way";
+    const std::string message =
+        messageOf([&] { writeAssembly(folder / "file/VTK/assembly.vtp", test::wall(2, 2)); });
+    EXPECT_THAT(message, HasSubstr("file/VTK/assembly.vtp"));
+    EXPECT_THAT(message, HasSubstr("Not a directory"));
+
+    std::filesystem::create_directories(folder / "taken.vtp/inside");
+    EXPECT_THAT(messageOf([&] { writeAssembly(folder / "taken.vtp", test::wall(2, 2)); }),
+                HasSubstr("Is a directory"));
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+        EXPECT_NE(entry.path().extension(), ".tmp");
+}
+
+TEST(VtkSeries, ListsItsFramesAsParaViewExpects)
+{
+    const ScratchFolder folder;
+    VtkSeries series(folder / "VTK", "blocks", 0);
+    const Assembly<2> wall = test::wall(2, 2);
+    const std::string expected[] = {
+        "{\n  \"file-series-version\" : \"1.0\",\n  \"files\" : [\n"
+        "    { \"name\" : \"blocks_000000.vtp\", \"time\" : 0 }\n  ]\n}\n",
+        "{\n  \"file-series-version\" : \"1.0\",\n  \"files\" : [\n"
+        "    { \"name\" : \"blocks_000000.vtp\", \"time\" : 0 },\n"
+        "    { \"name\" : \"blocks_000001.vtp\", \"time\" : 0.1 }\n  ]\n}\n",
+        "{\n  \"file-series-version\" : \"1.0\",\n  \"files\" : [\n"
+        "    { \"name\" : \"blocks_000000.vtp\", \"time\" : 0 },\n"
+        "    { \"name\" : \"blocks_000001.vtp\", \"time\" : 0.1 },\n"
+        "    { \"name\" : \"blocks_000002.vtp\", \"time\" : 0.2 }\n  ]\n}\n",
+    };
+    for (int frame = 0; frame < 3; ++frame)
+    {
+        series.write(0.1 * frame, blockFrame(wall));
+        EXPECT_EQ(content(folder / "VTK/blocks.vtp.series"), expected[frame]);
+    }
+    EXPECT_EQ(readBack(folder / "VTK/blocks_000002.vtp")->GetNumberOfPolys(),
+              static_cast<vtkIdType>(wall.blocks.size()));
+}
+
+TEST(VtkSeries, ARestartReplacesFramesFromItsTimeOn)
+{
+    const ScratchFolder folder;
+    const Assembly<2> wall = test::wall(2, 2);
+    {
+        VtkSeries series(folder.path(), "blocks", 0);
+        for (int frame = 0; frame <= 5; ++frame)
+            series.write(frame, blockFrame(wall));
+    }
+    VtkSeries series(folder.path(), "blocks", 3); // as when the run was killed after writing its state at 3
+    EXPECT_THAT(series.times(), ElementsAre(0, 1, 2, 3));
+    EXPECT_FALSE(std::filesystem::exists(folder / "blocks_000004.vtp"));
+    EXPECT_THAT(content(series.listFile()), testing::Not(HasSubstr("blocks_000004")));
+    series.write(3, blockFrame(wall));
+    series.write(3.5, blockFrame(wall));
+    series.write(4, blockFrame(wall));
+    EXPECT_THAT(series.times(), ElementsAre(0, 1, 2, 3, 3.5, 4));
+
+    const std::string list = content(series.listFile());
+    EXPECT_THAT(list, HasSubstr("\"blocks_000005.vtp\", \"time\" : 4 }\n  ]"));
+    EXPECT_THAT(VtkSeries(folder.path(), "blocks", 10).times(), ElementsAre(0, 1, 2, 3, 3.5, 4));
+}
+
+TEST(VtkSeries, ANewRunFromZeroLeavesNoFrameOfTheOldOne)
+{
+    const ScratchFolder folder;
+    const Assembly<2> wall = test::wall(2, 2);
+    {
+        VtkSeries series(folder.path(), "blocks", 0);
+        for (int frame = 0; frame < 4; ++frame)
+            series.write(frame, blockFrame(wall));
+    }
+    VtkSeries series(folder.path(), "blocks", 0);
+    series.write(0, blockFrame(wall));
+    EXPECT_THAT(series.times(), ElementsAre(0));
+    EXPECT_FALSE(std::filesystem::exists(folder / "blocks_000001.vtp"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "blocks_000003.vtp"));
+}
+
+TEST(VtkSeries, FramesThatWereRemovedByHandAreNotListedAgain)
+{
+    const ScratchFolder folder;
+    const Assembly<2> wall = test::wall(2, 2);
+    {
+        VtkSeries series(folder.path(), "blocks", 0);
+        for (int frame = 0; frame < 4; ++frame)
+            series.write(frame, blockFrame(wall));
+    }
+    std::filesystem::remove(folder / "blocks_000001.vtp");
+    VtkSeries series(folder.path(), "blocks", 3);
+    EXPECT_THAT(series.times(), ElementsAre(0, 2, 3));
+    series.write(4, blockFrame(wall));
+    EXPECT_THAT(content(series.listFile()), HasSubstr("\"blocks_000004.vtp\", \"time\" : 4 "));
+    EXPECT_THAT(content(series.listFile()), testing::Not(HasSubstr("blocks_000001")));
+}
+
+TEST(VtkSeries, AListOfSomebodyElseIsRefusedWithItsLine)
+{
+    const ScratchFolder folder;
+    std::ofstream(folder / "blocks.vtp.series") << "{\"files\": [\n{\"name\": \"x.vtp\", \"time\": 0}]}\n";
+    const std::string message = messageOf([&] { VtkSeries(folder.path(), "blocks", 0); });
+    EXPECT_THAT(message, HasSubstr("blocks.vtp.series at line 2"));
+}
+
+TEST(VtkSeries, ARefusedFrameLeavesTheListAsItWas)
+{
+    const ScratchFolder folder;
+    VtkSeries series(folder.path(), "blocks", 0);
+    const Assembly<2> wall = test::wall(2, 2);
+    series.write(0, blockFrame(wall));
+    const std::string before = content(series.listFile());
+    PolyData bad = blockFrame(wall);
+    bad.points[0].x() = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_THROW(series.write(1, bad), std::runtime_error);
+    EXPECT_THROW(series.write(std::numeric_limits<double>::quiet_NaN(), blockFrame(wall)),
+                 std::runtime_error);
+    EXPECT_EQ(content(series.listFile()), before);
+    EXPECT_FALSE(std::filesystem::exists(folder / "blocks_000001.vtp"));
+}
+
+TEST(Mechanism, GrowsFromAsBuiltToHalfAMeanBlock)
+{
+    const ScratchFolder folder;
+    const Assembly<2> wall = test::wall(5, 6);
+    const Eigen::Matrix3Xd rates = 1e-7 * test::turningRates(wall, 2); // of any size
+    VtkSeries series(folder.path(), "blocks", 0);
+    writeMechanism(series, wall, rates, 5);
+    EXPECT_THAT(series.times(), ElementsAre(0, 0.25, 0.5, 0.75, 1));
+
+    const auto first = readBack(folder / "blocks_000000.vtp");
+    const auto last = readBack(folder / "blocks_000004.vtp");
+    double largest = 0;
+    double rate = 0;
+    for (vtkIdType i = 0; i < first->GetNumberOfPoints(); ++i)
+    {
+        double a[3];
+        double b[3];
+        first->GetPoint(i, a);
+        last->GetPoint(i, b);
+        largest = std::max(largest, std::hypot(a[0] - b[0], a[1] - b[1]));
+    }
+    for (vtkIdType i = 0; i < first->GetNumberOfCells(); ++i)
+    {
+        EXPECT_EQ(first->GetCellData()->GetArray("displacement")->GetTuple3(i)[0], 0);
+        rate = std::max(rate, std::abs(first->GetCellData()->GetArray("displacementRate")->GetTuple3(i)[0]));
+    }
+    const double amplitude = 0.5 * meanBlockSize(wall);
+    EXPECT_NEAR(largest, amplitude, 0.02 * amplitude); // finite rotation of 0.09 rad against first order
+    EXPECT_GT(rate, 0.1);
+    EXPECT_LE(rate, 1);
+}
+
+TEST(Mechanism, OfNoMotionLeavesTheBlocksAsBuilt)
+{
+    const Assembly<2> wall = test::wall(2, 2);
+    const Eigen::Matrix3Xd still = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(wall.blocks.size()));
+    for (const Placement<2>& placement : mechanismPlacements(wall, still, 1))
+    {
+        EXPECT_EQ(placement.translation.norm(), 0);
+        EXPECT_EQ(placement.rotation, 0);
+    }
+}
+
+TEST(Mechanism, RatesOfFreeBlocksGoToTheirBlocks)
+{
+    Assembly<2> assembly;
+    assembly.supports.push_back({"ground", "ground"});
+    assembly.blocks = {{test::rectangle(0, 0, 1, 1), 1, -1},
+                       {test::rectangle(0, -1, 1, 0), 1, 0},
+                       {test::rectangle(0, 1, 1, 2), 1, -1}};
+    Eigen::VectorXd freeRates(6);
+    freeRates << 1, 2, 3, 4, 5, 6;
+    const Eigen::Matrix3Xd rates = ratesOfAllBlocks(assembly, freeRates);
+    EXPECT_EQ(rates.col(0), Eigen::Vector3d(1, 2, 3));
+    EXPECT_EQ(rates.col(1), Eigen::Vector3d(0, 0, 0));
+    EXPECT_EQ(rates.col(2), Eigen::Vector3d(4, 5, 6));
+    EXPECT_THROW(ratesOfAllBlocks(assembly, Eigen::VectorXd::Zero(9)), std::runtime_error);
+}
+
+// A fast run steps 146 blocks in about 1 ms and writes every ten steps: 2 ms a frame would be a fifth of it.
+// The limit here is loose, for slow and busy machines; the figure is printed.
+TEST(VtkSeries, AFrameOf146BlocksAnd702ContactsTakesNoLongerThanAStepOrTwo)
+{
+    const ScratchFolder folder;
+    const Assembly<2> wall = test::wall(7, 19);
+    const std::size_t blocks = wall.blocks.size();
+    std::vector<ContactPoint<2>> points(702);
+    std::vector<Vector<2>> forces(702);
+    std::vector<Placement<2>> placements(blocks);
+    Field velocity{"velocity", 2, std::vector<double>(2 * blocks), FieldType::real};
+    Field angularVelocity{"angularVelocity", 1, std::vector<double>(blocks), FieldType::real};
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+        points[i].position =
+            Vector<2>(std::sin(0.1 * static_cast<double>(i)), std::cos(7.0 * static_cast<double>(i)));
+        points[i].normal = Vector<2>(0, 1);
+        forces[i] = Vector<2>(1 + std::sin(static_cast<double>(i)), std::cos(static_cast<double>(i)));
+    }
+    const auto states = contactStates(forces, std::vector<double>(points.size(), 0.65));
+
+    VtkSeries blockSeries(folder.path(), "blocks", 0);
+    VtkSeries contactSeries(folder.path(), "contacts", 0);
+    constexpr int frames = 200;
+    std::vector<double> milliseconds;
+    for (int frame = 0; frame < frames; ++frame)
+    {
+        for (std::size_t i = 0; i < blocks; ++i)
+        {
+            placements[i] = {
+                {1e-3 * std::sin(static_cast<double>(i) + frame), 1e-4 / (1.0 + static_cast<double>(i))},
+                1e-3 * std::cos(static_cast<double>(i) * frame)};
+            velocity.values[2 * i] = std::sin(static_cast<double>(i) * frame);
+            angularVelocity.values[i] = std::cos(static_cast<double>(i) + frame);
+        }
+        const auto begin = std::chrono::steady_clock::now();
+        blockSeries.write(frame, blockFrame(wall, placements, {velocity, angularVelocity}));
+        contactSeries.write(frame, contactFrame(points, forces, states));
+        const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
+        milliseconds.push_back(time.count());
+    }
+    std::sort(milliseconds.begin(), milliseconds.end());
+    const double median = milliseconds[frames / 2];
+    RecordProperty("millisecondsPerFrame", std::to_string(median));
+    std::printf("one frame of %zu blocks and %zu contacts: median %.3f ms, least %.3f ms\n", blocks,
+                points.size(), median, milliseconds.front());
+    EXPECT_LT(median, 20);
+}
+
+} // namespace
+
+} // namespace drystone
