@@ -1,0 +1,75 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Whether an assembly is fit to be computed with: what `checkBlocks` prints.
+#pragma once
+
+#include "assembly/Assembly.h"
+
+#include <string>
+#include <vector>
+
+namespace drystone
+{
+
+enum class CheckExtent
+{
+    standard,
+    all ///< also short joints and corners that touch an edge without a joint
+};
+
+/// The limits of the checks. Sizes are relative to meanBlockSize.
+struct CheckLimits
+{
+    double jointTolerance = 1e-6; ///< edges this near are a joint; deeper overlaps are faults
+    double gap = 1e-2;            ///< edges nearer than this that are no joint are taken for a fault
+    double gapAngle = 0.02;       ///< of the edges of such a gap, from parallel [rad]
+    double volumeRatio = 1e-10;   ///< least volume of a block, relative to the mean
+    double gyration = 1e4;        ///< largest polar moment of area relative to the area squared (square: 1/6)
+    double compactness = 1e-2;    ///< least 4 pi area / perimeter^2
+    double angle = 1e-2;          ///< least angle at a corner [rad]
+    double edge = 1e-4; ///< least length of an edge, relative to the square root of the block's area
+    double duplicate =
+        1 - 1e-6; ///< blocks that overlap by more than this part of both are the same block twice
+    double jointLength = 1e-3; ///< least length of a joint
+};
+
+/// The outcome of one check.
+struct CheckResult
+{
+    std::string name;                ///< `volumes`, `inertia`, `duplicates`, `overlaps`, ...
+    std::string message;             ///< one line for the user: what was found, with the figures
+    int failures = 0;                ///< blocks or pairs at fault; 0: OK
+    std::vector<std::string> faults; ///< a line each for the first few, naming the blocks
+};
+
+/// Counts of an assembly.
+struct AssemblyStatistics
+{
+    int blocks = 0;
+    int freeBlocks = 0;
+    int supports = 0;
+    int vertices = 0;
+    int concaveBlocks = 0;
+    int joints = 0;
+    int contactPoints = 0;
+    Vector<2> lower = Vector<2>::Zero(); ///< corner of the box round the free blocks [m]
+    Vector<2> upper = Vector<2>::Zero(); ///< [m]
+};
+
+struct AssemblyReport
+{
+    AssemblyStatistics statistics;
+    std::vector<CheckResult> checks;
+};
+
+/// Runs the checks, in the order in which they are printed. Outlines must be simple and counter-clockwise, as
+/// readAssembly makes sure.
+AssemblyReport checkAssembly(const Assembly<2>& assembly, CheckExtent extent = CheckExtent::standard,
+                             const CheckLimits& limits = {});
+
+/// Number of checks that failed.
+int failedChecks(const AssemblyReport& report);
+
+/// The report as `checkBlocks` prints it, ending in `Assembly OK.` or `Failed N checks.`
+std::string printedReport(const Assembly<2>& assembly, const AssemblyReport& report);
+
+} // namespace drystone

@@ -1,0 +1,137 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The search for edges that face each other.
+#include "assembly/Facing.h"
+
+#include "geometry/BroadPhase.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace drystone
+{
+
+namespace
+{
+
+struct Edge
+{
+    int block;
+    Vector<2> from;
+    Vector<2> to;
+};
+
+std::vector<Edge> collectEdges(const Assembly<2>& assembly, const FacingTolerance& tolerance)
+{
+    std::vector<Edge> edges;
+    edges.reserve(4 * assembly.blocks.size());
+    for (std::size_t block = 0; block < assembly.blocks.size(); ++block)
+    {
+        const Polygon outline = withoutStraightVertices(assembly.blocks[block].outline, tolerance.straight);
+        for (std::size_t i = 0; i < outline.size(); ++i)
+        {
+            const Vector<2>& from = outline[i];
+            const Vector<2>& to = outline[(i + 1) % outline.size()];
+            if ((to - from).norm() > tolerance.leastLength)
+            {
+                edges.push_back({static_cast<int>(block), from, to});
+            }
+        }
+    }
+    return edges;
+}
+
+/// The piece that faces both edges, if any. Distances are measured on the line halfway between the two.
+bool findPiece(const Edge& a, const Edge& b, const FacingTolerance& tolerance, FacingPiece& piece)
+{
+    const Vector<2> alongA = (a.to - a.from).normalized();
+    const Vector<2> alongB =
+        (b.from - b.to).normalized(); // reversed: outlines pass a joint in opposite directions
+    if (alongA.dot(alongB) <= 0 || std::abs(cross(alongA, alongB)) > tolerance.angle)
+    {
+        return false;
+    }
+    const Vector<2> along = (alongA + alongB).normalized();
+    const Vector<2> across = perpendicular(along);
+    // Coordinates from a.from, so that a structure far from the origin keeps its digits.
+    const Vector<2>& origin = a.from;
+    const double toA = along.dot(a.to - origin);
+    const double fromB = along.dot(b.to - origin);
+    const double toB = along.dot(b.from - origin);
+    const double begin = std::max(0.0, fromB);
+    const double end = std::min(toA, toB);
+    if (end - begin <= tolerance.leastLength)
+    {
+        return false;
+    }
+    const double endHeightA = across.dot(a.to - origin);
+    const double beginHeightB = across.dot(b.to - origin);
+    const double endHeightB = across.dot(b.from - origin);
+    const auto heightA = [&](double s) { return s / toA * endHeightA; };
+    const auto heightB = [&](double s)
+    { return beginHeightB + (s - fromB) / (toB - fromB) * (endHeightB - beginHeightB); };
+    // An outline runs counter-clockwise, its block on the left: `across` points into a's block, away from
+    // b's.
+    const double gapAtBegin = heightA(begin) - heightB(begin);
+    const double gapAtEnd = heightA(end) - heightB(end);
+    if (std::max(std::abs(gapAtBegin), std::abs(gapAtEnd)) > tolerance.distance)
+    {
+        return false;
+    }
+    const auto pointAt = [&](double s) -> Vector<2>
+    { return origin + s * along + (heightA(s) + heightB(s)) / 2 * across; };
+    piece = {a.block, b.block, pointAt(begin), pointAt(end), across, gapAtBegin, gapAtEnd};
+    return true;
+}
+
+} // namespace
+
+double meanBlockSize(const Assembly<2>& assembly)
+{
+    double area = 0;
+    int count = 0;
+    for (const Block<2>& block : assembly.blocks)
+    {
+        if (block.support < 0)
+        {
+            area += std::abs(areaProperties(block.outline).area);
+            ++count;
+        }
+    }
+    return count > 0 ? std::sqrt(area / count) : 0;
+}
+
+std::vector<FacingPiece> findFacingPieces(const Assembly<2>& assembly, const FacingTolerance& tolerance)
+{
+    const std::vector<Edge> edges = collectEdges(assembly, tolerance);
+    std::vector<BoundingBox> boxes;
+    boxes.reserve(edges.size());
+    for (const Edge& edge : edges)
+    {
+        boxes.push_back(
+            enlarged({edge.from.cwiseMin(edge.to), edge.from.cwiseMax(edge.to)}, tolerance.distance));
+    }
+
+    std::vector<FacingPiece> pieces;
+    FacingPiece piece;
+    for (const auto& [first, second] : findMeetingPairs(boxes))
+    {
+        const Edge& a = edges[first]; // edges are in block order: a's block comes first
+        const Edge& b = edges[second];
+        const bool bothFixed = assembly.blocks[a.block].support >= 0 && assembly.blocks[b.block].support >= 0;
+        if (a.block != b.block && !bothFixed && findPiece(a, b, tolerance, piece))
+        {
+            pieces.push_back(piece);
+        }
+    }
+    // A fixed order in space, whatever the order of the search.
+    std::sort(pieces.begin(), pieces.end(),
+              [](const FacingPiece& a, const FacingPiece& b)
+              {
+                  return std::tuple(a.block, a.neighbour, a.from.x(), a.from.y())
+                         < std::tuple(b.block, b.neighbour, b.from.x(), b.from.y());
+              });
+    return pieces;
+}
+
+} // namespace drystone

@@ -1,0 +1,41 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Pieces of edges of two blocks that face each other: joints where they touch, gaps where they nearly do.
+#pragma once
+
+#include "assembly/Assembly.h"
+
+#include <vector>
+
+namespace drystone
+{
+
+/// A straight piece along which an edge of one block faces an edge of another. It lies halfway between the
+/// two edges.
+struct FacingPiece
+{
+    int block = -1;                       ///< index in Assembly::blocks
+    int neighbour = -1;                   ///< index in Assembly::blocks; block < neighbour
+    Vector<2> from = Vector<2>::Zero();   ///< the piece's ends, in the direction of block's outline [m]
+    Vector<2> to = Vector<2>::Zero();     ///< [m]
+    Vector<2> normal = Vector<2>::Zero(); ///< unit vector from `neighbour` into `block`
+    double gapAtFrom = 0; ///< distance of the edges along the normal; negative: they overlap [m]
+    double gapAtTo = 0;   ///< [m]
+};
+
+/// How near two edges must be to face each other.
+struct FacingTolerance
+{
+    double distance = 0;    ///< largest gap or overlap at either end of a piece [m]
+    double angle = 1e-3;    ///< largest turn from exactly opposite directions [rad]
+    double straight = 0;    ///< vertices this near to a straight edge do not split it [m]
+    double leastLength = 0; ///< of a piece [m]
+};
+
+/// All facing pieces of blocks that are not both fixed, sorted by (block, neighbour) and then by place.
+std::vector<FacingPiece> findFacingPieces(const Assembly<2>& assembly, const FacingTolerance& tolerance);
+
+/// Square root of the mean area of the free blocks [m], what tolerances relate to: ground of any extent
+/// leaves them as they are. 0 without free blocks.
+double meanBlockSize(const Assembly<2>& assembly);
+
+} // namespace drystone
