@@ -23,22 +23,77 @@ Field emptyField(std::string name, int components, std::size_t cells, FieldType 
     return field;
 }
 
-/// Viewers cut a quadrilateral in two along the diagonal from its first vertex. For a concave one that is
-/// right only when the reentrant corner comes first; polygons of more vertices they cut properly.
-void startAtReentrantCorner(Polygon& outline)
+/// From one value a block to one value a cell.
+void spread(Field& field, const std::vector<std::size_t>& blockOfCell, std::size_t blocks)
 {
-    if (outline.size() != 4)
-        return;
-    for (std::size_t i = 0; i < 4; ++i)
-    {
-        const Vector<2> in = outline[i] - outline[(i + 3) % 4];
-        const Vector<2> out = outline[(i + 1) % 4] - outline[i];
-        if (cross(in, out) < 0) // outlines run counter-clockwise
+    const auto components = static_cast<std::size_t>(field.components);
+    if (field.values.size() != blocks * components)
+        throw std::runtime_error(
+            fmt::format("Field {} of a .vtp file has {} values in {} components for {} blocks.", field.name,
+                        field.values.size(), field.components, blocks));
+    std::vector<double> values;
+    values.reserve(blockOfCell.size() * components);
+    for (const std::size_t block : blockOfCell)
+        for (std::size_t c = 0; c < components; ++c)
+            values.push_back(field.values[block * components + c]);
+    field.values = std::move(values);
+}
+
+/// Twice the area of a triangle, positive when it runs counter-clockwise.
+double turn(const Vector<2>& a, const Vector<2>& b, const Vector<2>& c)
+{
+    return cross(b - a, c - a);
+}
+
+bool isCoveredByFan(const Polygon& outline, std::size_t first)
+{
+    const std::size_t count = outline.size();
+    for (std::size_t k = 1; k + 1 < count; ++k)
+        if (turn(outline[first], outline[(first + k) % count], outline[(first + k + 1) % count]) < 0)
+            return false;
+    return true;
+}
+
+/// Whether no other corner lies in the triangle at corner i, so that it can be cut off.
+bool isEar(const Polygon& outline, std::size_t i)
+{
+    const std::size_t count = outline.size();
+    const Vector<2>& a = outline[(i + count - 1) % count];
+    const Vector<2>& b = outline[i];
+    const Vector<2>& c = outline[(i + 1) % count];
+    if (!(turn(a, b, c) > 0))
+        return false;
+    return std::none_of(outline.begin(), outline.end(),
+                        [&](const Vector<2>& p) {
+                            return p != a && p != b && p != c && turn(a, b, p) >= 0 && turn(b, c, p) >= 0
+                                   && turn(c, a, p) >= 0;
+                        });
+}
+
+/// Cuts an outline into polygons that viewers fill properly: they paint a fan of triangles round the first
+/// corner. Most blocks, concave ones too, have a corner that sees all of them, and need only be begun there.
+/// The others are cut into triangles, ear by ear.
+std::vector<Polygon> fans(Polygon outline)
+{
+    for (std::size_t first = 0; first < outline.size(); ++first)
+        if (isCoveredByFan(outline, first))
         {
-            std::rotate(outline.begin(), outline.begin() + static_cast<std::ptrdiff_t>(i), outline.end());
-            return;
+            std::rotate(outline.begin(), outline.begin() + static_cast<std::ptrdiff_t>(first), outline.end());
+            return {outline};
         }
+    std::vector<Polygon> pieces;
+    while (outline.size() > 3)
+    {
+        std::size_t ear = 0;
+        while (ear + 1 < outline.size()
+               && !isEar(outline, ear)) // an outline that crosses itself may have none
+            ++ear;
+        const std::size_t count = outline.size();
+        pieces.push_back({outline[(ear + count - 1) % count], outline[ear], outline[(ear + 1) % count]});
+        outline.erase(outline.begin() + static_cast<std::ptrdiff_t>(ear));
     }
+    pieces.push_back(outline);
+    return pieces;
 }
 
 } // namespace
@@ -68,19 +123,22 @@ PolyData blockFrame(const Assembly<2>& assembly, const std::vector<Placement<2>>
         throw std::runtime_error(
             fmt::format("{} placements were given for {} blocks.", placements.size(), count));
 
-    PolyData data;
-    data.kind = CellKind::polygon;
     Field blockId = emptyField("blockId", 1, count, FieldType::integer);
     Field support = emptyField("support", 1, count, FieldType::integer);
     Field displacement = emptyField("displacement", 2, count);
     Field rotation = emptyField("rotation", 1, count);
+    PolyData data;
+    data.kind = CellKind::polygon;
+    std::vector<std::size_t> blockOfCell;
     for (std::size_t i = 0; i < count; ++i)
     {
         const Placement<2> placement = placements.empty() ? Placement<2>{} : placements[i];
-        Polygon outline = placedOutline(assembly.blocks[i], placement);
-        startAtReentrantCorner(outline);
-        data.cellSizes.push_back(static_cast<int>(outline.size()));
-        data.points.insert(data.points.end(), outline.begin(), outline.end());
+        for (const Polygon& piece : fans(placedOutline(assembly.blocks[i], placement)))
+        {
+            data.cellSizes.push_back(static_cast<int>(piece.size()));
+            data.points.insert(data.points.end(), piece.begin(), piece.end());
+            blockOfCell.push_back(i);
+        }
         blockId.values.push_back(static_cast<double>(i));
         support.values.push_back(assembly.blocks[i].support);
         displacement.values.push_back(placement.translation.x());
@@ -89,6 +147,9 @@ PolyData blockFrame(const Assembly<2>& assembly, const std::vector<Placement<2>>
     }
     data.fields = {std::move(blockId), std::move(support), std::move(displacement), std::move(rotation)};
     std::move(fields.begin(), fields.end(), std::back_inserter(data.fields));
+    if (blockOfCell.size() != count)
+        for (Field& field : data.fields)
+            spread(field, blockOfCell, count);
     return data;
 }
 

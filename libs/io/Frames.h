@@ -15,7 +15,10 @@ namespace drystone
 Polygon placedOutline(const Block<2>& block, const Placement<2>& placement);
 
 /// One polygon a block, in the order of Assembly::blocks, with the cell data `blockId`, `support` (index, -1
-/// for a free block), `displacement` [m] of the mass centre and `rotation` [rad], followed by `fields`.
+/// for a free block), `displacement` [m] of the mass centre and `rotation` [rad], followed by `fields`, of
+/// which each has one value a block. A concave block that has no corner from which all of it is seen is
+/// written as several triangles, each with the values of the block: viewers would fill it wrongly otherwise.
+///
 /// \param placements one a block, or none at all for the structure as built
 PolyData blockFrame(const Assembly<2>& assembly, const std::vector<Placement<2>>& placements = {},
                     std::vector<Field> fields = {});
@@ -29,14 +32,18 @@ enum class ContactState
 };
 
 /// State of each point from its force (normal, tangent) [N]. A point is open when its normal force is below
-/// `tolerance` times the largest, and slides when its shear comes within `tolerance` of mu n. \param friction
+/// `tolerance` times the largest, and slides when its shear comes within `tolerance` of mu n.
+///
+/// \param friction
 /// coefficient mu of each point
 std::vector<ContactState> contactStates(const std::vector<Vector<2>>& forces,
                                         const std::vector<double>& friction, double tolerance = 1e-6);
 
 /// One point a contact, at its position, with the point data `contactForce` (on `block`, global frame) [N],
 /// `normalForce`, `tangentialForce` [N], `gap` [m], `state` (0 open, 1 sticking, 2 sliding), `block`,
-/// `neighbour`, followed by `fields`. \param forces (normal, tangent) of each point [N]
+/// `neighbour`, followed by `fields`.
+///
+/// \param forces (normal, tangent) of each point [N]
 PolyData contactFrame(const std::vector<ContactPoint<2>>& points, const std::vector<Vector<2>>& forces,
                       const std::vector<ContactState>& states, std::vector<Field> fields = {});
 

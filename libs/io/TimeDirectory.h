@@ -29,10 +29,14 @@ struct State
     std::filesystem::path file; ///< where it was read from, for messages; empty before
 };
 
-/// A scalar of the state. \throws std::runtime_error naming the file when there is none of this name
+/// A scalar of the state.
+///
+/// \throws std::runtime_error naming the file when there is none of this name
 double stateScalar(const State& state, const std::string& name);
 
-/// An array of the state. \throws std::runtime_error naming the file when there is none of this name, or it
+/// An array of the state.
+///
+/// \throws std::runtime_error naming the file when there is none of this name, or it
 /// has another size
 const std::vector<double>& stateArray(const State& state, const std::string& name, std::size_t size);
 
@@ -46,17 +50,23 @@ struct TimeDirectory
 /// All time directories of a case in ascending order; empty when the case has none or does not exist.
 std::vector<TimeDirectory> timeDirectories(const std::filesystem::path& caseDirectory);
 
-/// The state as a dictionary of `name value;` and `name N(values);`. \throws std::runtime_error when a value
+/// The state as a dictionary of `name value;` and `name N(values);`.
+///
+/// \throws std::runtime_error when a value
 /// is not finite
 std::string stateText(const State& state, WriteFormat format);
 
 /// Writes `<case>/<time name>/state`, whole or not at all: a new time directory appears under its name with
-/// the state already in it; other files of a directory that exists are left alone. \throws std::runtime_error
+/// the state already in it; other files of a directory that exists are left alone.
+///
+/// \throws std::runtime_error
 /// as writeWholeFile
 void writeState(const std::filesystem::path& caseDirectory, const std::string& timeName, const State& state,
                 WriteFormat format);
 
-/// Reads a state of either format. \throws std::runtime_error with file and line on what is not a state, or
+/// Reads a state of either format.
+///
+/// \throws std::runtime_error with file and line on what is not a state, or
 /// ends too early
 State readState(const std::filesystem::path& file);
 

@@ -21,7 +21,9 @@ class VtkSeries
 public:
     /// Opens the series for writing from startTime on. Frames of an earlier run up to startTime are kept, so
     /// that a restarted run continues its animation; later ones are removed. Nothing is written before the
-    /// first frame unless frames had to be removed. \throws std::runtime_error when the list there was not
+    /// first frame unless frames had to be removed.
+    ///
+    /// \throws std::runtime_error when the list there was not
     /// written by Drystone, or cannot be written
     VtkSeries(std::filesystem::path folder, std::string name, double startTime);
 

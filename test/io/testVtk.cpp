@@ -57,14 +57,6 @@ std::string messageOf(Function function)
     return {};
 }
 
-Assembly<2> concaveBlocks()
-{
-    Assembly<2> assembly;
-    assembly.blocks.push_back({{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}, 1, -1}); // L
-    assembly.blocks.push_back({{{3, 0}, {4, 2}, {3, 0.5}, {2, 2}}, 1, -1});               // arrowhead
-    return assembly;
-}
-
 TEST(Vtp, BlocksAreReadBackByVtkWithTheirFields)
 {
     const ScratchFolder folder;
@@ -109,12 +101,56 @@ TEST(Vtp, ABlockTurnsAboutItsCentroidAsARigidBody)
     EXPECT_NEAR((turned[2] - Vector<2>(11.5, 8.5)).norm(), 0, 1e-14);
 }
 
-TEST(Vtp, AConcaveQuadrilateralStartsAtItsReentrantCorner)
+/// Area of what a viewer paints for cell i: a fan of triangles, of which none may be turned over.
+double paintedArea(const PolyData& data, std::size_t cell)
 {
-    const PolyData data = blockFrame(concaveBlocks());
-    EXPECT_THAT(data.cellSizes, ElementsAre(6, 4));
-    EXPECT_EQ(data.points[6], Vector<2>(3, 0.5));
-    EXPECT_EQ(data.points[7], Vector<2>(2, 2));
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < cell; ++i)
+        first += static_cast<std::size_t>(data.cellSizes[i]);
+    double area = 0;
+    for (std::size_t k = 1; k + 1 < static_cast<std::size_t>(data.cellSizes[cell]); ++k)
+    {
+        const double part = 0.5
+                            * cross(data.points[first + k] - data.points[first],
+                                    data.points[first + k + 1] - data.points[first]);
+        EXPECT_GE(part, 0) << "cell " << cell;
+        area += part;
+    }
+    return area;
+}
+
+TEST(Vtp, ConcaveBlocksArePaintedAsTheyAre)
+{
+    Assembly<2> assembly;
+    assembly.blocks = {
+        {{{0, 1}, {0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}, 1, -1},                     // L
+        {{{3, 0}, {4, 2}, {3, 0.5}, {2, 2}}, 1, -1},                                           // arrowhead
+        {{{5, 0}, {7, 0}, {7, 2}, {6.5, 2}, {6.5, 0.5}, {5.5, 0.5}, {5.5, 2}, {5, 2}}, 1, -1}, // U
+        {{{8, 0}, {9, 0.8}, {10, 0}, {9.3, 1}, {10, 2}, {9, 1.2}, {8, 2}, {8.7, 1}}, 1, -1},   // star
+        {{{0, 5}, {1, 5}, {2, 5}, {2, 6}, {1, 6}, {0, 6}}, 1, -1},                             // flat corners
+    };
+    Field area{"area", 1, {}, FieldType::real};
+    for (const Block<2>& block : assembly.blocks)
+        area.values.push_back(areaProperties(block.outline).area);
+    std::vector<Placement<2>> placements(assembly.blocks.size());
+    placements[2].rotation = 1;
+    const PolyData data = blockFrame(assembly, placements, {area});
+
+    std::vector<double> painted(assembly.blocks.size());
+    std::vector<int> cells(assembly.blocks.size());
+    const std::vector<double>& blockId = data.fields[0].values;
+    ASSERT_EQ(blockId.size(), cellCount(data));
+    for (std::size_t cell = 0; cell < cellCount(data); ++cell)
+    {
+        const auto block = static_cast<std::size_t>(blockId[cell]);
+        painted[block] += paintedArea(data, cell);
+        ++cells[block];
+        EXPECT_EQ(data.fields.back().values[cell], area.values[block]);
+    }
+    for (std::size_t i = 0; i < painted.size(); ++i)
+        EXPECT_NEAR(painted[i], area.values[i], 1e-14) << "block " << i;
+    EXPECT_THAT(cells, ElementsAre(1, 1, 6, 1, 1)); // triangles only where they are needed
+    EXPECT_NO_THROW(vtpBytes(data));
 }
 
 TEST(Vtp, ContactsCarryForcesGapsAndStates)
