@@ -6,6 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
+
 using namespace drystone;
 
 namespace
@@ -51,6 +54,79 @@ TEST(RunningBond, TheSixWallsOfThePaperHaveItsBlocksAndContactPoints)
         addGround(assembly, "ground", ground);
         EXPECT_EQ(findContactPoints(assembly).size(), wall.points);
     }
+}
+
+TEST(RunningBond, OpeningsTakeAwayTheirOwnAreaAndNothingElse)
+{
+    std::mt19937 random(5);
+    for (int i = 0; i < 200; ++i)
+    {
+        RunningBond bond;
+        bond.length = std::uniform_int_distribution<int>(2, 30)(random) / 2.0;
+        bond.courses = std::uniform_int_distribution<int>(1, 20)(random);
+        bond.firstCourse = i % 2 == 0 ? FirstCourse::half : FirstCourse::full;
+        std::uniform_real_distribution<double> along(0, bond.length);
+        std::uniform_int_distribution<int> up(0, bond.courses);
+        const auto [left, right] = std::minmax({along(random), along(random)});
+        const auto [bottom, top] = std::minmax({up(random), up(random)});
+        bond.openings = {{{left, bottom}, {right, top}}};
+        double area = 0;
+        const Assembly<2> wall = makeAssembly(bond);
+        for (const Block<2>& block : wall.blocks)
+        {
+            const AreaProperties properties = areaProperties(block.outline);
+            EXPECT_GT(properties.area, 0);
+            area += properties.area;
+        }
+        const double expected = bond.length * bond.courses - (right - left) * (top - bottom);
+        EXPECT_NEAR(area, expected * 0.4 * 0.175, 1e-12 * bond.length * bond.courses);
+    }
+}
+
+TEST(RunningBond, CoursesAreShiftedByHalfABlockAndEndFlush)
+{
+    RunningBond bond;
+    bond.length = 4.5; // ends with half a block where the course starts full
+    bond.courses = 2;
+    bond.firstCourse = FirstCourse::full;
+    const Assembly<2> wall = makeAssembly(bond);
+    ASSERT_EQ(wall.blocks.size(), 10U);
+    EXPECT_DOUBLE_EQ(wall.blocks[4].outline[1].x(), 4.5 * 0.4);
+    EXPECT_DOUBLE_EQ(wall.blocks[4].outline[0].x(), 4 * 0.4);
+    EXPECT_DOUBLE_EQ(wall.blocks[5].outline[1].x(), 0.5 * 0.4);
+    EXPECT_DOUBLE_EQ(wall.blocks[9].outline[0].x(), 3.5 * 0.4);
+}
+
+TEST(RunningBond, ABlockThatCrossesBothJambsIsCutInTwo)
+{
+    RunningBond bond;
+    bond.length = 2;
+    bond.courses = 1;
+    bond.firstCourse = FirstCourse::full;
+    bond.openings = {{{0.25, 0}, {0.75, 1}}};
+    const Assembly<2> wall = makeAssembly(bond);
+    ASSERT_EQ(wall.blocks.size(), 3U);
+    EXPECT_DOUBLE_EQ(wall.blocks[0].outline[1].x(), 0.1);
+    EXPECT_DOUBLE_EQ(wall.blocks[1].outline[0].x(), 0.3);
+}
+
+TEST(Ground, ItsSegmentsEndWithTheStructureAndItsMarginGoesOn)
+{
+    RunningBond bond;
+    bond.length = 3;
+    bond.courses = 1;
+    Assembly<2> wall = makeAssembly(bond);
+    const std::size_t before = wall.blocks.size();
+    Ground ground;
+    ground.segment = 0.5;
+    ground.margin = 2;
+    addGround(wall, "ground", ground);
+    ASSERT_EQ(wall.blocks.size(), before + 3); // 1.2 m in pieces of 0.5 m
+    EXPECT_DOUBLE_EQ(wall.blocks[before].outline[0].x(), -2);
+    EXPECT_DOUBLE_EQ(wall.blocks[before].outline[1].x(), 0.5);
+    EXPECT_DOUBLE_EQ(wall.blocks[before + 2].outline[0].x(), 1);
+    EXPECT_DOUBLE_EQ(wall.blocks[before + 2].outline[1].x(), 3.2);
+    EXPECT_EQ(wall.blocks[before].outline[2].y(), 0);
 }
 
 } // namespace

@@ -1,0 +1,29 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The assembly on disk: constant/assembly/blocks, plain text in the dictionary grammar.
+#pragma once
+
+#include "assembly/Assembly.h"
+
+#include <filesystem>
+#include <string>
+
+namespace drystone
+{
+
+/// Where a case keeps its blocks: `<case>/constant/assembly/blocks`.
+std::filesystem::path assemblyFile(const std::filesystem::path& caseDirectory);
+
+/// The text of the file: a FoamFile header, `dimensions`, `thickness` [m] (one number, or a list with one for
+/// each block), `supports` with the indices of the blocks that each of them fixes, and `outlines`, one
+/// polygon [m] a line in the order of Assembly::blocks. Numbers are the shortest that read back as the same
+/// bits.
+std::string assemblyText(const Assembly<2>& assembly);
+
+/// Reads the assembly of a case. Outlines may be in either orientation and are turned counter-clockwise.
+/// \throws Error with file and line when the file is missing or no dictionary, a key is missing or unknown,
+/// dimensions are not 2, there is no block, a number is not finite, an outline has fewer than three corners,
+/// no area, or crosses or touches itself, a thickness is not positive, a support fixes a block that does not
+/// exist or is fixed already
+Assembly<2> readAssembly(const std::filesystem::path& caseDirectory);
+
+} // namespace drystone

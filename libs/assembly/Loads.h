@@ -1,0 +1,37 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Loads on the blocks: the vectors f of the equilibrium A0 c = f.
+#pragma once
+
+#include "assembly/Assembly.h"
+
+#include <optional>
+#include <vector>
+
+namespace drystone
+{
+
+/// Rows of a load vector: 3 for each free block, ux uy [N] and rz [N m] about its centroid, in the order of
+/// the free blocks (see freeIndices).
+struct LoadVectors
+{
+    Eigen::VectorXd dead; ///< acts in full
+    Eigen::VectorXd live; ///< acts times the load multiplier alpha; size 0 where the case has no live load
+};
+
+/// Weight of the free blocks. \param masses of all blocks [kg] \param gravity [m/s2]
+Eigen::VectorXd gravityLoad(const Assembly<2>& assembly, const std::vector<double>& masses,
+                            const Vector<2>& gravity);
+
+/// Each free block's own weight, mass times |gravity|, turned into `direction`, a vector of any length but 0.
+Eigen::VectorXd inertialLoad(const Assembly<2>& assembly, const std::vector<double>& masses,
+                             const Vector<2>& gravity, const Vector<2>& direction);
+
+/// The block that a force at `point` acts on: the free one that holds the point, or whose outline comes
+/// nearest and within `tolerance` [m]; of several the one with the lowest index. Nothing when there is none.
+std::optional<int> findLoadedBlock(const Assembly<2>& assembly, const Vector<2>& point, double tolerance);
+
+/// A force [N] at a point [m] of a free block.
+Eigen::VectorXd pointLoad(const Assembly<2>& assembly, int block, const Vector<2>& point,
+                          const Vector<2>& force);
+
+} // namespace drystone
