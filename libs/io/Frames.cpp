@@ -211,8 +211,8 @@ PolyData contactFrame(const std::vector<ContactPoint<2>>& points, const std::vec
         block.values.push_back(point.block);
         neighbour.values.push_back(point.neighbour);
     }
-    data.fields = {std::move(contactForce), std::move(normalForce), std::move(tangentialForce),
-                   std::move(gap),          std::move(state),       std::move(block),
+    data.fields = {std::move(contactForce),    std::move(state), std::move(normalForce),
+                   std::move(tangentialForce), std::move(gap),   std::move(block),
                    std::move(neighbour)};
     std::move(fields.begin(), fields.end(), std::back_inserter(data.fields));
     return data;

@@ -34,13 +34,12 @@ enum class ContactState
 /// State of each point from its force (normal, tangent) [N]. A point is open when its normal force is below
 /// `tolerance` times the largest, and slides when its shear comes within `tolerance` of mu n.
 ///
-/// \param friction
-/// coefficient mu of each point
+/// \param friction coefficient mu of each point
 std::vector<ContactState> contactStates(const std::vector<Vector<2>>& forces,
                                         const std::vector<double>& friction, double tolerance = 1e-6);
 
 /// One point a contact, at its position, with the point data `contactForce` (on `block`, global frame) [N],
-/// `normalForce`, `tangentialForce` [N], `gap` [m], `state` (0 open, 1 sticking, 2 sliding), `block`,
+/// `state` (0 open, 1 sticking, 2 sliding), `normalForce`, `tangentialForce` [N], `gap` [m], `block`,
 /// `neighbour`, followed by `fields`.
 ///
 /// \param forces (normal, tangent) of each point [N]

@@ -13,8 +13,8 @@ namespace drystone
 {
 
 /// How the numbers of a state are written. Both give back the same bits: ascii with as many digits as that
-/// takes (writePrecision does not shorten a state), binary as the machine has them, like OpenFOAM's binary
-/// dictionaries.
+/// takes (writePrecision does not shorten a state), a plain dictionary; binary as the machine has them, half
+/// the size, in OpenFOAM's notation of binary lists.
 enum class WriteFormat
 {
     ascii,
@@ -36,8 +36,7 @@ double stateScalar(const State& state, const std::string& name);
 
 /// An array of the state.
 ///
-/// \throws std::runtime_error naming the file when there is none of this name, or it
-/// has another size
+/// \throws std::runtime_error naming the file when there is none of this name, or it has another size
 const std::vector<double>& stateArray(const State& state, const std::string& name, std::size_t size);
 
 /// A folder of a case whose name is a time.
@@ -52,22 +51,19 @@ std::vector<TimeDirectory> timeDirectories(const std::filesystem::path& caseDire
 
 /// The state as a dictionary of `name value;` and `name N(values);`.
 ///
-/// \throws std::runtime_error when a value
-/// is not finite
+/// \throws std::runtime_error when a value is not finite
 std::string stateText(const State& state, WriteFormat format);
 
 /// Writes `<case>/<time name>/state`, whole or not at all: a new time directory appears under its name with
 /// the state already in it; other files of a directory that exists are left alone.
 ///
-/// \throws std::runtime_error
-/// as writeWholeFile
+/// \throws std::runtime_error as writeWholeFile
 void writeState(const std::filesystem::path& caseDirectory, const std::string& timeName, const State& state,
                 WriteFormat format);
 
 /// Reads a state of either format.
 ///
-/// \throws std::runtime_error with file and line on what is not a state, or
-/// ends too early
+/// \throws std::runtime_error with file and line on what is not a state, or ends too early
 State readState(const std::filesystem::path& file);
 
 /// Writes the states of one run and keeps only the last ones of them.

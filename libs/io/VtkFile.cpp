@@ -217,8 +217,15 @@ std::string vtpBytes(const PolyData& data)
         fields = poly->GetPointData();
     }
     for (const Field& field : data.fields)
+    {
         fields->AddArray(field.type == FieldType::integer ? array<vtkIntArray>(field)
                                                           : array<vtkDoubleArray>(field));
+        // What ParaView shows first when it opens the file.
+        if (field.components == 1 && fields->GetScalars() == nullptr)
+            fields->SetActiveScalars(field.name.c_str());
+        if (field.components > 1 && fields->GetVectors() == nullptr)
+            fields->SetActiveVectors(field.name.c_str());
+    }
 
     vtkNew<vtkXMLPolyDataWriter> writer;
     vtkNew<Deflate> compressor;

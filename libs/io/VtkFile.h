@@ -38,7 +38,7 @@ struct PolyData
     CellKind kind = CellKind::polygon;
     std::vector<int> cellSizes;    ///< vertices of each polygon; left empty for points
     std::vector<Vector<2>> points; ///< polygon by polygon [m]
-    std::vector<Field> fields;
+    std::vector<Field> fields;     ///< the first scalar and the first vector are what ParaView shows first
 };
 
 std::size_t cellCount(const PolyData& data);
@@ -46,9 +46,8 @@ std::size_t cellCount(const PolyData& data);
 /// The bytes of a .vtp file: VTK's XML, raw appended, compressed in zlib's format. Coordinates are written in
 /// single precision (they are looked at), fields in double (they are also computed with).
 ///
-/// \throws
-/// std::runtime_error when a value is not finite, a field has not one value a cell, or sizes do not add up;
-/// the message names the field and the cell
+/// \throws std::runtime_error when a value is not finite, a field has not one value a cell, or sizes do not
+/// add up; the message names the field and the cell
 std::string vtpBytes(const PolyData& data);
 
 /// The same as a file, written whole or not at all.
