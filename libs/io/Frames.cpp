@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -37,6 +38,44 @@ void spread(Field& field, const std::vector<std::size_t>& blockOfCell, std::size
         for (std::size_t c = 0; c < components; ++c)
             values.push_back(field.values[block * components + c]);
     field.values = std::move(values);
+}
+
+/// How far the ground is shown, in x [m]: it reaches out far enough to catch whatever falls, and shown whole
+/// it would leave little room in the window for the structure.
+struct GroundView
+{
+    double lower = std::numeric_limits<double>::max();
+    double upper = std::numeric_limits<double>::lowest();
+};
+
+bool isGround(const Assembly<2>& assembly, const Block<2>& block)
+{
+    return block.support >= 0 && assembly.supports[static_cast<std::size_t>(block.support)].type == "ground";
+}
+
+/// \param placed outlines where the blocks are now
+GroundView groundView(const Assembly<2>& assembly, const std::vector<Polygon>& placed)
+{
+    GroundView view;
+    double bottom = std::numeric_limits<double>::max();
+    double top = std::numeric_limits<double>::lowest();
+    for (std::size_t i = 0; i < placed.size(); ++i)
+    {
+        if (isGround(assembly, assembly.blocks[i]))
+            continue;
+        for (const Polygon& outline : {assembly.blocks[i].outline, placed[i]})
+            for (const Vector<2>& vertex : outline)
+            {
+                view.lower = std::min(view.lower, vertex.x());
+                view.upper = std::max(view.upper, vertex.x());
+                bottom = std::min(bottom, vertex.y());
+                top = std::max(top, vertex.y());
+            }
+    }
+    if (view.lower > view.upper) // nothing but ground
+        return {std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max()};
+    const double margin = 0.25 * std::max(view.upper - view.lower, top - bottom);
+    return {view.lower - margin, view.upper + margin};
 }
 
 /// Twice the area of a triangle, positive when it runs counter-clockwise.
@@ -130,10 +169,19 @@ PolyData blockFrame(const Assembly<2>& assembly, const std::vector<Placement<2>>
     PolyData data;
     data.kind = CellKind::polygon;
     std::vector<std::size_t> blockOfCell;
+    std::vector<Polygon> placed;
+    placed.reserve(count);
+    for (std::size_t i = 0; i < count; ++i)
+        placed.push_back(placements.empty() ? assembly.blocks[i].outline
+                                            : placedOutline(assembly.blocks[i], placements[i]));
+    const GroundView shown = groundView(assembly, placed);
     for (std::size_t i = 0; i < count; ++i)
     {
         const Placement<2> placement = placements.empty() ? Placement<2>{} : placements[i];
-        for (const Polygon& piece : fans(placedOutline(assembly.blocks[i], placement)))
+        if (isGround(assembly, assembly.blocks[i]))
+            for (Vector<2>& vertex : placed[i])
+                vertex.x() = std::clamp(vertex.x(), shown.lower, shown.upper);
+        for (const Polygon& piece : fans(placed[i]))
         {
             data.cellSizes.push_back(static_cast<int>(piece.size()));
             data.points.insert(data.points.end(), piece.begin(), piece.end());

@@ -18,6 +18,7 @@ Polygon placedOutline(const Block<2>& block, const Placement<2>& placement);
 /// for a free block), `displacement` [m] of the mass centre and `rotation` [rad], followed by `fields`, of
 /// which each has one value a block. A concave block that has no corner from which all of it is seen is
 /// written as several triangles, each with the values of the block: viewers would fill it wrongly otherwise.
+/// Of the ground only what is under the structure and a little beside it is shown.
 ///
 /// \param placements one a block, or none at all for the structure as built
 PolyData blockFrame(const Assembly<2>& assembly, const std::vector<Placement<2>>& placements = {},

@@ -64,4 +64,19 @@ void writeWholeFile(const std::filesystem::path& file, std::string_view content)
     }
 }
 
+void requireWritable(const std::filesystem::path& folder)
+{
+    std::error_code failure;
+    std::filesystem::path existing = std::filesystem::absolute(folder, failure).lexically_normal();
+    while (!std::filesystem::exists(existing, failure) && existing.has_relative_path())
+        existing = existing.parent_path();
+    const int reason = !std::filesystem::is_directory(existing, failure) ? ENOTDIR
+                       : ::access(existing.c_str(), W_OK | X_OK) != 0    ? errno
+                                                                         : 0;
+    if (reason != 0)
+        throw std::runtime_error(fmt::format(
+            "Cannot write into {}: {}: {}.\n\nChoose another case directory, or mend its permissions.",
+            folder.string(), existing.string(), std::strerror(reason)));
+}
+
 } // namespace drystone

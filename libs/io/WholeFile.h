@@ -14,4 +14,10 @@ namespace drystone
 /// old file then stands.
 void writeWholeFile(const std::filesystem::path& file, std::string_view content);
 
+/// Finds out whether files can be written into a folder, which need not exist yet, without touching anything:
+/// for a run to ask before it computes.
+///
+/// \throws std::runtime_error naming the folder, and the system's reason, when they cannot
+void requireWritable(const std::filesystem::path& folder);
+
 } // namespace drystone

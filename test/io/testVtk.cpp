@@ -4,6 +4,7 @@
 #include "io/Frames.h"
 #include "io/Mechanism.h"
 #include "io/VtkSeries.h"
+#include "io/WholeFile.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -153,6 +154,29 @@ TEST(Vtp, ConcaveBlocksArePaintedAsTheyAre)
     EXPECT_NO_THROW(vtpBytes(data));
 }
 
+TEST(Vtp, GroundIsShownAsFarAsTheStructureReaches)
+{
+    Assembly<2> assembly;
+    assembly.supports.push_back({"ground", "ground"});
+    assembly.blocks = {{test::rectangle(0, 0, 2, 4), 1, -1},
+                       {test::rectangle(-50, -1, 0.5, 0), 1, 0},
+                       {test::rectangle(0.5, -1, 50, 0), 1, 0},
+                       {test::rectangle(50, -1, 51, 0), 1, 0}};
+    const auto xRange = [&](double displacement)
+    {
+        std::vector<Placement<2>> placements(assembly.blocks.size());
+        placements[0].translation.x() = displacement;
+        const PolyData data = blockFrame(assembly, placements);
+        EXPECT_EQ(data.cellSizes.size(), assembly.blocks.size()); // also those out of view: cell = block
+        std::pair range{0.0, 0.0};
+        for (const Vector<2>& point : data.points)
+            range = {std::min(range.first, point.x()), std::max(range.second, point.x())};
+        return range;
+    };
+    EXPECT_EQ(xRange(0), std::pair(-1.0, 3.0));
+    EXPECT_EQ(xRange(10), std::pair(-3.0, 15.0)); // follows what falls
+}
+
 TEST(Vtp, ContactsCarryForcesGapsAndStates)
 {
     const ScratchFolder folder;
@@ -258,6 +282,18 @@ TEST(Vtp, AFolderThatCannotBeWrittenIsNamedWithTheReason)
                 HasSubstr("Is a directory"));
     for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
         EXPECT_NE(entry.path().extension(), ".tmp");
+}
+
+TEST(WholeFile, AsksBeforehandWhetherAFolderCanBeWritten)
+{
+    const ScratchFolder folder;
+    EXPECT_NO_THROW(requireWritable(folder.path()));
+    EXPECT_NO_THROW(requireWritable(folder / "not/yet/there"));
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+    std::ofstream(folder / "file") << "in the way";
+    EXPECT_THAT(messageOf([&] { requireWritable(folder / "file/VTK"); }), HasSubstr("Not a directory"));
+    EXPECT_THAT(messageOf([&] { requireWritable("/proc/self/VTK"); }),
+                HasSubstr("Cannot write into /proc/self/VTK"));
 }
 
 TEST(VtkSeries, ListsItsFramesAsParaViewExpects)
