@@ -1,12 +1,19 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "dynamics/GroundMotion.h"
 
+#include "core/Error.h"
+
 #include <fmt/format.h>
+
+#include <stdexcept>
 
 namespace drystone
 {
 
-GroundMotion::Component recordComponent(const RecordMotion& motion)
+namespace
+{
+
+GroundMotion::Component preparedRecord(const RecordMotion& motion)
 {
     CsvLayout columns = motion.columns;
     columns.unit = motion.unit;
@@ -39,6 +46,20 @@ GroundMotion::Component recordComponent(const RecordMotion& motion)
     component.acceleration = tabulatedAcceleration(std::move(record.times), std::move(record.accelerations),
                                                    motion.interpolation, OutOfBounds::zero);
     return component;
+}
+
+} // namespace
+
+GroundMotion::Component recordComponent(const RecordMotion& motion)
+{
+    try
+    {
+        return preparedRecord(motion);
+    }
+    catch (const std::domain_error& error) // what was asked for cannot be done with this record
+    {
+        throw FatalIOError(error.what(), {motion.file.string(), "", 0});
+    }
 }
 
 Eigen::Vector3d groundAcceleration(const GroundMotion& motion, double time)

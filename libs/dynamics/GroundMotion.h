@@ -49,8 +49,8 @@ struct RecordMotion
 };
 
 /// The acceleration of a record, zero outside it, and what the log says of it.
-/// \throws Error, as the readers; when the record is zero throughout and a peak is asked for; when it has too
-/// few values
+/// \throws FatalIOError as the readers; when the record is zero throughout and a peak is asked for; when it
+/// has too few values
 ///         for its interpolation or baseline
 GroundMotion::Component recordComponent(const RecordMotion& record);
 

@@ -34,7 +34,7 @@ double accelerationUnit(const std::string& unit);
 /// to the line that gives NPTS and DT, as `NPTS= 4000, DT= .01000 SEC` or `4000 0.0100 NPTS, DT`; the unit is
 /// looked for in the header. The values follow in rows of any length. Line ends may be LF, CR LF, CR CR LF or
 /// CR. \param unit  as declared by the user; empty: the header must say it. Where both are given they must
-/// agree. \throws InputError, with file and line: unreadable or binary file, no NPTS or DT, either not
+/// agree. \throws FatalIOError with file and line: unreadable or binary file, no NPTS or DT, either not
 /// positive, a token that
 ///         is not a number, a number that is not finite, fewer or more values than NPTS, unit unknown or
 ///         contradictory
@@ -57,7 +57,7 @@ struct CsvLayout
 
 /// Read columns separated by commas, semicolons, tabs or blanks. Lines that begin with # or % and empty lines
 /// are skipped; a first row that is not numeric gives the titles. With semicolons, numbers may have a decimal
-/// comma. \throws InputError as readPeerRecord, and when a column is missing or times do not increase
+/// comma. \throws FatalIOError as readPeerRecord, and when a column is missing or times do not increase
 Record readCsvRecord(const std::filesystem::path& file, const CsvLayout& layout);
 
 /// The acceleration at a time, linear between the instants and zero outside the record [m/s2].

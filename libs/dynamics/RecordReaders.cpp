@@ -1,6 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Readers of PEER AT2 and CSV records. Both refuse what they do not understand: a record that is quietly
 /// half read gives a quietly wrong answer.
+#include "core/Error.h"
 #include "dynamics/Record.h"
 
 #include <fmt/format.h>
@@ -11,7 +12,6 @@
 #include <fstream>
 #include <optional>
 #include <sstream>
-#include <stdexcept>
 #include <string_view>
 
 namespace drystone
@@ -29,8 +29,7 @@ struct Text
 
     [[noreturn]] void refuse(std::size_t line, const std::string& what, const std::string& repair) const
     {
-        throw std::runtime_error(
-            fmt::format("{} {} file: {} at line {}.", what, repair, file.string(), line + 1));
+        throw FatalIOError(what + " " + repair, {file.string(), "", static_cast<int>(line) + 1});
     }
 };
 
@@ -252,9 +251,9 @@ double accelerationUnit(const std::string& unit)
         if (c != ' ' && c != '^' && c != '*')
             plain += c;
     for (auto place = plain.find("SEC"); place != std::string::npos; place = plain.find("SEC"))
-        plain.replace(place, 3, "S");
+        plain.erase(place + 1, 2);
     if (plain.ends_with("/S/S"))
-        plain.replace(plain.size() - 4, 4, "/S2");
+        plain = plain.substr(0, plain.size() - 4) + "/S2";
 
     if (plain == "G")
         return standardGravity;

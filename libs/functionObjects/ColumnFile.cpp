@@ -1,6 +1,8 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "functionObjects/ColumnFile.h"
 
+#include "core/Error.h"
+
 #include <fmt/format.h>
 
 #include <cerrno>
@@ -15,7 +17,7 @@ namespace
 
 [[noreturn]] void refuse(const std::filesystem::path& file, int reason)
 {
-    throw std::runtime_error(fmt::format("Cannot write {}: {}.", file.string(), std::strerror(reason)));
+    throw FatalError(fmt::format("Cannot write {}: {}.", file.string(), std::strerror(reason)));
 }
 
 } // namespace

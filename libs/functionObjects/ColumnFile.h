@@ -21,12 +21,12 @@ public:
     /// Begin the file, in place of one that was there; folders missing on the way are made.
     /// \param columns with their units, without blanks: `Time[s]`
     /// \param digits significant ones
-    /// \throws Error naming the file and the system's reason
+    /// \throws FatalError naming the file and the system's reason
     ColumnFile(const std::filesystem::path& path, const std::vector<std::string>& columns, int digits = 12);
 
     /// Add a row.
     /// \param values one a column
-    /// \throws Error naming the file and the system's reason, such as a full disk
+    /// \throws FatalError naming the file and the system's reason, such as a full disk
     void write(std::span<const double> values);
 
 private:

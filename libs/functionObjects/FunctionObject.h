@@ -19,7 +19,7 @@ public:
     virtual ~FunctionObject() = default;
 
     /// Add what belongs to this step.
-    /// \throws Error when a table cannot be written
+    /// \throws FatalError when a table cannot be written
     virtual void write(const StepObservation<Dim>& step) = 0;
 };
 

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/Error.h"
 #include "dynamics/GroundMotion.h"
 
 #include <fmt/format.h>
@@ -91,4 +92,21 @@ TEST_F(GroundMotionTest, RecordEchoesItsPeakDurationAndUnit)
     EXPECT_THAT(text, HasSubstr("from a PGA of 200 gal"));
     EXPECT_THAT(text, HasSubstr("duration    3 s"));
     EXPECT_THAT(text, HasSubstr(file.string()));
+}
+
+TEST_F(GroundMotionTest, RecordThatCannotBeTreatedAsAskedIsNamed)
+{
+    std::ofstream(file) << "time [s],north [gal]\n0,0\n1,0\n";
+    RecordMotion motion = record();
+    motion.peakAcceleration = 5;
+    EXPECT_THROW(recordComponent(motion), FatalIOError);
+    motion = record();
+    motion.baseline = Baseline::quadratic;
+    EXPECT_THROW(recordComponent(motion), FatalIOError);
+    motion = record();
+    motion.interpolation = Interpolation::akima;
+    EXPECT_THROW(recordComponent(motion), FatalIOError);
+    motion = record();
+    motion.paddingAfter = -1;
+    EXPECT_THROW(recordComponent(motion), FatalIOError);
 }

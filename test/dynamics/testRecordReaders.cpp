@@ -1,6 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Records in every dress they are met in, and broken ones. The six real records may not be redistributed:
 /// those tests look for them beside the checkout and skip where they are absent.
+#include "core/Error.h"
 #include "dynamics/Record.h"
 #include "dynamics/Spectrum.h"
 
@@ -57,9 +58,9 @@ std::string refusal(const Function& function)
     {
         function();
     }
-    catch (const std::exception& error)
+    catch (const FatalIOError& error)
     {
-        return error.what();
+        return error.report();
     }
     return "";
 }

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/Error.h"
 #include "functionObjects/FunctionObject.h"
 
 #include <fmt/format.h>
@@ -167,7 +168,7 @@ TEST_F(FunctionObjects, ATableThatCannotBeWrittenIsNamed)
 {
     std::ofstream(folder) << "a file where a folder is needed";
     EnergyFunction<2> energy({folder});
-    EXPECT_THROW(energy.write(scene.at(0.25)), std::runtime_error);
+    EXPECT_THROW(energy.write(scene.at(0.25)), FatalError);
 }
 
 TEST_F(FunctionObjects, ARowOfAnotherWidthIsRefused)
@@ -182,5 +183,5 @@ TEST(ColumnFile, ReportsAFullDisk)
 {
     if (!std::filesystem::exists("/dev/full"))
         GTEST_SKIP() << "this system has no /dev/full";
-    EXPECT_THROW(ColumnFile("/dev/full", {"Time[s]"}), std::runtime_error);
+    EXPECT_THROW(ColumnFile("/dev/full", {"Time[s]"}), FatalError);
 }
