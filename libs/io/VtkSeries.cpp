@@ -97,7 +97,8 @@ std::vector<VtkSeries::Frame> VtkSeries::readList() const
         const auto time = between(line, "\"time\" : ", " }");
         double value = 0;
         if (!name || !time || name->find('/') != name->npos
-            || std::from_chars(time->data(), time->data() + time->size(), value).ec != std::errc())
+            || std::from_chars(time->data(), time->data() + time->size(), value).ec != std::errc()
+            || !std::isfinite(value))
             throw std::runtime_error(fmt::format(
                 "This line does not name a frame and its time in the way that Drystone writes them. "
                 "To start a new series, remove the file.\n\nfile: {} at line {}.",

@@ -111,6 +111,35 @@ TEST_P(EveryFormat, CutAnywhereIsRefusedOrComplete)
     EXPECT_GT(refused, static_cast<int>(text.size()) / 2);
 }
 
+TEST_P(EveryFormat, DamagedIsRefusedOrReadButNeverCrashes)
+{
+    const ScratchFolder folder;
+    State state;
+    state.scalars["time"] = 0.25;
+    state.arrays["velocity"] = {1, 2, 3, 4.5e-300};
+    const std::string text = stateText(state, GetParam());
+    std::mt19937 random(11);
+    int refused = 0;
+    for (int i = 0; i < 1000; ++i)
+    {
+        std::string damaged = text;
+        for (int k = 0; k < 3; ++k)
+            damaged[random() % damaged.size()] = static_cast<char>(random());
+        std::ofstream(folder / "state", std::ios::binary) << damaged;
+        try
+        {
+            for (const auto& [name, values] : readState(folder / "state").arrays)
+                for (const double value : values)
+                    EXPECT_TRUE(std::isfinite(value)) << name;
+        }
+        catch (const std::runtime_error&)
+        {
+            ++refused;
+        }
+    }
+    EXPECT_GT(refused, 100);
+}
+
 TEST_P(EveryFormat, RefusesWhatIsNotFinite)
 {
     const ScratchFolder folder;

@@ -21,6 +21,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <stdexcept>
 
 namespace drystone
@@ -383,6 +384,37 @@ TEST(VtkSeries, AListOfSomebodyElseIsRefusedWithItsLine)
     std::ofstream(folder / "blocks.vtp.series") << "{\"files\": [\n{\"name\": \"x.vtp\", \"time\": 0}]}\n";
     const std::string message = messageOf([&] { VtkSeries(folder.path(), "blocks", 0); });
     EXPECT_THAT(message, HasSubstr("blocks.vtp.series at line 2"));
+}
+
+TEST(VtkSeries, ADamagedListIsRefusedOrReadButNeverCrashes)
+{
+    const ScratchFolder folder;
+    const Assembly<2> wall = test::wall(2, 2);
+    {
+        VtkSeries series(folder.path(), "blocks", 0);
+        for (int frame = 0; frame < 3; ++frame)
+            series.write(frame, blockFrame(wall));
+    }
+    const std::string list = content(folder / "blocks.vtp.series");
+    std::mt19937 random(7);
+    int refused = 0;
+    for (int i = 0; i < 500; ++i)
+    {
+        std::string damaged = list;
+        for (int k = 0; k < 3; ++k)
+            damaged[random() % damaged.size()] = static_cast<char>(random());
+        std::ofstream(folder / "blocks.vtp.series") << damaged;
+        try
+        {
+            for (const double time : VtkSeries(folder.path(), "blocks", 1e9).times())
+                EXPECT_TRUE(std::isfinite(time));
+        }
+        catch (const std::runtime_error&)
+        {
+            ++refused;
+        }
+    }
+    EXPECT_GT(refused, 0);
 }
 
 TEST(VtkSeries, ARefusedFrameLeavesTheListAsItWas)
