@@ -154,6 +154,45 @@ std::optional<std::pair<int, int>> findSelfIntersection(const Polygon& polygon, 
     return std::nullopt;
 }
 
+std::string outlineFault(const Polygon& polygon)
+{
+    const std::size_t size = polygon.size();
+    if (size < 3)
+    {
+        return "has " + std::to_string(size) + " corners, and needs at least 3";
+    }
+    for (std::size_t i = 0; i < size; ++i)
+    {
+        if (!polygon[i].allFinite())
+        {
+            return "has a coordinate that is not finite, at corner " + std::to_string(i);
+        }
+    }
+    const BoundingBox box = boundingBox(polygon);
+    const double extent = (box.upper - box.lower).norm();
+    const double tolerance = 1e-10 * extent;
+    for (std::size_t i = 0; i < size; ++i)
+    {
+        if ((polygon[(i + 1) % size] - polygon[i]).norm() <= tolerance)
+        {
+            return "has corners " + std::to_string(i) + " and " + std::to_string((i + 1) % size)
+                   + " in the same place";
+        }
+    }
+    if (std::abs(areaProperties(polygon).area) <= tolerance * extent)
+    {
+        return "has no area";
+    }
+    if (const auto edges = findSelfIntersection(polygon, tolerance))
+    {
+        const auto name = [size](int edge)
+        { return "from corner " + std::to_string(edge) + " to " + std::to_string((edge + 1) % int(size)); };
+        return "crosses or touches itself: the edge " + name(edges->first) + " meets the one "
+               + name(edges->second);
+    }
+    return {};
+}
+
 bool isConvex(const Polygon& polygon)
 {
     const std::size_t size = polygon.size();

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <utility>
 
 namespace drystone
@@ -16,6 +17,11 @@ namespace drystone
 /// touch; neighbours touch at their common corner alone, and fold back when the second runs back along the
 /// first.
 std::optional<std::pair<int, int>> findSelfIntersection(const Polygon& polygon, double tolerance);
+
+/// What keeps an outline from being a block, in words that go on from "outline 3 ": too few corners, a
+/// coordinate that is not finite, corners that coincide, edges that cross or touch (closer than 1e-10 of its
+/// extent), no area. Empty when it is a simple polygon, in either orientation.
+std::string outlineFault(const Polygon& polygon);
 
 /// Whether no corner of a simple counter-clockwise polygon turns right. Straight corners count as convex.
 bool isConvex(const Polygon& polygon);

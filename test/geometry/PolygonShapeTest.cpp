@@ -143,4 +143,19 @@ TEST(PolygonShape, ANeedleHasASmallCompactnessAndASmallAngle)
     EXPECT_LT(needle.compactness, 1e-3);
 }
 
+TEST(PolygonShape, EachFaultOfAnOutlineIsNamed)
+{
+    EXPECT_EQ(outlineFault(letterL), "");
+    EXPECT_EQ(outlineFault({letterL.rbegin(), letterL.rend()}), "");
+    EXPECT_EQ(outlineFault({{0, 0}, {1, 0}}), "has 2 corners, and needs at least 3");
+    EXPECT_EQ(outlineFault({{0, 0}, {1, std::nan("")}, {1, 1}}),
+              "has a coordinate that is not finite, at corner 1");
+    EXPECT_EQ(outlineFault({{0, 0}, {1, 0}, {1, 1}, {0, 0}}), "has corners 3 and 0 in the same place");
+    EXPECT_EQ(outlineFault({{0, 0}, {1, 1}, {2, 2}}), "has no area");
+    EXPECT_EQ(outlineFault({{0, 0}, {2, 1}, {1, 0}, {0, 3}}),
+              "crosses or touches itself: the edge from corner 0 to 1 meets the one from corner 2 to 3");
+    // Far from the origin a block is as good as near it.
+    EXPECT_EQ(outlineFault({{1e6, 1e6}, {1e6 + 1e-3, 1e6}, {1e6 + 1e-3, 1e6 + 1e-3}}), "");
+}
+
 } // namespace
