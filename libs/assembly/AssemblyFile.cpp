@@ -17,6 +17,7 @@ namespace
 
 std::vector<Polygon> readOutlines(const Entry& entry)
 {
+    entry.markUsed();
     std::vector<Polygon> outlines;
     TokenCursor cursor(entry);
     const TokenCursor::ListStart start = cursor.openList();
@@ -125,7 +126,7 @@ Assembly<2> readAssembly(const std::filesystem::path& caseDirectory)
     {
         if (!entry.isUsed() && entry.keyword() != "FoamFile")
         {
-            throw FatalIOError(unknownWordMessage("entry", entry.keyword(),
+            throw FatalIOError(unknownWordMessage("key", entry.keyword(),
                                                   {"dimensions", "thickness", "supports", "outlines"}),
                                entry.location());
         }
