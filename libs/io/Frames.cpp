@@ -2,13 +2,14 @@
 /// Blocks and contacts as cells with fields.
 #include "io/Frames.h"
 
+#include "core/Error.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <stdexcept>
 #include <utility>
 
 namespace drystone
@@ -29,9 +30,8 @@ void spread(Field& field, const std::vector<std::size_t>& blockOfCell, std::size
 {
     const auto components = static_cast<std::size_t>(field.components);
     if (field.values.size() != blocks * components)
-        throw std::runtime_error(
-            fmt::format("Field {} of a .vtp file has {} values in {} components for {} blocks.", field.name,
-                        field.values.size(), field.components, blocks));
+        throw FatalError(fmt::format("Field {} of a .vtp file has {} values in {} components for {} blocks.",
+                                     field.name, field.values.size(), field.components, blocks));
     std::vector<double> values;
     values.reserve(blockOfCell.size() * components);
     for (const std::size_t block : blockOfCell)
@@ -159,8 +159,7 @@ PolyData blockFrame(const Assembly<2>& assembly, const std::vector<Placement<2>>
 {
     const std::size_t count = assembly.blocks.size();
     if (!placements.empty() && placements.size() != count)
-        throw std::runtime_error(
-            fmt::format("{} placements were given for {} blocks.", placements.size(), count));
+        throw FatalError(fmt::format("{} placements were given for {} blocks.", placements.size(), count));
 
     Field blockId = emptyField("blockId", 1, count, FieldType::integer);
     Field support = emptyField("support", 1, count, FieldType::integer);
@@ -205,8 +204,8 @@ std::vector<ContactState> contactStates(const std::vector<Vector<2>>& forces,
                                         const std::vector<double>& friction, double tolerance)
 {
     if (friction.size() != forces.size())
-        throw std::runtime_error(fmt::format("{} friction coefficients were given for {} contact forces.",
-                                             friction.size(), forces.size()));
+        throw FatalError(fmt::format("{} friction coefficients were given for {} contact forces.",
+                                     friction.size(), forces.size()));
     double largest = 0;
     for (const Vector<2>& force : forces)
         largest = std::max(largest, force.x());
@@ -231,9 +230,8 @@ PolyData contactFrame(const std::vector<ContactPoint<2>>& points, const std::vec
 {
     const std::size_t count = points.size();
     if (forces.size() != count || states.size() != count)
-        throw std::runtime_error(
-            fmt::format("{} contact forces and {} states were given for {} contact points.", forces.size(),
-                        states.size(), count));
+        throw FatalError(fmt::format("{} contact forces and {} states were given for {} contact points.",
+                                     forces.size(), states.size(), count));
 
     PolyData data;
     data.kind = CellKind::point;

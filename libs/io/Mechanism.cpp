@@ -2,13 +2,13 @@
 /// Mechanisms: a mechanism has a shape and no size, so its size is chosen for the eye.
 #include "io/Mechanism.h"
 
+#include "core/Error.h"
 #include "io/Frames.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace drystone
 {
@@ -19,10 +19,10 @@ namespace
 void checkShape(const Assembly<2>& assembly, const Eigen::Matrix3Xd& rates)
 {
     if (rates.cols() != static_cast<Eigen::Index>(assembly.blocks.size()))
-        throw std::runtime_error(fmt::format("Displacement rates of {} blocks were given for {} blocks.",
-                                             rates.cols(), assembly.blocks.size()));
+        throw FatalError(fmt::format("Displacement rates of {} blocks were given for {} blocks.",
+                                     rates.cols(), assembly.blocks.size()));
     if (!rates.allFinite())
-        throw std::runtime_error("A displacement rate of the mechanism is not a finite number.");
+        throw FatalError("A displacement rate of the mechanism is not a finite number.");
 }
 
 } // namespace
@@ -33,8 +33,8 @@ Eigen::Matrix3Xd ratesOfAllBlocks(const Assembly<2>& assembly, const Eigen::Vect
     const auto freeBlocks =
         std::count_if(freeIndex.begin(), freeIndex.end(), [](int index) { return index >= 0; });
     if (freeRates.size() != 3 * freeBlocks)
-        throw std::runtime_error(fmt::format("{} displacement rates were given for {} free blocks.",
-                                             freeRates.size(), freeBlocks));
+        throw FatalError(fmt::format("{} displacement rates were given for {} free blocks.", freeRates.size(),
+                                     freeBlocks));
     Eigen::Matrix3Xd rates = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(freeIndex.size()));
     for (std::size_t i = 0; i < freeIndex.size(); ++i)
         if (freeIndex[i] >= 0)

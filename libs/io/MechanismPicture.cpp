@@ -2,6 +2,7 @@
 /// Lays out the structure on the page and paints it from back to front.
 #include "io/MechanismPicture.h"
 
+#include "core/Error.h"
 #include "io/Frames.h"
 #include "io/Mechanism.h"
 #include "io/Svg.h"
@@ -13,7 +14,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <stdexcept>
 
 namespace drystone
 {
@@ -234,7 +234,7 @@ std::vector<JointForce> jointForces(const std::vector<ContactPoint<2>>& points,
                                     const std::vector<Vector<2>>& forces)
 {
     if (forces.size() != points.size())
-        throw std::runtime_error(
+        throw FatalError(
             fmt::format("{} forces were given for {} contact points.", forces.size(), points.size()));
     std::vector<JointForce> joints;
     for (std::size_t begin = 0; begin < points.size();)
@@ -262,8 +262,8 @@ std::string mechanismSvg(const Assembly<2>& assembly, const std::vector<Placemen
                          const MechanismPicture& picture)
 {
     if (placements.size() != assembly.blocks.size())
-        throw std::runtime_error(fmt::format("{} placements were given for {} blocks.", placements.size(),
-                                             assembly.blocks.size()));
+        throw FatalError(fmt::format("{} placements were given for {} blocks.", placements.size(),
+                                     assembly.blocks.size()));
 
     const double blockSize = meanBlockSize(assembly);
     View view;

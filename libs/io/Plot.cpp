@@ -2,6 +2,7 @@
 /// Axes, ticks, curves and a legend.
 #include "io/Plot.h"
 
+#include "core/Error.h"
 #include "io/Svg.h"
 #include "io/WholeFile.h"
 
@@ -11,7 +12,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 namespace drystone
 {
@@ -48,10 +48,10 @@ struct Range
 void checkValue(double value, const PlotAxis& axis, const std::string& owner, std::size_t index)
 {
     if (!std::isfinite(value))
-        throw std::runtime_error(
+        throw FatalError(
             fmt::format("Point {} of {} in a plot has a value that is not finite.", index, owner));
     if (axis.scale == AxisScale::logarithmic && value <= 0)
-        throw std::runtime_error(
+        throw FatalError(
             fmt::format("Point {} of {} in a plot is {}: a logarithmic axis ({}) shows positive values only.",
                         index, owner, value, axis.label));
 }
@@ -62,7 +62,7 @@ void check(const Plot& plot)
     {
         const std::string owner = "the curve '" + curve.name + "'";
         if (curve.x.size() != curve.y.size())
-            throw std::runtime_error(
+            throw FatalError(
                 fmt::format("{} in a plot has {} x and {} y values.", owner, curve.x.size(), curve.y.size()));
         for (std::size_t i = 0; i < curve.x.size(); ++i)
         {
@@ -132,8 +132,8 @@ Range chooseRange(const PlotAxis& axis, const std::vector<double>& values)
     const Range range{axis.lower.value_or(lower), axis.upper.value_or(upper), axis.scale};
     if (!std::isfinite(range.lower) || !std::isfinite(range.upper) || !(range.lower < range.upper)
         || (logarithmic && range.lower <= 0))
-        throw std::runtime_error(fmt::format("The axis '{}' of a plot cannot run from {} to {}.", axis.label,
-                                             range.lower, range.upper));
+        throw FatalError(fmt::format("The axis '{}' of a plot cannot run from {} to {}.", axis.label,
+                                     range.lower, range.upper));
     return range;
 }
 

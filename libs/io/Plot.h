@@ -83,7 +83,7 @@ struct Plot
 std::vector<double> axisTicks(double lower, double upper, AxisScale scale);
 
 /// Text of an SVG file. The legend stands beside the plot, so that it never covers data.
-/// \throws std::runtime_error when x and y of a curve differ in number, a value is not finite, or a
+/// \throws FatalError when x and y of a curve differ in number, a value is not finite, or a
 /// logarithmic axis is to show a value that is not positive; the message names the curve and the point
 std::string plotSvg(const Plot& plot);
 

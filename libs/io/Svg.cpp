@@ -2,12 +2,13 @@
 /// SVG elements as text.
 #include "io/Svg.h"
 
+#include "core/Error.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <stdexcept>
 
 namespace drystone
 {
@@ -19,7 +20,7 @@ namespace
 std::string pixels(double value)
 {
     if (!std::isfinite(value))
-        throw std::runtime_error("A coordinate of a picture is not a finite number.");
+        throw FatalError("A coordinate of a picture is not a finite number.");
     const double rounded = std::round(value * 100) / 100;
     return fmt::format("{}", rounded == 0 ? 0.0 : rounded); // not "-0"
 }

@@ -38,7 +38,7 @@ struct SvgText
 };
 
 /// Shapes gathered in drawing order. Coordinates are rounded to 0.01 px. Every function throws
-/// std::runtime_error on a coordinate that is not finite, so that no unreadable picture is written.
+/// FatalError on a coordinate that is not finite, so that no unreadable picture is written.
 class SvgDrawing
 {
 public:

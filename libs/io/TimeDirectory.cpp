@@ -4,6 +4,7 @@
 /// has a million numbers.
 #include "io/TimeDirectory.h"
 
+#include "core/Error.h"
 #include "io/WholeFile.h"
 
 #include <fmt/format.h>
@@ -15,7 +16,6 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
-#include <stdexcept>
 #include <string_view>
 #include <unistd.h>
 
@@ -61,10 +61,11 @@ private:
     {
         const auto line =
             1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(at_), '\n');
-        throw std::runtime_error(
-            fmt::format("{}\n\nThe run cannot continue from this state: remove the time directory to start "
-                        "from an earlier one.\n\nfile: {} at line {}.",
-                        what, file_.string(), line));
+        throw FatalIOError(
+            what
+                + "\n\nThe run cannot continue from this state: remove the time directory to start "
+                  "from an earlier one.",
+            {file_.string(), "", static_cast<int>(line)});
     }
 
     void skip()
@@ -203,10 +204,9 @@ double stateScalar(const State& state, const std::string& name)
 {
     const auto found = state.scalars.find(name);
     if (found == state.scalars.end())
-        throw std::runtime_error(
-            fmt::format("The state has no entry {}; it was written by another version or application.\n\n"
-                        "file: {}",
-                        name, state.file.string()));
+        throw FatalIOError(
+            fmt::format("The state has no entry {}; it was written by another version or application.", name),
+            {state.file.string(), "", 0});
     return found->second;
 }
 
@@ -214,15 +214,15 @@ const std::vector<double>& stateArray(const State& state, const std::string& nam
 {
     const auto found = state.arrays.find(name);
     if (found == state.arrays.end())
-        throw std::runtime_error(
-            fmt::format("The state has no list {}; it was written by another version or application.\n\n"
-                        "file: {}",
-                        name, state.file.string()));
+        throw FatalIOError(
+            fmt::format("The state has no list {}; it was written by another version or application.", name),
+            {state.file.string(), "", 0});
     if (found->second.size() != size)
-        throw std::runtime_error(fmt::format(
-            "The list {} of the state has {} values where this case needs {}. Did the blocks change "
-            "since it was written?\n\nfile: {}",
-            name, found->second.size(), size, state.file.string()));
+        throw FatalIOError(
+            fmt::format("The list {} of the state has {} values where this case needs {}. Did the "
+                        "blocks change since it was written?",
+                        name, found->second.size(), size),
+            {state.file.string(), "", 0});
     return found->second;
 }
 
@@ -250,8 +250,7 @@ std::string stateText(const State& state, WriteFormat format)
     const auto check = [](const std::string& name, double value)
     {
         if (!std::isfinite(value))
-            throw std::runtime_error(
-                fmt::format("{} of the state to be written is not a finite number.", name));
+            throw FatalError(fmt::format("{} of the state to be written is not a finite number.", name));
     };
     std::string text;
     const auto out = std::back_inserter(text);
@@ -301,8 +300,8 @@ void writeState(const fs::path& caseDirectory, const std::string& timeName, cons
     {
         const std::string reason = failure.message();
         fs::remove_all(caseDirectory / temporary, failure);
-        throw std::runtime_error(fmt::format("Cannot make the time directory {}: {}.",
-                                             (caseDirectory / timeName).string(), reason));
+        throw FatalError(fmt::format("Cannot make the time directory {}: {}.",
+                                     (caseDirectory / timeName).string(), reason));
     }
 }
 
@@ -310,7 +309,7 @@ State readState(const fs::path& file)
 {
     std::ifstream stream(file, std::ios::binary);
     if (!stream || fs::is_directory(file))
-        throw std::runtime_error(fmt::format(
+        throw FatalError(fmt::format(
             "Cannot read the state {}: there is no such file, or it may not be read.", file.string()));
     const std::string text{std::istreambuf_iterator<char>(stream), {}};
     return StateReader(file, text).read();

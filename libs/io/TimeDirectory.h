@@ -31,12 +31,12 @@ struct State
 
 /// A scalar of the state.
 ///
-/// \throws std::runtime_error naming the file when there is none of this name
+/// \throws FatalError naming the file when there is none of this name
 double stateScalar(const State& state, const std::string& name);
 
 /// An array of the state.
 ///
-/// \throws std::runtime_error naming the file when there is none of this name, or it has another size
+/// \throws FatalError naming the file when there is none of this name, or it has another size
 const std::vector<double>& stateArray(const State& state, const std::string& name, std::size_t size);
 
 /// A folder of a case whose name is a time.
@@ -51,19 +51,19 @@ std::vector<TimeDirectory> timeDirectories(const std::filesystem::path& caseDire
 
 /// The state as a dictionary of `name value;` and `name N(values);`.
 ///
-/// \throws std::runtime_error when a value is not finite
+/// \throws FatalError when a value is not finite
 std::string stateText(const State& state, WriteFormat format);
 
 /// Writes `<case>/<time name>/state`, whole or not at all: a new time directory appears under its name with
 /// the state already in it; other files of a directory that exists are left alone.
 ///
-/// \throws std::runtime_error as writeWholeFile
+/// \throws FatalError as writeWholeFile
 void writeState(const std::filesystem::path& caseDirectory, const std::string& timeName, const State& state,
                 WriteFormat format);
 
 /// Reads a state of either format.
 ///
-/// \throws std::runtime_error with file and line on what is not a state, or ends too early
+/// \throws FatalError with file and line on what is not a state, or ends too early
 State readState(const std::filesystem::path& file);
 
 /// Writes the states of one run and keeps only the last ones of them.

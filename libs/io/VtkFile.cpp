@@ -2,6 +2,7 @@
 /// The only file that sees VTK.
 #include "io/VtkFile.h"
 
+#include "core/Error.h"
 #include "io/WholeFile.h"
 
 #include <fmt/format.h>
@@ -22,7 +23,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 namespace drystone
 {
@@ -107,11 +107,11 @@ void check(const PolyData& data)
             points += static_cast<std::size_t>(size);
     }
     if (points != data.points.size())
-        throw std::runtime_error(fmt::format("A .vtp file got {} points for polygons with {} vertices.",
-                                             data.points.size(), points));
+        throw FatalError(fmt::format("A .vtp file got {} points for polygons with {} vertices.",
+                                     data.points.size(), points));
     for (std::size_t i = 0; i < data.points.size(); ++i)
         if (!data.points[i].allFinite())
-            throw std::runtime_error(fmt::format(
+            throw FatalError(fmt::format(
                 "The position of point {} to be written to a .vtp file is not a finite number.", i));
 
     const std::size_t cells = cellCount(data);
@@ -119,19 +119,19 @@ void check(const PolyData& data)
     {
         const auto components = static_cast<std::size_t>(field.components);
         if (field.components < 1 || field.components > 3 || field.values.size() != cells * components)
-            throw std::runtime_error(
+            throw FatalError(
                 fmt::format("Field {} of a .vtp file has {} values in {} components for {} cells.",
                             field.name, field.values.size(), field.components, cells));
         for (std::size_t i = 0; i < field.values.size(); ++i)
         {
             const double value = field.values[i];
             if (!std::isfinite(value))
-                throw std::runtime_error(
+                throw FatalError(
                     fmt::format("{} of cell {} to be written to a .vtp file is not a finite number.",
                                 field.name, i / components));
             if (field.type == FieldType::integer
                 && (value != std::floor(value) || std::abs(value) > std::numeric_limits<int>::max()))
-                throw std::runtime_error(
+                throw FatalError(
                     fmt::format("{} of cell {} to be written to a .vtp file is {}, not a whole number.",
                                 field.name, i / components, value));
         }
@@ -236,7 +236,7 @@ std::string vtpBytes(const PolyData& data)
     writer->SetHeaderTypeToUInt32();
     writer->WriteToOutputStringOn();
     if (writer->Write() == 0)
-        throw std::runtime_error("VTK could not put together a .vtp file.");
+        throw FatalError("VTK could not put together a .vtp file.");
     return writer->GetOutputString();
 }
 

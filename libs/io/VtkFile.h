@@ -46,7 +46,7 @@ std::size_t cellCount(const PolyData& data);
 /// The bytes of a .vtp file: VTK's XML, raw appended, compressed in zlib's format. Coordinates are written in
 /// single precision (they are looked at), fields in double (they are also computed with).
 ///
-/// \throws std::runtime_error when a value is not finite, a field has not one value a cell, or sizes do not
+/// \throws FatalError when a value is not finite, a field has not one value a cell, or sizes do not
 /// add up; the message names the field and the cell
 std::string vtpBytes(const PolyData& data);
 

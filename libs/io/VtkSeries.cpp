@@ -10,6 +10,7 @@
 ///     }
 #include "io/VtkSeries.h"
 
+#include "core/Error.h"
 #include "io/WholeFile.h"
 
 #include <fmt/format.h>
@@ -22,7 +23,6 @@
 #include <fcntl.h>
 #include <fstream>
 #include <optional>
-#include <stdexcept>
 #include <string_view>
 #include <unistd.h>
 
@@ -99,10 +99,10 @@ std::vector<VtkSeries::Frame> VtkSeries::readList() const
         if (!name || !time || name->find('/') != name->npos
             || std::from_chars(time->data(), time->data() + time->size(), value).ec != std::errc()
             || !std::isfinite(value))
-            throw std::runtime_error(fmt::format(
+            throw FatalIOError(
                 "This line does not name a frame and its time in the way that Drystone writes them. "
-                "To start a new series, remove the file.\n\nfile: {} at line {}.",
-                listFile().string(), number));
+                "To start a new series, remove the file.",
+                {listFile().string(), "", number});
         // A frame that somebody removed to save room is not missed.
         if (std::filesystem::exists(folder_ / *name))
             frames.push_back({std::string(*name), value});
@@ -130,7 +130,7 @@ void VtkSeries::cutFrom(std::size_t first)
 void VtkSeries::write(double time, const PolyData& data)
 {
     if (!std::isfinite(time))
-        throw std::runtime_error(
+        throw FatalError(
             fmt::format("The time of a frame of {} is not a finite number.", listFile().string()));
     const std::string bytes = vtpBytes(data); // before anything is touched: it may refuse
 

@@ -23,11 +23,11 @@ public:
     /// that a restarted run continues its animation; later ones are removed. Nothing is written before the
     /// first frame unless frames had to be removed.
     ///
-    /// \throws std::runtime_error when the list there was not written by Drystone, or cannot be written
+    /// \throws FatalError when the list there was not written by Drystone, or cannot be written
     VtkSeries(std::filesystem::path folder, std::string name, double startTime);
 
     /// Adds a frame at a time [s]. A frame of this time or later ones, if present, give way to it.
-    /// \throws std::runtime_error as vtpBytes and writeWholeFile; the list then stands as it was
+    /// \throws FatalError as vtpBytes and writeWholeFile; the list then stands as it was
     void write(double time, const PolyData& data);
 
     /// Times of the frames in the list, ascending [s].

@@ -2,12 +2,13 @@
 /// Temporary file, then rename.
 #include "io/WholeFile.h"
 
+#include "core/Error.h"
+
 #include <fmt/format.h>
 
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
-#include <stdexcept>
 #include <string>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -20,7 +21,7 @@ namespace
 
 [[noreturn]] void refuse(const std::filesystem::path& file, int reason)
 {
-    throw std::runtime_error(fmt::format(
+    throw FatalError(fmt::format(
         "Cannot write {}: {}.\n\nCheck that its folder may be written and that the disk has room.",
         file.string(), std::strerror(reason)));
 }
@@ -74,7 +75,7 @@ void requireWritable(const std::filesystem::path& folder)
                        : ::access(existing.c_str(), W_OK | X_OK) != 0    ? errno
                                                                          : 0;
     if (reason != 0)
-        throw std::runtime_error(fmt::format(
+        throw FatalError(fmt::format(
             "Cannot write into {}: {}: {}.\n\nChoose another case directory, or mend its permissions.",
             folder.string(), existing.string(), std::strerror(reason)));
 }

@@ -10,14 +10,14 @@ namespace drystone
 
 /// Writes a file through a temporary beside it that then takes its name, so that a reader, or a run that is
 /// killed, meets the old content or the new one and never half of it. Folders missing on the way are made.
-/// \throws std::runtime_error naming the file and the system's reason (no permission, disk full, ...); the
+/// \throws FatalError naming the file and the system's reason (no permission, disk full, ...); the
 /// old file then stands.
 void writeWholeFile(const std::filesystem::path& file, std::string_view content);
 
 /// Finds out whether files can be written into a folder, which need not exist yet, without touching anything:
 /// for a run to ask before it computes.
 ///
-/// \throws std::runtime_error naming the folder, and the system's reason, when they cannot
+/// \throws FatalError naming the folder, and the system's reason, when they cannot
 void requireWritable(const std::filesystem::path& folder);
 
 } // namespace drystone

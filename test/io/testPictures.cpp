@@ -2,6 +2,7 @@
 /// Pictures: well-formed, complete and refusing what cannot be drawn. With DRYSTONE_KEEP_PICTURES=<folder> in
 /// the environment the pictures are left there to be looked at.
 #include "Scene.h"
+#include "core/Error.h"
 #include "io/Mechanism.h"
 #include "io/MechanismPicture.h"
 #include "io/Plot.h"
@@ -16,7 +17,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
-#include <stdexcept>
 
 namespace drystone
 {
@@ -66,8 +66,8 @@ TEST(Svg, IsWellFormedWhateverTheTextSays)
 TEST(Svg, RefusesCoordinatesThatAreNotFinite)
 {
     SvgDrawing drawing(100, 50);
-    EXPECT_THROW(drawing.line({0, 0}, {std::numeric_limits<double>::quiet_NaN(), 1}, {}), std::runtime_error);
-    EXPECT_THROW(drawing.circle({0, 0}, std::numeric_limits<double>::infinity(), {}), std::runtime_error);
+    EXPECT_THROW(drawing.line({0, 0}, {std::numeric_limits<double>::quiet_NaN(), 1}, {}), FatalError);
+    EXPECT_THROW(drawing.circle({0, 0}, std::numeric_limits<double>::infinity(), {}), FatalError);
 }
 
 TEST(MechanismPicture, ShowsEveryFreeBlockTheBuiltOutlineAndTheGround)
@@ -144,11 +144,10 @@ TEST(MechanismPicture, IsWrittenWholeOrRefused)
     writeMechanismPicture(folder / "deep/mechanism.svg", wall, placements, {.title = "wall"});
     EXPECT_TRUE(parsed(content(folder / "deep/mechanism.svg")));
     placements.back().rotation = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_THROW(writeMechanismPicture(folder / "bad.svg", wall, placements, {.title = "wall"}),
-                 std::runtime_error);
+    EXPECT_THROW(writeMechanismPicture(folder / "bad.svg", wall, placements, {.title = "wall"}), FatalError);
     EXPECT_FALSE(std::filesystem::exists(folder / "bad.svg"));
     placements.pop_back();
-    EXPECT_THROW(mechanismSvg(wall, placements, {}), std::runtime_error);
+    EXPECT_THROW(mechanismSvg(wall, placements, {}), FatalError);
 }
 
 TEST(JointForces, AddUpAtTheCentreOfPressure)
@@ -258,19 +257,19 @@ TEST(Plot, RefusesWhatItCannotShowAndNamesIt)
         plotSvg(plot);
         FAIL();
     }
-    catch (const std::runtime_error& error)
+    catch (const FatalError& error)
     {
         EXPECT_THAT(error.what(), HasSubstr("Point 1 of the curve 'theta = 1'"));
         EXPECT_THAT(error.what(), HasSubstr("dt [s]"));
     }
     plot.curves[0].x = {1};
-    EXPECT_THROW(plotSvg(plot), std::runtime_error);
+    EXPECT_THROW(plotSvg(plot), FatalError);
     plot.curves[0].x = {1, std::numeric_limits<double>::quiet_NaN()};
-    EXPECT_THROW(plotSvg(plot), std::runtime_error);
+    EXPECT_THROW(plotSvg(plot), FatalError);
     plot.curves.clear();
     plot.x.lower = 5;
     plot.x.upper = 5;
-    EXPECT_THROW(plotSvg(plot), std::runtime_error);
+    EXPECT_THROW(plotSvg(plot), FatalError);
 }
 
 } // namespace

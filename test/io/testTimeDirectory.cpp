@@ -1,6 +1,8 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// States: the same bits back, whole or not at all.
 #include "Scene.h"
+#include "core/Dictionary.h"
+#include "core/Error.h"
 #include "io/TimeDirectory.h"
 
 #include <gmock/gmock.h>
@@ -11,7 +13,6 @@
 #include <cstdint>
 #include <limits>
 #include <random>
-#include <stdexcept>
 
 namespace drystone
 {
@@ -31,9 +32,9 @@ std::string messageOf(Function function)
     {
         function();
     }
-    catch (const std::runtime_error& error)
+    catch (const FatalError& error)
     {
-        return error.what();
+        return error.report();
     }
     ADD_FAILURE() << "nothing was thrown";
     return {};
@@ -102,9 +103,9 @@ TEST_P(EveryFormat, CutAnywhereIsRefusedOrComplete)
             // Cut between entries: what is missing is then missed by name.
             EXPECT_LT(back.scalars.size() + back.arrays.size(), 2u) << size;
         }
-        catch (const std::runtime_error& error)
+        catch (const FatalError& error)
         {
-            EXPECT_THAT(error.what(), HasSubstr("state at line "));
+            EXPECT_THAT(error.report(), HasSubstr("state at line "));
             ++refused;
         }
     }
@@ -132,7 +133,7 @@ TEST_P(EveryFormat, DamagedIsRefusedOrReadButNeverCrashes)
                 for (const double value : values)
                     EXPECT_TRUE(std::isfinite(value)) << name;
         }
-        catch (const std::runtime_error&)
+        catch (const FatalError&)
         {
             ++refused;
         }
@@ -163,6 +164,18 @@ TEST(TimeDirectory, ABinaryStateWithANumberThatIsNotFiniteIsRefused)
     text.replace(text.rfind('(') + 1, 8, reinterpret_cast<const char*>(&bad), 8);
     std::ofstream(folder / "state", std::ios::binary) << text;
     EXPECT_THAT(messageOf([&] { readState(folder / "state"); }), HasSubstr("not a finite number"));
+}
+
+TEST(TimeDirectory, AnAsciiStateIsADictionaryLikeAnyOther)
+{
+    State state;
+    state.scalars["time"] = 0.1 + 0.2;
+    state.arrays["velocity"] = hardNumbers();
+    state.arrays["empty"] = {};
+    const Dictionary dictionary = Dictionary::readString(stateText(state, WriteFormat::ascii));
+    EXPECT_EQ(dictionary.get<double>("time"), 0.1 + 0.2);
+    EXPECT_EQ(bits(dictionary.get<std::vector<double>>("velocity")), bits(state.arrays["velocity"]));
+    EXPECT_TRUE(dictionary.get<std::vector<double>>("empty").empty());
 }
 
 TEST(TimeDirectory, AStateMayBeEditedByHand)

@@ -1,6 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// .vtp files and their series, read back with VTK's own reader.
 #include "Scene.h"
+#include "core/Error.h"
 #include "io/Frames.h"
 #include "io/Mechanism.h"
 #include "io/VtkSeries.h"
@@ -22,7 +23,6 @@
 #include <cmath>
 #include <limits>
 #include <random>
-#include <stdexcept>
 
 namespace drystone
 {
@@ -51,9 +51,9 @@ std::string messageOf(Function function)
     {
         function();
     }
-    catch (const std::runtime_error& error)
+    catch (const FatalError& error)
     {
-        return error.what();
+        return error.report();
     }
     ADD_FAILURE() << "nothing was thrown";
     return {};
@@ -409,7 +409,7 @@ TEST(VtkSeries, ADamagedListIsRefusedOrReadButNeverCrashes)
             for (const double time : VtkSeries(folder.path(), "blocks", 1e9).times())
                 EXPECT_TRUE(std::isfinite(time));
         }
-        catch (const std::runtime_error&)
+        catch (const FatalError&)
         {
             ++refused;
         }
@@ -426,9 +426,8 @@ TEST(VtkSeries, ARefusedFrameLeavesTheListAsItWas)
     const std::string before = content(series.listFile());
     PolyData bad = blockFrame(wall);
     bad.points[0].x() = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_THROW(series.write(1, bad), std::runtime_error);
-    EXPECT_THROW(series.write(std::numeric_limits<double>::quiet_NaN(), blockFrame(wall)),
-                 std::runtime_error);
+    EXPECT_THROW(series.write(1, bad), FatalError);
+    EXPECT_THROW(series.write(std::numeric_limits<double>::quiet_NaN(), blockFrame(wall)), FatalError);
     EXPECT_EQ(content(series.listFile()), before);
     EXPECT_FALSE(std::filesystem::exists(folder / "blocks_000001.vtp"));
 }
@@ -489,7 +488,7 @@ TEST(Mechanism, RatesOfFreeBlocksGoToTheirBlocks)
     EXPECT_EQ(rates.col(0), Eigen::Vector3d(1, 2, 3));
     EXPECT_EQ(rates.col(1), Eigen::Vector3d(0, 0, 0));
     EXPECT_EQ(rates.col(2), Eigen::Vector3d(4, 5, 6));
-    EXPECT_THROW(ratesOfAllBlocks(assembly, Eigen::VectorXd::Zero(9)), std::runtime_error);
+    EXPECT_THROW(ratesOfAllBlocks(assembly, Eigen::VectorXd::Zero(9)), FatalError);
 }
 
 // A fast run steps 146 blocks in about 1 ms and writes every ten steps: 2 ms a frame would be a fifth of it.
