@@ -200,6 +200,17 @@ PolyData blockFrame(const Assembly<2>& assembly, const std::vector<Placement<2>>
     return data;
 }
 
+std::vector<Vector<2>> pointForces(const Eigen::VectorXd& contactForce)
+{
+    if (contactForce.size() % 2 != 0)
+        throw FatalError(fmt::format("{} components of contact forces are no pairs.", contactForce.size()));
+    std::vector<Vector<2>> forces;
+    forces.reserve(static_cast<std::size_t>(contactForce.size() / 2));
+    for (Eigen::Index i = 0; i < contactForce.size(); i += 2)
+        forces.push_back(contactForce.segment<2>(i));
+    return forces;
+}
+
 std::vector<ContactState> contactStates(const std::vector<Vector<2>>& forces,
                                         const std::vector<double>& friction, double tolerance)
 {

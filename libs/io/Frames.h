@@ -32,6 +32,9 @@ enum class ContactState
     sliding = 2,  ///< its shear has reached the strength
 };
 
+/// Forces of the points one by one, from n t n t ... as solvers have them.
+std::vector<Vector<2>> pointForces(const Eigen::VectorXd& contactForce);
+
 /// State of each point from its force (normal, tangent) [N]. A point is open when its normal force is below
 /// `tolerance` times the largest, and slides when its shear comes within `tolerance` of mu n.
 ///

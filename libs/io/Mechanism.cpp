@@ -100,9 +100,10 @@ void writeMechanism(VtkSeries& series, const Assembly<2>& assembly, const Eigen:
         rotationRate.values.push_back(factor * rates(2, i));
     }
     const double amplitude = 0.5 * meanBlockSize(assembly);
-    for (int frame = 0; frame < frames; ++frame)
+    const int last = largest > 0 ? std::max(1, frames - 1) : 0;
+    for (int frame = 0; frame <= last; ++frame)
     {
-        const double time = frames == 1 ? 1 : static_cast<double>(frame) / (frames - 1);
+        const double time = last == 0 ? 0 : static_cast<double>(frame) / last;
         series.write(time, blockFrame(assembly, mechanismPlacements(assembly, rates, time * amplitude),
                                       {displacementRate, rotationRate}));
     }

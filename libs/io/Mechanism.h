@@ -31,7 +31,8 @@ std::vector<Placement<2>> mechanismPlacements(const Assembly<2>& assembly, const
 
 /// Writes the mechanism as an animation: `frames` frames at the times 0 to 1, as built at first, the largest
 /// displacement growing evenly to half a mean block at last; fields `displacementRate` and `rotationRate`,
-/// scaled so that the largest corner displacement rate is 1, besides those of blockFrame.
+/// scaled so that the largest corner displacement rate is 1, besides those of blockFrame. Where nothing moves
+/// there is one frame, at time 0.
 void writeMechanism(VtkSeries& series, const Assembly<2>& assembly, const Eigen::Matrix3Xd& rates,
                     int frames = 21);
 

@@ -187,6 +187,9 @@ TEST(Vtp, ContactsCarryForcesGapsAndStates)
     points[1].gap = 1e-9;
     points[2] = contact(1, 2, 1, {0.5, 0.5}, {1, 0});
     const std::vector<Vector<2>> forces{{10, 6.5}, {0, 0}, {4, -1}};
+    Eigen::VectorXd stacked(6);
+    stacked << 10, 6.5, 0, 0, 4, -1;
+    EXPECT_EQ(pointForces(stacked), forces);
     const auto states = contactStates(forces, {0.65, 0.65, 0.65});
     EXPECT_THAT(states, ElementsAre(ContactState::sliding, ContactState::open, ContactState::sticking));
 
@@ -468,6 +471,10 @@ TEST(Mechanism, OfNoMotionLeavesTheBlocksAsBuilt)
 {
     const Assembly<2> wall = test::wall(2, 2);
     const Eigen::Matrix3Xd still = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(wall.blocks.size()));
+    const ScratchFolder folder;
+    VtkSeries series(folder.path(), "blocks", 0);
+    writeMechanism(series, wall, still);
+    EXPECT_THAT(series.times(), ElementsAre(0));
     for (const Placement<2>& placement : mechanismPlacements(wall, still, 1))
     {
         EXPECT_EQ(placement.translation.norm(), 0);
