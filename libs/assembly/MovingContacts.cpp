@@ -2,6 +2,8 @@
 /// Corner-edge contacts between placed blocks: neighbour list, choice of features, measures.
 #include "assembly/MovingContacts.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -215,6 +217,7 @@ void MovingContacts::findNeighbours(double margin)
         ++rebuilds_;
     }
     points_.clear();
+    cornerAndEdge_.clear();
     joint_ = 0;
     for (const auto& [block, neighbour] : neighbours_)
     {
@@ -337,7 +340,10 @@ void MovingContacts::matchEdges(int blockEdge, int neighbourEdge, double lowest,
         const int blockCorner = end == 0 ? next_[blockEdge] : blockEdge;
         const int neighbourCorner = end == 0 ? neighbourEdge : next_[neighbourEdge];
         const double inward = (blockEnds[end] - neighbourEnds[end]) * (end == 0 ? 1 : -1);
-        const bool blockIsInner = inward >= -sameCorner * tolerance_;
+        // A re-entrant corner stands against nothing: what reaches it is the corner that lies in it.
+        const bool blockIsInner = isConvex_[blockCorner] == isConvex_[neighbourCorner]
+                                      ? inward >= -sameCorner * tolerance_
+                                      : isConvex_[blockCorner] != 0;
         Candidate chosen = blockIsInner ? measured(0, blockCorner, neighbourEdge, blockEdge)
                                         : measured(1, neighbourCorner, blockEdge, neighbourEdge);
         if (chosen.gap < -tolerance_)
@@ -390,6 +396,56 @@ void MovingContacts::standCorners(int owner, int cornerBlock, int edgeBlock, dou
             offer(
                 measured(owner, corner, edge, towardsLeaving > towardsArriving ? corner : previous_[corner]),
                 lowest, margin);
+        }
+    }
+}
+
+void MovingContacts::guardCorners(double margin)
+{
+    // Two corners apart, each beyond the other's edges. Any one line that parts them is enough; the one that
+    // the motion ahead leaves the most room binds only if the step turns out otherwise than foreseen, and
+    // then by no more than that change. Corners that are level along a line are sliding over flush blocks and
+    // are left alone.
+    for (int blockCorner = first_[block_]; blockCorner < first_[block_ + 1]; ++blockCorner)
+    {
+        for (int neighbourCorner = first_[neighbour_]; neighbourCorner < first_[neighbour_ + 1];
+             ++neighbourCorner)
+        {
+            if (!isConvex_[blockCorner] || !isConvex_[neighbourCorner]
+                || (now_.corner[blockCorner] - now_.corner[neighbourCorner]).squaredNorm() > margin * margin)
+            {
+                continue;
+            }
+            Candidate widest{0, -1, -1, -1, 0, 0, 0};
+            bool isFlush = false;
+            for (const int side : {0, 1})
+            {
+                const int corner = side == 0 ? blockCorner : neighbourCorner;
+                const int other = side == 0 ? neighbourCorner : blockCorner;
+                for (const int edge : {previous_[other], other})
+                {
+                    const bool leavingFaces = ahead_->tangent[edge].dot(ahead_->tangent[corner])
+                                              < ahead_->tangent[edge].dot(ahead_->tangent[previous_[corner]]);
+                    const Candidate candidate =
+                        measured(side, corner, edge, leavingFaces ? corner : previous_[corner]);
+                    if (!isForemost(candidate))
+                    {
+                        continue;
+                    }
+                    const bool staysLevel =
+                        std::abs(candidate.gap) <= tolerance_ && candidate.gapAhead <= tolerance_;
+                    isFlush = isFlush || staysLevel;
+                    if (candidate.gap >= -tolerance_
+                        && (widest.edge < 0 || candidate.gapAhead > widest.gapAhead))
+                    {
+                        widest = candidate;
+                    }
+                }
+            }
+            if (!isFlush && widest.edge >= 0 && widest.gapAhead > tolerance_)
+            {
+                offer(widest, -tolerance_, margin);
+            }
         }
     }
 }
@@ -487,6 +543,10 @@ void MovingContacts::findPoints(int block, int neighbour, double margin)
         standCorners(0, block, neighbour, lowest, margin);
         standCorners(1, neighbour, block, lowest, margin);
     }
+    if (candidates_.empty() && ahead_ != &now_)
+    {
+        guardCorners(margin);
+    }
     if (candidates_.size() > 1)
     {
         dropDeeper();
@@ -514,6 +574,7 @@ void MovingContacts::findPoints(int block, int neighbour, double margin)
             lastNeighbourEdge = neighbourEdge;
             ++joint_;
         }
+        cornerAndEdge_.emplace_back(candidate.corner, candidate.edge);
         ContactPoint<2>& point = points_.emplace_back();
         point.block = block;
         point.neighbour = neighbour;
@@ -524,6 +585,27 @@ void MovingContacts::findPoints(int block, int neighbour, double margin)
         point.gap = candidate.gap;
         point.feature = {cornerIsTheBlocks ? block : neighbour, vertex_[candidate.corner],
                          vertex_[candidate.edge]};
+    }
+}
+
+void MovingContacts::measureGaps(const std::vector<Placement<2>>& placements, std::vector<double>& gaps) const
+{
+    assert(placements.size() == centroid_.size());
+    gaps.resize(points_.size());
+    for (std::size_t i = 0; i < points_.size(); ++i)
+    {
+        const auto [corner, edge] = cornerAndEdge_[i];
+        const ContactPoint<2>& point = points_[i];
+        const bool cornerIsTheBlocks = point.feature.vertexBlock == point.block;
+        const int cornerBlock = cornerIsTheBlocks ? point.block : point.neighbour;
+        const int edgeBlock = cornerIsTheBlocks ? point.neighbour : point.block;
+        const Eigen::Rotation2Dd turned(placements[cornerBlock].rotation);
+        const Eigen::Rotation2Dd turnedEdge(placements[edgeBlock].rotation);
+        // Differences of places first, so that a structure far from the origin keeps its digits.
+        const Vector<2> centres = (centroid_[cornerBlock] - centroid_[edgeBlock])
+                                  + (placements[cornerBlock].translation - placements[edgeBlock].translation);
+        const Vector<2> arm = centres + turned * localCorner_[corner] - turnedEdge * localCorner_[edge];
+        gaps[i] = arm.dot(outwardNormal(turnedEdge * localTangent_[edge]));
     }
 }
 
