@@ -98,6 +98,12 @@ enum class OutOfBounds
     clamp ///< the first and last values go on
 };
 
+/// Names in dictionaries.
+constexpr std::array<std::pair<std::string_view, OutOfBounds>, 2> namesOf(OutOfBounds)
+{
+    return {{{"zero", OutOfBounds::zero}, {"clamp", OutOfBounds::clamp}}};
+}
+
 /// How a table is read between its points.
 enum class Interpolation
 {
@@ -106,6 +112,15 @@ enum class Interpolation
     akima,  ///< Akima's spline: less overshoot
     steffen ///< Steffen's spline: monotone between points, so that no peak is higher than the table's
 };
+
+/// Names in dictionaries.
+constexpr std::array<std::pair<std::string_view, Interpolation>, 4> namesOf(Interpolation)
+{
+    return {{{"linear", Interpolation::linear},
+             {"cubic", Interpolation::cubic},
+             {"akima", Interpolation::akima},
+             {"steffen", Interpolation::steffen}}};
+}
 
 /// An acceleration given at instants. Times must not decrease; with linear interpolation a time may stand
 /// twice, and the function jumps there. \throws std::domain_error when the sizes differ, a number is not

@@ -1,66 +1,10 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "dynamics/GroundMotion.h"
 
-#include "core/Error.h"
-
 #include <fmt/format.h>
-
-#include <stdexcept>
 
 namespace drystone
 {
-
-namespace
-{
-
-GroundMotion::Component preparedRecord(const RecordMotion& motion)
-{
-    CsvLayout columns = motion.columns;
-    columns.unit = motion.unit;
-    Record record = motion.format == RecordFormat::PEER_AT2 ? readPeerRecord(motion.file, motion.unit)
-                                                            : readCsvRecord(motion.file, columns);
-    const std::size_t count = record.times.size();
-    const double ownPeak = figures(record).peakAcceleration;
-    record = baselineCorrected(std::move(record), motion.baseline);
-    record = motion.peakAcceleration > 0 ? scaledToPeak(std::move(record), motion.peakAcceleration)
-                                         : scaled(std::move(record), motion.scale);
-    record = padded(record, motion.paddingBefore, motion.paddingAfter);
-    const double shift = motion.start - record.times.front();
-    for (double& time : record.times)
-        time += shift;
-
-    const RecordFigures f = figures(record);
-    GroundMotion::Component component;
-    component.summary =
-        fmt::format("    record      {} ({} values)\n", motion.file.string(), count)
-        + (record.title.empty() ? "" : fmt::format("    title       {}\n", record.title))
-        + fmt::format("    unit        {} (1 {} = {:.6g} m/s2)\n", record.unit, record.unit,
-                      accelerationUnit(record.unit))
-        + fmt::format("    scale       {:.6g}, from a PGA of {:.6g} {}\n",
-                      motion.peakAcceleration > 0 ? f.peakAcceleration / ownPeak : motion.scale,
-                      ownPeak / accelerationUnit(record.unit), record.unit)
-        + fmt::format("    PGV         {:.6g} m/s\n    PGD         {:.6g} m\n", f.peakVelocity,
-                      f.peakDisplacement)
-        + fmt::format("    significant {:.6g} s (5% to 95% of the Arias intensity, {:.6g} m/s)\n",
-                      f.significantDuration, f.ariasIntensity);
-    component.acceleration = tabulatedAcceleration(std::move(record.times), std::move(record.accelerations),
-                                                   motion.interpolation, OutOfBounds::zero);
-    return component;
-}
-
-} // namespace
-
-GroundMotion::Component recordComponent(const RecordMotion& motion)
-{
-    try
-    {
-        return preparedRecord(motion);
-    }
-    catch (const std::domain_error& error) // what was asked for cannot be done with this record
-    {
-        throw FatalIOError(error.what(), {motion.file.string(), "", 0});
-    }
-}
 
 Eigen::Vector3d groundAcceleration(const GroundMotion& motion, double time)
 {
@@ -99,6 +43,64 @@ std::string summary(const GroundMotion& motion)
                                 kinks.back() - kinks.front(), kinks.front(), kinks.back());
     }
     return text;
+}
+
+namespace
+{
+
+Eigen::Vector3d toVector(const std::array<double, 3>& components)
+{
+    return {components[0], components[1], components[2]};
+}
+
+} // namespace
+
+void declare(Options& options, GroundComponentSettings& settings)
+{
+    options.required("direction", settings.direction, "of the acceleration; its length does not matter")
+        .example("(1 0 0)");
+    options.required("acceleration", settings.acceleration, groundAccelerationTypes(), "along the direction");
+    options.check("direction", [&settings]
+                  { return toVector(settings.direction).norm() > 0 ? "" : "The direction has no length."; });
+}
+
+void declare(Options& options, GroundMotionSettings& settings)
+{
+    options.optional("direction", settings.direction, "of the acceleration; its length does not matter")
+        .example("(1 0 0)");
+    options.optional("acceleration", settings.acceleration, groundAccelerationTypes(), "along the direction");
+    options.optional("components", settings.components,
+                     "instead: several motions at once, each under a name");
+    options.check("direction",
+                  [&settings]
+                  {
+                      const bool single = settings.direction || settings.acceleration;
+                      if (single && !settings.components.empty())
+                          return "Give either direction and acceleration, or components.";
+                      if (!single && settings.components.empty())
+                          return "The motion of the ground needs direction and acceleration.";
+                      if (single && !(settings.direction && settings.acceleration))
+                          return "The motion of the ground needs both direction and acceleration.";
+                      return settings.direction && toVector(*settings.direction).norm() == 0
+                                 ? "The direction has no length."
+                                 : "";
+                  });
+}
+
+GroundMotion readGroundMotion(const Dictionary& dictionary, const std::filesystem::path& caseDirectory)
+{
+    const auto settings = readOptions<GroundMotionSettings>(dictionary);
+    GroundMotion motion;
+    const auto add = [&](const std::array<double, 3>& direction, const AccelerationMaker& acceleration)
+    {
+        motion.components.push_back(acceleration(caseDirectory));
+        motion.components.back().direction = toVector(direction).normalized();
+    };
+    if (settings.direction)
+        add(*settings.direction, settings.acceleration);
+    for (const auto& [name, component] : settings.components)
+        add(component.direction, component.acceleration);
+    return motion;
 }
 
 } // namespace drystone

@@ -3,8 +3,10 @@
 /// known.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -85,6 +87,15 @@ enum class Baseline
     linear,
     quadratic
 };
+
+/// Names in dictionaries.
+constexpr std::array<std::pair<std::string_view, Baseline>, 4> namesOf(Baseline)
+{
+    return {{{"none", Baseline::none},
+             {"constant", Baseline::constant},
+             {"linear", Baseline::linear},
+             {"quadratic", Baseline::quadratic}}};
+}
 
 /// Take away the polynomial in time that fits the accelerations best (least squares).
 /// \throws std::domain_error when the record has fewer values than the polynomial has coefficients
