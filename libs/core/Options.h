@@ -211,21 +211,25 @@ std::string textOf(const Value& value)
     {
         std::string text = "(";
         for (const auto& element : value)
-            text += (text.size() > 1 ? " " : "") + textOf(element);
+            text.append(text.size() > 1 ? " " : "").append(textOf(element)); // + trips GCC 12's -Wrestrict
         return text + ")";
     }
     else if constexpr (FixedVector<Value>)
     {
         std::string text = "(";
         for (int i = 0; i < int(Value::SizeAtCompileTime); ++i)
-            text += (i > 0 ? " " : "") + textOf(value.data()[i]);
+            text.append(i > 0 ? " " : "").append(textOf(value.data()[i]));
         return text + ")";
     }
     else if constexpr (requires {
                            value.first;
                            value.second;
                        })
-        return "(" + textOf(value.first) + " " + textOf(value.second) + ")";
+        return std::string("(")
+            .append(textOf(value.first))
+            .append(" ")
+            .append(textOf(value.second))
+            .append(")");
     else
         return {};
 }
