@@ -2,7 +2,9 @@
 /// Reading the assembly file.
 #include "assembly/AssemblyFile.h"
 
+#include "assembly/Outlines.h"
 #include "core/Dictionary.h"
+#include "geometry/BroadPhase.h"
 #include "geometry/PolygonShape.h"
 
 #include <fmt/format.h>
@@ -15,31 +17,19 @@ namespace drystone
 namespace
 {
 
-std::vector<Polygon> readOutlines(const Entry& entry)
+/// Two blocks may share this part of the smaller one: rounding of hand-written coordinates, not a fault.
+constexpr double largestHarmlessOverlap = 1e-4;
+
+/// Refuses the entries of a dictionary that nothing has asked for.
+void refuseUnused(const Dictionary& dictionary, const std::vector<std::string>& known)
 {
-    entry.markUsed();
-    std::vector<Polygon> outlines;
-    TokenCursor cursor(entry);
-    const TokenCursor::ListStart start = cursor.openList();
-    while (!cursor.isNext(')'))
+    for (const Entry& entry : dictionary.entries())
     {
-        const TokenCursor beginning = cursor;
-        Polygon outline;
-        read(cursor, outline);
-        const std::string fault = outlineFault(outline);
-        if (!fault.empty())
+        if (!entry.isUsed() && entry.keyword() != "FoamFile")
         {
-            beginning.fail(fmt::format("Outline {} {}", outlines.size(), fault));
+            throw FatalIOError(unknownWordMessage("key", entry.keyword(), known), entry.location());
         }
-        if (areaProperties(outline).area < 0)
-        {
-            std::reverse(outline.begin() + 1, outline.end());
-        }
-        outlines.push_back(std::move(outline));
     }
-    cursor.closeList(start, outlines.size());
-    cursor.expectEnd();
-    return outlines;
 }
 
 /// One number for all blocks, or a list with one for each.
@@ -87,6 +77,7 @@ void readSupport(const Entry& entry, Assembly<2>& assembly)
         }
         assembly.blocks[block].support = support;
     }
+    refuseUnused(dictionary, {"type", "blocks"});
 }
 
 } // namespace
@@ -108,7 +99,7 @@ Assembly<2> readAssembly(const std::filesystem::path& caseDirectory)
             dictionary.locationOf("dimensions"));
     }
     Assembly<2> assembly;
-    std::vector<Polygon> outlines = readOutlines(dictionary.lookup("outlines"));
+    std::vector<Polygon> outlines = dictionary.get<Outlines>("outlines").polygons;
     if (outlines.empty())
     {
         throw FatalIOError("There is no block in this assembly", dictionary.locationOf("outlines"));
@@ -122,16 +113,35 @@ Assembly<2> readAssembly(const std::filesystem::path& caseDirectory)
     {
         readSupport(entry, assembly);
     }
-    for (const Entry& entry : dictionary.entries())
+    refuseUnused(dictionary, {"dimensions", "thickness", "supports", "outlines"});
+    return assembly;
+}
+
+void refuseOverlaps(const Assembly<2>& assembly, const std::filesystem::path& caseDirectory)
+{
+    std::vector<BoundingBox> boxes;
+    for (const Block<2>& block : assembly.blocks)
     {
-        if (!entry.isUsed() && entry.keyword() != "FoamFile")
+        boxes.push_back(boundingBox(block.outline));
+    }
+    for (const auto& [first, second] : findMeetingPairs(boxes))
+    {
+        const Polygon& a = assembly.blocks[first].outline;
+        const Polygon& b = assembly.blocks[second].outline;
+        const double smaller = std::min(areaProperties(a).area, areaProperties(b).area);
+        const double common = overlapArea(a, b);
+        if (common > largestHarmlessOverlap * smaller)
         {
-            throw FatalIOError(unknownWordMessage("key", entry.keyword(),
-                                                  {"dimensions", "thickness", "supports", "outlines"}),
-                               entry.location());
+            const Dictionary dictionary = Dictionary::readFile(assemblyFile(caseDirectory));
+            throw FatalIOError(
+                fmt::format(
+                    "Blocks {} and {} overlap by {:.6g} m2, {:.3g} of the smaller one. Blocks may touch, but "
+                    "not share space: mend system/blockTextureDict and run blockTexture again (checkBlocks "
+                    "lists all overlaps).",
+                    first, second, common, common / smaller),
+                dictionary.get<Outlines>("outlines").places[second]);
         }
     }
-    return assembly;
 }
 
 } // namespace drystone

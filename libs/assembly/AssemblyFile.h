@@ -26,4 +26,9 @@ std::string assemblyText(const Assembly<2>& assembly);
 /// exist or is fixed already
 Assembly<2> readAssembly(const std::filesystem::path& caseDirectory);
 
+/// For computations that need sound geometry.
+/// \throws FatalIOError at the outline's line when two blocks of the assembly, as read from this case, share
+/// more than 1e-4 of the smaller one
+void refuseOverlaps(const Assembly<2>& assembly, const std::filesystem::path& caseDirectory);
+
 } // namespace drystone

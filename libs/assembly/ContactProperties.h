@@ -3,7 +3,15 @@
 /// simulated.
 #pragma once
 
+#include "core/Options.h"
+#include "core/Registry.h"
+
+#include <array>
+#include <filesystem>
 #include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace drystone
 {
@@ -15,17 +23,46 @@ enum class FlowRule
     nonAssociative ///< Coulomb's law: a joint slides without opening
 };
 
+inline std::array<std::pair<std::string_view, FlowRule>, 2> namesOf(FlowRule)
+{
+    return {{{"associative", FlowRule::associative}, {"nonAssociative", FlowRule::nonAssociative}}};
+}
+
 /// Coulomb friction: |t| <= mu n.
 struct CoulombFriction
 {
-    double mu = 0;
+    double mu = 0; ///< friction coefficient, 0 to 1e6
     FlowRule flowRule = FlowRule::associative;
 };
+
+void declare(Options& options, CoulombFriction& friction);
 
 /// The effects of a case; one that is absent is not simulated and costs nothing.
 struct ContactProperties
 {
     std::optional<CoulombFriction> friction; ///< absent: frictionless
 };
+
+void declare(Options& options, ContactProperties& properties);
+
+/// The friction laws that `friction { type ...; }` chooses from.
+const Registry<CoulombFriction>& frictionTypes();
+
+/// An effect that constant/contactProperties knows and this version does not simulate.
+struct AbsentEffect
+{
+    std::string_view name;
+    std::string_view summary;
+};
+
+/// All of them: asking for one is an error, so that nobody takes a result for what it is not.
+const std::vector<AbsentEffect>& absentEffects();
+
+/// The effects of a case. \throws FatalError or FatalIOError when constant/contactProperties is missing or
+/// faulty, or asks for an effect that is unknown or absent from this version
+ContactProperties readContactProperties(const std::filesystem::path& caseDirectory);
+
+/// Friction coefficient of each of `points` contact points: 0 without friction.
+std::vector<double> frictionCoefficients(const ContactProperties& properties, std::size_t points);
 
 } // namespace drystone

@@ -3,7 +3,11 @@
 #pragma once
 
 #include "assembly/Assembly.h"
+#include "core/Options.h"
+#include "core/Registry.h"
 
+#include <filesystem>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -33,5 +37,42 @@ std::optional<int> findLoadedBlock(const Assembly<2>& assembly, const Vector<2>&
 /// A force [N] at a point [m] of a free block.
 Eigen::VectorXd pointLoad(const Assembly<2>& assembly, int block, const Vector<2>& point,
                           const Vector<2>& force);
+
+/// What a load is made from.
+struct LoadContext
+{
+    const Assembly<2>& assembly;
+    const std::vector<double>& masses; ///< of all blocks [kg]
+    Vector<2> gravity;                 ///< [m/s2]
+};
+
+/// Makes a load vector, once blocks and masses are known. \throws FatalIOError when the load does not suit
+/// the structure
+using LoadMaker = std::function<Eigen::VectorXd(const LoadContext&)>;
+
+/// The loads that `dead { type ...; }` and `live { type ...; }` choose from.
+const Registry<LoadMaker>& loadTypes();
+
+/// constant/loads.
+struct LoadCases
+{
+    LoadMaker dead;
+    std::optional<LoadMaker> live;
+};
+
+void declare(Options& options, LoadCases& cases);
+
+/// Whether a computation can do without a live load.
+enum class LiveLoad
+{
+    required,
+    optional
+};
+
+/// The load vectors of a case. Where a live load is optional, a case without constant/loads has gravity
+/// alone. \throws FatalError or FatalIOError when constant/loads is missing or faulty, or does not suit the
+/// structure
+LoadVectors readLoads(const std::filesystem::path& caseDirectory, const LoadContext& context,
+                      LiveLoad liveLoad);
 
 } // namespace drystone
