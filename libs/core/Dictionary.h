@@ -263,7 +263,8 @@ public:
         markUsed();
         TokenCursor cursor(*this);
         Value result{};
-        drystone::read(cursor, result);
+        using drystone::read; // and those beside the type of the value
+        read(cursor, result);
         cursor.expectEnd();
         return result;
     }
