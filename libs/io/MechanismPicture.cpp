@@ -3,10 +3,10 @@
 #include "io/MechanismPicture.h"
 
 #include "core/Error.h"
+#include "core/WholeFile.h"
 #include "io/Frames.h"
 #include "io/Mechanism.h"
 #include "io/Svg.h"
-#include "io/WholeFile.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>

@@ -3,8 +3,8 @@
 #include "io/Plot.h"
 
 #include "core/Error.h"
+#include "core/WholeFile.h"
 #include "io/Svg.h"
-#include "io/WholeFile.h"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 #include "io/TimeDirectory.h"
 
 #include "core/Error.h"
-#include "io/WholeFile.h"
+#include "core/WholeFile.h"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 #include "io/VtkFile.h"
 
 #include "core/Error.h"
-#include "io/WholeFile.h"
+#include "core/WholeFile.h"
 
 #include <fmt/format.h>
 #include <libdeflate.h>

@@ -11,7 +11,7 @@
 #include "io/VtkSeries.h"
 
 #include "core/Error.h"
-#include "io/WholeFile.h"
+#include "core/WholeFile.h"
 
 #include <fmt/format.h>
 

@@ -2,10 +2,10 @@
 /// .vtp files and their series, read back with VTK's own reader.
 #include "Scene.h"
 #include "core/Error.h"
+#include "core/WholeFile.h"
 #include "io/Frames.h"
 #include "io/Mechanism.h"
 #include "io/VtkSeries.h"
-#include "io/WholeFile.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

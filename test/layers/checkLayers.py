@@ -39,6 +39,7 @@ thirdParty = {
     "BLAS and LAPACK": r"(cblas|lapacke?|openblas)",
     "zlib": r"zlib\.h",
     "libdeflate": r"libdeflate\.h",
+    "libdeflate": r"libdeflate\.h",
     "OpenMP": r"omp\.h",
 }
 everyones = {"Eigen", "fmt", "OpenMP"}

@@ -1,6 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Temporary file, then rename.
-#include "io/WholeFile.h"
+#include "core/WholeFile.h"
 
 #include "core/Error.h"
 
