@@ -2,6 +2,7 @@
 /// Mechanisms: a mechanism has a shape and no size, so its size is chosen for the eye.
 #include "io/Mechanism.h"
 
+#include "assembly/Facing.h"
 #include "core/Error.h"
 #include "io/Frames.h"
 
@@ -40,22 +41,6 @@ Eigen::Matrix3Xd ratesOfAllBlocks(const Assembly<2>& assembly, const Eigen::Vect
         if (freeIndex[i] >= 0)
             rates.col(static_cast<Eigen::Index>(i)) = freeRates.segment<3>(3 * freeIndex[i]);
     return rates;
-}
-
-double meanBlockSize(const Assembly<2>& assembly)
-{
-    const bool anyFree = std::any_of(assembly.blocks.begin(), assembly.blocks.end(),
-                                     [](const Block<2>& block) { return block.support < 0; });
-    double area = 0;
-    int count = 0;
-    for (const Block<2>& block : assembly.blocks)
-    {
-        if (anyFree && block.support >= 0)
-            continue;
-        area += std::abs(areaProperties(block.outline).area);
-        ++count;
-    }
-    return count == 0 ? 0 : std::sqrt(area / count);
 }
 
 double largestDisplacement(const Assembly<2>& assembly, const Eigen::Matrix3Xd& rates)

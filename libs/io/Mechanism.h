@@ -17,9 +17,6 @@ namespace drystone
 /// \return 3 x blocks: rows ux uy [m] rz [rad], a column a block; zero for fixed blocks
 Eigen::Matrix3Xd ratesOfAllBlocks(const Assembly<2>& assembly, const Eigen::VectorXd& freeRates);
 
-/// Square root of the mean face area of the free blocks (of all blocks when none is free) [m].
-double meanBlockSize(const Assembly<2>& assembly);
-
 /// Largest displacement of any block corner under the rates, to first order [m].
 double largestDisplacement(const Assembly<2>& assembly, const Eigen::Matrix3Xd& rates);
 

@@ -2,10 +2,10 @@
 /// Lays out the structure on the page and paints it from back to front.
 #include "io/MechanismPicture.h"
 
+#include "assembly/Facing.h"
 #include "core/Error.h"
 #include "core/WholeFile.h"
 #include "io/Frames.h"
-#include "io/Mechanism.h"
 #include "io/Svg.h"
 
 #include <Eigen/Geometry>

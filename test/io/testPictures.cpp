@@ -2,6 +2,7 @@
 /// Pictures: well-formed, complete and refusing what cannot be drawn. With DRYSTONE_KEEP_PICTURES=<folder> in
 /// the environment the pictures are left there to be looked at.
 #include "Scene.h"
+#include "assembly/Facing.h"
 #include "core/Error.h"
 #include "io/Mechanism.h"
 #include "io/MechanismPicture.h"
