@@ -179,7 +179,14 @@ std::string outlineFault(const Polygon& polygon)
                    + " in the same place";
         }
     }
-    if (std::abs(areaProperties(polygon).area) <= tolerance * extent)
+    // Flat, not: of area 0, which a bow tie has as well and deserves another message.
+    const Vector<2> origin = polygon.front();
+    const Vector<2> farthest = *std::max_element(polygon.begin(), polygon.end(),
+                                                 [&](const Vector<2>& a, const Vector<2>& b)
+                                                 { return (a - origin).norm() < (b - origin).norm(); });
+    const auto isOnTheLine = [&](const Vector<2>& vertex)
+    { return std::abs(turn(origin, farthest, vertex)) <= tolerance * (farthest - origin).norm(); };
+    if (std::all_of(polygon.begin(), polygon.end(), isOnTheLine))
     {
         return "has no area";
     }

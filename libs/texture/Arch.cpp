@@ -2,8 +2,13 @@
 /// Generator of arches.
 #include "texture/Arch.h"
 
+#include "texture/Limits.h"
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace drystone
 {
@@ -37,6 +42,36 @@ std::vector<Vector<2>> jointDirections(const Arch& arch)
 }
 
 } // namespace
+
+void declare(Options& options, Arch& arch)
+{
+    options.optional("profile", arch.profile, "shape of the centreline");
+    options.required("radius", arch.radius, "of the centreline").unit("m").above(0).example("1");
+    options.required("thickness", arch.thickness, "in the radial direction")
+        .unit("m")
+        .above(0)
+        .example("0.15");
+    options.required("voussoirs", arch.voussoirs, "their number").atLeast(1).atMost(mostBlocks).example("27");
+    options.optional("depth", arch.depth, "out of plane").unit("m").above(0);
+    options.optional("angle", arch.angle, "from springing to springing, in degrees").above(0).atMost(270);
+    options.check("thickness",
+                  [&arch]() -> std::string
+                  {
+                      return arch.thickness >= 2 * arch.radius ? fmt::format(
+                                 "An arch of radius {:g} m cannot be {:g} m thick: the thickness must be "
+                                 "below twice the radius.",
+                                 arch.radius, arch.thickness)
+                                                               : "";
+                  });
+    options.check(
+        "voussoirs",
+        [&arch]() -> std::string
+        {
+            return arch.angle / arch.voussoirs >= 180
+                       ? "A single voussoir cannot embrace 180 degrees or more: give more voussoirs."
+                       : "";
+        });
+}
 
 Assembly<2> makeAssembly(const Arch& arch, Abutments abutments)
 {

@@ -3,6 +3,11 @@
 #pragma once
 
 #include "assembly/Assembly.h"
+#include "core/Options.h"
+
+#include <array>
+#include <string_view>
+#include <utility>
 
 namespace drystone
 {
@@ -11,6 +16,11 @@ enum class ArchProfile
 {
     circular
 };
+
+inline std::array<std::pair<std::string_view, ArchProfile>, 1> namesOf(ArchProfile)
+{
+    return {{{"circular", ArchProfile::circular}}};
+}
 
 struct Arch
 {
@@ -21,6 +31,8 @@ struct Arch
     double depth = 1;   ///< out of plane [m]
     double angle = 180; ///< that the arch embraces, from springing to springing [degrees]
 };
+
+void declare(Options& options, Arch& arch);
 
 /// Whether the arch stands on abutments of its own.
 enum class Abutments

@@ -2,10 +2,39 @@
 /// Generator of courses.
 #include "texture/Courses.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <string>
 
 namespace drystone
 {
+
+void declare(Options& options, Courses& courses)
+{
+    options.required("unit", courses.unit, "unit of the lengths in rows, height of a course")
+        .unit("m")
+        .above(0)
+        .example("(0.4 0.175)");
+    options.optional("thickness", courses.thickness, "out of plane").unit("m").above(0);
+    options.required("rows", courses.rows, "lengths in units, bottom course first; negative: a void")
+        .example("((0.5 1 1 0.5) (1 -1 1))");
+    options.check("rows",
+                  [&courses]() -> std::string
+                  {
+                      for (std::size_t row = 0; row < courses.rows.size(); ++row)
+                      {
+                          for (const double length : courses.rows[row])
+                          {
+                              if (length == 0)
+                              {
+                                  return fmt::format("A block of row {} has the length 0.", row);
+                              }
+                          }
+                      }
+                      return {};
+                  });
+}
 
 Assembly<2> makeAssembly(const Courses& courses)
 {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "assembly/Assembly.h"
+#include "core/Options.h"
 
 #include <vector>
 
@@ -16,6 +17,8 @@ struct Courses
     std::vector<std::vector<double>>
         rows; ///< bottom course first, from left to right [units]; negative: a void
 };
+
+void declare(Options& options, Courses& courses);
 
 /// The blocks, all free, by course from the bottom and from left to right. The lower left corner is the
 /// origin.

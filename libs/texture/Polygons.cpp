@@ -2,23 +2,25 @@
 /// Generator of blocks given by their corners.
 #include "texture/Polygons.h"
 
-#include <algorithm>
-
 namespace drystone
 {
+
+void declare(Options& options, Polygons& polygons)
+{
+    options.optional("thickness", polygons.thickness, "out of plane").unit("m").above(0);
+    options
+        .required("blocks", polygons.blocks,
+                  "corners of each block [m]: a simple polygon, in either orientation")
+        .example("(((0 0) (1 0) (1 0.5) (0 0.5)) ((0 0.5) (1 0.5) (0.5 1.2)))");
+}
 
 Assembly<2> makeAssembly(const Polygons& polygons)
 {
     Assembly<2> assembly;
-    assembly.blocks.reserve(polygons.blocks.size());
-    for (Polygon outline : polygons.blocks)
+    assembly.blocks.reserve(polygons.blocks.polygons.size());
+    for (const Polygon& outline : polygons.blocks.polygons)
     {
-        if (areaProperties(outline).area < 0)
-        {
-            // The first corner stays the first.
-            std::reverse(outline.begin() + 1, outline.end());
-        }
-        assembly.blocks.push_back({std::move(outline), polygons.thickness});
+        assembly.blocks.push_back({outline, polygons.thickness});
     }
     return assembly;
 }

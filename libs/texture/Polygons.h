@@ -3,19 +3,21 @@
 #pragma once
 
 #include "assembly/Assembly.h"
-
-#include <vector>
+#include "assembly/Outlines.h"
+#include "core/Options.h"
 
 namespace drystone
 {
 
 struct Polygons
 {
-    double thickness = 1;        ///< out of plane [m]
-    std::vector<Polygon> blocks; ///< simple polygons, convex or not, in either orientation [m]
+    double thickness = 1; ///< out of plane [m]
+    Outlines blocks;      ///< simple polygons, convex or not [m]
 };
 
-/// The blocks, all free, in the order given, each turned counter-clockwise.
+void declare(Options& options, Polygons& polygons);
+
+/// The blocks, all free, in the order given.
 Assembly<2> makeAssembly(const Polygons& polygons);
 
 } // namespace drystone

@@ -2,7 +2,13 @@
 /// Generator of running bonds.
 #include "texture/RunningBond.h"
 
+#include "texture/Limits.h"
+
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
+#include <string>
 
 namespace drystone
 {
@@ -39,7 +45,72 @@ void subtract(std::vector<Interval>& pieces, const Interval& hole)
     pieces = std::move(left);
 }
 
+std::string openingFault(const RunningBond& bond, const Opening& opening)
+{
+    const Vector<2>& from = opening.from;
+    const Vector<2>& to = opening.to;
+    const std::string corners = fmt::format("({:g} {:g})-({:g} {:g})", from.x(), from.y(), to.x(), to.y());
+    if (!(from.x() < to.x()) || !(from.y() < to.y()))
+    {
+        return corners + " has no area: \"from\" is its lower left corner, \"to\" its upper right one.";
+    }
+    if (from.x() < 0 || from.y() < 0 || to.x() > bond.length || to.y() > bond.courses)
+    {
+        return corners
+               + fmt::format(" reaches outside the wall, which is {:g} units long and {} courses high.",
+                             bond.length, bond.courses);
+    }
+    if (from.y() != std::round(from.y()) || to.y() != std::round(to.y()))
+    {
+        return corners + " ends within a course: blocks are cut at the jambs only. Give whole courses.";
+    }
+    return {};
+}
+
 } // namespace
+
+void declare(Options& options, Opening& opening)
+{
+    options.required("from", opening.from, "lower left corner, in (units, courses)")
+        .atLeast(0)
+        .example("(1.5 3)");
+    options.required("to", opening.to, "upper right corner, in (units, courses)").above(0).example("(2.5 8)");
+}
+
+void declare(Options& options, RunningBond& bond)
+{
+    options.required("unit", bond.unit, "length of a full block, height of a course")
+        .unit("m")
+        .above(0)
+        .example("(0.4 0.175)");
+    options.optional("thickness", bond.thickness, "out of plane").unit("m").above(0);
+    options.required("length", bond.length, "of the wall, in units").above(0).atMost(mostBlocks).example("5");
+    options.required("courses", bond.courses, "number of courses").atLeast(1).atMost(mostBlocks).example("6");
+    options.optional("firstCourse", bond.firstCourse,
+                     "half: the bottom course starts and ends with half a block; full: it does not");
+    options.optional("openings", bond.openings, "doors and windows; blocks are cut at the jambs");
+    options.check("courses",
+                  [&bond]() -> std::string
+                  {
+                      return bond.length * bond.courses > mostBlocks
+                                 ? fmt::format("A wall of {:g} units by {} courses has more than {} blocks.",
+                                               bond.length, bond.courses, mostBlocks)
+                                 : "";
+                  });
+    options.check("openings",
+                  [&bond]() -> std::string
+                  {
+                      for (std::size_t i = 0; i < bond.openings.size(); ++i)
+                      {
+                          const std::string fault = openingFault(bond, bond.openings[i]);
+                          if (!fault.empty())
+                          {
+                              return fmt::format("Opening {} {}", i, fault);
+                          }
+                      }
+                      return {};
+                  });
+}
 
 Assembly<2> makeAssembly(const RunningBond& bond)
 {

@@ -3,7 +3,11 @@
 #pragma once
 
 #include "assembly/Assembly.h"
+#include "core/Options.h"
 
+#include <array>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace drystone
@@ -16,6 +20,11 @@ enum class FirstCourse
     full
 };
 
+inline std::array<std::pair<std::string_view, FirstCourse>, 2> namesOf(FirstCourse)
+{
+    return {{{"half", FirstCourse::half}, {"full", FirstCourse::full}}};
+}
+
 /// A window or door in a wall: a rectangle between two corners, in (units, courses) from the wall's lower
 /// left corner.
 struct Opening
@@ -23,6 +32,8 @@ struct Opening
     Vector<2> from;
     Vector<2> to;
 };
+
+void declare(Options& options, Opening& opening);
 
 struct RunningBond
 {
@@ -33,6 +44,8 @@ struct RunningBond
     FirstCourse firstCourse = FirstCourse::half;
     std::vector<Opening> openings; ///< blocks inside one vanish, those crossing a jamb are cut there
 };
+
+void declare(Options& options, RunningBond& bond);
 
 /// The wall's blocks, all free, by course from the bottom and from left to right in a course. Its lower left
 /// corner is the origin. Corners that coincide have bitwise equal coordinates.

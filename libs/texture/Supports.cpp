@@ -3,6 +3,9 @@
 #include "texture/Supports.h"
 
 #include "geometry/BroadPhase.h"
+#include "texture/Limits.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,35 +13,181 @@
 namespace drystone
 {
 
+namespace
+{
+
+/// Box round all blocks.
+BoundingBox boxOf(const Assembly<2>& assembly)
+{
+    BoundingBox box;
+    for (const Block<2>& block : assembly.blocks)
+    {
+        const BoundingBox one = boundingBox(block.outline);
+        box.lower = box.lower.cwiseMin(one.lower);
+        box.upper = box.upper.cwiseMax(one.upper);
+    }
+    return box;
+}
+
+/// Refuses a structure that the ground would cut into.
+void refuseBlocksUnderGround(const Assembly<2>& assembly, const SourceLocation& place)
+{
+    const BoundingBox box = boxOf(assembly);
+    const double tolerance = 1e-9 * (box.upper - box.lower).maxCoeff();
+    for (std::size_t i = 0; i < assembly.blocks.size(); ++i)
+    {
+        if (boundingBox(assembly.blocks[i].outline).lower.y() < -tolerance)
+        {
+            throw FatalIOError(
+                fmt::format("Block {} reaches below y = 0, where the ground lies. Raise the structure, "
+                            "or fix blocks of it with \"type blocks;\" instead.",
+                            i),
+                place);
+        }
+    }
+}
+
+/// The number of ground blocks. A remainder below a millionth of a segment is rounding, not a block.
+double segmentCount(double length, double segment)
+{
+    return std::max(1.0, std::ceil(length / segment - 1e-6));
+}
+
+void removeAbutmentsUnderGround(Assembly<2>& assembly)
+{
+    const bool hasAbutments =
+        !assembly.supports.empty()
+        && std::all_of(assembly.supports.begin(), assembly.supports.end(),
+                       [](const Support& support) { return support.type == "abutments"; });
+    const auto isAboveGround = [](const Block<2>& block)
+    { return block.support >= 0 && boundingBox(block.outline).upper.y() > 0; };
+    if (hasAbutments && std::none_of(assembly.blocks.begin(), assembly.blocks.end(), isAboveGround))
+    {
+        std::erase_if(assembly.blocks, [](const Block<2>& block) { return block.support >= 0; });
+        assembly.supports.clear();
+    }
+}
+
+SupportMaker makeGround(const Ground& ground, const Dictionary& dictionary)
+{
+    return [ground, place = dictionary.location(), segmentPlace = dictionary.locationOf("segment")](
+               Assembly<2>& assembly, const std::string& name, double unit)
+    {
+        const auto hasGround = [](const Support& support) { return support.type == "ground"; };
+        if (std::any_of(assembly.supports.begin(), assembly.supports.end(), hasGround))
+        {
+            throw FatalIOError("There is a ground already: two would lie in the same place. Remove one.",
+                               place);
+        }
+        removeAbutmentsUnderGround(assembly);
+        refuseBlocksUnderGround(assembly, place);
+        Ground inMetres = ground;
+        const BoundingBox box = boxOf(assembly);
+        if (ground.segment)
+        {
+            inMetres.segment = *ground.segment * unit;
+            if (segmentCount(box.upper.x() - box.lower.x(), *inMetres.segment) > mostBlocks)
+            {
+                throw FatalIOError(
+                    fmt::format("A segment of {:g} units splits the ground into more than {} blocks.",
+                                *ground.segment, mostBlocks),
+                    segmentPlace);
+            }
+        }
+        if (ground.margin)
+        {
+            inMetres.margin = *ground.margin * unit;
+        }
+        addGround(assembly, name, inMetres);
+    };
+}
+
+SupportMaker makeFixedBlocks(const FixedBlocks& fixed, const Dictionary& dictionary)
+{
+    return [fixed, place = dictionary.locationOf("blocks")](Assembly<2>& assembly, const std::string& name,
+                                                            double)
+    {
+        const int support = static_cast<int>(assembly.supports.size());
+        const int count = static_cast<int>(assembly.blocks.size());
+        assembly.supports.push_back({name, "blocks"});
+        for (const int index : fixed.blocks)
+        {
+            if (index < 0 || index >= count)
+            {
+                throw FatalIOError(
+                    fmt::format("There is no block {}: blocks are numbered from 0 to {}.", index, count - 1),
+                    place);
+            }
+            if (assembly.blocks[index].support >= 0)
+            {
+                throw FatalIOError(fmt::format("Block {} is fixed already, by support {}.", index,
+                                               assembly.supports[assembly.blocks[index].support].name),
+                                   place);
+            }
+            assembly.blocks[index].support = support;
+        }
+    };
+}
+
+} // namespace
+
+void declare(Options& options, Ground& ground)
+{
+    options
+        .optional("segment", ground.segment,
+                  "length of one ground block, in units of the texture; absent: a single block")
+        .above(0);
+    options.optional("depth", ground.depth, "of the ground; absent: a tenth of the structure's size")
+        .unit("m")
+        .above(0);
+    options
+        .optional(
+            "margin", ground.margin,
+            "by how far the ground goes on past each end, in units; absent: three times the structure's size")
+        .atLeast(0);
+}
+
+void declare(Options& options, FixedBlocks& fixed)
+{
+    options.required("blocks", fixed.blocks, "indices of the blocks that are fixed").example("(0 1)");
+}
+
 void addGround(Assembly<2>& assembly, const std::string& name, const Ground& ground)
 {
-    BoundingBox bounds;
+    removeAbutmentsUnderGround(assembly);
+    const BoundingBox box = boxOf(assembly);
     double thickness = 0;
     for (const Block<2>& block : assembly.blocks)
     {
-        for (const Vector<2>& vertex : block.outline)
-        {
-            bounds.lower = bounds.lower.cwiseMin(vertex);
-            bounds.upper = bounds.upper.cwiseMax(vertex);
-        }
         thickness = std::max(thickness, block.thickness);
     }
-    const double left = bounds.lower.x();
-    const double right = bounds.upper.x();
-    const double size = (bounds.upper - bounds.lower).maxCoeff();
-    const double bottom = -(ground.depth > 0 ? ground.depth : 0.1 * size);
-    const double margin = ground.margin >= 0 ? ground.margin : 3 * size;
+    const double left = box.lower.x();
+    const double right = box.upper.x();
+    const double size = (box.upper - box.lower).maxCoeff();
+    const double bottom = -ground.depth.value_or(0.1 * size);
+    const double margin = ground.margin.value_or(3 * size);
+    const double segment = ground.segment.value_or(right - left);
+    const int count = static_cast<int>(segmentCount(right - left, segment));
 
-    // A remainder below a millionth of a segment is rounding, not a block.
-    const double count = std::max(1.0, std::ceil((right - left) / ground.segment - 1e-6));
     const int support = static_cast<int>(assembly.supports.size());
     assembly.supports.push_back({name, "ground"});
-    for (int i = 0; i < static_cast<int>(count); ++i)
+    for (int i = 0; i < count; ++i)
     {
-        const double from = i == 0 ? left - margin : left + i * ground.segment;
-        const double to = i + 1 == count ? right + margin : left + (i + 1) * ground.segment;
+        const double from = i == 0 ? left - margin : left + i * segment;
+        const double to = i + 1 == count ? right + margin : left + (i + 1) * segment;
         assembly.blocks.push_back({{{from, bottom}, {to, bottom}, {to, 0}, {from, 0}}, thickness, support});
     }
+}
+
+const Registry<SupportMaker>& supportTypes()
+{
+    static const Registry<SupportMaker> registry{
+        "support",
+        {
+            model<SupportMaker, Ground>("ground", "fixed blocks under y = 0", makeGround),
+            model<SupportMaker, FixedBlocks>("blocks", "blocks of the texture, fixed", makeFixedBlocks),
+        }};
+    return registry;
 }
 
 } // namespace drystone

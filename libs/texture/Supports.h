@@ -3,8 +3,10 @@
 #pragma once
 
 #include "assembly/Assembly.h"
+#include "core/Registry.h"
 
-#include <limits>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,16 +17,35 @@ namespace drystone
 /// end.
 struct Ground
 {
-    double segment =
-        std::numeric_limits<double>::infinity(); ///< length of one ground block [m]; infinity: a single one
-    double depth =
-        0; ///< of the ground blocks [m]; 0: a tenth of the larger of the structure's width and height
-    double margin =
-        -1; ///< by how far the ground goes on past each end [m]; negative: three times the larger of the
-            ///< structure's width and height, so that what slides or falls has a ground to land on
+    std::optional<double> segment; ///< length of one ground block [m]; absent: a single block
+    std::optional<double> depth;   ///< of the ground blocks [m]; absent: a tenth of the larger of the
+                                   ///< structure's width and height
+    std::optional<double> margin;  ///< by how far the ground goes on past each end [m]; absent: three times
+                                   ///< the larger of the structure's width and height, so that what slides or
+                                   ///< falls has a ground to land on
 };
 
-/// Adds the ground's blocks behind those of the structure, and the support itself.
+/// In a dictionary `segment` and `margin` are in units of the texture (1 m where it has none), `depth` in
+/// metres.
+void declare(Options& options, Ground& ground);
+
+/// Adds the ground's blocks behind those of the structure, and the support itself. Supports that the texture
+/// brought along give way to it if they lie under y = 0, as the abutments of a semicircular arch do.
 void addGround(Assembly<2>& assembly, const std::string& name, const Ground& ground);
+
+/// Fixes blocks of the structure by index.
+struct FixedBlocks
+{
+    std::vector<int> blocks;
+};
+
+void declare(Options& options, FixedBlocks& fixed);
+
+/// Adds a support of the given name to a structure. \param unit what lengths in units refer to [m]
+/// \throws FatalIOError when the support does not suit the structure
+using SupportMaker = std::function<void(Assembly<2>& assembly, const std::string& name, double unit)>;
+
+/// The supports that `supports { name { type ...; } }` chooses from.
+const Registry<SupportMaker>& supportTypes();
 
 } // namespace drystone

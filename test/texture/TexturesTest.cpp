@@ -48,9 +48,9 @@ TEST(Courses, RepeatARunningBond)
 
 TEST(Polygons, EitherOrientationEndsUpCounterClockwiseWithTheSameFirstCorner)
 {
-    Polygons polygons;
-    polygons.blocks = {{{0, 0}, {0, 1}, {1, 0}}, {{0, 0}, {1, 0}, {0, 1}}};
-    const Assembly<2> assembly = makeAssembly(polygons);
+    const Dictionary dictionary =
+        Dictionary::readString("blocks ( ((0 0) (0 1) (1 0)) ((0 0) (1 0) (0 1)) );");
+    const Assembly<2> assembly = makeAssembly(readOptions<Polygons>(dictionary));
     EXPECT_EQ(assembly.blocks[0].outline, assembly.blocks[1].outline);
 }
 
