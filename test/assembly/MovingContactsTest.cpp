@@ -49,7 +49,7 @@ Assembly<2> wallSix()
     bond.openings = {
         {{1.5, 4}, {2.5, 9}}, {{4.5, 4}, {5.5, 9}}, {{1.5, 12}, {2.5, 17}}, {{4.5, 12}, {5.5, 17}}};
     Assembly<2> wall = makeAssembly(bond);
-    addGround(wall, "ground", {0.2, 0, 0});
+    addGround(wall, "ground", {0.2, {}, 0});
     return wall;
 }
 
