@@ -63,8 +63,13 @@ std::function<bool(const std::string&)> patternMatcher(const std::string& patter
     try
     {
         // __polynomial is how libstdc++ calls breadth-first matching: no pattern can make it slow.
-        const auto flags = std::regex::extended | std::regex::nosubs | std::regex_constants::__polynomial;
-        const auto expression = std::make_shared<const std::regex>(pattern, flags);
+        auto flags = std::regex::extended | std::regex::nosubs | std::regex_constants::__polynomial;
+        // (?i) in front: capital and small letters are the same.
+        const bool ignoresCase = pattern.starts_with("(?i)");
+        if (ignoresCase)
+            flags |= std::regex::icase;
+        const auto expression =
+            std::make_shared<const std::regex>(pattern.substr(ignoresCase ? 4 : 0), flags);
         return [expression](const std::string& word)
         { return word.size() <= longestMatched && std::regex_match(word, *expression); };
     }

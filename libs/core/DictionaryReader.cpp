@@ -22,7 +22,7 @@ constexpr std::size_t mostFiles = 10'000;
 /// Files that may be inside each other.
 constexpr std::size_t deepestInclude = 50;
 /// Tokens that macros and includes may add: entries which double each other would fill any memory.
-constexpr std::size_t mostExpandedTokens = 50'000'000;
+constexpr std::size_t mostExpandedTokens = 10'000'000;
 /// `${${...}}` inside each other.
 constexpr int deepestMacro = 20;
 
@@ -588,7 +588,12 @@ private:
             {
                 const SourceFile& file = load(*path, locationOf(directive));
                 openFiles.push_back(*path);
-                carryOut(parseStatements(file));
+                for (const Statement& inner : parseStatements(file))
+                {
+                    // The header is of the file that it stands in.
+                    if (inner.keyword.text != "FoamFile")
+                        carryOut(inner);
+                }
                 openFiles.pop_back();
             }
         }
