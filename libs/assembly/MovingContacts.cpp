@@ -241,6 +241,35 @@ MovingContacts::Candidate MovingContacts::measured(int owner, int corner, int ed
     return candidate;
 }
 
+bool MovingContacts::isForemost(const Candidate& candidate, const Outlines& at, double angle) const
+{
+    const Vector<2> reversed = -at.tangent[candidate.edge];
+    return cross(at.tangent[previous_[candidate.corner]], reversed) >= -angle
+           && cross(reversed, at.tangent[candidate.corner]) >= -angle;
+}
+
+MovingContacts::CornerLines MovingContacts::linesBetween(int blockCorner, int neighbourCorner,
+                                                         const Outlines& at, double angle) const
+{
+    CornerLines lines;
+    for (const int owner : {0, 1})
+    {
+        const int corner = owner == 0 ? blockCorner : neighbourCorner;
+        const int other = owner == 0 ? neighbourCorner : blockCorner;
+        for (const int edge : {previous_[other], other})
+        {
+            const bool leavingFaces = at.tangent[edge].dot(at.tangent[corner])
+                                      < at.tangent[edge].dot(at.tangent[previous_[corner]]);
+            const Candidate line = measured(owner, corner, edge, leavingFaces ? corner : previous_[corner]);
+            if (isForemost(line, at, angle))
+            {
+                lines.line[lines.count++] = line;
+            }
+        }
+    }
+    return lines;
+}
+
 bool MovingContacts::holds(int block, const Vector<2>& point, double reach) const
 {
     bool isInside = false;
@@ -259,22 +288,28 @@ bool MovingContacts::holds(int block, const Vector<2>& point, double reach) cons
     return isInside || distance <= reach;
 }
 
+int MovingContacts::nearerEnd(const Candidate& candidate) const
+{
+    const int edge = candidate.edge;
+    const double foot = (now_.corner[candidate.corner] - now_.corner[edge]).dot(now_.tangent[edge]);
+    return 2 * foot < length_[edge] ? edge : next_[edge];
+}
+
 bool MovingContacts::isOverlapped(const Candidate& candidate) const
 {
     const int cornerBlock = candidate.owner == 0 ? block_ : neighbour_;
     const int edgeBlock = candidate.owner == 0 ? neighbour_ : block_;
     const Vector<2>& corner = now_.corner[candidate.corner];
-    const double foot = (corner - now_.corner[candidate.edge]).dot(now_.tangent[candidate.edge]);
-    const int nearerEnd = 2 * foot < length_[candidate.edge] ? candidate.edge : next_[candidate.edge];
+    const int end = nearerEnd(candidate);
     // The corner is inside, or (it may lie beyond the end of the edge) the end of the edge is, or their edges
     // cross.
-    if (holds(edgeBlock, corner, tolerance_) || holds(cornerBlock, now_.corner[nearerEnd], tolerance_))
+    if (holds(edgeBlock, corner, tolerance_) || holds(cornerBlock, now_.corner[end], tolerance_))
     {
         return true;
     }
     for (const int a : {previous_[candidate.corner], candidate.corner})
     {
-        for (const int b : {previous_[nearerEnd], nearerEnd})
+        for (const int b : {previous_[end], end})
         {
             if (segmentsCross(now_.corner[a], now_.corner[next_[a]], now_.corner[b], now_.corner[next_[b]]))
             {
@@ -285,16 +320,59 @@ bool MovingContacts::isOverlapped(const Candidate& candidate) const
     return false;
 }
 
+MovingContacts::Candidate MovingContacts::partingLine(const Candidate& candidate) const
+{
+    Candidate best{0, -1, -1, -1, 0, 0, 0};
+    const int end = nearerEnd(candidate);
+    const double reach = 10 * candidate.gap;
+    if (isConvex_[candidate.corner] && isConvex_[end]
+        && (now_.corner[candidate.corner] - now_.corner[end]).squaredNorm() <= reach * reach)
+    {
+        const bool cornerIsTheBlocks = candidate.owner == 0;
+        const CornerLines lines = linesBetween(cornerIsTheBlocks ? candidate.corner : end,
+                                               cornerIsTheBlocks ? end : candidate.corner, now_, 0);
+        for (int i = 0; i < lines.count; ++i)
+        {
+            const Candidate& line = lines.line[i];
+            if (line.gap >= -tolerance_ && (best.edge < 0 || line.gapAhead > best.gapAhead))
+            {
+                best = line;
+            }
+        }
+    }
+    return best;
+}
+
 void MovingContacts::offer(const Candidate& candidate, double lowest, double margin)
 {
     if (!(candidate.gap >= lowest && candidate.gap <= margin))
     {
         return;
     }
-    if (candidate.gap < -10 * tolerance_ && !isOverlapped(candidate))
+    if (candidate.gap < -10 * tolerance_)
     {
-        return;
+        // Looked at where the blocks are heading, an edge was chosen that the corner is already behind.
+        // Either another line at these corners still parts the blocks, then that is their contact, or they do
+        // overlap.
+        const Candidate parting = partingLine(candidate);
+        if (parting.edge >= 0)
+        {
+            if (parting.gap <= margin)
+            {
+                list(parting);
+            }
+            return;
+        }
+        if (!isOverlapped(candidate))
+        {
+            return;
+        }
     }
+    list(candidate);
+}
+
+void MovingContacts::list(const Candidate& candidate)
+{
     // A blunt corner can face the same edge with both of its own: the more parallel one makes the joint.
     for (Candidate& other : candidates_)
     {
@@ -418,28 +496,14 @@ void MovingContacts::guardCorners(double margin)
             }
             Candidate widest{0, -1, -1, -1, 0, 0, 0};
             bool isFlush = false;
-            for (const int side : {0, 1})
+            const CornerLines lines = linesBetween(blockCorner, neighbourCorner, *ahead_, nearlyForemost);
+            for (int i = 0; i < lines.count; ++i)
             {
-                const int corner = side == 0 ? blockCorner : neighbourCorner;
-                const int other = side == 0 ? neighbourCorner : blockCorner;
-                for (const int edge : {previous_[other], other})
+                const Candidate& line = lines.line[i];
+                isFlush = isFlush || (std::abs(line.gap) <= tolerance_ && line.gapAhead <= tolerance_);
+                if (line.gap >= -tolerance_ && (widest.edge < 0 || line.gapAhead > widest.gapAhead))
                 {
-                    const bool leavingFaces = ahead_->tangent[edge].dot(ahead_->tangent[corner])
-                                              < ahead_->tangent[edge].dot(ahead_->tangent[previous_[corner]]);
-                    const Candidate candidate =
-                        measured(side, corner, edge, leavingFaces ? corner : previous_[corner]);
-                    if (!isForemost(candidate))
-                    {
-                        continue;
-                    }
-                    const bool staysLevel =
-                        std::abs(candidate.gap) <= tolerance_ && candidate.gapAhead <= tolerance_;
-                    isFlush = isFlush || staysLevel;
-                    if (candidate.gap >= -tolerance_
-                        && (widest.edge < 0 || candidate.gapAhead > widest.gapAhead))
-                    {
-                        widest = candidate;
-                    }
+                    widest = line;
                 }
             }
             if (!isFlush && widest.edge >= 0 && widest.gapAhead > tolerance_)
@@ -463,19 +527,12 @@ bool MovingContacts::excludeEachOther(const Candidate& a, const Candidate& b) co
     return sameCornerPair && -ahead_->tangent[a.edge].dot(ahead_->tangent[b.edge]) < leastOpposing;
 }
 
-bool MovingContacts::isForemost(const Candidate& candidate) const
-{
-    const Vector<2> reversed = -ahead_->tangent[candidate.edge];
-    return cross(ahead_->tangent[previous_[candidate.corner]], reversed) >= -nearlyForemost
-           && cross(reversed, ahead_->tangent[candidate.corner]) >= -nearlyForemost;
-}
-
 void MovingContacts::dropDeeper()
 {
     const auto isWorse = [this](const Candidate& a, const Candidate& b)
     {
-        const bool aIsForemost = isForemost(a);
-        if (aIsForemost != isForemost(b))
+        const bool aIsForemost = isForemost(a, *ahead_, nearlyForemost);
+        if (aIsForemost != isForemost(b, *ahead_, nearlyForemost))
         {
             return !aIsForemost; // the line of a keeps its corner away, but not the rest of the corner's
                                  // block

@@ -5,6 +5,7 @@
 #include "assembly/ContactPoint.h"
 #include "geometry/BroadPhase.h"
 
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -116,21 +117,32 @@ private:
         double gapAhead; ///< [m]
     };
 
+    /// The lines that can part the blocks near two corners: up to two edges at each of them.
+    struct CornerLines
+    {
+        std::array<Candidate, 4> line;
+        int count = 0;
+    };
+
     void place(Outlines& outlines, const std::vector<Placement<2>>& placements) const;
     void findNeighbours(double margin);
     void findPoints(int block, int neighbour, double margin);
+    // The choice of features.
     void matchEdges(int blockEdge, int neighbourEdge, double lowest, double margin);
     void standCorners(int owner, int cornerBlock, int edgeBlock, double lowest, double margin);
-    void offer(const Candidate& candidate, double lowest, double margin);
-    bool excludeEachOther(const Candidate& a, const Candidate& b) const;
     void guardCorners(double margin);
+    void offer(const Candidate& candidate, double lowest, double margin);
+    void list(const Candidate& candidate);
+    void dropDeeper();
+    // What it asks.
+    Candidate measured(int owner, int corner, int edge, int pairedEdge) const;
+    int nearerEnd(const Candidate& candidate) const;
+    bool isForemost(const Candidate& candidate, const Outlines& at, double angle) const;
+    CornerLines linesBetween(int blockCorner, int neighbourCorner, const Outlines& at, double angle) const;
+    Candidate partingLine(const Candidate& candidate) const;
     bool holds(int block, const Vector<2>& point, double reach) const;
     bool isOverlapped(const Candidate& candidate) const;
-    bool isForemost(const Candidate& candidate) const;
-    void dropDeeper();
-    Candidate measured(int owner, int corner, int edge, int pairedEdge) const;
-    int next(int corner) const { return next_[corner]; }
-    int previous(int corner) const { return previous_[corner]; }
+    bool excludeEachOther(const Candidate& a, const Candidate& b) const;
 
     // Of the blocks as built.
     std::vector<int> first_;              ///< block b has the corners first_[b] to first_[b + 1]
