@@ -2,6 +2,9 @@
 /// Corner-edge contacts between placed blocks: neighbour list, choice of features, measures.
 #include "assembly/MovingContacts.h"
 
+#include "assembly/Facing.h"
+#include "geometry/PolygonShape.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -54,14 +57,6 @@ std::vector<int> turningVertices(const Polygon& outline, double tolerance)
     return indices;
 }
 
-/// Distance of a point from a segment that starts at `start` and runs along the unit vector `along`.
-double distanceToSegment(const Vector<2>& point, const Vector<2>& start, const Vector<2>& along,
-                         double length)
-{
-    const double at = std::clamp((point - start).dot(along), 0.0, length);
-    return (point - start - at * along).norm();
-}
-
 /// Whether the segments from a to b and from c to d cross each other between their ends.
 bool segmentsCross(const Vector<2>& a, const Vector<2>& b, const Vector<2>& c, const Vector<2>& d)
 {
@@ -75,21 +70,13 @@ MovingContacts::MovingContacts(const Assembly<2>& assembly, const MovingContactO
     const std::size_t blocks = assembly.blocks.size();
     std::vector<AreaProperties> properties;
     properties.reserve(blocks);
-    double freeArea = 0;
-    int freeBlocks = 0;
     for (const Block<2>& block : assembly.blocks)
     {
         properties.push_back(areaProperties(block.outline));
-        if (block.support < 0)
-        {
-            freeArea += properties.back().area;
-            ++freeBlocks;
-        }
     }
-    // Over free blocks alone: a ground of any extent leaves the tolerance as it is.
-    meanSize_ = freeArea > 0 ? std::sqrt(freeArea / freeBlocks) : 1;
-    tolerance_ = options.tolerance * meanSize_;
-    skin_ = options.skin * meanSize_;
+    const double size = meanBlockSize(assembly);
+    tolerance_ = options.tolerance * size;
+    skin_ = options.skin * size;
 
     first_.push_back(0);
     for (std::size_t b = 0; b < blocks; ++b)
@@ -128,9 +115,8 @@ MovingContacts::MovingContacts(const Assembly<2>& assembly, const MovingContactO
                 farthest = std::max(farthest, -arm.dot(outwardNormal(localTangent_[edge])));
                 if (!isConvex && corner != edge && corner != next_[edge])
                 {
-                    thickness =
-                        std::min(thickness, distanceToSegment(localCorner_[corner], localCorner_[edge],
-                                                              localTangent_[edge], length_[edge]));
+                    thickness = std::min(thickness, distance(localCorner_[corner], localCorner_[edge],
+                                                             localCorner_[next_[edge]]));
                 }
             }
             thickness = std::min(thickness, farthest);
@@ -283,7 +269,7 @@ bool MovingContacts::holds(int block, const Vector<2>& point, double reach) cons
         {
             isInside = !isInside;
         }
-        distance = std::min(distance, distanceToSegment(point, a, now_.tangent[edge], length_[edge]));
+        distance = std::min(distance, drystone::distance(point, a, b));
     }
     return isInside || distance <= reach;
 }

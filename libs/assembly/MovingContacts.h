@@ -88,9 +88,6 @@ public:
     double marginFor(const std::vector<Vector<3>>& velocities, double timeStep,
                      double acceleration = 9.81) const;
 
-    /// Square root of the mean face of a free block [m]: what relative lengths refer to.
-    double meanBlockSize() const { return meanSize_; }
-
     /// How many times the neighbour list was built [-].
     int rebuilds() const { return rebuilds_; }
 
@@ -156,9 +153,8 @@ private:
     std::vector<char> isFixed_;           ///< block belongs to a support
     std::vector<double> radius_;          ///< of each block about its mass centre [m]
     std::vector<double> deepest_;         ///< overlap beyond which a block's contacts are not trusted [m]
-    double meanSize_ = 1;
-    double tolerance_ = 0; ///< [m]
-    double skin_ = 0;      ///< [m]
+    double tolerance_ = 0;                ///< [m]
+    double skin_ = 0;                     ///< [m]
 
     // Of the last update.
     Outlines now_, aheadStorage_;

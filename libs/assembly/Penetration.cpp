@@ -3,6 +3,7 @@
 #include "assembly/Penetration.h"
 
 #include "geometry/BroadPhase.h"
+#include "geometry/PolygonShape.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,21 +14,6 @@ namespace drystone
 
 namespace
 {
-
-bool isConvex(const Polygon& polygon)
-{
-    const std::size_t size = polygon.size();
-    for (std::size_t i = 0; i < size; ++i)
-    {
-        const Vector<2> arriving = polygon[(i + 1) % size] - polygon[i];
-        const Vector<2> leaving = polygon[(i + 2) % size] - polygon[(i + 1) % size];
-        if (cross(arriving, leaving) < -1e-12 * arriving.norm() * leaving.norm())
-        {
-            return false;
-        }
-    }
-    return true;
-}
 
 /// Largest distance, over the edges of `a`, by which all of `b` lies outside the edge; negative when none
 /// parts them.
@@ -60,80 +46,18 @@ double overlapOfConvex(const Polygon& a, const Polygon& b)
     return std::max(0.0, -std::max(separationByEdgesOf(a, b), separationByEdgesOf(b, a)));
 }
 
-bool isInTriangle(const Vector<2>& p, const Vector<2>& a, const Vector<2>& b, const Vector<2>& c)
+std::vector<Polygon> convexParts(const Polygon& polygon)
 {
-    return cross(b - a, p - a) >= 0 && cross(c - b, p - b) >= 0 && cross(a - c, p - c) >= 0;
-}
-
-/// Triangles that make up a simple counter-clockwise polygon: cuts off one ear after the other.
-std::vector<Polygon> triangles(Polygon rest)
-{
-    std::vector<Polygon> parts;
-    while (rest.size() > 3)
+    if (isConvex(polygon))
     {
-        const std::size_t size = rest.size();
-        std::size_t ear = size;
-        for (std::size_t i = 0; i < size && ear == size; ++i)
-        {
-            const Vector<2>& before = rest[(i + size - 1) % size];
-            const Vector<2>& after = rest[(i + 1) % size];
-            if (cross(rest[i] - before, after - rest[i]) <= 0)
-            {
-                continue;
-            }
-            const bool holdsAnother = std::any_of(rest.begin(), rest.end(),
-                                                  [&](const Vector<2>& vertex)
-                                                  {
-                                                      return vertex != before && vertex != rest[i]
-                                                             && vertex != after
-                                                             && isInTriangle(vertex, before, rest[i], after);
-                                                  });
-            if (!holdsAnother)
-            {
-                ear = i;
-            }
-        }
-        if (ear == size)
-        {
-            break; // what is left has no area but for rounding errors
-        }
-        parts.push_back({rest[(ear + size - 1) % size], rest[ear], rest[(ear + 1) % size]});
-        rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(ear));
+        return {polygon};
     }
-    if (rest.size() == 3)
+    std::vector<Polygon> parts;
+    for (const auto& triangle : triangulate(polygon))
     {
-        parts.push_back(rest);
+        parts.emplace_back(triangle.begin(), triangle.end());
     }
     return parts;
-}
-
-bool isInside(const Vector<2>& point, const Polygon& polygon)
-{
-    bool inside = false;
-    for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++)
-    {
-        const Vector<2>& a = polygon[i];
-        const Vector<2>& b = polygon[j];
-        if ((a.y() > point.y()) != (b.y() > point.y())
-            && point.x() < a.x() + (point.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
-        {
-            inside = !inside;
-        }
-    }
-    return inside;
-}
-
-double distanceToOutline(const Vector<2>& point, const Polygon& polygon)
-{
-    double least = std::numeric_limits<double>::max();
-    for (std::size_t i = 0; i < polygon.size(); ++i)
-    {
-        const Vector<2> edge = polygon[(i + 1) % polygon.size()] - polygon[i];
-        const double squared = edge.squaredNorm();
-        const double at = squared > 0 ? std::clamp((point - polygon[i]).dot(edge) / squared, 0.0, 1.0) : 0;
-        least = std::min(least, (point - polygon[i] - at * edge).norm());
-    }
-    return least;
 }
 
 double deepestVertex(const Polygon& of, const Polygon& in)
@@ -141,10 +65,7 @@ double deepestVertex(const Polygon& of, const Polygon& in)
     double deepest = 0;
     for (const Vector<2>& vertex : of)
     {
-        if (isInside(vertex, in))
-        {
-            deepest = std::max(deepest, distanceToOutline(vertex, in));
-        }
+        deepest = std::max(deepest, -signedDistance(in, vertex));
     }
     return deepest;
 }
@@ -153,15 +74,13 @@ double deepestVertex(const Polygon& of, const Polygon& in)
 
 double overlapDepth(const Polygon& a, const Polygon& b)
 {
-    const bool aIsConvex = isConvex(a);
-    const bool bIsConvex = isConvex(b);
-    if (aIsConvex && bIsConvex)
+    if (isConvex(a) && isConvex(b))
     {
         return overlapOfConvex(a, b);
     }
     double depth = std::max(deepestVertex(a, b), deepestVertex(b, a));
-    const std::vector<Polygon> partsOfA = aIsConvex ? std::vector<Polygon>{a} : triangles(a);
-    const std::vector<Polygon> partsOfB = bIsConvex ? std::vector<Polygon>{b} : triangles(b);
+    const std::vector<Polygon> partsOfA = convexParts(a);
+    const std::vector<Polygon> partsOfB = convexParts(b);
     for (const Polygon& partOfA : partsOfA)
     {
         for (const Polygon& partOfB : partsOfB)
