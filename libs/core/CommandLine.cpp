@@ -168,6 +168,9 @@ CommandLine readCommandLine(int argc, const char* const* argv, const Application
 
     CommandLine result;
     result.application = description.name;
+    result.typed = description.name;
+    for (const std::string& argument : given)
+        result.typed += " " + argument;
     if (asksForHelp(given))
     {
         result.help = true;

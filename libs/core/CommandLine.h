@@ -60,6 +60,7 @@ struct ApplicationDescription
 struct CommandLine
 {
     std::string application;
+    std::string typed;                         ///< the whole line, for the banner
     std::filesystem::path caseDirectory = "."; ///< as the user wrote it, made free of `.` and `..`
     bool help = false;
     bool noFunctionObjects = false;

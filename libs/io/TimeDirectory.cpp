@@ -226,25 +226,6 @@ const std::vector<double>& stateArray(const State& state, const std::string& nam
     return found->second;
 }
 
-std::vector<TimeDirectory> timeDirectories(const fs::path& caseDirectory)
-{
-    std::vector<TimeDirectory> result;
-    std::error_code failure;
-    for (const fs::directory_entry& entry : fs::directory_iterator(caseDirectory, failure))
-    {
-        const std::string name = entry.path().filename().string();
-        double time = 0;
-        const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), time);
-        if (error == std::errc() && end == name.data() + name.size() && std::isfinite(time)
-            && entry.is_directory(failure))
-            result.push_back({time, name});
-    }
-    std::sort(result.begin(), result.end(),
-              [](const TimeDirectory& a, const TimeDirectory& b)
-              { return a.time < b.time || (a.time == b.time && a.name < b.name); });
-    return result;
-}
-
 std::string stateText(const State& state, WriteFormat format)
 {
     const auto check = [](const std::string& name, double value)

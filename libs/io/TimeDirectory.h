@@ -2,6 +2,9 @@
 /// Time directories of a case: the state from which a run continues bit for bit.
 #pragma once
 
+#include "core/Case.h"
+#include "core/Time.h"
+
 #include <cstddef>
 #include <deque>
 #include <filesystem>
@@ -11,15 +14,6 @@
 
 namespace drystone
 {
-
-/// How the numbers of a state are written. Both give back the same bits: ascii with as many digits as that
-/// takes (writePrecision does not shorten a state), a plain dictionary; binary as the machine has them, half
-/// the size, in OpenFOAM's notation of binary lists.
-enum class WriteFormat
-{
-    ascii,
-    binary,
-};
 
 /// Named numbers and arrays of numbers; what they mean is their owner's affair.
 struct State
@@ -38,16 +32,6 @@ double stateScalar(const State& state, const std::string& name);
 ///
 /// \throws FatalError naming the file when there is none of this name, or it has another size
 const std::vector<double>& stateArray(const State& state, const std::string& name, std::size_t size);
-
-/// A folder of a case whose name is a time.
-struct TimeDirectory
-{
-    double time = 0; ///< [s]
-    std::string name;
-};
-
-/// All time directories of a case in ascending order; empty when the case has none or does not exist.
-std::vector<TimeDirectory> timeDirectories(const std::filesystem::path& caseDirectory);
 
 /// The state as a dictionary of `name value;` and `name N(values);`.
 ///
