@@ -11,7 +11,6 @@
 #include <cstring>
 #include <ctime>
 #include <sched.h>
-#include <time.h>
 #include <unistd.h>
 
 namespace drystone
