@@ -331,42 +331,79 @@ CheckResult checkCornerTouches(const Assembly<2>& assembly, const Findings& find
     return result;
 }
 
+AssemblyStatistics count(const Assembly<2>& assembly, const std::vector<ContactPoint<2>>& points)
+{
+    AssemblyStatistics statistics;
+    BoundingBox freeBox;
+    for (const Block<2>& block : assembly.blocks)
+    {
+        statistics.vertices += static_cast<int>(block.outline.size());
+        statistics.concaveBlocks += isConvex(block.outline) ? 0 : 1;
+        if (block.support < 0)
+        {
+            const BoundingBox box = boundingBox(block.outline);
+            ++statistics.freeBlocks;
+            freeBox.lower = freeBox.lower.cwiseMin(box.lower);
+            freeBox.upper = freeBox.upper.cwiseMax(box.upper);
+        }
+    }
+    statistics.blocks = static_cast<int>(assembly.blocks.size());
+    statistics.supports = static_cast<int>(assembly.supports.size());
+    statistics.contactPoints = static_cast<int>(points.size());
+    statistics.joints = points.empty() ? 0 : points.back().joint + 1;
+    if (statistics.freeBlocks > 0)
+    {
+        statistics.lower = freeBox.lower;
+        statistics.upper = freeBox.upper;
+    }
+    return statistics;
+}
+
 } // namespace
+
+std::optional<Overlap> findOverlap(const Assembly<2>& assembly, double fraction)
+{
+    std::vector<BoundingBox> boxes;
+    boxes.reserve(assembly.blocks.size());
+    for (const Block<2>& block : assembly.blocks)
+    {
+        boxes.push_back(boundingBox(block.outline));
+    }
+    for (const auto& [i, j] : findMeetingPairs(boxes))
+    {
+        const Polygon& a = assembly.blocks[i].outline;
+        const Polygon& b = assembly.blocks[j].outline;
+        const double smaller = std::min(areaProperties(a).area, areaProperties(b).area);
+        const double common = overlapArea(a, b);
+        if (common > fraction * smaller)
+        {
+            return Overlap{i, j, common, common / smaller};
+        }
+    }
+    return std::nullopt;
+}
+
+AssemblyStatistics countAssembly(const Assembly<2>& assembly)
+{
+    return count(assembly, findContactPoints(assembly));
+}
 
 AssemblyReport checkAssembly(const Assembly<2>& assembly, CheckExtent extent, const CheckLimits& limits)
 {
     Findings findings;
     findings.size = meanBlockSize(assembly);
-    AssemblyReport report;
-    AssemblyStatistics& statistics = report.statistics;
-    BoundingBox freeBox;
     std::vector<BoundingBox> enlargedBoxes;
     for (const Block<2>& block : assembly.blocks)
     {
         findings.areas.push_back(areaProperties(block.outline));
         findings.boxes.push_back(boundingBox(block.outline));
         enlargedBoxes.push_back(enlarged(findings.boxes.back(), limits.jointTolerance * findings.size));
-        statistics.vertices += static_cast<int>(block.outline.size());
-        statistics.concaveBlocks += isConvex(block.outline) ? 0 : 1;
-        if (block.support < 0)
-        {
-            ++statistics.freeBlocks;
-            freeBox.lower = freeBox.lower.cwiseMin(findings.boxes.back().lower);
-            freeBox.upper = freeBox.upper.cwiseMax(findings.boxes.back().upper);
-        }
     }
     findings.near = findMeetingPairs(enlargedBoxes);
     findings.points = findContactPoints(assembly, limits.jointTolerance);
-    statistics.blocks = static_cast<int>(assembly.blocks.size());
-    statistics.supports = static_cast<int>(assembly.supports.size());
-    statistics.contactPoints = static_cast<int>(findings.points.size());
-    statistics.joints = findings.points.empty() ? 0 : findings.points.back().joint + 1;
-    if (statistics.freeBlocks > 0)
-    {
-        statistics.lower = freeBox.lower;
-        statistics.upper = freeBox.upper;
-    }
 
+    AssemblyReport report;
+    report.statistics = count(assembly, findings.points);
     report.checks.push_back(checkVolumes(assembly, findings, limits));
     report.checks.push_back(checkInertia(assembly, findings, limits));
     auto [duplicates, overlaps] = checkOverlaps(assembly, findings, limits);
@@ -427,7 +464,7 @@ std::string printedReport(const Assembly<2>& assembly, const AssemblyReport& rep
         }
     }
     const int failed = failedChecks(report);
-    text += failed == 0 ? "\nAssembly OK.\n" : fmt::format("\nFailed {} checks.\n", failed);
+    text += failed == 0 ? "\nAssembly OK." : fmt::format("\nFailed {} checks.", failed);
     return text;
 }
 

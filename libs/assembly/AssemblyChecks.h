@@ -4,6 +4,7 @@
 
 #include "assembly/Assembly.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,18 @@ struct CheckLimits
     double jointLength = 1e-3; ///< least length of a joint
 };
 
+/// Two blocks that share space.
+struct Overlap
+{
+    int block = -1;
+    int neighbour = -1;  ///< block < neighbour
+    double area = 0;     ///< [m2]
+    double fraction = 0; ///< of the smaller block's area
+};
+
+/// The first two blocks that share more than `fraction` of the smaller one, or nothing.
+std::optional<Overlap> findOverlap(const Assembly<2>& assembly, double fraction);
+
 /// The outcome of one check.
 struct CheckResult
 {
@@ -54,6 +67,9 @@ struct AssemblyStatistics
     Vector<2> lower = Vector<2>::Zero(); ///< corner of the box round the free blocks [m]
     Vector<2> upper = Vector<2>::Zero(); ///< [m]
 };
+
+/// Counts an assembly, joints and contact points included.
+AssemblyStatistics countAssembly(const Assembly<2>& assembly);
 
 struct AssemblyReport
 {

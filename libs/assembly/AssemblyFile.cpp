@@ -2,10 +2,9 @@
 /// Reading the assembly file.
 #include "assembly/AssemblyFile.h"
 
+#include "assembly/AssemblyChecks.h"
 #include "assembly/Outlines.h"
 #include "core/Dictionary.h"
-#include "geometry/BroadPhase.h"
-#include "geometry/PolygonShape.h"
 
 #include <fmt/format.h>
 
@@ -16,9 +15,6 @@ namespace drystone
 
 namespace
 {
-
-/// Two blocks may share this part of the smaller one: rounding of hand-written coordinates, not a fault.
-constexpr double largestHarmlessOverlap = 1e-4;
 
 /// Refuses the entries of a dictionary that nothing has asked for.
 void refuseUnused(const Dictionary& dictionary, const std::vector<std::string>& known)
@@ -119,28 +115,16 @@ Assembly<2> readAssembly(const std::filesystem::path& caseDirectory)
 
 void refuseOverlaps(const Assembly<2>& assembly, const std::filesystem::path& caseDirectory)
 {
-    std::vector<BoundingBox> boxes;
-    for (const Block<2>& block : assembly.blocks)
+    if (const std::optional<Overlap> overlap = findOverlap(assembly, harmlessOverlap))
     {
-        boxes.push_back(boundingBox(block.outline));
-    }
-    for (const auto& [first, second] : findMeetingPairs(boxes))
-    {
-        const Polygon& a = assembly.blocks[first].outline;
-        const Polygon& b = assembly.blocks[second].outline;
-        const double smaller = std::min(areaProperties(a).area, areaProperties(b).area);
-        const double common = overlapArea(a, b);
-        if (common > largestHarmlessOverlap * smaller)
-        {
-            const Dictionary dictionary = Dictionary::readFile(assemblyFile(caseDirectory));
-            throw FatalIOError(
-                fmt::format(
-                    "Blocks {} and {} overlap by {:.6g} m2, {:.3g} of the smaller one. Blocks may touch, but "
-                    "not share space: mend system/blockTextureDict and run blockTexture again (checkBlocks "
-                    "lists all overlaps).",
-                    first, second, common, common / smaller),
-                dictionary.get<Outlines>("outlines").places[second]);
-        }
+        const Dictionary dictionary = Dictionary::readFile(assemblyFile(caseDirectory));
+        throw FatalIOError(
+            fmt::format(
+                "Blocks {} and {} overlap by {:.6g} m2, {:.3g} of the smaller one. Blocks may touch, but not "
+                "share space: mend system/blockTextureDict and run blockTexture again (checkBlocks lists all "
+                "overlaps).",
+                overlap->block, overlap->neighbour, overlap->area, overlap->fraction),
+            dictionary.get<Outlines>("outlines").places[overlap->neighbour]);
     }
 }
 

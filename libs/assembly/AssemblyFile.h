@@ -26,9 +26,13 @@ std::string assemblyText(const Assembly<2>& assembly);
 /// exist or is fixed already
 Assembly<2> readAssembly(const std::filesystem::path& caseDirectory);
 
+/// The part of the smaller block that two blocks may share: rounding of coordinates written by hand, not a
+/// fault.
+inline constexpr double harmlessOverlap = 1e-4;
+
 /// For computations that need sound geometry.
 /// \throws FatalIOError at the outline's line when two blocks of the assembly, as read from this case, share
-/// more than 1e-4 of the smaller one
+/// more than harmlessOverlap of the smaller one
 void refuseOverlaps(const Assembly<2>& assembly, const std::filesystem::path& caseDirectory);
 
 } // namespace drystone

@@ -17,12 +17,12 @@ namespace drystone
 /// end.
 struct Ground
 {
-    std::optional<double> segment; ///< length of one ground block [m]; absent: a single block
-    std::optional<double> depth;   ///< of the ground blocks [m]; absent: a tenth of the larger of the
-                                   ///< structure's width and height
-    std::optional<double> margin;  ///< by how far the ground goes on past each end [m]; absent: three times
-                                   ///< the larger of the structure's width and height, so that what slides or
-                                   ///< falls has a ground to land on
+    std::optional<double> segment = {}; ///< length of one ground block [m]; absent: a single block
+    std::optional<double> depth = {};   ///< of the ground blocks [m]; absent: a tenth of the larger of the
+                                        ///< structure's width and height
+    std::optional<double> margin = {};  ///< by how far the ground goes on past each end [m]; absent: three
+                                       ///< times the larger of the structure's width and height, so that what
+                                       ///< slides or falls has a ground to land on
 };
 
 /// In a dictionary `segment` and `margin` are in units of the texture (1 m where it has none), `depth` in

@@ -57,7 +57,7 @@ TEST(AssemblyChecks, AWallAndAnArchAreSound)
     EXPECT_THAT(failed(wall, CheckExtent::all), IsEmpty());
     EXPECT_THAT(failed(makeAssembly(Arch{}), CheckExtent::all), IsEmpty());
     const std::string report = printedReport(wall, checkAssembly(wall));
-    EXPECT_TRUE(report.ends_with("\nAssembly OK.\n")) << report;
+    EXPECT_TRUE(report.ends_with("\nAssembly OK.")) << report;
 }
 
 TEST(AssemblyChecks, ABlockFarSmallerThanTheRestFailsVolumes)
@@ -138,7 +138,7 @@ TEST(AssemblyChecks, AFloatingBlockAndItsNeighbourFailSupports)
     EXPECT_THAT(failed(assembly), ElementsAre("supports"));
     EXPECT_EQ(report.checks.back().failures, 2);
     EXPECT_THAT(printedReport(assembly, report), HasSubstr("block 1 at (0.5 2.5) has no path to a support"));
-    EXPECT_TRUE(printedReport(assembly, report).ends_with("\nFailed 1 checks.\n"));
+    EXPECT_TRUE(printedReport(assembly, report).ends_with("\nFailed 1 checks."));
 }
 
 TEST(AssemblyChecks, AShortJointFailsShortJointsOfAllChecksAlone)

@@ -1,0 +1,34 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// checkBlocks: tells whether the blocks of a case are fit to be computed with.
+#include "assembly/AssemblyChecks.h"
+#include "assembly/AssemblyFile.h"
+#include "core/CommandLine.h"
+#include "core/Log.h"
+
+using namespace drystone;
+
+namespace
+{
+
+int run(const CommandLine& commandLine)
+{
+    printBanner(commandLine);
+    const Assembly<2> assembly = readAssembly(commandLine.caseDirectory);
+    const CheckExtent extent = commandLine.has("allChecks") ? CheckExtent::all : CheckExtent::standard;
+    const AssemblyReport report = checkAssembly(assembly, extent);
+    printLine(printedReport(assembly, report)); // its last line is the verdict
+    return failedChecks(report) == 0 ? 0 : 1;
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+    ApplicationDescription description;
+    description.name = "checkBlocks";
+    description.summary =
+        "Checks the blocks in constant/assembly/: volumes, inertia, duplicates, overlaps, gaps, "
+        "slivers, and blocks with no path to a support. The exit status is 1 when a check fails.";
+    description.options = {{"allChecks", "", "also short joints, and corners that touch without a joint"}};
+    return runApplication(argc, argv, description, run);
+}
