@@ -222,7 +222,7 @@ void paintThrust(SvgDrawing& drawing, const std::vector<JointForce>& thrust, con
         const double share = joint.force.norm() / largest;
         if (!(share > 1e-3))
             continue;
-        const Vector<2> half = 0.35 * blockSize * joint.force.normalized();
+        const Vector<2> half = 0.55 * blockSize * std::sqrt(share) * joint.force.normalized();
         drawing.line(view(joint.centre - half), view(joint.centre + half),
                      {.stroke = "#1b4f8f", .strokeWidth = 0.8 + 3.2 * std::sqrt(share), .opacity = 0.85});
     }
@@ -271,7 +271,7 @@ std::string mechanismSvg(const Assembly<2>& assembly, const std::vector<Placemen
     constexpr double margin = 16;
     const double head = picture.title.empty() && picture.subtitle.empty() ? margin : 64;
     const Vector<2> world = view.world.sizes();
-    view.scale = std::min((picture.width - 2 * margin) / world.x(), 2 * picture.width / world.y());
+    view.scale = std::min((picture.width - 2 * margin) / world.x(), 1.4 * picture.width / world.y());
     const Vector<2> room = view.scale * world;
     view.corner = {(picture.width - room.x()) / 2, head};
     const double legend = 44;

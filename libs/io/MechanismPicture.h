@@ -28,8 +28,9 @@ struct MechanismPicture
 {
     std::string title = "";    ///< for instance "masonryPanels/wall1"
     std::string subtitle = ""; ///< for instance "alpha = 0.642859, 33 blocks, 174 contact points"
-    double width = 640;        ///< [px]; the height follows from the structure, up to twice the width
-    /// Drawn where the joints are as built, as strokes whose width shows the force; none when empty.
+    double width = 640;        ///< [px]; the height follows from the structure, up to 1.4 times the width
+    /// Drawn where the joints are as built, as strokes whose length and width grow with the force; none when
+    /// empty.
     std::vector<JointForce> thrust = {};
 };
 
