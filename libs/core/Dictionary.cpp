@@ -80,11 +80,6 @@ bool startsOnNewLine(const std::string& text)
     return text.empty() || text.back() == '\n';
 }
 
-std::string keywordText(const Entry& entry)
-{
-    return entry.isPattern() ? fmt::format("\"{}\"", entry.keyword()) : entry.keyword();
-}
-
 /// A list written without a key; its entry has a name of its own.
 bool isBareList(const Entry& entry)
 {
@@ -92,6 +87,11 @@ bool isBareList(const Entry& entry)
 }
 
 } // namespace
+
+std::string Entry::keywordText() const
+{
+    return keyIsPattern ? fmt::format("\"{}\"", key) : key;
+}
 
 std::string Entry::valueText() const
 {
@@ -110,7 +110,7 @@ std::string toText(const Entry& entry, int indentation)
     const std::string indent(static_cast<std::size_t>(indentation), ' ');
     if (isBareList(entry))
         return indent + entry.valueText() + "\n";
-    const std::string keyword = keywordText(entry);
+    const std::string keyword = entry.keywordText();
     if (entry.isDictionary())
     {
         std::string text = indent + keyword + "\n" + indent + "{\n";
@@ -123,14 +123,14 @@ std::string toText(const Entry& entry, int indentation)
     return fmt::format("{}{} {}\n", indent, keyword, entry.valueText());
 }
 
-std::string toText(const Dictionary& dictionary)
+std::string toText(const Dictionary& dictionary, int indentation)
 {
     std::string text;
     for (const Entry& entry : dictionary.entries())
     {
         if (entry.isDictionary() && !text.empty() && startsOnNewLine(text))
             text += '\n';
-        text += toText(entry);
+        text += toText(entry, indentation);
     }
     return text;
 }
@@ -227,6 +227,30 @@ const Entry* Dictionary::findPath(std::string_view path) const
             return nullptr;
         dictionary = &entry->dictionary();
         path.remove_prefix(slash + 1);
+    }
+}
+
+const Entry& Dictionary::lookupPath(std::string_view path) const
+{
+    if (const Entry* entry = findPath(path))
+        return *entry;
+    // A point may be in a keyword, alpha.water, or between two.
+    std::string slashed(path);
+    std::replace(slashed.begin(), slashed.end(), '.', '/');
+    if (const Entry* entry = findPath(slashed))
+        return *entry;
+    // Blame the first keyword that is not there.
+    const Dictionary* dictionary = this;
+    std::string_view rest = slashed;
+    while (true)
+    {
+        rest.remove_prefix(std::min(rest.find_first_not_of('/'), rest.size()));
+        const std::size_t slash = std::min(rest.find('/'), rest.size());
+        const Entry* entry = dictionary->find(rest.substr(0, slash));
+        if (!entry || slash == rest.size())
+            return dictionary->lookup(rest.substr(0, slash));
+        dictionary = &entry->dictionary();
+        rest.remove_prefix(slash);
     }
 }
 

@@ -245,6 +245,8 @@ public:
     const SourceLocation& location() const { return where; }
     /// File, path of the entry and line of one of its tokens.
     SourceLocation locationOf(const Token& token) const;
+    /// The keyword as it would be written: patterns between quotes.
+    std::string keywordText() const;
     /// The value as it would be written, without `;`: one blank between tokens but none inside brackets.
     std::string valueText() const;
 
@@ -318,6 +320,8 @@ public:
     const Dictionary& subDict(std::string_view key) const;
     /// The entry of `a/b/c`. \return nullptr when there is none
     const Entry* findPath(std::string_view path) const;
+    /// The entry of `a/b/c` or `a.b.c`. \throws FatalIOError with the nearest keys when there is none
+    const Entry& lookupPath(std::string_view path) const;
 
     template<class Value>
     Value get(std::string_view key) const
@@ -357,7 +361,7 @@ private:
 inline constexpr int deepestNesting = 100;
 
 /// The dictionary as text that reads back as the same dictionary, comments and macros gone.
-std::string toText(const Dictionary& dictionary);
+std::string toText(const Dictionary& dictionary, int indentation = 0);
 std::string toText(const Entry& entry, int indentation = 0);
 
 /// The `FoamFile` header for a file that is written.

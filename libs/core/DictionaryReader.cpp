@@ -481,7 +481,8 @@ private:
                 "The macros of this dictionary make it too large. Does an entry double itself?", location);
     }
 
-    void expandMacro(const Token& macro, std::vector<Token>& into)
+    /// \param bracket the innermost one that is open around the macro, `;` when there is none
+    void expandMacro(const Token& macro, std::vector<Token>& into, char bracket = ';')
     {
         const SourceLocation location = locationOf(macro);
         const auto [name, fallback] = withFallback(nameOf(macro.text, location));
@@ -497,6 +498,13 @@ private:
         entry->markUsed();
         if (entry->isDictionary())
         {
+            // Its entries can only stand where entries can, as in `( { $defaults; mu 0.5; } )`.
+            if (bracket != '{')
+                throw FatalIOError(
+                    fmt::format("${} is a dictionary, but a value is wanted here. To copy its entries "
+                                "into another dictionary, write `name {{ ${}; }}`.",
+                                name, name),
+                    location);
             appendText(toText(entry->dictionary()), macro, into);
             return;
         }
@@ -523,11 +531,16 @@ private:
 
     void expand(const std::vector<Token>& tokens, std::vector<Token>& into)
     {
+        std::string brackets = ";";
         for (std::size_t i = 0; i < tokens.size(); ++i)
         {
             const Token& token = tokens[i];
+            if (token.is('(') || token.is('[') || token.is('{'))
+                brackets.push_back(token.text.front());
+            else if ((token.is(')') || token.is(']') || token.is('}')) && brackets.size() > 1)
+                brackets.pop_back();
             if (token.kind == TokenKind::macro)
-                expandMacro(token, into);
+                expandMacro(token, into, brackets.back());
             else if (token.kind != TokenKind::directive)
                 into.push_back(token);
             else if (token.text == "#calc" || token.text == "#eval")

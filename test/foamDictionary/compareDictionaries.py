@@ -8,6 +8,7 @@ compareDictionaries.py examples READER   the dictionaries of package openfoam-ex
                                          seeded sample of 500 has the same entries
 compareDictionaries.py macros   READER   dictionaries of ours with macros and directives: the same entries when
                                          both expand
+compareDictionaries.py options  CASEDICTIONARY   caseDictionary's options print the same and end with the same status
 
 READER is the program readDictionaries. Exit status 77 (skipped) where OpenFOAM is not installed. What counts as the
 same: the same words, strings and brackets in the same order, numbers to 1e-5 relative (foamDictionary prints six
@@ -210,8 +211,9 @@ def main():
     if not shutil.which("foamDictionary") or not pathlib.Path(environment["WM_PROJECT_DIR"]).exists():
         print("OpenFOAM's foamDictionary is not installed: skipped (etc/bootstrap test installs it)")
         return 77
-    what, reader = sys.argv[1], sys.argv[2]
-    return {"shipped": compareShipped, "examples": compareExamples, "macros": compareMacros}[what](reader)
+    what, reader = sys.argv[1], str(pathlib.Path(sys.argv[2]).resolve())
+    return {"shipped": compareShipped, "examples": compareExamples, "macros": compareMacros,
+            "options": compareOptions}[what](reader)
 
 
 def compareMacros(reader):
@@ -230,6 +232,46 @@ def compareMacros(reader):
     print("\n".join(failures))
     print(f"{len(files)} dictionaries with macros, {len(failures)} differ from foamDictionary")
     return 1 if failures or not files else 0
+
+
+def compareOptions(caseDictionary):
+    """The same options on the same file: output, exit status, and what the file says afterwards."""
+    text = """FoamFile { version 2.0; format ascii; class dictionary; object some; }
+a 5; b { c 1; d (1 $a 3); e "a string"; f [0 1 0 0 0 0 0] 3; "p.*" q; g { h $..c; } }
+"""
+    lines = ["", "-expand", "-keywords", "-entry a", "-entry b", "-entry b/c", "-entry b.c", "-entry b/g/h -value",
+             "-entry b -keywords", "-entry b -value", "-entry b/pattern", "-entry b/d -value", "-entry nowhere",
+             "-entry b/nowhere -value", "-entry a/b", "-entry b/c -set 7", "-entry b/new -set 7", "-entry new -set 7",
+             "-entry b/c -add 8", "-entry b/new -add 8", "-entry b/g -remove", "-entry b/nowhere -remove",
+             "-entry nowhere/new -set 1", "-entry nowhere/new -add 1"]
+    calls = [line.split() for line in lines] + [["-entry", "a", "-set", "(1 2 3)"], ["-entry", "a", "-set", "{ x 1; }"]]
+    failures = []
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = pathlib.Path(scratch)
+        for call in calls:
+            answers = []
+            for program in (caseDictionary, "foamDictionary"):
+                file = folder / "some"
+                # foamDictionary carries macros out when it edits, for good; we leave them.
+                isEdit = any(option in call for option in ("-set", "-add", "-remove"))
+                file.write_text(text.replace("$a", "5").replace("$..c", "1") if isEdit else text)
+                run = subprocess.run([program, *call, "some"], cwd=folder, capture_output=True, text=True,
+                                     env={**environment, "PWD": scratch})
+                output = re.sub(r"/\*.*?\*/|^//.*?$", "", run.stdout, flags=re.DOTALL | re.MULTILINE)
+                output = re.sub(r"--> FOAM Warning :.*?(?=^\S+ +\S*;)", "", output, flags=re.DOTALL | re.MULTILINE)
+                file.write_text(re.sub(r"/\*.*?\*/", "", file.read_text(), flags=re.DOTALL))
+                after = readByFoam(file)[1]
+                answers.append((run.returncode, output, after))
+            (ourStatus, ourOutput, ourFile), (theirStatus, theirOutput, theirFile) = answers
+            if ourStatus != theirStatus:
+                failures.append(f"{call}: status {ourStatus} against {theirStatus}")
+            difference = firstDifference(withoutHeader(ourOutput), withoutHeader(theirOutput)) or \
+                firstDifference(withoutHeader(ourFile), withoutHeader(theirFile))
+            if difference and ourStatus == 0:
+                failures.append(f"{call}: {difference}")
+    print("\n".join(failures))
+    print(f"{len(calls)} calls of caseDictionary, {len(failures)} differ from foamDictionary")
+    return 1 if failures else 0
 
 
 if __name__ == "__main__":

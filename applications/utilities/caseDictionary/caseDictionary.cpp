@@ -1,0 +1,76 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// caseDictionary: prints entries of a dictionary, or edits one and leaves everything else as it is.
+#include "core/CommandLine.h"
+#include "core/Dictionary.h"
+#include "core/DictionaryEdit.h"
+
+#include <fmt/format.h>
+#include <map>
+#include <optional>
+
+using namespace drystone;
+
+namespace
+{
+
+int run(const CommandLine& commandLine)
+{
+    const std::filesystem::path file = commandLine.caseDirectory / commandLine.arguments.front();
+    const std::string path = commandLine.get("entry").value_or("");
+    const std::map<std::string, EntryEdit> edits{
+        {"set", EntryEdit::set}, {"add", EntryEdit::add}, {"remove", EntryEdit::remove}};
+    std::optional<EntryEdit> edit;
+    for (const auto& [option, itsEdit] : edits)
+    {
+        if (!commandLine.has(option))
+            continue;
+        if (edit || path.empty())
+            throw FatalError(
+                "One of -set, -add and -remove goes with -entry, which names what is to be edited.");
+        edit = itsEdit;
+        editFile(file, path, *edit, *commandLine.get(option));
+    }
+    if (edit == EntryEdit::remove)
+        return 0;
+
+    const bool asWritten = edit || commandLine.has("disableFunctionEntries");
+    const Dictionary dictionary = Dictionary::readFile(file, asWritten ? Expansion::none : Expansion::all);
+    const Entry* entry = path.empty() ? nullptr : &dictionary.lookupPath(path);
+    if (commandLine.has("keywords"))
+    {
+        for (const Entry& inner : (entry ? entry->dictionary() : dictionary).entries())
+            fmt::print("{}\n", inner.keywordText());
+    }
+    else if (!entry)
+        fmt::print("{}", toText(dictionary));
+    else if (!commandLine.has("value"))
+        fmt::print("{}", toText(*entry));
+    else if (entry->isDictionary())
+        fmt::print("{{\n{}}}\n", toText(entry->dictionary(), 4));
+    else
+        fmt::print("{}\n", entry->valueText());
+    return 0;
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+    ApplicationDescription description;
+    description.name = "caseDictionary";
+    description.summary =
+        "Prints what a dictionary says, macros and directives carried out, or edits one entry of it\n"
+        "and leaves comments and layout as they are.";
+    description.arguments = {{"DICTIONARY", "", "the file, relative to the case directory"}};
+    description.options = {
+        {"entry", "a/b", "the entry (default: all)"},
+        {"value", "", "print only the value"},
+        {"keywords", "", "print only the keywords"},
+        {"expand", "", "print with macros and directives carried out (which is the default)"},
+        {"disableFunctionEntries", "", "print macros and directives as they are written"},
+        {"set", "VALUE", "give the entry this value; an entry that is not there is added"},
+        {"add", "VALUE", "add the entry with this value; one that is there stays as it is"},
+        {"remove", "", "remove the entry"},
+    };
+    return runApplication(argc, argv, description, run);
+}
