@@ -4,6 +4,7 @@
 
 #include "assembly/AssemblyChecks.h"
 #include "assembly/Outlines.h"
+#include "core/Case.h"
 #include "core/Dictionary.h"
 
 #include <fmt/format.h>
@@ -80,13 +81,9 @@ void readSupport(const Entry& entry, Assembly<2>& assembly)
 
 Assembly<2> readAssembly(const std::filesystem::path& caseDirectory)
 {
-    const std::filesystem::path file = assemblyFile(caseDirectory);
-    if (!std::filesystem::exists(file))
-    {
-        throw FatalError(fmt::format(
-            "There is no {}. Run blockTexture first: it builds the blocks of this case.", file.string()));
-    }
-    const Dictionary dictionary = Dictionary::readFile(file);
+    const Dictionary dictionary =
+        Dictionary::readFile(requireCaseFile(caseDirectory, "constant/assembly/blocks",
+                                             "Run blockTexture first: it builds the blocks of this case."));
     const int dimensions = dictionary.get<int>("dimensions");
     if (dimensions != 2)
     {

@@ -12,7 +12,7 @@ namespace drystone
 
 std::filesystem::path assemblyFile(const std::filesystem::path& caseDirectory)
 {
-    return caseDirectory / "constant" / "assembly" / "blocks";
+    return (caseDirectory / "constant" / "assembly" / "blocks").lexically_normal();
 }
 
 std::string assemblyText(const Assembly<2>& assembly)

@@ -2,6 +2,8 @@
 /// Reading of a case's files.
 #include "assembly/CaseFile.h"
 
+#include "core/Case.h"
+
 #include <fmt/format.h>
 
 namespace drystone
@@ -10,13 +12,8 @@ namespace drystone
 Dictionary readCaseFile(const std::filesystem::path& caseDirectory, std::string_view file,
                         std::string_view example)
 {
-    const std::filesystem::path path = caseDirectory / file;
-    if (!std::filesystem::exists(path))
-    {
-        throw FatalError(
-            fmt::format("There is no {}. Write it, for instance with\n\n    {}", path.string(), example));
-    }
-    return Dictionary::readFile(path);
+    return Dictionary::readFile(
+        requireCaseFile(caseDirectory, file, fmt::format("Write it, for instance with\n\n    {}", example)));
 }
 
 } // namespace drystone

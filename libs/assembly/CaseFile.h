@@ -10,7 +10,7 @@
 namespace drystone
 {
 
-/// The dictionary in a file of a case. \throws FatalError when there is no such file, with the content that
+/// The dictionary in a file of a case. \throws FatalIOError when there is no such file, with the content that
 /// it could have as `example`
 Dictionary readCaseFile(const std::filesystem::path& caseDirectory, std::string_view file,
                         std::string_view example);

@@ -38,7 +38,7 @@ int run(const CommandLine& commandLine)
     info("Joints: {} with {} contact points\n", statistics.joints, statistics.contactPoints);
     warnOfOverlaps(assembly, dictionary);
 
-    const std::filesystem::path picture = directory / "VTK" / "assembly.vtp";
+    const std::filesystem::path picture = (directory / "VTK" / "assembly.vtp").lexically_normal();
     requireWritable(assemblyFile(directory).parent_path());
     requireWritable(picture.parent_path());
     writeAssembly(picture, assembly);
