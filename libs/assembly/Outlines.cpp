@@ -23,7 +23,9 @@ void read(TokenCursor& cursor, Outlines& outlines)
         const std::string fault = outlineFault(polygon);
         if (!fault.empty())
         {
-            beginning.fail(fmt::format("Outline {} {}", outlines.polygons.size(), fault));
+            beginning.fail(fmt::format(
+                "Outline {} {}.\n\nA block is a simple polygon: give its corners in their order round it.",
+                outlines.polygons.size(), fault));
         }
         if (areaProperties(polygon).area < 0)
         {

@@ -132,9 +132,11 @@ std::optional<std::string> CommandLine::get(const std::string& option) const
 std::filesystem::path CommandLine::dictionaryFile(const std::filesystem::path& defaultFile) const
 {
     if (!dict)
-        return caseDirectory / defaultFile;
+        return (caseDirectory / defaultFile).lexically_normal();
     std::error_code ignored;
-    return dict->is_absolute() || std::filesystem::exists(*dict, ignored) ? *dict : caseDirectory / *dict;
+    return dict->is_absolute() || std::filesystem::exists(*dict, ignored)
+               ? *dict
+               : (caseDirectory / *dict).lexically_normal();
 }
 
 std::string helpText(const ApplicationDescription& description)
@@ -153,7 +155,8 @@ std::string helpText(const ApplicationDescription& description)
     text += "\nOptions:\n";
     for (const CommandLineOption& option : options)
     {
-        const std::string form = "-" + option.name + (option.argument.empty() ? "" : " ") + option.argument;
+        const std::string form =
+            fmt::format("-{}{}{}", option.name, option.argument.empty() ? "" : " ", option.argument);
         text += fmt::format("  {:<{}}{}\n", form, width, option.summary);
     }
     if (description.details)

@@ -217,7 +217,8 @@ std::size_t quotedText(const char* begin, const char* end)
 
 // clang-format off
 struct lineComment : seq<two<'/'>, until<eolf>> {};
-struct commentEnd : until<string<'*', '/'>> {};
+// sor goes back to where the comment begins, which is what a message is to name.
+struct commentEnd : sor<until<string<'*', '/'>>, failure> {};
 struct comment : if_must<string<'/', '*'>, commentEnd> {};
 struct skip : star<sor<plus<space>, lineComment, comment>> {};
 struct skipInLine : star<sor<plus<one<' ', '\t', '\r'>>, comment>> {};

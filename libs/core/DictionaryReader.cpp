@@ -81,7 +81,9 @@ std::string contentOf(const std::filesystem::path& file, const SourceLocation& w
     std::error_code error;
     const auto status = std::filesystem::status(file, error);
     if (!std::filesystem::exists(status))
-        throw fail(fmt::format("The file {} does not exist.", file.string()));
+        throw fail(fmt::format("The file {} does not exist.\n\nCheck its name, and whether this is the case "
+                               "directory: another one is named with -case DIR.",
+                               file.string()));
     if (std::filesystem::is_directory(status))
         throw fail(fmt::format("{} is a directory, but a file is wanted here.", file.string()));
     if (!std::filesystem::is_regular_file(status))

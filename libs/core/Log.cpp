@@ -56,6 +56,14 @@ std::string hostName()
     return name;
 }
 
+/// Without the blank last part that `.` leaves.
+std::string fullName(const std::filesystem::path& directory)
+{
+    std::error_code ignored;
+    const auto path = std::filesystem::absolute(directory, ignored).lexically_normal();
+    return path.has_filename() ? path.string() : path.parent_path().string();
+}
+
 std::string joined(const std::vector<std::string>& words)
 {
     std::string text;
@@ -80,7 +88,6 @@ void printBanner(const CommandLine& commandLine)
     ::localtime_r(&now, &local);
     char date[64] = "";
     std::strftime(date, sizeof(date), "%Y-%m-%d %H:%M:%S", &local);
-    std::error_code ignored;
     info("Drystone {}{}{}: structures of rigid blocks with dry joints", DRYSTONE_VERSION,
          revision.empty() ? "" : " at ", revision);
     printLine();
@@ -88,8 +95,7 @@ void printBanner(const CommandLine& commandLine)
     info("Date    : {}", date);
     info("Host    : {}", hostName());
     info("PID     : {}", ::getpid());
-    info("Case    : {}",
-         std::filesystem::absolute(commandLine.caseDirectory, ignored).lexically_normal().string());
+    info("Case    : {}", fullName(commandLine.caseDirectory));
     info("nProcs  : 1");
     info("Threads : {}", threadCount());
     printLine();

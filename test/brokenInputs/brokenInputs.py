@@ -1,0 +1,335 @@
+#!/usr/bin/env python3
+# Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+"""Broken inputs: what a user gets to see, and that nothing is left behind.
+
+brokenInputs.py --list                      prints `application name` of each
+brokenInputs.py BIN SCRATCH NAME            tries one; exit status 1 when the application does not do as it should
+
+Each broken input is a good case with one fault. The application has to end with exit status 1 within seconds, to say on
+standard error what is wrong, where (file and line) and how to mend it, in the form
+
+    --> DRYSTONE FATAL IO ERROR:
+    <what is wrong, and how to mend it>
+
+    file: <file>/<entry> at line <line>.
+
+    DRYSTONE exiting
+
+and to leave the case as it was, to the last byte.
+"""
+import dataclasses
+import hashlib
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+texture = """dimensions 2;
+texture
+{
+    type        runningBond;
+    unit        (0.4 0.175);
+    thickness   1;
+    length      5;
+    courses     6;
+    firstCourse half;
+    openings    ( { from (1.5 2); to (2.5 4); } );
+}
+supports { ground { type ground; segment 0.5; } }
+"""
+
+polygons = """dimensions 2;
+texture
+{
+    type        polygons;
+    thickness   1;
+    blocks
+    (
+        ((0 0) (1 0) (1 1) (0 1))
+        ((0 1) (1 1) (1 2) (0 2))
+    );
+}
+supports { ground { type ground; } }
+"""
+
+goodCase = {
+    "system/blockTextureDict": texture,
+    "system/controlDict": "application limitAnalysis;\nstartFrom latestTime;\nendTime 0.1;\ndeltaT 0.01;\n"
+                          "writeControl timeStep;\nwriteInterval 5;\n",
+    "system/solution": "limitAnalysis\n{\n    solver interiorPoint;\n    tolerance 1e-9;\n}\n",
+    "constant/g": "value (0 -9.81 0);\n",
+    "constant/materialProperties": "unitWeight 1000;\n",
+    "constant/contactProperties": "friction\n{\n    type Coulomb;\n    mu 0.65;\n    flowRule associative;\n}\n",
+    "constant/loads": "dead { type gravity; }\nlive\n{\n    type inertial;\n    direction (1 0 0);\n}\n",
+}
+
+MARK = "@@"  # stands in a replacement where the message has to point, and is not written
+
+
+@dataclasses.dataclass
+class Broken:
+    """A fault and what has to be said of it."""
+    application: str
+    name: str
+    file: str = ""      # the faulty one; where the message has to point
+    old: str = ""       # text of it that is replaced ...
+    new: str = ""       # ... by this
+    content: object = None  # or its whole content: text, bytes, None to leave it; REMOVE removes it
+    says: tuple = ()    # regular expressions which the message has to hold, in any order
+    lines: tuple = ()   # lines that are right; by default that of MARK, or else where `new` begins
+    where: str = ""     # the file which the message names, if another than `file`; "-": none
+    files: dict = dataclasses.field(default_factory=dict)  # more files of the case, REMOVE removes one
+    before: tuple = ()  # commands which prepare the case
+    arguments: tuple = ()
+    stdout: str = ""    # for checkBlocks: what it prints instead of a message on standard error
+
+
+REMOVE = object()
+dictionary = "system/blockTextureDict"
+built = (("blockTexture",),)
+
+
+def inTexture(name, old, new, *says, **more):
+    return Broken("blockTexture", name, dictionary, old, new, says=says, **more)
+
+
+def inPolygons(name, old, new, *says, **more):
+    return Broken("blockTexture", name, dictionary, old, new, says=says, files={dictionary: polygons}, **more)
+
+
+def inAnalysis(name, file, old, new, *says, **more):
+    return Broken("limitAnalysis", name, file, old, new, says=says, before=built, **more)
+
+
+brokenInputs = [
+    # The text of a dictionary.
+    inTexture("missingSemicolon", "courses     6;", "courses     6", r"`?;`?", lines=(8, 9)),
+    inTexture("missingBrace", "}\nsupports", "\nsupports", r"\}", lines=(3, 12, 13)),
+    inTexture("strayBrace", "supports", "}\nsupports", r"\}", lines=(12,)),
+    inTexture("missingParenthesis", "(0.4 0.175);", "(0.4 0.175;", r"\)", lines=(5,)),
+    inTexture("openString", "half;", '"half;', r"(?i)quot|string", lines=(9,)),
+    inTexture("openComment", "courses", "/* courses", r"(?i)comment", lines=(8,)),
+    inTexture("binaryFile", "", "", r"(?i)binary|text|character", content=bytes(range(256)) * 20, lines=(0, 1, 2)),
+    inTexture("archive", "", "", r"(?i)binary|text|character", content=b"\x1f\x8b\x08\x00" + bytes(200), lines=(0, 1)),
+    inTexture("emptyFile", "", "", r"texture|dimensions", content="", lines=(0, 1)),
+    inTexture("deepNesting", "dimensions 2;", "a " + "{ a " * 5000, r"(?i)nest|deep|level", lines=(1,)),
+    inTexture("includeLoop", "dimensions 2;", '#include "other"', r"(?i)loop|itself|includes",
+              files={"system/other": '#include "blockTextureDict"\n'}, where="system/", lines=(1,)),
+    inTexture("missingInclude", "dimensions 2;", '#include "nowhere"', r"nowhere"),
+    inTexture("unknownMacro", "courses     6;", "courses     $storeys;", r"storeys"),
+    inTexture("divisionByZero", "courses     6;", 'courses     #calc "6/0";', r"6/0|zero|finite"),
+    inTexture("shellCode", "courses     6;", 'courses     #calc "system(\\"true\\")";', r"system"),
+    inTexture("missingFile", "", "", r"blockTextureDict", content=REMOVE, lines=(0,)),
+    inTexture("directoryForAFile", "", "", r"(?i)directory|cannot be read", content=REMOVE, lines=(0,),
+              files={dictionary: REMOVE, dictionary + "/keep": ""}),
+    # Its entries.
+    inTexture("unknownType", "runningBond", "runingBond", r"Unknown texture type runingBond\. Did you mean runningBond\?",
+              r"Valid texture types: arch courses polygons runningBond"),
+    inTexture("missingType", "    type        runningBond;\n", "", r"type", lines=(2, 3)),
+    inTexture("unknownKey", "length      5;", "lenght      5;", r"lenght", r"Did you mean length\?"),
+    inTexture("unknownKeyOutside", "supports", "suports", r"suports", r"Did you mean supports\?"),
+    inTexture("missingKey", "    unit        (0.4 0.175);\n", "", r"unit", lines=(2, 3)),
+    inTexture("wordForANumber", "6;", "six;", r"six", r"courses"),
+    inTexture("numberForAVector", "(0.4 0.175)", "0.4", r"unit"),
+    inTexture("threeComponents", "(0.4 0.175)", "(0.4 0.175 0.2)", r"unit|component|plane"),
+    inTexture("fractionOfACourse", "6;", "6.5;", r"6\.5"),
+    inTexture("wrongDimension", "thickness   1;", "thickness   [0 0 1 0 0 0 0] 1;", r"dimension|\[0 0 1 0 0 0 0\]"),
+    inTexture("negativeSize", "(0.4 0.175)", "(-0.4 0.175)", r"-0\.4", r"unit"),
+    inTexture("zeroThickness", "thickness   1;", "thickness   0;", r"thickness"),
+    inTexture("notANumber", "(0.4 0.175)", "(nan 0.175)", r"nan"),
+    inTexture("infiniteLength", "length      5;", "length      inf;", r"inf"),
+    inTexture("numberTooLarge", "length      5;", "length      1e999;", r"1e999"),
+    inTexture("tooManyBlocks", "courses     6;", "courses     2000000000;", r"(?i)courses|blocks"),
+    inTexture("openingOutside", "(2.5 4)", "(9.5 4)", r"(?i)opening"),
+    inTexture("openingInsideOut", "from (1.5 2); to (2.5 4);", "from (2.5 4); to (1.5 2);", r"(?i)opening|from|to"),
+    inTexture("negativeOpening", "from (1.5 2)", "from (-1.5 2)", r"-1\.5|from"),
+    inTexture("threeDimensions", "dimensions 2;", "dimensions 3;", r"dimensions"),
+    inTexture("negativeSegment", "segment 0.5", "segment -0.5", r"segment"),
+    inTexture("unknownSupport", "type ground;", "type grund;", r"grund", r"Did you mean ground\?"),
+    inPolygons("emptyTexture", "((0 0) (1 0) (1 1) (0 1))\n        ((0 1) (1 1) (1 2) (0 2))", "", r"(?i)block",
+               lines=(2, 6, 7)),
+    inPolygons("twoCorners", "((0 1) (1 1) (1 2) (0 2))", "((0 1) (1 1))", r"(?i)corner|vert|point", lines=(6, 9)),
+    inPolygons("crossingOutline", "((0 1) (1 1) (1 2) (0 2))", "((0 1) (1 1) (0 2) (1 2))", r"(?i)cross|itself|simple",
+               lines=(6, 9)),
+    inPolygons("flatPolygon", "((0 1) (1 1) (1 2) (0 2))", "((0 1) (1 1) (2 1))", r"(?i)area|line|corner|flat",
+               lines=(6, 9)),
+    inPolygons("supportOfNoBlock", "type ground;", "type blocks; blocks (0 12);", r"12"),
+    # Where it is to be written to: a file stands in the way, which stops root too.
+    inTexture("unwritableDirectory", "", "", r"(?i)constant.*(directory|written|write)", content=None, lines=(0,),
+              files={f: REMOVE for f in goodCase if f.startswith("constant")} | {"constant": "in the way\n"}, where="-"),
+    # The command line.
+    Broken("blockTexture", "noSuchCase", arguments=("-case", "nowhere"), says=(r"nowhere", r"-case"), where="-"),
+    Broken("blockTexture", "unknownOption", arguments=("-alchecks",), says=(r"Unknown option -alchecks", r"Valid options"),
+           where="-"),
+    Broken("blockTexture", "parallel", arguments=("-parallel",), says=(r"no parallel mode",), where="-"),
+    Broken("blockTexture", "strayArgument", arguments=("wall",), says=(r"wall",), where="-"),
+    Broken("limitAnalysis", "noCase", files={f: REMOVE for f in goodCase}, says=(r"not a case directory",), where="-"),
+    # The blocks.
+    Broken("checkBlocks", "overlappingPolygons", before=built, stdout=r"Failed \d+ checks\.",
+           files={dictionary: polygons.replace("((0 1) (1 1) (1 2) (0 2))", "((0 0.5) (1 0.5) (1 2) (0 2))")}),
+    Broken("checkBlocks", "floatingBlock", before=built, stdout=r"Failed \d+ checks\.",
+           files={dictionary: polygons.replace("((0 1) (1 1) (1 2) (0 2))", "((0 3) (1 3) (1 4) (0 4))")}),
+    Broken("checkBlocks", "noAssembly", says=(r"constant/assembly", r"blockTexture"), where="-"),
+    Broken("limitAnalysis", "noAssembly", says=(r"constant/assembly", r"blockTexture"), where="-"),
+    # What an analysis reads.
+    inAnalysis("negativeFriction", "constant/contactProperties", "0.65", "-0.65", r"mu"),
+    inAnalysis("unknownFrictionLaw", "constant/contactProperties", "Coulomb", "Coulom", r"Did you mean Coulomb\?"),
+    inAnalysis("unknownEffect", "constant/contactProperties", "friction\n", "frictoin\n", r"Did you mean friction\?"),
+    inAnalysis("missingMu", "constant/contactProperties", "    mu 0.65;\n", "", r"mu", lines=(1, 2)),
+    inAnalysis("noMaterial", "constant/materialProperties", "", "", r"materialProperties", content=REMOVE, lines=(0,)),
+    inAnalysis("negativeWeight", "constant/materialProperties", "1000", "-1000", r"unitWeight"),
+    inAnalysis("weightInKilograms", "constant/materialProperties", "unitWeight 1000", "unitWeight [1 -3 0 0 0 0 0] 1000",
+               r"dimension|\[1 -3 0 0 0 0 0\]"),
+    inAnalysis("noLoads", "constant/loads", "", "", r"loads", content=REMOVE, lines=(0,)),
+    inAnalysis("unknownLoad", "constant/loads", "inertial", "inertia", r"Did you mean inertial\?"),
+    inAnalysis("noDirection", "constant/loads", "(1 0 0)", "(0 0 0)", r"direction"),
+    inAnalysis("forceBesideTheWall", "constant/loads", "type inertial;\n    direction (1 0 0);",
+               "type force;\n    at (50 50);@@\n    value (0 -1 0);", r"(?i)block", lines=(4, 5)),
+    inAnalysis("unknownSolver", "system/solution", "interiorPoint", "interiorpoint", r"interiorPoint"),
+    inAnalysis("negativeTolerance", "system/solution", "1e-9", "-1e-9", r"tolerance"),
+    inAnalysis("gravityUpIsNoVector", "constant/g", "(0 -9.81 0)", "9.81", r"value"),
+    inAnalysis("controlDictKey", "system/controlDict", "writeInterval", "writeIntervall", r"Did you mean writeInterval\?"),
+    inAnalysis("controlDictStep", "system/controlDict", "deltaT 0.01", "deltaT -0.01", r"deltaT"),
+]
+
+
+def write(case, files):
+    for name, content in files.items():
+        path = case / name
+        if content is REMOVE:
+            if path.exists():
+                path.unlink()
+            if path.parent.exists() and path.parent != case and not any(path.parent.iterdir()):
+                path.parent.rmdir()
+            continue
+        if path.is_dir():
+            shutil.rmtree(path)
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(content if isinstance(content, bytes) else content.encode())
+
+
+def prepare(case, broken, binaries):
+    """Lays out the good case, runs what comes before, puts the fault in; returns the lines that may be named."""
+    if case.exists():
+        shutil.rmtree(case)
+    case.mkdir(parents=True)
+    write(case, goodCase)
+    if broken.application != "checkBlocks" and broken.name != "noAssembly":
+        good = run(binaries, broken.before, case)
+        write(case, broken.files)
+    else:
+        write(case, broken.files)
+        good = run(binaries, () if broken.name == "noAssembly" else broken.before, case)
+    if good:
+        return None, good
+    lines = broken.lines
+    if broken.old:
+        text = (case / broken.file).read_text()
+        if broken.old not in text:
+            return None, f"{broken.file} does not hold {broken.old!r}"
+        start = text.index(broken.old)
+        marked = text.replace(broken.old, broken.new, 1)
+        place = marked.index(MARK) if MARK in marked else start
+        lines = lines or (marked.count("\n", 0, place) + 1,)
+        write(case, {broken.file: marked.replace(MARK, "")})
+    elif broken.content is not None:
+        if (case / broken.file).is_file():
+            write(case, {broken.file: broken.content})
+    return lines, ""
+
+
+def run(binaries, commands, case):
+    for command in commands:
+        done = subprocess.run([str(binaries / command[0]), *command[1:]], cwd=case, capture_output=True, text=True,
+                              timeout=60, stdin=subprocess.DEVNULL)
+        if done.returncode != 0:
+            return f"{command} in the good case ended with {done.returncode}:\n{done.stdout}{done.stderr}"
+    return ""
+
+
+def snapshot(case):
+    return {str(path.relative_to(case)): hashlib.sha256(path.read_bytes()).hexdigest() if path.is_file() else "folder"
+            for path in sorted(case.rglob("*"))}
+
+
+def judge(broken, lines, status, output, errors):
+    """Everything in which the application did not do as it should."""
+    faults = []
+    if status != 1:
+        faults.append(f"exit status {status}, not 1")
+    if broken.stdout:
+        if not re.search(broken.stdout, output):
+            faults.append(f"standard output does not hold {broken.stdout}")
+        return faults
+    form = re.search(r"--> DRYSTONE FATAL (IO )?ERROR:\n(.*?)\n\n(file: (.*?)( at line (\d+))?\.\n\n)?DRYSTONE exiting\n",
+                     errors, re.DOTALL)
+    if not form:
+        return faults + ["the message has not its form"]
+    message, place, file, line = form.group(2), form.group(3), form.group(4), form.group(6)
+    for expression in broken.says:
+        if not re.search(expression, message, re.DOTALL):
+            faults.append(f"the message does not hold {expression}")
+    # A single sentence tells what is wrong, but not how to mend it.
+    if not re.search(r"[.?:;,]\s+\S", message):
+        faults.append("the message does not tell how to mend it")
+    where = broken.where or broken.file
+    if where != "-":
+        if not place or where not in file:
+            faults.append(f"the message does not point at {where}")
+        elif 0 not in lines and (line is None or int(line) not in lines):
+            faults.append(f"the message points at line {line}, not {' or '.join(map(str, lines))}")
+    return faults
+
+
+def attempt(broken, binaries, scratch):
+    case = scratch / f"{broken.application}-{broken.name}"
+    lines, fault = prepare(case, broken, binaries)
+    if fault:
+        return [fault]
+    before = snapshot(case)
+    try:
+        done = subprocess.run([str(binaries / broken.application), *broken.arguments], cwd=case, capture_output=True,
+                              timeout=30, stdin=subprocess.DEVNULL)
+    except subprocess.TimeoutExpired:
+        return ["it hangs: 30 s"]
+    output, errors = done.stdout.decode(errors="replace"), done.stderr.decode(errors="replace")
+    print(errors or output)
+    faults = judge(broken, lines, done.returncode, output, errors)
+    after = snapshot(case)
+    if after != before:
+        changed = sorted(name for name in before.keys() | after.keys() if before.get(name) != after.get(name))
+        faults.append(f"left behind or changed: {' '.join(changed)}")
+    if not faults:
+        shutil.rmtree(case)
+    return faults
+
+
+def main():
+    if sys.argv[1:] == ["--list"]:
+        for broken in brokenInputs:
+            print(broken.application, broken.name)
+        return 0
+    binaries, scratch, name = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]), sys.argv[3]
+    os.environ.pop("DISPLAY", None)
+    if name == "goodCase":
+        # What is broken below is good as it stands: or else the faults would not be what is found.
+        case = scratch / name
+        _, fault = prepare(case, Broken("", name), binaries)
+        applications = [(a,) for a in ("blockTexture", "checkBlocks", "limitAnalysis") if (binaries / a).exists()]
+        fault = fault or run(binaries, applications, case)
+        print(fault or f"the good case passes {applications}")
+        return 1 if fault else 0
+    wanted = [broken for broken in brokenInputs if f"{broken.application}.{broken.name}" == name]
+    if len(wanted) != 1:
+        print(f"there is no broken input {name}")
+        return 1
+    faults = attempt(wanted[0], binaries, scratch)
+    for fault in faults:
+        print("FAILED:", fault)
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
