@@ -466,35 +466,41 @@ void MovingContacts::standCorners(int owner, int cornerBlock, int edgeBlock, dou
 
 void MovingContacts::guardCorners(double margin)
 {
-    // Two corners apart, each beyond the other's edges. Any one line that parts them is enough; the one that
-    // the motion ahead leaves the most room binds only if the step turns out otherwise than foreseen, and
-    // then by no more than that change. Corners that are level along a line are sliding over flush blocks and
-    // are left alone.
+    // Two corners apart, each beyond the other's edges. Any one line that parts them is enough. A line with
+    // which they are level comes first: along it they slide, or have just lost contact, and any other one
+    // would be a wall across the way of a block that slides over flush blocks. Else it is the line that the
+    // motion ahead leaves the most room: it binds only if the step turns out otherwise than foreseen, and
+    // then by no more than that change. Corners at one place are left alone: every line is level there.
+    const double level = 10 * tolerance_;
     for (int blockCorner = first_[block_]; blockCorner < first_[block_ + 1]; ++blockCorner)
     {
         for (int neighbourCorner = first_[neighbour_]; neighbourCorner < first_[neighbour_ + 1];
              ++neighbourCorner)
         {
-            if (!isConvex_[blockCorner] || !isConvex_[neighbourCorner]
-                || (now_.corner[blockCorner] - now_.corner[neighbourCorner]).squaredNorm() > margin * margin)
+            const double apart = (now_.corner[blockCorner] - now_.corner[neighbourCorner]).squaredNorm();
+            if (!isConvex_[blockCorner] || !isConvex_[neighbourCorner] || apart > margin * margin
+                || apart < level * level)
             {
                 continue;
             }
-            Candidate widest{0, -1, -1, -1, 0, 0, 0};
-            bool isFlush = false;
+            Candidate best{0, -1, -1, -1, 0, 0, 0};
+            bool bestIsLevel = false;
             const CornerLines lines = linesBetween(blockCorner, neighbourCorner, *ahead_, nearlyForemost);
             for (int i = 0; i < lines.count; ++i)
             {
                 const Candidate& line = lines.line[i];
-                isFlush = isFlush || (std::abs(line.gap) <= tolerance_ && line.gapAhead <= tolerance_);
-                if (line.gap >= -tolerance_ && (widest.edge < 0 || line.gapAhead > widest.gapAhead))
+                const bool isLevel = std::abs(line.gap) <= level;
+                if (line.gap >= -tolerance_
+                    && (best.edge < 0 || (isLevel && !bestIsLevel)
+                        || (isLevel == bestIsLevel && line.gapAhead > best.gapAhead)))
                 {
-                    widest = line;
+                    best = line;
+                    bestIsLevel = isLevel;
                 }
             }
-            if (!isFlush && widest.edge >= 0 && widest.gapAhead > tolerance_)
+            if (best.edge >= 0 && best.gapAhead > tolerance_)
             {
-                offer(widest, -tolerance_, margin);
+                offer(best, -tolerance_, margin);
             }
         }
     }

@@ -87,23 +87,6 @@ BoundingBox boundingBox(const Polygon& polygon)
     return box;
 }
 
-BoundingBox enlarged(const BoundingBox& box, double distance)
-{
-    return {box.lower.array() - distance, box.upper.array() + distance};
-}
-
-bool meet(const BoundingBox& a, const BoundingBox& b)
-{
-    return a.lower.x() <= b.upper.x() && b.lower.x() <= a.upper.x() && a.lower.y() <= b.upper.y()
-           && b.lower.y() <= a.upper.y();
-}
-
-bool contains(const BoundingBox& outer, const BoundingBox& inner)
-{
-    return outer.lower.x() <= inner.lower.x() && outer.lower.y() <= inner.lower.y()
-           && inner.upper.x() <= outer.upper.x() && inner.upper.y() <= outer.upper.y();
-}
-
 std::vector<std::pair<int, int>> findMeetingPairs(const std::vector<BoundingBox>& boxes)
 {
     std::vector<std::pair<int, int>> pairs;

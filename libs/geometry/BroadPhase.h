@@ -22,13 +22,24 @@ struct BoundingBox
 BoundingBox boundingBox(const Polygon& polygon);
 
 /// The box with every side moved outwards by `distance` [m].
-BoundingBox enlarged(const BoundingBox& box, double distance);
+inline BoundingBox enlarged(const BoundingBox& box, double distance)
+{
+    return {box.lower.array() - distance, box.upper.array() + distance};
+}
 
 /// Whether the closed boxes share a point: boxes that only touch do meet.
-bool meet(const BoundingBox& a, const BoundingBox& b);
+inline bool meet(const BoundingBox& a, const BoundingBox& b)
+{
+    return a.lower.x() <= b.upper.x() && b.lower.x() <= a.upper.x() && a.lower.y() <= b.upper.y()
+           && b.lower.y() <= a.upper.y();
+}
 
 /// Whether every point of `inner` is a point of `outer`.
-bool contains(const BoundingBox& outer, const BoundingBox& inner);
+inline bool contains(const BoundingBox& outer, const BoundingBox& inner)
+{
+    return outer.lower.x() <= inner.lower.x() && outer.lower.y() <= inner.lower.y()
+           && inner.upper.x() <= outer.upper.x() && inner.upper.y() <= outer.upper.y();
+}
 
 /// All pairs (i, j), i < j, of boxes that meet, sorted. Goes through a tree of boxes split at the median, so
 /// the time is of order (n log n + pairs) for boxes of any mixture of sizes. Empty boxes meet nothing.
