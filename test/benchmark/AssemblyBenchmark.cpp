@@ -1,0 +1,56 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// What comes before any solving: dictionaries, blocks, contact points.
+#include "assembly/AssemblyFile.h"
+#include "assembly/ContactPoint.h"
+#include "texture/Texture.h"
+
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+namespace drystone
+{
+
+namespace
+{
+
+/// A square running-bond wall: as many courses as the wall is units long.
+Dictionary squareWall(long courses)
+{
+    return Dictionary::readString(fmt::format(
+        "texture {{ type runningBond; unit (0.4 0.175); length {0}; courses {0}; firstCourse full; }}\n"
+        "supports {{ ground {{ type ground; segment 0.5; }} }}\n",
+        courses));
+}
+
+void makeBlocks(benchmark::State& state)
+{
+    const Dictionary dictionary = squareWall(state.range(0));
+    std::size_t blocks = 0;
+    for (auto _ : state)
+        benchmark::DoNotOptimize(blocks = makeStructure(dictionary).blocks.size());
+    state.counters["blocks"] = static_cast<double>(blocks);
+}
+BENCHMARK(makeBlocks)->Arg(20)->Arg(80)->Arg(320)->Unit(benchmark::kMillisecond);
+
+void findContacts(benchmark::State& state)
+{
+    const Assembly<2> assembly = makeStructure(squareWall(state.range(0)));
+    std::size_t points = 0;
+    for (auto _ : state)
+        benchmark::DoNotOptimize(points = findContactPoints(assembly).size());
+    state.counters["points"] = static_cast<double>(points);
+}
+BENCHMARK(findContacts)->Arg(20)->Arg(80)->Arg(320)->Unit(benchmark::kMillisecond);
+
+void readBlocks(benchmark::State& state)
+{
+    const std::string text = assemblyText(makeStructure(squareWall(state.range(0))));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(Dictionary::readString(text).entries().size());
+    state.SetBytesProcessed(state.iterations() * static_cast<long>(text.size()));
+}
+BENCHMARK(readBlocks)->Arg(20)->Arg(80)->Arg(320)->Unit(benchmark::kMillisecond);
+
+} // namespace
+
+} // namespace drystone
