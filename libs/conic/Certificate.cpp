@@ -1,0 +1,226 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+#include "conic/Certificate.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace drystone
+{
+namespace
+{
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// value / scale, where 0 / 0 is 0 and NaN is infinite.
+double relative(double value, double scale)
+{
+    if (!std::isfinite(value) || !std::isfinite(scale))
+    {
+        return infinite;
+    }
+    if (value == 0)
+    {
+        return 0;
+    }
+    return scale > 0 ? value / scale : infinite;
+}
+
+/// Largest |entry| of a vector of body rows, moments divided (or, for displacements, rotations multiplied) by `lever`.
+template<int Rows, int Forces>
+double largest(const Eigen::VectorXd& rows, double momentFactor)
+{
+    double result = 0;
+    for (Eigen::Index row = 0; row < rows.size(); ++row)
+    {
+        const double value = std::abs(rows[row]) * (row % Rows < Forces ? 1 : momentFactor);
+        if (std::isnan(value))
+        {
+            return infinite;
+        }
+        result = std::max(result, value);
+    }
+    return result;
+}
+
+/// Largest amount by which a point's force leaves its friction cone |c_t| <= mu c_n.
+template<int Rows, int Forces>
+double coneViolation(const ConeProgram<Rows, Forces>& program, const Eigen::VectorXd& contactForce)
+{
+    double result = 0;
+    for (int point = 0; point < program.points(); ++point)
+    {
+        const auto force = contactForce.template segment<Forces>(Forces * point);
+        const double shear = force.template tail<Forces - 1>().norm();
+        const double excess = std::max(-force[0], shear - program.friction[point] * std::max(force[0], 0.0));
+        result = std::isnan(excess) ? infinite : std::max(result, excess);
+    }
+    return result;
+}
+
+/// Largest amount by which z leaves the dual cone mu |z_t| <= z_n.
+template<int Rows, int Forces>
+double dualConeViolation(const ConeProgram<Rows, Forces>& program, const Eigen::VectorXd& z)
+{
+    double result = 0;
+    for (int point = 0; point < program.points(); ++point)
+    {
+        const auto opening = z.template segment<Forces>(Forces * point);
+        const double slip = opening.template tail<Forces - 1>().norm();
+        // Divided by the length of (1, mu), so that the figure is a distance for any friction coefficient.
+        const double mu = program.friction[point];
+        const double excess = (mu * slip - opening[0]) / std::sqrt(1 + mu * mu);
+        result = std::isnan(excess) ? infinite : std::max(result, excess);
+    }
+    return result;
+}
+
+/// sum |a_i b_i|: what a product a'b is compared with.
+double magnitude(const Eigen::VectorXd& a, const Eigen::VectorXd& b)
+{
+    return a.cwiseProduct(b).lpNorm<1>();
+}
+
+} // namespace
+
+double Certificate::worst() const
+{
+    return std::max({primalResidual, dualResidual, gap});
+}
+
+template<int Rows, int Forces>
+double meanLeverArm(const ConeProgram<Rows, Forces>& program)
+{
+    double forceSum = 0;
+    double momentSum = 0;
+    for (const auto& columns : program.contacts)
+    {
+        for (const auto* part : {&columns.onFirst, &columns.onSecond})
+        {
+            forceSum += part->template topRows<Forces>().squaredNorm();
+            momentSum += part->template bottomRows<Rows - Forces>().squaredNorm();
+        }
+    }
+    return forceSum > 0 && momentSum > 0 ? std::sqrt(momentSum / forceSum) : 1;
+}
+
+template<int Rows, int Forces>
+Certificate certifyOptimal(const ConeProgram<Rows, Forces>& program, const ConeSolution& solution)
+{
+    const double lever = meanLeverArm(program);
+    const Eigen::VectorXd& c = solution.contactForce;
+    const Eigen::VectorXd& y = solution.displacement;
+    const Eigen::VectorXd inertial = applyInertia(program, y);
+    const Eigen::VectorXd closing = applyTransposed(program, y);
+
+    Eigen::VectorXd imbalance = inertial + applyEquilibrium(program, c) - program.load;
+    double forceScale = largest<Rows, Forces>(program.load, 1 / lever);
+    double displacementScale = largest<Rows, Forces>(y, lever);
+    // Objectives: primal 1/2 y'Mbar y + g'c - alpha, dual f'y - 1/2 y'Mbar y; difference = y'Mbar y + g'c - alpha - f'y.
+    double difference = inertial.dot(y) - program.load.dot(y);
+    double differenceScale = std::max(magnitude(inertial, y), magnitude(program.load, y));
+    Certificate certificate;
+    if (program.hasMultiplier())
+    {
+        imbalance -= solution.multiplier * program.liveLoad;
+        forceScale = std::max(forceScale,
+                              std::abs(solution.multiplier) * largest<Rows, Forces>(program.liveLoad, 1 / lever));
+        difference -= solution.multiplier;
+        differenceScale = std::max(differenceScale, std::abs(solution.multiplier));
+        certificate.dualResidual = relative(std::abs(program.liveLoad.dot(y) - 1), 1);
+    }
+    Eigen::VectorXd z = -closing;
+    if (program.gap.size() > 0)
+    {
+        z += program.gap;
+        displacementScale = std::max(displacementScale, program.gap.size() > 0 ? program.gap.cwiseAbs().maxCoeff() : 0);
+        difference += program.gap.dot(c);
+        differenceScale = std::max(differenceScale, magnitude(program.gap, c));
+    }
+    if (program.hasInertia())
+    {
+        // How far the loads would carry free bodies: the measure of a displacement when nothing moves.
+        for (int body = 0; body < program.bodies; ++body)
+        {
+            const Eigen::VectorXd fall
+                = program.inertia[body].ldlt().solve(program.load.template segment<Rows>(Rows * body));
+            displacementScale = std::max(displacementScale, largest<Rows, Forces>(fall, lever));
+        }
+        differenceScale = std::max(differenceScale, forceScale * displacementScale);
+    }
+    certificate.primalResidual = std::max(relative(largest<Rows, Forces>(imbalance, 1 / lever), forceScale),
+                                          relative(coneViolation(program, c), forceScale));
+    certificate.dualResidual
+        = std::max(certificate.dualResidual, relative(dualConeViolation(program, z), displacementScale));
+    certificate.gap = relative(std::abs(difference), differenceScale);
+    return certificate;
+}
+
+template<int Rows, int Forces>
+Certificate certifyInfeasible(const ConeProgram<Rows, Forces>& program, const Eigen::VectorXd& displacementRay)
+{
+    const double lever = meanLeverArm(program);
+    const double work = program.load.dot(displacementRay);
+    // The share of the load's work that does not cancel: a ray is only as good as f'y is clearly positive.
+    const double share = relative(work, magnitude(program.load, displacementRay));
+    Certificate certificate;
+    if (!(share > 0) || !std::isfinite(share))
+    {
+        certificate.gap = infinite;
+        return certificate;
+    }
+    const double violation
+        = relative(dualConeViolation<Rows, Forces>(program, -applyTransposed(program, displacementRay)),
+                   largest<Rows, Forces>(displacementRay, lever));
+    double liveWork = 0;
+    if (program.hasMultiplier())
+    {
+        liveWork = relative(std::abs(program.liveLoad.dot(displacementRay)),
+                            magnitude(program.liveLoad, displacementRay));
+    }
+    certificate.dualResidual = std::max(violation, liveWork) / share;
+    return certificate;
+}
+
+template<int Rows, int Forces>
+Certificate certifyUnbounded(const ConeProgram<Rows, Forces>& program, const Eigen::VectorXd& forceRay)
+{
+    const double lever = meanLeverArm(program);
+    const double forceScale = largest<Rows, Forces>(program.liveLoad, 1 / lever);
+    const Eigen::VectorXd imbalance = applyEquilibrium(program, forceRay) - program.liveLoad;
+    Certificate certificate;
+    certificate.primalResidual = std::max(relative(largest<Rows, Forces>(imbalance, 1 / lever), forceScale),
+                                          relative(coneViolation(program, forceRay), forceScale));
+    return certificate;
+}
+
+template<int Rows, int Forces>
+Certificate certify(const ConeProgram<Rows, Forces>& program, const ConeSolution& solution)
+{
+    switch (solution.status)
+    {
+    case SolveStatus::infeasible:
+        return certifyInfeasible(program, solution.displacement);
+    case SolveStatus::unbounded:
+        return certifyUnbounded(program, solution.contactForce);
+    case SolveStatus::optimal:
+    case SolveStatus::notConverged:
+        break;
+    }
+    return certifyOptimal(program, solution);
+}
+
+template double meanLeverArm(const PlaneConeProgram&);
+template double meanLeverArm(const SpaceConeProgram&);
+template Certificate certifyOptimal(const PlaneConeProgram&, const ConeSolution&);
+template Certificate certifyOptimal(const SpaceConeProgram&, const ConeSolution&);
+template Certificate certifyInfeasible(const PlaneConeProgram&, const Eigen::VectorXd&);
+template Certificate certifyInfeasible(const SpaceConeProgram&, const Eigen::VectorXd&);
+template Certificate certifyUnbounded(const PlaneConeProgram&, const Eigen::VectorXd&);
+template Certificate certifyUnbounded(const SpaceConeProgram&, const Eigen::VectorXd&);
+template Certificate certify(const PlaneConeProgram&, const ConeSolution&);
+template Certificate certify(const SpaceConeProgram&, const ConeSolution&);
+
+} // namespace drystone

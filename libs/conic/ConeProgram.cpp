@@ -1,0 +1,70 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Products with the matrices of a cone program, written for clarity: solvers keep their own faster forms.
+#include "conic/ConeProgram.h"
+
+namespace drystone
+{
+
+template<int Rows, int Forces>
+Eigen::VectorXd applyEquilibrium(const ConeProgram<Rows, Forces>& program, const Eigen::VectorXd& contactForce)
+{
+    Eigen::VectorXd balanced = Eigen::VectorXd::Zero(Rows * program.bodies);
+    for (int point = 0; point < program.points(); ++point)
+    {
+        const auto& columns = program.contacts[point];
+        const auto force = contactForce.template segment<Forces>(Forces * point);
+        if (columns.first >= 0)
+        {
+            balanced.template segment<Rows>(Rows * columns.first) += columns.onFirst * force;
+        }
+        if (columns.second >= 0)
+        {
+            balanced.template segment<Rows>(Rows * columns.second) += columns.onSecond * force;
+        }
+    }
+    return balanced;
+}
+
+template<int Rows, int Forces>
+Eigen::VectorXd applyTransposed(const ConeProgram<Rows, Forces>& program, const Eigen::VectorXd& displacement)
+{
+    Eigen::VectorXd closing = Eigen::VectorXd::Zero(Forces * program.points());
+    for (int point = 0; point < program.points(); ++point)
+    {
+        const auto& columns = program.contacts[point];
+        auto change = closing.template segment<Forces>(Forces * point);
+        if (columns.first >= 0)
+        {
+            change += columns.onFirst.transpose() * displacement.template segment<Rows>(Rows * columns.first);
+        }
+        if (columns.second >= 0)
+        {
+            change += columns.onSecond.transpose() * displacement.template segment<Rows>(Rows * columns.second);
+        }
+    }
+    return closing;
+}
+
+template<int Rows, int Forces>
+Eigen::VectorXd applyInertia(const ConeProgram<Rows, Forces>& program, const Eigen::VectorXd& displacement)
+{
+    Eigen::VectorXd force = Eigen::VectorXd::Zero(Rows * program.bodies);
+    if (program.hasInertia())
+    {
+        for (int body = 0; body < program.bodies; ++body)
+        {
+            force.template segment<Rows>(Rows * body)
+                = program.inertia[body] * displacement.template segment<Rows>(Rows * body);
+        }
+    }
+    return force;
+}
+
+template Eigen::VectorXd applyEquilibrium(const PlaneConeProgram&, const Eigen::VectorXd&);
+template Eigen::VectorXd applyEquilibrium(const SpaceConeProgram&, const Eigen::VectorXd&);
+template Eigen::VectorXd applyTransposed(const PlaneConeProgram&, const Eigen::VectorXd&);
+template Eigen::VectorXd applyTransposed(const SpaceConeProgram&, const Eigen::VectorXd&);
+template Eigen::VectorXd applyInertia(const PlaneConeProgram&, const Eigen::VectorXd&);
+template Eigen::VectorXd applyInertia(const SpaceConeProgram&, const Eigen::VectorXd&);
+
+} // namespace drystone

@@ -1,0 +1,322 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+#include "conic/InteriorPoint.h"
+
+#include "conic/Certificate.h"
+#include "conic/RayProgram.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <cstdio>
+#include <limits>
+
+namespace drystone
+{
+namespace
+{
+
+using Eigen::VectorXd;
+
+/// An iterate, or a step between two: forces s >= 0 on the rays, their openings z >= 0, displacements y, multiplier.
+struct Iterate
+{
+    VectorXd s;
+    VectorXd z;
+    VectorXd y;
+    double alpha = 0;
+};
+
+/// What is left of the optimality conditions.
+struct Residuals
+{
+    VectorXd balance; ///< f + L alpha - M y - B s
+    VectorXd opening; ///< g - B'y - z
+    double work = 0;  ///< w - L'y
+};
+
+class InteriorPoint
+{
+public:
+    InteriorPoint(const RayProgram& rays, SchurSystem<3>& system, const InteriorPointSettings& settings)
+        : rays_(rays), system_(system), settings_(settings)
+    {
+    }
+
+    /// Iterates until the scaled residuals meet the tolerance. \return whether they did
+    bool run();
+
+    const Iterate& iterate() const { return at_; }
+    int iterations() const { return iterations_; }
+
+private:
+    void start();
+    void computeResiduals();
+    bool factorise();
+    void solveNewton(const VectorXd& complementarity, double reduction, Iterate& step);
+    void solveSchur(VectorXd& x);
+    double complementarity() const { return rays_.rayCount() ? at_.s.dot(at_.z) / rays_.rayCount() : 0; }
+    bool converged() const;
+
+    const RayProgram& rays_;
+    SchurSystem<3>& system_;
+    InteriorPointSettings settings_;
+    Iterate at_;
+    Residuals residuals_;
+    VectorXd d_;             ///< s / z
+    VectorXd liveSolution_;  ///< S^-1 L
+    double liveStiffness_ = 0; ///< L' S^-1 L
+    double delta_ = 0;
+    int iterations_ = 0;
+    VectorXd rayWork_, rayWork2_, trialRays_, rowWork_, right_, remainder_;
+};
+
+/// Largest step in [0, 1] that keeps x + step dx >= 0.
+double stepToBoundary(const VectorXd& x, const VectorXd& dx)
+{
+    // Largest -dx/x, found without a branch so that it vectorises.
+    const double steepest = x.size() ? (-dx.array() / x.array()).maxCoeff() : 0;
+    return steepest > 1 ? 1 / steepest : 1;
+}
+
+void InteriorPoint::computeResiduals()
+{
+    VectorXd& balance = residuals_.balance;
+    balance = rays_.load;
+    if (rays_.hasMultiplier())
+    {
+        balance += at_.alpha * rays_.liveLoad;
+        residuals_.work = rays_.liveWork - rays_.liveLoad.dot(at_.y);
+    }
+    rowWork_.setZero(balance.size());
+    addRays(rays_, at_.s, rowWork_);
+    if (rays_.hasInertia())
+    {
+        for (int body = 0; body < rays_.bodies; ++body)
+        {
+            rowWork_.segment<3>(3 * body) += rays_.inertia[body] * at_.y.segment<3>(3 * body);
+        }
+    }
+    balance -= rowWork_;
+    balance.tail<3>().setZero();
+    applyRaysTransposed(rays_, at_.y, rayWork_);
+    residuals_.opening = rays_.gap - rayWork_ - at_.z;
+}
+
+bool InteriorPoint::converged() const
+{
+    const double tolerance = 0.3 * settings_.tolerance;
+    const double displacement = std::max({at_.y.lpNorm<Eigen::Infinity>(), rays_.gap.lpNorm<Eigen::Infinity>(),
+                                          rays_.hasInertia() ? 1.0 : 0.0});
+    const double force = std::max(1.0, std::abs(at_.alpha));
+    const double objective = rays_.hasMultiplier() ? std::max(rays_.liveWork * std::abs(at_.alpha), std::abs(rays_.load.dot(at_.y))) : 1.0;
+    return residuals_.balance.lpNorm<Eigen::Infinity>() <= tolerance * force
+           && residuals_.opening.lpNorm<Eigen::Infinity>() <= tolerance * displacement
+           && std::abs(residuals_.work) <= tolerance * rays_.liveWork && at_.s.dot(at_.z) <= tolerance * objective;
+}
+
+bool InteriorPoint::factorise()
+{
+    d_ = at_.s.cwiseQuotient(at_.z);
+    assembleSchur(rays_, d_, delta_, system_);
+    if (!system_.factorise())
+    {
+        return false;
+    }
+    if (rays_.hasMultiplier())
+    {
+        liveSolution_ = rays_.liveLoad;
+        solveSchur(liveSolution_);
+        liveStiffness_ = rays_.liveLoad.dot(liveSolution_);
+    }
+    return true;
+}
+
+void InteriorPoint::solveSchur(VectorXd& x)
+{
+    system_.solve(x.head(3 * rays_.bodies));
+}
+
+/// Newton's equations, with R the fraction (`reduction`) of the residuals to remove and c the wished change of s z:
+///     M dy + B ds - L da = R balance,  B'dy + dz = R opening,  L'dy = R work,  z ds + s dz = c.
+/// With D = s/z:  ds = c/z - D (R opening - B'dy), so  (M + B D B') dy - L da = R balance - B (c/z - D R opening).
+void InteriorPoint::solveNewton(const VectorXd& complementarity, double reduction, Iterate& step)
+{
+    rayWork2_ = complementarity.cwiseQuotient(at_.z) - reduction * d_.cwiseProduct(residuals_.opening);
+    right_.setZero(rays_.load.size());
+    addRays(rays_, rayWork2_, right_);
+    right_ = reduction * residuals_.balance - right_;
+    right_.tail<3>().setZero();
+
+    step.y = right_;
+    solveSchur(step.y);
+    step.alpha = 0;
+    if (rays_.hasMultiplier())
+    {
+        step.alpha = (reduction * residuals_.work - rays_.liveLoad.dot(step.y)) / liveStiffness_;
+        step.y += step.alpha * liveSolution_;
+    }
+    applyRaysTransposed(rays_, step.y, rayWork_);
+    step.s = rayWork2_ + d_.cwiseProduct(rayWork_);
+    for (int refinement = 0; refinement < 3; ++refinement)
+    {
+        // What rounding and regularisation left of the balance. Corrections are added to ds as they come: computing ds
+        // anew from dy would lose them, since D is huge where a ray presses.
+        remainder_ = reduction * residuals_.balance;
+        if (rays_.hasMultiplier())
+        {
+            remainder_ += step.alpha * rays_.liveLoad;
+        }
+        rowWork_.setZero(right_.size());
+        addRays(rays_, step.s, rowWork_);
+        if (rays_.hasInertia())
+        {
+            for (int body = 0; body < rays_.bodies; ++body)
+            {
+                rowWork_.segment<3>(3 * body) += rays_.inertia[body] * step.y.segment<3>(3 * body);
+            }
+        }
+        remainder_ -= rowWork_;
+        remainder_.tail<3>().setZero();
+        const double force = std::max(1.0, std::abs(at_.alpha));
+        if (remainder_.lpNorm<Eigen::Infinity>()
+            <= std::max(0.1 * settings_.tolerance * force, 1e-2 * residuals_.balance.lpNorm<Eigen::Infinity>()))
+        {
+            break;
+        }
+        solveSchur(remainder_);
+        if (rays_.hasMultiplier())
+        {
+            const double change = -rays_.liveLoad.dot(remainder_) / liveStiffness_;
+            remainder_ += change * liveSolution_;
+            step.alpha += change;
+        }
+        step.y += remainder_;
+        applyRaysTransposed(rays_, remainder_, trialRays_);
+        rayWork_ += trialRays_;
+        step.s += d_.cwiseProduct(trialRays_);
+    }
+    step.z = reduction * residuals_.opening - rayWork_;
+}
+
+/// Mehrotra's start: the smallest forces that balance the load and the displacement that they do least work on, both
+/// pushed inside their cones.
+void InteriorPoint::start()
+{
+    const int rays = rays_.rayCount();
+    at_.s = VectorXd::Ones(rays);
+    at_.z = VectorXd::Ones(rays);
+    at_.y = VectorXd::Zero(rays_.load.size());
+    at_.alpha = 0;
+}
+
+bool InteriorPoint::run()
+{
+    start();
+    const bool trace = std::getenv("DS_TRACE");
+    Iterate step;
+    Iterate trial;
+    VectorXd target;
+    delta_ = 1e-9;
+    for (iterations_ = 0; iterations_ <= settings_.maximumIterations; ++iterations_)
+    {
+        computeResiduals();
+        const double mu = complementarity();
+        if (trace)
+        {
+            std::printf("%3d alpha %.9f mu %.2e balance %.2e opening %.2e work %.2e\n", iterations_, at_.alpha, mu,
+                        residuals_.balance.lpNorm<Eigen::Infinity>(), residuals_.opening.lpNorm<Eigen::Infinity>(),
+                        residuals_.work);
+        }
+        if (!std::isfinite(mu))
+        {
+            return false;
+        }
+        if (converged())
+        {
+            return true;
+        }
+        if (iterations_ == settings_.maximumIterations)
+        {
+            break;
+        }
+        while (!factorise())
+        {
+            delta_ = std::max(10 * delta_, 1e-12);
+            if (delta_ > 1)
+            {
+                return false;
+            }
+        }
+
+        // Predictor: straight for the optimum.
+        target = -at_.s.cwiseProduct(at_.z);
+        solveNewton(target, 1, step);
+        double primal = stepToBoundary(at_.s, step.s);
+        double dual = stepToBoundary(at_.z, step.z);
+        const double muAfter = (at_.s + primal * step.s).dot(at_.z + dual * step.z) / rays_.rayCount();
+        const double sigma = std::pow(muAfter / mu, 3);
+
+        // Corrector: aims at sigma mu, with the second-order term of the predictor.
+        target = (sigma * mu - at_.s.array() * at_.z.array() - step.s.array() * step.z.array()).matrix();
+        solveNewton(target, 1, step);
+        primal = stepToBoundary(at_.s, step.s);
+        dual = stepToBoundary(at_.z, step.z);
+
+        // Gondzio's correctors: widen the step by pulling outlying products s z at its far end back into a box about
+        // the target; each costs one solve.
+        for (int corrector = 0; corrector < settings_.correctors && std::min(primal, dual) < 0.95; ++corrector)
+        {
+            const double primalTry = std::min(1.0, 1.1 * primal + 0.1);
+            const double dualTry = std::min(1.0, 1.1 * dual + 0.1);
+            const double aim = std::max(sigma, 1e-3) * mu;
+            rayWork_ = (at_.s + primalTry * step.s).cwiseProduct(at_.z + dualTry * step.z);
+            VectorXd correction = (rayWork_.array().max(0.1 * aim).min(10 * aim) - rayWork_.array()).max(-10 * aim);
+            const VectorXd wider = target + correction;
+            solveNewton(wider, 1, trial);
+            const double primalNew = stepToBoundary(at_.s, trial.s);
+            const double dualNew = stepToBoundary(at_.z, trial.z);
+            if (primalNew + dualNew < primal + dual + 0.01)
+            {
+                break;
+            }
+            std::swap(step, trial);
+            target = wider;
+            primal = primalNew;
+            dual = dualNew;
+        }
+
+        if (rays_.hasInertia())
+        {
+            primal = dual = std::min(primal, dual); // y stands in the balance too
+        }
+        const double back = std::max(0.9, 1 - mu);
+        primal = std::min(1.0, std::max(0.99, back) * primal);
+        dual = std::min(1.0, std::max(0.99, back) * dual);
+        at_.s += primal * step.s;
+        at_.alpha += primal * step.alpha;
+        at_.y += dual * step.y;
+        at_.z += dual * step.z;
+    }
+    return false;
+}
+
+} // namespace
+
+ConeSolution solveInteriorPoint(const PlaneConeProgram& program, const InteriorPointSettings& settings)
+{
+    RayForm form = makeRayForm(program);
+    SchurSystem<3> system = makeSchurSystem(form);
+    InteriorPoint solver(form.program, system, settings);
+    const bool converged = solver.run();
+    const Iterate& at = solver.iterate();
+    ConeSolution solution = fromRays(program, form, at.s, at.y, at.alpha);
+    solution.iterations = solver.iterations();
+    solution.factorisations = solver.iterations();
+    if (converged && certifyOptimal(program, solution).worst() <= settings.tolerance)
+    {
+        solution.status = SolveStatus::optimal;
+    }
+    return solution;
+}
+
+} // namespace drystone

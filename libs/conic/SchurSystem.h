@@ -1,0 +1,72 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The symmetric positive definite systems that all solvers spend their time in: S = Mbar + sum_k A_k D_k A_k', one
+/// small dense block a body and one a pair of touching bodies.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace drystone
+{
+
+/// Which bodies touch which: pairs of distinct bodies, in any order, repeats allowed.
+using Coupling = std::array<int, 2>;
+
+/// An order in which to eliminate the bodies so that the factor stays sparse: minimum degree, or nested dissection for
+/// large systems. \return order[position] = body
+std::vector<int> eliminationOrder(int bodies, const std::vector<Coupling>& couplings);
+
+/// A block-sparse symmetric matrix and its Cholesky factor. The pattern is analysed once, in the constructor; then any
+/// number of times: setZero, add, factorise, solve. Bodies are expected in elimination order: nothing is permuted here.
+///
+/// Memory: the factor; for a wall of N x N bodies about 31 N^2 log2 N blocks. Not thread-safe.
+template<int Rows>
+class SchurSystem
+{
+public:
+    using Block = Eigen::Matrix<double, Rows, Rows>;
+
+    /// \param couplings pairs (a, b), a != b, of bodies numbered in elimination order
+    SchurSystem(int bodies, const std::vector<Coupling>& couplings);
+    ~SchurSystem();
+    SchurSystem(SchurSystem&&) noexcept;
+    SchurSystem& operator=(SchurSystem&&) noexcept;
+
+    int bodies() const { return bodies_; }
+
+    /// Where the block of a pair is kept, for `coupling`. \throws std::out_of_range for a pair not in the pattern
+    int slot(int first, int second) const;
+
+    void setZero();
+    /// Diagonal block of a body.
+    Block& diagonal(int body) { return values_[columnStart_[body]]; }
+    /// Block with the rows of the later and the columns of the earlier body of a pair.
+    Block& coupling(int slot) { return values_[slot]; }
+
+    /// Factorises S as it stands. \return false when S is not numerically positive definite
+    bool factorise();
+
+    /// Solves S x = x in place, Rows * bodies entries.
+    void solve(Eigen::Ref<Eigen::VectorXd> x);
+
+    /// Multiplications of one factorisation, and what chose between the block and the supernodal factor.
+    double factorOperations() const { return operations_; }
+    bool supernodal() const;
+
+private:
+    struct Factor;
+    int bodies_ = 0;
+    double operations_ = 0;
+    std::vector<int> columnStart_; ///< lower triangle by columns of blocks, the diagonal block first
+    std::vector<int> row_;
+    std::vector<Block, Eigen::aligned_allocator<Block>> values_;
+    std::unique_ptr<Factor> factor_;
+};
+
+extern template class SchurSystem<3>;
+extern template class SchurSystem<6>;
+
+} // namespace drystone
