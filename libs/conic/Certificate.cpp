@@ -12,6 +12,10 @@ namespace drystone
 namespace
 {
 
+/// The gap of a multiplier is relative to the multiplier itself, but for one so small that the live load is below this
+/// share of the dead load: an alpha of exactly zero is an answer too.
+constexpr double smallMultiplier = 1e-3;
+
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// value / scale, where 0 / 0 is 0 and NaN is infinite.
@@ -128,7 +132,9 @@ Certificate certifyOptimal(const ConeProgram<Rows, Forces>& program, const ConeS
         forceScale = std::max(forceScale,
                               std::abs(solution.multiplier) * largest<Rows, Forces>(program.liveLoad, 1 / lever));
         difference -= solution.multiplier;
-        differenceScale = std::max(differenceScale, std::abs(solution.multiplier));
+        differenceScale = std::max({differenceScale, std::abs(solution.multiplier),
+                                    smallMultiplier * largest<Rows, Forces>(program.load, 1 / lever)
+                                        / largest<Rows, Forces>(program.liveLoad, 1 / lever)});
         certificate.dualResidual = relative(std::abs(program.liveLoad.dot(y) - 1), 1);
     }
     Eigen::VectorXd z = -closing;

@@ -12,7 +12,7 @@ namespace drystone
 /// The columns of the equilibrium matrix A that belong to one contact point. They touch the rows of at most two bodies.
 /// Rows: forces, then moments; columns: normal force, then shear.
 template<int Rows, int Forces>
-struct ContactColumns
+struct ConeColumns
 {
     int first = -1;  ///< body whose rows `onFirst` fills, or -1 when that body is fixed
     int second = -1; ///< likewise for `onSecond`
@@ -42,7 +42,7 @@ struct ConeProgram
     using Inertia = Eigen::Matrix<double, Rows, Rows>;
 
     int bodies = 0;
-    std::vector<ContactColumns<Rows, Forces>> contacts; ///< A, by contact point; points of one pair of bodies together
+    std::vector<ConeColumns<Rows, Forces>> contacts; ///< A, by contact point; points of one pair of bodies together
     std::vector<double> friction;                       ///< mu of each contact point, >= 0
     Eigen::VectorXd load;                               ///< f, R b
     Eigen::VectorXd liveLoad;                           ///< L, R b, or empty: no multiplier

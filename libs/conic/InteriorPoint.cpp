@@ -6,9 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <cstdio>
-#include <limits>
 
 namespace drystone
 {
@@ -17,6 +14,10 @@ namespace
 
 using Eigen::VectorXd;
 
+/// Added to the diagonal of the scaled Schur system: without it the factorisation fails near the optimum, where bodies
+/// of the mechanism are held by nothing but the forces that vanish there. Refinement takes its effect out of the steps.
+constexpr double proximal = 1e-9;
+
 /// An iterate, or a step between two: forces s >= 0 on the rays, their openings z >= 0, displacements y, multiplier.
 struct Iterate
 {
@@ -24,6 +25,13 @@ struct Iterate
     VectorXd z;
     VectorXd y;
     double alpha = 0;
+};
+
+/// What the live load does on the displacements: one unit (a mechanism), or nothing (a ray).
+enum class LiveWork
+{
+    unit,
+    none
 };
 
 /// What is left of the optimality conditions.
@@ -47,6 +55,7 @@ public:
 
     const Iterate& iterate() const { return at_; }
     int iterations() const { return iterations_; }
+    int factorisations() const { return factorisations_; }
 
 private:
     void start();
@@ -56,6 +65,7 @@ private:
     void solveSchur(VectorXd& x);
     double complementarity() const { return rays_.rayCount() ? at_.s.dot(at_.z) / rays_.rayCount() : 0; }
     bool converged() const;
+    bool diverges() const;
 
     const RayProgram& rays_;
     SchurSystem<3>& system_;
@@ -67,6 +77,7 @@ private:
     double liveStiffness_ = 0; ///< L' S^-1 L
     double delta_ = 0;
     int iterations_ = 0;
+    int factorisations_ = 0;
     VectorXd rayWork_, rayWork2_, trialRays_, rowWork_, right_, remainder_;
 };
 
@@ -105,19 +116,32 @@ void InteriorPoint::computeResiduals()
 bool InteriorPoint::converged() const
 {
     const double tolerance = 0.3 * settings_.tolerance;
+    if (!rays_.hasMultiplier() && !rays_.hasInertia() && rays_.gap.isZero(0))
+    {
+        return residuals_.balance.lpNorm<Eigen::Infinity>() <= tolerance; // any forces will do: y = 0 completes them
+    }
     const double displacement = std::max({at_.y.lpNorm<Eigen::Infinity>(), rays_.gap.lpNorm<Eigen::Infinity>(),
                                           rays_.hasInertia() ? 1.0 : 0.0});
     const double force = std::max(1.0, std::abs(at_.alpha));
-    const double objective = rays_.hasMultiplier() ? std::max(rays_.liveWork * std::abs(at_.alpha), std::abs(rays_.load.dot(at_.y))) : 1.0;
+    const double objective = rays_.hasMultiplier() ? std::max(rays_.liveWork * std::max(1e-3, std::abs(at_.alpha)), std::abs(rays_.load.dot(at_.y))) : 1.0;
     return residuals_.balance.lpNorm<Eigen::Infinity>() <= tolerance * force
            && residuals_.opening.lpNorm<Eigen::Infinity>() <= tolerance * displacement
-           && std::abs(residuals_.work) <= tolerance * rays_.liveWork && at_.s.dot(at_.z) <= tolerance * objective;
+           && std::abs(residuals_.work) <= tolerance * std::max(1.0, rays_.liveWork) && at_.s.dot(at_.z) <= tolerance * objective;
+}
+
+/// Without a solution the iterates run off along a ray; that ray is then found, and proved, by a program of its own.
+bool InteriorPoint::diverges() const
+{
+    constexpr double far = 1e9;
+    return std::abs(at_.alpha) > far || at_.y.lpNorm<Eigen::Infinity>() > far
+           || at_.s.lpNorm<Eigen::Infinity>() > far * std::max(1.0, std::abs(at_.alpha));
 }
 
 bool InteriorPoint::factorise()
 {
     d_ = at_.s.cwiseQuotient(at_.z);
     assembleSchur(rays_, d_, delta_, system_);
+    ++factorisations_;
     if (!system_.factorise())
     {
         return false;
@@ -198,8 +222,8 @@ void InteriorPoint::solveNewton(const VectorXd& complementarity, double reductio
     step.z = reduction * residuals_.opening - rayWork_;
 }
 
-/// Mehrotra's start: the smallest forces that balance the load and the displacement that they do least work on, both
-/// pushed inside their cones.
+/// Forces as large as the largest load and openings of order one. Mehrotra's least-squares start costs a factorisation
+/// and saves none on these problems.
 void InteriorPoint::start()
 {
     const int rays = rays_.rayCount();
@@ -212,22 +236,15 @@ void InteriorPoint::start()
 bool InteriorPoint::run()
 {
     start();
-    const bool trace = std::getenv("DS_TRACE");
     Iterate step;
     Iterate trial;
     VectorXd target;
-    delta_ = 1e-9;
+    delta_ = proximal;
     for (iterations_ = 0; iterations_ <= settings_.maximumIterations; ++iterations_)
     {
         computeResiduals();
         const double mu = complementarity();
-        if (trace)
-        {
-            std::printf("%3d alpha %.9f mu %.2e balance %.2e opening %.2e work %.2e\n", iterations_, at_.alpha, mu,
-                        residuals_.balance.lpNorm<Eigen::Infinity>(), residuals_.opening.lpNorm<Eigen::Infinity>(),
-                        residuals_.work);
-        }
-        if (!std::isfinite(mu))
+        if (!std::isfinite(mu) || diverges())
         {
             return false;
         }
@@ -300,21 +317,83 @@ bool InteriorPoint::run()
     return false;
 }
 
-} // namespace
+/// The program with inertia of order one in every row: how the blocks would start to move (Gauss's principle of least
+/// constraint). It always has a solution.
+PlaneConeProgram withUnitInertia(const PlaneConeProgram& program)
+{
+    PlaneConeProgram result = program;
+    const double lever = meanLeverArm(program);
+    result.inertia.assign(program.bodies,
+                          Eigen::Vector3d(1, 1, lever * lever).asDiagonal().toDenseMatrix());
+    return result;
+}
 
-ConeSolution solveInteriorPoint(const PlaneConeProgram& program, const InteriorPointSettings& settings)
+/// Solves one program in ray form; `optimal` in its status means that the scaled residuals met the tolerance.
+ConeSolution solveOnce(const PlaneConeProgram& program, const InteriorPointSettings& settings, LiveWork liveWork)
 {
     RayForm form = makeRayForm(program);
+    if (liveWork == LiveWork::none)
+    {
+        form.program.liveWork = 0;
+    }
     SchurSystem<3> system = makeSchurSystem(form);
     InteriorPoint solver(form.program, system, settings);
     const bool converged = solver.run();
     const Iterate& at = solver.iterate();
     ConeSolution solution = fromRays(program, form, at.s, at.y, at.alpha);
     solution.iterations = solver.iterations();
-    solution.factorisations = solver.iterations();
-    if (converged && certifyOptimal(program, solution).worst() <= settings.tolerance)
+    solution.factorisations = solver.factorisations();
+    solution.status = converged ? SolveStatus::optimal : SolveStatus::notConverged;
+    return solution;
+}
+
+} // namespace
+
+ConeSolution solveInteriorPoint(const PlaneConeProgram& program, const InteriorPointSettings& settings)
+{
+    ConeSolution solution = solveOnce(program, settings, LiveWork::unit);
+    if (solution.status == SolveStatus::optimal)
     {
-        solution.status = SolveStatus::optimal;
+        if (!program.hasMultiplier() && !program.hasInertia() && program.gap.size() == 0)
+        {
+            solution.displacement.setZero();
+        }
+        if (certifyOptimal(program, solution).worst() > settings.tolerance)
+        {
+            solution.status = SolveStatus::notConverged;
+        }
+        return solution;
+    }
+    if (program.hasInertia())
+    {
+        return solution;
+    }
+
+    // Least r with r + A c = f + alpha L: where it does not vanish, y = Mbar^-1 r proves that nothing balances f, since
+    // the optimality conditions are -A'y in the dual cone, L'y = 0 and f'y = r' Mbar^-1 r > 0.
+    const ConeSolution moved = solveOnce(withUnitInertia(program), settings, LiveWork::none);
+    solution.factorisations += moved.factorisations;
+    if (certifyInfeasible(program, moved.displacement).worst() <= settings.tolerance)
+    {
+        solution.status = SolveStatus::infeasible;
+        solution.displacement = moved.displacement;
+        return solution;
+    }
+    if (!program.hasMultiplier())
+    {
+        return solution;
+    }
+    // Forces that carry the live load alone are the ray.
+    PlaneConeProgram live = program;
+    live.load = program.liveLoad;
+    live.liveLoad.resize(0);
+    live.gap.resize(0);
+    const ConeSolution carried = solveOnce(live, settings, LiveWork::none);
+    solution.factorisations += carried.factorisations;
+    if (certifyUnbounded(program, carried.contactForce).worst() <= settings.tolerance)
+    {
+        solution.status = SolveStatus::unbounded;
+        solution.contactForce = carried.contactForce;
     }
     return solution;
 }

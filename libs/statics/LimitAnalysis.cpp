@@ -1,0 +1,100 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+#include "statics/LimitAnalysis.h"
+
+namespace drystone
+{
+namespace
+{
+
+/// Scaled so that its largest entry is 1; unchanged when it is zero.
+Eigen::VectorXd normalised(const Eigen::VectorXd& mechanism)
+{
+    const double largest = mechanism.size() > 0 ? mechanism.lpNorm<Eigen::Infinity>() : 0;
+    return largest > 0 ? Eigen::VectorXd(mechanism / largest) : mechanism;
+}
+
+} // namespace
+
+PlaneConeProgram limitAnalysisProgram(int freeBlocks, const std::vector<ContactColumns<2>>& columns,
+                                      const std::vector<double>& friction, const LoadVectors& loads)
+{
+    PlaneConeProgram program;
+    program.bodies = freeBlocks;
+    program.contacts.reserve(columns.size());
+    for (const ContactColumns<2>& column : columns)
+    {
+        program.contacts.push_back({column.block, column.neighbour, column.onBlock, column.onNeighbour});
+    }
+    program.friction = friction;
+    program.load = loads.dead;
+    program.liveLoad = loads.live;
+    return program;
+}
+
+LimitAnalysis solveLimitAnalysis(const PlaneConeProgram& program, const InteriorPointSettings& settings)
+{
+    const ConeSolution solution = solveInteriorPoint(program, settings);
+    LimitAnalysis result;
+    result.variables = 2 * program.points() + 1;
+    result.iterations = solution.iterations;
+    result.contactForce = Eigen::VectorXd::Zero(2 * program.points());
+    result.mechanism = Eigen::VectorXd::Zero(3 * program.bodies);
+
+    PlaneConeProgram dead = program;
+    dead.liveLoad.resize(0);
+    const auto unstable = [&](const Eigen::VectorXd& ray)
+    {
+        result.certificate = certifyInfeasible(dead, ray);
+        if (result.certificate.worst() > settings.tolerance)
+        {
+            return false;
+        }
+        result.status = CollapseStatus::unstable;
+        result.mechanism = normalised(ray);
+        return true;
+    };
+
+    // A multiplier below zero means that the mechanism, on which the live load does unit work, is set going by the dead
+    // load: f'y = -alpha > 0. A ray of the whole program is one of the dead load too.
+    const bool answered = solution.status != SolveStatus::notConverged;
+    if ((solution.status == SolveStatus::infeasible || (answered && solution.multiplier < 0))
+        && unstable(solution.displacement))
+    {
+        return result;
+    }
+    if (solution.status == SolveStatus::optimal || solution.status == SolveStatus::unbounded)
+    {
+        // 0 <= alpha does not say that 0 can be carried: the live load may be what holds the structure up.
+        const ConeSolution resting = solveInteriorPoint(dead, settings);
+        result.iterations += resting.iterations;
+        if (resting.status == SolveStatus::infeasible && unstable(resting.displacement))
+        {
+            return result;
+        }
+        if (resting.status == SolveStatus::notConverged)
+        {
+            return result;
+        }
+    }
+    result.certificate = certify(program, solution);
+    result.contactForce = solution.contactForce;
+    switch (solution.status)
+    {
+    case SolveStatus::optimal:
+        result.status = CollapseStatus::optimal;
+        result.alpha = solution.multiplier;
+        result.mechanism = normalised(solution.displacement);
+        break;
+    case SolveStatus::unbounded:
+        result.status = CollapseStatus::unbounded;
+        break;
+    case SolveStatus::infeasible:
+    case SolveStatus::notConverged:
+        result.status = CollapseStatus::notConverged;
+        result.mechanism = normalised(solution.displacement);
+        break;
+    }
+    return result;
+}
+
+} // namespace drystone

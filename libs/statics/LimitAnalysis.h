@@ -1,0 +1,43 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Limit analysis: the load at which a structure of rigid blocks becomes a mechanism.
+#pragma once
+
+#include "assembly/Equilibrium.h"
+#include "assembly/Loads.h"
+#include "conic/Certificate.h"
+#include "conic/InteriorPoint.h"
+
+namespace drystone
+{
+
+/// The program of Portioli & Cascini 2017, eq. 10: max alpha with A0 c = fD + alpha fL and |t| <= mu n.
+/// \param friction mu of each contact point \param loads dead and live, 3 rows a free block
+PlaneConeProgram limitAnalysisProgram(int freeBlocks, const std::vector<ContactColumns<2>>& columns,
+                                      const std::vector<double>& friction, const LoadVectors& loads);
+
+/// What a structure does under dead + alpha live load.
+enum class CollapseStatus
+{
+    optimal = 0,     ///< it collapses at alpha
+    unstable = 1,    ///< it cannot carry the dead load
+    unbounded = 2,   ///< no load of this direction makes it collapse
+    notConverged = 3 ///< the solver did not reach its tolerance: there is no answer
+};
+
+struct LimitAnalysis
+{
+    CollapseStatus status = CollapseStatus::notConverged;
+    double alpha = 0;             ///< collapse load multiplier, for `optimal`
+    Eigen::VectorXd contactForce; ///< (n, t) of each contact point at collapse [N]; zero for `unstable`
+    Eigen::VectorXd mechanism;    ///< (ux uy rz) of each free block, largest entry 1; zero for `unbounded`
+    Certificate certificate;      ///< of what the status claims
+    int iterations = 0;           ///< of the solver, all programs together
+    int variables = 0;            ///< forces and the multiplier
+};
+
+/// Solves the program and checks the dead load by itself: the multipliers that a structure can carry are an interval,
+/// and `optimal` means that 0 lies in it and alpha is its upper end. `unstable` carries a mechanism that the dead load
+/// alone sets going, `unbounded` contact forces that balance the live load alone; both are verified by Certificate.h.
+LimitAnalysis solveLimitAnalysis(const PlaneConeProgram& program, const InteriorPointSettings& settings = {});
+
+} // namespace drystone
