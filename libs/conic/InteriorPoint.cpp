@@ -58,7 +58,7 @@ public:
     int factorisations() const { return factorisations_; }
 
 private:
-    void start();
+    bool start();
     void computeResiduals();
     bool factorise();
     void solveNewton(const VectorXd& complementarity, double reduction, Iterate& step);
@@ -222,24 +222,64 @@ void InteriorPoint::solveNewton(const VectorXd& complementarity, double reductio
     step.z = reduction * residuals_.opening - rayWork_;
 }
 
-/// Forces as large as the largest load and openings of order one. Mehrotra's least-squares start costs a factorisation
-/// and saves none on these problems.
-void InteriorPoint::start()
+/// Mehrotra's start: the least forces that balance the load, and the least openings that are compatible, both pushed
+/// inside their cones by as much as they lie outside and then apart until neither is out of proportion to the other.
+bool InteriorPoint::start()
 {
     const int rays = rays_.rayCount();
     at_.s = VectorXd::Ones(rays);
     at_.z = VectorXd::Ones(rays);
     at_.y = VectorXd::Zero(rays_.load.size());
     at_.alpha = 0;
+    if (rays == 0)
+    {
+        return true;
+    }
+    // With s = z = 1, one Newton step without complementarity: B B' dy = f + ..., s = B' dy.
+    if (!factorise())
+    {
+        return false;
+    }
+    VectorXd forces = rays_.load;
+    solveSchur(forces);
+    if (rays_.hasMultiplier())
+    {
+        // alpha that makes the forces least: L'(B B')^-1 (f + alpha L) = 0
+        at_.alpha = -rays_.liveLoad.dot(forces) / liveStiffness_;
+        forces += at_.alpha * liveSolution_;
+        at_.y = (rays_.liveWork / liveStiffness_) * liveSolution_;
+    }
+    applyRaysTransposed(rays_, forces, at_.s);
+    if (rays_.gap.lpNorm<Eigen::Infinity>() > 0)
+    {
+        rowWork_.setZero(rays_.load.size());
+        addRays(rays_, rays_.gap, rowWork_);
+        solveSchur(rowWork_);
+        at_.y += rowWork_;
+    }
+    applyRaysTransposed(rays_, at_.y, rayWork_);
+    at_.z = rays_.gap - rayWork_;
+
+    at_.s.array() += std::max(0.0, -1.5 * at_.s.minCoeff());
+    at_.z.array() += std::max(0.0, -1.5 * at_.z.minCoeff());
+    const double product = at_.s.dot(at_.z);
+    const double sSum = at_.s.sum();
+    const double zSum = at_.z.sum();
+    at_.s.array() += std::max(zSum > 0 ? 0.5 * product / zSum : 0, 1e-2);
+    at_.z.array() += std::max(sSum > 0 ? 0.5 * product / sSum : 0, 1e-2);
+    return true;
 }
 
 bool InteriorPoint::run()
 {
-    start();
     Iterate step;
     Iterate trial;
     VectorXd target;
     delta_ = proximal;
+    if (!start())
+    {
+        return false;
+    }
     for (iterations_ = 0; iterations_ <= settings_.maximumIterations; ++iterations_)
     {
         computeResiduals();

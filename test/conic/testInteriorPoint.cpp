@@ -1,0 +1,178 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The cone program on problems small enough to solve by hand, and the linear algebra under it.
+#include "conic/Certificate.h"
+#include "conic/InteriorPoint.h"
+#include "conic/SchurSystem.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Dense>
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+using namespace drystone;
+
+namespace
+{
+
+/// One body of unit weight on the ground, standing on two points at x = -1/2 and x = 1/2, its centroid at height h.
+PlaneConeProgram standingBlock(double mu, double height)
+{
+    PlaneConeProgram program;
+    program.bodies = 1;
+    for (const double x : {-0.5, 0.5})
+    {
+        ConeColumns<3, 2> columns;
+        columns.first = 0;
+        // Force (n, t) on the body along (0 1), (1 0) at (x, -height) from the centroid; A carries it with a minus.
+        columns.onFirst << 0, -1, -1, 0, -x, -height;
+        program.contacts.push_back(columns);
+        program.friction.push_back(mu);
+    }
+    program.load = Eigen::Vector3d(0, -1, 0);
+    program.liveLoad = Eigen::Vector3d(1, 0, 0);
+    return program;
+}
+
+} // namespace
+
+TEST(InteriorPoint, OverturnsASlenderBlockAndSlidesASquatOne)
+{
+    const ConeSolution slender = solveInteriorPoint(standingBlock(0.65, 1));
+    EXPECT_EQ(slender.status, SolveStatus::optimal);
+    EXPECT_NEAR(slender.multiplier, 0.5, 1e-9);
+    const ConeSolution squat = solveInteriorPoint(standingBlock(0.3, 1));
+    EXPECT_NEAR(squat.multiplier, 0.3, 1e-9);
+}
+
+TEST(InteriorPoint, SolvesATimeStepOfABlockInTheAir)
+{
+    PlaneConeProgram program = standingBlock(0.65, 1);
+    program.liveLoad.resize(0);
+    program.inertia.assign(1, Eigen::Vector3d(1e6, 1e6, 2e5).asDiagonal().toDenseMatrix());
+    program.gap = Eigen::Vector4d(0.1, 0, 0.1, 0);
+    const ConeSolution falling = solveInteriorPoint(program);
+    EXPECT_EQ(falling.status, SolveStatus::optimal);
+    EXPECT_NEAR(falling.displacement[1], -1e-6, 1e-14);
+    EXPECT_NEAR(falling.contactForce.norm(), 0, 1e-8);
+}
+
+TEST(InteriorPoint, HoldsABlockThatLiesOnTheGround)
+{
+    PlaneConeProgram program = standingBlock(0.65, 1);
+    program.liveLoad.resize(0);
+    program.load[0] = 0.2;
+    program.inertia.assign(1, Eigen::Vector3d(1e6, 1e6, 2e5).asDiagonal().toDenseMatrix());
+    const ConeSolution resting = solveInteriorPoint(program);
+    EXPECT_EQ(resting.status, SolveStatus::optimal);
+    EXPECT_LE(resting.displacement.norm(), 1e-14);
+    EXPECT_NEAR(resting.contactForce[0] + resting.contactForce[2], 1, 1e-8);
+}
+
+TEST(InteriorPoint, ProvesThatABlockInTheAirCannotBeHeld)
+{
+    PlaneConeProgram program = standingBlock(0.65, 1);
+    program.load[1] = 1; // upwards
+    const ConeSolution solution = solveInteriorPoint(program);
+    ASSERT_EQ(solution.status, SolveStatus::infeasible);
+    EXPECT_GT(program.load.dot(solution.displacement), 0);
+}
+
+TEST(InteriorPoint, ProvesThatPressingNeverBreaks)
+{
+    PlaneConeProgram program = standingBlock(0.65, 1);
+    program.liveLoad = Eigen::Vector3d(0, -1, 0);
+    const ConeSolution solution = solveInteriorPoint(program);
+    ASSERT_EQ(solution.status, SolveStatus::unbounded);
+    EXPECT_NEAR(solution.contactForce[0] + solution.contactForce[2], 1, 1e-9);
+}
+
+TEST(InteriorPoint, NamesABodyThatNothingTouches)
+{
+    PlaneConeProgram program = standingBlock(0.65, 1);
+    program.bodies = 2;
+    program.load.conservativeResize(6);
+    program.load.tail<3>() = Eigen::Vector3d(0, -1, 0);
+    program.liveLoad.conservativeResize(6);
+    program.liveLoad.tail<3>() = Eigen::Vector3d(1, 0, 0);
+    const ConeSolution solution = solveInteriorPoint(program);
+    ASSERT_EQ(solution.status, SolveStatus::infeasible);
+    EXPECT_LT(solution.displacement[4], 0); // the second body falls
+}
+
+TEST(Certificate, TellsAWrongAnswer)
+{
+    const PlaneConeProgram program = standingBlock(0.65, 1);
+    ConeSolution solution = solveInteriorPoint(program);
+    EXPECT_LE(certifyOptimal(program, solution).worst(), 1e-9);
+    ConeSolution wrong = solution;
+    wrong.multiplier *= 1 + 1e-6;
+    EXPECT_GT(certifyOptimal(program, wrong).worst(), 1e-7);
+    wrong = solution;
+    wrong.contactForce[0] = -1e-3;
+    EXPECT_GT(certifyOptimal(program, wrong).primalResidual, 1e-4);
+    wrong = solution;
+    wrong.displacement *= 1.001;
+    EXPECT_GT(certifyOptimal(program, wrong).dualResidual, 1e-4);
+    wrong = solution;
+    wrong.displacement[0] = std::nan("");
+    EXPECT_FALSE(certifyOptimal(program, wrong).worst() <= 1);
+}
+
+TEST(Certificate, RefusesRaysThatProveNothing)
+{
+    PlaneConeProgram program = standingBlock(0.65, 1);
+    EXPECT_FALSE(certifyInfeasible<3>(program, Eigen::Vector3d(0, -1, 0)).worst() < 1); // into the ground
+    EXPECT_FALSE(certifyInfeasible<3>(program, Eigen::Vector3d(0, 1, 0)).worst() < 1);  // against the load
+    EXPECT_FALSE(certifyUnbounded<3>(program, Eigen::Vector4d(1, 1, 1, 1)).worst() < 1e-3);
+}
+
+TEST(SchurSystem, SolvesRandomBlockSystemsWithEitherFactor)
+{
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    for (const int bodies : {1, 2, 7, 60})
+    {
+        std::vector<Coupling> couplings;
+        for (int body = 1; body < bodies; ++body)
+        {
+            couplings.push_back({body - 1, body});
+            couplings.push_back({static_cast<int>(random() % body), body});
+        }
+        SchurSystem<3> system(bodies, couplings);
+        Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(3 * bodies, 3 * bodies);
+        system.setZero();
+        for (int body = 0; body < bodies; ++body)
+        {
+            system.diagonal(body).diagonal().setConstant(9);
+            dense.diagonal().segment<3>(3 * body).setConstant(9);
+        }
+        for (const Coupling& pair : couplings)
+        {
+            Eigen::Matrix3d block;
+            for (double& entry : block.reshaped())
+            {
+                entry = uniform(random) / bodies;
+            }
+            system.coupling(system.slot(pair[0], pair[1])) += block;
+            const int late = std::max(pair[0], pair[1]);
+            const int early = std::min(pair[0], pair[1]);
+            dense.block<3, 3>(3 * late, 3 * early) += block;
+            dense.block<3, 3>(3 * early, 3 * late) += block.transpose();
+        }
+        ASSERT_TRUE(system.factorise());
+        Eigen::VectorXd x = Eigen::VectorXd::Random(3 * bodies);
+        const Eigen::VectorXd right = x;
+        system.solve(x);
+        EXPECT_LE((dense * x - right).norm(), 1e-12 * right.norm());
+    }
+}
+
+TEST(SchurSystem, RefusesAMatrixThatIsNotPositiveDefinite)
+{
+    SchurSystem<3> system(1, {});
+    system.setZero();
+    system.diagonal(0).diagonal() << 1, -1, 1;
+    EXPECT_FALSE(system.factorise());
+}

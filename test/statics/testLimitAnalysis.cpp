@@ -1,0 +1,434 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Limit analysis against published and closed-form multipliers; each answer's certificate is computed by
+/// conic/Certificate.h from the problem data, not by the solver.
+#include "assembly/Equilibrium.h"
+#include "statics/LimitAnalysis.h"
+#include "texture/Arch.h"
+#include "texture/RunningBond.h"
+#include "texture/Supports.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+using namespace drystone;
+
+namespace
+{
+
+/// A structure with what limit analysis needs of it.
+struct Structure
+{
+    Assembly<2> assembly;
+    std::vector<BlockMass<2>> masses;
+    std::vector<ContactPoint<2>> points;
+    std::vector<double> weights; ///< of all blocks, for unit weight 1000 N/m3
+
+    explicit Structure(Assembly<2> built) : assembly(std::move(built))
+    {
+        masses = blockMasses(assembly);
+        points = findContactPoints(assembly);
+        for (const auto& mass : masses)
+        {
+            weights.push_back(1000 * mass.volume);
+        }
+    }
+
+    int freeBlocks() const
+    {
+        int count = 0;
+        for (const auto& block : assembly.blocks)
+        {
+            count += block.support < 0;
+        }
+        return count;
+    }
+
+    /// Dead load down, live load the blocks' own weights along (1 0).
+    LoadVectors weightLoads(double unit = 1) const
+    {
+        const Vector<2> down(0, -unit);
+        return {gravityLoad(assembly, weights, down), inertialLoad(assembly, weights, down, {1, 0})};
+    }
+
+    PlaneConeProgram program(double mu, const LoadVectors& loads) const
+    {
+        return limitAnalysisProgram(freeBlocks(), equilibriumColumns(assembly, masses, points),
+                                    std::vector<double>(points.size(), mu), loads);
+    }
+};
+
+struct Wall
+{
+    RunningBond bond;
+    int blocks;
+    int points;
+    double alpha;
+};
+
+/// Table 1 of Portioli, Cascini & Landolfo 2017; multipliers to six digits from two LP codes.
+std::vector<Wall> paperWalls()
+{
+    const auto wall = [](double length, int courses, FirstCourse first, std::vector<Opening> openings)
+    {
+        RunningBond bond;
+        bond.length = length;
+        bond.courses = courses;
+        bond.firstCourse = first;
+        bond.openings = std::move(openings);
+        return bond;
+    };
+    using enum FirstCourse;
+    return {
+        {wall(5, 6, half, {}), 33, 174, 0.642859},
+        {wall(5, 10, half, {}), 55, 290, 0.579999},
+        {wall(4, 11, full, {{{1.5, 3}, {2.5, 8}}}), 46, 212, 0.403694},
+        {wall(5, 11, half, {{{1, 3}, {2, 8}}, {{3, 3}, {4, 8}}}), 55, 240, 0.331948},
+        {wall(3, 19, half, {{{1, 3}, {2, 8}}, {{1, 11}, {2, 16}}}), 61, 244, 0.239643},
+        {wall(7, 21, half,
+              {{{1.5, 4}, {2.5, 9}}, {{4.5, 4}, {5.5, 9}}, {{1.5, 12}, {2.5, 17}}, {{4.5, 12}, {5.5, 17}}}),
+         146, 702, 0.347825},
+    };
+}
+
+Structure standing(const RunningBond& bond)
+{
+    Assembly<2> assembly = makeAssembly(bond);
+    Ground ground;
+    ground.segment = 0.5 * bond.unit.x();
+    addGround(assembly, "ground", ground);
+    return Structure(std::move(assembly));
+}
+
+/// The structure seen from behind: x reversed.
+Assembly<2> mirrored(Assembly<2> assembly)
+{
+    for (auto& block : assembly.blocks)
+    {
+        for (auto& vertex : block.outline)
+        {
+            vertex.x() = -vertex.x();
+        }
+        std::reverse(block.outline.begin(), block.outline.end());
+    }
+    return assembly;
+}
+
+void expectCertified(const LimitAnalysis& result)
+{
+    EXPECT_LE(result.certificate.primalResidual, 1e-9);
+    EXPECT_LE(result.certificate.dualResidual, 1e-9);
+    EXPECT_LE(result.certificate.gap, 1e-9);
+}
+
+double multiplierOf(const PlaneConeProgram& program)
+{
+    const LimitAnalysis result = solveLimitAnalysis(program);
+    EXPECT_EQ(result.status, CollapseStatus::optimal);
+    expectCertified(result);
+    return result.alpha;
+}
+
+double archMultiplier(double thickness, double mu, const Vector<2>& down)
+{
+    Arch arch;
+    arch.thickness = thickness;
+    const Structure structure(makeAssembly(arch));
+    const LoadVectors loads{gravityLoad(structure.assembly, structure.weights, down),
+                            inertialLoad(structure.assembly, structure.weights, {0, -1}, {1, 0})};
+    const LimitAnalysis result = solveLimitAnalysis(structure.program(mu, loads));
+    EXPECT_NE(result.status, CollapseStatus::notConverged);
+    return result.status == CollapseStatus::optimal ? result.alpha : -1;
+}
+
+/// Least thickness/radius at which the 27-voussoir arch stands under its own weight, to 1e-6.
+double leastArchThickness(double mu)
+{
+    double falls = 0.08;
+    double stands = 0.25;
+    while (stands - falls > 1e-6)
+    {
+        const double middle = (falls + stands) / 2;
+        (archMultiplier(middle, mu, {0, -1}) >= 0 ? stands : falls) = middle;
+    }
+    return stands;
+}
+
+Block<2> rectangle(double x0, double y0, double x1, double y1, int support = -1)
+{
+    return {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, 1, support};
+}
+
+} // namespace
+
+TEST(LimitAnalysis, GivesTheMultipliersAndCountsOfThePaperForItsSixWalls)
+{
+    for (const Wall& wall : paperWalls())
+    {
+        const Structure structure = standing(wall.bond);
+        EXPECT_EQ(structure.freeBlocks(), wall.blocks);
+        EXPECT_EQ(static_cast<int>(structure.points.size()), wall.points);
+        EXPECT_NEAR(multiplierOf(structure.program(0.65, structure.weightLoads())), wall.alpha, 1e-6);
+    }
+}
+
+TEST(LimitAnalysis, IsTheSameForAMirroredWallPushedTheOtherWay)
+{
+    for (const Wall& wall : paperWalls())
+    {
+        const Structure structure = standing(wall.bond);
+        const Structure mirror(mirrored(structure.assembly));
+        LoadVectors loads = mirror.weightLoads();
+        for (int block = 0; block < mirror.freeBlocks(); ++block)
+        {
+            loads.live[3 * block] *= -1;
+        }
+        EXPECT_NEAR(multiplierOf(mirror.program(0.65, loads)),
+                    multiplierOf(structure.program(0.65, structure.weightLoads())), 1e-9);
+    }
+}
+
+TEST(LimitAnalysis, DoesNotDependOnTheUnitOfLoads)
+{
+    for (const Wall& wall : paperWalls())
+    {
+        const Structure structure = standing(wall.bond);
+        const double reference = multiplierOf(structure.program(0.65, structure.weightLoads()));
+        for (const double unit : {1e-6, 1e-3, 1e3, 1e6})
+        {
+            EXPECT_NEAR(multiplierOf(structure.program(0.65, structure.weightLoads(unit))) / reference, 1, 1e-9)
+                << "loads times " << unit;
+        }
+    }
+}
+
+TEST(LimitAnalysis, OfAMonolithIsTheLesserOfFrictionAndSlenderness)
+{
+    for (const double mu : {0.1, 0.24, 0.26, 0.65, 3.0})
+    {
+        Assembly<2> assembly;
+        assembly.supports = {{"ground", "ground"}};
+        assembly.blocks = {rectangle(0, 0, 0.5, 2), rectangle(-1, -1, 2, 0, 0)};
+        const Structure structure(std::move(assembly));
+        EXPECT_NEAR(multiplierOf(structure.program(mu, structure.weightLoads())), std::min(mu, 0.25), 1e-9);
+    }
+}
+
+TEST(LimitAnalysis, OfAFrictionlessWallIsZero)
+{
+    const Structure structure = standing(paperWalls()[0].bond);
+    EXPECT_NEAR(multiplierOf(structure.program(0, structure.weightLoads())), 0, 1e-9);
+}
+
+TEST(LimitAnalysis, FindsTheLeastThicknessOfASemicircularArch)
+{
+    // 27 trapezoids; without sliding 0.106721, of many voussoirs 0.10748 (Milankovitch).
+    EXPECT_NEAR(leastArchThickness(100), 0.106721, 1e-4);
+    EXPECT_NEAR(leastArchThickness(0.395), 0.106721, 1e-4);
+    EXPECT_NEAR(leastArchThickness(0.38), 0.12055, 1e-4);
+    EXPECT_NEAR(leastArchThickness(0.34), 0.16116, 1e-4);
+    EXPECT_LT(archMultiplier(0.25, 0.305, {0, -1}), 0);
+}
+
+TEST(LimitAnalysis, TiltsAnArchToTheKnownAngle)
+{
+    // On a base tilted by an angle of tangent alpha, weights have the horizontal part alpha times the vertical one.
+    EXPECT_NEAR(archMultiplier(0.15, 100, {0, -1}), 0.14510, 1e-4);
+}
+
+TEST(LimitAnalysis, FindsTheForceOnTheExtradosThatBreaksAnArch)
+{
+    Arch arch;
+    arch.voussoirs = 28;
+    const Structure structure(makeAssembly(arch));
+    LoadVectors loads = structure.weightLoads();
+    // The point of the extrados at x = -R/2: on the straight outer edge of the voussoir there.
+    const double step = std::numbers::pi / 28;
+    const double outer = 1.075;
+    double y = 0;
+    for (int k = 0; k < 28; ++k)
+    {
+        const Vector<2> right(outer * std::cos(k * step), outer * std::sin(k * step));
+        const Vector<2> left(outer * std::cos((k + 1) * step), outer * std::sin((k + 1) * step));
+        if (left.x() <= -0.5 && -0.5 < right.x())
+        {
+            y = right.y() + (left.y() - right.y()) * (-0.5 - right.x()) / (left.x() - right.x());
+        }
+    }
+    const Vector<2> at(-0.5, y);
+    const auto block = findLoadedBlock(structure.assembly, at, 1e-9);
+    ASSERT_TRUE(block.has_value());
+    loads.live = pointLoad(structure.assembly, *block, at, {0, -1});
+    double weight = 0;
+    for (std::size_t i = 0; i < structure.weights.size(); ++i)
+    {
+        weight += structure.assembly.blocks[i].support < 0 ? structure.weights[i] : 0;
+    }
+    EXPECT_NEAR(multiplierOf(structure.program(100, loads)) / weight, 0.22696, 1e-4);
+}
+
+TEST(LimitAnalysis, KnowsWhichHarmonicStackStands)
+{
+    // n = 4 bricks of length 1 overhang by (1 + 1/2 + 1/3 + 1/4)/2 = 1.0416667 at most.
+    const auto stack = [](double factor)
+    {
+        constexpr int bricks = 4;
+        Assembly<2> assembly;
+        assembly.supports = {{"table", "blocks"}};
+        assembly.blocks.push_back(rectangle(-3, -1, 0, 0, 0));
+        double end = 0;
+        for (int brick = 0; brick < bricks; ++brick)
+        {
+            end += factor * 0.5 / (bricks - brick);
+            assembly.blocks.push_back(rectangle(end - 1, 0.2 * brick, end, 0.2 * (brick + 1)));
+        }
+        EXPECT_NEAR(end, factor * 1.0416667, 1e-7);
+        const Structure structure(std::move(assembly));
+        return solveLimitAnalysis(structure.program(0.65, structure.weightLoads()));
+    };
+    const LimitAnalysis stands = stack(1 - 1e-6);
+    EXPECT_EQ(stands.status, CollapseStatus::optimal);
+    EXPECT_GT(stands.alpha, 0);
+    expectCertified(stands);
+    const LimitAnalysis falls = stack(1 + 1e-6);
+    EXPECT_EQ(falls.status, CollapseStatus::unstable);
+    EXPECT_GT(falls.mechanism.norm(), 0);
+    expectCertified(falls);
+}
+
+TEST(LimitAnalysis, SaysWhenTheLiveLoadNeverBreaksTheStructure)
+{
+    const Structure structure = standing(paperWalls()[0].bond);
+    LoadVectors loads = structure.weightLoads();
+    loads.live = loads.dead;
+    const LimitAnalysis result = solveLimitAnalysis(structure.program(0.65, loads));
+    EXPECT_EQ(result.status, CollapseStatus::unbounded);
+    expectCertified(result);
+}
+
+TEST(LimitAnalysis, SaysWhenTheDeadLoadCannotBeCarriedThoughALiveLoadWouldHoldItUp)
+{
+    const Structure structure = standing(paperWalls()[0].bond);
+    LoadVectors loads = structure.weightLoads();
+    loads.dead += 0.7 * loads.live;
+    loads.live *= -1;
+    const LimitAnalysis result = solveLimitAnalysis(structure.program(0.65, loads));
+    EXPECT_EQ(result.status, CollapseStatus::unstable);
+    expectCertified(result);
+}
+
+namespace
+{
+
+/// A keystone of weight W with faces at an angle beta to the vertical, between two fixed springers. The live load lifts
+/// or presses it, so that the multipliers give the range of the normal force N on a face: W/2 = N (sin b +- mu cos b).
+struct Keystone
+{
+    Structure structure;
+    double weight;
+};
+
+Keystone keystone(double beta)
+{
+    const double tangent = std::tan(beta);
+    Assembly<2> assembly;
+    assembly.supports = {{"springers", "blocks"}};
+    const double lower = 0.5;
+    const double upper = lower + tangent;
+    assembly.blocks.push_back({{{-lower, 0}, {lower, 0}, {upper, 1}, {-upper, 1}}, 1, -1});
+    assembly.blocks.push_back({{{lower, 0}, {3, 0}, {3, 1}, {upper, 1}}, 1, 0});
+    assembly.blocks.push_back({{{-3, 0}, {-lower, 0}, {-upper, 1}, {-3, 1}}, 1, 0});
+    Structure structure(std::move(assembly));
+    const double weight = structure.weights[0];
+    return {std::move(structure), weight};
+}
+
+} // namespace
+
+TEST(LimitAnalysis, BoundsTheForceOnAKeystone)
+{
+    // The thrust is found by loosening one springer: a free springer pushed by the live load along its face's normal
+    // slides on nothing, so alpha is the largest and (pulled) the smallest normal force that the keystone can resist.
+    const double beta = 0.4;
+    for (const double mu : {0.1, 0.3})
+    {
+        Keystone stone = keystone(beta);
+        PlaneConeProgram program = stone.structure.program(mu, stone.structure.weightLoads());
+        // Cut the right joint: its force on the keystone becomes the live load N (direction of the joint's normal, with
+        // full friction up or down), the left joint stays.
+        const double mean = stone.weight / 2;
+        const double least = mean / (std::sin(beta) + mu * std::cos(beta));
+        const double most = mean / (std::sin(beta) - mu * std::cos(beta));
+        const auto extreme = [&](double sign)
+        {
+            // max sign * (sum of normal forces on the right face): a multiplier that adds to the force balance nothing
+            // but is counted by it. Written with an auxiliary body: a plate between keystone and springer.
+            Assembly<2> assembly = stone.structure.assembly;
+            const double tangent = std::tan(beta);
+            const Vector<2> normal(std::cos(beta), -std::sin(beta)); // out of the keystone's right face
+            const double lower = 0.5;
+            Block<2> plate{{{lower, 0}, Vector<2>(lower, 0) + 0.1 * normal,
+                            Vector<2>(lower + tangent, 1) + 0.1 * normal, {lower + tangent, 1}},
+                           1,
+                           -1};
+            assembly.blocks[1] = plate;
+            Structure cut(std::move(assembly));
+            LoadVectors loads;
+            loads.dead = Eigen::VectorXd::Zero(6);
+            loads.dead[1] = -stone.weight;
+            loads.live = Eigen::VectorXd::Zero(6);
+            PlaneConeProgram part = cut.program(mu, loads);
+            // The plate is held against turning and against sliding along the face by frictionless stops ...
+            const Vector<2> along(normal.y() < 0 ? -normal.y() : normal.y(), normal.x());
+            for (const double side : {1.0, -1.0})
+            {
+                for (const double lever : {1.0, -1.0})
+                {
+                    ConeColumns<3, 2> stop;
+                    stop.first = 1;
+                    stop.onFirst.col(0) << -side * along.x(), -side * along.y(), -lever;
+                    part.contacts.push_back(stop);
+                    part.friction.push_back(0);
+                }
+            }
+            // ... and pressed by a force of 10 W, from which the live load takes or to which it adds.
+            const double pressed = sign > 0 ? mean / std::sin(beta) : mean / std::sin(beta);
+            part.load.segment<2>(3) = -pressed * normal;
+            part.liveLoad = Eigen::VectorXd::Zero(6);
+            part.liveLoad.segment<2>(3) = -sign * stone.weight * normal;
+            const LimitAnalysis result = solveLimitAnalysis(part);
+            EXPECT_EQ(result.status, CollapseStatus::optimal);
+            expectCertified(result);
+            return pressed + sign * result.alpha * stone.weight;
+        };
+        EXPECT_NEAR(extreme(-1), least, 1e-8 * least);
+        EXPECT_NEAR(extreme(1), most, 1e-8 * most);
+    }
+}
+
+TEST(LimitAnalysis, LetsAKeystoneWedgeWithoutBoundWhenFrictionExceedsItsTangent)
+{
+    const double beta = 0.4;
+    // Pulled down ever harder, the keystone holds when mu > tan b and fails when mu < tan b.
+    for (const double mu : {std::tan(beta) * 1.001, std::tan(beta) * 0.999})
+    {
+        const Keystone stone = keystone(beta);
+        LoadVectors loads = stone.structure.weightLoads();
+        loads.live = -loads.dead; // lifted: only friction holds it
+        const LimitAnalysis result = solveLimitAnalysis(stone.structure.program(mu, loads));
+        EXPECT_EQ(result.status, mu > std::tan(beta) ? CollapseStatus::unbounded : CollapseStatus::optimal);
+        expectCertified(result);
+    }
+}
+
+TEST(LimitAnalysis, StatesThatItDidNotConvergeRatherThanGiveANumber)
+{
+    const Structure structure = standing(paperWalls()[5].bond);
+    InteriorPointSettings settings;
+    settings.maximumIterations = 3;
+    const LimitAnalysis result
+        = solveLimitAnalysis(structure.program(0.65, structure.weightLoads()), settings);
+    EXPECT_EQ(result.status, CollapseStatus::notConverged);
+    EXPECT_EQ(result.alpha, 0);
+}
