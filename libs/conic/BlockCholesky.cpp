@@ -11,8 +11,8 @@ template<int Rows>
 BlockCholesky<Rows>::BlockCholesky(const std::vector<int>& columnStart, const std::vector<int>& row)
     : size_(static_cast<int>(columnStart.size()) - 1), start_(size_ + 1, 0), place_(size_, -1)
 {
-    // The pattern of column j of L is that of S joined with those of j's children in the elimination tree, less the
-    // children themselves; j's parent is the first row below its diagonal.
+    // The pattern of column j of L is that of S joined with those of j's children in the elimination tree,
+    // less the children themselves; j's parent is the first row below its diagonal.
     std::vector<std::vector<int>> children(size_);
     std::vector<int> mark(size_, -1);
     for (int column = 0; column < size_; ++column)
@@ -164,8 +164,8 @@ void BlockCholesky<Rows>::solve(Eigen::Ref<Eigen::VectorXd> x) const
     for (int column = 0; column < size_; ++column)
     {
         const int begin = start_[column];
-        const Segment value
-            = blocks_[begin].template topRows<Rows>() * x.template segment<Rows>(Rows * column);
+        const Segment value =
+            blocks_[begin].template topRows<Rows>() * x.template segment<Rows>(Rows * column);
         x.template segment<Rows>(Rows * column) = value;
         for (int entry = begin + 1; entry < start_[column + 1]; ++entry)
         {
@@ -182,8 +182,8 @@ void BlockCholesky<Rows>::solve(Eigen::Ref<Eigen::VectorXd> x) const
             value.noalias() -= blocks_[entry].template topRows<Rows>().transpose()
                                * x.template segment<Rows>(Rows * row_[entry]);
         }
-        x.template segment<Rows>(Rows * column).noalias()
-            = blocks_[begin].template topRows<Rows>().transpose() * value;
+        x.template segment<Rows>(Rows * column).noalias() =
+            blocks_[begin].template topRows<Rows>().transpose() * value;
     }
 }
 

@@ -12,8 +12,8 @@ namespace drystone
 namespace
 {
 
-/// The gap of a multiplier is relative to the multiplier itself, but for one so small that the live load is below this
-/// share of the dead load: an alpha of exactly zero is an answer too.
+/// The gap of a multiplier is relative to the multiplier itself, but for one so small that the live load is
+/// below this share of the dead load: an alpha of exactly zero is an answer too.
 constexpr double smallMultiplier = 1e-3;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -32,7 +32,8 @@ double relative(double value, double scale)
     return scale > 0 ? value / scale : infinite;
 }
 
-/// Largest |entry| of a vector of body rows, moments divided (or, for displacements, rotations multiplied) by `lever`.
+/// Largest |entry| of a vector of body rows, moments divided (or, for displacements, rotations multiplied) by
+/// `lever`.
 template<int Rows, int Forces>
 double largest(const Eigen::VectorXd& rows, double momentFactor)
 {
@@ -122,15 +123,16 @@ Certificate certifyOptimal(const ConeProgram<Rows, Forces>& program, const ConeS
     Eigen::VectorXd imbalance = inertial + applyEquilibrium(program, c) - program.load;
     double forceScale = largest<Rows, Forces>(program.load, 1 / lever);
     double displacementScale = largest<Rows, Forces>(y, lever);
-    // Objectives: primal 1/2 y'Mbar y + g'c - alpha, dual f'y - 1/2 y'Mbar y; difference = y'Mbar y + g'c - alpha - f'y.
+    // Objectives: primal 1/2 y'Mbar y + g'c - alpha, dual f'y - 1/2 y'Mbar y; difference = y'Mbar y + g'c -
+    // alpha - f'y.
     double difference = inertial.dot(y) - program.load.dot(y);
     double differenceScale = std::max(magnitude(inertial, y), magnitude(program.load, y));
     Certificate certificate;
     if (program.hasMultiplier())
     {
         imbalance -= solution.multiplier * program.liveLoad;
-        forceScale = std::max(forceScale,
-                              std::abs(solution.multiplier) * largest<Rows, Forces>(program.liveLoad, 1 / lever));
+        forceScale = std::max(forceScale, std::abs(solution.multiplier)
+                                              * largest<Rows, Forces>(program.liveLoad, 1 / lever));
         difference -= solution.multiplier;
         differenceScale = std::max({differenceScale, std::abs(solution.multiplier),
                                     smallMultiplier * largest<Rows, Forces>(program.load, 1 / lever)
@@ -141,7 +143,8 @@ Certificate certifyOptimal(const ConeProgram<Rows, Forces>& program, const ConeS
     if (program.gap.size() > 0)
     {
         z += program.gap;
-        displacementScale = std::max(displacementScale, program.gap.size() > 0 ? program.gap.cwiseAbs().maxCoeff() : 0);
+        displacementScale =
+            std::max(displacementScale, program.gap.size() > 0 ? program.gap.cwiseAbs().maxCoeff() : 0);
         difference += program.gap.dot(c);
         differenceScale = std::max(differenceScale, magnitude(program.gap, c));
     }
@@ -150,22 +153,23 @@ Certificate certifyOptimal(const ConeProgram<Rows, Forces>& program, const ConeS
         // How far the loads would carry free bodies: the measure of a displacement when nothing moves.
         for (int body = 0; body < program.bodies; ++body)
         {
-            const Eigen::VectorXd fall
-                = program.inertia[body].ldlt().solve(program.load.template segment<Rows>(Rows * body));
+            const Eigen::VectorXd fall =
+                program.inertia[body].ldlt().solve(program.load.template segment<Rows>(Rows * body));
             displacementScale = std::max(displacementScale, largest<Rows, Forces>(fall, lever));
         }
         differenceScale = std::max(differenceScale, forceScale * displacementScale);
     }
     certificate.primalResidual = std::max(relative(largest<Rows, Forces>(imbalance, 1 / lever), forceScale),
                                           relative(coneViolation(program, c), forceScale));
-    certificate.dualResidual
-        = std::max(certificate.dualResidual, relative(dualConeViolation(program, z), displacementScale));
+    certificate.dualResidual =
+        std::max(certificate.dualResidual, relative(dualConeViolation(program, z), displacementScale));
     certificate.gap = relative(std::abs(difference), differenceScale);
     return certificate;
 }
 
 template<int Rows, int Forces>
-Certificate certifyInfeasible(const ConeProgram<Rows, Forces>& program, const Eigen::VectorXd& displacementRay)
+Certificate certifyInfeasible(const ConeProgram<Rows, Forces>& program,
+                              const Eigen::VectorXd& displacementRay)
 {
     const double lever = meanLeverArm(program);
     const double work = program.load.dot(displacementRay);
@@ -177,14 +181,15 @@ Certificate certifyInfeasible(const ConeProgram<Rows, Forces>& program, const Ei
         certificate.gap = infinite;
         return certificate;
     }
-    const double violation
-        = relative(dualConeViolation<Rows, Forces>(program, -applyTransposed(program, displacementRay)),
-                   largest<Rows, Forces>(displacementRay, lever));
+    const double violation =
+        relative(dualConeViolation<Rows, Forces>(program, -applyTransposed(program, displacementRay)),
+                 largest<Rows, Forces>(displacementRay, lever));
     double liveWork = 0;
     if (program.hasMultiplier())
     {
         liveWork = relative(std::abs(program.liveLoad.dot(displacementRay)),
-                            magnitude(program.liveLoad, displacementRay));
+                            largest<Rows, Forces>(program.liveLoad, 1 / lever)
+                                * largest<Rows, Forces>(displacementRay, lever));
     }
     certificate.dualResidual = std::max(violation, liveWork) / share;
     return certificate;

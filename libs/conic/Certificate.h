@@ -7,9 +7,10 @@
 namespace drystone
 {
 
-/// Relative errors of a solution, or of the ray that proves there is none. Each is a maximum over entries, made
-/// dimensionless by the size of what it is compared with, so that units change nothing: forces by the largest load on a
-/// body, moments by that times the mean lever arm of the contact points, displacements by the largest displacement.
+/// Relative errors of a solution, or of the ray that proves there is none. Each is a maximum over entries,
+/// made dimensionless by the size of what it is compared with, so that units change nothing: forces by the
+/// largest load on a body, moments by that times the mean lever arm of the contact points, displacements by
+/// the largest displacement.
 struct Certificate
 {
     double primalResidual = 0; ///< of r + A c = f + alpha L and of |c_t| <= mu c_n
@@ -24,11 +25,12 @@ struct Certificate
 template<int Rows, int Forces>
 Certificate certifyOptimal(const ConeProgram<Rows, Forces>& program, const ConeSolution& solution);
 
-/// Certificate that no contact forces balance f + alpha L for any alpha (Farkas): y with -A' y in the dual cone,
-/// L' y = 0 and f' y > 0, because then y' (A c - alpha L) <= 0 < f' y. `gap` is 0 when f' y is clearly positive and
-/// infinite otherwise; `dualResidual` is relative to f' y.
+/// Certificate that no contact forces balance f + alpha L for any alpha (Farkas): y with -A' y in the dual
+/// cone, L' y = 0 and f' y > 0, because then y' (A c - alpha L) <= 0 < f' y. `gap` is 0 when f' y is clearly
+/// positive and infinite otherwise; `dualResidual` is relative to f' y.
 template<int Rows, int Forces>
-Certificate certifyInfeasible(const ConeProgram<Rows, Forces>& program, const Eigen::VectorXd& displacementRay);
+Certificate certifyInfeasible(const ConeProgram<Rows, Forces>& program,
+                              const Eigen::VectorXd& displacementRay);
 
 /// Certificate that alpha has no bound: c in the cone with A c = L.
 template<int Rows, int Forces>
@@ -38,8 +40,8 @@ Certificate certifyUnbounded(const ConeProgram<Rows, Forces>& program, const Eig
 template<int Rows, int Forces>
 Certificate certify(const ConeProgram<Rows, Forces>& program, const ConeSolution& solution);
 
-/// Mean lever arm of the contact points: root mean square of the moment rows of A over that of its force rows. 1 when
-/// there are no points. Makes moments comparable with forces.
+/// Mean lever arm of the contact points: root mean square of the moment rows of A over that of its force
+/// rows. 1 when there are no points. Makes moments comparable with forces.
 template<int Rows, int Forces>
 double meanLeverArm(const ConeProgram<Rows, Forces>& program);
 

@@ -6,7 +6,8 @@ namespace drystone
 {
 
 template<int Rows, int Forces>
-Eigen::VectorXd applyEquilibrium(const ConeProgram<Rows, Forces>& program, const Eigen::VectorXd& contactForce)
+Eigen::VectorXd applyEquilibrium(const ConeProgram<Rows, Forces>& program,
+                                 const Eigen::VectorXd& contactForce)
 {
     Eigen::VectorXd balanced = Eigen::VectorXd::Zero(Rows * program.bodies);
     for (int point = 0; point < program.points(); ++point)
@@ -39,7 +40,8 @@ Eigen::VectorXd applyTransposed(const ConeProgram<Rows, Forces>& program, const 
         }
         if (columns.second >= 0)
         {
-            change += columns.onSecond.transpose() * displacement.template segment<Rows>(Rows * columns.second);
+            change +=
+                columns.onSecond.transpose() * displacement.template segment<Rows>(Rows * columns.second);
         }
     }
     return closing;
@@ -53,8 +55,8 @@ Eigen::VectorXd applyInertia(const ConeProgram<Rows, Forces>& program, const Eig
     {
         for (int body = 0; body < program.bodies; ++body)
         {
-            force.template segment<Rows>(Rows * body)
-                = program.inertia[body] * displacement.template segment<Rows>(Rows * body);
+            force.template segment<Rows>(Rows * body) =
+                program.inertia[body] * displacement.template segment<Rows>(Rows * body);
         }
     }
     return force;

@@ -9,8 +9,8 @@
 namespace drystone
 {
 
-/// The columns of the equilibrium matrix A that belong to one contact point. They touch the rows of at most two bodies.
-/// Rows: forces, then moments; columns: normal force, then shear.
+/// The columns of the equilibrium matrix A that belong to one contact point. They touch the rows of at most
+/// two bodies. Rows: forces, then moments; columns: normal force, then shear.
 template<int Rows, int Forces>
 struct ConeColumns
 {
@@ -25,13 +25,14 @@ struct ConeColumns
 ///     minimise    1/2 r' Mbar^-1 r + g' c - alpha
 ///     subject to  r + A c = f + alpha L,    |c_t| <= mu c_n at every point
 ///
-/// over the contact forces c (F k), the inertial forces r (R b) and the multiplier alpha. Its multipliers y (R b) are
-/// the displacements of the bodies, and r = Mbar y:
+/// over the contact forces c (F k), the inertial forces r (R b) and the multiplier alpha. Its multipliers y
+/// (R b) are the displacements of the bodies, and r = Mbar y:
 ///
 ///     maximise    f' y - 1/2 y' Mbar y
 ///     subject to  z = g - A' y,    mu |z_t| <= z_n at every point,    L' y = 1
 ///
-/// - limit analysis (Portioli & Cascini 2017, eq. 10): `inertia` empty, so that r = 0; f dead and L live load; y is the
+/// - limit analysis (Portioli & Cascini 2017, eq. 10): `inertia` empty, so that r = 0; f dead and L live
+/// load; y is the
 ///   collapse mechanism, scaled so that the live load does unit work on it;
 /// - time step (eq. 9): `liveLoad` empty, so that there is no alpha; y are the displacements over the step.
 ///
@@ -42,12 +43,13 @@ struct ConeProgram
     using Inertia = Eigen::Matrix<double, Rows, Rows>;
 
     int bodies = 0;
-    std::vector<ConeColumns<Rows, Forces>> contacts; ///< A, by contact point; points of one pair of bodies together
-    std::vector<double> friction;                       ///< mu of each contact point, >= 0
-    Eigen::VectorXd load;                               ///< f, R b
-    Eigen::VectorXd liveLoad;                           ///< L, R b, or empty: no multiplier
-    std::vector<Inertia> inertia;                       ///< Mbar, one symmetric block a body, or empty: r = 0
-    Eigen::VectorXd gap;                                ///< g, F k (normal, tangential ...), or empty: zero
+    std::vector<ConeColumns<Rows, Forces>>
+        contacts;                 ///< A, by contact point; points of one pair of bodies together
+    std::vector<double> friction; ///< mu of each contact point, >= 0
+    Eigen::VectorXd load;         ///< f, R b
+    Eigen::VectorXd liveLoad;     ///< L, R b, or empty: no multiplier
+    std::vector<Inertia> inertia; ///< Mbar, one symmetric block a body, or empty: r = 0
+    Eigen::VectorXd gap;          ///< g, F k (normal, tangential ...), or empty: zero
 
     int points() const { return static_cast<int>(contacts.size()); }
     bool hasMultiplier() const { return liveLoad.size() > 0; }
@@ -66,8 +68,8 @@ enum class SolveStatus
     notConverged ///< neither within the iterations allowed
 };
 
-/// What a solver returns. For `infeasible` the displacement y is a ray: -A' y in the dual cone, L' y = 0, f' y > 0.
-/// For `unbounded` the contact force c is a ray: A c = L, c in the cone.
+/// What a solver returns. For `infeasible` the displacement y is a ray: -A' y in the dual cone, L' y = 0, f'
+/// y > 0. For `unbounded` the contact force c is a ray: A c = L, c in the cone.
 struct ConeSolution
 {
     SolveStatus status = SolveStatus::notConverged;
@@ -80,11 +82,14 @@ struct ConeSolution
 
 /// A c: generalised forces that contact forces balance. \param contactForce F k \return R b
 template<int Rows, int Forces>
-Eigen::VectorXd applyEquilibrium(const ConeProgram<Rows, Forces>& program, const Eigen::VectorXd& contactForce);
+Eigen::VectorXd applyEquilibrium(const ConeProgram<Rows, Forces>& program,
+                                 const Eigen::VectorXd& contactForce);
 
-/// A' y: how much displacements close each point. \param displacement R b \return F k (normal, tangential ...)
+/// A' y: how much displacements close each point. \param displacement R b \return F k (normal, tangential
+/// ...)
 template<int Rows, int Forces>
-Eigen::VectorXd applyTransposed(const ConeProgram<Rows, Forces>& program, const Eigen::VectorXd& displacement);
+Eigen::VectorXd applyTransposed(const ConeProgram<Rows, Forces>& program,
+                                const Eigen::VectorXd& displacement);
 
 /// Mbar y. \return R b; zero when the program has no inertia
 template<int Rows, int Forces>

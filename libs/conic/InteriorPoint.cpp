@@ -14,17 +14,30 @@ namespace
 
 using Eigen::VectorXd;
 
-/// Added to the diagonal of the scaled Schur system: without it the factorisation fails near the optimum, where bodies
-/// of the mechanism are held by nothing but the forces that vanish there. Refinement takes its effect out of the steps.
+/// Added to the diagonal of the scaled Schur system: without it the factorisation fails near the optimum,
+/// where bodies of the mechanism are held by nothing but the forces that vanish there. Refinement takes its
+/// effect out of the steps.
 constexpr double proximal = 1e-9;
 
-/// An iterate, or a step between two: forces s >= 0 on the rays, their openings z >= 0, displacements y, multiplier.
+/// Likewise on the rays: where one presses, s / z grows without limit, and with it the rounding of the
+/// system.
+constexpr double compliance = 1e-12;
+
+/// An iterate, or a step between two: forces s >= 0 on the rays, their openings z >= 0, displacements y,
+/// multiplier.
 struct Iterate
 {
     VectorXd s;
     VectorXd z;
     VectorXd y;
     double alpha = 0;
+};
+
+/// Where to begin.
+enum class Start
+{
+    leastSquares, ///< Mehrotra's: fewest iterations; with `compliance`
+    unit ///< all forces and openings 1, no compliance: slower, but it reaches some that the other does not
 };
 
 /// What the live load does on the displacements: one unit (a mechanism), or nothing (a ray).
@@ -51,19 +64,20 @@ public:
     }
 
     /// Iterates until the scaled residuals meet the tolerance. \return whether they did
-    bool run();
+    bool run(Start from);
 
     const Iterate& iterate() const { return at_; }
     int iterations() const { return iterations_; }
     int factorisations() const { return factorisations_; }
 
 private:
-    bool start();
+    bool start(Start from);
     void computeResiduals();
     bool factorise();
     void solveNewton(const VectorXd& complementarity, double reduction, Iterate& step);
     void solveSchur(VectorXd& x);
     double complementarity() const { return rays_.rayCount() ? at_.s.dot(at_.z) / rays_.rayCount() : 0; }
+    double objectiveSize() const;
     bool converged() const;
     bool diverges() const;
 
@@ -72,10 +86,11 @@ private:
     InteriorPointSettings settings_;
     Iterate at_;
     Residuals residuals_;
-    VectorXd d_;             ///< s / z
-    VectorXd liveSolution_;  ///< S^-1 L
+    VectorXd stiffness_;       ///< z + compliance s
+    VectorXd d_;               ///< s / stiffness
+    VectorXd liveSolution_;    ///< S^-1 L
     double liveStiffness_ = 0; ///< L' S^-1 L
-    double delta_ = 0;
+    double compliance_ = 0;
     int iterations_ = 0;
     int factorisations_ = 0;
     VectorXd rayWork_, rayWork2_, trialRays_, rowWork_, right_, remainder_;
@@ -113,39 +128,57 @@ void InteriorPoint::computeResiduals()
     residuals_.opening = rays_.gap - rayWork_ - at_.z;
 }
 
+/// What the gap is compared with, as in Certificate.h.
+double InteriorPoint::objectiveSize() const
+{
+    return rays_.hasMultiplier() ? std::max(rays_.liveWork * std::max(1e-3, std::abs(at_.alpha)),
+                                            std::abs(rays_.load.dot(at_.y)))
+                                 : 1.0;
+}
+
 bool InteriorPoint::converged() const
 {
     const double tolerance = 0.3 * settings_.tolerance;
     if (!rays_.hasMultiplier() && !rays_.hasInertia() && rays_.gap.isZero(0))
     {
-        return residuals_.balance.lpNorm<Eigen::Infinity>() <= tolerance; // any forces will do: y = 0 completes them
+        return residuals_.balance.lpNorm<Eigen::Infinity>()
+               <= tolerance; // any forces will do: y = 0 completes them
     }
-    const double displacement = std::max({at_.y.lpNorm<Eigen::Infinity>(), rays_.gap.lpNorm<Eigen::Infinity>(),
-                                          rays_.hasInertia() ? 1.0 : 0.0});
+    const double displacement =
+        std::max({at_.y.lpNorm<Eigen::Infinity>(), rays_.gap.lpNorm<Eigen::Infinity>(),
+                  rays_.hasInertia() ? 1.0 : 0.0});
     const double force = std::max(1.0, std::abs(at_.alpha));
-    const double objective = rays_.hasMultiplier() ? std::max(rays_.liveWork * std::max(1e-3, std::abs(at_.alpha)), std::abs(rays_.load.dot(at_.y))) : 1.0;
     return residuals_.balance.lpNorm<Eigen::Infinity>() <= tolerance * force
            && residuals_.opening.lpNorm<Eigen::Infinity>() <= tolerance * displacement
-           && std::abs(residuals_.work) <= tolerance * std::max(1.0, rays_.liveWork) && at_.s.dot(at_.z) <= tolerance * objective;
+           && std::abs(residuals_.work) <= tolerance * std::max(1.0, rays_.liveWork)
+           && at_.s.dot(at_.z) <= tolerance * objectiveSize();
 }
 
-/// Without a solution the iterates run off along a ray; that ray is then found, and proved, by a program of its own.
+/// Without a solution the iterates run off along a ray; that ray is then found, and proved, by a program of
+/// its own.
 bool InteriorPoint::diverges() const
 {
-    constexpr double far = 1e9;
+    constexpr double far = 1e13;
     return std::abs(at_.alpha) > far || at_.y.lpNorm<Eigen::Infinity>() > far
            || at_.s.lpNorm<Eigen::Infinity>() > far * std::max(1.0, std::abs(at_.alpha));
 }
 
 bool InteriorPoint::factorise()
 {
-    d_ = at_.s.cwiseQuotient(at_.z);
-    assembleSchur(rays_, d_, delta_, system_);
-    ++factorisations_;
-    if (!system_.factorise())
+    stiffness_ = at_.z + compliance_ * at_.s;
+    d_ = at_.s.cwiseQuotient(stiffness_);
+    // Cancellation may make a pivot negative: then each is raised by what rounding may have taken from it.
+    double rounding = 0;
+    do
     {
-        return false;
-    }
+        if (rounding > 1e-6)
+        {
+            return false;
+        }
+        assembleSchur(rays_, d_, proximal, rounding, system_);
+        ++factorisations_;
+        rounding = rounding == 0 ? 1e-15 : 10 * rounding;
+    } while (!system_.factorise());
     if (rays_.hasMultiplier())
     {
         liveSolution_ = rays_.liveLoad;
@@ -160,12 +193,14 @@ void InteriorPoint::solveSchur(VectorXd& x)
     system_.solve(x.head(3 * rays_.bodies));
 }
 
-/// Newton's equations, with R the fraction (`reduction`) of the residuals to remove and c the wished change of s z:
-///     M dy + B ds - L da = R balance,  B'dy + dz = R opening,  L'dy = R work,  z ds + s dz = c.
-/// With D = s/z:  ds = c/z - D (R opening - B'dy), so  (M + B D B') dy - L da = R balance - B (c/z - D R opening).
+/// Newton's equations, with R the fraction (`reduction`) of the residuals to remove and c the wished change
+/// of s z:
+///     M dy + B ds - L da = R balance,  B'dy + dz = R opening,  L'dy = R work,  (z + rho s) ds + s dz = c.
+/// With D = s/(z + rho s):  ds = c/(z + rho s) - D (R opening - B'dy), so  (M + B D B') dy - L da = R balance
+/// - B (c/(z + rho s) - D R opening).
 void InteriorPoint::solveNewton(const VectorXd& complementarity, double reduction, Iterate& step)
 {
-    rayWork2_ = complementarity.cwiseQuotient(at_.z) - reduction * d_.cwiseProduct(residuals_.opening);
+    rayWork2_ = complementarity.cwiseQuotient(stiffness_) - reduction * d_.cwiseProduct(residuals_.opening);
     right_.setZero(rays_.load.size());
     addRays(rays_, rayWork2_, right_);
     right_ = reduction * residuals_.balance - right_;
@@ -183,8 +218,8 @@ void InteriorPoint::solveNewton(const VectorXd& complementarity, double reductio
     step.s = rayWork2_ + d_.cwiseProduct(rayWork_);
     for (int refinement = 0; refinement < 3; ++refinement)
     {
-        // What rounding and regularisation left of the balance. Corrections are added to ds as they come: computing ds
-        // anew from dy would lose them, since D is huge where a ray presses.
+        // What rounding and regularisation left of the balance. Corrections are added to ds as they come:
+        // computing ds anew from dy would lose them, since D is huge where a ray presses.
         remainder_ = reduction * residuals_.balance;
         if (rays_.hasMultiplier())
         {
@@ -202,8 +237,8 @@ void InteriorPoint::solveNewton(const VectorXd& complementarity, double reductio
         remainder_ -= rowWork_;
         remainder_.tail<3>().setZero();
         const double force = std::max(1.0, std::abs(at_.alpha));
-        if (remainder_.lpNorm<Eigen::Infinity>()
-            <= std::max(0.1 * settings_.tolerance * force, 1e-2 * residuals_.balance.lpNorm<Eigen::Infinity>()))
+        if (remainder_.lpNorm<Eigen::Infinity>() <= std::max(
+                0.1 * settings_.tolerance * force, 1e-2 * residuals_.balance.lpNorm<Eigen::Infinity>()))
         {
             break;
         }
@@ -222,16 +257,18 @@ void InteriorPoint::solveNewton(const VectorXd& complementarity, double reductio
     step.z = reduction * residuals_.opening - rayWork_;
 }
 
-/// Mehrotra's start: the least forces that balance the load, and the least openings that are compatible, both pushed
-/// inside their cones by as much as they lie outside and then apart until neither is out of proportion to the other.
-bool InteriorPoint::start()
+/// Mehrotra's start: the least forces that balance the load, and the least openings that are compatible, both
+/// pushed inside their cones by as much as they lie outside and then apart until neither is out of proportion
+/// to the other.
+bool InteriorPoint::start(Start from)
 {
     const int rays = rays_.rayCount();
     at_.s = VectorXd::Ones(rays);
     at_.z = VectorXd::Ones(rays);
     at_.y = VectorXd::Zero(rays_.load.size());
     at_.alpha = 0;
-    if (rays == 0)
+    compliance_ = from == Start::leastSquares ? compliance : 0;
+    if (rays == 0 || from == Start::unit)
     {
         return true;
     }
@@ -265,18 +302,17 @@ bool InteriorPoint::start()
     const double product = at_.s.dot(at_.z);
     const double sSum = at_.s.sum();
     const double zSum = at_.z.sum();
-    at_.s.array() += std::max(zSum > 0 ? 0.5 * product / zSum : 0, 1e-2);
-    at_.z.array() += std::max(sSum > 0 ? 0.5 * product / sSum : 0, 1e-2);
+    at_.s.array() += std::max(zSum > 0 ? 0.5 * product / zSum : 0, 1e-2 * at_.s.maxCoeff() + 1e-2);
+    at_.z.array() += std::max(sSum > 0 ? 0.5 * product / sSum : 0, zSum > 0 ? 1e-2 * at_.z.maxCoeff() : 1.0);
     return true;
 }
 
-bool InteriorPoint::run()
+bool InteriorPoint::run(Start from)
 {
     Iterate step;
     Iterate trial;
     VectorXd target;
-    delta_ = proximal;
-    if (!start())
+    if (!start(from))
     {
         return false;
     }
@@ -296,13 +332,9 @@ bool InteriorPoint::run()
         {
             break;
         }
-        while (!factorise())
+        if (!factorise())
         {
-            delta_ = std::max(10 * delta_, 1e-12);
-            if (delta_ > 1)
-            {
-                return false;
-            }
+            return false;
         }
 
         // Predictor: straight for the optimum.
@@ -311,7 +343,11 @@ bool InteriorPoint::run()
         double primal = stepToBoundary(at_.s, step.s);
         double dual = stepToBoundary(at_.z, step.z);
         const double muAfter = (at_.s + primal * step.s).dot(at_.z + dual * step.z) / rays_.rayCount();
-        const double sigma = std::pow(muAfter / mu, 3);
+        // Complementarity must not run ahead of the balance, or the balance can no longer be mended: no
+        // further than the tolerance asks.
+        const double enough =
+            rays_.hasMultiplier() ? 0.02 * settings_.tolerance * objectiveSize() / rays_.rayCount() : 0;
+        const double sigma = std::max(std::pow(muAfter / mu, 3), std::min(1.0, enough / mu));
 
         // Corrector: aims at sigma mu, with the second-order term of the predictor.
         target = (sigma * mu - at_.s.array() * at_.z.array() - step.s.array() * step.z.array()).matrix();
@@ -319,15 +355,17 @@ bool InteriorPoint::run()
         primal = stepToBoundary(at_.s, step.s);
         dual = stepToBoundary(at_.z, step.z);
 
-        // Gondzio's correctors: widen the step by pulling outlying products s z at its far end back into a box about
-        // the target; each costs one solve.
-        for (int corrector = 0; corrector < settings_.correctors && std::min(primal, dual) < 0.95; ++corrector)
+        // Gondzio's correctors: widen the step by pulling outlying products s z at its far end back into a
+        // box about the target; each costs one solve.
+        for (int corrector = 0; corrector < settings_.correctors && std::min(primal, dual) < 0.95;
+             ++corrector)
         {
             const double primalTry = std::min(1.0, 1.1 * primal + 0.1);
             const double dualTry = std::min(1.0, 1.1 * dual + 0.1);
             const double aim = std::max(sigma, 1e-3) * mu;
             rayWork_ = (at_.s + primalTry * step.s).cwiseProduct(at_.z + dualTry * step.z);
-            VectorXd correction = (rayWork_.array().max(0.1 * aim).min(10 * aim) - rayWork_.array()).max(-10 * aim);
+            VectorXd correction =
+                (rayWork_.array().max(0.1 * aim).min(10 * aim) - rayWork_.array()).max(-10 * aim);
             const VectorXd wider = target + correction;
             solveNewton(wider, 1, trial);
             const double primalNew = stepToBoundary(at_.s, trial.s);
@@ -357,19 +395,19 @@ bool InteriorPoint::run()
     return false;
 }
 
-/// The program with inertia of order one in every row: how the blocks would start to move (Gauss's principle of least
-/// constraint). It always has a solution.
+/// The program with inertia of order one in every row: how the blocks would start to move (Gauss's principle
+/// of least constraint). It always has a solution.
 PlaneConeProgram withUnitInertia(const PlaneConeProgram& program)
 {
     PlaneConeProgram result = program;
     const double lever = meanLeverArm(program);
-    result.inertia.assign(program.bodies,
-                          Eigen::Vector3d(1, 1, lever * lever).asDiagonal().toDenseMatrix());
+    result.inertia.assign(program.bodies, Eigen::Vector3d(1, 1, lever * lever).asDiagonal().toDenseMatrix());
     return result;
 }
 
 /// Solves one program in ray form; `optimal` in its status means that the scaled residuals met the tolerance.
-ConeSolution solveOnce(const PlaneConeProgram& program, const InteriorPointSettings& settings, LiveWork liveWork)
+ConeSolution solveOnce(const PlaneConeProgram& program, const InteriorPointSettings& settings,
+                       LiveWork liveWork)
 {
     RayForm form = makeRayForm(program);
     if (liveWork == LiveWork::none)
@@ -378,7 +416,7 @@ ConeSolution solveOnce(const PlaneConeProgram& program, const InteriorPointSetti
     }
     SchurSystem<3> system = makeSchurSystem(form);
     InteriorPoint solver(form.program, system, settings);
-    const bool converged = solver.run();
+    const bool converged = solver.run(Start::leastSquares) || solver.run(Start::unit);
     const Iterate& at = solver.iterate();
     ConeSolution solution = fromRays(program, form, at.s, at.y, at.alpha);
     solution.iterations = solver.iterations();
@@ -409,8 +447,9 @@ ConeSolution solveInteriorPoint(const PlaneConeProgram& program, const InteriorP
         return solution;
     }
 
-    // Least r with r + A c = f + alpha L: where it does not vanish, y = Mbar^-1 r proves that nothing balances f, since
-    // the optimality conditions are -A'y in the dual cone, L'y = 0 and f'y = r' Mbar^-1 r > 0.
+    // Least r with r + A c = f + alpha L: where it does not vanish, y = Mbar^-1 r proves that nothing
+    // balances f, since the optimality conditions are -A'y in the dual cone, L'y = 0 and f'y = r' Mbar^-1 r >
+    // 0.
     const ConeSolution moved = solveOnce(withUnitInertia(program), settings, LiveWork::none);
     solution.factorisations += moved.factorisations;
     if (certifyInfeasible(program, moved.displacement).worst() <= settings.tolerance)

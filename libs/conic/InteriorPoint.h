@@ -1,5 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Primal-dual interior-point solver for the cone program: the one that starts from nothing and ends with a proof.
+/// Primal-dual interior-point solver for the cone program: the one that starts from nothing and ends with a
+/// proof.
 #pragma once
 
 #include "conic/ConeProgram.h"
@@ -15,10 +16,10 @@ struct InteriorPointSettings
     int correctors = 3;          ///< higher-order corrections tried with one factorisation
 };
 
-/// Solves a plane program from a cold start (Mehrotra 1992 predictor-corrector with Gondzio 1996 multiple correctors,
-/// proximal regularisation of the Schur system with iterative refinement). The solution's status is `optimal`,
-/// `infeasible` or `unbounded` only when the certificate of Certificate.h, computed from the problem data, meets
-/// the tolerance; otherwise `notConverged` with the best iterate.
+/// Solves a plane program from a cold start (Mehrotra 1992 predictor-corrector with Gondzio 1996 multiple
+/// correctors, proximal regularisation of the Schur system with iterative refinement). The solution's status
+/// is `optimal`, `infeasible` or `unbounded` only when the certificate of Certificate.h, computed from the
+/// problem data, meets the tolerance; otherwise `notConverged` with the best iterate.
 ConeSolution solveInteriorPoint(const PlaneConeProgram& program, const InteriorPointSettings& settings = {});
 
 } // namespace drystone

@@ -23,14 +23,16 @@ Eigen::Vector3d scaledRows(const Eigen::Vector3d& rows, double lever)
     return {rows[0], rows[1], rows[2] / lever};
 }
 
-/// A vector of body rows in elimination order, scaled, with three zeros at its end for the ground. Also its scale.
+/// A vector of body rows in elimination order, scaled, with three zeros at its end for the ground. Also its
+/// scale.
 Eigen::VectorXd scaledLoad(const RayForm& form, const Eigen::VectorXd& rows, double& scale)
 {
     const RayProgram& rays = form.program;
     Eigen::VectorXd result = Eigen::VectorXd::Zero(3 * (rays.bodies + 1));
     for (int body = 0; body < rays.bodies; ++body)
     {
-        result.segment<3>(3 * rays.position[body]) = scaledRows(rows.segment<3>(3 * body), form.scaling.lever);
+        result.segment<3>(3 * rays.position[body]) =
+            scaledRows(rows.segment<3>(3 * body), form.scaling.lever);
     }
     scale = powerOfTwo(result.lpNorm<Eigen::Infinity>());
     result /= scale;
@@ -92,7 +94,8 @@ RayForm makeRayForm(const PlaneConeProgram& program)
         {
             const Eigen::Vector3d onOne = scaledRows(columns.onFirst * direction[ray], form.scaling.lever);
             const Eigen::Vector3d onOther = scaledRows(columns.onSecond * direction[ray], form.scaling.lever);
-            rays.rays.push_back(one < other ? RayProgram::Ray{onOne, onOther} : RayProgram::Ray{onOther, onOne});
+            rays.rays.push_back(one < other ? RayProgram::Ray{onOne, onOther}
+                                            : RayProgram::Ray{onOther, onOne});
         }
         rays.groups.back().end = rays.rayCount();
     }
@@ -143,8 +146,8 @@ void updateRayForm(RayForm& form, const PlaneConeProgram& program)
         rays.liveWork = powerOfTwo(rays.liveLoad.lpNorm<1>());
     }
 
-    // y~ = y / displacement turns L'y = 1 into L~'y~ = w (limit analysis), and Mbar into M~ = Mbar displacement / load,
-    // which should be of order one (time step).
+    // y~ = y / displacement turns L'y = 1 into L~'y~ = w (limit analysis), and Mbar into M~ = Mbar
+    // displacement / load, which should be of order one (time step).
     scaling.displacement = 1 / (scaling.liveLoad * rays.liveWork);
     if (program.hasInertia())
     {
@@ -171,8 +174,8 @@ void updateRayForm(RayForm& form, const PlaneConeProgram& program)
             const int count = rayDirections(program.friction[point], direction);
             for (int ray = 0; ray < count; ++ray)
             {
-                rays.gap[form.firstRay[point] + ray]
-                    = direction[ray].dot(program.gap.segment<2>(2 * point)) / scaling.displacement;
+                rays.gap[form.firstRay[point] + ray] =
+                    direction[ray].dot(program.gap.segment<2>(2 * point)) / scaling.displacement;
             }
         }
     }
@@ -208,7 +211,8 @@ void addRays(const RayProgram& program, const Eigen::VectorXd& s, Eigen::VectorX
     }
 }
 
-void assembleSchur(const RayProgram& program, const Eigen::VectorXd& d, double delta, SchurSystem<3>& system)
+void assembleSchur(const RayProgram& program, const Eigen::VectorXd& d, double delta, double relative,
+                   SchurSystem<3>& system)
 {
     system.setZero();
     for (int body = 0; body < program.bodies; ++body)
@@ -252,6 +256,10 @@ void assembleSchur(const RayProgram& program, const Eigen::VectorXd& d, double d
         system.coupling(group.slot) += secondFirst;
         system.diagonal(group.second) += secondSecond;
     }
+    for (int body = 0; relative > 0 && body < program.bodies; ++body)
+    {
+        system.diagonal(body).diagonal() *= 1 + relative;
+    }
 }
 
 ConeSolution fromRays(const PlaneConeProgram& program, const RayForm& form, const Eigen::VectorXd& s,
@@ -267,8 +275,8 @@ ConeSolution fromRays(const PlaneConeProgram& program, const RayForm& form, cons
         const int count = rayDirections(program.friction[point], direction);
         for (int ray = 0; ray < count; ++ray)
         {
-            solution.contactForce.segment<2>(2 * point)
-                += direction[ray] * s[form.firstRay[point] + ray] * scaling.load;
+            solution.contactForce.segment<2>(2 * point) +=
+                direction[ray] * s[form.firstRay[point] + ray] * scaling.load;
         }
     }
     solution.displacement = Eigen::VectorXd::Zero(3 * program.bodies);

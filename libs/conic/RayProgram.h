@@ -1,5 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// A plane cone program in the form that solvers work on: rays instead of cones, dimensionless, in elimination order.
+/// A plane cone program in the form that solvers work on: rays instead of cones, dimensionless, in
+/// elimination order.
 #pragma once
 
 #include "conic/ConeProgram.h"
@@ -14,8 +15,8 @@ namespace drystone
 ///     minimise    1/2 y' M y + g' s - w alpha    subject to  M y + B s = f + alpha L,   s >= 0,
 ///     multipliers z = g - B' y >= 0,  L' y = w,
 ///
-/// with B = A R. A frictionless point has one ray. Everything is scaled: rows of moments by a mean lever arm, loads by
-/// their largest entry, displacements so that inertia is of order one; see `RayScaling`.
+/// with B = A R. A frictionless point has one ray. Everything is scaled: rows of moments by a mean lever arm,
+/// loads by their largest entry, displacements so that inertia is of order one; see `RayScaling`.
 struct RayProgram
 {
     using Force = Eigen::Vector3d;
@@ -30,7 +31,7 @@ struct RayProgram
     /// Rays between the same two bodies, which stand together.
     struct Group
     {
-        int first;  ///< body in elimination order; `bodies` stands for fixed ground, whose rows are never read
+        int first; ///< body in elimination order; `bodies` stands for fixed ground, whose rows are never read
         int second; ///< later than `first` in elimination order
         int begin;  ///< of its rays
         int end;
@@ -87,8 +88,9 @@ void applyRaysTransposed(const RayProgram& program, const Eigen::VectorXd& y, Ei
 /// out += B s. \param out 3 (bodies + 1), ground set to zero
 void addRays(const RayProgram& program, const Eigen::VectorXd& s, Eigen::VectorXd& out);
 
-/// Puts M + delta I + B diag(d) B' into the system.
-void assembleSchur(const RayProgram& program, const Eigen::VectorXd& d, double delta, SchurSystem<3>& system);
+/// Puts S = M + delta I + B diag(d) B' into the system, its diagonal entries raised by the share `relative`.
+void assembleSchur(const RayProgram& program, const Eigen::VectorXd& d, double delta, double relative,
+                   SchurSystem<3>& system);
 
 /// Solution in the program's own units and numbering.
 ConeSolution fromRays(const PlaneConeProgram& program, const RayForm& form, const Eigen::VectorXd& s,

@@ -15,8 +15,8 @@ namespace drystone
 namespace
 {
 
-/// Multiplications of a factorisation from which CHOLMOD's supernodal code is faster than the block code. Measured by
-/// test/benchmark (`schurSwitch`); see test/benchmark/results.
+/// Multiplications of a factorisation from which CHOLMOD's supernodal code is faster than the block code.
+/// Measured by test/benchmark (`schurSwitch`); see test/benchmark/results.
 constexpr double supernodalOperations = 4e8;
 
 /// Bodies from which nested dissection gives a sparser factor than minimum degree.
@@ -62,8 +62,8 @@ std::vector<int> eliminationOrder(int bodies, const std::vector<Coupling>& coupl
     }
     std::sort(pairs.begin(), pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-    cholmod_sparse* graph
-        = cholmod_allocate_sparse(bodies, bodies, pairs.size(), 1, 1, 1, CHOLMOD_PATTERN, &common);
+    cholmod_sparse* graph =
+        cholmod_allocate_sparse(bodies, bodies, pairs.size(), 1, 1, 1, CHOLMOD_PATTERN, &common);
     auto* start = static_cast<int*>(graph->p);
     auto* row = static_cast<int*>(graph->i);
     std::fill(start, start + bodies + 1, 0);
@@ -155,8 +155,8 @@ SchurSystem<Rows>::SchurSystem(int bodies, const std::vector<Coupling>& coupling
     common.postorder = 0;
     common.supernodal = CHOLMOD_SUPERNODAL;
     const std::size_t size = static_cast<std::size_t>(Rows) * bodies;
-    const std::size_t entries
-        = Rows * Rows * (row_.size() - bodies) + static_cast<std::size_t>(Rows * (Rows + 1) / 2) * bodies;
+    const std::size_t entries =
+        Rows * Rows * (row_.size() - bodies) + static_cast<std::size_t>(Rows * (Rows + 1) / 2) * bodies;
     factor_->matrix = cholmod_allocate_sparse(size, size, entries, 1, 1, -1, CHOLMOD_REAL, &common);
     auto* start = static_cast<int*>(factor_->matrix->p);
     auto* scalarRow = static_cast<int*>(factor_->matrix->i);
@@ -269,8 +269,8 @@ void SchurSystem<Rows>::solve(Eigen::Ref<Eigen::VectorXd> x)
     right.z = nullptr;
     right.xtype = CHOLMOD_REAL;
     right.dtype = CHOLMOD_DOUBLE;
-    cholmod_solve2(CHOLMOD_A, factor_->factor, &right, nullptr, &factor_->solution, nullptr, &factor_->work[0],
-                   &factor_->work[1], &common);
+    cholmod_solve2(CHOLMOD_A, factor_->factor, &right, nullptr, &factor_->solution, nullptr,
+                   &factor_->work[0], &factor_->work[1], &common);
     const auto* value = static_cast<const double*>(factor_->solution->x);
     std::copy(value, value + x.size(), x.data());
 }

@@ -1,6 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// The symmetric positive definite systems that all solvers spend their time in: S = Mbar + sum_k A_k D_k A_k', one
-/// small dense block a body and one a pair of touching bodies.
+/// The symmetric positive definite systems that all solvers spend their time in: S = Mbar + sum_k A_k D_k
+/// A_k', one small dense block a body and one a pair of touching bodies.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,12 +15,13 @@ namespace drystone
 /// Which bodies touch which: pairs of distinct bodies, in any order, repeats allowed.
 using Coupling = std::array<int, 2>;
 
-/// An order in which to eliminate the bodies so that the factor stays sparse: minimum degree, or nested dissection for
-/// large systems. \return order[position] = body
+/// An order in which to eliminate the bodies so that the factor stays sparse: minimum degree, or nested
+/// dissection for large systems. \return order[position] = body
 std::vector<int> eliminationOrder(int bodies, const std::vector<Coupling>& couplings);
 
-/// A block-sparse symmetric matrix and its Cholesky factor. The pattern is analysed once, in the constructor; then any
-/// number of times: setZero, add, factorise, solve. Bodies are expected in elimination order: nothing is permuted here.
+/// A block-sparse symmetric matrix and its Cholesky factor. The pattern is analysed once, in the constructor;
+/// then any number of times: setZero, add, factorise, solve. Bodies are expected in elimination order:
+/// nothing is permuted here.
 ///
 /// Memory: the factor; for a wall of N x N bodies about 31 N^2 log2 N blocks. Not thread-safe.
 template<int Rows>
@@ -37,7 +38,8 @@ public:
 
     int bodies() const { return bodies_; }
 
-    /// Where the block of a pair is kept, for `coupling`. \throws std::out_of_range for a pair not in the pattern
+    /// Where the block of a pair is kept, for `coupling`. \throws std::out_of_range for a pair not in the
+    /// pattern
     int slot(int first, int second) const;
 
     void setZero();

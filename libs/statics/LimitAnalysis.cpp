@@ -54,8 +54,8 @@ LimitAnalysis solveLimitAnalysis(const PlaneConeProgram& program, const Interior
         return true;
     };
 
-    // A multiplier below zero means that the mechanism, on which the live load does unit work, is set going by the dead
-    // load: f'y = -alpha > 0. A ray of the whole program is one of the dead load too.
+    // A multiplier below zero means that the mechanism, on which the live load does unit work, is set going
+    // by the dead load: f'y = -alpha > 0. A ray of the whole program is one of the dead load too.
     const bool answered = solution.status != SolveStatus::notConverged;
     if ((solution.status == SolveStatus::infeasible || (answered && solution.multiplier < 0))
         && unstable(solution.displacement))

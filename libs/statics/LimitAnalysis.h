@@ -35,9 +35,10 @@ struct LimitAnalysis
     int variables = 0;            ///< forces and the multiplier
 };
 
-/// Solves the program and checks the dead load by itself: the multipliers that a structure can carry are an interval,
-/// and `optimal` means that 0 lies in it and alpha is its upper end. `unstable` carries a mechanism that the dead load
-/// alone sets going, `unbounded` contact forces that balance the live load alone; both are verified by Certificate.h.
+/// Solves the program and checks the dead load by itself: the multipliers that a structure can carry are an
+/// interval, and `optimal` means that 0 lies in it and alpha is its upper end. `unstable` carries a mechanism
+/// that the dead load alone sets going, `unbounded` contact forces that balance the live load alone; both are
+/// verified by Certificate.h.
 LimitAnalysis solveLimitAnalysis(const PlaneConeProgram& program, const InteriorPointSettings& settings = {});
 
 } // namespace drystone
