@@ -12,7 +12,8 @@ void declare(Options& options, MaterialProperties& material)
     options.optional("density", material.density, "mass of a volume").unit("kg/m3").above(0).example("2000");
     options.optional("unitWeight", material.unitWeight, "weight of a volume, instead of the density")
         .unit("N/m3")
-        .above(0);
+        .above(0)
+        .example("20000");
     options.check("density",
                   [&material]() -> std::string
                   {

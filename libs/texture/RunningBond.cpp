@@ -74,7 +74,7 @@ void declare(Options& options, Opening& opening)
     options.required("from", opening.from, "lower left corner, in (units, courses)")
         .atLeast(0)
         .example("(1.5 3)");
-    options.required("to", opening.to, "upper right corner, in (units, courses)").above(0).example("(2.5 8)");
+    options.required("to", opening.to, "upper right corner, in (units, courses)").above(0).example("(2.5 5)");
 }
 
 void declare(Options& options, RunningBond& bond)

@@ -134,17 +134,19 @@ SupportMaker makeFixedBlocks(const FixedBlocks& fixed, const Dictionary& diction
 void declare(Options& options, Ground& ground)
 {
     options
-        .optional("segment", ground.segment,
-                  "length of one ground block, in units of the texture; absent: a single block")
-        .above(0);
-    options.optional("depth", ground.depth, "of the ground; absent: a tenth of the structure's size")
+        .optional("segment", ground.segment, "length of one ground block, in units; a single block if absent")
+        .above(0)
+        .example("0.5");
+    options.optional("depth", ground.depth, "of the ground; a tenth of the structure's size if absent")
         .unit("m")
-        .above(0);
+        .above(0)
+        .example("0.2");
     options
-        .optional(
-            "margin", ground.margin,
-            "by how far the ground goes on past each end, in units; absent: three times the structure's size")
-        .atLeast(0);
+        .optional("margin", ground.margin,
+                  "by how far the ground goes on past each end, in units; three times the structure's size "
+                  "if absent")
+        .atLeast(0)
+        .example("10");
 }
 
 void declare(Options& options, FixedBlocks& fixed)

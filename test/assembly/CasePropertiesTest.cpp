@@ -5,6 +5,7 @@
 #include "assembly/Loads.h"
 #include "assembly/Materials.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -142,8 +143,9 @@ TEST_F(CaseProperties, AnEffectThatIsNotSimulatedIsRefusedByName)
 {
     for (const AbsentEffect& effect : absentEffects())
     {
-        EXPECT_THAT(contactReport("\n" + std::string(effect.name) + " { value 1; }"),
-                    AllOf(HasSubstr("does not simulate " + std::string(effect.name)), HasSubstr("line 2.")));
+        const std::string name(effect.name);
+        EXPECT_THAT(contactReport(fmt::format("\n{} {{ value 1; }}", name)),
+                    AllOf(HasSubstr(fmt::format("does not simulate {}", name)), HasSubstr("line 2.")));
     }
 }
 
