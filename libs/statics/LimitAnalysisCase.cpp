@@ -1,0 +1,58 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+#include "statics/LimitAnalysisCase.h"
+
+#include "assembly/AssemblyChecks.h"
+#include "assembly/AssemblyFile.h"
+#include "assembly/ContactProperties.h"
+#include "assembly/Materials.h"
+
+namespace drystone
+{
+
+void declare(Options& options, LimitAnalysisSolution& solution)
+{
+    options.optional("solver", solution.solver, "of the cone program").oneOf({"interiorPoint"});
+    options.optional("tolerance", solution.settings.tolerance, "on every figure of the certificate")
+        .above(0)
+        .atMost(1e-3);
+    options.optional("maximumIterations", solution.settings.maximumIterations, "of the solver").atLeast(1);
+    options.optional("correctors", solution.settings.correctors, "tried with one factorisation").atLeast(0).atMost(20);
+}
+
+LimitAnalysisSolution readLimitAnalysisSolution(const std::filesystem::path& caseDirectory)
+{
+    const Dictionary dictionary = Dictionary::readFileIfPresent(caseDirectory / "system/solution");
+    const Dictionary* own = dictionary.findDict("limitAnalysis");
+    return own ? readOptions<LimitAnalysisSolution>(*own) : LimitAnalysisSolution{};
+}
+
+LimitAnalysisCase readLimitAnalysisCase(const std::filesystem::path& caseDirectory)
+{
+    LimitAnalysisCase result;
+    result.solution = readLimitAnalysisSolution(caseDirectory);
+    result.assembly = readAssembly(caseDirectory);
+    refuseOverlaps(result.assembly, caseDirectory);
+
+    const ContactProperties contact = readContactProperties(caseDirectory);
+    if (contact.friction && contact.friction->flowRule == FlowRule::nonAssociative)
+    {
+        const Dictionary dictionary = Dictionary::readFile(caseDirectory / "constant/contactProperties");
+        throw FatalIOError("limitAnalysis follows the associative flow rule only, in which a joint that slides opens. "
+                           "Write `flowRule associative;`: its multiplier is an upper bound on that of Coulomb's law.",
+                           dictionary.subDict("friction").locationOf("flowRule"));
+    }
+    const Vector<2> gravity = readGravity(caseDirectory);
+    const std::vector<BlockMass<2>> blocks = blockMasses(result.assembly);
+    const std::vector<double> masses = massesOf(blocks, readDensities(caseDirectory, result.assembly, gravity));
+    const LoadVectors loads
+        = readLoads(caseDirectory, {result.assembly, masses, gravity}, LiveLoad::required);
+
+    result.points = findContactPoints(result.assembly);
+    result.friction = frictionCoefficients(contact, result.points.size());
+    result.freeBlocks = static_cast<int>(loads.dead.size()) / 3;
+    result.program = limitAnalysisProgram(
+        result.freeBlocks, equilibriumColumns(result.assembly, blocks, result.points), result.friction, loads);
+    return result;
+}
+
+} // namespace drystone

@@ -1,0 +1,42 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// What limit analysis reads of a case.
+#pragma once
+
+#include "core/Options.h"
+#include "statics/LimitAnalysis.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace drystone
+{
+
+/// The sub-dictionary limitAnalysis of system/solution. The file and each key may be absent.
+struct LimitAnalysisSolution
+{
+    std::string solver = "interiorPoint";
+    InteriorPointSettings settings;
+};
+void declare(Options& options, LimitAnalysisSolution& solution);
+
+/// \throws FatalIOError for what is wrong with the sub-dictionary; those of other applications are not looked at
+LimitAnalysisSolution readLimitAnalysisSolution(const std::filesystem::path& caseDirectory);
+
+/// A structure with its loads, read and checked.
+struct LimitAnalysisCase
+{
+    Assembly<2> assembly;
+    std::vector<ContactPoint<2>> points; ///< as built
+    std::vector<double> friction;        ///< mu of each point
+    int freeBlocks = 0;
+    PlaneConeProgram program;
+    LimitAnalysisSolution solution;
+};
+
+/// Reads constant/assembly, g, materialProperties, contactProperties, loads and system/solution.
+/// \throws FatalIOError with the first thing that is wrong: blocks that overlap, a live load that is missing, a flow
+/// rule that limit analysis cannot follow
+LimitAnalysisCase readLimitAnalysisCase(const std::filesystem::path& caseDirectory);
+
+} // namespace drystone
