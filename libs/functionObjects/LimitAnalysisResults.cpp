@@ -38,11 +38,12 @@ std::string statusText(const LimitAnalysis& result)
 
 std::string tableText(const LimitAnalysisCase& structure, const LimitAnalysis& result, double cpuTime)
 {
-    return fmt::format("# alpha[-] status[-] blocks[-] contactPoints[-] variables[-] iterations[-] primalResidual[-] "
-                       "dualResidual[-] gap[-] cpuTime[s]\n{:.12g} {} {} {} {} {} {:.3e} {:.3e} {:.3e} {:.6g}\n",
-                       result.alpha, static_cast<int>(result.status), structure.freeBlocks, structure.points.size(),
-                       result.variables, result.iterations, result.certificate.primalResidual,
-                       result.certificate.dualResidual, result.certificate.gap, cpuTime);
+    return fmt::format(
+        "# alpha[-] status[-] blocks[-] contactPoints[-] variables[-] iterations[-] primalResidual[-] "
+        "dualResidual[-] gap[-] cpuTime[s]\n{:.12g} {} {} {} {} {} {:.3e} {:.3e} {:.3e} {:.6g}\n",
+        result.alpha, static_cast<int>(result.status), structure.freeBlocks, structure.points.size(),
+        result.variables, result.iterations, result.certificate.primalResidual,
+        result.certificate.dualResidual, result.certificate.gap, cpuTime);
 }
 
 } // namespace
@@ -67,8 +68,8 @@ void writeLimitAnalysisResults(const std::filesystem::path& caseDirectory, const
 
     MechanismPicture picture;
     picture.title = std::filesystem::absolute(caseDirectory).lexically_normal().filename().string();
-    picture.subtitle = fmt::format("{}, {} blocks, {} contact points", statusText(result), structure.freeBlocks,
-                                   structure.points.size());
+    picture.subtitle = fmt::format("{}, {} blocks, {} contact points", statusText(result),
+                                   structure.freeBlocks, structure.points.size());
     writeMechanismPicture(tableFolder(caseDirectory) / "mechanism.svg", assembly,
                           mechanismPlacements(assembly, rates, 0.5 * meanBlockSize(assembly)), picture);
     writeWholeFile(tableFolder(caseDirectory) / "limitAnalysis.dat", tableText(structure, result, cpuTime));

@@ -1,5 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// What limit analysis leaves in a case: the table, the animation and the picture of the mechanism, the contact forces.
+/// What limit analysis leaves in a case: the table, the animation and the picture of the mechanism, the
+/// contact forces.
 #pragma once
 
 #include "statics/LimitAnalysisCase.h"

@@ -16,7 +16,9 @@ void declare(Options& options, LimitAnalysisSolution& solution)
         .above(0)
         .atMost(1e-3);
     options.optional("maximumIterations", solution.settings.maximumIterations, "of the solver").atLeast(1);
-    options.optional("correctors", solution.settings.correctors, "tried with one factorisation").atLeast(0).atMost(20);
+    options.optional("correctors", solution.settings.correctors, "tried with one factorisation")
+        .atLeast(0)
+        .atMost(20);
 }
 
 LimitAnalysisSolution readLimitAnalysisSolution(const std::filesystem::path& caseDirectory)
@@ -37,21 +39,24 @@ LimitAnalysisCase readLimitAnalysisCase(const std::filesystem::path& caseDirecto
     if (contact.friction && contact.friction->flowRule == FlowRule::nonAssociative)
     {
         const Dictionary dictionary = Dictionary::readFile(caseDirectory / "constant/contactProperties");
-        throw FatalIOError("limitAnalysis follows the associative flow rule only, in which a joint that slides opens. "
-                           "Write `flowRule associative;`: its multiplier is an upper bound on that of Coulomb's law.",
-                           dictionary.subDict("friction").locationOf("flowRule"));
+        throw FatalIOError(
+            "limitAnalysis follows the associative flow rule only, in which a joint that slides opens. "
+            "Write `flowRule associative;`: its multiplier is an upper bound on that of Coulomb's law.",
+            dictionary.subDict("friction").locationOf("flowRule"));
     }
     const Vector<2> gravity = readGravity(caseDirectory);
     const std::vector<BlockMass<2>> blocks = blockMasses(result.assembly);
-    const std::vector<double> masses = massesOf(blocks, readDensities(caseDirectory, result.assembly, gravity));
-    const LoadVectors loads
-        = readLoads(caseDirectory, {result.assembly, masses, gravity}, LiveLoad::required);
+    const std::vector<double> masses =
+        massesOf(blocks, readDensities(caseDirectory, result.assembly, gravity));
+    const LoadVectors loads =
+        readLoads(caseDirectory, {result.assembly, masses, gravity}, LiveLoad::required);
 
     result.points = findContactPoints(result.assembly);
     result.friction = frictionCoefficients(contact, result.points.size());
     result.freeBlocks = static_cast<int>(loads.dead.size()) / 3;
-    result.program = limitAnalysisProgram(
-        result.freeBlocks, equilibriumColumns(result.assembly, blocks, result.points), result.friction, loads);
+    result.program =
+        limitAnalysisProgram(result.freeBlocks, equilibriumColumns(result.assembly, blocks, result.points),
+                             result.friction, loads);
     return result;
 }
 

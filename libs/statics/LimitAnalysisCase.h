@@ -20,7 +20,8 @@ struct LimitAnalysisSolution
 };
 void declare(Options& options, LimitAnalysisSolution& solution);
 
-/// \throws FatalIOError for what is wrong with the sub-dictionary; those of other applications are not looked at
+/// \throws FatalIOError for what is wrong with the sub-dictionary; those of other applications are not looked
+/// at
 LimitAnalysisSolution readLimitAnalysisSolution(const std::filesystem::path& caseDirectory);
 
 /// A structure with its loads, read and checked.
@@ -35,8 +36,8 @@ struct LimitAnalysisCase
 };
 
 /// Reads constant/assembly, g, materialProperties, contactProperties, loads and system/solution.
-/// \throws FatalIOError with the first thing that is wrong: blocks that overlap, a live load that is missing, a flow
-/// rule that limit analysis cannot follow
+/// \throws FatalIOError with the first thing that is wrong: blocks that overlap, a live load that is missing,
+/// a flow rule that limit analysis cannot follow
 LimitAnalysisCase readLimitAnalysisCase(const std::filesystem::path& caseDirectory);
 
 } // namespace drystone

@@ -1,5 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// limitAnalysis: max alpha with A0 c = fD + alpha fL and |t| <= mu n (Portioli, Cascini & Landolfo 2017, eq. 10).
+/// limitAnalysis: max alpha with A0 c = fD + alpha fL and |t| <= mu n (Portioli, Cascini & Landolfo 2017, eq.
+/// 10).
 #include "assembly/ContactProperties.h"
 #include "core/Case.h"
 #include "core/CommandLine.h"
@@ -31,8 +32,9 @@ int printAnswer(const LimitAnalysis& result)
     const auto status = [&](std::string_view text)
     {
         info("Status: {}", text);
-        info("Certificate: primal residual = {:.3e}, dual residual = {:.3e}, gap = {:.3e}, No Iterations {}\n",
-             certificate.primalResidual, certificate.dualResidual, certificate.gap, result.iterations);
+        info(
+            "Certificate: primal residual = {:.3e}, dual residual = {:.3e}, gap = {:.3e}, No Iterations {}\n",
+            certificate.primalResidual, certificate.dualResidual, certificate.gap, result.iterations);
     };
     switch (result.status)
     {
@@ -49,7 +51,8 @@ int printAnswer(const LimitAnalysis& result)
     case CollapseStatus::notConverged:
         break;
     }
-    status("not converged: there is no answer. Raise tolerance or maximumIterations in system/solution/limitAnalysis");
+    status("not converged: there is no answer. Raise tolerance or maximumIterations in "
+           "system/solution/limitAnalysis");
     return 2;
 }
 
@@ -85,10 +88,14 @@ int main(int argc, char* argv[])
 {
     ApplicationDescription description;
     description.name = "limitAnalysis";
-    description.summary = "Collapse load multiplier, mechanism and contact forces of the blocks in constant/assembly/ "
-                          "under constant/loads, with a certificate.";
+    description.summary =
+        "Collapse load multiplier, mechanism and contact forces of the blocks in constant/assembly/ "
+        "under constant/loads, with a certificate.";
     description.kind = ApplicationKind::solver;
     description.details = []
-    { return fmt::format("system/solution/limitAnalysis:\n{}", helpText(describeOptions<LimitAnalysisSolution>())); };
+    {
+        return fmt::format("system/solution/limitAnalysis:\n{}",
+                           helpText(describeOptions<LimitAnalysisSolution>()));
+    };
     return runApplication(argc, argv, description, run);
 }
