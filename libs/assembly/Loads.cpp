@@ -89,7 +89,11 @@ void declare(Options& options, InertialSettings& settings)
         .example("(1 0 0)");
     options.check("direction",
                   [&settings]() -> std::string
-                  { return settings.direction.isZero(0) ? "A direction cannot be (0 0 0)." : ""; });
+                  {
+                      return settings.direction.isZero(0)
+                                 ? "A direction cannot be (0 0 0). Write for instance `direction (1 0 0);`."
+                                 : "";
+                  });
 }
 
 struct ForceSettings

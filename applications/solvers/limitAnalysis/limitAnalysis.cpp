@@ -6,6 +6,7 @@
 #include "core/CommandLine.h"
 #include "core/Error.h"
 #include "core/Log.h"
+#include "core/Time.h"
 #include "functionObjects/LimitAnalysisResults.h"
 
 using namespace drystone;
@@ -63,6 +64,7 @@ int run(const CommandLine& commandLine)
     {
         throw FatalError("limitAnalysis writes all its results as it runs: leave -postProcess away.");
     }
+    const Time time(commandLine.caseDirectory); // nothing moves, but a fault in controlDict is one here too
     const LimitAnalysisCase structure = readLimitAnalysisCase(commandLine.caseDirectory);
     requireWritableResults(commandLine.caseDirectory);
     printSize(structure);
