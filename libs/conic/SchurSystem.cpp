@@ -15,11 +15,12 @@ namespace drystone
 namespace
 {
 
-/// Multiplications of a factorisation from which CHOLMOD's supernodal code is faster than the block code.
-/// Measured by test/benchmark (`schurSwitch`); see test/benchmark/results.
+/// Multiplications of a factorisation from which CHOLMOD's supernodal code is used. An estimate: not measured
+/// yet.
 constexpr double supernodalOperations = 4e8;
 
-/// Bodies from which nested dissection gives a sparser factor than minimum degree.
+/// Bodies from which the order is by nested dissection instead of minimum degree. An estimate: not measured
+/// yet.
 constexpr int dissectionBodies = 3000;
 
 /// A CHOLMOD workspace that cleans up after itself.
