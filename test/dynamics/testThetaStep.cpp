@@ -23,10 +23,10 @@ Polygon rectangle(double left, double bottom, double width, double height)
 /// A structure and all that its steps need.
 struct Motion
 {
-    Assembly<2> assembly;
+    Assembly<2> assembly{};
     double mu = 0.6;
     FlowRule flowRule = FlowRule::nonAssociative;
-    ThetaScheme scheme;
+    ThetaScheme scheme{};
     Vector<2> gravity{0, -g};
 
     std::vector<BlockMass<2>> blocks = blockMasses(assembly);
@@ -34,7 +34,7 @@ struct Motion
     Eigen::VectorXd mass = massDiagonal(assembly, blocks, std::vector<double>(blocks.size(), 1800));
     DynamicState state = stateAtRest(assembly);
     MovingContacts contacts{assembly};
-    StepEnergy energy;
+    StepEnergy energy{};
     double kineticChange = 0;
 
     void step()
