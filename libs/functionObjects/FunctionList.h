@@ -1,0 +1,79 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The `functions` of controlDict: what is written when.
+///
+///     functions
+///     {
+///         energy { writeInterval 10; }                       // the type is the name when it is not said
+///         crown  { type blockMotion; blocks (7); writeControl runTime; writeInterval 0.05; }
+///     }
+#pragma once
+
+#include "core/OutputControl.h"
+#include "core/Registry.h"
+#include "functionObjects/FunctionObject.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace drystone
+{
+
+/// A function object as the dictionary asks for it; not yet made.
+template<int Dim>
+struct FunctionPlan
+{
+    bool enabled = true;
+    OutputSettings control;          ///< when to write; each step when the dictionary does not say it
+    std::optional<double> timeStart; ///< not before [s]
+    std::optional<double> timeEnd;   ///< not after [s]
+    int writePrecision = 12;         ///< significant digits
+
+    /// \throws FatalIOError when the function asks for what the assembly does not have
+    std::function<std::unique_ptr<FunctionObject<Dim>>(FunctionOutput, const Assembly<Dim>&)> make;
+};
+
+/// All types of function object: energy, blockMotion, contactForces, residuals.
+const Registry<FunctionPlan<2>>& functionTypes();
+
+/// The function objects of a run.
+template<int Dim>
+class FunctionList
+{
+public:
+    /// None: `-noFunctionObjects`, or a case without functions.
+    FunctionList() = default;
+
+    /// Read and check all functions; nothing is written yet.
+    /// \param functions     the sub-dictionary of controlDict
+    /// \param caseDirectory postProcessing/ is made in it
+    /// \param startName     name of the time at which this run starts or continues
+    /// \param begin         that time
+    /// \throws FatalIOError for what is wrong with the dictionary
+    FunctionList(const Dictionary& functions, const std::filesystem::path& caseDirectory,
+                 const std::string& startName, const TimePoint& begin, const Assembly<Dim>& assembly);
+
+    /// Let each function write that is due. To be called once a step, in order.
+    /// \throws FatalError when a table cannot be written
+    void write(const StepObservation<Dim>& step, const TimePoint& now);
+
+    /// How long until the next instant of a function with adjustableRunTime; infinite when there is none [s].
+    double timeToNextWrite(double time, double deltaT) const;
+
+    /// Names in the order of the dictionary, for the log; functions that are not enabled are not in the list.
+    std::vector<std::string> names() const;
+
+private:
+    struct Function
+    {
+        std::string name;
+        FunctionPlan<Dim> plan;
+        OutputControl control;
+        std::unique_ptr<FunctionObject<Dim>> object;
+    };
+    std::vector<Function> functions;
+};
+
+} // namespace drystone

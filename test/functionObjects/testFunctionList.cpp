@@ -1,0 +1,157 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The `functions` dictionary: reading, times, restarts, and what is refused.
+#include "functionObjects/FunctionList.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include <unistd.h>
+
+using namespace drystone;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+namespace
+{
+
+class FunctionListTest : public testing::Test
+{
+protected:
+    std::filesystem::path folder =
+        std::filesystem::temp_directory_path() / fmt::format("drystone_functionList_{}", getpid());
+    Assembly<2> assembly;
+    std::vector<Placement<2>> placements{2};
+    std::vector<BlockVelocity<2>> velocities{2};
+
+    FunctionListTest() { assembly.blocks.resize(2); }
+    void TearDown() override { std::filesystem::remove_all(folder); }
+
+    FunctionList<2> read(const std::string& text, const std::string& startName = "0",
+                         const TimePoint& begin = {}) const
+    {
+        return {Dictionary::readString(text, "system/controlDict"), folder, startName, begin, assembly};
+    }
+
+    std::string refusal(const std::string& text) const
+    {
+        try
+        {
+            read(text);
+        }
+        catch (const FatalIOError& error)
+        {
+            return error.report();
+        }
+        return "";
+    }
+
+    /// Steps of 0.1 s from one index to another; the run writes its state at every fifth.
+    void run(FunctionList<2>& functions, long from, long to) const
+    {
+        for (long index = from + 1; index <= to; ++index)
+        {
+            TimePoint now;
+            now.value = 0.1 * static_cast<double>(index);
+            now.deltaT = 0.1;
+            now.index = index;
+            now.isWriteTime = index % 5 == 0;
+            StepObservation<2> step;
+            step.time = now.value;
+            step.timeStep = now.deltaT;
+            step.step = index;
+            step.assembly = &assembly;
+            step.placements = placements;
+            step.velocities = velocities;
+            functions.write(step, now);
+        }
+    }
+
+    /// First column of a table.
+    std::vector<double> times(const std::string& file) const
+    {
+        std::ifstream stream(folder / "postProcessing" / file);
+        std::vector<double> result;
+        for (std::string line; std::getline(stream, line);)
+            if (line.front() != '#')
+                result.push_back(std::stod(line));
+        return result;
+    }
+};
+
+} // namespace
+
+TEST_F(FunctionListTest, EachFunctionWritesAtItsOwnTimes)
+{
+    FunctionList<2> functions =
+        read("energy { type energy; writeInterval 4; }"
+             "residuals { writeControl writeTime; }"
+             "tip { type blockMotion; blocks (1); writeControl runTime; writeInterval 0.3; }"
+             "late { type energy; timeStart 0.8; }"
+             "early { type energy; timeEnd 0.2; }"
+             "off { type energy; enabled off; }");
+    EXPECT_THAT(functions.names(), ElementsAre("energy", "residuals", "tip", "late", "early"));
+    EXPECT_FALSE(std::filesystem::exists(folder));
+    run(functions, 0, 10);
+    const auto near = [](double time) { return testing::DoubleNear(time, 1e-9); };
+    EXPECT_THAT(times("energy/0/energy.dat"), ElementsAre(near(0.4), near(0.8)));
+    EXPECT_THAT(times("residuals/0/residuals.dat"), ElementsAre(near(0.5), near(1)));
+    EXPECT_THAT(times("tip/0/block1.dat"), ElementsAre(near(0.3), near(0.6), near(0.9)));
+    EXPECT_THAT(times("late/0/energy.dat"), ElementsAre(near(0.8), near(0.9), near(1)));
+    EXPECT_THAT(times("early/0/energy.dat"), ElementsAre(near(0.1), near(0.2)));
+    EXPECT_FALSE(std::filesystem::exists(folder / "postProcessing/off"));
+}
+
+TEST_F(FunctionListTest, ARestartWritesBesideTheEarlierTables)
+{
+    FunctionList<2> first = read("energy { }");
+    run(first, 0, 5);
+    TimePoint begin;
+    begin.value = 0.5;
+    begin.index = 5;
+    FunctionList<2> second = read("energy { }", "0.5", begin);
+    run(second, 5, 8);
+    EXPECT_EQ(times("energy/0/energy.dat").size(), 5u);
+    EXPECT_EQ(times("energy/0.5/energy.dat").size(), 3u);
+}
+
+TEST_F(FunctionListTest, AllBlocksCanBeFollowed)
+{
+    FunctionList<2> functions = read("blockMotion { blocks all; }");
+    run(functions, 0, 1);
+    EXPECT_EQ(times("blockMotion/0/block0.dat").size(), 1u);
+    EXPECT_EQ(times("blockMotion/0/block1.dat").size(), 1u);
+}
+
+TEST_F(FunctionListTest, PrecisionIsTheUsers)
+{
+    placements[1].translation.x() = 1.0 / 3;
+    FunctionList<2> functions = read("blockMotion { blocks (1); writePrecision 4; }");
+    run(functions, 0, 1);
+    std::ifstream stream(folder / "postProcessing/blockMotion/0/block1.dat");
+    std::string line;
+    std::getline(stream, line);
+    std::getline(stream, line);
+    EXPECT_EQ(line, "0.1  0.3333  0  0  0  0  0");
+}
+
+TEST_F(FunctionListTest, WhatIsWrongIsSaidBeforeTheRun)
+{
+    EXPECT_THAT(refusal("enrgy { }"),
+                testing::AllOf(HasSubstr("Unknown function type enrgy"), HasSubstr("Did you mean energy"),
+                               HasSubstr("residuals")));
+    EXPECT_THAT(refusal("a { type nothing; }"), HasSubstr("blockMotion contactForces energy residuals"));
+    EXPECT_THAT(refusal("energy { writeIntervall 3; }"), HasSubstr("writeIntervall"));
+    EXPECT_THAT(refusal("energy { writeInterval -3; }"), HasSubstr("writeInterval"));
+    EXPECT_THAT(refusal("energy { writePrecision 40; }"), HasSubstr("writePrecision"));
+    EXPECT_THAT(refusal("blockMotion { }"), HasSubstr("blocks"));
+    EXPECT_THAT(refusal("\nblockMotion { blocks (0 2); }"),
+                testing::AllOf(HasSubstr("no block 2"), HasSubstr("0 to 1"), HasSubstr("line 2")));
+    EXPECT_THAT(refusal("blockMotion { blocks (-1); }"), HasSubstr("no block -1"));
+    EXPECT_THAT(refusal("blockMotion { blocks some; }"), HasSubstr("blocks"));
+    EXPECT_THAT(refusal("energy 3;"), HasSubstr("energy"));
+    EXPECT_THAT(refusal("\"e.*\" { type energy; }"), HasSubstr("name of a function"));
+    EXPECT_FALSE(std::filesystem::exists(folder));
+}
