@@ -32,7 +32,7 @@ public:
 private:
     struct Close
     {
-        void operator()(std::FILE* stream) const { std::fclose(stream); }
+        void operator()(std::FILE* opened) const { std::fclose(opened); }
     };
 
     std::filesystem::path file;
