@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <fmt/format.h>
+#include <set>
 
 namespace drystone
 {
@@ -399,11 +400,12 @@ void append(Lines& lines, const Lines& added, const std::string& before)
         lines.push_back(line.empty() ? line : before + line);
 }
 
-Lines membersText(const std::vector<OptionDescription>& options);
+/// \param shown families of models whose alternatives have been listed in this dictionary
+Lines membersText(const std::vector<OptionDescription>& options, std::set<std::string>& shown);
 
 /// `{ ... }` with the keys of a sub-dictionary or of one of its models.
 Lines bodyText(const std::vector<OptionDescription>& members,
-               const OptionDescription::Alternative* alternative)
+               const OptionDescription::Alternative* alternative, std::set<std::string>& shown)
 {
     Lines lines{"{"};
     if (alternative)
@@ -411,14 +413,15 @@ Lines bodyText(const std::vector<OptionDescription>& members,
         lines.push_back("    // " + alternative->summary);
         lines.push_back(fmt::format("    {:<15} {};", "type", alternative->name));
     }
-    append(lines, membersText(alternative ? alternative->members : members), "    ");
+    append(lines, membersText(alternative ? alternative->members : members, shown), "    ");
     lines.emplace_back("}");
     return lines;
 }
 
-Lines bracketed(const OptionDescription& option, const OptionDescription::Alternative* alternative)
+Lines bracketed(const OptionDescription& option, const OptionDescription::Alternative* alternative,
+                std::set<std::string>& shown)
 {
-    const Lines body = bodyText(option.members, alternative);
+    const Lines body = bodyText(option.members, alternative, shown);
     Lines lines;
     switch (option.form)
     {
@@ -445,7 +448,7 @@ Lines bracketed(const OptionDescription& option, const OptionDescription::Altern
     return lines;
 }
 
-Lines membersText(const std::vector<OptionDescription>& options)
+Lines membersText(const std::vector<OptionDescription>& options, std::set<std::string>& shown)
 {
     Lines lines;
     for (const OptionDescription& option : options)
@@ -455,24 +458,33 @@ Lines membersText(const std::vector<OptionDescription>& options)
         if (!lines.empty() && option.form != Form::value)
             lines.emplace_back("");
         lines.push_back("// " + sentence(option));
+        // What may be absent is shown, but commented out.
+        const std::string before = option.presence == Presence::mayBeAbsent && !option.given ? "// " : "";
         if (option.form == Form::value)
         {
-            const bool absent = option.presence == Presence::mayBeAbsent;
             const std::string value =
                 option.presence == Presence::hasDefault ? option.defaultText : exampleOf(option);
-            lines.push_back(fmt::format("{}{:<15} {};", absent ? "// " : "", option.key, value));
+            lines.push_back(fmt::format("{}{:<15} {};", before, option.key, value));
             continue;
         }
         if (option.alternatives.empty())
         {
-            append(lines, bracketed(option, nullptr), "");
+            append(lines, bracketed(option, nullptr, shown), before);
             continue;
         }
-        append(lines, bracketed(option, &option.alternatives.front()), "");
+        append(lines, bracketed(option, &option.alternatives.front(), shown), before);
+        if (option.alternatives.size() > 1 && !shown.insert(option.type).second)
+        {
+            std::vector<std::string> names;
+            for (std::size_t i = 1; i < option.alternatives.size(); ++i)
+                names.push_back(option.alternatives[i].name);
+            lines.push_back(fmt::format("// or with type {}, as above", fmt::join(names, " ")));
+            continue;
+        }
         for (std::size_t i = 1; i < option.alternatives.size(); ++i)
         {
             lines.emplace_back("// or");
-            append(lines, bracketed(option, &option.alternatives[i]), "// ");
+            append(lines, bracketed(option, &option.alternatives[i], shown), "// ");
         }
     }
     return lines;
@@ -491,7 +503,8 @@ std::string annotatedDictionary(std::string_view name, std::string_view doc,
         doc.remove_prefix(std::min(end + 1, doc.size()));
     }
     text += headerText(name) + "\n";
-    for (const std::string& line : membersText(options))
+    std::set<std::string> shown;
+    for (const std::string& line : membersText(options, shown))
         text += line + "\n";
     return text;
 }

@@ -83,6 +83,7 @@ struct OptionDescription
     std::string range; ///< above 0, from 0 to 1; empty when all is allowed
     std::string defaultText;
     std::string exampleText;
+    bool given = false;                     ///< annotated dictionaries give it although it may be absent
     std::vector<std::string> words;         ///< the allowed ones; empty when all are
     std::vector<OptionDescription> members; ///< of a sub-dictionary
     std::vector<Alternative> alternatives;  ///< models of a sub-dictionary that has a `type`
@@ -599,8 +600,8 @@ std::vector<OptionDescription> describeOptions()
 }
 
 /// A whole example dictionary, each key with its doc, unit, range and default, that reads back as it stands.
-/// \param name of the file, for its header
-/// \param doc what the file is for, as a comment on top; may have several lines
+/// What may be absent is commented out. \param name of the file, for its header \param doc what the file is
+/// for, as a comment on top; may have several lines
 std::string annotatedDictionary(std::string_view name, std::string_view doc,
                                 const std::vector<OptionDescription>& options);
 

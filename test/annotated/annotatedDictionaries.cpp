@@ -1,0 +1,128 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The annotated example of every dictionary in etc/annotated: written from the declared options, or checked.
+///
+///     annotatedDictionaries --write etc/annotated
+///     annotatedDictionaries --check etc/annotated   exit status 1 when a file is not what would be written,
+///     or when
+///                                                   one cannot be read by what it is the example of
+#include "assembly/ContactProperties.h"
+#include "assembly/Loads.h"
+#include "assembly/Materials.h"
+#include "core/Options.h"
+#include "core/Time.h"
+#include "core/WholeFile.h"
+#include "dynamics/GroundMotion.h"
+#include "texture/Texture.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+using namespace drystone;
+
+namespace
+{
+
+/// One dictionary of a case.
+struct Example
+{
+    std::string file; ///< in the case directory
+    std::string text;
+    std::function<void(const Dictionary&)> readBack;
+};
+
+/// \param given keys that may be absent but that the example gives
+template<Declared Settings>
+Example example(const std::string& file, const std::string& doc, const std::vector<std::string>& given = {})
+{
+    std::vector<OptionDescription> options = describeOptions<Settings>();
+    for (OptionDescription& option : options)
+        option.given = std::find(given.begin(), given.end(), option.key) != given.end();
+    return {file, annotatedDictionary(std::filesystem::path(file).filename().string(), doc, options),
+            [](const Dictionary& dictionary) { readOptions<Settings>(dictionary); }};
+}
+
+std::vector<Example> examples()
+{
+    return {
+        example<BlockTexture>("system/blockTextureDict", "What blockTexture makes: a structure of blocks.",
+                              {"supports"}),
+        example<TimeControls>("system/controlDict", "Where a run starts and ends, and when it writes."),
+        example<Gravity>("constant/g", "Gravity."),
+        example<MaterialProperties>("constant/materialProperties", "What the blocks weigh: one of the two.",
+                                    {"density"}),
+        example<ContactProperties>(
+            "constant/contactProperties",
+            "One sub-dictionary for each effect that is simulated; without friction contacts "
+            "are frictionless.",
+            {"friction"}),
+        example<LoadCases>("constant/loads",
+                           "Dead load, and the live load that limit analysis multiplies by alpha.",
+                           {"dead", "live"}),
+        example<GroundMotionSettings>(
+            "constant/groundMotion",
+            "How the ground moves; without this file it does not. Results are relative to "
+            "the moving ground.",
+            {"direction", "acceleration"}),
+    };
+}
+
+std::string contentOf(const std::filesystem::path& file)
+{
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+int check(const std::filesystem::path& folder)
+{
+    int faults = 0;
+    std::set<std::filesystem::path> known;
+    for (const Example& wanted : examples())
+    {
+        known.insert(folder / wanted.file);
+        if (contentOf(folder / wanted.file) != wanted.text)
+        {
+            fmt::print("{} is not current: annotatedDictionaries --write {}\n", wanted.file, folder.string());
+            ++faults;
+        }
+        try
+        {
+            wanted.readBack(Dictionary::readString(wanted.text, wanted.file));
+        }
+        catch (const FatalError& error)
+        {
+            fmt::print("{}", error.report());
+            ++faults;
+        }
+    }
+    for (const auto& file : std::filesystem::recursive_directory_iterator(folder))
+    {
+        if (file.is_regular_file() && !known.contains(file.path()))
+        {
+            fmt::print("{} is the example of nothing\n", file.path().string());
+            ++faults;
+        }
+    }
+    fmt::print("{} annotated dictionaries, {} faults\n", known.size(), faults);
+    return faults > 0 ? 1 : 0;
+}
+
+} // namespace
+
+int main(int count, char** arguments)
+{
+    return runGuarded(
+        [&]
+        {
+            const std::string mode = count == 3 ? arguments[1] : "";
+            if (mode == "--check")
+                return check(arguments[2]);
+            if (mode != "--write")
+                throw FatalError("Usage: annotatedDictionaries --write|--check DIR");
+            for (const Example& wanted : examples())
+                writeWholeFile(std::filesystem::path(arguments[2]) / wanted.file, wanted.text);
+            return 0;
+        });
+}
