@@ -25,29 +25,30 @@ struct MovingContactOptions
 /// Every point is a corner against an edge. Its normal is the outward normal of that edge where the block is
 /// now (from `neighbour` into `block`), its gap the distance of the corner along that normal, and its
 /// position the corner itself, for both blocks: the contact force and its reaction act on one line, so that
-/// linear and angular momentum are kept exactly at any gap. The linear change of the gap for displacements
-/// (u, r) of the two blocks is then exact to first order with both lever arms taken to that position: for gap
-/// = n (v - q), q on the edge,
+/// linear and angular momentum are kept exactly at any gap. The equilibrium matrix made from position and
+/// normal gives the change of the gap to first order for displacements (u, r) of the edge's block about its
+/// mass centre c: gap = n (v - q), v the corner, q a point of the edge, so that
+///
 ///     d gap = n dv - n (u + r x (q - c)) + (r x n)(v - q) = n dv - n (u + r x (v - c)).
 ///
 /// Which corner faces which edge:
 /// - Two edges that run in nearly opposite directions (within 15 degrees) share the piece on which they
-/// overlap along
-///   their common direction, and give a point at each end of it: there ends one edge or the other, and its
-///   corner stands against the other edge. So a face that rocks open keeps its far point until that gap
-///   exceeds the margin. Pieces shorter than the tolerance are none: where four blocks meet at one point the
-///   two pairs across do not touch, and a block sliding over flush blocks does not see the head joints below
-///   it.
-/// - Otherwise a convex corner stands against an edge if it is the corner that is foremost towards this edge,
-/// and if it
-///   projects into the edge by more than the tolerance.
+///   overlap along their common direction, and give a point at each end of it: there ends one edge or the
+///   other, and its corner stands against the other edge. So a face that rocks open keeps its far point until
+///   that gap exceeds the margin. Pieces shorter than the tolerance are none: where four blocks meet at one
+///   point the two pairs across do not touch, and a block that slides over flush blocks does not see the head
+///   joints below it.
+/// - Otherwise a convex corner stands against an edge towards which it is the foremost of its block, if it
+///   projects into the edge by more than the tolerance. For convex blocks apart this is the closest pair.
 /// - A corner that is behind two edges of one block has entered through one of them. It keeps the edge
-/// through which
-///   it is least deep, and both only where the edges meet at a re-entrant corner.
+///   through which it is least deep, and both only where the edges meet at a re-entrant corner.
+///
+/// A joint whose points move past each other's corner changes its `feature` there, at the same position and
+/// gap. Points enter the list with a positive gap or, where a corner slides onto the next of two flush
+/// blocks, with none: no energy comes in with them.
 ///
 /// The result depends on the placements alone, not on what was found before: the neighbour list kept between
-/// calls only saves time. A run that is continued from its placements therefore finds the same points, bit
-/// for bit.
+/// calls only saves time. A run that is continued from its placements finds the same points, bit for bit.
 ///
 /// Owns a copy of the outlines; the assembly may go away. Not safe for calls from several threads on one
 /// object.
@@ -57,36 +58,37 @@ public:
     explicit MovingContacts(const Assembly<2>& assembly, const MovingContactOptions& options = {});
 
     /// Points of the configuration `now`, with gaps up to `margin` (and overlaps up to a quarter of the
-    /// thinner block). \param now one for each block, fixed ones too: a fixed block that moves carries its
-    /// contacts along \param margin [m] distance at which a pair that is not yet closed is listed. Take it
-    /// from `marginFor`: what is
-    ///        not listed at the beginning of a step can be passed through in it.
+    /// thinner block). Two fixed blocks have no contacts with each other.
+    /// \param now one for each block, fixed ones too: a fixed block that moves carries its contacts along
+    /// \param margin distance at which a pair that is not yet closed is listed [m]. Take it from `marginFor`:
+    ///        what is not listed at the beginning of a step can be passed through in it.
     /// \return sorted by (block, neighbour, edge of block, edge of neighbour, corner), block < neighbour; the
-    /// points
-    ///         of one pair of edges (a joint, at most two) follow each other. Valid until the next call.
+    ///         points of one pair of edges (a joint, at most two) follow each other. Valid until the next
+    ///         call.
     const std::vector<ContactPoint<2>>& update(const std::vector<Placement<2>>& now, double margin);
 
     /// The same, with the features chosen where the blocks are heading, and the gaps and normals measured
-    /// where they are now. At two corners that pass close by each other, which of the edges the corner will
-    /// meet cannot be seen from the placements alone; `ahead` (say, the placements carried on by one step
-    /// with the present velocities) tells. With it a tilted block slides over a flush head joint, and two
-    /// blocks that fall corner on corner are listed before they overlap.
+    /// where they are now: what time stepping should call. Which edge a corner will meet, at two corners that
+    /// pass close by each other, cannot be seen from the placements alone; `ahead` (the placements carried on
+    /// by one step with the present velocities) tells. With it a tilted block slides over a flush head joint
+    /// without catching, and two blocks that fall corner on corner are listed before they overlap. Corners
+    /// that are foreseen to pass each other get the line between them with the most room. With `ahead` equal
+    /// to `now` the choice is that of the other update, but for these.
     const std::vector<ContactPoint<2>>& update(const std::vector<Placement<2>>& now,
                                                const std::vector<Placement<2>>& ahead, double margin);
 
     /// Gaps of the points of the last update, in their order, were the blocks placed so [m]: the same corners
     /// and edges, measured exactly. The difference from the linear prediction g0 - A0' dx is of second order
     /// (rotation times sliding); added to the gaps of the step program and solved again it makes the step end
-    /// without that overlap. \param gaps resized to the number of points
+    /// without that overlap.
+    /// \param gaps resized to the number of points
     void measureGaps(const std::vector<Placement<2>>& placements, std::vector<double>& gaps) const;
 
     /// The margin that lists every pair of blocks that can meet within a step: twice the farthest that any
-    /// point of a block travels. \param velocities (ux uy rz) of each block [m/s, rad/s] \param timeStep [s]
-    /// \param acceleration bound on what the loads add to the velocity [m/s2], for instance gravity
-    /// \note Features are chosen well as long as no block travels farther in a step than a quarter of its
-    /// thickness.
-    double marginFor(const std::vector<Vector<3>>& velocities, double timeStep,
-                     double acceleration = 9.81) const;
+    /// point of a block travels. Features are chosen well as long as no block travels farther in a step than
+    /// a quarter of its thickness. \param velocities (ux uy rz) of each block [m/s, rad/s] \param timeStep
+    /// [s] \param acceleration bound on what the loads add to the velocity [m/s2], for instance gravity
+    double marginFor(const std::vector<Vector<3>>& velocities, double timeStep, double acceleration) const;
 
     /// How many times the neighbour list was built [-].
     int rebuilds() const { return rebuilds_; }

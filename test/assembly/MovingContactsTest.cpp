@@ -403,7 +403,7 @@ TEST(MovingContacts, AgreeWithSeparatingAxesOnRandomPairs)
     const double margin = 0.02;
     int overlapping = 0;
     int apart = 0;
-    for (int round = 0; round < 50000; ++round)
+    for (int round = 0; round < 30000; ++round)
     {
         const Assembly<2> assembly = assemblyOf({randomBlock(random), randomBlock(random)});
         Placements placements = atRest(assembly);
