@@ -50,7 +50,7 @@ struct Motion
             }
         }
         const auto& points =
-            contacts.update(state.placements, contacts.marginFor(velocities, scheme.timeStep));
+            contacts.update(state.placements, contacts.marginFor(velocities, scheme.timeStep, g));
         const auto columns = equilibriumColumns(assembly, placedMasses(blocks, state.placements), points);
         const PlaneConeProgram program = thetaStepProgram(mass, state.velocity, load, points, columns,
                                                           std::vector<double>(points.size(), mu), scheme);
