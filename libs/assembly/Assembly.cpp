@@ -1,6 +1,8 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Numbering of free blocks and mass properties.
+/// Numbering of free blocks, mass properties, placed outlines.
 #include "assembly/Assembly.h"
+
+#include <cmath>
 
 namespace drystone
 {
@@ -29,6 +31,30 @@ BlockMass<2> blockMass(const Block<2>& block)
     mass.centroid = area.centroid;
     mass.inertia(0, 0) = area.polarMoment * block.thickness;
     return mass;
+}
+
+Polygon placed(const Polygon& outline, const Vector<2>& centre, const Placement<2>& placement)
+{
+    // centre + (vertex - centre) would round
+    if (placement.rotation == 0 && placement.translation.isZero(0))
+        return outline;
+    const double cosine = std::cos(placement.rotation);
+    const double sine = std::sin(placement.rotation);
+    const Vector<2> moved = centre + placement.translation;
+    Polygon result;
+    result.reserve(outline.size());
+    for (const Vector<2>& vertex : outline)
+    {
+        const Vector<2> arm = vertex - centre;
+        result.emplace_back(moved.x() + (cosine * arm.x() - sine * arm.y()),
+                            moved.y() + (sine * arm.x() + cosine * arm.y()));
+    }
+    return result;
+}
+
+Polygon placedOutline(const Block<2>& block, const Placement<2>& placement)
+{
+    return placed(block.outline, areaProperties(block.outline).centroid, placement);
 }
 
 } // namespace drystone

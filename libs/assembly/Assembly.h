@@ -67,4 +67,11 @@ struct Placement<2>
     double rotation = 0;                       ///< [rad], positive counter-clockwise
 };
 
+/// An outline turned about `centre` by the placement's rotation, then moved [m]. Unchanged to the last bit
+/// where the placement is none.
+Polygon placed(const Polygon& outline, const Vector<2>& centre, const Placement<2>& placement);
+
+/// The outline of a block where it is now [m].
+Polygon placedOutline(const Block<2>& block, const Placement<2>& placement);
+
 } // namespace drystone

@@ -44,6 +44,15 @@ void declare(Options& options, ContactProperties& properties)
                      "shear at the contacts; absent: frictionless");
 }
 
+EffectNames effectNames(const ContactProperties& properties)
+{
+    EffectNames names;
+    (properties.friction ? names.simulated : names.absent).emplace_back("friction");
+    for (const AbsentEffect& effect : absentEffects())
+        names.absent.emplace_back(effect.name);
+    return names;
+}
+
 ContactProperties readContactProperties(const std::filesystem::path& caseDirectory)
 {
     const Dictionary dictionary = readCaseFile(caseDirectory, "constant/contactProperties",

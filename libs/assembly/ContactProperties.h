@@ -9,6 +9,7 @@
 #include <array>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -57,6 +58,14 @@ struct AbsentEffect
 
 /// All of them: asking for one is an error, so that nobody takes a result for what it is not.
 const std::vector<AbsentEffect>& absentEffects();
+
+/// The effects of a case, for the log: which are simulated and which are not.
+struct EffectNames
+{
+    std::vector<std::string> simulated;
+    std::vector<std::string> absent;
+};
+EffectNames effectNames(const ContactProperties& properties);
 
 /// The effects of a case. \throws FatalError or FatalIOError when constant/contactProperties is missing or
 /// faulty, or asks for an effect that is unknown or absent from this version

@@ -6,7 +6,6 @@
 #include "geometry/PolygonShape.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace drystone
@@ -91,22 +90,6 @@ double overlapDepth(const Polygon& a, const Polygon& b)
     return depth;
 }
 
-Polygon placed(const Polygon& outline, const Vector<2>& centre, const Placement<2>& placement)
-{
-    const double cosine = std::cos(placement.rotation);
-    const double sine = std::sin(placement.rotation);
-    const Vector<2> moved = centre + placement.translation;
-    Polygon result;
-    result.reserve(outline.size());
-    for (const Vector<2>& vertex : outline)
-    {
-        const Vector<2> arm = vertex - centre;
-        result.emplace_back(moved.x() + (cosine * arm.x() - sine * arm.y()),
-                            moved.y() + (sine * arm.x() + cosine * arm.y()));
-    }
-    return result;
-}
-
 Penetration penetration(const Assembly<2>& assembly, const std::vector<Placement<2>>& placements)
 {
     std::vector<Polygon> outlines;
@@ -115,8 +98,7 @@ Penetration penetration(const Assembly<2>& assembly, const std::vector<Placement
     boxes.reserve(assembly.blocks.size());
     for (std::size_t b = 0; b < assembly.blocks.size(); ++b)
     {
-        const Polygon& outline = assembly.blocks[b].outline;
-        outlines.push_back(placed(outline, areaProperties(outline).centroid, placements[b]));
+        outlines.push_back(placedOutline(assembly.blocks[b], placements[b]));
         boxes.push_back(boundingBox(outlines.back()));
     }
     Penetration deepest;

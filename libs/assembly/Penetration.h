@@ -25,7 +25,4 @@ double overlapDepth(const Polygon& a, const Polygon& b);
 /// \param placements one for each block
 Penetration penetration(const Assembly<2>& assembly, const std::vector<Placement<2>>& placements);
 
-/// The outline turned about `centre` by the placement's rotation, then moved.
-Polygon placed(const Polygon& outline, const Vector<2>& centre, const Placement<2>& placement);
-
 } // namespace drystone

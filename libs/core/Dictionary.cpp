@@ -293,6 +293,8 @@ void Dictionary::set(const std::string& key, std::string_view value)
     auto source = std::make_shared<SourceText>();
     source->files.push_back({where.file.empty() ? key : where.file, std::string(value)});
     std::vector<Token> tokens = parseTokens(source->files.back());
+    for (Token& token : tokens) // messages point at where this dictionary begins
+        token.line = where.line;
     SourceLocation location = where;
     location.entry += (location.entry.empty() ? "" : "/") + key;
     merge(Entry(key, std::move(tokens), std::move(source), std::move(location)));

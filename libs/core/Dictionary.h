@@ -343,6 +343,7 @@ public:
     /// Merge all entries of another dictionary.
     void merge(const Dictionary& other);
     /// Add an entry given as text, `set("endTime", "2")`, replacing one of the same name.
+    /// Messages about it point at where this dictionary begins.
     /// \throws FatalIOError when the text is not a value
     void set(const std::string& key, std::string_view value);
     bool remove(std::string_view key);

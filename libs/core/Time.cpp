@@ -107,7 +107,7 @@ Time::Time(const fs::path& caseDirectory, ControlDict presence)
     if (presence == ControlDict::required)
         requireCaseFile(
             caseDirectory, "system/controlDict",
-            "It says how long to run and when to write; etc/caseDicts/controlDict is one to copy. "
+            "It says how long to run and when to write; etc/annotated/system/controlDict is one to copy. "
             "Is this the case directory? Another is named with -case DIR.");
     fileTime = modificationTime(file);
     dictionary = Dictionary::readFileIfPresent(file);

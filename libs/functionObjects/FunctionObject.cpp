@@ -1,6 +1,8 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "functionObjects/FunctionObject.h"
 
+#include "assembly/ContactState.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -47,22 +49,6 @@ void BlockMotionFunction<2>::write(const StepObservation<2>& step)
 
 namespace
 {
-
-enum class PointState
-{
-    open = 0,
-    sticking = 1,
-    sliding = 2
-};
-
-/// From the force (normal, tangent) of a point: open when it carries less than `small`; sliding when its
-/// shear comes within `small` of the friction.
-PointState pointState(const Vector<2>& force, double friction, double small)
-{
-    if (force.x() <= small)
-        return PointState::open;
-    return std::abs(force.y()) >= friction * force.x() - small ? PointState::sliding : PointState::sticking;
-}
 
 /// Force on the structure and its moment about the origin.
 struct Reaction
@@ -126,13 +112,13 @@ void ContactForcesFunction<2>::write(const StepObservation<2>& step)
         largestNormal = std::max(largestNormal, force.x());
         largestShear = std::max(largestShear, std::abs(force.y()));
     }
-    const double small = 1e-6 * largestNormal;
+    const std::vector<ContactState> states = contactStates(step.contactForces, step.frictionCoefficients);
     std::array<int, 3> counts{};
     for (std::size_t i = 0; i < step.contactPoints.size(); ++i)
     {
         const ContactPoint<2>& point = step.contactPoints[i];
         const Vector<2>& force = step.contactForces[i];
-        const auto state = static_cast<int>(pointState(force, step.frictionCoefficients[i], small));
+        const auto state = static_cast<int>(states[i]);
         ++counts[static_cast<std::size_t>(state)];
         if (points)
             points->write(std::array{step.time, 1.0 * point.block, 1.0 * point.neighbour, point.position.x(),

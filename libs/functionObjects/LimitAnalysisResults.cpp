@@ -1,9 +1,13 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "functionObjects/LimitAnalysisResults.h"
 
+#include "assembly/ContactState.h"
 #include "assembly/Facing.h"
+#include "core/Error.h"
+#include "core/Log.h"
 #include "core/WholeFile.h"
 #include "functionObjects/ColumnFile.h"
+#include "functionObjects/FunctionList.h"
 #include "io/Frames.h"
 #include "io/Mechanism.h"
 #include "io/MechanismPicture.h"
@@ -15,12 +19,25 @@ namespace drystone
 namespace
 {
 
-std::filesystem::path tableFolder(const std::filesystem::path& caseDirectory)
+std::string statusText(CollapseStatus status)
 {
-    return postProcessingFolder(caseDirectory, "limitAnalysis", "0");
+    switch (status)
+    {
+    case CollapseStatus::optimal:
+        return "optimal";
+    case CollapseStatus::unstable:
+        return "unstable (the blocks cannot carry the dead load: the mechanism is written)";
+    case CollapseStatus::unbounded:
+        return "unbounded (no load of this direction makes it collapse)";
+    case CollapseStatus::notConverged:
+        break;
+    }
+    return "not converged: there is no answer. Raise tolerance or maximumIterations in "
+           "system/solution/limitAnalysis";
 }
 
-std::string statusText(const LimitAnalysis& result)
+/// What the picture says of the answer.
+std::string caption(const LimitAnalysis& result)
 {
     switch (result.status)
     {
@@ -48,9 +65,55 @@ std::string tableText(const LimitAnalysisCase& structure, const LimitAnalysis& r
 
 } // namespace
 
+void printLimitAnalysisCase(const LimitAnalysisCase& structure)
+{
+    const auto [simulated, absent] = effectNames(structure.contact);
+    printEffects(simulated, absent);
+    info("Blocks: {} free, contact points: {}", structure.freeBlocks, structure.points.size());
+    info("Solver: {}, tolerance {:g}\n", structure.solution.solver, structure.solution.settings.tolerance);
+}
+
+void printLimitAnalysis(const LimitAnalysis& result)
+{
+    if (result.status == CollapseStatus::optimal)
+        info("Collapse load multiplier alpha = {:.9g}", result.alpha);
+    info("Status: {}", statusText(result.status));
+    const Certificate& certificate = result.certificate;
+    info("Certificate: primal residual = {:.3e}, dual residual = {:.3e}, gap = {:.3e}, No Iterations {}\n",
+         certificate.primalResidual, certificate.dualResidual, certificate.gap, result.iterations);
+}
+
+std::filesystem::path limitAnalysisTable(const std::filesystem::path& caseDirectory)
+{
+    return postProcessingFolder(caseDirectory, "limitAnalysis", "0") / "limitAnalysis.dat";
+}
+
+void checkFunctions(const Dictionary& controlDict, const std::filesystem::path& caseDirectory,
+                    const Assembly<2>& assembly)
+{
+    const Entry* functions = controlDict.find("functions");
+    if (!functions)
+        return;
+    const FunctionList<2> list(functions->dictionary(), caseDirectory, "0", {}, assembly);
+    if (!list.names().empty())
+        info("Functions of system/controlDict are for time stepping, and not run here: {}\n",
+             fmt::join(list.names(), " "));
+}
+
+void confirmResults(const std::filesystem::path& caseDirectory)
+{
+    const std::filesystem::path table = limitAnalysisTable(caseDirectory);
+    if (!std::filesystem::exists(table))
+        throw FatalError(fmt::format("There are no results to process: {} is missing.\n\nRun limitAnalysis "
+                                     "without -postProcess first.",
+                                     table.string()));
+    info("All results are written as limitAnalysis runs, {} among them: nothing is left to process.\n",
+         table.string());
+}
+
 void requireWritableResults(const std::filesystem::path& caseDirectory)
 {
-    requireWritable(tableFolder(caseDirectory));
+    requireWritable(limitAnalysisTable(caseDirectory).parent_path());
     requireWritable(caseDirectory / "VTK");
 }
 
@@ -68,11 +131,11 @@ void writeLimitAnalysisResults(const std::filesystem::path& caseDirectory, const
 
     MechanismPicture picture;
     picture.title = std::filesystem::absolute(caseDirectory).lexically_normal().filename().string();
-    picture.subtitle = fmt::format("{}, {} blocks, {} contact points", statusText(result),
-                                   structure.freeBlocks, structure.points.size());
-    writeMechanismPicture(tableFolder(caseDirectory) / "mechanism.svg", assembly,
+    picture.subtitle = fmt::format("{}, {} blocks, {} contact points", caption(result), structure.freeBlocks,
+                                   structure.points.size());
+    writeMechanismPicture(limitAnalysisTable(caseDirectory).replace_filename("mechanism.svg"), assembly,
                           mechanismPlacements(assembly, rates, 0.5 * meanBlockSize(assembly)), picture);
-    writeWholeFile(tableFolder(caseDirectory) / "limitAnalysis.dat", tableText(structure, result, cpuTime));
+    writeWholeFile(limitAnalysisTable(caseDirectory), tableText(structure, result, cpuTime));
 }
 
 } // namespace drystone

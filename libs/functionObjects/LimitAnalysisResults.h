@@ -1,6 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// What limit analysis leaves in a case: the table, the animation and the picture of the mechanism, the
-/// contact forces.
+/// What limit analysis tells its user, and what it leaves in a case: the table, the animation and the picture
+/// of the mechanism, the contact forces.
 #pragma once
 
 #include "statics/LimitAnalysisCase.h"
@@ -9,6 +9,25 @@
 
 namespace drystone
 {
+
+/// Counts, effects and solver, for the log before the solution.
+void printLimitAnalysisCase(const LimitAnalysisCase& structure);
+
+/// Multiplier, status and certificate. No multiplier is printed for what did not converge.
+void printLimitAnalysis(const LimitAnalysis& result);
+
+/// postProcessing/limitAnalysis/0/limitAnalysis.dat
+std::filesystem::path limitAnalysisTable(const std::filesystem::path& caseDirectory);
+
+/// Checks the functions of controlDict and says that they are not run: they follow motion, which limit
+/// analysis has none of.
+/// \throws FatalIOError for what is wrong with them
+void checkFunctions(const Dictionary& controlDict, const std::filesystem::path& caseDirectory,
+                    const Assembly<2>& assembly);
+
+/// For `-postProcess`: the solver has written all that there is to write of its results.
+/// \throws FatalError when there are no results
+void confirmResults(const std::filesystem::path& caseDirectory);
 
 /// Asks, before anything is computed, whether the folders of the results can be written.
 /// \throws FatalError naming the one that cannot

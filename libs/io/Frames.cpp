@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <limits>
 #include <utility>
@@ -137,23 +136,6 @@ std::vector<Polygon> fans(Polygon outline)
 
 } // namespace
 
-Polygon placedOutline(const Block<2>& block, const Placement<2>& placement)
-{
-    if (placement.rotation == 0 && placement.translation.isZero(0))
-        return block.outline;
-    const Vector<2> centroid = areaProperties(block.outline).centroid;
-    const double c = std::cos(placement.rotation);
-    const double s = std::sin(placement.rotation);
-    Polygon outline = block.outline;
-    for (Vector<2>& vertex : outline)
-    {
-        const Vector<2> arm = vertex - centroid;
-        vertex = centroid + placement.translation
-                 + Vector<2>(c * arm.x() - s * arm.y(), s * arm.x() + c * arm.y());
-    }
-    return outline;
-}
-
 PolyData blockFrame(const Assembly<2>& assembly, const std::vector<Placement<2>>& placements,
                     std::vector<Field> fields)
 {
@@ -198,42 +180,6 @@ PolyData blockFrame(const Assembly<2>& assembly, const std::vector<Placement<2>>
         for (Field& field : data.fields)
             spread(field, blockOfCell, count);
     return data;
-}
-
-std::vector<Vector<2>> pointForces(const Eigen::VectorXd& contactForce)
-{
-    if (contactForce.size() % 2 != 0)
-        throw FatalError(fmt::format("{} components of contact forces are no pairs.", contactForce.size()));
-    std::vector<Vector<2>> forces;
-    forces.reserve(static_cast<std::size_t>(contactForce.size() / 2));
-    for (Eigen::Index i = 0; i < contactForce.size(); i += 2)
-        forces.push_back(contactForce.segment<2>(i));
-    return forces;
-}
-
-std::vector<ContactState> contactStates(const std::vector<Vector<2>>& forces,
-                                        const std::vector<double>& friction, double tolerance)
-{
-    if (friction.size() != forces.size())
-        throw FatalError(fmt::format("{} friction coefficients were given for {} contact forces.",
-                                     friction.size(), forces.size()));
-    double largest = 0;
-    for (const Vector<2>& force : forces)
-        largest = std::max(largest, force.x());
-    std::vector<ContactState> states;
-    states.reserve(forces.size());
-    for (std::size_t i = 0; i < forces.size(); ++i)
-    {
-        const double normal = forces[i].x();
-        const double strength = friction[i] * normal;
-        if (normal <= tolerance * largest)
-            states.push_back(ContactState::open);
-        else if (std::abs(forces[i].y()) >= strength - tolerance * normal)
-            states.push_back(ContactState::sliding);
-        else
-            states.push_back(ContactState::sticking);
-    }
-    return states;
 }
 
 PolyData contactFrame(const std::vector<ContactPoint<2>>& points, const std::vector<Vector<2>>& forces,

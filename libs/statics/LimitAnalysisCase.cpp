@@ -3,8 +3,8 @@
 
 #include "assembly/AssemblyChecks.h"
 #include "assembly/AssemblyFile.h"
-#include "assembly/ContactProperties.h"
 #include "assembly/Materials.h"
+#include "core/Solution.h"
 
 namespace drystone
 {
@@ -23,9 +23,7 @@ void declare(Options& options, LimitAnalysisSolution& solution)
 
 LimitAnalysisSolution readLimitAnalysisSolution(const std::filesystem::path& caseDirectory)
 {
-    const Dictionary dictionary = Dictionary::readFileIfPresent(caseDirectory / "system/solution");
-    const Dictionary* own = dictionary.findDict("limitAnalysis");
-    return own ? readOptions<LimitAnalysisSolution>(*own) : LimitAnalysisSolution{};
+    return readOptions<LimitAnalysisSolution>(readSolution(caseDirectory, "limitAnalysis"));
 }
 
 LimitAnalysisCase readLimitAnalysisCase(const std::filesystem::path& caseDirectory)
@@ -35,8 +33,8 @@ LimitAnalysisCase readLimitAnalysisCase(const std::filesystem::path& caseDirecto
     result.assembly = readAssembly(caseDirectory);
     refuseOverlaps(result.assembly, caseDirectory);
 
-    const ContactProperties contact = readContactProperties(caseDirectory);
-    if (contact.friction && contact.friction->flowRule == FlowRule::nonAssociative)
+    result.contact = readContactProperties(caseDirectory);
+    if (result.contact.friction && result.contact.friction->flowRule == FlowRule::nonAssociative)
     {
         const Dictionary dictionary = Dictionary::readFile(caseDirectory / "constant/contactProperties");
         throw FatalIOError(
@@ -52,7 +50,7 @@ LimitAnalysisCase readLimitAnalysisCase(const std::filesystem::path& caseDirecto
         readLoads(caseDirectory, {result.assembly, masses, gravity}, LiveLoad::required);
 
     result.points = findContactPoints(result.assembly);
-    result.friction = frictionCoefficients(contact, result.points.size());
+    result.friction = frictionCoefficients(result.contact, result.points.size());
     result.freeBlocks = static_cast<int>(loads.dead.size()) / 3;
     result.program =
         limitAnalysisProgram(result.freeBlocks, equilibriumColumns(result.assembly, blocks, result.points),

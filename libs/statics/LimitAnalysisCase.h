@@ -2,6 +2,7 @@
 /// What limit analysis reads of a case.
 #pragma once
 
+#include "assembly/ContactProperties.h"
 #include "core/Options.h"
 #include "statics/LimitAnalysis.h"
 
@@ -20,14 +21,15 @@ struct LimitAnalysisSolution
 };
 void declare(Options& options, LimitAnalysisSolution& solution);
 
-/// \throws FatalIOError for what is wrong with the sub-dictionary; those of other applications are not looked
-/// at
+/// \throws FatalIOError for what is wrong with the sub-dictionary, or with system/solution as a whole (see
+/// readSolution)
 LimitAnalysisSolution readLimitAnalysisSolution(const std::filesystem::path& caseDirectory);
 
 /// A structure with its loads, read and checked.
 struct LimitAnalysisCase
 {
     Assembly<2> assembly;
+    ContactProperties contact;
     std::vector<ContactPoint<2>> points; ///< as built
     std::vector<double> friction;        ///< mu of each point
     int freeBlocks = 0;

@@ -12,6 +12,8 @@
 #include "core/Time.h"
 #include "core/WholeFile.h"
 #include "dynamics/GroundMotion.h"
+#include "functionObjects/FunctionList.h"
+#include "statics/LimitAnalysisCase.h"
 #include "texture/Texture.h"
 
 #include <algorithm>
@@ -44,12 +46,40 @@ Example example(const std::string& file, const std::string& doc, const std::vect
             [](const Dictionary& dictionary) { readOptions<Settings>(dictionary); }};
 }
 
+/// system/controlDict with its functions, which function objects read and time does not.
+struct ControlDictSettings
+{
+    TimeControls controls;
+    std::vector<Named<FunctionPlan<2>>> functions;
+};
+void declare(Options& options, ControlDictSettings& settings)
+{
+    declare(options, settings.controls);
+    options.optional("functions", settings.functions, functionTypes(),
+                     "what is written beside the animation; each has a name of yours");
+}
+
+/// system/solution, of which each application reads its own sub-dictionary.
+struct SolutionSettings
+{
+    LimitAnalysisSolution limitAnalysis;
+};
+void declare(Options& options, SolutionSettings& settings)
+{
+    options.optional("limitAnalysis", settings.limitAnalysis, "how limitAnalysis solves");
+}
+
 std::vector<Example> examples()
 {
     return {
         example<BlockTexture>("system/blockTextureDict", "What blockTexture makes: a structure of blocks.",
                               {"supports"}),
-        example<TimeControls>("system/controlDict", "Where a run starts and ends, and when it writes."),
+        example<ControlDictSettings>("system/controlDict", "Where a run starts and ends, and when it writes.",
+                                     {"functions"}),
+        example<SolutionSettings>("system/solution",
+                                  "How the applications solve: a sub-dictionary for each of them, which may "
+                                  "be absent.",
+                                  {"limitAnalysis"}),
         example<Gravity>("constant/g", "Gravity."),
         example<MaterialProperties>("constant/materialProperties", "What the blocks weigh: one of the two.",
                                     {"density"}),

@@ -189,8 +189,18 @@ brokenInputs = [
                "type force;\n    at (50 50);@@\n    value (0 -1 0);", r"(?i)block", lines=(4, 5)),
     inAnalysis("unknownSolver", "system/solution", "interiorPoint", "interiorpoint", r"interiorPoint"),
     inAnalysis("negativeTolerance", "system/solution", "1e-9", "-1e-9", r"tolerance"),
+    inAnalysis("unknownApplication", "system/solution", "limitAnalysis", "limitAnalisys",
+               r"Did you mean limitAnalysis\?"),
+    inAnalysis("solutionIsNoDictionary", "system/solution", "", "", r"sub-dictionary",
+               content="limitAnalysis interiorPoint;\n", lines=(1,)),
     inAnalysis("gravityUpIsNoVector", "constant/g", "(0 -9.81 0)", "9.81", r"value"),
     inAnalysis("controlDictKey", "system/controlDict", "writeInterval", "writeIntervall", r"Did you mean writeInterval\?"),
+    inAnalysis("unknownFunction", "system/controlDict", "writeInterval 5;", "functions { energi { } }",
+               r"Did you mean energy\?"),
+    inAnalysis("functionOfNoBlock", "system/controlDict", "writeInterval 5;",
+               "functions { top { type blockMotion; blocks (999); } }", r"999"),
+    Broken("limitAnalysis", "nothingToPostProcess", before=built, arguments=("-postProcess",), says=(r"no results",),
+           where="-"),
     inAnalysis("controlDictStep", "system/controlDict", "deltaT 0.01", "deltaT -0.01", r"deltaT"),
 ]
 

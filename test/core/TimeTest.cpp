@@ -323,6 +323,23 @@ TEST(OutputControl, CountsSecondsOfTheClocks)
     EXPECT_FALSE(none.due({5, 1, 5, 5, 5, true}));
 }
 
+TEST_F(TimeCase, AMissingControlDictIsRepairedFromAFileThatExists)
+{
+    try
+    {
+        Time time(directory, ControlDict::required);
+        ADD_FAILURE() << "a case without controlDict was taken";
+    }
+    catch (const FatalIOError& error)
+    {
+        const std::string message = error.what();
+        const std::size_t begin = message.find("etc/");
+        ASSERT_NE(begin, std::string::npos) << message;
+        const std::string named = message.substr(begin, message.find(' ', begin) - begin);
+        EXPECT_TRUE(fs::is_regular_file(fs::path(DRYSTONE_SOURCE_DIR) / named)) << named;
+    }
+}
+
 TEST(Case, SaysWhatACaseIsMadeOf)
 {
     const fs::path empty = fs::temp_directory_path() / fmt::format("drystone-empty-{}", ::getpid());
