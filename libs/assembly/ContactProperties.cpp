@@ -24,7 +24,6 @@ const std::vector<AbsentEffect>& absentEffects()
         {"cohesion", "shear strength without normal force"},
         {"tension", "tensile strength of the joints"},
         {"crushing", "a limit to the compression that a contact carries"},
-        {"restitution", "rebound after an impact"},
         {"elasticity", "joints that give way under load"},
         {"damping", "losses beside friction and impact"},
         {"rollingResistance", "a moment that resists rolling"},
@@ -38,16 +37,26 @@ void declare(Options& options, CoulombFriction& friction)
     options.optional("flowRule", friction.flowRule, "whether a joint that slides opens");
 }
 
+void declare(Options& options, Restitution& restitution)
+{
+    options.required("normal", restitution.normal, "parting over closing velocity of an impact")
+        .atLeast(0)
+        .atMost(1)
+        .example("0.5");
+}
+
 void declare(Options& options, ContactProperties& properties)
 {
     options.optional("friction", properties.friction, frictionTypes(),
                      "shear at the contacts; absent: frictionless");
+    options.optional("restitution", properties.restitution, "rebound after an impact; absent: none");
 }
 
 EffectNames effectNames(const ContactProperties& properties)
 {
     EffectNames names;
     (properties.friction ? names.simulated : names.absent).emplace_back("friction");
+    (properties.restitution ? names.simulated : names.absent).emplace_back("restitution");
     for (const AbsentEffect& effect : absentEffects())
         names.absent.emplace_back(effect.name);
     return names;
@@ -63,7 +72,7 @@ ContactProperties readContactProperties(const std::filesystem::path& caseDirecto
         {
             throw FatalIOError(
                 fmt::format("This version does not simulate {} ({}). Remove the entry to compute "
-                            "without it; simulated are: friction.",
+                            "without it; simulated are: friction restitution.",
                             effect.name, effect.summary),
                 entry->location());
         }

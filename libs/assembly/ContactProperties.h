@@ -38,10 +38,20 @@ struct CoulombFriction
 
 void declare(Options& options, CoulombFriction& friction);
 
+/// Rebound after an impact (Newton): the points of a contact part with `normal` times the velocity at which
+/// they met.
+struct Restitution
+{
+    double normal = 0; ///< coefficient, 0 to 1
+};
+
+void declare(Options& options, Restitution& restitution);
+
 /// The effects of a case; one that is absent is not simulated and costs nothing.
 struct ContactProperties
 {
     std::optional<CoulombFriction> friction; ///< absent: frictionless
+    std::optional<Restitution> restitution;  ///< absent: impacts are plastic
 };
 
 void declare(Options& options, ContactProperties& properties);

@@ -637,24 +637,28 @@ void MovingContacts::findPoints(int block, int neighbour, double margin)
     }
 }
 
-void MovingContacts::measureGaps(const std::vector<Placement<2>>& placements, std::vector<double>& gaps) const
+void MovingContacts::measure(const std::vector<Placement<2>>& placements,
+                             std::vector<ContactPoint<2>>& points) const
 {
     assert(placements.size() == centroid_.size());
-    gaps.resize(points_.size());
-    for (std::size_t i = 0; i < points_.size(); ++i)
+    points = points_;
+    for (std::size_t i = 0; i < points.size(); ++i)
     {
         const auto [corner, edge] = cornerAndEdge_[i];
-        const ContactPoint<2>& point = points_[i];
+        ContactPoint<2>& point = points[i];
         const bool cornerIsTheBlocks = point.feature.vertexBlock == point.block;
         const int cornerBlock = cornerIsTheBlocks ? point.block : point.neighbour;
         const int edgeBlock = cornerIsTheBlocks ? point.neighbour : point.block;
         const Eigen::Rotation2Dd turned(placements[cornerBlock].rotation);
         const Eigen::Rotation2Dd turnedEdge(placements[edgeBlock].rotation);
+        const Vector<2> cornerArm = turned * localCorner_[corner];
+        const Vector<2> normal = outwardNormal(turnedEdge * localTangent_[edge]);
         // Differences of places first, so that a structure far from the origin keeps its digits.
         const Vector<2> centres = (centroid_[cornerBlock] - centroid_[edgeBlock])
                                   + (placements[cornerBlock].translation - placements[edgeBlock].translation);
-        const Vector<2> arm = centres + turned * localCorner_[corner] - turnedEdge * localCorner_[edge];
-        gaps[i] = arm.dot(outwardNormal(turnedEdge * localTangent_[edge]));
+        point.gap = (centres + cornerArm - turnedEdge * localCorner_[edge]).dot(normal);
+        point.position = centroid_[cornerBlock] + placements[cornerBlock].translation + cornerArm;
+        point.normal = cornerIsTheBlocks ? normal : Vector<2>(-normal);
     }
 }
 

@@ -77,12 +77,12 @@ public:
     const std::vector<ContactPoint<2>>& update(const std::vector<Placement<2>>& now,
                                                const std::vector<Placement<2>>& ahead, double margin);
 
-    /// Gaps of the points of the last update, in their order, were the blocks placed so [m]: the same corners
-    /// and edges, measured exactly. The difference from the linear prediction g0 - A0' dx is of second order
-    /// (rotation times sliding); added to the gaps of the step program and solved again it makes the step end
-    /// without that overlap.
-    /// \param gaps resized to the number of points
-    void measureGaps(const std::vector<Placement<2>>& placements, std::vector<double>& gaps) const;
+    /// The points of the last update, in their order, were the blocks placed so: the same corners and edges,
+    /// with position, normal and gap measured exactly. The difference of the gaps from the linear prediction
+    /// g0 - A0' dx is of second order (rotation times sliding); added to the gaps of the step program and
+    /// solved again it makes the step end without that overlap.
+    /// \param points overwritten
+    void measure(const std::vector<Placement<2>>& placements, std::vector<ContactPoint<2>>& points) const;
 
     /// The margin that lists every pair of blocks that can meet within a step: twice the farthest that any
     /// point of a block travels. Features are chosen well as long as no block travels farther in a step than

@@ -271,6 +271,17 @@ void Time::shortenStep(double shorter)
     sharpenName();
 }
 
+void Time::abandonStep()
+{
+    now -= lastStep;
+    lastStep = 0;
+    --count;
+    origin = now;
+    originIndex = count;
+    step = settings.deltaT;
+    write = Write::undecided;
+}
+
 int Time::exitStatus() const
 {
     return signal == 0 ? 0 : exitStatusOfSignal(signal);

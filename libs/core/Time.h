@@ -162,6 +162,9 @@ public:
     /// Repeat the current step with a shorter one: the current time moves back to its start plus `shorter`.
     void shortenStep(double shorter);
 
+    /// Take the current step back: time and index are those of its start, and no step has been done.
+    void abandonStep();
+
     /// 0, or 128 + the signal that has ended the run (130 for Ctrl-C).
     int exitStatus() const;
     /// Part of the way to the end time that is done, 0 to 1.

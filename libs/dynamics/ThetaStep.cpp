@@ -12,9 +12,8 @@ namespace
 constexpr int maximumPrograms = 100;
 
 /// mu |u_t| of each point: what the program's flow opens.
-Eigen::VectorXd dilatancy(const PlaneConeProgram& program, const Eigen::VectorXd& displacement)
+Eigen::VectorXd dilatancy(const PlaneConeProgram& program, const Eigen::VectorXd& closing)
 {
-    const Eigen::VectorXd closing = applyTransposed(program, displacement);
     Eigen::VectorXd opening(program.points());
     for (int point = 0; point < program.points(); ++point)
     {
@@ -23,16 +22,54 @@ Eigen::VectorXd dilatancy(const PlaneConeProgram& program, const Eigen::VectorXd
     return opening;
 }
 
-void solveOnce(ThetaStep& step, const PlaneConeProgram& program, const InteriorPointSettings& settings)
+/// Mbar^-1 rows.
+Eigen::VectorXd displacementUnder(const PlaneConeProgram& program, Eigen::VectorXd rows)
 {
-    const ConeSolution solution = solveInteriorPoint(program, settings);
-    step.status = solution.status;
-    step.displacement = solution.displacement;
-    step.contactForce = solution.contactForce;
-    step.certificate = certifyOptimal(program, solution);
+    for (int body = 0; body < program.bodies; ++body)
+    {
+        rows.segment<3>(3 * body).array() /=
+            program.inertia[static_cast<std::size_t>(body)].diagonal().array();
+    }
+    return rows;
+}
+
+void solveOnce(ThetaStep& step, const PlaneConeProgram& program, const SolverChoice& solver,
+               const ConeSolution& start)
+{
+    ConeSolution solution = solveConeProgram(program, solver, start);
     step.iterations += solution.iterations;
     step.factorisations += solution.factorisations;
     ++step.programs;
+    step.status = solution.status;
+    step.certificate = certifyOptimal(program, solution);
+    if (solution.status == SolveStatus::optimal)
+    {
+        // A structure whose forces balance its loads to the tolerance stands still: not by what the solver
+        // leaves of a displacement, which would be an impulse in the next step, but exactly.
+        ConeSolution resting = solution;
+        resting.displacement.setZero();
+        const Certificate atRest = certifyOptimal(program, resting);
+        if (atRest.worst() <= solver.tolerance)
+        {
+            step.certificate = atRest;
+            step.displacement = std::move(resting.displacement);
+            step.contactForce = std::move(resting.contactForce);
+            step.closing = Eigen::VectorXd::Zero(2 * program.points());
+            return;
+        }
+        ConeSolution balanced = solution;
+        balanced.displacement =
+            displacementUnder(program, program.load - applyEquilibrium(program, solution.contactForce));
+        const Certificate certificate = certifyOptimal(program, balanced);
+        if (certificate.worst() <= solver.tolerance)
+        {
+            step.certificate = certificate;
+            solution = std::move(balanced);
+        }
+    }
+    step.displacement = std::move(solution.displacement);
+    step.contactForce = std::move(solution.contactForce);
+    step.closing = applyTransposed(program, step.displacement);
 }
 
 } // namespace
@@ -61,80 +98,124 @@ PlaneConeProgram thetaStepProgram(const Eigen::VectorXd& mass, const Eigen::Vect
     return program;
 }
 
-ThetaStep solveThetaStep(PlaneConeProgram program, FlowRule flowRule, double blockSize,
-                         const InteriorPointSettings& settings)
+ThetaStep solveThetaStep(PlaneConeProgram program, const StepSettings& settings, const StepGuess& guess,
+                         const Relinearisation& relinearise)
 {
     ThetaStep step;
     if (program.points() == 0)
     {
-        // Free flight: nothing to optimise, y = Mbar^-1 fbar exactly.
-        step.displacement = program.load;
-        for (int body = 0; body < program.bodies; ++body)
-        {
-            const Eigen::Vector3d inertia = program.inertia[static_cast<std::size_t>(body)].diagonal();
-            step.displacement.segment<3>(3 * body).array() /= inertia.array();
-        }
+        step.displacement = displacementUnder(program, program.load); // free flight
         step.status = SolveStatus::optimal;
         return step;
     }
-    const Eigen::VectorXd gap = program.gap;
-    solveOnce(step, program, settings);
-    Eigen::VectorXd imposed = Eigen::VectorXd::Zero(program.points());
-    while (flowRule == FlowRule::nonAssociative && step.status == SolveStatus::optimal)
+
+    ConeSolution resting;
+    resting.displacement = Eigen::VectorXd::Zero(program.load.size());
+    resting.contactForce = guess.contactForce.size() == 2 * program.points()
+                               ? guess.contactForce
+                               : Eigen::VectorXd::Zero(2 * program.points());
+    step.certificate = certifyOptimal(program, resting);
+    step.initialResidual = step.certificate.worst();
+    if (step.initialResidual <= settings.solver.tolerance)
     {
-        const Eigen::VectorXd opening = dilatancy(program, step.displacement);
-        const double change = (opening - imposed).lpNorm<Eigen::Infinity>();
-        if (change <= std::max(1e-12 * blockSize, 1e-8 * opening.lpNorm<Eigen::Infinity>()))
+        step.status = SolveStatus::optimal;
+        step.displacement = std::move(resting.displacement);
+        step.contactForce = std::move(resting.contactForce);
+        step.closing = Eigen::VectorXd::Zero(2 * program.points());
+        return step;
+    }
+
+    const bool isCoulomb = settings.flowRule == FlowRule::nonAssociative;
+    Eigen::VectorXd imposed = Eigen::VectorXd::Zero(program.points());
+    if (isCoulomb && guess.displacement.size() > 0)
+    {
+        imposed = dilatancy(program, applyTransposed(program, guess.displacement));
+    }
+    if (relinearise && guess.displacement.size() > 0)
+    {
+        // About where the blocks are heading, so that what is left is of second order in their acceleration.
+        relinearise(guess.displacement, resting.contactForce, program);
+    }
+    ConeSolution start;
+    start.displacement = guess.displacement;
+    start.contactForce = resting.contactForce;
+    Eigen::VectorXd gap = program.gap; // without the share that is imposed
+    for (;;)
+    {
+        for (int point = 0; isCoulomb && point < program.points(); ++point)
         {
-            break;
+            program.gap[2 * point] = gap[2 * point] + imposed[point];
+        }
+        solveOnce(step, program, settings.solver, start);
+        if (step.status != SolveStatus::optimal)
+        {
+            return step;
+        }
+        start.displacement = step.displacement;
+        start.contactForce = step.contactForce;
+        bool stands = true;
+        if (isCoulomb)
+        {
+            const Eigen::VectorXd opening = dilatancy(program, step.closing);
+            const double change = (opening - imposed).lpNorm<Eigen::Infinity>();
+            stands = change <= std::max(1e-12 * settings.blockSize,
+                                        10 * settings.solver.tolerance * opening.lpNorm<Eigen::Infinity>());
+            imposed = opening;
+        }
+        if (relinearise)
+        {
+            program.gap = gap;
+            stands = relinearise(step.displacement, step.contactForce, program) <= settings.contactTolerance
+                     && stands;
+            gap = program.gap;
+        }
+        if (stands)
+        {
+            return step;
         }
         if (step.programs == maximumPrograms)
         {
             step.status = SolveStatus::notConverged;
-            break;
+            return step;
         }
-        imposed = opening;
-        for (int point = 0; point < program.points(); ++point)
-        {
-            program.gap[2 * point] = gap[2 * point] + imposed[point];
-        }
-        solveOnce(step, program, settings);
     }
-    return step;
 }
 
-void advance(DynamicState& state, const std::vector<int>& free, const Eigen::VectorXd& displacement,
-             const ThetaScheme& scheme)
+std::vector<Placement<2>> moved(std::vector<Placement<2>> placements, const std::vector<int>& free,
+                                const Eigen::VectorXd& displacement, double share)
 {
     for (std::size_t block = 0; block < free.size(); ++block)
     {
         if (free[block] >= 0)
         {
-            state.placements[block].translation += displacement.segment<2>(3 * free[block]);
-            state.placements[block].rotation += displacement[3 * free[block] + 2];
+            placements[block].translation += share * displacement.segment<2>(3 * free[block]);
+            placements[block].rotation += share * displacement[3 * free[block] + 2];
         }
     }
+    return placements;
+}
+
+void advance(DynamicState& state, const std::vector<int>& free, const Eigen::VectorXd& displacement,
+             const ThetaScheme& scheme)
+{
+    state.placements = moved(std::move(state.placements), free, displacement);
     const Eigen::VectorXd mean = displacement / scheme.timeStep;
     state.velocity = (mean - (1 - scheme.theta) * state.velocity) / scheme.theta;
     state.time += scheme.timeStep;
 }
 
-StepEnergy stepEnergy(const PlaneConeProgram& program, const ThetaStep& step, const Eigen::VectorXd& mass,
-                      const Eigen::VectorXd& load, const Eigen::VectorXd& velocityBefore,
-                      const Eigen::VectorXd& velocityAfter, const ThetaScheme& scheme)
+StepEnergy stepEnergy(const ThetaStep& step, const Eigen::VectorXd& mass, const Eigen::VectorXd& load,
+                      const Eigen::VectorXd& velocityBefore, const Eigen::VectorXd& velocityAfter,
+                      const ThetaScheme& scheme)
 {
     StepEnergy energy;
     energy.loadWork = load.dot(step.displacement);
     const Eigen::VectorXd change = velocityAfter - velocityBefore;
     energy.algorithmicLoss = (scheme.theta - 0.5) * change.cwiseProduct(mass).dot(change);
-    if (program.points() > 0)
+    for (Eigen::Index row = 0; row < step.closing.size(); row += 2)
     {
-        const Eigen::VectorXd closing = applyTransposed(program, step.displacement);
-        for (Eigen::Index point = 0; point < program.points(); ++point)
-        {
-            energy.normalLoss += step.contactForce[2 * point] * closing[2 * point];
-            energy.frictionLoss += step.contactForce[2 * point + 1] * closing[2 * point + 1];
-        }
+        energy.normalLoss += step.contactForce[row] * step.closing[row];
+        energy.frictionLoss += step.contactForce[row + 1] * step.closing[row + 1];
     }
     return energy;
 }

@@ -5,8 +5,10 @@
 #include "assembly/ContactProperties.h"
 #include "assembly/Equilibrium.h"
 #include "conic/Certificate.h"
-#include "conic/InteriorPoint.h"
+#include "conic/SolverChoice.h"
 #include "dynamics/DynamicState.h"
+
+#include <functional>
 
 namespace drystone
 {
@@ -32,24 +34,62 @@ PlaneConeProgram thetaStepProgram(const Eigen::VectorXd& mass, const Eigen::Vect
                                   const std::vector<ContactColumns<2>>& columns,
                                   const std::vector<double>& friction, const ThetaScheme& scheme);
 
+/// How well a step is to be solved.
+struct StepSettings
+{
+    FlowRule flowRule = FlowRule::associative;
+    double blockSize = 1;        ///< mean, what lengths are compared with [m]
+    double contactTolerance = 0; ///< error allowed in the gaps at the end of the step [m]
+    SolverChoice solver;
+};
+
+/// Where a step may end, for a start.
+struct StepGuess
+{
+    Eigen::VectorXd displacement; ///< dt v0, say, to linearise about at first; or empty
+    Eigen::VectorXd contactForce; ///< of the last step, two a point; or empty
+};
+
+/// Corrects a program for what is not linear in it. Given the displacements of its solution, it puts the
+/// contact columns where the momenta of the step want them and the gaps such that g - A'y, for this y, are
+/// the gaps of the blocks where y takes them, turned by finite angles. \return the largest error of the gaps
+/// that the program as it came had predicted, at points that carry a force or overlap [m]
+using Relinearisation = std::function<double(const Eigen::VectorXd& displacement,
+                                             const Eigen::VectorXd& contactForce, PlaneConeProgram& program)>;
+
 /// A solved step.
 struct ThetaStep
 {
     SolveStatus status = SolveStatus::notConverged; ///< `optimal` or not usable
     Eigen::VectorXd displacement;                   ///< y, 3 a free block [m, m, rad]
     Eigen::VectorXd contactForce; ///< c, (normal, tangent) of each point, mean over the step [N]
+    Eigen::VectorXd closing;      ///< A'y, likewise: by how much the points close and slide [m]
     Certificate certificate;      ///< of the last program solved
-    int iterations = 0;           ///< of all programs together
-    int factorisations = 0;       ///< likewise
-    int programs = 0;             ///< more than one with the flow rule nonAssociative
+    double initialResidual =
+        0;                  ///< worst figure of the certificate of the guess "no motion, forces as before"
+    int iterations = 0;     ///< of all programs together
+    int factorisations = 0; ///< likewise; 0 when the guess was the solution
+    int programs = 0;       ///< solved
 };
 
-/// Solves the step. With `nonAssociative` by the fixed point of Acary & Cadoux (2013): the program's flow
-/// opens a point by mu |u_t| as it slides by u_t; with its gap increased by just that the point slides
-/// without opening, which is Coulomb's law. Solved again until mu |u_t| stands still to 1e-8 of itself or
-/// 1e-12 of `blockSize`; `notConverged` after 100 programs. \param blockSize [m]
-ThetaStep solveThetaStep(PlaneConeProgram program, FlowRule flowRule, double blockSize,
-                         const InteriorPointSettings& settings);
+/// Solves the step.
+///
+/// A structure at rest costs one certificate: when "no motion, forces as before" meets the tolerance, it is
+/// the solution. Otherwise programs are solved in turn until the linear prediction of the gaps is right to
+/// `contactTolerance` and, with `nonAssociative`, until the fixed point of Acary & Cadoux (2013) is reached:
+/// the program's flow opens a point by mu |u_t| as it slides by u_t; with its gap increased by just that the
+/// point slides without opening, which is Coulomb's law. It stands still when mu |u_t| changes by less than
+/// ten times the tolerance of itself or 1e-12 of `blockSize`.
+///
+/// The displacements are those that the contact forces give the blocks, to the last digits (y = Mbar^-1 (fbar
+/// - A c)), unless that would spoil the certificate: so no momentum is lost to the tolerance of the solver.
+/// \return status `notConverged` after 100 programs, or when the solver fails
+ThetaStep solveThetaStep(PlaneConeProgram program, const StepSettings& settings, const StepGuess& guess = {},
+                         const Relinearisation& relinearise = {});
+
+/// The placements moved by displacements of the free blocks, times `share`. \param free see freeIndices
+std::vector<Placement<2>> moved(std::vector<Placement<2>> placements, const std::vector<int>& free,
+                                const Eigen::VectorXd& displacement, double share = 1);
 
 /// Moves the blocks by the displacements of a step and gives them v1 = (y/dt - (1 - theta) v0)/theta.
 /// Rotations are finite: angles of the plane add.
@@ -68,8 +108,8 @@ struct StepEnergy
 
 /// Energies of a step. With p = M (v1 - v0) and u = y/dt = (v0 + v1)/2 + (theta - 1/2)(v1 - v0):
 /// kinetic change = (v0 + v1)'/2 p = u' p - (theta - 1/2) |v1 - v0|_M^2, and u' p = y' (f - A c).
-StepEnergy stepEnergy(const PlaneConeProgram& program, const ThetaStep& step, const Eigen::VectorXd& mass,
-                      const Eigen::VectorXd& load, const Eigen::VectorXd& velocityBefore,
-                      const Eigen::VectorXd& velocityAfter, const ThetaScheme& scheme);
+StepEnergy stepEnergy(const ThetaStep& step, const Eigen::VectorXd& mass, const Eigen::VectorXd& load,
+                      const Eigen::VectorXd& velocityBefore, const Eigen::VectorXd& velocityAfter,
+                      const ThetaScheme& scheme);
 
 } // namespace drystone

@@ -70,7 +70,7 @@ void printLimitAnalysisCase(const LimitAnalysisCase& structure)
     const auto [simulated, absent] = effectNames(structure.contact);
     printEffects(simulated, absent);
     info("Blocks: {} free, contact points: {}", structure.freeBlocks, structure.points.size());
-    info("Solver: {}, tolerance {:g}\n", structure.solution.solver, structure.solution.settings.tolerance);
+    info("Solver: {}, tolerance {:g}\n", nameOf(structure.solution.solver), structure.solution.tolerance);
 }
 
 void printLimitAnalysis(const LimitAnalysis& result)

@@ -9,27 +9,16 @@
 namespace drystone
 {
 
-void declare(Options& options, LimitAnalysisSolution& solution)
-{
-    options.optional("solver", solution.solver, "of the cone program").oneOf({"interiorPoint"});
-    options.optional("tolerance", solution.settings.tolerance, "on every figure of the certificate")
-        .above(0)
-        .atMost(1e-3);
-    options.optional("maximumIterations", solution.settings.maximumIterations, "of the solver").atLeast(1);
-    options.optional("correctors", solution.settings.correctors, "tried with one factorisation")
-        .atLeast(0)
-        .atMost(20);
-}
-
-LimitAnalysisSolution readLimitAnalysisSolution(const std::filesystem::path& caseDirectory)
-{
-    return readOptions<LimitAnalysisSolution>(readSolution(caseDirectory, "limitAnalysis"));
-}
-
 LimitAnalysisCase readLimitAnalysisCase(const std::filesystem::path& caseDirectory)
 {
     LimitAnalysisCase result;
-    result.solution = readLimitAnalysisSolution(caseDirectory);
+    result.solution = readSolverChoice(caseDirectory, "limitAnalysis");
+    if (result.solution.solver == SolverType::augmentedLagrangian)
+    {
+        throw FatalIOError("augmentedLagrangian solves steps in time only. Write `solver interiorPoint;`.",
+                           readSolution(caseDirectory, "limitAnalysis").locationOf("solver"));
+    }
+    result.solution.solver = SolverType::interiorPoint;
     result.assembly = readAssembly(caseDirectory);
     refuseOverlaps(result.assembly, caseDirectory);
 

@@ -3,27 +3,14 @@
 #pragma once
 
 #include "assembly/ContactProperties.h"
-#include "core/Options.h"
+#include "conic/SolverChoice.h"
 #include "statics/LimitAnalysis.h"
 
 #include <filesystem>
-#include <string>
 #include <vector>
 
 namespace drystone
 {
-
-/// The sub-dictionary limitAnalysis of system/solution. The file and each key may be absent.
-struct LimitAnalysisSolution
-{
-    std::string solver = "interiorPoint";
-    InteriorPointSettings settings;
-};
-void declare(Options& options, LimitAnalysisSolution& solution);
-
-/// \throws FatalIOError for what is wrong with the sub-dictionary, or with system/solution as a whole (see
-/// readSolution)
-LimitAnalysisSolution readLimitAnalysisSolution(const std::filesystem::path& caseDirectory);
 
 /// A structure with its loads, read and checked.
 struct LimitAnalysisCase
@@ -34,7 +21,7 @@ struct LimitAnalysisCase
     std::vector<double> friction;        ///< mu of each point
     int freeBlocks = 0;
     PlaneConeProgram program;
-    LimitAnalysisSolution solution;
+    SolverChoice solution;
 };
 
 /// Reads constant/assembly, g, materialProperties, contactProperties, loads and system/solution.

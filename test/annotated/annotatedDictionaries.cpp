@@ -12,6 +12,8 @@
 #include "core/Time.h"
 #include "core/WholeFile.h"
 #include "dynamics/GroundMotion.h"
+#include "dynamics/InitialMotion.h"
+#include "dynamics/Schemes.h"
 #include "functionObjects/FunctionList.h"
 #include "statics/LimitAnalysisCase.h"
 #include "texture/Texture.h"
@@ -62,11 +64,13 @@ void declare(Options& options, ControlDictSettings& settings)
 /// system/solution, of which each application reads its own sub-dictionary.
 struct SolutionSettings
 {
-    LimitAnalysisSolution limitAnalysis;
+    SolverChoice limitAnalysis;
+    SolverChoice contactDynamics;
 };
 void declare(Options& options, SolutionSettings& settings)
 {
     options.optional("limitAnalysis", settings.limitAnalysis, "how limitAnalysis solves");
+    options.optional("contactDynamics", settings.contactDynamics, "how contactDynamics solves");
 }
 
 std::vector<Example> examples()
@@ -79,7 +83,7 @@ std::vector<Example> examples()
         example<SolutionSettings>("system/solution",
                                   "How the applications solve: a sub-dictionary for each of them, which may "
                                   "be absent.",
-                                  {"limitAnalysis"}),
+                                  {"limitAnalysis", "contactDynamics"}),
         example<Gravity>("constant/g", "Gravity."),
         example<MaterialProperties>("constant/materialProperties", "What the blocks weigh: one of the two.",
                                     {"density"}),
@@ -96,6 +100,8 @@ std::vector<Example> examples()
             "How the ground moves; without this file it does not. Results are relative to "
             "the moving ground.",
             {"direction", "acceleration"}),
+        example<Schemes>("system/schemes", "How contactDynamics steps through time.", {"timeIntegration"}),
+        example<InitialMotion>("0/motion", "How blocks start; without this file as built and at rest."),
     };
 }
 

@@ -73,7 +73,7 @@ public:
             free[b].y() -= blocks[b].support < 0 ? gravity * timeStep : 0;
         }
         std::vector<double> correction(points.size(), 0);
-        std::vector<double> gaps;
+        std::vector<ContactPoint<2>> measured;
         for (int pass = 0; pass < passes; ++pass)
         {
             scene_.velocities = free;
@@ -95,10 +95,11 @@ public:
             }
             if (pass + 1 < passes)
             {
-                contacts_.measureGaps(moved(timeStep), gaps);
+                contacts_.measure(moved(timeStep), measured);
                 for (std::size_t i = 0; i < points.size(); ++i)
                 {
-                    correction[i] = gaps[i] - points[i].gap - timeStep * closing(points[i], points[i].normal);
+                    correction[i] =
+                        measured[i].gap - points[i].gap - timeStep * closing(points[i], points[i].normal);
                 }
             }
         }

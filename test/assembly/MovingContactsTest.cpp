@@ -382,14 +382,14 @@ TEST(MovingContacts, TheChangeOfTheGapIsThatOfTheEquilibriumMatrixToSecondOrder)
             moved[b].translation += motions[b].head<2>();
             moved[b].rotation += motions[b][2];
         }
-        std::vector<double> gaps;
-        contacts.measureGaps(moved, gaps);
-        ASSERT_EQ(gaps.size(), points.size());
+        std::vector<ContactPoint<2>> measured;
+        contacts.measure(moved, measured);
+        ASSERT_EQ(measured.size(), points.size());
         for (std::size_t i = 0; i < points.size(); ++i)
         {
             EXPECT_NEAR(gapOfFeature(points[i], assembly, placements), points[i].gap, 1e-14);
-            EXPECT_NEAR(gapOfFeature(points[i], assembly, moved), gaps[i], 1e-14);
-            EXPECT_NEAR(gaps[i], predictedGap(points[i], centres, motions), 4 * size * size);
+            EXPECT_NEAR(gapOfFeature(points[i], assembly, moved), measured[i].gap, 1e-14);
+            EXPECT_NEAR(measured[i].gap, predictedGap(points[i], centres, motions), 4 * size * size);
             ++checked;
         }
     }

@@ -54,12 +54,13 @@ struct Motion
         const auto columns = equilibriumColumns(assembly, placedMasses(blocks, state.placements), points);
         const PlaneConeProgram program = thetaStepProgram(mass, state.velocity, load, points, columns,
                                                           std::vector<double>(points.size(), mu), scheme);
-        const ThetaStep solved = solveThetaStep(program, flowRule, 1, {.tolerance = 1e-12});
+        const ThetaStep solved =
+            solveThetaStep(program, {.flowRule = flowRule, .blockSize = 1, .solver = {.tolerance = 1e-12}});
         ASSERT_EQ(solved.status, SolveStatus::optimal)
             << "at " << state.time << " s, certificate " << solved.certificate.worst();
         const Eigen::VectorXd before = state.velocity;
         advance(state, free, solved.displacement, scheme);
-        energy = stepEnergy(program, solved, mass, load, before, state.velocity, scheme);
+        energy = stepEnergy(solved, mass, load, before, state.velocity, scheme);
         kineticChange = 0.5 * mass.dot(state.velocity.cwiseAbs2() - before.cwiseAbs2());
     }
 

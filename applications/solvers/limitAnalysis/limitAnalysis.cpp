@@ -27,7 +27,8 @@ int run(const CommandLine& commandLine)
     if (!commandLine.dryRun && !commandLine.postProcess)
     {
         const double start = cpuTime();
-        const LimitAnalysis result = solveLimitAnalysis(structure.program, structure.solution.settings);
+        const LimitAnalysis result =
+            solveLimitAnalysis(structure.program, interiorPointSettings(structure.solution));
         const double used = cpuTime() - start;
         printLimitAnalysis(result);
         if (result.status == CollapseStatus::notConverged)
@@ -50,9 +51,6 @@ int main(int argc, char* argv[])
         "under constant/loads, with a certificate.";
     description.kind = ApplicationKind::solver;
     description.details = []
-    {
-        return fmt::format("system/solution/limitAnalysis:\n{}",
-                           helpText(describeOptions<LimitAnalysisSolution>()));
-    };
+    { return fmt::format("system/solution/limitAnalysis:\n{}", helpText(describeOptions<SolverChoice>())); };
     return runApplication(argc, argv, description, run);
 }

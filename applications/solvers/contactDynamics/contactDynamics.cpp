@@ -1,0 +1,74 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// contactDynamics: steps a structure of rigid blocks with dry joints through time (Portioli, Cascini &
+/// Landolfo 2017, eq. 1-9).
+#include "core/Case.h"
+#include "core/CommandLine.h"
+#include "core/Error.h"
+#include "core/Log.h"
+#include "core/Signals.h"
+#include "functionObjects/MotionLog.h"
+#include "functionObjects/MotionResults.h"
+
+using namespace drystone;
+
+namespace
+{
+
+int run(const CommandLine& commandLine)
+{
+    printBanner(commandLine);
+    if (commandLine.postProcess)
+    {
+        throw FatalError("contactDynamics writes its tables as it runs: leave -postProcess away.");
+    }
+    Time time(commandLine.caseDirectory, ControlDict::required);
+    const DynamicCase scene = readDynamicCase(commandLine.caseDirectory);
+    Motion motion = startOrContinue(commandLine.caseDirectory, scene, time);
+    MotionResults results(commandLine.caseDirectory, scene, motion, time,
+                          commandLine.noFunctionObjects ? FunctionObjects::none
+                                                        : FunctionObjects::asInControlDict);
+    printScene(scene, motion, time, results.functions().names());
+    if (commandLine.dryRun)
+    {
+        printEnd();
+        return 0;
+    }
+
+    catchStopSignals();
+    results.writeFirstFrames();
+    Progress progress;
+    while (time.loop())
+    {
+        printLine("Time = " + time.name());
+        if (!advance(scene, motion, time))
+        {
+            results.writeNow();
+            throw FatalError(unsolvedStep(scene, motion, time), 2);
+        }
+        printStep(scene, motion);
+        results.write();
+        printExecutionTime();
+        progress.update(time.progress());
+    }
+    progress.clear();
+    printEnd();
+    return time.exitStatus();
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+    ApplicationDescription description;
+    description.name = "contactDynamics";
+    description.summary =
+        "Motion of the blocks in constant/assembly/ under their dead load and the motion of "
+        "the ground: time directories, tables of system/controlDict/functions, VTK series.";
+    description.kind = ApplicationKind::solver;
+    description.details = []
+    {
+        return fmt::format("system/schemes:\n{}\nsystem/solution/contactDynamics:\n{}",
+                           helpText(describeOptions<Schemes>()), helpText(describeOptions<SolverChoice>()));
+    };
+    return runApplication(argc, argv, description, run);
+}

@@ -1,0 +1,298 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+#include "conic/AugmentedLagrangian.h"
+
+#include "conic/Certificate.h"
+#include "conic/RayProgram.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace drystone
+{
+namespace
+{
+
+using Eigen::VectorXd;
+
+constexpr double largestPenalty = 1e11;
+
+constexpr int mostRounds = 30;
+
+class AugmentedLagrangian
+{
+public:
+    AugmentedLagrangian(const RayProgram& rays, SchurSystem<3>& system,
+                        const AugmentedLagrangianSettings& settings)
+        : rays_(rays), system_(system), settings_(settings)
+    {
+    }
+
+    void start(VectorXd forces);
+
+    /// One round: the minimum for fixed multipliers, then new multipliers and a larger penalty.
+    /// \return whether the minimum was found in the iterations allowed
+    bool round();
+
+    /// Whether the last round changed the multipliers by so little that the program may be solved.
+    bool isSettled() const { return error_ <= settings_.tolerance; }
+
+    const VectorXd& forces() const { return s_; }
+    const VectorXd& displacement() const { return y_; }
+    int iterations() const { return iterations_; }
+    int factorisations() const { return factorisations_; }
+
+private:
+    bool minimise();
+    void computeGradient();
+    bool factorise();
+    double slopeAt(double step) const;
+    double bestStep() const;
+
+    const RayProgram& rays_;
+    SchurSystem<3>& system_;
+    AugmentedLagrangianSettings settings_;
+    double sigma_ = 1;
+    VectorXd s_;        ///< multipliers of the round
+    VectorXd y_;        ///< 3 (bodies + 1), the ground at rest
+    VectorXd w_;        ///< s + sigma (B'y - g), kept by increments: sigma times a difference loses no digits
+    VectorXd pressing_; ///< max(0, w)
+    VectorXd gradient_; ///< M y - f + B max(0, w)
+    VectorXd d_;        ///< sigma where a ray presses in the factor, else 0
+    VectorXd direction_, closing_; ///< Newton's step, and B' of it
+    double curvature_ = 0;         ///< direction' M direction
+    double slope_ = 0;             ///< direction' (M y - f), without the rays
+    int iterations_ = 0;
+    int factorisations_ = 0;
+    double error_ = 0; ///< how far the rays that press are from closed, and the others from open
+};
+
+void AugmentedLagrangian::computeGradient()
+{
+    pressing_ = w_.cwiseMax(0.0);
+    gradient_ = -rays_.load;
+    addRays(rays_, pressing_, gradient_);
+    for (int body = 0; body < rays_.bodies; ++body)
+    {
+        gradient_.segment<3>(3 * body) += rays_.inertia[body] * y_.segment<3>(3 * body);
+    }
+    gradient_.tail<3>().setZero();
+}
+
+bool AugmentedLagrangian::factorise()
+{
+    VectorXd d = (w_.array() > 0).select(VectorXd::Constant(w_.size(), sigma_), 0.0);
+    if (factorisations_ > 0 && d == d_)
+    {
+        return true;
+    }
+    d_ = std::move(d);
+    double rounding = 0;
+    do
+    {
+        if (rounding > 1e-6)
+        {
+            return false;
+        }
+        assembleSchur(rays_, d_, 0, rounding, system_);
+        ++factorisations_;
+        rounding = rounding == 0 ? 1e-15 : 10 * rounding;
+    } while (!system_.factorise());
+    return true;
+}
+
+/// Derivative of the function along the direction: piecewise linear and increasing.
+double AugmentedLagrangian::slopeAt(double step) const
+{
+    return slope_ + step * curvature_
+           + (w_.array() + (step * sigma_) * closing_.array()).max(0.0).matrix().dot(closing_);
+}
+
+/// Where the derivative vanishes. Newton's full step when the pieces it crosses hardly matter; else by regula
+/// falsi (Illinois), which a piecewise linear function makes quick.
+double AugmentedLagrangian::bestStep() const
+{
+    const double atStart = slopeAt(0);
+    double low = 0;
+    double slopeLow = atStart;
+    double high = 1;
+    double slopeHigh = slopeAt(1);
+    while (slopeHigh < 0 && high < 64)
+    {
+        if (slopeHigh > 0.1 * atStart)
+        {
+            return high;
+        }
+        low = high;
+        slopeLow = slopeHigh;
+        high *= 2;
+        slopeHigh = slopeAt(high);
+    }
+    if (slopeHigh <= -0.1 * atStart)
+    {
+        return high;
+    }
+    double best = high;
+    for (int trial = 0; trial < 40; ++trial)
+    {
+        best = (low * slopeHigh - high * slopeLow) / (slopeHigh - slopeLow);
+        const double slope = slopeAt(best);
+        if (std::abs(slope) <= -0.01 * atStart)
+        {
+            break;
+        }
+        if (slope > 0)
+        {
+            high = best;
+            slopeHigh = slope;
+            slopeLow /= 2;
+        }
+        else
+        {
+            low = best;
+            slopeLow = slope;
+            slopeHigh /= 2;
+        }
+    }
+    return best;
+}
+
+bool AugmentedLagrangian::minimise()
+{
+    const double enough = 0.01 * settings_.tolerance;
+    double before = std::numeric_limits<double>::infinity();
+    int factorisationsBefore = factorisations_;
+    for (;;)
+    {
+        computeGradient();
+        const double now = gradient_.lpNorm<Eigen::Infinity>();
+        // A step with the same factor is a refinement; where it gains nothing any more, rounding is all that
+        // is left.
+        const bool isRefined = factorisations_ == factorisationsBefore && now > 0.5 * before;
+        if (now <= enough || (isRefined && now <= settings_.tolerance))
+        {
+            return true;
+        }
+        before = now;
+        factorisationsBefore = factorisations_;
+        if (iterations_ == settings_.maximumIterations || !factorise())
+        {
+            return false;
+        }
+        ++iterations_;
+        direction_ = -gradient_;
+        system_.solve(direction_.head(3 * rays_.bodies));
+        applyRaysTransposed(rays_, direction_, closing_);
+        curvature_ = 0;
+        slope_ = -rays_.load.dot(direction_);
+        for (int body = 0; body < rays_.bodies; ++body)
+        {
+            const Eigen::Vector3d step = direction_.segment<3>(3 * body);
+            const Eigen::Vector3d momentum = rays_.inertia[body] * step;
+            curvature_ += step.dot(momentum);
+            slope_ += momentum.dot(y_.segment<3>(3 * body));
+        }
+        const double step = bestStep();
+        y_ += step * direction_;
+        w_ += (step * sigma_) * closing_;
+    }
+}
+
+void AugmentedLagrangian::start(VectorXd forces)
+{
+    sigma_ = settings_.penalty;
+    s_ = std::move(forces);
+    y_ = VectorXd::Zero(rays_.load.size());
+}
+
+bool AugmentedLagrangian::round()
+{
+    applyRaysTransposed(rays_, y_, closing_);
+    w_ = s_ + sigma_ * (closing_ - rays_.gap);
+    if (!minimise())
+    {
+        return false;
+    }
+    error_ = (pressing_ - s_).lpNorm<Eigen::Infinity>() / sigma_;
+    s_ = pressing_;
+    sigma_ = std::min(10 * sigma_, largestPenalty);
+    return true;
+}
+
+/// Multipliers of the rays that make up contact forces; those outside their cone are put on its surface.
+VectorXd raysOf(const PlaneConeProgram& program, const RayForm& form, const VectorXd& contactForce)
+{
+    VectorXd s = VectorXd::Zero(form.program.rayCount());
+    for (int point = 0; point < program.points(); ++point)
+    {
+        const double normal = contactForce[2 * point] / form.scaling.load;
+        const double shear = contactForce[2 * point + 1] / form.scaling.load;
+        const double mu = program.friction[point];
+        const int first = form.firstRay[point];
+        if (mu > 0)
+        {
+            const double length = std::sqrt(1 + mu * mu);
+            s[first] = std::max(0.0, length * (normal + shear / mu) / 2);
+            s[first + 1] = std::max(0.0, length * (normal - shear / mu) / 2);
+        }
+        else
+        {
+            s[first] = std::max(0.0, normal);
+        }
+    }
+    return s;
+}
+
+} // namespace
+
+ConeSolution solveAugmentedLagrangian(const PlaneConeProgram& program, const ConeSolution& start,
+                                      const AugmentedLagrangianSettings& settings)
+{
+    if (!program.hasInertia() || program.hasMultiplier())
+    {
+        throw std::invalid_argument("solveAugmentedLagrangian needs inertia and no multiplier");
+    }
+    // In increments from where the blocks are heading: the momenta they have drop out of the load, and the
+    // figures left are those of one step.
+    PlaneConeProgram increment = program;
+    const bool heads = start.displacement.size() == program.load.size();
+    if (heads)
+    {
+        increment.load -= applyInertia(program, start.displacement);
+        increment.gap = (program.gap.size() > 0 ? program.gap : VectorXd::Zero(2 * program.points()))
+                        - applyTransposed(program, start.displacement);
+    }
+    RayForm form = makeRayForm(increment);
+    SchurSystem<3> system = makeSchurSystem(form);
+    AugmentedLagrangian solver(form.program, system, settings);
+    VectorXd forces = start.contactForce.size() == 2 * program.points()
+                          ? raysOf(program, form, start.contactForce)
+                          : VectorXd::Zero(form.program.rayCount());
+    solver.start(std::move(forces));
+    ConeSolution solution;
+    for (int rounds = 0; rounds < mostRounds && solution.status != SolveStatus::optimal; ++rounds)
+    {
+        const bool isMinimum = solver.round();
+        if (isMinimum && !solver.isSettled() && rounds + 1 < mostRounds)
+        {
+            continue;
+        }
+        solution = fromRays(program, form, solver.forces(), solver.displacement(), 0);
+        if (heads)
+        {
+            solution.displacement += start.displacement;
+        }
+        const bool isSolved = isMinimum && certifyOptimal(program, solution).worst() <= settings.tolerance;
+        solution.status = isSolved ? SolveStatus::optimal : SolveStatus::notConverged;
+        if (!isMinimum)
+        {
+            break;
+        }
+    }
+    solution.iterations = solver.iterations();
+    solution.factorisations = solver.factorisations();
+    return solution;
+}
+
+} // namespace drystone

@@ -1,0 +1,38 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Augmented Lagrangian solver for programs with inertia: the one that starts from the last time step.
+#pragma once
+
+#include "conic/ConeProgram.h"
+
+namespace drystone
+{
+
+/// Keys of `solver augmentedLagrangian;`.
+struct AugmentedLagrangianSettings
+{
+    double tolerance = 1e-9;     ///< on every figure of the certificate
+    int maximumIterations = 100; ///< Newton steps allowed
+    double penalty = 1e2;        ///< sigma to begin with, relative to the inertia; grows tenfold a round
+};
+
+/// Solves a plane program with inertia (a time step) by the method of multipliers on its dual,
+///
+///     minimise  1/2 y' Mbar y - f' y   subject to   B' y <= g,     multipliers s >= 0,    c = R s,
+///
+/// with the friction cones in ray form (RayProgram.h). Each round minimises
+///
+///     1/2 y' Mbar y - f' y + 1/(2 sigma) |max(0, w)|^2,      w = s + sigma (B' y - g),
+///
+/// and takes s = max(0, w). The function is piecewise quadratic: semismooth Newton with (Mbar + sigma B_A
+/// B_A') dy = -gradient, A = {w > 0}, and a line search that is exact on the pieces ends after finitely many
+/// steps. Because Mbar is positive definite y is unique, however many forces would do (Rockafellar 1976), and
+/// with sigma growing a handful of rounds suffices. A matrix is factorised only when A has changed.
+///
+/// \param start forces of the last step, and where the blocks are heading (both sized as in the solution, or
+/// empty). The better they are, the fewer steps.
+/// \return `optimal` when the certificate meets the tolerance, otherwise `notConverged` with the last iterate
+/// \throws std::invalid_argument for a program without inertia, or with a multiplier
+ConeSolution solveAugmentedLagrangian(const PlaneConeProgram& program, const ConeSolution& start,
+                                      const AugmentedLagrangianSettings& settings = {});
+
+} // namespace drystone

@@ -1,0 +1,55 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Which solver a case asks for: the sub-dictionary of an application in system/solution.
+#pragma once
+
+#include "conic/AugmentedLagrangian.h"
+#include "conic/InteriorPoint.h"
+#include "core/Options.h"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace drystone
+{
+
+enum class SolverType
+{
+    automatic,           ///< the first of the others that suits; another one when it does not converge
+    interiorPoint,       ///< from a cold start; statics and motion
+    augmentedLagrangian, ///< from the last step; motion only
+};
+
+inline std::array<std::pair<std::string_view, SolverType>, 3> namesOf(SolverType)
+{
+    return {{{"automatic", SolverType::automatic},
+             {"interiorPoint", SolverType::interiorPoint},
+             {"augmentedLagrangian", SolverType::augmentedLagrangian}}};
+}
+
+/// `<application> { solver automatic; tolerance 1e-9; }`. The file and each key may be absent.
+struct SolverChoice
+{
+    SolverType solver = SolverType::automatic;
+    double tolerance = 1e-9;     ///< on every figure of the certificate
+    int maximumIterations = 200; ///< of each solver
+    int correctors = 3;          ///< of interiorPoint
+};
+void declare(Options& options, SolverChoice& choice);
+
+/// \throws FatalIOError for what is wrong with the sub-dictionary of this application; those of others are
+/// not looked at
+SolverChoice readSolverChoice(const std::filesystem::path& caseDirectory, const std::string& application);
+
+/// Solves a program as chosen. \param start of augmentedLagrangian; may be empty
+/// \return the solution; with `automatic` and a first solver that did not converge, that of the second one,
+/// the iterations of both counted
+ConeSolution solveConeProgram(const PlaneConeProgram& program, const SolverChoice& choice,
+                              const ConeSolution& start = {});
+
+/// Name of a solver, as dictionaries have it.
+std::string nameOf(SolverType solver);
+
+InteriorPointSettings interiorPointSettings(const SolverChoice& choice);
+
+} // namespace drystone

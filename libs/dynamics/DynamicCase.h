@@ -1,0 +1,51 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// What time stepping reads of a case.
+#pragma once
+
+#include "assembly/ContactProperties.h"
+#include "conic/SolverChoice.h"
+#include "dynamics/DynamicState.h"
+#include "dynamics/GroundMotion.h"
+#include "dynamics/Schemes.h"
+
+#include <filesystem>
+
+namespace drystone
+{
+
+/// A structure, what acts on it and how its motion is to be computed: read, checked, and the same all through
+/// a run.
+struct DynamicCase
+{
+    Assembly<2> assembly;
+    std::vector<BlockMass<2>> blocks;      ///< of all blocks
+    std::vector<int> free;                 ///< see freeIndices
+    Eigen::VectorXd mass;                  ///< diagonal of M, 3 a free block [kg, kg, kg m2]
+    Eigen::VectorXd deadLoad;              ///< likewise [N, N, N m]
+    Vector<2> gravity = Vector<2>::Zero(); ///< [m/s2]
+    ContactProperties contact;
+    GroundMotion groundMotion;
+    double groundFactor = 1; ///< times groundMotion: the intensity of an incremental analysis
+    Schemes schemes;
+    SolverChoice solution;
+    double blockSize = 1;   ///< mean [m]
+    double roundingGap = 0; ///< a gap that small is none: what rounding leaves of the places of blocks [m]
+
+    FlowRule flowRule() const
+    {
+        return contact.friction ? contact.friction->flowRule : FlowRule::associative;
+    }
+    double restitution() const { return contact.restitution ? contact.restitution->normal : 0; }
+};
+
+/// Reads constant/assembly, g, materialProperties, contactProperties, loads and groundMotion (both may be
+/// absent: gravity alone, and a ground at rest), system/schemes and the sub-dictionary contactDynamics of
+/// system/solution.
+/// \throws FatalIOError with the first thing that is wrong
+DynamicCase readDynamicCase(const std::filesystem::path& caseDirectory);
+
+/// The load on the free blocks while the ground accelerates: dead - groundFactor M a. \param ground mean
+/// acceleration over the step [m/s2]
+Eigen::VectorXd loadUnder(const DynamicCase& scene, const Eigen::Vector3d& ground);
+
+} // namespace drystone

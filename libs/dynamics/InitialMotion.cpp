@@ -1,0 +1,86 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+#include "dynamics/InitialMotion.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace drystone
+{
+
+void declare(Options& options, BlockStart& start)
+{
+    options.optional("displacement", start.displacement, "of the mass centre, from as built").unit("m");
+    options.optional("rotation", start.rotation, "about the mass centre, positive counter-clockwise")
+        .unit("rad");
+    options.optional("velocity", start.velocity, "of the mass centre, relative to the ground").unit("m/s");
+    options.optional("angularVelocity", start.angularVelocity, "positive counter-clockwise").unit("rad/s");
+}
+
+void declare(Options& options, InitialMotion& motion)
+{
+    options.each(motion.blocks, "of the block with this index, or of the blocks that the pattern matches");
+}
+
+DynamicState readInitialMotion(const std::filesystem::path& caseDirectory, const std::string& timeName,
+                               const Assembly<2>& assembly)
+{
+    DynamicState state = stateAtRest(assembly);
+    const Dictionary dictionary = Dictionary::readFileIfPresent(caseDirectory / timeName / "motion");
+    const auto motion = readOptions<InitialMotion>(dictionary);
+    const std::vector<int> free = freeIndices(assembly);
+    const auto locationOf = [&](const std::string& name)
+    {
+        const auto& entries = dictionary.entries();
+        const auto entry = std::find_if(entries.begin(), entries.end(),
+                                        [&](const Entry& candidate) { return candidate.keyword() == name; });
+        return entry == entries.end() ? dictionary.location() : entry->location();
+    };
+    std::vector<char> isMatched(motion.blocks.size(), false);
+    for (std::size_t block = 0; block < free.size(); ++block)
+    {
+        const std::string index = std::to_string(block);
+        const std::pair<NamePattern, BlockStart>* chosen = nullptr;
+        for (std::size_t i = 0; i < motion.blocks.size(); ++i)
+        {
+            const NamePattern& name = motion.blocks[i].first;
+            if (name.matches(index))
+            {
+                isMatched[i] = true;
+                // A pattern that holds supports as well, ".*" say, gives them nothing.
+                const bool isExact = name.text == index;
+                if (isExact || (free[block] >= 0 && !(chosen && chosen->first.text == index)))
+                {
+                    chosen = &motion.blocks[i];
+                }
+            }
+        }
+        if (chosen && free[block] < 0)
+        {
+            throw FatalIOError(
+                fmt::format("Block {} is fixed: it belongs to the support {}. Only free blocks "
+                            "can be given a start.",
+                            block, assembly.supports[assembly.blocks[block].support].name),
+                locationOf(index));
+        }
+        if (chosen)
+        {
+            const BlockStart& start = chosen->second;
+            state.placements[block] = {start.displacement, start.rotation};
+            state.velocity.segment<3>(3 * free[block]) << start.velocity, start.angularVelocity;
+        }
+    }
+    for (std::size_t i = 0; i < motion.blocks.size(); ++i)
+    {
+        if (!isMatched[i])
+        {
+            const std::string& name = motion.blocks[i].first.text;
+            throw FatalIOError(fmt::format("There is no block {}: the assembly has blocks 0 to {}.", name,
+                                           assembly.blocks.size() - 1),
+                               locationOf(name));
+        }
+    }
+    return state;
+}
+
+} // namespace drystone

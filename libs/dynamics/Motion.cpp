@@ -1,0 +1,459 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+#include "dynamics/Motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace drystone
+{
+namespace
+{
+
+/// Points that close slower than this share of what the loads give a block in one step do not collide: so
+/// bounces end, and a structure at rest has no impacts.
+constexpr double slowImpact = 1e-6;
+
+/// A point belongs to the impact when it carries more than this share of the largest contact force.
+constexpr double carriesForce = 1e-9;
+
+/// Collisions in a row within one step; what is still closing then is stopped by the step itself.
+constexpr int mostImpacts = 10;
+
+constexpr int mostHalvings = 10;
+
+double kineticEnergy(const DynamicCase& scene, const Eigen::VectorXd& velocity)
+{
+    return 0.5 * scene.mass.dot(velocity.cwiseAbs2());
+}
+
+/// Of the dead load, a constant generalised force on each block.
+double potentialEnergy(const DynamicCase& scene, const std::vector<Placement<2>>& placements)
+{
+    double energy = 0;
+    for (std::size_t block = 0; block < placements.size(); ++block)
+    {
+        if (scene.free[block] >= 0)
+        {
+            const auto load = scene.deadLoad.segment<3>(3 * scene.free[block]);
+            energy -=
+                load.head<2>().dot(placements[block].translation) + load[2] * placements[block].rotation;
+        }
+    }
+    return energy;
+}
+
+/// Largest acceleration that the loads alone give a block [m/s2].
+double largestAcceleration(const DynamicCase& scene, const Eigen::VectorXd& load)
+{
+    double largest = 0;
+    for (Eigen::Index row = 0; row < load.size(); row += 3)
+    {
+        largest = std::max(largest, load.segment<2>(row).norm() / scene.mass[row]);
+    }
+    return largest;
+}
+
+std::vector<Vector<3>> velocitiesOfAllBlocks(const DynamicCase& scene, const Eigen::VectorXd& velocity)
+{
+    std::vector<Vector<3>> result(scene.free.size(), Vector<3>::Zero());
+    for (std::size_t block = 0; block < scene.free.size(); ++block)
+    {
+        if (scene.free[block] >= 0)
+        {
+            result[block] = velocity.segment<3>(3 * scene.free[block]);
+        }
+    }
+    return result;
+}
+
+std::vector<ContactColumns<2>> columnsAt(const DynamicCase& scene,
+                                         const std::vector<Placement<2>>& placements,
+                                         const std::vector<ContactPoint<2>>& points)
+{
+    return equilibriumColumns(scene.assembly, placedMasses(scene.blocks, placements), points);
+}
+
+void setColumns(PlaneConeProgram& program, const std::vector<ContactColumns<2>>& columns)
+{
+    for (std::size_t point = 0; point < columns.size(); ++point)
+    {
+        const ContactColumns<2>& column = columns[point];
+        program.contacts[point] = {column.block, column.neighbour, column.onBlock, column.onNeighbour};
+    }
+}
+
+/// The forces of the last step at the points of this one; none where a point is new.
+Eigen::VectorXd forcesOfLastStep(const Motion& motion, const std::vector<ContactPoint<2>>& points)
+{
+    Eigen::VectorXd forces = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(points.size()));
+    // Both lists are sorted by (block, neighbour); a pair has a handful of points.
+    std::size_t first = 0;
+    for (std::size_t point = 0; point < points.size(); ++point)
+    {
+        const auto pairOf = [](const ContactPoint<2>& p) { return std::pair(p.block, p.neighbour); };
+        while (first < motion.points.size() && pairOf(motion.points[first]) < pairOf(points[point]))
+        {
+            ++first;
+        }
+        for (std::size_t old = first;
+             old < motion.points.size() && pairOf(motion.points[old]) == pairOf(points[point]); ++old)
+        {
+            if (motion.points[old].feature == points[point].feature)
+            {
+                forces.segment<2>(2 * static_cast<Eigen::Index>(point)) = motion.contactForces[old];
+            }
+        }
+    }
+    return forces;
+}
+
+/// Without it a structure at rest, whose corners lie on its edges but for rounding, could only be certified
+/// to stand as well as rounding compares with what gravity moves a block in one step: 1e-11.
+void forgetRounding(const DynamicCase& scene, std::vector<ContactPoint<2>>& points)
+{
+    for (ContactPoint<2>& point : points)
+    {
+        point.gap = std::abs(point.gap) <= scene.roundingGap ? 0 : point.gap;
+    }
+}
+
+/// Corrects the linear prediction of the gaps of moving contacts; see Relinearisation.
+///
+/// The angular momentum of a block about a fixed point changes over a step by c1 x m v1 - c0 x m v0 + J (w1 -
+/// w0), c its mass centre. With c1 - c0 = dt (theta v1 + (1 - theta) v0) the first two are (c0 + (1 - theta)
+/// (c1 - c0)) x m (v1 - v0): lever arms are to be taken there. For theta 1 these are the arms at the start,
+/// for theta 1/2 those halfway.
+Relinearisation movingContactGeometry(const DynamicCase& scene, const Motion& motion)
+{
+    return [&scene, &motion](const Eigen::VectorXd& displacement, const Eigen::VectorXd& contactForce,
+                             PlaneConeProgram& program)
+    {
+        const Eigen::VectorXd linear = applyTransposed(program, displacement);
+        std::vector<ContactPoint<2>> points;
+        const double early = 1 - scene.schemes.timeIntegration.theta;
+        if (early > 0)
+        {
+            const auto between = moved(motion.state.placements, scene.free, displacement, early);
+            motion.contacts->measure(between, points);
+            setColumns(program, columnsAt(scene, between, points));
+        }
+        motion.contacts->measure(moved(motion.state.placements, scene.free, displacement), points);
+        forgetRounding(scene, points);
+        const Eigen::VectorXd closing =
+            early > 0 ? applyTransposed(program, displacement) : Eigen::VectorXd(linear);
+        double error = 0;
+        for (std::size_t i = 0; i < points.size(); ++i)
+        {
+            const Eigen::Index row = 2 * static_cast<Eigen::Index>(i);
+            const double predicted = program.gap[row] - linear[row];
+            if (contactForce[row] > 0 || points[i].gap < 0)
+            {
+                error = std::max(error, std::abs(points[i].gap - predicted));
+            }
+            program.gap[row] = points[i].gap + closing[row];
+        }
+        return error;
+    };
+}
+
+/// Points that the step closes and that were closing when it began.
+std::vector<std::size_t> collidingPoints(const PlaneConeProgram& program, const ThetaStep& step,
+                                         const Eigen::VectorXd& velocity, double slowest)
+{
+    const Eigen::VectorXd closing = applyTransposed(program, velocity);
+    const double force = carriesForce * step.contactForce.lpNorm<Eigen::Infinity>();
+    std::vector<std::size_t> carrying;
+    bool collide = false;
+    for (int point = 0; point < program.points(); ++point)
+    {
+        if (step.contactForce[2 * point] > force)
+        {
+            carrying.push_back(static_cast<std::size_t>(point));
+            collide = collide || closing[2 * point] > slowest;
+        }
+    }
+    return collide ? carrying : std::vector<std::size_t>();
+}
+
+/// Velocities after an impact at some points: M (v+ - v-) = -A P, u_n+ >= -e u_n- where u_n- closes, with
+/// friction. That is a step of theta 1 without loads whose gaps are dt e u_n-.
+ThetaStep collide(const DynamicCase& scene, const PlaneConeProgram& program,
+                  const std::vector<std::size_t>& colliding, const Eigen::VectorXd& velocity,
+                  const StepSettings& settings, double timeStep)
+{
+    PlaneConeProgram impact;
+    impact.bodies = program.bodies;
+    const Eigen::VectorXd inertia = scene.mass / (timeStep * timeStep);
+    for (int body = 0; body < program.bodies; ++body)
+    {
+        impact.inertia.push_back(inertia.segment<3>(3 * body).asDiagonal());
+    }
+    impact.load = timeStep * inertia.cwiseProduct(velocity);
+    const Eigen::VectorXd closing = applyTransposed(program, velocity);
+    impact.gap = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(colliding.size()));
+    for (std::size_t i = 0; i < colliding.size(); ++i)
+    {
+        impact.contacts.push_back(program.contacts[colliding[i]]);
+        impact.friction.push_back(program.friction[colliding[i]]);
+        const double closingVelocity = closing[2 * static_cast<Eigen::Index>(colliding[i])];
+        impact.gap[2 * static_cast<Eigen::Index>(i)] =
+            -timeStep * scene.restitution() * std::max(closingVelocity, 0.0);
+    }
+    return solveThetaStep(std::move(impact), settings);
+}
+
+/// What an impact takes from the kinetic energy: P' (u+ + u-)/2 with the impulses P = dt c.
+double impactLoss(const DynamicCase& scene, const Eigen::VectorXd& before, const Eigen::VectorXd& after)
+{
+    // The impulses are M (v- - v+): exact, so this is the same number.
+    return kineticEnergy(scene, before) - kineticEnergy(scene, after);
+}
+
+void keepLedger(const DynamicCase& scene, Motion& motion, const StepEnergy& step, double externalWork)
+{
+    EnergyLedger& energy = motion.energy;
+    energy.externalWork += externalWork;
+    energy.frictionLoss += step.frictionLoss;
+    energy.impactLoss += step.normalLoss;
+    energy.algorithmicLoss += step.algorithmicLoss;
+    energy.kinetic = kineticEnergy(scene, motion.state.velocity);
+    energy.potential = potentialEnergy(scene, motion.state.placements);
+}
+
+} // namespace
+
+Motion startMotion(const DynamicCase& scene, DynamicState state)
+{
+    Motion motion;
+    motion.state = std::move(state);
+    motion.energy.kinetic = kineticEnergy(scene, motion.state.velocity);
+    motion.energy.potential = potentialEnergy(scene, motion.state.placements);
+    motion.energy.opening = motion.energy.kinetic + motion.energy.potential;
+    if (!scene.schemes.smallDisplacements)
+    {
+        motion.contacts.emplace(scene.assembly);
+        motion.points = motion.contacts->update(
+            motion.state.placements,
+            motion.contacts->marginFor(velocitiesOfAllBlocks(scene, motion.state.velocity), 0, 0));
+    }
+    else
+    {
+        motion.points = findContactPoints(scene.assembly);
+        const auto columns = equilibriumColumns(scene.assembly, scene.blocks, motion.points);
+        std::mt19937_64 random(scene.schemes.initialGaps ? scene.schemes.initialGaps->seed : 0);
+        const std::vector<Vector<3>> displacements = [&]
+        {
+            std::vector<Vector<3>> result;
+            for (const Placement<2>& placement : motion.state.placements)
+            {
+                result.emplace_back(placement.translation.x(), placement.translation.y(), placement.rotation);
+            }
+            return result;
+        }();
+        for (std::size_t i = 0; i < motion.points.size(); ++i)
+        {
+            ContactPoint<2>& point = motion.points[i];
+            if (scene.schemes.initialGaps)
+            {
+                // Of the generator's numbers themselves: std::uniform_real_distribution differs among
+                // libraries.
+                point.gap = scene.schemes.initialGaps->perturbation * std::ldexp(double(random() >> 11), -53);
+            }
+            point.gap -= columns[i].onBlock.col(0).dot(displacements[point.block])
+                         + columns[i].onNeighbour.col(0).dot(displacements[point.neighbour]);
+        }
+    }
+    motion.contactForces.assign(motion.points.size(), Vector<2>::Zero());
+    return motion;
+}
+
+bool advance(const DynamicCase& scene, Motion& motion, double timeStep)
+{
+    const ThetaScheme scheme{scene.schemes.timeIntegration.theta, timeStep};
+    StepSettings settings;
+    settings.flowRule = scene.flowRule();
+    settings.blockSize = scene.blockSize;
+    settings.contactTolerance = scene.schemes.contactTolerance * scene.blockSize;
+    settings.solver = scene.solution;
+
+    const double start = motion.state.time;
+    const Eigen::VectorXd load =
+        loadUnder(scene, meanGroundAcceleration(scene.groundMotion, start, start + timeStep));
+    const double acceleration = largestAcceleration(scene, load);
+    Eigen::VectorXd velocity = motion.state.velocity;
+
+    // Contact points, and lever arms where the momenta want them.
+    std::vector<ContactPoint<2>> points;
+    std::vector<ContactColumns<2>> columns;
+    if (motion.contacts)
+    {
+        const auto velocities = velocitiesOfAllBlocks(scene, velocity);
+        const auto ahead = moved(motion.state.placements, scene.free, timeStep * velocity);
+        points = motion.contacts->update(motion.state.placements, ahead,
+                                         motion.contacts->marginFor(velocities, timeStep, acceleration));
+        forgetRounding(scene, points);
+        if (scheme.theta == 1)
+        {
+            columns = columnsAt(scene, motion.state.placements, points);
+        }
+        else
+        {
+            const auto between =
+                moved(motion.state.placements, scene.free, (1 - scheme.theta) * timeStep * velocity);
+            std::vector<ContactPoint<2>> pointsBetween;
+            motion.contacts->measure(between, pointsBetween);
+            columns = columnsAt(scene, between, pointsBetween);
+        }
+    }
+    else
+    {
+        points = motion.points;
+        columns = equilibriumColumns(scene.assembly, scene.blocks, points);
+    }
+
+    const std::vector<double> friction = frictionCoefficients(scene.contact, points.size());
+    PlaneConeProgram program =
+        thetaStepProgram(scene.mass, velocity, load, points, columns, friction, scheme);
+    const Relinearisation relinearise =
+        motion.contacts ? movingContactGeometry(scene, motion) : Relinearisation();
+    StepGuess guess{timeStep * velocity, forcesOfLastStep(motion, points)};
+    ThetaStep step = solveThetaStep(program, settings, guess, relinearise);
+
+    double lostInImpacts = 0;
+    int iterations = 0;
+    int factorisations = 0;
+    int programs = 0;
+    const auto count = [&](const ThetaStep& solved)
+    {
+        iterations += solved.iterations;
+        factorisations += solved.factorisations;
+        programs += solved.programs;
+        return solved.status == SolveStatus::optimal;
+    };
+    bool isSolved = count(step);
+    const bool hasImpacts = scene.restitution() > 0 || scheme.theta < 1;
+    for (int impacts = 0; isSolved && hasImpacts && impacts < mostImpacts; ++impacts)
+    {
+        const auto colliding = collidingPoints(program, step, velocity, slowImpact * acceleration * timeStep);
+        if (colliding.empty())
+        {
+            break;
+        }
+        const ThetaStep impact = collide(scene, program, colliding, velocity, settings, timeStep);
+        isSolved = count(impact);
+        if (isSolved)
+        {
+            const Eigen::VectorXd after = impact.displacement / timeStep;
+            lostInImpacts += impactLoss(scene, velocity, after);
+            velocity = after;
+            program.load = load + scene.mass.cwiseProduct(velocity) / (scheme.theta * timeStep);
+            guess.displacement = timeStep * velocity;
+            step = solveThetaStep(program, settings, guess, relinearise);
+            isSolved = count(step);
+        }
+    }
+
+    StepResiduals& residuals = motion.residuals;
+    residuals.initialResidual = step.initialResidual;
+    residuals.primalResidual = step.certificate.primalResidual;
+    residuals.dualResidual = step.certificate.dualResidual;
+    residuals.gap = step.certificate.gap;
+    residuals.iterations = iterations;
+    residuals.factorisations = factorisations;
+    residuals.programs = programs;
+    if (!isSolved)
+    {
+        return false;
+    }
+
+    motion.state.velocity = velocity;
+    advance(motion.state, scene.free, step.displacement, scheme);
+    const StepEnergy energy = stepEnergy(step, scene.mass, load, velocity, motion.state.velocity, scheme);
+    motion.energy.impactLoss += lostInImpacts;
+    keepLedger(scene, motion, energy, (load - scene.deadLoad).dot(step.displacement));
+
+    motion.points = std::move(points);
+    if (motion.contacts)
+    {
+        motion.contacts->measure(motion.state.placements, motion.points);
+    }
+    motion.contactForces.resize(motion.points.size());
+    for (std::size_t i = 0; i < motion.points.size(); ++i)
+    {
+        const Eigen::Index row = 2 * static_cast<Eigen::Index>(i);
+        motion.contactForces[i] = step.contactForce.segment<2>(row);
+        if (!motion.contacts)
+        {
+            motion.points[i].gap -= step.closing[row];
+        }
+    }
+    return true;
+}
+
+bool advance(const DynamicCase& scene, Motion& motion, Time& time)
+{
+    double timeStep = time.deltaT();
+    for (int retries = 0;; ++retries)
+    {
+        const bool isSolved = advance(scene, motion, timeStep);
+        motion.residuals.retries = retries;
+        if (isSolved)
+        {
+            motion.state.time = time.value(); // the sum of the steps may differ from it in the last digit
+            break;
+        }
+        if (retries == mostHalvings)
+        {
+            time.abandonStep();
+            return false;
+        }
+        timeStep /= 2;
+        time.shortenStep(timeStep);
+    }
+    if (time.controls().adjustTimeStep)
+    {
+        double fastest = 0;
+        for (const Vector<3>& velocity : velocitiesOfAllBlocks(scene, motion.state.velocity))
+        {
+            fastest = std::max(fastest, velocity.head<2>().norm() + scene.blockSize * std::abs(velocity[2]));
+        }
+        const double allowed = std::min(scene.schemes.maxDeltaT, 1.2 * timeStep);
+        const double reach = scene.schemes.maxDisplacement * scene.blockSize;
+        time.setDeltaT(fastest * allowed > reach ? reach / fastest : allowed);
+    }
+    else if (motion.residuals.retries > 0)
+    {
+        time.setDeltaT(time.controls().deltaT);
+    }
+    return true;
+}
+
+StepObservation<2> observe(const DynamicCase& scene, const Motion& motion, const Time& time,
+                           std::vector<BlockVelocity<2>>& velocities, const std::vector<double>& friction)
+{
+    velocities.assign(scene.free.size(), {});
+    for (std::size_t block = 0; block < scene.free.size(); ++block)
+    {
+        if (scene.free[block] >= 0)
+        {
+            const auto velocity = motion.state.velocity.segment<3>(3 * scene.free[block]);
+            velocities[block] = {velocity.head<2>(), velocity[2]};
+        }
+    }
+    StepObservation<2> seen;
+    seen.time = time.value();
+    seen.timeStep = time.value() - time.previousValue();
+    seen.step = time.index();
+    seen.assembly = &scene.assembly;
+    seen.placements = motion.state.placements;
+    seen.velocities = velocities;
+    seen.contactPoints = motion.points;
+    seen.contactForces = motion.contactForces;
+    seen.frictionCoefficients = friction;
+    seen.energy = motion.energy;
+    seen.residuals = motion.residuals;
+    return seen;
+}
+
+} // namespace drystone

@@ -1,0 +1,54 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// A structure in motion, and how it goes from one instant to the next.
+#pragma once
+
+#include "assembly/MovingContacts.h"
+#include "core/Time.h"
+#include "dynamics/DynamicCase.h"
+#include "dynamics/StepObservation.h"
+#include "dynamics/ThetaStep.h"
+
+#include <optional>
+
+namespace drystone
+{
+
+/// All that changes in a run. What a run needs to continue bit for bit is `state`, `energy`, `points` and
+/// `contactForces`.
+struct Motion
+{
+    DynamicState state;
+    EnergyLedger energy;
+    std::vector<ContactPoint<2>> points;    ///< of the last step, where they are now; gaps [m]
+    std::vector<Vector<2>> contactForces;   ///< one a point: mean over the last step, (normal, tangent) [N]
+    StepResiduals residuals;                ///< of the last step
+    std::optional<MovingContacts> contacts; ///< empty with smallDisplacements: the points stay as built
+};
+
+/// The motion that starts from a state, its ledger opened there.
+Motion startMotion(const DynamicCase& scene, DynamicState state);
+
+/// One step (Portioli & Cascini 2017, eq. 1-9):
+///
+/// 1. contact points where blocks touch or may meet within the step;
+/// 2. the theta step as a cone program, its gaps right to second order;
+/// 3. impacts, where restitution or a theta below 1 asks for them: points that the step closes, and that were
+///    closing when it began, collide first. M (v+ - v-) = -A P with u_n+ >= -e u_n-, wherever in the step
+///    they would have met; then the step is repeated from v+. Without restitution and with theta 1 the
+///    program itself is the plastic impact;
+/// 4. blocks moved by finite rotations, and the ledger of energy kept.
+///
+/// \return whether the step was solved; otherwise nothing but `residuals` has changed
+bool advance(const DynamicCase& scene, Motion& motion, double timeStep);
+
+/// The step that ends at time.value(). One that is not solved is tried again half as long, up to ten times.
+/// With adjustTimeStep the next step is chosen such that no block moves by more than maxDisplacement.
+/// \return whether it was solved; otherwise the time is that of the start of the step again
+bool advance(const DynamicCase& scene, Motion& motion, Time& time);
+
+/// What observers see. The views are into `motion` and `velocities`.
+/// \param velocities filled in, one a block
+StepObservation<2> observe(const DynamicCase& scene, const Motion& motion, const Time& time,
+                           std::vector<BlockVelocity<2>>& velocities, const std::vector<double>& friction);
+
+} // namespace drystone

@@ -1,0 +1,77 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+#include "dynamics/Schemes.h"
+
+namespace drystone
+{
+
+void declare(Options& options, ThetaIntegration& integration)
+{
+    options
+        .optional("theta", integration.theta,
+                  "weight of the end of a step: 1 backward Euler, 0.5 trapezoidal rule")
+        .atLeast(0.5)
+        .atMost(1);
+}
+
+const Registry<ThetaIntegration>& timeIntegrationTypes()
+{
+    static const Registry<ThetaIntegration> registry{
+        "time integration",
+        {model<ThetaIntegration, ThetaIntegration>("theta", "the theta method, stable from 0.5 to 1",
+                                                   [](ThetaIntegration integration)
+                                                   { return integration; })}};
+    return registry;
+}
+
+void declare(Options& options, InitialGaps& gaps)
+{
+    options
+        .required("perturbation", gaps.perturbation,
+                  "the gap of each contact point is drawn evenly between 0 and this")
+        .unit("m")
+        .atLeast(0)
+        .example("1e-9");
+    options.optional("seed", gaps.seed, "of the random numbers: the same seed gives the same gaps")
+        .atLeast(0);
+}
+
+void declare(Options& options, Schemes& schemes)
+{
+    options.optional("timeIntegration", schemes.timeIntegration, timeIntegrationTypes(),
+                     "how velocities and displacements follow from forces; absent: theta 1");
+    options.optional(
+        "smallDisplacements", schemes.smallDisplacements,
+        "contact points and lever arms stay as built: faster, and wrong once a block has moved by "
+        "more than a small part of itself");
+    options
+        .optional("contactTolerance", schemes.contactTolerance,
+                  "error allowed in the gaps at the end of a step, in mean block sizes")
+        .above(0)
+        .atMost(1e-2);
+    options
+        .optional("maxDisplacement", schemes.maxDisplacement,
+                  "of any block in a step, with adjustTimeStep, in mean block sizes")
+        .above(0)
+        .atMost(0.25);
+    options.optional("maxDeltaT", schemes.maxDeltaT, "longest step of adjustTimeStep")
+        .unit("s")
+        .above(0)
+        .orInfinite();
+    options.optional("initialGaps", schemes.initialGaps,
+                     "gaps that the joints have from the start, with smallDisplacements; absent: none");
+    options.check("initialGaps",
+                  [&schemes]() -> std::string
+                  {
+                      return schemes.initialGaps && !schemes.smallDisplacements
+                                 ? "initialGaps needs `smallDisplacements yes;`: where blocks move, their "
+                                   "gaps follow from where they are. Displace blocks in 0/motion instead."
+                                 : "";
+                  });
+}
+
+Schemes readSchemes(const std::filesystem::path& caseDirectory)
+{
+    return readOptions<Schemes>(Dictionary::readFileIfPresent(caseDirectory / "system/schemes"));
+}
+
+} // namespace drystone

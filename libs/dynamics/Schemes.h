@@ -1,0 +1,49 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// How a case is stepped through time: system/schemes.
+///
+///     timeIntegration { type theta; theta 1; }
+///     smallDisplacements no;
+#pragma once
+
+#include "core/Registry.h"
+
+#include <filesystem>
+#include <limits>
+#include <optional>
+
+namespace drystone
+{
+
+/// Settings of `timeIntegration { type theta; }`.
+struct ThetaIntegration
+{
+    double theta = 1; ///< weight of the end of a step: 1 backward Euler, 0.5 trapezoidal rule
+};
+void declare(Options& options, ThetaIntegration& integration);
+
+/// All ways to integrate in time: theta.
+const Registry<ThetaIntegration>& timeIntegrationTypes();
+
+/// Small gaps that a joint has from the start: how much a result depends on perfect fit.
+struct InitialGaps
+{
+    double perturbation = 0; ///< each point's gap is drawn evenly between 0 and this [m]
+    int seed = 1;            ///< of the random numbers
+};
+void declare(Options& options, InitialGaps& gaps);
+
+struct Schemes
+{
+    ThetaIntegration timeIntegration;
+    bool smallDisplacements = false; ///< contact points and lever arms stay as built
+    double contactTolerance = 1e-7;  ///< error allowed in the gaps at the end of a step [mean block size]
+    double maxDisplacement = 0.05;   ///< of any block in a step, with adjustTimeStep [mean block size]
+    double maxDeltaT = std::numeric_limits<double>::infinity(); ///< with adjustTimeStep [s]
+    std::optional<InitialGaps> initialGaps;                     ///< with smallDisplacements
+};
+void declare(Options& options, Schemes& schemes);
+
+/// The schemes of a case: the defaults when there is no file. \throws FatalIOError for what is wrong with it
+Schemes readSchemes(const std::filesystem::path& caseDirectory);
+
+} // namespace drystone

@@ -1,0 +1,72 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+#include "functionObjects/MotionLog.h"
+
+#include "core/Log.h"
+
+#include <algorithm>
+
+namespace drystone
+{
+namespace
+{
+
+double worst(const StepResiduals& residuals)
+{
+    return std::max({residuals.primalResidual, residuals.dualResidual, residuals.gap});
+}
+
+} // namespace
+
+void printScene(const DynamicCase& scene, const Motion& motion, const Time& time,
+                const std::vector<std::string>& functions)
+{
+    auto [simulated, absent] = effectNames(scene.contact);
+    (scene.groundMotion.components.empty() ? absent : simulated).emplace_back("groundMotion");
+    (scene.schemes.smallDisplacements ? absent : simulated).emplace_back("largeDisplacements");
+    printEffects(simulated, absent);
+    info("{}", summary(scene.groundMotion));
+    info("Blocks: {} free, contact points: {}", scene.mass.size() / 3, motion.points.size());
+    if (scene.contact.friction)
+    {
+        info("Friction: mu {:g}, flow rule {}", scene.contact.friction->mu,
+             scene.contact.friction->flowRule == FlowRule::associative
+                 ? "associative (a joint that slides opens)"
+                 : "nonAssociative (Coulomb)");
+    }
+    info("Time integration: theta {:g}, deltaT {:g} s, from {} s to {:g} s",
+         scene.schemes.timeIntegration.theta, time.deltaT(), time.startName(), time.controls().endTime);
+    info("Solver: {}, tolerance {:g}", nameOf(scene.solution.solver), scene.solution.tolerance);
+    if (!functions.empty())
+    {
+        std::string names;
+        for (const std::string& name : functions)
+        {
+            names += " " + name;
+        }
+        info("Functions:{}", names);
+    }
+    printLine();
+}
+
+void printStep(const DynamicCase& scene, const Motion& motion)
+{
+    const StepResiduals& residuals = motion.residuals;
+    info("{}:  Solving for contact, Initial residual = {:.6g}, Final residual = {:.6g}, No Iterations {}",
+         nameOf(scene.solution.solver), residuals.initialResidual, worst(residuals), residuals.iterations);
+    if (residuals.retries > 0)
+    {
+        info("The step was shortened {} times to be solved", residuals.retries);
+    }
+}
+
+std::string unsolvedStep(const DynamicCase& scene, const Motion& motion, const Time& time)
+{
+    return fmt::format(
+        "The step at time {} was not solved to tolerance {:g}, nor when it was made shorter {} times "
+        "(residual "
+        "{:.3g}). The state at its start has been written. Raise tolerance or maximumIterations in "
+        "system/solution/contactDynamics, or begin from there with a smaller deltaT.",
+        time.name(), scene.solution.tolerance, motion.residuals.retries, worst(motion.residuals));
+}
+
+} // namespace drystone

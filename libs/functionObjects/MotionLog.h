@@ -1,0 +1,23 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// What the log says of a run through time.
+#pragma once
+
+#include "dynamics/Motion.h"
+
+#include <string>
+#include <vector>
+
+namespace drystone
+{
+
+/// Before the first step: effects, ground motion with its peak, duration and unit, schemes, size, functions.
+void printScene(const DynamicCase& scene, const Motion& motion, const Time& time,
+                const std::vector<std::string>& functions);
+
+/// `interiorPoint:  Solving for contact, Initial residual = .., Final residual = .., No Iterations ..`
+void printStep(const DynamicCase& scene, const Motion& motion);
+
+/// Why a run ends here, and what may mend it.
+std::string unsolvedStep(const DynamicCase& scene, const Motion& motion, const Time& time);
+
+} // namespace drystone

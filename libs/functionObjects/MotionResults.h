@@ -1,0 +1,69 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// What time stepping leaves in a case: time directories, the animation, and the tables of the functions.
+#pragma once
+
+#include "dynamics/Motion.h"
+#include "functionObjects/FunctionList.h"
+#include "io/TimeDirectory.h"
+#include "io/VtkSeries.h"
+
+#include <filesystem>
+
+namespace drystone
+{
+
+/// The motion at the time a run starts from. `<time>/state`, which a run has written, is continued bit for
+/// bit; without one, `<time>/motion`, or the structure as built at rest.
+/// \throws FatalError when a run is to continue at a time that has no state, or the state is of another
+/// structure
+Motion startOrContinue(const std::filesystem::path& caseDirectory, const DynamicCase& scene, Time& time);
+
+/// The state that `startOrContinue` continues.
+State stateOf(const Motion& motion, const Time& time);
+
+/// Whether the functions of controlDict are carried out.
+enum class FunctionObjects
+{
+    asInControlDict,
+    none
+};
+
+/// Writes the results of one run. Keeps references to the scene, the motion and the time of the run.
+class MotionResults
+{
+public:
+    /// Checks the functions and the folders; writes nothing yet.
+    /// \throws FatalIOError for what is wrong with the functions, FatalError for a folder that cannot be
+    /// written
+    MotionResults(std::filesystem::path caseDirectory, const DynamicCase& scene, const Motion& motion,
+                  Time& time, FunctionObjects functionObjects);
+
+    /// The frame of the state that the run starts from, unless an earlier run has written it.
+    void writeFirstFrames();
+
+    /// To be called after each step: the functions that are due, and at the times of writeControl a time
+    /// directory and a frame of VTK/blocks.vtp.series and VTK/contacts.vtp.series.
+    void write();
+
+    /// Time directory and frames of now, due or not: before a run gives up.
+    void writeNow();
+
+    /// Time until a function wants the end of a step [s]; infinite when none does.
+    double timeToNextWrite(double deltaT) const;
+
+    const FunctionList<2>& functions() const { return functions_; }
+
+private:
+    void writeFrames();
+
+    std::filesystem::path caseDirectory_;
+    const DynamicCase& scene_;
+    const Motion& motion_;
+    Time& time_;
+    FunctionList<2> functions_;
+    StateWriter states_;
+    VtkSeries blocks_;
+    VtkSeries contacts_;
+};
+
+} // namespace drystone
