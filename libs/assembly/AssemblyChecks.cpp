@@ -64,6 +64,7 @@ struct Range
         least = std::min(least, value);
         largest = std::max(largest, value);
     }
+    bool isEmpty() const { return least > largest; }
 };
 
 CheckResult checkVolumes(const Assembly<2>& assembly, const Findings& findings, const CheckLimits& limits)
@@ -122,8 +123,10 @@ CheckResult checkInertia(const Assembly<2>& assembly, const Findings& findings, 
                                          area.polarMoment, area.area));
         }
     }
-    result.message = fmt::format("Polar moment relative to area squared: min = {:.6g} max = {:.6g}",
-                                 range.least, range.largest);
+    result.message = range.isEmpty()
+                         ? "Polar moment: no free blocks"
+                         : fmt::format("Polar moment relative to area squared: min = {:.6g} max = {:.6g}",
+                                       range.least, range.largest);
     return result;
 }
 
@@ -225,8 +228,10 @@ CheckResult checkSlivers(const Assembly<2>& assembly, const Findings& findings, 
             addFault(result, fmt::format("block {} has an edge of {:.3g} m", i, shortest));
         }
     }
-    result.message = fmt::format("Min compactness = {:.3g}. Sharpest corner = {:.4g} degrees",
-                                 compactness.least, angle.least * 180 / EIGEN_PI);
+    result.message = angle.isEmpty()
+                         ? "Slivers: no free blocks"
+                         : fmt::format("Min compactness = {:.3g}. Sharpest corner = {:.4g} degrees",
+                                       compactness.least, angle.least * 180 / EIGEN_PI);
     return result;
 }
 

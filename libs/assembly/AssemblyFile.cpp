@@ -38,16 +38,18 @@ std::vector<double> readThickness(const Entry& entry, std::size_t blocks)
     if (thickness.size() != blocks)
     {
         throw FatalIOError(
-            fmt::format("thickness has {} values, but there are {} outlines", thickness.size(), blocks),
+            fmt::format(
+                "thickness has {} values, but there are {} outlines: give one value for all, or one each.",
+                thickness.size(), blocks),
             entry.location());
     }
     const auto bad =
         std::find_if(thickness.begin(), thickness.end(), [](double value) { return !(value > 0); });
     if (bad != thickness.end())
     {
-        throw FatalIOError(
-            fmt::format("thickness {} of block {} is not positive", *bad, bad - thickness.begin()),
-            entry.location());
+        throw FatalIOError(fmt::format("thickness {} of block {} is not positive: it must be above 0.", *bad,
+                                       bad - thickness.begin()),
+                           entry.location());
     }
     return thickness;
 }
@@ -61,16 +63,17 @@ void readSupport(const Entry& entry, Assembly<2>& assembly)
     {
         if (block < 0 || block >= static_cast<int>(assembly.blocks.size()))
         {
-            throw FatalIOError(fmt::format("Support {} fixes block {}, but blocks are numbered from 0 to {}",
+            throw FatalIOError(fmt::format("Support {} fixes block {}, but blocks are numbered from 0 to {}.",
                                            entry.keyword(), block, assembly.blocks.size() - 1),
                                dictionary.locationOf("blocks"));
         }
         if (assembly.blocks[block].support >= 0)
         {
-            throw FatalIOError(fmt::format("Support {} fixes block {}, which support {} fixes already",
-                                           entry.keyword(), block,
-                                           assembly.supports[assembly.blocks[block].support].name),
-                               dictionary.locationOf("blocks"));
+            throw FatalIOError(
+                fmt::format("Support {} fixes block {}, which support {} fixes already. Leave it "
+                            "to one of them.",
+                            entry.keyword(), block, assembly.supports[assembly.blocks[block].support].name),
+                dictionary.locationOf("blocks"));
         }
         assembly.blocks[block].support = support;
     }
@@ -88,14 +91,15 @@ Assembly<2> readAssembly(const std::filesystem::path& caseDirectory)
     if (dimensions != 2)
     {
         throw FatalIOError(
-            fmt::format("dimensions {} are not available: this version computes in 2", dimensions),
+            fmt::format("dimensions {} are not available: this version computes in 2.", dimensions),
             dictionary.locationOf("dimensions"));
     }
     Assembly<2> assembly;
     std::vector<Polygon> outlines = dictionary.get<Outlines>("outlines").polygons;
     if (outlines.empty())
     {
-        throw FatalIOError("There is no block in this assembly", dictionary.locationOf("outlines"));
+        throw FatalIOError("There is no block in this assembly. Build it again with blockTexture.",
+                           dictionary.locationOf("outlines"));
     }
     const std::vector<double> thickness = readThickness(dictionary.lookup("thickness"), outlines.size());
     for (std::size_t i = 0; i < outlines.size(); ++i)
@@ -108,6 +112,18 @@ Assembly<2> readAssembly(const std::filesystem::path& caseDirectory)
     }
     refuseUnused(dictionary, {"dimensions", "thickness", "supports", "outlines"});
     return assembly;
+}
+
+void requireFreeBlock(const Assembly<2>& assembly, const std::filesystem::path& caseDirectory)
+{
+    if (std::all_of(assembly.blocks.begin(), assembly.blocks.end(),
+                    [](const Block<2>& block) { return block.support >= 0; }))
+    {
+        throw FatalIOError(
+            "Every block is fixed by a support: there is nothing to compute. Mend the supports of "
+            "system/blockTextureDict and run blockTexture again.",
+            Dictionary::readFile(assemblyFile(caseDirectory)).locationOf("supports"));
+    }
 }
 
 void refuseOverlaps(const Assembly<2>& assembly, const std::filesystem::path& caseDirectory)

@@ -30,6 +30,9 @@ Assembly<2> readAssembly(const std::filesystem::path& caseDirectory);
 /// fault.
 inline constexpr double harmlessOverlap = 1e-4;
 
+/// For computations. \throws FatalIOError when every block of the assembly is fixed: nothing can move
+void requireFreeBlock(const Assembly<2>& assembly, const std::filesystem::path& caseDirectory);
+
 /// For computations that need sound geometry.
 /// \throws FatalIOError at the outline's line when two blocks of the assembly, as read from this case, share
 /// more than harmlessOverlap of the smaller one

@@ -106,6 +106,13 @@ void declare(Options& options, ForceSettings& settings)
 {
     options.required("at", settings.at, "point in or on a free block").unit("m").example("(0.5 1.2)");
     options.required("value", settings.value, "force").unit("N").example("(0 -1000 0)");
+    options.check("value",
+                  [&settings]() -> std::string
+                  {
+                      return settings.value.isZero(0)
+                                 ? "A force cannot be (0 0 0). Write for instance `value (0 -1000 0);`."
+                                 : "";
+                  });
 }
 
 struct SupportMovementSettings
@@ -201,7 +208,15 @@ LoadVectors readLoads(const std::filesystem::path& caseDirectory, const LoadCont
             "inertial; direction (1 0 0); }",
             dictionary.location());
     }
-    return {cases.dead(context), cases.live ? (*cases.live)(context) : Eigen::VectorXd()};
+    LoadVectors loads{cases.dead(context), cases.live ? (*cases.live)(context) : Eigen::VectorXd()};
+    if (liveLoad == LiveLoad::required && loads.live.isZero(0))
+    {
+        throw FatalIOError(
+            "The live load is zero on every block, as where gravity (constant/g) is zero: there "
+            "is nothing to find the multiplier of. Give gravity, or a live load of type force.",
+            dictionary.locationOf("live"));
+    }
+    return loads;
 }
 
 } // namespace drystone

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 
 namespace drystone
 {
@@ -237,25 +238,40 @@ CommandLine readCommandLine(int argc, const char* const* argv, const Application
     return result;
 }
 
+namespace
+{
+
+int runCommandLine(int argc, const char* const* argv, const ApplicationDescription& description,
+                   const std::function<int(const CommandLine&)>& program)
+{
+    const CommandLine commandLine = readCommandLine(argc, argv, description);
+    if (commandLine.help)
+    {
+        fmt::print("{}", helpText(description));
+        return 0;
+    }
+    std::error_code ignored;
+    if (!std::filesystem::is_directory(commandLine.caseDirectory, ignored))
+        throw FatalError(fmt::format("There is no case directory {}.\n\nName one with -case DIR, or run "
+                                     "{} inside of one.",
+                                     commandLine.caseDirectory.string(), description.name));
+    return program(commandLine);
+}
+
+} // namespace
+
 int runApplication(int argc, const char* const* argv, const ApplicationDescription& description,
                    const std::function<int(const CommandLine&)>& program)
 {
     return runGuarded(
         [&]
         {
-            const CommandLine commandLine = readCommandLine(argc, argv, description);
-            if (commandLine.help)
-            {
-                fmt::print("{}", helpText(description));
-                return 0;
-            }
-            std::error_code ignored;
-            if (!std::filesystem::is_directory(commandLine.caseDirectory, ignored))
-                throw FatalError(
-                    fmt::format("There is no case directory {}.\n\nName one with -case DIR, or run "
-                                "{} inside of one.",
-                                commandLine.caseDirectory.string(), description.name));
-            return program(commandLine);
+            const int status = runCommandLine(argc, argv, description, program);
+            // A log on a full disk: what was printed last may be the answer.
+            if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+                throw FatalError("Standard output cannot be written: what was printed is lost, in part or in "
+                                 "whole. Check that the disk has room.");
+            return status;
         });
 }
 

@@ -134,6 +134,19 @@ std::string indentationAt(const std::string& text, std::size_t place)
     return text.substr(begin, end - begin);
 }
 
+/// A point may be in a keyword, alpha.water, or stand between two, limitAnalysis.tolerance: the latter when
+/// no entry has such a name and what is in front of the last point is a sub-dictionary.
+std::string withSlashes(const Dictionary& dictionary, std::string_view path)
+{
+    std::string slashed(path);
+    std::replace(slashed.begin(), slashed.end(), '.', '/');
+    const std::size_t last = slashed.rfind('/');
+    if (last == std::string::npos || dictionary.findPath(path))
+        return std::string(path);
+    const Entry* parent = dictionary.findPath(slashed.substr(0, last));
+    return parent && parent->isDictionary() ? slashed : std::string(path);
+}
+
 std::string entryText(const std::string& keyword, const std::string& value, const std::string& indentation)
 {
     if (isDictionaryText(value))
@@ -259,10 +272,11 @@ std::string withEntryRemoved(const std::string& text, const std::filesystem::pat
     return result;
 }
 
-void editFile(const std::filesystem::path& file, std::string_view path, EntryEdit edit,
+void editFile(const std::filesystem::path& file, std::string_view givenPath, EntryEdit edit,
               std::string_view value)
 {
     const Dictionary asWritten = Dictionary::readFile(file, Expansion::none);
+    const std::string path = withSlashes(asWritten, givenPath);
     const Entry* present = asWritten.findPath(path);
     if (edit == EntryEdit::add && present)
     {

@@ -31,6 +31,7 @@ enum class EntryEdit
 };
 
 /// Edit a file, which is then written whole or not at all.
+/// \param path as above; points may stand between keywords where no entry has a name with points
 /// \param value ignored for EntryEdit::remove
 /// \throws FatalError as above, and when the file cannot be written
 void editFile(const std::filesystem::path& file, std::string_view path, EntryEdit edit,

@@ -283,6 +283,17 @@ void Options::refuseUnknownKeys(const Dictionary& dictionary) const
     }
 }
 
+std::vector<std::string> Options::typesOf(const Option& option)
+{
+    OptionDescription description = option.about;
+    if (option.describeMembers)
+        option.describeMembers(description);
+    std::vector<std::string> types;
+    for (const OptionDescription::Alternative& alternative : description.alternatives)
+        types.push_back(alternative.name);
+    return types;
+}
+
 void Options::readFrom(const Dictionary& dictionary) const
 {
     refuseUnknownKeys(dictionary);
@@ -311,6 +322,9 @@ void Options::readFrom(const Dictionary& dictionary) const
                 about.key, about.doc, withUnit(about));
             if (!about.exampleText.empty())
                 message += fmt::format(" Write for example `{} {};`.", about.key, about.exampleText);
+            else if (const std::vector<std::string> types = typesOf(option); !types.empty())
+                message += fmt::format(" Write `{} {{ type ...; }}` with one of the types {}.", about.key,
+                                       fmt::join(types, " "));
             throw FatalIOError(message, dictionary.location());
         }
     }

@@ -384,6 +384,8 @@ private:
     Option& addOwnNames(std::string doc);
     void refuseUnknownKeys(const Dictionary& dictionary) const;
     const Option* ownNamesOption() const;
+    /// Names of the models that an option chooses from; empty when it is none.
+    static std::vector<std::string> typesOf(const Option& option);
     bool isDeclared(const std::string& key) const;
 
     template<class Value>
@@ -436,18 +438,9 @@ private:
                 option.about.presence = OptionDescription::Presence::mayBeAbsent;
             option.describeMembers = [](OptionDescription& about)
             { about.members = describeOptions<Model>(); };
-            option.readValue = [&field](const Entry& entry, const Option&)
-            {
-                field.clear();
-                for (const Entry& inner : entry.dictionary().entries())
-                {
-                    if (!inner.isDictionary() && inner.isUsed())
-                        continue;
-                    typename Value::value_type named{};
-                    detail::assignName(named.first, inner);
-                    readOptions(inner.dictionary(), named.second);
-                    field.push_back(std::move(named));
-                }
+            option.readValue = [&field](const Entry& entry, const Option&) {
+                readNamed(entry, field,
+                          [](const Dictionary& dictionary) { return readOptions<Model>(dictionary); });
             };
         }
         else if constexpr (isListOfDeclared<Value>())
@@ -517,6 +510,21 @@ private:
         }
     }
 
+    /// `key { name { ... } name { ... } }`, each inner dictionary read by `readOne`.
+    template<class Field, class ReadOne>
+    static void readNamed(const Entry& entry, Field& field, const ReadOne& readOne)
+    {
+        field.clear();
+        for (const Entry& inner : entry.dictionary().entries())
+        {
+            if (!inner.isDictionary() && inner.isUsed()) // a value that others refer to as a macro
+                continue;
+            typename Field::value_type::first_type name;
+            detail::assignName(name, inner);
+            field.emplace_back(std::move(name), readOne(inner.dictionary()));
+        }
+    }
+
     template<class Value>
     static constexpr bool isListOfDeclared()
     {
@@ -540,15 +548,8 @@ private:
             option.about.form = Form::namedDictionaries;
             option.readValue = [&field, &registry](const Entry& entry, const Option&)
             {
-                field.clear();
-                for (const Entry& inner : entry.dictionary().entries())
-                {
-                    if (!inner.isDictionary() && inner.isUsed())
-                        continue;
-                    typename Field::value_type::first_type name;
-                    detail::assignName(name, inner);
-                    field.emplace_back(std::move(name), registry.select(inner.dictionary()));
-                }
+                readNamed(entry, field,
+                          [&registry](const Dictionary& dictionary) { return registry.select(dictionary); });
             };
         }
         else if constexpr (detail::IsVector<Field>::value && !std::is_same_v<Field, Made>)

@@ -22,20 +22,22 @@ void declareCommon(Options& options, FunctionPlan<2>& plan)
         .atMost(17);
 }
 
-struct EnergySettings
+/// Of a function that has no keys of its own.
+struct PlainSettings
 {
     FunctionPlan<2> plan;
 };
 
-void declare(Options& options, EnergySettings& settings)
+void declare(Options& options, PlainSettings& settings)
 {
     declareCommon(options, settings.plan);
 }
 
-FunctionPlan<2> planEnergy(EnergySettings settings)
+template<class Function>
+FunctionPlan<2> planPlain(PlainSettings settings)
 {
     settings.plan.make = [](FunctionOutput output, const Assembly<2>&)
-    { return std::make_unique<EnergyFunction<2>>(std::move(output)); };
+    { return std::make_unique<Function>(std::move(output)); };
     return settings.plan;
 }
 
@@ -109,36 +111,20 @@ FunctionPlan<2> planContactForces(ContactForcesSettings settings)
     return settings.plan;
 }
 
-struct ResidualsSettings
-{
-    FunctionPlan<2> plan;
-};
-
-void declare(Options& options, ResidualsSettings& settings)
-{
-    declareCommon(options, settings.plan);
-}
-
-FunctionPlan<2> planResiduals(ResidualsSettings settings)
-{
-    settings.plan.make = [](FunctionOutput output, const Assembly<2>&)
-    { return std::make_unique<ResidualsFunction<2>>(std::move(output)); };
-    return settings.plan;
-}
-
 } // namespace
 
 const Registry<FunctionPlan<2>>& functionTypes()
 {
     static const Registry<FunctionPlan<2>> registry{
         "function",
-        {model<FunctionPlan<2>, EnergySettings>("energy", "the energy ledger and what it leaves unexplained",
-                                                planEnergy),
+        {model<FunctionPlan<2>, PlainSettings>("energy", "the energy ledger and what it leaves unexplained",
+                                               planPlain<EnergyFunction<2>>),
          model<FunctionPlan<2>, BlockMotionSettings>("blockMotion", "placement and velocity of some blocks",
                                                      planBlockMotion),
          model<FunctionPlan<2>, ContactForcesSettings>(
              "contactForces", "contact points and reactions of supports", planContactForces),
-         model<FunctionPlan<2>, ResidualsSettings>("residuals", "how the solver did", planResiduals)}};
+         model<FunctionPlan<2>, PlainSettings>("residuals", "how the solver did",
+                                               planPlain<ResidualsFunction<2>>)}};
     return registry;
 }
 

@@ -14,6 +14,8 @@
 
 #include <fmt/format.h>
 
+#include <limits>
+
 namespace drystone
 {
 namespace
@@ -53,12 +55,28 @@ std::string caption(const LimitAnalysis& result)
     return "not converged";
 }
 
+/// The column alpha[-]: a number where there is one to have.
+double tabledAlpha(const LimitAnalysis& result)
+{
+    switch (result.status)
+    {
+    case CollapseStatus::unbounded:
+        return std::numeric_limits<double>::infinity();
+    case CollapseStatus::unstable:
+    case CollapseStatus::notConverged:
+        return std::numeric_limits<double>::quiet_NaN();
+    case CollapseStatus::optimal:
+        break;
+    }
+    return result.alpha;
+}
+
 std::string tableText(const LimitAnalysisCase& structure, const LimitAnalysis& result, double cpuTime)
 {
     return fmt::format(
         "# alpha[-] status[-] blocks[-] contactPoints[-] variables[-] iterations[-] primalResidual[-] "
         "dualResidual[-] gap[-] cpuTime[s]\n{:.12g} {} {} {} {} {} {:.3e} {:.3e} {:.3e} {:.6g}\n",
-        result.alpha, static_cast<int>(result.status), structure.freeBlocks, structure.points.size(),
+        tabledAlpha(result), static_cast<int>(result.status), structure.freeBlocks, structure.points.size(),
         result.variables, result.iterations, result.certificate.primalResidual,
         result.certificate.dualResidual, result.certificate.gap, cpuTime);
 }
@@ -115,6 +133,12 @@ void requireWritableResults(const std::filesystem::path& caseDirectory)
 {
     requireWritable(limitAnalysisTable(caseDirectory).parent_path());
     requireWritable(caseDirectory / "VTK");
+}
+
+void removeLimitAnalysisTable(const std::filesystem::path& caseDirectory)
+{
+    std::error_code ignored;
+    std::filesystem::remove(limitAnalysisTable(caseDirectory), ignored);
 }
 
 void writeLimitAnalysisResults(const std::filesystem::path& caseDirectory, const LimitAnalysisCase& structure,

@@ -33,8 +33,13 @@ void confirmResults(const std::filesystem::path& caseDirectory);
 /// \throws FatalError naming the one that cannot
 void requireWritableResults(const std::filesystem::path& caseDirectory);
 
+/// Removes the table of an earlier run: after a run that did not converge nobody shall take its multiplier
+/// for an answer.
+void removeLimitAnalysisTable(const std::filesystem::path& caseDirectory);
+
 /// Writes
-/// - postProcessing/limitAnalysis/0/limitAnalysis.dat, the row of figures of the contract;
+/// - postProcessing/limitAnalysis/0/limitAnalysis.dat, a row of figures; alpha is `inf` for unbounded and
+///   `nan` for unstable;
 /// - postProcessing/limitAnalysis/0/mechanism.svg, the mechanism over the structure as built;
 /// - VTK/blocks.vtp.series, the mechanism growing from the structure as built, with displacement rates;
 /// - VTK/contacts.vtp.series, contact forces at collapse, gap and state.

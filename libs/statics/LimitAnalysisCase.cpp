@@ -21,6 +21,7 @@ LimitAnalysisCase readLimitAnalysisCase(const std::filesystem::path& caseDirecto
     result.solution.solver = SolverType::interiorPoint;
     result.assembly = readAssembly(caseDirectory);
     refuseOverlaps(result.assembly, caseDirectory);
+    requireFreeBlock(result.assembly, caseDirectory);
 
     result.contact = readContactProperties(caseDirectory);
     if (result.contact.friction && result.contact.friction->flowRule == FlowRule::nonAssociative)

@@ -89,14 +89,15 @@ void declare(Options& options, RunningBond& bond)
     options.optional("firstCourse", bond.firstCourse,
                      "half: the bottom course starts and ends with half a block; full: it does not");
     options.optional("openings", bond.openings, "doors and windows; blocks are cut at the jambs");
-    options.check("courses",
-                  [&bond]() -> std::string
-                  {
-                      return bond.length * bond.courses > mostBlocks
-                                 ? fmt::format("A wall of {:g} units by {} courses has more than {} blocks.",
-                                               bond.length, bond.courses, mostBlocks)
-                                 : "";
-                  });
+    options.check(
+        "courses",
+        [&bond]() -> std::string
+        {
+            return bond.length * bond.courses > mostBlocks ? fmt::format(
+                       "A wall of {:g} units by {} courses has more than {} blocks: make it smaller.",
+                       bond.length, bond.courses, mostBlocks)
+                                                           : "";
+        });
     options.check("openings",
                   [&bond]() -> std::string
                   {

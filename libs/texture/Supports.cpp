@@ -89,8 +89,9 @@ SupportMaker makeGround(const Ground& ground, const Dictionary& dictionary)
             if (segmentCount(box.upper.x() - box.lower.x(), *inMetres.segment) > mostBlocks)
             {
                 throw FatalIOError(
-                    fmt::format("A segment of {:g} units splits the ground into more than {} blocks.",
-                                *ground.segment, mostBlocks),
+                    fmt::format(
+                        "A segment of {:g} units splits the ground into more than {} blocks: make it longer.",
+                        *ground.segment, mostBlocks),
                     segmentPlace);
             }
         }

@@ -82,7 +82,9 @@ class Broken:
     where: str = ""     # the file which the message names, if another than `file`; "-": none
     files: dict = dataclasses.field(default_factory=dict)  # more files of the case, REMOVE removes one
     before: tuple = ()  # commands which prepare the case
+    earlier: dict = dataclasses.field(default_factory=dict)  # files of the case in place before these commands
     arguments: tuple = ()
+    stdoutTo: str = ""  # where standard output goes, instead of being kept
     stdout: str = ""    # for checkBlocks: what it prints instead of a message on standard error
 
 
@@ -165,6 +167,12 @@ brokenInputs = [
            where="-"),
     Broken("blockTexture", "parallel", arguments=("-parallel",), says=(r"no parallel mode",), where="-"),
     Broken("blockTexture", "strayArgument", arguments=("wall",), says=(r"wall",), where="-"),
+    Broken("caseDictionary", "twoEdits", arguments=("system/controlDict", "-entry", "endTime", "-set", "2", "-remove"),
+           says=(r"-set", r"-remove"), where="-"),
+    Broken("caseDictionary", "noSuchEntry", arguments=("system/controlDict", "-entry", "endTimes"), says=(r"endTime\b",),
+           where="system/controlDict", lines=(1,)),
+    Broken("caseDictionary", "fullDisk", arguments=("system/controlDict",), says=(r"(?i)standard output", r"room"),
+           where="-", stdoutTo="/dev/full"),
     Broken("limitAnalysis", "noCase", files={f: REMOVE for f in goodCase}, says=(r"not a case directory",), where="-"),
     # The blocks.
     Broken("checkBlocks", "overlappingPolygons", before=built, stdout=r"Failed \d+ checks\.",
@@ -185,6 +193,15 @@ brokenInputs = [
     inAnalysis("noLoads", "constant/loads", "", "", r"loads", content=REMOVE, lines=(0,)),
     inAnalysis("unknownLoad", "constant/loads", "inertial", "inertia", r"Did you mean inertial\?"),
     inAnalysis("noDirection", "constant/loads", "(1 0 0)", "(0 0 0)", r"direction"),
+    inAnalysis("noForce", "constant/loads", "type inertial;\n    direction (1 0 0);",
+               "type force;\n    at (0.5 1.02);\n    value (0 0 0);@@", r"value", lines=(6,)),
+    inAnalysis("noGravity", "constant/g", "-9.81", "0", r"(?i)zero", r"gravity", where="constant/loads", lines=(2,),
+               files={"constant/materialProperties": "density 2000;\n"}),
+    inAnalysis("noDeadLoad", "constant/loads", "dead { type gravity; }\n", "", r"dead", r"gravity", lines=(1,)),
+    Broken("limitAnalysis", "everyBlockFixed", where="constant/assembly/blocks", lines=(0,), says=(r"(?i)fixed",),
+           before=(("caseDictionary", "system/blockTextureDict", "-entry", "supports/ground", "-set",
+                    "{ type blocks; blocks (0 1); }"), ("blockTexture",)),
+           earlier={dictionary: polygons}),
     inAnalysis("forceBesideTheWall", "constant/loads", "type inertial;\n    direction (1 0 0);",
                "type force;\n    at (50 50);@@\n    value (0 -1 0);", r"(?i)block", lines=(4, 5)),
     inAnalysis("unknownSolver", "system/solution", "interiorPoint", "interiorpoint", r"interiorPoint"),
@@ -225,7 +242,7 @@ def prepare(case, broken, binaries):
     if case.exists():
         shutil.rmtree(case)
     case.mkdir(parents=True)
-    write(case, goodCase)
+    write(case, goodCase | broken.earlier)
     if broken.application != "checkBlocks" and broken.name != "noAssembly":
         good = run(binaries, broken.before, case)
         write(case, broken.files)
@@ -300,11 +317,13 @@ def attempt(broken, binaries, scratch):
         return [fault]
     before = snapshot(case)
     try:
-        done = subprocess.run([str(binaries / broken.application), *broken.arguments], cwd=case, capture_output=True,
-                              timeout=30, stdin=subprocess.DEVNULL)
+        with open(broken.stdoutTo or os.devnull, "wb") as sink:
+            done = subprocess.run([str(binaries / broken.application), *broken.arguments], cwd=case, timeout=30,
+                                  stdin=subprocess.DEVNULL, stdout=sink if broken.stdoutTo else subprocess.PIPE,
+                                  stderr=subprocess.PIPE)
     except subprocess.TimeoutExpired:
         return ["it hangs: 30 s"]
-    output, errors = done.stdout.decode(errors="replace"), done.stderr.decode(errors="replace")
+    output, errors = (done.stdout or b"").decode(errors="replace"), done.stderr.decode(errors="replace")
     print(errors or output)
     faults = judge(broken, lines, done.returncode, output, errors)
     after = snapshot(case)

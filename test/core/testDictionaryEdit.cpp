@@ -2,7 +2,9 @@
 /// Edits of a dictionary's text keep everything but the entry.
 #include "core/Dictionary.h"
 #include "core/DictionaryEdit.h"
+#include "core/WholeFile.h"
 
+#include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sstream>
@@ -95,6 +97,25 @@ TEST(DictionaryEdit, RemovingTakesTheEntryAndItsLine)
     const std::string without = withEntryRemoved(text, "file", "mu");
     EXPECT_EQ(without.find("mu"), std::string::npos) << "both are gone";
     EXPECT_NE(without.find("// of the joints"), std::string::npos) << "comments stay";
+}
+
+TEST(DictionaryEdit, PointsBetweenKeywordsAreSlashesWhereNoNameHasThem)
+{
+    const std::filesystem::path file = std::filesystem::temp_directory_path() / "drystone-edit-points";
+    const auto edited = [&](const std::string& path, EntryEdit edit)
+    {
+        writeWholeFile(file, "a.b 1;\ns { c 1; }\n");
+        editFile(file, path, edit, "2");
+        std::ifstream stream(file);
+        const std::string result{std::istreambuf_iterator<char>(stream), {}};
+        std::filesystem::remove(file);
+        return result;
+    };
+    EXPECT_EQ(edited("s.c", EntryEdit::set), "a.b 1;\ns { c 2; }\n");
+    EXPECT_EQ(edited("s.d", EntryEdit::add), "a.b 1;\ns { c 1; d 2; }\n");
+    EXPECT_EQ(edited("s.c", EntryEdit::remove), "a.b 1;\ns { }\n");
+    EXPECT_EQ(edited("a.b", EntryEdit::set), "a.b 2;\ns { c 1; }\n");
+    EXPECT_EQ(edited("alpha.water", EntryEdit::set), "a.b 1;\ns { c 1; }\nalpha.water     2;\n");
 }
 
 TEST(DictionaryEdit, WhatIsNotOneValueIsRefused)

@@ -1,6 +1,8 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// limitAnalysis: max alpha with A0 c = fD + alpha fL and |t| <= mu n (Portioli, Cascini & Landolfo 2017, eq.
 /// 10).
+#include "assembly/Loads.h"
+#include "assembly/Materials.h"
 #include "core/CommandLine.h"
 #include "core/Log.h"
 #include "core/Time.h"
@@ -32,7 +34,10 @@ int run(const CommandLine& commandLine)
         const double used = cpuTime() - start;
         printLimitAnalysis(result);
         if (result.status == CollapseStatus::notConverged)
+        {
+            removeLimitAnalysisTable(directory);
             return 2;
+        }
         writeLimitAnalysisResults(directory, structure, result, used);
     }
     printExecutionTime();
@@ -51,6 +56,13 @@ int main(int argc, char* argv[])
         "under constant/loads, with a certificate.";
     description.kind = ApplicationKind::solver;
     description.details = []
-    { return fmt::format("system/solution/limitAnalysis:\n{}", helpText(describeOptions<SolverChoice>())); };
+    {
+        return fmt::format(
+            "constant/g:\n{}\nconstant/materialProperties:\n{}\nconstant/contactProperties:\n{}\n"
+            "constant/loads:\n{}\nsystem/solution/limitAnalysis:\n{}",
+            helpText(describeOptions<Gravity>()), helpText(describeOptions<MaterialProperties>()),
+            helpText(describeOptions<ContactProperties>()), helpText(describeOptions<LoadCases>()),
+            helpText(describeOptions<SolverChoice>()));
+    };
     return runApplication(argc, argv, description, run);
 }

@@ -20,6 +20,7 @@ int run(const CommandLine& commandLine)
     const std::map<std::string, EntryEdit> edits{
         {"set", EntryEdit::set}, {"add", EntryEdit::add}, {"remove", EntryEdit::remove}};
     std::optional<EntryEdit> edit;
+    std::string value;
     for (const auto& [option, itsEdit] : edits)
     {
         if (!commandLine.has(option))
@@ -28,8 +29,10 @@ int run(const CommandLine& commandLine)
             throw FatalError(
                 "One of -set, -add and -remove goes with -entry, which names what is to be edited.");
         edit = itsEdit;
-        editFile(file, path, *edit, *commandLine.get(option));
+        value = *commandLine.get(option);
     }
+    if (edit)
+        editFile(file, path, *edit, value);
     if (edit == EntryEdit::remove)
         return 0;
 
