@@ -78,8 +78,9 @@ struct ThetaStep
 /// the solution. Otherwise programs are solved in turn until the linear prediction of the gaps is right to
 /// `contactTolerance` and, with `nonAssociative`, until the fixed point of Acary & Cadoux (2013) is reached:
 /// the program's flow opens a point by mu |u_t| as it slides by u_t; with its gap increased by just that the
-/// point slides without opening, which is Coulomb's law. It stands still when mu |u_t| changes by less than
-/// ten times the tolerance of itself or 1e-12 of `blockSize`.
+/// point slides without opening, which is Coulomb's law. The fixed point is found by Anderson's acceleration.
+/// It stands still when mu |u_t| changes by less than ten times the tolerance of itself or 1e-12 of
+/// `blockSize`; from the fourth program on `contactTolerance` will do.
 ///
 /// The displacements are those that the contact forces give the blocks, to the last digits (y = Mbar^-1 (fbar
 /// - A c)), unless that would spoil the certificate: so no momentum is lost to the tolerance of the solver.
