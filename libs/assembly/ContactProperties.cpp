@@ -33,13 +33,14 @@ const std::vector<AbsentEffect>& absentEffects()
 
 void declare(Options& options, CoulombFriction& friction)
 {
-    options.required("mu", friction.mu, "friction coefficient").atLeast(0).atMost(1e6).example("0.65");
+    options.required("mu", friction.mu, "friction coefficient").unit("-").atLeast(0).atMost(1e6).example("0.65");
     options.optional("flowRule", friction.flowRule, "whether a joint that slides opens");
 }
 
 void declare(Options& options, Restitution& restitution)
 {
     options.required("normal", restitution.normal, "parting over closing velocity of an impact")
+        .unit("-")
         .atLeast(0)
         .atMost(1)
         .example("0.5");

@@ -85,7 +85,9 @@ std::string tableText(const LimitAnalysisCase& structure, const LimitAnalysis& r
 
 void printLimitAnalysisCase(const LimitAnalysisCase& structure)
 {
-    const auto [simulated, absent] = effectNames(structure.contact);
+    ContactProperties atRest = structure.contact;
+    atRest.restitution.reset(); // nothing hits anything
+    const auto [simulated, absent] = effectNames(atRest);
     printEffects(simulated, absent);
     info("Blocks: {} free, contact points: {}", structure.freeBlocks, structure.points.size());
     info("Solver: {}, tolerance {:g}\n", nameOf(structure.solution.solver), structure.solution.tolerance);

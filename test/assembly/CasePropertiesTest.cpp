@@ -124,6 +124,7 @@ TEST_F(CaseProperties, FrictionIsReadAndAbsentFrictionIsNone)
     EXPECT_THAT(frictionCoefficients(readContactProperties(directory), 1), ElementsAre(0));
     EXPECT_EQ(contactReport("friction { type Coulomb; mu 0; }"), "no error");
     EXPECT_EQ(contactReport("friction { type Coulomb; mu 1e6; }"), "no error");
+    EXPECT_EQ(contactReport("friction { type Coulomb; mu [0 0 0 0 0 0 0] 0.65; }"), "no error");
 }
 
 TEST_F(CaseProperties, FaultsOfContactPropertiesAreNamed)

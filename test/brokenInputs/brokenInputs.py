@@ -183,6 +183,8 @@ brokenInputs = [
     Broken("limitAnalysis", "noAssembly", says=(r"constant/assembly", r"blockTexture"), where="-"),
     # What an analysis reads.
     inAnalysis("negativeFriction", "constant/contactProperties", "0.65", "-0.65", r"mu"),
+    inAnalysis("frictionInPascal", "constant/contactProperties", "mu 0.65", "mu [1 -1 -2 0 0 0 0] 0.65",
+               r"dimension|\[1 -1 -2 0 0 0 0\]"),
     inAnalysis("unknownFrictionLaw", "constant/contactProperties", "Coulomb", "Coulom", r"Did you mean Coulomb\?"),
     inAnalysis("unknownEffect", "constant/contactProperties", "friction\n", "frictoin\n", r"Did you mean friction\?"),
     inAnalysis("missingMu", "constant/contactProperties", "    mu 0.65;\n", "", r"mu", lines=(1, 2)),
