@@ -33,7 +33,11 @@ const std::vector<AbsentEffect>& absentEffects()
 
 void declare(Options& options, CoulombFriction& friction)
 {
-    options.required("mu", friction.mu, "friction coefficient").unit("-").atLeast(0).atMost(1e6).example("0.65");
+    options.required("mu", friction.mu, "friction coefficient")
+        .unit("-")
+        .atLeast(0)
+        .atMost(1e6)
+        .example("0.65");
     options.optional("flowRule", friction.flowRule, "whether a joint that slides opens");
 }
 
