@@ -10,24 +10,12 @@
 namespace drystone
 {
 
-DynamicCase readDynamicCase(const std::filesystem::path& caseDirectory)
+void setStructure(DynamicCase& scene, Assembly<2> assembly, const std::vector<double>& densities)
 {
-    DynamicCase scene;
-    scene.schemes = readSchemes(caseDirectory);
-    scene.solution = readSolverChoice(caseDirectory, "contactDynamics");
-    scene.assembly = readAssembly(caseDirectory);
-    refuseOverlaps(scene.assembly, caseDirectory);
-    scene.contact = readContactProperties(caseDirectory);
-    scene.gravity = readGravity(caseDirectory);
+    scene.assembly = std::move(assembly);
     scene.blocks = blockMasses(scene.assembly);
     scene.free = freeIndices(scene.assembly);
-    const std::vector<double> densities = readDensities(caseDirectory, scene.assembly, scene.gravity);
     scene.mass = massDiagonal(scene.assembly, scene.blocks, densities);
-    const std::vector<double> masses = massesOf(scene.blocks, densities);
-    scene.deadLoad =
-        readLoads(caseDirectory, {scene.assembly, masses, scene.gravity}, LiveLoad::optional).dead;
-    scene.groundMotion = readGroundMotion(
-        Dictionary::readFileIfPresent(caseDirectory / "constant/groundMotion"), caseDirectory);
     scene.blockSize = meanBlockSize(scene.assembly);
     double extent = 0;
     for (const Block<2>& block : scene.assembly.blocks)
@@ -38,6 +26,24 @@ DynamicCase readDynamicCase(const std::filesystem::path& caseDirectory)
         }
     }
     scene.roundingGap = 64 * std::numeric_limits<double>::epsilon() * extent;
+}
+
+DynamicCase readDynamicCase(const std::filesystem::path& caseDirectory)
+{
+    DynamicCase scene;
+    scene.schemes = readSchemes(caseDirectory);
+    scene.solution = readSolverChoice(caseDirectory, "contactDynamics");
+    Assembly<2> assembly = readAssembly(caseDirectory);
+    refuseOverlaps(assembly, caseDirectory);
+    scene.contact = readContactProperties(caseDirectory);
+    scene.gravity = readGravity(caseDirectory);
+    const std::vector<double> densities = readDensities(caseDirectory, assembly, scene.gravity);
+    setStructure(scene, std::move(assembly), densities);
+    const std::vector<double> masses = massesOf(scene.blocks, densities);
+    scene.deadLoad =
+        readLoads(caseDirectory, {scene.assembly, masses, scene.gravity}, LiveLoad::optional).dead;
+    scene.groundMotion = readGroundMotion(
+        Dictionary::readFileIfPresent(caseDirectory / "constant/groundMotion"), caseDirectory);
     return scene;
 }
 

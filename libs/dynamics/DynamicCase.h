@@ -38,6 +38,10 @@ struct DynamicCase
     double restitution() const { return contact.restitution ? contact.restitution->normal : 0; }
 };
 
+/// Gives a scene its structure: `assembly` and what follows from it, `blocks`, `free`, `mass`, `blockSize`
+/// and `roundingGap`. Loads and all else are left alone. \param densities of all blocks [kg/m3]
+void setStructure(DynamicCase& scene, Assembly<2> assembly, const std::vector<double>& densities);
+
 /// Reads constant/assembly, g, materialProperties, contactProperties, loads and groundMotion (both may be
 /// absent: gravity alone, and a ground at rest), system/schemes and the sub-dictionary contactDynamics of
 /// system/solution.

@@ -1,0 +1,83 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Structures in memory for the tests of motion: what a case directory would have been read into.
+#pragma once
+
+#include "dynamics/Motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drystone::scenes
+{
+
+inline constexpr double g = 9.81;
+
+/// What the tests vary.
+struct Settings
+{
+    double theta = 1;
+    double mu = 0.6;
+    FlowRule flowRule = FlowRule::nonAssociative;
+    double restitution = 0;
+    double tolerance = 1e-11;
+    Vector<2> gravity{0, -g};
+    double density = 1800;
+};
+
+inline Block<2> rectangle(double left, double bottom, double width, double height)
+{
+    return {
+        {{left, bottom}, {left + width, bottom}, {left + width, bottom + height}, {left, bottom + height}},
+        1,
+        -1};
+}
+
+/// Ground from `left` to `right` under y = 0, as block 0.
+inline Assembly<2> ground(double left, double right, double depth = 1)
+{
+    Assembly<2> assembly;
+    assembly.supports.push_back({"ground", "ground"});
+    assembly.blocks.push_back(rectangle(left, -depth, right - left, depth));
+    assembly.blocks.back().support = 0;
+    return assembly;
+}
+
+inline DynamicCase sceneOf(Assembly<2> assembly, const Settings& settings)
+{
+    DynamicCase scene;
+    const std::vector<double> densities(assembly.blocks.size(), settings.density);
+    setStructure(scene, std::move(assembly), densities);
+    scene.gravity = settings.gravity;
+    scene.deadLoad = Eigen::VectorXd::Zero(scene.mass.size());
+    for (Eigen::Index row = 0; row < scene.mass.size(); row += 3)
+    {
+        scene.deadLoad.segment<2>(row) = scene.mass[row] * settings.gravity;
+    }
+    scene.contact.friction = CoulombFriction{settings.mu, settings.flowRule};
+    if (settings.restitution > 0)
+    {
+        scene.contact.restitution = Restitution{settings.restitution};
+    }
+    scene.schemes.timeIntegration.theta = settings.theta;
+    scene.solution.tolerance = settings.tolerance;
+    return scene;
+}
+
+/// The ground moves along x.
+inline void shake(DynamicCase& scene, std::shared_ptr<const GroundAcceleration> acceleration)
+{
+    GroundMotion::Component component;
+    component.acceleration = std::move(acceleration);
+    scene.groundMotion.components = {component};
+}
+
+/// What the ledger leaves unexplained, relative to the largest of its terms.
+inline double relativeImbalance(const EnergyLedger& energy)
+{
+    const double scale =
+        std::max({energy.kinetic, std::abs(energy.potential), std::abs(energy.opening),
+                  std::abs(energy.frictionLoss), std::abs(energy.impactLoss), std::abs(energy.externalWork)});
+    return imbalance(energy) == 0 ? 0 : std::abs(imbalance(energy)) / scale;
+}
+
+} // namespace drystone::scenes

@@ -1,0 +1,162 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// A block that slides, on ground at rest and on ground that moves, and one that bounces, against closed
+/// forms.
+#include "Scenes.h"
+
+#include <gtest/gtest.h>
+
+namespace drystone
+{
+namespace
+{
+
+using scenes::g;
+
+Assembly<2> blockOnGround()
+{
+    Assembly<2> assembly = scenes::ground(-4, 6);
+    assembly.blocks.push_back(scenes::rectangle(0, 0, 1, 0.4));
+    return assembly;
+}
+
+/// Steps, and looks at the ledger and the joint, until a time.
+struct Sliding
+{
+    DynamicCase scene;
+    double timeStep;
+    Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+    double highest = 0; ///< |y| of the mass centre, from as built [m]
+
+    void until(double time)
+    {
+        while (motion.state.time < time - 0.5 * timeStep)
+        {
+            ASSERT_TRUE(advance(scene, motion, timeStep)) << "at " << motion.state.time << " s";
+            ASSERT_LT(scenes::relativeImbalance(motion.energy), 1e-10);
+            const double y = motion.state.placements[1].translation.y();
+            highest = std::max(highest, std::abs(y));
+        }
+    }
+};
+
+Sliding sliding(const scenes::Settings& settings, double timeStep)
+{
+    Sliding run{scenes::sceneOf(blockOnGround(), settings), timeStep};
+    run.motion.state.velocity[0] = 1;
+    run.motion = startMotion(run.scene, run.motion.state);
+    return run;
+}
+
+TEST(SlidingBlock, ABlockStopsWhereCoulombSaysWithoutLeavingTheGround)
+{
+    // Backward Euler stops short by v dt/2: half a percent takes a step below 8.5e-4 s.
+    Sliding run = sliding({}, 5e-4);
+    ASSERT_NO_FATAL_FAILURE(run.until(0.3));
+    EXPECT_NEAR(run.motion.state.placements[1].translation.x(), 0.0849473, 0.005 * 0.0849473);
+    EXPECT_LT(run.highest, 1e-9);
+    EXPECT_LT(run.motion.state.velocity.norm(), 1e-9);
+}
+
+TEST(SlidingBlock, TheTrapezoidalRuleStopsItThereToTheLastDigit)
+{
+    Sliding run = sliding({.theta = 0.5}, 1e-3);
+    ASSERT_NO_FATAL_FAILURE(run.until(0.3));
+    EXPECT_NEAR(run.motion.state.placements[1].translation.x(), 0.0849473, 1e-7);
+    EXPECT_LT(run.highest, 1e-9);
+}
+
+TEST(SlidingBlock, AssociativeFrictionHoversAtMuTimesTheStepTimesTheVelocity)
+{
+    // What this flow rule does, in proportion to the step; not what blocks do.
+    for (const double timeStep : {1e-3, 2.5e-4})
+    {
+        // It hops when it is let go, for friction acts by an impulse; at 0.1 s it has long landed.
+        Sliding run = sliding({.flowRule = FlowRule::associative}, timeStep);
+        ASSERT_NO_FATAL_FAILURE(run.until(0.1));
+        const double speed = run.motion.state.velocity[0];
+        ASSERT_GT(speed, 0.1);
+        EXPECT_NEAR(run.motion.state.placements[1].translation.y(), 0.6 * timeStep * speed,
+                    1e-6 * 0.6 * timeStep * speed);
+    }
+}
+
+TEST(SlidingBlock, ABasePulseLeavesABlockBehindAsNewmarkSays)
+{
+    for (const double theta : {1.0, 0.5})
+    {
+        for (const FlowRule flowRule : {FlowRule::associative, FlowRule::nonAssociative})
+        {
+            for (const double direction : {1, -1})
+            {
+                Sliding run{
+                    scenes::sceneOf(blockOnGround(), {.theta = theta, .mu = 0.2, .flowRule = flowRule}),
+                    1e-3};
+                const PulseShape pulse{direction * 0.5 * g, 0.5, 0};
+                scenes::shake(run.scene, std::make_shared<RectangularPulse>(pulse));
+                ASSERT_NO_FATAL_FAILURE(run.until(1.5));
+                EXPECT_NEAR(run.motion.state.placements[1].translation.x(), -direction * 0.9196875,
+                            0.005 * 0.9196875);
+                if (flowRule == FlowRule::nonAssociative)
+                {
+                    EXPECT_LT(run.highest, 1e-9);
+                }
+            }
+        }
+    }
+}
+
+/// When a block dropped from 1 m has come to rest. \param phase part of a step by which it is released early
+double timeAtRest(const scenes::Settings& settings, double timeStep, double phase)
+{
+    const DynamicCase scene = scenes::sceneOf(blockOnGround(), settings);
+    const double early = phase * timeStep;
+    DynamicState start = stateAtRest(scene.assembly);
+    start.placements[1].translation.y() = 1 - 0.5 * g * early * early;
+    start.velocity[1] = -g * early;
+    Motion motion = startMotion(scene, start);
+    double atRest = 0;
+    double energy = motion.energy.opening;
+    while (motion.state.time < 4.5)
+    {
+        EXPECT_TRUE(advance(scene, motion, timeStep)) << "at " << motion.state.time << " s";
+        EXPECT_LT(scenes::relativeImbalance(motion.energy), 1e-10);
+        const double next = motion.energy.kinetic + motion.energy.potential;
+        EXPECT_LT(next, energy + 1e-10 * motion.energy.opening);
+        energy = next;
+        if (motion.state.velocity.norm() > 1e-6)
+        {
+            atRest = motion.state.time;
+        }
+    }
+    return atRest + early;
+}
+
+void expectRestInTime(double theta, double timeStep)
+{
+    double first = 1e9;
+    double last = 0;
+    for (int phase = 0; phase < 10; ++phase)
+    {
+        const double time = timeAtRest({.theta = theta, .restitution = 0.8}, timeStep, 0.1 * phase);
+        EXPECT_NEAR(time, 4.063714, 0.01 * 4.063714) << "phase " << phase;
+        first = std::min(first, time);
+        last = std::max(last, time);
+    }
+    std::cout << "theta " << theta << ", step " << timeStep << " s: at rest after " << first << " to " << last
+              << " s\n";
+    EXPECT_LT(last - first, 0.001 * 4.063714);
+}
+
+TEST(BouncingBlock, ABlockComesToRestInTimeWhateverThePhaseOfTheStep)
+{
+    // Backward Euler takes g dt of the velocity from each flight: an error of first order.
+    expectRestInTime(1, 1e-4);
+}
+
+TEST(BouncingBlock, SoItDoesWithTheTrapezoidalRule)
+{
+    expectRestInTime(0.5, 2.5e-4);
+}
+
+} // namespace
+} // namespace drystone
