@@ -181,15 +181,28 @@ const Entry* Dictionary::find(std::string_view key) const
     return nullptr;
 }
 
+namespace
+{
+
+[[noreturn]] void failMissing(const Dictionary& dictionary, std::string_view what, std::string_view key)
+{
+    std::string message = fmt::format("The {} {} is missing.", what, key);
+    const std::vector<std::string> keywords = dictionary.keywords();
+    const std::string nearest = nearestWord(key, keywords);
+    if (!nearest.empty())
+        message += fmt::format(" Did you mean {}?", nearest);
+    else if (!keywords.empty() && keywords.size() <= 20)
+        message += fmt::format(" There are: {}.", fmt::join(keywords, " "));
+    throw FatalIOError(message, dictionary.location());
+}
+
+} // namespace
+
 const Entry& Dictionary::lookup(std::string_view key) const
 {
     if (const Entry* entry = find(key))
         return *entry;
-    std::string message = fmt::format("The entry {} is missing.", key);
-    const std::string nearest = nearestWord(key, keywords());
-    if (!nearest.empty())
-        message += fmt::format(" Is {} meant to be it?", nearest);
-    throw FatalIOError(message, where);
+    failMissing(*this, "entry", key);
 }
 
 const Dictionary* Dictionary::findDict(std::string_view key) const
@@ -202,11 +215,7 @@ const Dictionary& Dictionary::subDict(std::string_view key) const
 {
     if (const Entry* entry = find(key))
         return entry->dictionary();
-    std::string message = fmt::format("The sub-dictionary {} is missing.", key);
-    const std::string nearest = nearestWord(key, keywords());
-    if (!nearest.empty())
-        message += fmt::format(" Is {} meant to be it?", nearest);
-    throw FatalIOError(message, where);
+    failMissing(*this, "sub-dictionary", key);
 }
 
 const Entry* Dictionary::findPath(std::string_view path) const

@@ -172,7 +172,7 @@ TEST(Dictionary, WrongValuesAreRefusedWithTheReason)
     EXPECT_THAT(reportOf([] { Dictionary::readString("alpha 1; beta 2;", "some").get<double>("gamma"); }),
                 HasSubstr("is missing"));
     EXPECT_THAT(reportOf([] { Dictionary::readString("alpha 1; beta 2;", "some").get<double>("betta"); }),
-                HasSubstr("Is beta meant to be it?"));
+                HasSubstr("Did you mean beta?"));
 }
 
 TEST(Dictionary, UnitsAreMultipliedAndDivided)
