@@ -9,8 +9,7 @@ namespace drystone
 
 const std::vector<std::string>& solutionApplications()
 {
-    static const std::vector<std::string> applications{"accuracyCost", "contactDynamics",
-                                                       "incrementalDynamics", "limitAnalysis"};
+    static const std::vector<std::string> applications{"accuracyCost", "contactDynamics", "limitAnalysis"};
     return applications;
 }
 

@@ -125,6 +125,14 @@ Time::Time(const fs::path& caseDirectory, ControlDict presence)
     startOutput();
 }
 
+Time::Time(const TimeControls& controls, const TimeState& from)
+    : needed(ControlDict::required), settings(controls)
+{
+    settings.runTimeModifiable = false;
+    namePrecision = largestPrecision; // no name is too short, so that there is nothing to tell
+    resume(from);
+}
+
 void Time::startOutput()
 {
     output =

@@ -123,6 +123,8 @@ public:
     /// Reads system/controlDict and finds where to start.
     /// \throws FatalIOError for what is wrong with controlDict, and when it is required and not there
     explicit Time(const std::filesystem::path& caseDirectory, ControlDict presence = ControlDict::optional);
+    /// The time of one run among many: it continues from `from`, reads no file again and tells nothing.
+    Time(const TimeControls& controls, const TimeState& from);
     Time(const Time&) = delete;
     Time& operator=(const Time&) = delete;
 

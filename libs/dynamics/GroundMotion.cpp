@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace drystone
 {
 
@@ -20,6 +22,14 @@ Eigen::Vector3d meanGroundAcceleration(const GroundMotion& motion, double from, 
     for (const GroundMotion::Component& component : motion.components)
         sum += component.acceleration->mean(from, to) * component.direction;
     return sum;
+}
+
+double peakAcceleration(const GroundMotion& motion)
+{
+    double peak = 0;
+    for (const GroundMotion::Component& component : motion.components)
+        peak = std::max(peak, component.acceleration->peak());
+    return peak;
 }
 
 std::string summary(const GroundMotion& motion)

@@ -44,6 +44,9 @@ Eigen::Vector3d groundAcceleration(const GroundMotion& motion, double time);
 /// step. The momentum a step takes from the ground is -m times this times the length of the step.
 Eigen::Vector3d meanGroundAcceleration(const GroundMotion& motion, double from, double to);
 
+/// The largest peak among the components [m/s2]; 0 for a ground at rest.
+double peakAcceleration(const GroundMotion& motion);
+
 /// What the log says of the motion: for each component direction, type, peak acceleration [m/s2 and g],
 /// duration and, for a record, its file, title, unit and scale. Ends with a line end. `Ground motion: none`
 /// for a ground at rest.
@@ -86,6 +89,7 @@ struct RecordMotion
     double start = 0;                         ///< when the padded record begins [s]
     Interpolation interpolation = Interpolation::linear;
 };
+void declare(Options& options, RecordMotion& settings);
 
 /// The acceleration of a record, zero outside it, and what the log says of it.
 /// \throws FatalIOError as the readers; when the record is zero throughout and a peak is asked for; when it

@@ -16,6 +16,7 @@
 #include "dynamics/Schemes.h"
 #include "functionObjects/FunctionList.h"
 #include "statics/LimitAnalysisCase.h"
+#include "studies/IncrementalDynamics.h"
 #include "texture/Texture.h"
 
 #include <algorithm>
@@ -101,6 +102,11 @@ std::vector<Example> examples()
             "the moving ground.",
             {"direction", "acceleration"}),
         example<Schemes>("system/schemes", "How contactDynamics steps through time.", {"timeIntegration"}),
+        example<IncrementalDynamicsSettings>(
+            "system/incrementalDynamicsDict",
+            "Over which accelerations of the ground incrementalDynamics repeats a motion, and when a run has "
+            "gone too far.",
+            {"intensity", "criterion"}),
         example<InitialMotion>("0/motion", "How blocks start; without this file as built and at rest."),
     };
 }

@@ -105,6 +105,29 @@ def inAnalysis(name, file, old, new, *says, **more):
     return Broken("limitAnalysis", name, file, old, new, says=says, before=built, **more)
 
 
+growing = """intensity
+{
+    type    bisection;
+    unit    g;
+    low     0.3;
+    high    0.4;
+    tolerance 0.01;
+}
+criterion
+{
+    type    motion;
+    displacement 1e-6;
+}
+"""
+
+
+def inStudy(name, old, new, *says, file="system/incrementalDynamicsDict", **more):
+    return Broken("incrementalDynamics", name, file, old, new, says=says, before=built,
+                  files={"system/incrementalDynamicsDict": growing,
+                         "constant/groundMotion": "direction (1 0 0);\nacceleration { type constant; value 1; }\n"}
+                  | more.pop("files", {}), **more)
+
+
 brokenInputs = [
     # The text of a dictionary.
     inTexture("missingSemicolon", "courses     6;", "courses     6", r"`?;`?", lines=(8, 9)),
@@ -219,6 +242,26 @@ brokenInputs = [
     inAnalysis("functionOfNoBlock", "system/controlDict", "writeInterval 5;",
                "functions { top { type blockMotion; blocks (999); } }", r"999"),
     Broken("limitAnalysis", "nothingToPostProcess", before=built, arguments=("-postProcess",), says=(r"no results",),
+           where="-"),
+    # An incremental analysis.
+    inStudy("noDictionary", "", "", r"incrementalDynamicsDict", content=None, lines=(0,),
+            files={"system/incrementalDynamicsDict": REMOVE}),
+    inStudy("noCriterion", "criterion", "critreion", r"Did you mean criterion\?"),
+    inStudy("unknownCriterion", "motion", "moton", r"Did you mean motion\?"),
+    inStudy("unknownIntensity", "bisection", "bisect", r"Valid intensity types: bisection list step"),
+    inStudy("unknownUnit", "unit    g", "unit    gal", r"gal", r"m/s2"),
+    inStudy("emptyRange", "0.4;", "0.2;", r"range", lines=(7,)),
+    inStudy("tooManyIntensities", "0.01", "1e-12", r"100000"),
+    inStudy("criterionOfNoBlock", "type    motion;\n    displacement 1e-6;",
+            "type    rotation;\n    block   999;@@\n    limit   1;", r"999"),
+    inStudy("groundAtRest", "", "", r"constant/groundMotion", where="-",
+            files={"constant/groundMotion": REMOVE}),
+    inStudy("missingRecord", "criterion", 'records { north { file "constant/north.AT2"; } }\ncriterion', r"(?i)open the record",
+            where="constant/north.AT2", lines=(0,)),
+    inStudy("scaledRecord", "criterion", 'records { north { file "n.AT2"; scale 2; } }\ncriterion', r"remove scale"),
+    inStudy("noJobs", "criterion", "jobs 0;\ncriterion", r"jobs"),
+    inStudy("endsOtherwise", "endTime 0.1;", "stopAt nextWrite;", r"stopAt endTime", file="system/controlDict"),
+    Broken("incrementalDynamics", "postProcess", before=built, arguments=("-postProcess",), says=(r"-postProcess",),
            where="-"),
     inAnalysis("controlDictStep", "system/controlDict", "deltaT 0.01", "deltaT -0.01", r"deltaT"),
 ]

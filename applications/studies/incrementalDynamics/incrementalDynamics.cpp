@@ -1,0 +1,62 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// incrementalDynamics: repeats the motion of contactDynamics over a growing acceleration of the ground, for
+/// the least one that meets a criterion; with several records an incremental dynamic analysis.
+#include "core/CommandLine.h"
+#include "core/Error.h"
+#include "core/Log.h"
+#include "core/Signals.h"
+#include "functionObjects/LimitAnalysisResults.h"
+#include "studies/IncrementalDynamicsCase.h"
+
+using namespace drystone;
+
+namespace
+{
+
+int run(const CommandLine& commandLine)
+{
+    printBanner(commandLine);
+    if (commandLine.postProcess)
+    {
+        throw FatalError("incrementalDynamics writes its tables when it runs: leave -postProcess away.");
+    }
+    Time time(commandLine.caseDirectory, ControlDict::required);
+    const IncrementalDynamics study = readIncrementalDynamics(commandLine.caseDirectory, time);
+    if (!commandLine.noFunctionObjects)
+    {
+        checkFunctions(time.controlDict(), commandLine.caseDirectory, study.scene.assembly);
+    }
+    printStudy(study);
+    if (commandLine.dryRun)
+    {
+        printEnd();
+        return 0;
+    }
+
+    catchStopSignals();
+    const std::vector<IncrementalCurve> curves = carryOut(
+        study, [&](std::size_t motion, const IncrementalRun& done) { printRun(study, motion, done); });
+    printLeast(study, curves);
+    writeIncrementalDynamics(incrementalDynamicsFolder(commandLine.caseDirectory, time), study, curves);
+    printExecutionTime();
+    printEnd();
+    return exitStatus(curves);
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+    ApplicationDescription description;
+    description.name = "incrementalDynamics";
+    description.summary =
+        "Repeats the motion that contactDynamics computes over a growing acceleration of the ground: the "
+        "least one that meets a criterion, as log, table and picture. The runs use all cores.";
+    description.kind = ApplicationKind::solver;
+    description.details = []
+    {
+        return fmt::format("system/incrementalDynamicsDict:\n{}",
+                           helpText(describeOptions<IncrementalDynamicsSettings>()));
+    };
+    return runApplication(argc, argv, description, run);
+}

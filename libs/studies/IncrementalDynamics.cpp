@@ -1,0 +1,252 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+#include "studies/IncrementalDynamics.h"
+
+#include "core/Signals.h"
+
+#include <algorithm>
+#include <atomic>
+#include <ctime>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+namespace drystone
+{
+namespace
+{
+
+/// CPU time of this thread [s].
+double threadCpuTime()
+{
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// A run that is to be made.
+struct Job
+{
+    std::size_t motion = 0;
+    double intensity = 0;
+};
+
+/// Makes the runs, several at a time, and reports each as soon as all before it are done.
+std::vector<IncrementalRun> runAll(const IncrementalDynamics& study, const std::vector<Job>& jobs,
+                                   const RunReport& report)
+{
+    std::vector<IncrementalRun> runs(jobs.size());
+    std::vector<char> isDone(jobs.size(), 0);
+    std::vector<std::exception_ptr> errors(jobs.size());
+    std::atomic<std::size_t> next = 0;
+    std::size_t reported = 0;
+    std::mutex reporting;
+    const auto work = [&]
+    {
+        for (std::size_t job = next++; job < jobs.size(); job = next++)
+        {
+            try
+            {
+                runs[job] = runAt(study, study.motions[jobs[job].motion], jobs[job].intensity);
+            }
+            catch (...)
+            {
+                errors[job] = std::current_exception();
+            }
+            const std::lock_guard lock(reporting);
+            isDone[job] = 1;
+            for (; reported < jobs.size() && isDone[reported] && !errors[reported]; ++reported)
+            {
+                if (report && runs[reported].verdict != Verdict::interrupted)
+                {
+                    report(jobs[reported].motion, runs[reported]);
+                }
+            }
+        }
+    };
+    std::vector<std::thread> threads;
+    for (std::size_t thread = 1; thread < std::min<std::size_t>(jobs.size(), std::size_t(study.jobs));
+         ++thread)
+    {
+        threads.emplace_back(work);
+    }
+    work();
+    for (std::thread& thread : threads)
+    {
+        thread.join();
+    }
+    for (const std::exception_ptr& error : errors)
+    {
+        if (error)
+        {
+            std::rethrow_exception(error);
+        }
+    }
+    return runs;
+}
+
+std::vector<Trial> trialsOf(const IncrementalCurve& curve)
+{
+    std::vector<Trial> trials;
+    for (const IncrementalRun& run : curve)
+    {
+        trials.push_back({run.intensity, run.verdict});
+    }
+    return trials;
+}
+
+} // namespace
+
+void declare(Options& options, StudyRecord& record)
+{
+    options.optional("direction", record.direction, "of the acceleration; its length does not matter");
+    declare(options, record.record);
+    options.check("direction",
+                  [&record]
+                  {
+                      const Eigen::Map<const Eigen::Vector3d> direction(record.direction.data());
+                      return direction.norm() > 0 ? "" : "The direction has no length.";
+                  });
+    options.check(
+        "scale", [&record]
+        { return record.record.scale == 1 ? "" : "The intensity is the peak of the record: remove scale."; });
+    options.check("peakAcceleration",
+                  [&record]
+                  {
+                      return !record.record.peakAcceleration
+                                 ? ""
+                                 : "The intensity is the peak of the record: remove peakAcceleration.";
+                  });
+}
+
+void declare(Options& options, IncrementalDynamicsSettings& settings)
+{
+    options.required("intensity", settings.intensity, intensityTypes(),
+                     "peak accelerations of the ground that are tried");
+    options.required("criterion", settings.criterion, criterionTypes(), "when a run has gone too far");
+    options.optional("records", settings.records,
+                     "instead of constant/groundMotion: one analysis for each; each has a name of yours");
+    options.check("records",
+                  [&settings]() -> std::string
+                  {
+                      for (const auto& [name, record] : settings.records)
+                      {
+                          if (name.find('/') != std::string::npos || name == "leastIntensity")
+                          {
+                              return "The name " + name + " cannot be that of a table: choose another one.";
+                          }
+                      }
+                      return "";
+                  });
+    options.optional("jobs", settings.jobs, "runs at a time; absent: as many as there are cores")
+        .atLeast(1)
+        .atMost(1024)
+        .example("2");
+    options.optional("stopWhenMet", settings.stopWhenMet,
+                     "a run ends as soon as it meets the criterion; no: it goes on to endTime, for the "
+                     "largest figure over the whole motion");
+}
+
+IncrementalRun runAt(const IncrementalDynamics& study, const StudyMotion& ground, double intensity)
+{
+    const double cpuTimeBefore = threadCpuTime();
+    DynamicCase scene = study.scene;
+    scene.groundMotion = ground.ground;
+    scene.groundFactor = study.factor(ground, intensity);
+    Motion motion = study.start;
+    Time time(study.controls, study.startTime);
+
+    IncrementalRun run;
+    run.intensity = intensity;
+    run.factor = scene.groundFactor;
+    run.endTime = time.value();
+    while (time.loop())
+    {
+        if (stopSignal() != 0)
+        {
+            run.verdict = Verdict::interrupted;
+            break;
+        }
+        const bool isSolved = advance(scene, motion, time);
+        run.worstResidual = std::max({run.worstResidual, motion.residuals.primalResidual,
+                                      motion.residuals.dualResidual, motion.residuals.gap});
+        if (!isSolved)
+        {
+            run.verdict = Verdict::notConverged;
+            run.endTime = time.value();
+            break;
+        }
+        ++run.steps;
+        run.largest = std::max(run.largest, study.criterion.measure(study.start.state, motion.state));
+        if (run.verdict == Verdict::stands)
+        {
+            run.endTime = time.value();
+        }
+        if (run.largest > study.criterion.limit)
+        {
+            run.verdict = Verdict::meets;
+            if (study.stopWhenMet)
+            {
+                break;
+            }
+        }
+    }
+    run.cpuTime = threadCpuTime() - cpuTimeBefore;
+    return run;
+}
+
+std::vector<IncrementalCurve> carryOut(const IncrementalDynamics& study, const RunReport& report)
+{
+    std::vector<IncrementalCurve> curves(study.motions.size());
+    for (;;)
+    {
+        std::vector<Job> jobs;
+        for (std::size_t motion = 0; motion < curves.size(); ++motion)
+        {
+            for (const double intensity : study.intensity.next(trialsOf(curves[motion])))
+            {
+                jobs.push_back({motion, intensity});
+            }
+        }
+        if (jobs.empty() || stopSignal() != 0)
+        {
+            break;
+        }
+        const std::vector<IncrementalRun> runs = runAll(study, jobs, report);
+        for (std::size_t job = 0; job < jobs.size(); ++job)
+        {
+            curves[jobs[job].motion].push_back(runs[job]);
+        }
+    }
+    for (IncrementalCurve& curve : curves)
+    {
+        std::sort(curve.begin(), curve.end(),
+                  [](const IncrementalRun& a, const IncrementalRun& b) { return a.intensity < b.intensity; });
+    }
+    return curves;
+}
+
+LeastIntensity leastIntensity(const IncrementalCurve& curve)
+{
+    return leastIntensity(trialsOf(curve));
+}
+
+int exitStatus(const std::vector<IncrementalCurve>& curves)
+{
+    if (stopSignal() != 0)
+    {
+        return exitStatusOfSignal(stopSignal());
+    }
+    for (const IncrementalCurve& curve : curves)
+    {
+        for (const IncrementalRun& run : curve)
+        {
+            if (run.verdict == Verdict::notConverged)
+            {
+                return 2;
+            }
+        }
+    }
+    return 0;
+}
+
+} // namespace drystone

@@ -1,0 +1,106 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// A motion repeated over a growing intensity of the ground: system/incrementalDynamicsDict.
+///
+///     intensity { type step; unit g; from 0.6; to 0.7; step 0.001; }
+///     criterion { type motion; displacement 1e-6; }
+///     records   { elCentro { file "constant/elCentro.AT2"; } }     // instead of constant/groundMotion
+#pragma once
+
+#include "dynamics/Motion.h"
+#include "studies/Criterion.h"
+#include "studies/Intensity.h"
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace drystone
+{
+
+/// A record of a multi-record analysis. The intensity is its peak, whatever that is in the file.
+struct StudyRecord
+{
+    std::array<double, 3> direction{1, 0, 0}; ///< of any length but zero
+    RecordMotion record;
+};
+void declare(Options& options, StudyRecord& record);
+
+/// The dictionary as it is written.
+struct IncrementalDynamicsSettings
+{
+    IntensityPlan intensity;
+    CriterionMaker criterion;
+    std::vector<Named<StudyRecord>> records; ///< empty: constant/groundMotion is the one motion
+    std::optional<int> jobs;                 ///< runs at a time; absent: as many as there are cores
+    bool stopWhenMet = true;                 ///< a run ends when its verdict is known
+};
+void declare(Options& options, IncrementalDynamicsSettings& settings);
+
+/// One motion of the ground that runs are made with.
+struct StudyMotion
+{
+    std::string name; ///< of the record; incrementalDynamics for constant/groundMotion
+    GroundMotion ground;
+    double peak = 0; ///< as read, of the strongest component [m/s2], positive
+};
+
+/// All that an incremental analysis is made of; the same for all its runs.
+struct IncrementalDynamics
+{
+    DynamicCase scene; ///< groundMotion and groundFactor are each run's own
+    Motion start;      ///< each run begins with a copy
+    TimeControls controls;
+    TimeState startTime;
+    double gravity = 0; ///< of constant/g [m/s2]
+    IntensityPlan intensity;
+    Criterion criterion;
+    std::vector<StudyMotion> motions; ///< at least one
+    int jobs = 1;
+    bool stopWhenMet = true;
+
+    /// An intensity of 1 in its unit [m/s2].
+    double unitAcceleration() const { return intensity.unit == IntensityUnit::g ? gravity : 1; }
+    /// By what the motion of the ground is multiplied so that its peak is the intensity [-].
+    double factor(const StudyMotion& motion, double value) const
+    {
+        return value * unitAcceleration() / motion.peak;
+    }
+};
+
+/// What came of one run.
+struct IncrementalRun
+{
+    double intensity = 0; ///< in the unit of the plan
+    double factor = 0;    ///< on the motion of the ground [-]
+    Verdict verdict = Verdict::stands;
+    double largest = 0;       ///< of the criterion's quantity over the run
+    double endTime = 0;       ///< when the run ended; with `meets`, when the criterion was met [s]
+    long steps = 0;           ///< solved
+    double worstResidual = 0; ///< of any step: primal, dual or gap
+    double cpuTime = 0;       ///< [s]
+};
+
+/// One run from the start at an intensity. A pure function of its arguments but for `cpuTime` and a signal
+/// that asks the program to stop.
+IncrementalRun runAt(const IncrementalDynamics& study, const StudyMotion& motion, double intensity);
+
+/// Runs of one motion of the ground, by increasing intensity.
+using IncrementalCurve = std::vector<IncrementalRun>;
+
+/// Called for each run that is done, in an order that does not depend on the number of threads, from one
+/// thread at a time. \param motion index into IncrementalDynamics::motions
+using RunReport = std::function<void(std::size_t motion, const IncrementalRun& run)>;
+
+/// All runs, `jobs` at a time. The result does not depend on `jobs`. After a signal no further run begins.
+/// \return a curve for each motion of the ground
+std::vector<IncrementalCurve> carryOut(const IncrementalDynamics& study, const RunReport& report = {});
+
+/// What the verdicts say. \param curve not empty
+LeastIntensity leastIntensity(const IncrementalCurve& curve);
+
+/// 0; 2 when a run did not converge; 128 + signal (130 for Ctrl-C) when one was interrupted.
+int exitStatus(const std::vector<IncrementalCurve>& curves);
+
+} // namespace drystone

@@ -1,0 +1,84 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Which intensities an incremental analysis tries: `intensity` of system/incrementalDynamicsDict.
+///
+///     intensity { type step; unit g; from 0.6; to 0.7; step 0.001; }
+///     intensity { type bisection; unit g; low 0.2; high 0.5; tolerance 0.001; }
+///     intensity { type list; unit m/s2; values (1 2 5); }
+///
+/// The intensity is the peak acceleration of the ground: the motion is scaled such that it has this peak.
+#pragma once
+
+#include "core/Registry.h"
+
+#include <functional>
+#include <string_view>
+#include <vector>
+
+namespace drystone
+{
+
+enum class IntensityUnit
+{
+    g, ///< gravity as constant/g has it, so that a block slides at mu and a wall moves at its multiplier
+       ///< alpha
+    metresPerSecondSquared
+};
+
+/// Names in dictionaries.
+constexpr std::array<std::pair<std::string_view, IntensityUnit>, 2> namesOf(IntensityUnit)
+{
+    return {{{"g", IntensityUnit::g}, {"m/s2", IntensityUnit::metresPerSecondSquared}}};
+}
+void read(TokenCursor& cursor, IntensityUnit& unit); ///< m/s2 needs no quotes
+std::string_view nameOf(IntensityUnit unit);
+
+/// How a run ended.
+enum class Verdict
+{
+    stands,       ///< the end time was reached within the limit of the criterion
+    meets,        ///< the quantity of the criterion went beyond its limit
+    notConverged, ///< a step could not be solved: neither of the two is known
+    interrupted   ///< by a signal
+};
+
+/// A run that is done.
+struct Trial
+{
+    double intensity = 0; ///< in the unit of the plan
+    Verdict verdict = Verdict::stands;
+};
+
+/// In which order intensities are tried.
+struct IntensityPlan
+{
+    IntensityUnit unit = IntensityUnit::g;
+
+    /// What to try next. It depends on nothing but its argument, so that the number of threads does not
+    /// matter. \param trials all so far, in any order \return intensities of runs that may go at the same
+    /// time; empty at the end
+    std::function<std::vector<double>(const std::vector<Trial>& trials)> next;
+};
+
+/// All types: step, bisection, list.
+const Registry<IntensityPlan>& intensityTypes();
+
+/// What a set of runs says of the least intensity that meets the criterion.
+struct LeastIntensity
+{
+    enum class Kind
+    {
+        found,       ///< `value` meets it, and `below`, the next lower one tried, does not
+        belowRange,  ///< the lowest one tried, `value`, meets it already
+        aboveRange,  ///< none meets it; the highest one tried is `value`
+        notConverged ///< a run that did not converge lies below the first that meets it; that one is `value`
+    };
+    Kind kind = Kind::aboveRange;
+    double value = 0;
+    double below = 0;
+    bool isMonotone = true; ///< no run above `value` stands
+};
+
+/// \param trials at least one, in any order
+LeastIntensity leastIntensity(std::vector<Trial> trials);
+
+} // namespace drystone
