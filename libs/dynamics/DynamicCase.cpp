@@ -42,8 +42,10 @@ DynamicCase readDynamicCase(const std::filesystem::path& caseDirectory)
     const std::vector<double> masses = massesOf(scene.blocks, densities);
     scene.deadLoad =
         readLoads(caseDirectory, {scene.assembly, masses, scene.gravity}, LiveLoad::optional).dead;
-    scene.groundMotion = readGroundMotion(
-        Dictionary::readFileIfPresent(caseDirectory / "constant/groundMotion"), caseDirectory);
+    if (const auto file = caseDirectory / "constant/groundMotion"; std::filesystem::exists(file))
+    {
+        scene.groundMotion = readGroundMotion(Dictionary::readFile(file), caseDirectory);
+    }
     return scene;
 }
 
