@@ -340,7 +340,13 @@ bool advance(const DynamicCase& scene, Motion& motion, double timeStep)
         {
             break;
         }
-        const ThetaStep impact = collide(scene, program, colliding, velocity, settings, timeStep);
+        // Momentum changes at an instant: about the mass centres where they are, not where a step takes them.
+        PlaneConeProgram before = program;
+        if (motion.contacts && scheme.theta < 1)
+        {
+            setColumns(before, columnsAt(scene, motion.state.placements, points));
+        }
+        const ThetaStep impact = collide(scene, before, colliding, velocity, settings, timeStep);
         isSolved = count(impact);
         if (isSolved)
         {

@@ -13,6 +13,10 @@ namespace
 
 constexpr int maximumPrograms = 100;
 
+/// Of the fixed point from where the blocks were heading; then once more from the associative solution, as if
+/// they stuck. Where no sliding motion exists (Painleve's rod) only that leads to the solution.
+constexpr int programsToRestart = 50;
+
 /// A single block that slides, and most structures, reach Coulomb's law exactly in so many programs; where it
 /// takes more, the error it leaves in the gaps may be what is allowed for them anyway.
 constexpr int programsToExactFlow = 4;
@@ -214,10 +218,21 @@ ThetaStep solveThetaStep(PlaneConeProgram program, const StepSettings& settings,
             const double change = (opening - imposed).lpNorm<Eigen::Infinity>();
             const double exact = std::max(1e-12 * settings.blockSize,
                                           10 * settings.solver.tolerance * opening.lpNorm<Eigen::Infinity>());
-            stands =
-                change
-                <= (step.programs < programsToExactFlow ? exact : std::max(exact, settings.contactTolerance));
+            // Never more than a small part of what the step itself does: with steps so short that gravity
+            // moves a block by less than the tolerance, any force at all would do.
+            const double moved =
+                (step.displacement
+                 - (guess.displacement.size() > 0 ? guess.displacement
+                                                  : Eigen::VectorXd::Zero(step.displacement.size())))
+                    .lpNorm<Eigen::Infinity>();
+            const double coarse = std::max(exact, std::min(settings.contactTolerance, 1e-2 * moved));
+            stands = change <= (step.programs < programsToExactFlow ? exact : coarse);
             imposed = fixedPoint.next(imposed, opening);
+            if (step.programs == programsToRestart)
+            {
+                fixedPoint = {};
+                imposed.setZero();
+            }
         }
         if (relinearise)
         {
