@@ -76,6 +76,8 @@ struct ConeSolution
     double multiplier = 0;        ///< alpha
     Eigen::VectorXd contactForce; ///< c, F k
     Eigen::VectorXd displacement; ///< y, R b
+    /// Forces that carry f alone (alpha = 0), where a solver has come by some on its way; else empty.
+    Eigen::VectorXd restingForce;
     int iterations = 0;
     int factorisations = 0;
 };

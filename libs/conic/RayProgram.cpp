@@ -59,7 +59,10 @@ RayForm makeRayForm(const PlaneConeProgram& program)
 
     for (const auto& columns : program.contacts)
     {
-        if (columns.first >= 0 && columns.second >= 0)
+        const bool isCoupled = columns.first >= 0 && columns.second >= 0;
+        // Points of one pair of bodies follow each other.
+        if (isCoupled
+            && (form.couplings.empty() || form.couplings.back() != Coupling{columns.first, columns.second}))
         {
             form.couplings.push_back({columns.first, columns.second});
         }

@@ -65,15 +65,22 @@ LimitAnalysis solveLimitAnalysis(const PlaneConeProgram& program, const Interior
     if (solution.status == SolveStatus::optimal || solution.status == SolveStatus::unbounded)
     {
         // 0 <= alpha does not say that 0 can be carried: the live load may be what holds the structure up.
-        const ConeSolution resting = solveInteriorPoint(dead, settings);
-        result.iterations += resting.iterations;
-        if (resting.status == SolveStatus::infeasible && unstable(resting.displacement))
+        // Forces that carry the dead load alone prove it, if the solver has come by some; else they are
+        // sought.
+        ConeSolution resting;
+        resting.contactForce = solution.restingForce;
+        resting.displacement = Eigen::VectorXd::Zero(3 * program.bodies);
+        const bool isCarried =
+            solution.restingForce.size() > 0 && certifyOptimal(dead, resting).worst() <= settings.tolerance;
+        if (!isCarried)
         {
-            return result;
-        }
-        if (resting.status == SolveStatus::notConverged)
-        {
-            return result;
+            resting = solveInteriorPoint(dead, settings);
+            result.iterations += resting.iterations;
+            if ((resting.status == SolveStatus::infeasible && unstable(resting.displacement))
+                || resting.status == SolveStatus::notConverged)
+            {
+                return result;
+            }
         }
     }
     result.certificate = certify(program, solution);
