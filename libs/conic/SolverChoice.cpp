@@ -5,6 +5,7 @@
 #include "core/Solution.h"
 
 #include <algorithm>
+#include <array>
 
 namespace drystone
 {
@@ -19,7 +20,7 @@ constexpr int mostStepsFromNearby = 12;
 /// What the interior point reaches on every step; the digits beyond come from the augmented Lagrangian, whose
 /// active set is then right and whose penalty can be large.
 constexpr double attainable = 1e-9;
-constexpr double penaltyOfLastDigits = 1e7;
+constexpr std::array penaltiesOfLastDigits{1e7, 1e5, 1e3, 1e9};
 
 } // namespace
 
@@ -95,9 +96,16 @@ ConeSolution solveConeProgram(const PlaneConeProgram& program, const SolverChoic
     {
         return solution;
     }
+    // Which penalty keeps the most digits depends on how stiff the contacts are beside the inertia.
     multipliers.maximumIterations = choice.maximumIterations;
-    multipliers.penalty = penaltyOfLastDigits;
-    finished(solveAugmentedLagrangian(program, rough, multipliers));
+    for (const double penalty : penaltiesOfLastDigits)
+    {
+        multipliers.penalty = penalty;
+        if (finished(solveAugmentedLagrangian(program, rough, multipliers)))
+        {
+            break;
+        }
+    }
     return solution;
 }
 
