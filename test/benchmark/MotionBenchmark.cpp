@@ -1,0 +1,104 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// One simulated second of the paper's walls in steps of 0.002 s, on a ground that accelerates at 0.8 and 1.1
+/// times the collapse multiplier: CPU time a simulated second (the paper: 80 to 214 s), factorisations and
+/// cone programs a step, and the share of the run that writing adds when it comes every ten steps.
+///
+///     build/test/MotionBenchmark --benchmark_out=results.csv --benchmark_out_format=csv
+#include "assembly/AssemblyFile.h"
+#include "core/WholeFile.h"
+#include "dynamics/Motion.h"
+#include "functionObjects/MotionResults.h"
+#include "texture/Texture.h"
+
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include <array>
+#include <ctime>
+#include <fstream>
+
+namespace drystone
+{
+namespace
+{
+
+constexpr std::array<double, 6> multipliers{0.642859, 0.579999, 0.403694, 0.331948, 0.239643, 0.347825};
+
+double cpuSeconds()
+{
+    timespec now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// The case of a wall in a folder of its own, the ground at `share` of the collapse multiplier.
+std::filesystem::path makeCase(long wall, double share)
+{
+    const std::filesystem::path source =
+        fmt::format(DRYSTONE_TUTORIALS "/contactDynamics/masonryPanels/wall{}", wall);
+    const std::filesystem::path folder =
+        std::filesystem::temp_directory_path() / fmt::format("drystoneMotionBenchmark{}", wall);
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directories(folder / "constant");
+    for (const char* file : {"contactProperties", "g", "materialProperties"})
+    {
+        std::filesystem::copy(source / "constant" / file, folder / "constant" / file);
+    }
+    std::filesystem::create_directories(folder / "system");
+    std::ofstream(folder / "system/controlDict")
+        << "application contactDynamics; startFrom startTime; startTime 0; endTime 1; deltaT 0.002;\n"
+           "writeControl timeStep; writeInterval 10; purgeWrite 1;\n";
+    std::ofstream(folder / "constant/groundMotion")
+        << fmt::format("direction (-1 0 0); acceleration {{ type constant; value {}; }}\n",
+                       share * multipliers[wall - 1] * 9.81);
+    writeWholeFile(assemblyFile(folder),
+                   assemblyText(makeStructure(Dictionary::readFile(source / "system/blockTextureDict"))));
+    return folder;
+}
+
+void simulate(benchmark::State& state)
+{
+    const std::filesystem::path folder = makeCase(state.range(0), 0.01 * static_cast<double>(state.range(1)));
+    const bool writes = state.range(2) > 0;
+    const DynamicCase scene = readDynamicCase(folder);
+    double factorisations = 0;
+    double programs = 0;
+    long steps = 0;
+    double used = 0;
+    for (auto _ : state)
+    {
+        Time time(folder, ControlDict::required);
+        Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+        MotionResults results(folder, scene, motion, time, FunctionObjects::none);
+        const double start = cpuSeconds();
+        while (time.loop())
+        {
+            if (!advance(scene, motion, time))
+            {
+                state.SkipWithError("a step was not solved");
+                return;
+            }
+            if (writes)
+            {
+                results.write();
+            }
+            factorisations += motion.residuals.factorisations;
+            programs += motion.residuals.programs;
+            ++steps;
+        }
+        used = cpuSeconds() - start;
+        state.SetIterationTime(used);
+    }
+    state.counters["CPU[s/s]"] = used;
+    state.counters["factorisations/step"] = factorisations / static_cast<double>(steps);
+    state.counters["programs/step"] = programs / static_cast<double>(steps);
+    std::filesystem::remove_all(folder);
+}
+BENCHMARK(simulate)
+    ->ArgNames({"wall", "percent", "writes"})
+    ->ArgsProduct({{1, 6}, {80, 110}, {0, 1}})
+    ->UseManualTime()
+    ->Unit(benchmark::kSecond);
+
+} // namespace
+} // namespace drystone
