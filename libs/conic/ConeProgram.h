@@ -80,6 +80,7 @@ struct ConeSolution
     Eigen::VectorXd restingForce;
     int iterations = 0;
     int factorisations = 0;
+    int solves = 0; ///< with the factor, forwards and back; counted by solveInteriorPoint only
 };
 
 /// A c: generalised forces that contact forces balance. \param contactForce F k \return R b

@@ -74,6 +74,7 @@ public:
     const Iterate& iterate() const { return at_; }
     int iterations() const { return iterations_; }
     int factorisations() const { return factorisations_; }
+    int solves() const { return solves_; }
 
 private:
     bool start(Start from);
@@ -103,6 +104,7 @@ private:
     double mu_ = 0; ///< complementarity of the iterate
     int iterations_ = 0;
     int factorisations_ = 0;
+    int solves_ = 0;
     VectorXd rayWork_, rayWork2_, trialRays_, rowWork_, right_, remainder_;
 };
 
@@ -233,6 +235,7 @@ void InteriorPoint::tryResting()
 void InteriorPoint::solveSchur(VectorXd& x)
 {
     system_.solve(x.head(3 * rays_.bodies));
+    ++solves_;
 }
 
 /// Newton's equations, with R the fraction (`reduction`) of the residuals to remove and c the wished change
@@ -478,6 +481,7 @@ ConeSolution solveOnce(const PlaneConeProgram& program, const InteriorPointSetti
     }
     solution.iterations = solver.iterations();
     solution.factorisations = solver.factorisations();
+    solution.solves = solver.solves();
     solution.status = converged ? SolveStatus::optimal : SolveStatus::notConverged;
     return solution;
 }
@@ -509,6 +513,7 @@ ConeSolution solveInteriorPoint(const PlaneConeProgram& program, const InteriorP
     // 0.
     const ConeSolution moved = solveOnce(withUnitInertia(program), settings, LiveWork::none);
     solution.factorisations += moved.factorisations;
+    solution.solves += moved.solves;
     if (certifyInfeasible(program, moved.displacement).worst() <= settings.tolerance)
     {
         solution.status = SolveStatus::infeasible;
@@ -526,6 +531,7 @@ ConeSolution solveInteriorPoint(const PlaneConeProgram& program, const InteriorP
     live.gap.resize(0);
     const ConeSolution carried = solveOnce(live, settings, LiveWork::none);
     solution.factorisations += carried.factorisations;
+    solution.solves += carried.solves;
     if (certifyUnbounded(program, carried.contactForce).worst() <= settings.tolerance)
     {
         solution.status = SolveStatus::unbounded;

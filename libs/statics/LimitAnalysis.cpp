@@ -37,6 +37,8 @@ LimitAnalysis solveLimitAnalysis(const PlaneConeProgram& program, const Interior
     LimitAnalysis result;
     result.variables = 2 * program.points() + 1;
     result.iterations = solution.iterations;
+    result.factorisations = solution.factorisations;
+    result.solves = solution.solves;
     result.contactForce = Eigen::VectorXd::Zero(2 * program.points());
     result.mechanism = Eigen::VectorXd::Zero(3 * program.bodies);
 
@@ -76,6 +78,8 @@ LimitAnalysis solveLimitAnalysis(const PlaneConeProgram& program, const Interior
         {
             resting = solveInteriorPoint(dead, settings);
             result.iterations += resting.iterations;
+            result.factorisations += resting.factorisations;
+            result.solves += resting.solves;
             if ((resting.status == SolveStatus::infeasible && unstable(resting.displacement))
                 || resting.status == SolveStatus::notConverged)
             {

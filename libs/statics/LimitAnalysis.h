@@ -32,6 +32,8 @@ struct LimitAnalysis
     Eigen::VectorXd mechanism;    ///< (ux uy rz) of each free block, largest entry 1; zero for `unbounded`
     Certificate certificate;      ///< of what the status claims
     int iterations = 0;           ///< of the solver, all programs together
+    int factorisations = 0;       ///< likewise, of Schur matrices
+    int solves = 0;               ///< likewise, with those factors
     int variables = 0;            ///< forces and the multiplier
 };
 

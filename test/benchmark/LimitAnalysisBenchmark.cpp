@@ -96,6 +96,8 @@ void solve(benchmark::State& state, const Dictionary& dictionary, double toleran
     state.counters["blocks"] = program.bodies;
     state.counters["alpha"] = result.alpha;
     state.counters["iterations"] = result.iterations;
+    state.counters["factorisations"] = result.factorisations;
+    state.counters["solves"] = result.solves;
     state.counters["certificate"] = result.certificate.worst();
     state.counters["F[ms]"] = 1e3 * unit;
     state.counters["solve[ms]"] = 1e3 * whole;
