@@ -51,6 +51,13 @@ void FunctionList<2>::write(const StepObservation<2>& step, const TimePoint& now
 }
 
 template<>
+void FunctionList<2>::writeAlways(const StepObservation<2>& step)
+{
+    for (Function& function : functions)
+        function.object->write(step);
+}
+
+template<>
 double FunctionList<2>::timeToNextWrite(double time, double deltaT) const
 {
     double next = std::numeric_limits<double>::infinity();

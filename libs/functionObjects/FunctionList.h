@@ -59,6 +59,9 @@ public:
     /// \throws FatalError when a table cannot be written
     void write(const StepObservation<Dim>& step, const TimePoint& now);
 
+    /// Let every function write, due or not.
+    void writeAlways(const StepObservation<Dim>& step);
+
     /// How long until the next instant of a function with adjustableRunTime; infinite when there is none [s].
     double timeToNextWrite(double time, double deltaT) const;
 

@@ -2,6 +2,8 @@
 #include "functionObjects/MotionResults.h"
 
 #include "assembly/ContactState.h"
+#include "core/Case.h"
+#include "core/Log.h"
 #include "core/WholeFile.h"
 #include "dynamics/InitialMotion.h"
 #include "io/Frames.h"
@@ -29,6 +31,21 @@ void visitLedger(Ledger& energy, const Visit& visit)
 /// The whole numbers that say which corner meets which edge, of one point.
 constexpr std::size_t featureNumbers = 5;
 
+/// Functions about the solver, by name: `residuals { }`, or `mine { type residuals; }`.
+std::vector<std::string> solverFunctions(const Dictionary& functions)
+{
+    std::vector<std::string> names;
+    for (const Entry& entry : functions.entries())
+    {
+        if (entry.isDictionary()
+            && entry.dictionary().getOrDefault<std::string>("type", entry.keyword()) == "residuals")
+        {
+            names.push_back(entry.keyword());
+        }
+    }
+    return names;
+}
+
 FunctionList<2> readFunctions(const std::filesystem::path& caseDirectory, const DynamicCase& scene,
                               Time& time, FunctionObjects functionObjects)
 {
@@ -38,6 +55,66 @@ FunctionList<2> readFunctions(const std::filesystem::path& caseDirectory, const 
         return {};
     }
     return {*functions, caseDirectory, time.startName(), time.point(), scene.assembly};
+}
+
+/// The time that a state was written at.
+TimeState timeOf(const State& saved)
+{
+    TimeState time;
+    time.value = stateScalar(saved, "time");
+    time.deltaT = stateScalar(saved, "deltaT");
+    time.index = static_cast<long>(stateScalar(saved, "timeIndex"));
+    time.origin = stateScalar(saved, "timeOrigin");
+    time.originIndex = static_cast<long>(stateScalar(saved, "timeOriginIndex"));
+    return time;
+}
+
+/// The motion that a run has left in a state.
+Motion motionOf(const DynamicCase& scene, const State& saved)
+{
+    DynamicState state = stateAtRest(scene.assembly);
+    state.time = stateScalar(saved, "time");
+    const std::size_t blocks = state.placements.size();
+    const auto& translation = stateArray(saved, "translation", 2 * blocks);
+    const auto& rotation = stateArray(saved, "rotation", blocks);
+    for (std::size_t block = 0; block < blocks; ++block)
+    {
+        state.placements[block] = {{translation[2 * block], translation[2 * block + 1]}, rotation[block]};
+    }
+    const auto& velocity = stateArray(saved, "velocity", static_cast<std::size_t>(state.velocity.size()));
+    state.velocity = Eigen::Map<const Eigen::VectorXd>(velocity.data(), state.velocity.size());
+
+    Motion motion = startMotion(scene, std::move(state));
+    visitLedger(motion.energy, [&](const char* name, double& value) { value = stateScalar(saved, name); });
+    const auto gapsThere = saved.arrays.find("contactGap");
+    const std::size_t points = gapsThere == saved.arrays.end() ? 0 : gapsThere->second.size();
+    const auto& gaps = stateArray(saved, "contactGap", points);
+    const auto& features = stateArray(saved, "contactFeature", featureNumbers * points);
+    const auto& forces = stateArray(saved, "contactForce", 2 * points);
+    if (!motion.contacts && motion.points.size() != points)
+    {
+        throw FatalError(fmt::format("{} has {} contact points, the structure as built {}: with "
+                                     "`smallDisplacements yes;` they must be the same. Start from time 0.",
+                                     saved.file.string(), points, motion.points.size()));
+    }
+    const auto& positions = stateArray(saved, "contactPosition", 2 * points);
+    const auto& normals = stateArray(saved, "contactNormal", 2 * points);
+    motion.points.resize(points);
+    motion.contactForces.resize(points);
+    for (std::size_t i = 0; i < points; ++i)
+    {
+        ContactPoint<2>& point = motion.points[i];
+        const double* numbers = &features[featureNumbers * i];
+        point.block = static_cast<int>(numbers[0]);
+        point.neighbour = static_cast<int>(numbers[1]);
+        point.feature = {static_cast<int>(numbers[2]), static_cast<int>(numbers[3]),
+                         static_cast<int>(numbers[4])};
+        point.gap = gaps[i];
+        point.position = {positions[2 * i], positions[2 * i + 1]};
+        point.normal = {normals[2 * i], normals[2 * i + 1]};
+        motion.contactForces[i] = {forces[2 * i], forces[2 * i + 1]};
+    }
+    return motion;
 }
 
 } // namespace
@@ -63,6 +140,8 @@ State stateOf(const Motion& motion, const Time& time)
     auto& features = state.arrays["contactFeature"];
     auto& gaps = state.arrays["contactGap"];
     auto& forces = state.arrays["contactForce"];
+    auto& positions = state.arrays["contactPosition"];
+    auto& normals = state.arrays["contactNormal"];
     for (std::size_t i = 0; i < motion.points.size(); ++i)
     {
         const ContactPoint<2>& point = motion.points[i];
@@ -72,6 +151,8 @@ State stateOf(const Motion& motion, const Time& time)
             features.push_back(number);
         }
         gaps.push_back(point.gap);
+        positions.insert(positions.end(), {point.position.x(), point.position.y()});
+        normals.insert(normals.end(), {point.normal.x(), point.normal.y()});
         forces.insert(forces.end(), {motion.contactForces[i].x(), motion.contactForces[i].y()});
     }
     return state;
@@ -97,53 +178,47 @@ Motion startOrContinue(const std::filesystem::path& caseDirectory, const Dynamic
     }
 
     const State saved = readState(file);
-    TimeState continued;
-    continued.value = stateScalar(saved, "time");
-    continued.deltaT = stateScalar(saved, "deltaT");
-    continued.index = static_cast<long>(stateScalar(saved, "timeIndex"));
-    continued.origin = stateScalar(saved, "timeOrigin");
-    continued.originIndex = static_cast<long>(stateScalar(saved, "timeOriginIndex"));
-    time.resume(continued);
+    time.resume(timeOf(saved));
+    return motionOf(scene, saved);
+}
 
-    DynamicState state = stateAtRest(scene.assembly);
-    state.time = continued.value;
-    const std::size_t blocks = state.placements.size();
-    const auto& translation = stateArray(saved, "translation", 2 * blocks);
-    const auto& rotation = stateArray(saved, "rotation", blocks);
-    for (std::size_t block = 0; block < blocks; ++block)
+void postProcess(const std::filesystem::path& caseDirectory, const DynamicCase& scene, const Time& time)
+{
+    std::vector<std::pair<std::string, State>> states;
+    for (const TimeDirectory& directory : timeDirectories(caseDirectory))
     {
-        state.placements[block] = {{translation[2 * block], translation[2 * block + 1]}, rotation[block]};
+        const std::filesystem::path file = caseDirectory / directory.name / "state";
+        if (std::filesystem::exists(file))
+        {
+            states.emplace_back(directory.name, readState(file));
+        }
     }
-    const auto& velocity = stateArray(saved, "velocity", static_cast<std::size_t>(state.velocity.size()));
-    state.velocity = Eigen::Map<const Eigen::VectorXd>(velocity.data(), state.velocity.size());
-
-    Motion motion = startMotion(scene, std::move(state));
-    visitLedger(motion.energy, [&](const char* name, double& value) { value = stateScalar(saved, name); });
-    const auto gapsThere = saved.arrays.find("contactGap");
-    const std::size_t points = gapsThere == saved.arrays.end() ? 0 : gapsThere->second.size();
-    const auto& gaps = stateArray(saved, "contactGap", points);
-    const auto& features = stateArray(saved, "contactFeature", featureNumbers * points);
-    const auto& forces = stateArray(saved, "contactForce", 2 * points);
-    if (!motion.contacts && motion.points.size() != points)
+    if (states.empty())
     {
-        throw FatalError(fmt::format("{} has {} contact points, the structure as built {}: with "
-                                     "`smallDisplacements yes;` they must be the same. Start from time 0.",
-                                     file.string(), points, motion.points.size()));
+        throw FatalError("There are no results to look at: no time directory of this case has a state. Run "
+                         "contactDynamics without -postProcess first.");
     }
-    motion.points.resize(points);
-    motion.contactForces.resize(points);
-    for (std::size_t i = 0; i < points; ++i)
+    Dictionary functions =
+        time.controlDict().found("functions") ? time.controlDict().subDict("functions") : Dictionary();
+    for (const std::string& name : solverFunctions(functions))
     {
-        ContactPoint<2>& point = motion.points[i];
-        const double* numbers = &features[featureNumbers * i];
-        point.block = static_cast<int>(numbers[0]);
-        point.neighbour = static_cast<int>(numbers[1]);
-        point.feature = {static_cast<int>(numbers[2]), static_cast<int>(numbers[3]),
-                         static_cast<int>(numbers[4])};
-        point.gap = gaps[i];
-        motion.contactForces[i] = {forces[2 * i], forces[2 * i + 1]};
+        info("{}: how the solver did is not in time directories; left out", name);
+        functions.remove(name);
     }
-    return motion;
+    FunctionList<2> list(functions, caseDirectory, states.front().first, {}, scene.assembly);
+    std::vector<BlockVelocity<2>> velocities;
+    for (const auto& [name, saved] : states)
+    {
+        info("Time = {}", name);
+        const Motion motion = motionOf(scene, saved);
+        const std::vector<double> friction = frictionCoefficients(scene.contact, motion.points.size());
+        StepObservation<2> seen = observe(scene, motion, time, velocities, friction);
+        const TimeState then = timeOf(saved);
+        seen.time = then.value;
+        seen.timeStep = then.deltaT;
+        seen.step = then.index;
+        list.writeAlways(seen);
+    }
 }
 
 MotionResults::MotionResults(std::filesystem::path caseDirectory, const DynamicCase& scene,

@@ -21,6 +21,11 @@ Motion startOrContinue(const std::filesystem::path& caseDirectory, const Dynamic
 /// The state that `startOrContinue` continues.
 State stateOf(const Motion& motion, const Time& time);
 
+/// `-postProcess`: the functions of controlDict carried out on each state that runs have left in the case, in
+/// order of time, into postProcessing/<function>/<first time>/. Functions about the solver are left out: a
+/// state does not say how it was found. \throws FatalError when there is no state
+void postProcess(const std::filesystem::path& caseDirectory, const DynamicCase& scene, const Time& time);
+
 /// Whether the functions of controlDict are carried out.
 enum class FunctionObjects
 {

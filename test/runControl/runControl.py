@@ -186,6 +186,24 @@ class RunControl(unittest.TestCase):
         self.write(case, "system/schemes", header % "schemes" + "timeIntegraton { type theta; }\n")
         self.assertIn("timeIntegraton", self.run_(case, "-dry-run", status=1).stderr)
 
+    def testPostProcessGivesTheRowsOfTheRunAtTheTimesThatWereWritten(self):
+        functions = "{ energy {} blockMotion { blocks (1 2); } contactForces {} residuals {} }"
+        case = self.copy("post", startFrom="startTime", functions=functions)
+        self.assertIn("no time directory", self.run_(case, "-postProcess", status=1).stderr)
+        self.run_(case)
+        done = self.run_(case, "-postProcess")
+        self.assertIn("residuals", done.stdout)
+        for table in ("energy/{}/energy.dat", "blockMotion/{}/block2.dat", "contactForces/{}/contactForces.dat"):
+            during, after = (self.rows(case, table.format(start)) for start in ("0", "0.2"))
+            self.assertEqual([row[0] for row in after], ["0.2", "0.4", "0.6"])
+            self.assertEqual([row for row in during if row[0] in ("0.2", "0.4", "0.6")], after)
+        self.assertFalse(os.path.exists(os.path.join(case, "postProcessing/residuals/0.2")))
+
+    @staticmethod
+    def rows(case, table):
+        with open(os.path.join(case, "postProcessing", table), encoding="utf-8") as file:
+            return [line.split() for line in file if not line.startswith("#")]
+
     @staticmethod
     def files(case, name):
         return [file for _, _, files in os.walk(os.path.join(case, name)) for file in files]

@@ -17,12 +17,14 @@ namespace
 int run(const CommandLine& commandLine)
 {
     printBanner(commandLine);
-    if (commandLine.postProcess)
-    {
-        throw FatalError("contactDynamics writes its tables as it runs: leave -postProcess away.");
-    }
     Time time(commandLine.caseDirectory, ControlDict::required);
     const DynamicCase scene = readDynamicCase(commandLine.caseDirectory);
+    if (commandLine.postProcess)
+    {
+        postProcess(commandLine.caseDirectory, scene, time);
+        printEnd();
+        return 0;
+    }
     Motion motion = startOrContinue(commandLine.caseDirectory, scene, time);
     MotionResults results(commandLine.caseDirectory, scene, motion, time,
                           commandLine.noFunctionObjects ? FunctionObjects::none
