@@ -20,8 +20,9 @@ using Eigen::VectorXd;
 constexpr double proximal = 1e-9;
 
 /// Likewise on the rays: where one presses, s / z grows without limit, and with it the rounding of the
-/// system.
-constexpr double compliance = 1e-12;
+/// system. A compliance rho spoils the steps where rho s exceeds z = mu / s, so it is this number over the
+/// square of the largest force: harmless down to mu of this order.
+constexpr double compliance = 1e-10;
 
 /// An iterate, or a step between two: forces s >= 0 on the rays, their openings z >= 0, displacements y,
 /// multiplier.
@@ -95,7 +96,7 @@ private:
     InteriorPointSettings settings_;
     Iterate at_;
     Residuals residuals_;
-    VectorXd stiffness_;       ///< z + compliance s
+    VectorXd stiffness_;       ///< z + rho s
     VectorXd d_;               ///< s / stiffness
     VectorXd liveSolution_;    ///< S^-1 L
     double liveStiffness_ = 0; ///< L' S^-1 L
@@ -177,7 +178,8 @@ bool InteriorPoint::diverges() const
 
 bool InteriorPoint::factorise()
 {
-    stiffness_ = at_.z + compliance_ * at_.s;
+    const double force = std::max(1.0, at_.s.lpNorm<Eigen::Infinity>());
+    stiffness_ = at_.z + (compliance_ / (force * force)) * at_.s;
     d_ = at_.s.cwiseQuotient(stiffness_);
     // Cancellation may make a pivot negative: then each is raised by what rounding may have taken from it.
     double rounding = 0;
