@@ -74,15 +74,6 @@ std::vector<ContactColumns<2>> columnsAt(const DynamicCase& scene,
     return equilibriumColumns(scene.assembly, placedMasses(scene.blocks, placements), points);
 }
 
-void setColumns(PlaneConeProgram& program, const std::vector<ContactColumns<2>>& columns)
-{
-    for (std::size_t point = 0; point < columns.size(); ++point)
-    {
-        const ContactColumns<2>& column = columns[point];
-        program.contacts[point] = {column.block, column.neighbour, column.onBlock, column.onNeighbour};
-    }
-}
-
 /// The forces of the last step at the points of this one; none where a point is new.
 Eigen::VectorXd forcesOfLastStep(const Motion& motion, const std::vector<ContactPoint<2>>& points)
 {
@@ -438,14 +429,10 @@ bool advance(const DynamicCase& scene, Motion& motion, Time& time)
 StepObservation<2> observe(const DynamicCase& scene, const Motion& motion, const Time& time,
                            std::vector<BlockVelocity<2>>& velocities, const std::vector<double>& friction)
 {
-    velocities.assign(scene.free.size(), {});
-    for (std::size_t block = 0; block < scene.free.size(); ++block)
+    velocities.clear();
+    for (const Vector<3>& velocity : velocitiesOfAllBlocks(scene, motion.state.velocity))
     {
-        if (scene.free[block] >= 0)
-        {
-            const auto velocity = motion.state.velocity.segment<3>(3 * scene.free[block]);
-            velocities[block] = {velocity.head<2>(), velocity[2]};
-        }
+        velocities.push_back({velocity.head<2>(), velocity[2]});
     }
     StepObservation<2> seen;
     seen.time = time.value();

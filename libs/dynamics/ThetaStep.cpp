@@ -90,6 +90,30 @@ private:
     std::vector<Eigen::VectorXd> residualChanges_, imageChanges_;
 };
 
+/// Whether no motion, with these forces, solves the program to the tolerance; then it is the step.
+bool isRest(ThetaStep& step, const PlaneConeProgram& program, const Eigen::VectorXd& contactForce,
+            double tolerance)
+{
+    ConeSolution resting;
+    resting.displacement = Eigen::VectorXd::Zero(program.load.size());
+    resting.contactForce = contactForce;
+    const Certificate certificate = certifyOptimal(program, resting);
+    if (step.programs == 0)
+    {
+        step.initialResidual = certificate.worst();
+    }
+    if (certificate.worst() > tolerance)
+    {
+        return false;
+    }
+    step.status = SolveStatus::optimal;
+    step.certificate = certificate;
+    step.displacement = std::move(resting.displacement);
+    step.contactForce = std::move(resting.contactForce);
+    step.closing = Eigen::VectorXd::Zero(2 * program.points());
+    return true;
+}
+
 void solveOnce(ThetaStep& step, const PlaneConeProgram& program, const SolverChoice& solver,
                const ConeSolution& start)
 {
@@ -103,15 +127,8 @@ void solveOnce(ThetaStep& step, const PlaneConeProgram& program, const SolverCho
     {
         // A structure whose forces balance its loads to the tolerance stands still: not by what the solver
         // leaves of a displacement, which would be an impulse in the next step, but exactly.
-        ConeSolution resting = solution;
-        resting.displacement.setZero();
-        const Certificate atRest = certifyOptimal(program, resting);
-        if (atRest.worst() <= solver.tolerance)
+        if (isRest(step, program, solution.contactForce, solver.tolerance))
         {
-            step.certificate = atRest;
-            step.displacement = std::move(resting.displacement);
-            step.contactForce = std::move(resting.contactForce);
-            step.closing = Eigen::VectorXd::Zero(2 * program.points());
             return;
         }
         ConeSolution balanced = solution;
@@ -131,6 +148,15 @@ void solveOnce(ThetaStep& step, const PlaneConeProgram& program, const SolverCho
 
 } // namespace
 
+void setColumns(PlaneConeProgram& program, const std::vector<ContactColumns<2>>& columns)
+{
+    program.contacts.clear();
+    for (const ContactColumns<2>& column : columns)
+    {
+        program.contacts.push_back({column.block, column.neighbour, column.onBlock, column.onNeighbour});
+    }
+}
+
 PlaneConeProgram thetaStepProgram(const Eigen::VectorXd& mass, const Eigen::VectorXd& velocity,
                                   const Eigen::VectorXd& load, const std::vector<ContactPoint<2>>& points,
                                   const std::vector<ContactColumns<2>>& columns,
@@ -139,11 +165,10 @@ PlaneConeProgram thetaStepProgram(const Eigen::VectorXd& mass, const Eigen::Vect
     PlaneConeProgram program;
     program.bodies = static_cast<int>(mass.size() / 3);
     program.friction = friction;
+    setColumns(program, columns);
     program.gap = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(points.size()));
     for (std::size_t point = 0; point < points.size(); ++point)
     {
-        const ContactColumns<2>& column = columns[point];
-        program.contacts.push_back({column.block, column.neighbour, column.onBlock, column.onNeighbour});
         program.gap[2 * static_cast<Eigen::Index>(point)] = points[point].gap;
     }
     const Eigen::VectorXd inertia = mass / (scheme.theta * scheme.timeStep * scheme.timeStep);
@@ -166,19 +191,13 @@ ThetaStep solveThetaStep(PlaneConeProgram program, const StepSettings& settings,
         return step;
     }
 
-    ConeSolution resting;
-    resting.displacement = Eigen::VectorXd::Zero(program.load.size());
-    resting.contactForce = guess.contactForce.size() == 2 * program.points()
-                               ? guess.contactForce
-                               : Eigen::VectorXd::Zero(2 * program.points());
-    step.certificate = certifyOptimal(program, resting);
-    step.initialResidual = step.certificate.worst();
-    if (step.initialResidual <= settings.solver.tolerance)
+    ConeSolution start;
+    start.displacement = guess.displacement;
+    start.contactForce = guess.contactForce.size() == 2 * program.points()
+                             ? guess.contactForce
+                             : Eigen::VectorXd::Zero(2 * program.points());
+    if (isRest(step, program, start.contactForce, settings.solver.tolerance))
     {
-        step.status = SolveStatus::optimal;
-        step.displacement = std::move(resting.displacement);
-        step.contactForce = std::move(resting.contactForce);
-        step.closing = Eigen::VectorXd::Zero(2 * program.points());
         return step;
     }
 
@@ -191,11 +210,8 @@ ThetaStep solveThetaStep(PlaneConeProgram program, const StepSettings& settings,
     if (relinearise && guess.displacement.size() > 0)
     {
         // About where the blocks are heading, so that what is left is of second order in their acceleration.
-        relinearise(guess.displacement, resting.contactForce, program);
+        relinearise(guess.displacement, start.contactForce, program);
     }
-    ConeSolution start;
-    start.displacement = guess.displacement;
-    start.contactForce = resting.contactForce;
     AcceleratedIteration fixedPoint;
     Eigen::VectorXd gap = program.gap; // without the share that is imposed
     for (;;)

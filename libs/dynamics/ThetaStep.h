@@ -57,6 +57,9 @@ struct StepGuess
 using Relinearisation = std::function<double(const Eigen::VectorXd& displacement,
                                              const Eigen::VectorXd& contactForce, PlaneConeProgram& program)>;
 
+/// Puts the columns of the contact points, in their order, into a program.
+void setColumns(PlaneConeProgram& program, const std::vector<ContactColumns<2>>& columns);
+
 /// A solved step.
 struct ThetaStep
 {

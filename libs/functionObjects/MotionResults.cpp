@@ -281,9 +281,4 @@ void MotionResults::writeFirstFrames()
     }
 }
 
-double MotionResults::timeToNextWrite(double deltaT) const
-{
-    return functions_.timeToNextWrite(time_.value(), deltaT);
-}
-
 } // namespace drystone

@@ -53,9 +53,6 @@ public:
     /// Time directory and frames of now, due or not: before a run gives up.
     void writeNow();
 
-    /// Time until a function wants the end of a step [s]; infinite when none does.
-    double timeToNextWrite(double deltaT) const;
-
     const FunctionList<2>& functions() const { return functions_; }
 
 private:
