@@ -31,6 +31,8 @@ void declare(Options& options, SolverChoice& choice)
         .above(0)
         .atMost(1e-3);
     options.optional("maximumIterations", choice.maximumIterations, "of each solver").atLeast(1);
+    options.optional("maximumSweeps", choice.maximumSweeps, "over all contact points, of gaussSeidel")
+        .atLeast(1);
     options.optional("correctors", choice.correctors, "of interiorPoint, tried with one factorisation")
         .atLeast(0)
         .atMost(20);
@@ -39,6 +41,11 @@ void declare(Options& options, SolverChoice& choice)
 InteriorPointSettings interiorPointSettings(const SolverChoice& choice)
 {
     return {choice.tolerance, choice.maximumIterations, choice.correctors};
+}
+
+bool solvesMotionOnly(SolverType solver)
+{
+    return solver == SolverType::augmentedLagrangian || solver == SolverType::gaussSeidel;
 }
 
 std::string nameOf(SolverType solver)
@@ -63,6 +70,8 @@ ConeSolution solveConeProgram(const PlaneConeProgram& program, const SolverChoic
         return solveInteriorPoint(program, interiorPointSettings(choice));
     case SolverType::augmentedLagrangian:
         return solveAugmentedLagrangian(program, start, multipliers);
+    case SolverType::gaussSeidel:
+        return solveGaussSeidel(program, start, {choice.tolerance, choice.maximumSweeps});
     case SolverType::automatic:
         break;
     }

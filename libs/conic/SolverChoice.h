@@ -3,6 +3,7 @@
 #pragma once
 
 #include "conic/AugmentedLagrangian.h"
+#include "conic/GaussSeidel.h"
 #include "conic/InteriorPoint.h"
 #include "core/Options.h"
 
@@ -18,13 +19,15 @@ enum class SolverType
     automatic,           ///< the first of the others that suits; another one when it does not converge
     interiorPoint,       ///< from a cold start; statics and motion
     augmentedLagrangian, ///< from the last step; motion only
+    gaussSeidel,         ///< from the last step, for tolerances of 1e-3 to 1e-5; motion only
 };
 
-inline std::array<std::pair<std::string_view, SolverType>, 3> namesOf(SolverType)
+inline std::array<std::pair<std::string_view, SolverType>, 4> namesOf(SolverType)
 {
     return {{{"automatic", SolverType::automatic},
              {"interiorPoint", SolverType::interiorPoint},
-             {"augmentedLagrangian", SolverType::augmentedLagrangian}}};
+             {"augmentedLagrangian", SolverType::augmentedLagrangian},
+             {"gaussSeidel", SolverType::gaussSeidel}}};
 }
 
 /// `<application> { solver automatic; tolerance 1e-9; }`. The file and each key may be absent.
@@ -34,6 +37,7 @@ struct SolverChoice
     double tolerance = 1e-9;     ///< on every figure of the certificate
     int maximumIterations = 200; ///< of each solver
     int correctors = 3;          ///< of interiorPoint
+    int maximumSweeps = 10000;   ///< of gaussSeidel, which needs many and cheap ones
 };
 void declare(Options& options, SolverChoice& choice);
 
@@ -41,11 +45,14 @@ void declare(Options& options, SolverChoice& choice);
 /// not looked at
 SolverChoice readSolverChoice(const std::filesystem::path& caseDirectory, const std::string& application);
 
-/// Solves a program as chosen. \param start of augmentedLagrangian; may be empty
+/// Solves a program as chosen. \param start of augmentedLagrangian and gaussSeidel; may be empty
 /// \return the solution; with `automatic` and a first solver that did not converge, that of the second one,
 /// the iterations of both counted
 ConeSolution solveConeProgram(const PlaneConeProgram& program, const SolverChoice& choice,
                               const ConeSolution& start = {});
+
+/// Whether a solver needs inertia, so that limit analysis cannot be solved with it.
+bool solvesMotionOnly(SolverType solver);
 
 /// Name of a solver, as dictionaries have it.
 std::string nameOf(SolverType solver);

@@ -64,9 +64,11 @@ std::string unsolvedStep(const DynamicCase& scene, const Motion& motion, const T
     return fmt::format(
         "The step at time {} was not solved to tolerance {:g}, nor when it was made shorter {} times "
         "(residual "
-        "{:.3g}). The state at its start has been written. Raise tolerance or maximumIterations in "
+        "{:.3g}). The state at its start has been written. Raise tolerance or {} in "
         "system/solution/contactDynamics, or begin from there with a smaller deltaT.",
-        time.name(), scene.solution.tolerance, motion.residuals.retries, worst(motion.residuals));
+        time.name(), scene.solution.tolerance, motion.residuals.retries, worst(motion.residuals),
+        scene.solution.solver == SolverType::gaussSeidel ? "maximumSweeps, or choose another solver,"
+                                                         : "maximumIterations");
 }
 
 } // namespace drystone

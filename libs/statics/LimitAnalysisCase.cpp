@@ -13,9 +13,10 @@ LimitAnalysisCase readLimitAnalysisCase(const std::filesystem::path& caseDirecto
 {
     LimitAnalysisCase result;
     result.solution = readSolverChoice(caseDirectory, "limitAnalysis");
-    if (result.solution.solver == SolverType::augmentedLagrangian)
+    if (solvesMotionOnly(result.solution.solver))
     {
-        throw FatalIOError("augmentedLagrangian solves steps in time only. Write `solver interiorPoint;`.",
+        throw FatalIOError(nameOf(result.solution.solver)
+                               + " solves steps in time only. Write `solver interiorPoint;`.",
                            readSolution(caseDirectory, "limitAnalysis").locationOf("solver"));
     }
     result.solution.solver = SolverType::interiorPoint;

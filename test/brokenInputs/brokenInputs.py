@@ -230,6 +230,7 @@ brokenInputs = [
     inAnalysis("forceBesideTheWall", "constant/loads", "type inertial;\n    direction (1 0 0);",
                "type force;\n    at (50 50);@@\n    value (0 -1 0);", r"(?i)block", lines=(4, 5)),
     inAnalysis("unknownSolver", "system/solution", "interiorPoint", "interiorpoint", r"interiorPoint"),
+    inAnalysis("solverOfMotion", "system/solution", "interiorPoint", "gaussSeidel", r"steps in time only"),
     inAnalysis("negativeTolerance", "system/solution", "1e-9", "-1e-9", r"tolerance"),
     inAnalysis("unknownApplication", "system/solution", "limitAnalysis", "limitAnalisys",
                r"Did you mean limitAnalysis\?"),

@@ -140,6 +140,24 @@ class RunControl(unittest.TestCase):
         for mine, theirs in zip(self.numbers(case), self.numbers(once), strict=True):
             self.assertAlmostEqual(mine, theirs, delta=1e-9)
 
+    def testGaussSeidelSolvesToALooseToleranceAndSaysWhereItDoesNot(self):
+        exact = self.copy("exact")
+        self.run_(exact)
+        case = self.copy("gaussSeidel")
+        self.write(case, "system/solution", header % "solution" +
+                   "contactDynamics { solver gaussSeidel; tolerance 1e-5; }\n")
+        done = self.run_(case)
+        self.assertIn("gaussSeidel:  Solving for contact", done.stdout)
+        for mine, theirs in zip(self.numbers(case), self.numbers(exact), strict=True):
+            self.assertAlmostEqual(mine, theirs, delta=1e-2)
+        self.assertNotEqual(self.numbers(case), self.numbers(exact))
+        hasty = self.copy("hasty")
+        self.write(hasty, "system/solution", header % "solution" +
+                   "contactDynamics { solver gaussSeidel; tolerance 1e-12; maximumSweeps 1; }\n")
+        done = self.run_(hasty, status=2)
+        self.assertIn("was not solved", done.stderr)
+        self.assertIn("maximumSweeps", done.stderr)
+
     def numbers(self, case):
         """Places of the blocks at the end."""
         text = self.state(case).decode()
