@@ -253,6 +253,10 @@ ConeSolution solveAugmentedLagrangian(const PlaneConeProgram& program, const Con
     {
         throw std::invalid_argument("solveAugmentedLagrangian needs inertia and no multiplier");
     }
+    if (program.hasStrength())
+    {
+        throw std::invalid_argument("solveAugmentedLagrangian needs cones: no strengths");
+    }
     // In increments from where the blocks are heading: the momenta they have drop out of the load, and the
     // figures left are those of one step.
     PlaneConeProgram increment = program;

@@ -31,7 +31,7 @@ struct AugmentedLagrangianSettings
 /// \param start forces of the last step, and where the blocks are heading (both sized as in the solution, or
 /// empty). The better they are, the fewer steps.
 /// \return `optimal` when the certificate meets the tolerance, otherwise `notConverged` with the last iterate
-/// \throws std::invalid_argument for a program without inertia, or with a multiplier
+/// \throws std::invalid_argument for a program without inertia, with a multiplier or with strengths
 ConeSolution solveAugmentedLagrangian(const PlaneConeProgram& program, const ConeSolution& start,
                                       const AugmentedLagrangianSettings& settings = {});
 

@@ -50,7 +50,14 @@ double largest(const Eigen::VectorXd& rows, double momentFactor)
     return result;
 }
 
-/// Largest amount by which a point's force leaves its friction cone |c_t| <= mu c_n.
+/// Of a point without strength: none.
+template<int Rows, int Forces>
+Strength strengthOf(const ConeProgram<Rows, Forces>& program, int point)
+{
+    return program.hasStrength() ? program.strength[static_cast<std::size_t>(point)] : Strength{};
+}
+
+/// Largest amount by which a point's force leaves its set -T <= c_n <= N, |c_t| <= C + mu c_n.
 template<int Rows, int Forces>
 double coneViolation(const ConeProgram<Rows, Forces>& program, const Eigen::VectorXd& contactForce)
 {
@@ -59,19 +66,26 @@ double coneViolation(const ConeProgram<Rows, Forces>& program, const Eigen::Vect
     {
         const auto force = contactForce.template segment<Forces>(Forces * point);
         const double shear = force.template tail<Forces - 1>().norm();
-        const double excess = std::max(-force[0], shear - program.friction[point] * std::max(force[0], 0.0));
+        const Strength strength = strengthOf(program, point);
+        const double held = std::max(force[0], -strength.tension);
+        const double excess = std::max({-strength.tension - force[0], force[0] - strength.crushing,
+                                        shear - strength.cohesion - program.friction[point] * held});
         result = std::isnan(excess) ? infinite : std::max(result, excess);
     }
     return result;
 }
 
-/// Largest amount by which z leaves the dual cone mu |z_t| <= z_n.
+/// Largest amount by which z leaves the dual cone mu |z_t| <= z_n, of points that crushing does not bound.
 template<int Rows, int Forces>
 double dualConeViolation(const ConeProgram<Rows, Forces>& program, const Eigen::VectorXd& z)
 {
     double result = 0;
     for (int point = 0; point < program.points(); ++point)
     {
+        if (strengthOf(program, point).isBounded())
+        {
+            continue;
+        }
         const auto opening = z.template segment<Forces>(Forces * point);
         const double slip = opening.template tail<Forces - 1>().norm();
         // Divided by the length of (1, mu), so that the figure is a distance for any friction coefficient.
@@ -80,6 +94,50 @@ double dualConeViolation(const ConeProgram<Rows, Forces>& program, const Eigen::
         result = std::isnan(excess) ? infinite : std::max(result, excess);
     }
     return result;
+}
+
+/// What strengths add to the dual objective, and the sum of its terms' sizes.
+struct StrengthWork
+{
+    double least = 0; ///< sum of min z'c over the sets of the points, <= 0
+    double size = 0;
+};
+
+template<int Rows, int Forces>
+StrengthWork strengthWork(const ConeProgram<Rows, Forces>& program, const Eigen::VectorXd& z)
+{
+    StrengthWork work;
+    for (int point = 0; program.hasStrength() && point < program.points(); ++point)
+    {
+        const auto opening = z.template segment<Forces>(Forces * point);
+        const double slip = opening.template tail<Forces - 1>().norm();
+        const double excess = opening[0] - program.friction[point] * slip;
+        const Strength strength = strengthOf(program, point);
+        double lost = strength.cohesion * slip;
+        if (excess >= 0)
+        {
+            lost += strength.tension * excess;
+        }
+        else if (strength.isBounded())
+        {
+            lost -= strength.crushing * excess;
+        }
+        work.least -= lost;
+        work.size += lost;
+    }
+    return work;
+}
+
+/// The program whose sets are the directions in which those of `program` have no end: its cones, and nothing
+/// where crushing bounds them.
+template<int Rows, int Forces>
+ConeProgram<Rows, Forces> recession(ConeProgram<Rows, Forces> program)
+{
+    for (Strength& strength : program.strength)
+    {
+        strength = {0, 0, strength.isBounded() ? 0 : infinite};
+    }
+    return program;
 }
 
 /// sum |a_i b_i|: what a product a'b is compared with.
@@ -159,6 +217,9 @@ Certificate certifyOptimal(const ConeProgram<Rows, Forces>& program, const ConeS
         }
         differenceScale = std::max(differenceScale, forceScale * displacementScale);
     }
+    const StrengthWork strength = strengthWork(program, z);
+    difference -= strength.least;
+    differenceScale = std::max(differenceScale, strength.size);
     certificate.primalResidual = std::max(relative(largest<Rows, Forces>(imbalance, 1 / lever), forceScale),
                                           relative(coneViolation(program, c), forceScale));
     certificate.dualResidual =
@@ -172,18 +233,19 @@ Certificate certifyInfeasible(const ConeProgram<Rows, Forces>& program,
                               const Eigen::VectorXd& displacementRay)
 {
     const double lever = meanLeverArm(program);
-    const double work = program.load.dot(displacementRay);
+    const Eigen::VectorXd opening = -applyTransposed(program, displacementRay);
+    const StrengthWork strength = strengthWork(program, opening);
+    const double work = program.load.dot(displacementRay) + strength.least;
     // The share of the load's work that does not cancel: a ray is only as good as f'y is clearly positive.
-    const double share = relative(work, magnitude(program.load, displacementRay));
+    const double share = relative(work, magnitude(program.load, displacementRay) + strength.size);
     Certificate certificate;
     if (!(share > 0) || !std::isfinite(share))
     {
         certificate.gap = infinite;
         return certificate;
     }
-    const double violation =
-        relative(dualConeViolation<Rows, Forces>(program, -applyTransposed(program, displacementRay)),
-                 largest<Rows, Forces>(displacementRay, lever));
+    const double violation = relative(dualConeViolation<Rows, Forces>(program, opening),
+                                      largest<Rows, Forces>(displacementRay, lever));
     double liveWork = 0;
     if (program.hasMultiplier())
     {
@@ -203,7 +265,7 @@ Certificate certifyUnbounded(const ConeProgram<Rows, Forces>& program, const Eig
     const Eigen::VectorXd imbalance = applyEquilibrium(program, forceRay) - program.liveLoad;
     Certificate certificate;
     certificate.primalResidual = std::max(relative(largest<Rows, Forces>(imbalance, 1 / lever), forceScale),
-                                          relative(coneViolation(program, forceRay), forceScale));
+                                          relative(coneViolation(recession(program), forceRay), forceScale));
     return certificate;
 }
 

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <limits>
 #include <vector>
 
 namespace drystone
@@ -18,6 +19,17 @@ struct ConeColumns
     int second = -1; ///< likewise for `onSecond`
     Eigen::Matrix<double, Rows, Forces> onFirst = Eigen::Matrix<double, Rows, Forces>::Zero();
     Eigen::Matrix<double, Rows, Forces> onSecond = Eigen::Matrix<double, Rows, Forces>::Zero();
+};
+
+/// What reshapes the cone of a point to -tension <= c_n <= crushing, |c_t| <= cohesion + mu c_n. None of it
+/// leaves the cone.
+struct Strength
+{
+    double cohesion = 0;                                       ///< at least mu tension
+    double tension = 0;                                        ///< >= 0
+    double crushing = std::numeric_limits<double>::infinity(); ///< > 0; infinite: no limit
+
+    bool isBounded() const { return crushing < std::numeric_limits<double>::infinity(); }
 };
 
 /// The problem data. With b bodies, k contact points, R = Rows and F = Forces:
@@ -36,6 +48,9 @@ struct ConeColumns
 ///   collapse mechanism, scaled so that the live load does unit work on it;
 /// - time step (eq. 9): `liveLoad` empty, so that there is no alpha; y are the displacements over the step.
 ///
+/// Where points have a `strength`, their sets K are no cones any more and z need not lie in a dual cone: the
+/// dual objective gains the least of z'c over c in K (Certificate.h).
+///
 /// Nothing here knows of units: the solvers scale rows, loads and displacements themselves.
 template<int Rows, int Forces>
 struct ConeProgram
@@ -44,16 +59,18 @@ struct ConeProgram
 
     int bodies = 0;
     std::vector<ConeColumns<Rows, Forces>>
-        contacts;                 ///< A, by contact point; points of one pair of bodies together
-    std::vector<double> friction; ///< mu of each contact point, >= 0
-    Eigen::VectorXd load;         ///< f, R b
-    Eigen::VectorXd liveLoad;     ///< L, R b, or empty: no multiplier
-    std::vector<Inertia> inertia; ///< Mbar, one symmetric block a body, or empty: r = 0
-    Eigen::VectorXd gap;          ///< g, F k (normal, tangential ...), or empty: zero
+        contacts;                   ///< A, by contact point; points of one pair of bodies together
+    std::vector<double> friction;   ///< mu of each contact point, >= 0
+    std::vector<Strength> strength; ///< of each contact point, or empty: cones
+    Eigen::VectorXd load;           ///< f, R b
+    Eigen::VectorXd liveLoad;       ///< L, R b, or empty: no multiplier
+    std::vector<Inertia> inertia;   ///< Mbar, one symmetric block a body, or empty: r = 0
+    Eigen::VectorXd gap;            ///< g, F k (normal, tangential ...), or empty: zero
 
     int points() const { return static_cast<int>(contacts.size()); }
     bool hasMultiplier() const { return liveLoad.size() > 0; }
     bool hasInertia() const { return !inertia.empty(); }
+    bool hasStrength() const { return !strength.empty(); }
 };
 
 using PlaneConeProgram = ConeProgram<3, 2>;

@@ -196,6 +196,10 @@ ConeSolution solveGaussSeidel(const ConeProgram<Rows, Forces>& program, const Co
     {
         throw std::invalid_argument("solveGaussSeidel needs inertia and no multiplier");
     }
+    if (program.hasStrength())
+    {
+        throw std::invalid_argument("solveGaussSeidel needs cones: no strengths");
+    }
     const auto problems = makeLocalProblems(program);
     const int points = program.points();
     ConeSolution solution;

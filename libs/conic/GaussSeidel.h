@@ -34,7 +34,7 @@ struct GaussSeidelSettings
 ///
 /// \param start contact forces to begin with (F k), or empty; displacements are not looked at
 /// \return `optimal` when the certificate meets the tolerance, otherwise `notConverged` with the last forces
-/// \throws std::invalid_argument for a program without inertia, or with a multiplier
+/// \throws std::invalid_argument for a program without inertia, with a multiplier or with strengths
 template<int Rows, int Forces>
 ConeSolution solveGaussSeidel(const ConeProgram<Rows, Forces>& program, const ConeSolution& start,
                               const GaussSeidelSettings& settings = {});

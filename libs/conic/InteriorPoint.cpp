@@ -136,7 +136,7 @@ void InteriorPoint::computeResiduals()
         }
     }
     balance -= rowWork_;
-    balance.tail<3>().setZero();
+    balance.segment<3>(3 * rays_.bodies).setZero();
     applyRaysTransposed(rays_, at_.y, rayWork_);
     residuals_.opening = rays_.gap - rayWork_ - at_.z;
 }
@@ -222,7 +222,7 @@ void InteriorPoint::tryResting()
         }
         remainder_ = -rays_.load;
         addRays(rays_, forces, remainder_);
-        remainder_.tail<3>().setZero();
+        remainder_.segment<3>(3 * rays_.bodies).setZero();
         if (!pulls && remainder_.lpNorm<Eigen::Infinity>() <= enough)
         {
             resting_ = std::move(forces);
@@ -236,7 +236,14 @@ void InteriorPoint::tryResting()
 
 void InteriorPoint::solveSchur(VectorXd& x)
 {
-    system_.solve(x.head(3 * rays_.bodies));
+    if (rays_.limits.empty())
+    {
+        system_.solve(x.head(3 * rays_.bodies));
+    }
+    else
+    {
+        solveWithLimits(rays_, d_, system_, x);
+    }
     ++solves_;
 }
 
@@ -251,7 +258,7 @@ void InteriorPoint::solveNewton(const VectorXd& complementarity, double reductio
     right_.setZero(rays_.load.size());
     addRays(rays_, rayWork2_, right_);
     right_ = reduction * residuals_.balance - right_;
-    right_.tail<3>().setZero();
+    right_.segment<3>(3 * rays_.bodies).setZero();
 
     step.y = right_;
     solveSchur(step.y);
@@ -285,7 +292,7 @@ void InteriorPoint::solveNewton(const VectorXd& complementarity, double reductio
             }
         }
         remainder_ -= rowWork_;
-        remainder_.tail<3>().setZero();
+        remainder_.segment<3>(3 * rays_.bodies).setZero();
         const double force = std::max(1.0, std::abs(at_.alpha));
         if (remainder_.lpNorm<Eigen::Infinity>() <= std::max(
                 0.1 * settings_.tolerance * force, 1e-2 * residuals_.balance.lpNorm<Eigen::Infinity>()))
@@ -526,12 +533,28 @@ ConeSolution solveInteriorPoint(const PlaneConeProgram& program, const InteriorP
     {
         return solution;
     }
-    // Forces that carry the live load alone are the ray.
+    // Forces that carry the live load alone are the ray; they grow without limit where crushing sets none.
     PlaneConeProgram live = program;
     live.load = program.liveLoad;
     live.liveLoad.resize(0);
     live.gap.resize(0);
-    const ConeSolution carried = solveOnce(live, settings, LiveWork::none);
+    live.strength.clear();
+    for (int point = 0; program.hasStrength() && point < program.points(); ++point)
+    {
+        if (program.strength[point].isBounded())
+        {
+            live.contacts[point].onFirst.setZero();
+            live.contacts[point].onSecond.setZero();
+        }
+    }
+    ConeSolution carried = solveOnce(live, settings, LiveWork::none);
+    for (int point = 0; program.hasStrength() && point < program.points(); ++point)
+    {
+        if (program.strength[point].isBounded())
+        {
+            carried.contactForce.segment<2>(2 * point).setZero();
+        }
+    }
     solution.factorisations += carried.factorisations;
     solution.solves += carried.solves;
     if (certifyUnbounded(program, carried.contactForce).worst() <= settings.tolerance)

@@ -4,6 +4,7 @@
 #include "conic/Certificate.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace drystone
@@ -23,12 +24,12 @@ Eigen::Vector3d scaledRows(const Eigen::Vector3d& rows, double lever)
     return {rows[0], rows[1], rows[2] / lever};
 }
 
-/// A vector of body rows in elimination order, scaled, with three zeros at its end for the ground. Also its
-/// scale.
+/// A vector of body rows in elimination order, scaled, with three zeros at its end for the ground and one for
+/// each limit. Also its scale.
 Eigen::VectorXd scaledLoad(const RayForm& form, const Eigen::VectorXd& rows, double& scale)
 {
     const RayProgram& rays = form.program;
-    Eigen::VectorXd result = Eigen::VectorXd::Zero(3 * (rays.bodies + 1));
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(rays.row(rays.limits.size()));
     for (int body = 0; body < rays.bodies; ++body)
     {
         result.segment<3>(3 * rays.position[body]) =
@@ -39,14 +40,121 @@ Eigen::VectorXd scaledLoad(const RayForm& form, const Eigen::VectorXd& rows, dou
     return result;
 }
 
-/// Directions of the rays of a point: (1, mu), (1, -mu), or (1, 0) alone without friction.
-int rayDirections(double mu, Eigen::Vector2d (&direction)[2])
+/// Directions of the rays of a point: (1, mu), (1, -mu), or (1, 0) alone without friction; then (0, 1) where
+/// there is cohesion.
+struct RayDirections
 {
-    const double length = std::sqrt(1 + mu * mu);
-    direction[0] = Eigen::Vector2d(1, mu) / length;
-    direction[1] = Eigen::Vector2d(1, -mu) / length;
-    return mu > 0 ? 2 : 1;
+    std::array<Eigen::Vector2d, 3> direction;
+    int pressing = 0; ///< rays that press; they come first and have the same normal component
+    int count = 0;
+};
+
+/// Half the length of the piece of the shear axis that a point's set contains: what cohesion allows at the
+/// least normal force.
+double shearAlone(const PlaneConeProgram& program, int point)
+{
+    if (!program.hasStrength())
+    {
+        return 0;
+    }
+    const Strength& strength = program.strength[static_cast<std::size_t>(point)];
+    return std::max(0.0, strength.cohesion - program.friction[point] * strength.tension);
 }
+
+RayDirections rayDirections(const PlaneConeProgram& program, int point)
+{
+    const double mu = program.friction[point];
+    const double length = std::sqrt(1 + mu * mu);
+    RayDirections rays;
+    rays.direction = {Eigen::Vector2d(1, mu) / length, Eigen::Vector2d(1, -mu) / length, {0, 1}};
+    rays.pressing = mu > 0 ? 2 : 1;
+    rays.count = rays.pressing;
+    if (shearAlone(program, point) > 0)
+    {
+        rays.direction[rays.count++] = {0, 1};
+    }
+    return rays;
+}
+
+/// c0 of a point: what its rays start from.
+Eigen::Vector2d origin(const PlaneConeProgram& program, int point)
+{
+    return program.hasStrength() ? Eigen::Vector2d(-program.strength[static_cast<std::size_t>(point)].tension,
+                                                   -shearAlone(program, point))
+                                 : Eigen::Vector2d(0, 0);
+}
+
+/// f - A c0: the load that the rays have to balance. Not called for cones.
+Eigen::VectorXd shiftedLoad(const PlaneConeProgram& program)
+{
+    Eigen::VectorXd shift(2 * program.points());
+    for (int point = 0; point < program.points(); ++point)
+    {
+        shift.segment<2>(2 * point) = origin(program, point);
+    }
+    return program.load - applyEquilibrium(program, shift);
+}
+
+/// The upper limits of a point's rays, in the units of the program.
+void addLimits(RayProgram& rays, const PlaneConeProgram& program, int point, int firstRay,
+               const RayDirections& directions)
+{
+    const int group = static_cast<int>(rays.groups.size()) - 1;
+    const Strength& strength = program.strength[static_cast<std::size_t>(point)];
+    if (strength.isBounded())
+    {
+        rays.limits.push_back({group, firstRay, directions.pressing, directions.direction[0].x(),
+                               strength.crushing + strength.tension});
+    }
+    if (directions.count > directions.pressing)
+    {
+        rays.limits.push_back(
+            {group, firstRay + directions.pressing, 1, 1.0, 2 * shearAlone(program, point)});
+    }
+}
+
+/// Stiffness that a limit adds to its rays, q = e^2 / d_w, and what is left of their weights: eliminating the
+/// row of a limit from B diag(d) B' leaves, for one ray, d / (1 + q d), and for two
+///
+///     (diag(1/d1, 1/d2) + q [1 1; 1 1])^-1 = diag(d1, d2) / t + q d1 d2 / t [1 -1; -1 1],  t = 1 + q (d1 +
+///     d2):
+///
+/// sums of what is positive, without cancellation however firm the limit. The last part belongs to the
+/// difference of the two rays.
+struct LimitedWeights
+{
+    double share = 1;      ///< 1 / t
+    double difference = 0; ///< q d1 d2 / t
+};
+
+LimitedWeights limitedWeights(const RayProgram& program, std::size_t limit, const Eigen::VectorXd& d)
+{
+    const RayProgram::Limit& at = program.limits[limit];
+    const double q = at.factor * at.factor / d[program.slack(limit)];
+    const double one = d[at.ray];
+    const double two = at.rays == 2 ? d[at.ray + 1] : 0;
+    const double share = 1 / (1 + q * (one + two));
+    return {share, q * one * two * share};
+}
+
+/// B diag(d) B' of weighted rays, added to the blocks of the group's bodies.
+void addWeighted(const RayProgram& program, const RayProgram::Group& group, const RayProgram::Ray& ray,
+                 double weight, SchurSystem<3>& system)
+{
+    if (group.first >= program.bodies)
+    {
+        return;
+    }
+    system.diagonal(group.first) += weight * ray.onFirst * ray.onFirst.transpose();
+    if (group.slot >= 0)
+    {
+        system.coupling(group.slot) += weight * ray.onSecond * ray.onFirst.transpose();
+        system.diagonal(group.second) += weight * ray.onSecond * ray.onSecond.transpose();
+    }
+}
+
+/// The Schur system of the rays alone.
+void assembleRays(const RayProgram& program, const Eigen::VectorXd& d, double delta, SchurSystem<3>& system);
 
 } // namespace
 
@@ -88,21 +196,26 @@ RayForm makeRayForm(const PlaneConeProgram& program)
         const int second = std::max(one, other);
         if (rays.groups.empty() || rays.groups.back().first != first || rays.groups.back().second != second)
         {
-            rays.groups.push_back({first, second, rays.rayCount(), rays.rayCount(), -1});
+            const int next = static_cast<int>(rays.rays.size());
+            rays.groups.push_back({first, second, next, next, -1});
         }
-        form.firstRay.push_back(rays.rayCount());
-        Eigen::Vector2d direction[2];
-        const int count = rayDirections(program.friction[point], direction);
-        for (int ray = 0; ray < count; ++ray)
+        form.firstRay.push_back(static_cast<int>(rays.rays.size()));
+        const RayDirections directions = rayDirections(program, point);
+        for (int ray = 0; ray < directions.count; ++ray)
         {
-            const Eigen::Vector3d onOne = scaledRows(columns.onFirst * direction[ray], form.scaling.lever);
-            const Eigen::Vector3d onOther = scaledRows(columns.onSecond * direction[ray], form.scaling.lever);
+            const Eigen::Vector2d& direction = directions.direction[ray];
+            const Eigen::Vector3d onOne = scaledRows(columns.onFirst * direction, form.scaling.lever);
+            const Eigen::Vector3d onOther = scaledRows(columns.onSecond * direction, form.scaling.lever);
             rays.rays.push_back(one < other ? RayProgram::Ray{onOne, onOther}
                                             : RayProgram::Ray{onOther, onOne});
         }
-        rays.groups.back().end = rays.rayCount();
+        rays.groups.back().end = static_cast<int>(rays.rays.size());
+        if (program.hasStrength())
+        {
+            addLimits(rays, program, point, form.firstRay.back(), directions);
+        }
     }
-    form.firstRay.push_back(rays.rayCount());
+    form.firstRay.push_back(static_cast<int>(rays.rays.size()));
     for (RayProgram::Group& group : rays.groups)
     {
         // The fixed ground has no rows: what a ray does to it is zero, so that loops need not ask.
@@ -141,6 +254,23 @@ void updateRayForm(RayForm& form, const PlaneConeProgram& program)
     RayProgram& rays = form.program;
     RayScaling& scaling = form.scaling;
     rays.load = scaledLoad(form, program.load, scaling.load);
+    if (program.hasStrength())
+    {
+        // The scale is that of the load itself, which residuals are compared with: where strengths are large
+        // beside it, so is the shifted load.
+        double ownScale = 1;
+        rays.load = scaledLoad(form, shiftedLoad(program), ownScale);
+        rays.load *= ownScale / scaling.load;
+        for (std::size_t limit = 0; limit < rays.limits.size(); ++limit)
+        {
+            // Divided by a bound beyond the loads, so that the slack is of order one.
+            RayProgram::Limit& at = rays.limits[limit];
+            const double bound = at.bound / scaling.load;
+            const double scale = std::max(1.0, bound);
+            at.factor = at.component / scale;
+            rays.load[rays.row(limit)] = bound / scale;
+        }
+    }
     scaling.liveLoad = 1;
     rays.liveLoad.resize(0);
     if (program.hasMultiplier())
@@ -173,12 +303,11 @@ void updateRayForm(RayForm& form, const PlaneConeProgram& program)
     {
         for (int point = 0; point < program.points(); ++point)
         {
-            Eigen::Vector2d direction[2];
-            const int count = rayDirections(program.friction[point], direction);
-            for (int ray = 0; ray < count; ++ray)
+            const RayDirections directions = rayDirections(program, point);
+            for (int ray = 0; ray < directions.count; ++ray)
             {
                 rays.gap[form.firstRay[point] + ray] =
-                    direction[ray].dot(program.gap.segment<2>(2 * point)) / scaling.displacement;
+                    directions.direction[ray].dot(program.gap.segment<2>(2 * point)) / scaling.displacement;
             }
         }
     }
@@ -196,6 +325,13 @@ void applyRaysTransposed(const RayProgram& program, const Eigen::VectorXd& y, Ei
             out[ray] = program.rays[ray].onFirst.dot(first) + program.rays[ray].onSecond.dot(second);
         }
     }
+    for (std::size_t limit = 0; limit < program.limits.size(); ++limit)
+    {
+        const RayProgram::Limit& at = program.limits[limit];
+        const double change = y[program.row(limit)];
+        out.segment(at.ray, at.rays).array() += at.factor * change;
+        out[program.slack(limit)] = change;
+    }
 }
 
 void addRays(const RayProgram& program, const Eigen::VectorXd& s, Eigen::VectorXd& out)
@@ -212,10 +348,17 @@ void addRays(const RayProgram& program, const Eigen::VectorXd& s, Eigen::VectorX
         out.segment<3>(3 * group.first) += first;
         out.segment<3>(3 * group.second) += second;
     }
+    for (std::size_t limit = 0; limit < program.limits.size(); ++limit)
+    {
+        const RayProgram::Limit& at = program.limits[limit];
+        out[program.row(limit)] += at.factor * s.segment(at.ray, at.rays).sum() + s[program.slack(limit)];
+    }
 }
 
-void assembleSchur(const RayProgram& program, const Eigen::VectorXd& d, double delta, double relative,
-                   SchurSystem<3>& system)
+namespace
+{
+
+void assembleRays(const RayProgram& program, const Eigen::VectorXd& d, double delta, SchurSystem<3>& system)
 {
     system.setZero();
     for (int body = 0; body < program.bodies; ++body)
@@ -259,9 +402,79 @@ void assembleSchur(const RayProgram& program, const Eigen::VectorXd& d, double d
         system.coupling(group.slot) += secondFirst;
         system.diagonal(group.second) += secondSecond;
     }
+}
+
+} // namespace
+
+void assembleSchur(const RayProgram& program, const Eigen::VectorXd& d, double delta, double relative,
+                   SchurSystem<3>& system)
+{
+    if (program.limits.empty())
+    {
+        assembleRays(program, d, delta, system);
+    }
+    else
+    {
+        Eigen::VectorXd limited = d;
+        for (std::size_t limit = 0; limit < program.limits.size(); ++limit)
+        {
+            const RayProgram::Limit& at = program.limits[limit];
+            limited.segment(at.ray, at.rays) *= limitedWeights(program, limit, d).share;
+        }
+        assembleRays(program, limited, delta, system);
+        for (std::size_t limit = 0; limit < program.limits.size(); ++limit)
+        {
+            const RayProgram::Limit& at = program.limits[limit];
+            if (at.rays == 2)
+            {
+                const RayProgram::Ray& one = program.rays[at.ray];
+                const RayProgram::Ray& two = program.rays[at.ray + 1];
+                addWeighted(program, program.groups[at.group],
+                            {one.onFirst - two.onFirst, one.onSecond - two.onSecond},
+                            limitedWeights(program, limit, d).difference, system);
+            }
+        }
+    }
     for (int body = 0; relative > 0 && body < program.bodies; ++body)
     {
         system.diagonal(body).diagonal() *= 1 + relative;
+    }
+}
+
+/// With p = e^2 sum d + d_w on the diagonal of a limit's row and h = e B d beside it, the bodies' part of
+/// [S h; h' p] (y, v) = (right, r) is (S - h h'/p) y = right - h r/p, and v = (r - h'y) / p.
+void solveWithLimits(const RayProgram& program, const Eigen::VectorXd& d, SchurSystem<3>& system,
+                     Eigen::VectorXd& x)
+{
+    const auto weightOf = [&](std::size_t limit)
+    {
+        const RayProgram::Limit& at = program.limits[limit];
+        return at.factor * at.factor * d.segment(at.ray, at.rays).sum() + d[program.slack(limit)];
+    };
+    for (std::size_t limit = 0; limit < program.limits.size(); ++limit)
+    {
+        const RayProgram::Limit& at = program.limits[limit];
+        const RayProgram::Group& group = program.groups[at.group];
+        const double share = at.factor * x[program.row(limit)] / weightOf(limit);
+        for (int ray = at.ray; ray < at.ray + at.rays; ++ray)
+        {
+            x.segment<3>(3 * group.first) -= share * d[ray] * program.rays[ray].onFirst;
+            x.segment<3>(3 * group.second) -= share * d[ray] * program.rays[ray].onSecond;
+        }
+    }
+    system.solve(x.head(3 * program.bodies));
+    for (std::size_t limit = 0; limit < program.limits.size(); ++limit)
+    {
+        const RayProgram::Limit& at = program.limits[limit];
+        const RayProgram::Group& group = program.groups[at.group];
+        double coupled = 0;
+        for (int ray = at.ray; ray < at.ray + at.rays; ++ray)
+        {
+            coupled += d[ray]
+                       * (program.rays[ray].onFirst.dot(x.segment<3>(3 * group.first))
+                          + program.rays[ray].onSecond.dot(x.segment<3>(3 * group.second)));
+        }
+        x[program.row(limit)] = (x[program.row(limit)] - at.factor * coupled) / weightOf(limit);
     }
 }
 
@@ -274,12 +487,12 @@ ConeSolution fromRays(const PlaneConeProgram& program, const RayForm& form, cons
     solution.contactForce = Eigen::VectorXd::Zero(2 * program.points());
     for (int point = 0; point < program.points(); ++point)
     {
-        Eigen::Vector2d direction[2];
-        const int count = rayDirections(program.friction[point], direction);
-        for (int ray = 0; ray < count; ++ray)
+        const RayDirections directions = rayDirections(program, point);
+        solution.contactForce.segment<2>(2 * point) = origin(program, point);
+        for (int ray = 0; ray < directions.count; ++ray)
         {
             solution.contactForce.segment<2>(2 * point) +=
-                direction[ray] * s[form.firstRay[point] + ray] * scaling.load;
+                directions.direction[ray] * s[form.firstRay[point] + ray] * scaling.load;
         }
     }
     solution.displacement = Eigen::VectorXd::Zero(3 * program.bodies);

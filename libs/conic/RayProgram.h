@@ -15,7 +15,17 @@ namespace drystone
 ///     minimise    1/2 y' M y + g' s - w alpha    subject to  M y + B s = f + alpha L,   s >= 0,
 ///     multipliers z = g - B' y >= 0,  L' y = w,
 ///
-/// with B = A R. A frictionless point has one ray. Everything is scaled: rows of moments by a mean lever arm,
+/// with B = A R. A frictionless point has one ray.
+///
+/// A point with a Strength has c = c0 + R s: the tension and the cohesion C shift its origin to
+/// c0 = (-T, -tau), tau = C - mu T; a ray of pure shear, limited to 2 tau, is added where tau > 0; crushing
+/// limits the normal force of the others. So K is the sum of a (truncated) cone and a piece of the shear
+/// axis, and no vertex lies far away however small mu is. A limit e (s_i + s_j) <= u becomes the row e (s_i +
+/// s_j) + w = u with a slack w >= 0, which is a ray of its own; limits' rows follow those of the bodies in y,
+/// and their slacks the other rays in s. They are eliminated from the Schur system by hand, so that its
+/// pattern is that of the bodies.
+///
+/// Everything is scaled: rows of moments by a mean lever arm,
 /// loads by their largest entry, displacements so that inertia is of order one; see `RayScaling`.
 struct RayProgram
 {
@@ -38,17 +48,32 @@ struct RayProgram
         int slot; ///< of the pair's block in the Schur system, or -1 when `second` is fixed
     };
 
+    /// The sum of one ray, or of two of the same point, times `component` is at most `bound`.
+    struct Limit
+    {
+        int group;
+        int ray;
+        int rays;          ///< 1 or 2
+        double component;  ///< of each ray along the force that is limited
+        double bound;      ///< in the units of the cone program
+        double factor = 1; ///< e: the component over the scale of the row
+    };
+
     int bodies = 0;
     std::vector<int> position; ///< of each body in elimination order
     std::vector<Group> groups;
     std::vector<Ray> rays;
-    Eigen::VectorXd load;     ///< f, 3 (bodies + 1): the last body is the fixed ground, its rows are zero
+    std::vector<Limit> limits;
+    Eigen::VectorXd
+        load; ///< f, 3 (bodies + 1) + limits: the last body is the fixed ground, its rows are zero
     Eigen::VectorXd liveLoad; ///< L, likewise, or empty
     double liveWork = 1;      ///< w of L'y = w: about the number of loaded rows, so that y is of order one
     std::vector<Inertia> inertia;
     Eigen::VectorXd gap; ///< g, one entry a ray
 
-    int rayCount() const { return static_cast<int>(rays.size()); }
+    int rayCount() const { return static_cast<int>(rays.size() + limits.size()); } ///< slacks included
+    int slack(std::size_t limit) const { return static_cast<int>(rays.size() + limit); }
+    int row(std::size_t limit) const { return 3 * (bodies + 1) + static_cast<int>(limit); }
     bool hasMultiplier() const { return liveLoad.size() > 0; }
     bool hasInertia() const { return !inertia.empty(); }
 };
@@ -82,15 +107,20 @@ SchurSystem<3> makeSchurSystem(RayForm& form);
 /// Refreshes `load`, `liveLoad` and `gap` (and their scaling) of a ray form whose contacts and inertia stand.
 void updateRayForm(RayForm& form, const PlaneConeProgram& program);
 
-/// out = B' y. \param y 3 (bodies + 1), ground zero \param out one entry a ray
+/// out = B' y. \param y 3 (bodies + 1) + limits, ground zero \param out one entry a ray
 void applyRaysTransposed(const RayProgram& program, const Eigen::VectorXd& y, Eigen::VectorXd& out);
 
-/// out += B s. \param out 3 (bodies + 1), ground set to zero
+/// out += B s. \param out 3 (bodies + 1) + limits, ground set to zero
 void addRays(const RayProgram& program, const Eigen::VectorXd& s, Eigen::VectorXd& out);
 
 /// Puts S = M + delta I + B diag(d) B' into the system, its diagonal entries raised by the share `relative`.
 void assembleSchur(const RayProgram& program, const Eigen::VectorXd& d, double delta, double relative,
                    SchurSystem<3>& system);
+
+/// Solves S x = right for bodies and limits with the factor of the bodies' part. \param d that S was
+/// assembled with \param x right, replaced by the solution
+void solveWithLimits(const RayProgram& program, const Eigen::VectorXd& d, SchurSystem<3>& system,
+                     Eigen::VectorXd& x);
 
 /// Solution in the program's own units and numbering.
 ConeSolution fromRays(const PlaneConeProgram& program, const RayForm& form, const Eigen::VectorXd& s,

@@ -77,7 +77,7 @@ ConeSolution solveConeProgram(const PlaneConeProgram& program, const SolverChoic
     }
 
     // From the last step if it is near; else from nothing, and the last digits from there.
-    const bool canStart = program.hasInertia() && !program.hasMultiplier();
+    const bool canStart = program.hasInertia() && !program.hasMultiplier() && !program.hasStrength();
     ConeSolution solution;
     int iterations = 0;
     int factorisations = 0;
