@@ -35,4 +35,10 @@ struct AugmentedLagrangianSettings
 ConeSolution solveAugmentedLagrangian(const PlaneConeProgram& program, const ConeSolution& start,
                                       const AugmentedLagrangianSettings& settings = {});
 
+/// Solves a program of space likewise, with projections onto round friction cones for max(0, .):
+/// |Proj(w)|^2 / (2 sigma) is once differentiable and its gradient semismooth (Hayashi, Yamashita & Fukushima
+/// 2005), so that Newton's steps converge fast though no longer in finitely many.
+ConeSolution solveAugmentedLagrangian(const SpaceConeProgram& program, const ConeSolution& start,
+                                      const AugmentedLagrangianSettings& settings = {});
+
 } // namespace drystone

@@ -22,4 +22,8 @@ struct InteriorPointSettings
 /// problem data, meets the tolerance; otherwise `notConverged` with the best iterate.
 ConeSolution solveInteriorPoint(const PlaneConeProgram& program, const InteriorPointSettings& settings = {});
 
+/// Solves a program of space likewise, its round friction cones in the symmetric scaling of Nesterov & Todd
+/// (1997). `restingForce` of the solution stays empty.
+ConeSolution solveInteriorPoint(const SpaceConeProgram& program, const InteriorPointSettings& settings = {});
+
 } // namespace drystone
