@@ -17,7 +17,7 @@ enum class WriteControl
     none,              ///< never
     timeStep,          ///< steps
     runTime,           ///< seconds of simulated time; writes at the first step that reaches the instant
-    adjustableRunTime, ///< the same, and adjustTimeStep makes a step end on each instant
+    adjustableRunTime, ///< the same, and adjustTimeStep makes steps end on the instants
     cpuTime,           ///< seconds of CPU time
     clockTime,         ///< seconds of real time
     writeTime          ///< for function objects: the times at which the run itself writes

@@ -146,11 +146,13 @@ void Time::resume(const TimeState& saved)
     step = saved.deltaT;
     origin = saved.origin;
     originIndex = saved.originIndex;
+    detourEnd = saved.detourEnd;
     if (!settings.adjustTimeStep && step != settings.deltaT)
     {
         origin = now;
         originIndex = count;
         step = settings.deltaT;
+        detourEnd = now;
     }
     lastStep = 0;
     startOutput();
@@ -183,6 +185,7 @@ bool Time::reread()
             origin = now;
             originIndex = count;
             step = settings.deltaT;
+            detourEnd = now;
         }
         if (otherOutput)
             startOutput();
@@ -203,15 +206,28 @@ bool Time::loop()
 {
     if (lastOne)
         return false;
-    if (settings.runTimeModifiable)
-        reread();
-    if (settings.stopAt == StopAt::endTime && now >= settings.endTime - 0.5 * step)
+    const bool hasChanged = settings.runTimeModifiable && reread();
+    if (settings.stopAt == StopAt::endTime && now >= settings.endTime - 0.5 * step && detourEnd <= now)
         return false;
+    // The first step is the user's, and any may have been chosen before controlDict was edited.
+    if (settings.adjustTimeStep && (hasChanged || stepsDone == 0))
+        setDeltaT(step);
 
+    beforeStep = state();
+    lastStepBefore = lastStep;
     ++count;
     ++stepsDone;
-    now = origin + static_cast<double>(count - originIndex) * step;
-    lastStep = step;
+    if (detourEnd > now)
+    {
+        lastStep = detourEnd - now;
+        now = detourEnd;
+    }
+    else
+    {
+        now = origin + static_cast<double>(count - originIndex) * step;
+        lastStep = step;
+    }
+    endOfStep = now;
     write = Write::undecided;
     lastOne = settings.stopAt == StopAt::writeNow || settings.stopAt == StopAt::noWriteNow;
     sharpenName();
@@ -257,36 +273,53 @@ TimePoint Time::point()
     return {now, lastStep, count, cpuTime(), clockTime(), isWriteTime()};
 }
 
+double Time::fittingStep(double wanted) const
+{
+    double remaining = output.timeToNextWrite(now, wanted);
+    if (timeToOtherInstant)
+        remaining = std::min(remaining, timeToOtherInstant(now, wanted));
+    if (settings.stopAt == StopAt::endTime && settings.endTime > now)
+        remaining = std::min(remaining, settings.endTime - now);
+    if (!std::isfinite(remaining) || remaining <= 0)
+        return wanted;
+    return remaining / std::max(1.0, std::ceil(remaining / wanted - 1e-9));
+}
+
 void Time::setDeltaT(double wanted)
 {
-    const double remaining = output.timeToNextWrite(now, wanted);
-    if (std::isfinite(remaining) && remaining > 0)
-        wanted = remaining / std::max(1.0, std::ceil(remaining / wanted - 1e-9));
-    if (wanted == step)
+    const double fitting = fittingStep(wanted);
+    if (fitting == step && detourEnd <= now)
         return;
     origin = now;
     originIndex = count;
-    step = wanted;
+    step = fitting;
+    detourEnd = now;
+}
+
+void Time::stopAlsoAt(std::function<double(double, double)> timeToNext)
+{
+    timeToOtherInstant = std::move(timeToNext);
 }
 
 void Time::shortenStep(double shorter)
 {
-    origin = now - lastStep;
-    originIndex = count - 1;
-    now = origin + shorter;
-    step = lastStep = shorter;
+    now = beforeStep.value + shorter;
+    lastStep = shorter;
+    detourEnd = endOfStep;
+    originIndex = beforeStep.originIndex + 1; // one step more than there would have been up to the end
     write = Write::undecided;
     sharpenName();
 }
 
 void Time::abandonStep()
 {
-    now -= lastStep;
-    lastStep = 0;
-    --count;
-    origin = now;
-    originIndex = count;
-    step = settings.deltaT;
+    now = beforeStep.value;
+    step = beforeStep.deltaT;
+    count = beforeStep.index;
+    origin = beforeStep.origin;
+    originIndex = beforeStep.originIndex;
+    detourEnd = beforeStep.detourEnd;
+    lastStep = lastStepBefore;
     write = Write::undecided;
 }
 

@@ -15,6 +15,7 @@
 #include "core/OutputControl.h"
 
 #include <filesystem>
+#include <functional>
 #include <string>
 
 namespace drystone
@@ -111,6 +112,7 @@ struct TimeState
     long index = 0;
     double origin = 0; ///< the time is origin + (index - originIndex) deltaT
     long originIndex = 0;
+    double detourEnd = 0; ///< later than `value` while a step is being made in parts: where the parts end
 };
 
 /// The name of a time directory, as OpenFOAM names it: `0.05`, `1e-05`.
@@ -132,9 +134,9 @@ public:
     /// The whole of controlDict, for its functions; empty when there is none.
     const Dictionary& controlDict() const { return dictionary; }
 
-    double value() const { return now; }                    ///< at the end of the current step [s]
-    double previousValue() const { return now - lastStep; } ///< at its start [s]
-    double deltaT() const { return step; }                  ///< of the current step [s]
+    double value() const { return now; }                             ///< at the end of the current step [s]
+    double previousValue() const { return now - lastStep; }          ///< at its start [s]
+    double deltaT() const { return lastStep > 0 ? lastStep : step; } ///< of the current step [s]
     long index() const { return count; }        ///< of the current step, from 1; 0 before the first
     double startValue() const { return begin; } ///< where this run has started [s]
     /// Name of the current time's directory. Its digits are increased where the precision asked for would
@@ -145,7 +147,7 @@ public:
     /// Continue as a run that was never interrupted. To be called before the first step with what `state`
     /// was when the state was written; a deltaT that controlDict has changed since is taken from there.
     void resume(const TimeState& saved);
-    TimeState state() const { return {now, step, count, origin, originIndex}; }
+    TimeState state() const { return {now, step, count, origin, originIndex, detourEnd}; }
 
     /// Begin the next step, unless the run is to end: the end time is reached, stopAt or a signal says so.
     /// Reads controlDict again when it has changed; a fault in it is reported and the old settings stand.
@@ -159,12 +161,18 @@ public:
     TimePoint point();
 
     /// Change the length of the steps to come, with adjustTimeStep; shortened so that steps end on the
-    /// instants of adjustableRunTime.
+    /// instants of adjustableRunTime, those of `stopAlsoAt` and the end time.
     void setDeltaT(double wanted);
+    /// With adjustTimeStep steps end on these instants too: given a time and the length of a step, how long
+    /// until the next one [s], infinite when there is none. To be called before the first step.
+    void stopAlsoAt(std::function<double(double value, double deltaT)> timeToNext);
+
     /// Repeat the current step with a shorter one: the current time moves back to its start plus `shorter`.
+    /// Unless setDeltaT says otherwise, the next step makes up for the rest, and times are then what they
+    /// would have been.
     void shortenStep(double shorter);
 
-    /// Take the current step back: time and index are those of its start, and no step has been done.
+    /// Take the current step back: all is as it was before it, to the last bit.
     void abandonStep();
 
     /// 0, or 128 + the signal that has ended the run (130 for Ctrl-C).
@@ -176,6 +184,8 @@ private:
     bool reread();
     void startOutput();
     void sharpenName();
+    /// The longest step up to `wanted` of which a whole number ends on the next instant to stop at.
+    double fittingStep(double wanted) const;
 
     std::filesystem::path caseDirectory_;
     std::filesystem::path file;
@@ -192,7 +202,12 @@ private:
     long count = 0;
     double origin = 0;
     long originIndex = 0;
-    long stepsDone = 0; ///< by this run
+    double detourEnd = 0; ///< see TimeState
+    TimeState beforeStep; ///< what state() was
+    double lastStepBefore = 0;
+    double endOfStep = 0; ///< of the current step as it was meant, not shortened
+    long stepsDone = 0;   ///< by this run
+    std::function<double(double, double)> timeToOtherInstant;
     int namePrecision = 6;
 
     enum class Write

@@ -351,7 +351,7 @@ bool advance(const DynamicCase& scene, Motion& motion, double timeStep)
         }
     }
 
-    StepResiduals& residuals = motion.residuals;
+    StepResiduals& residuals = motion.attempt;
     residuals.initialResidual = step.initialResidual;
     residuals.primalResidual = step.certificate.primalResidual;
     residuals.dualResidual = step.certificate.dualResidual;
@@ -364,6 +364,7 @@ bool advance(const DynamicCase& scene, Motion& motion, double timeStep)
         return false;
     }
 
+    motion.residuals = motion.attempt;
     motion.state.velocity = velocity;
     advance(motion.state, scene.free, step.displacement, scheme);
     const StepEnergy energy = stepEnergy(step, scene.mass, load, velocity, motion.state.velocity, scheme);
@@ -394,9 +395,10 @@ bool advance(const DynamicCase& scene, Motion& motion, Time& time)
     for (int retries = 0;; ++retries)
     {
         const bool isSolved = advance(scene, motion, timeStep);
-        motion.residuals.retries = retries;
+        motion.attempt.retries = retries;
         if (isSolved)
         {
+            motion.residuals.retries = retries;
             motion.state.time = time.value(); // the sum of the steps may differ from it in the last digit
             break;
         }
@@ -418,10 +420,6 @@ bool advance(const DynamicCase& scene, Motion& motion, Time& time)
         const double allowed = std::min(scene.schemes.maxDeltaT, 1.2 * timeStep);
         const double reach = scene.schemes.maxDisplacement * scene.blockSize;
         time.setDeltaT(fastest * allowed > reach ? reach / fastest : allowed);
-    }
-    else if (motion.residuals.retries > 0)
-    {
-        time.setDeltaT(time.controls().deltaT);
     }
     return true;
 }

@@ -22,6 +22,7 @@ struct Motion
     std::vector<ContactPoint<2>> points;    ///< of the last step, where they are now; gaps [m]
     std::vector<Vector<2>> contactForces;   ///< one a point: mean over the last step, (normal, tangent) [N]
     StepResiduals residuals;                ///< of the last step
+    StepResiduals attempt;                  ///< of the last attempt at a step, solved or not
     std::optional<MovingContacts> contacts; ///< empty with smallDisplacements: the points stay as built
 };
 
@@ -38,7 +39,7 @@ Motion startMotion(const DynamicCase& scene, DynamicState state);
 ///    program itself is the plastic impact;
 /// 4. blocks moved by finite rotations, and the ledger of energy kept.
 ///
-/// \return whether the step was solved; otherwise nothing but `residuals` has changed
+/// \return whether the step was solved; otherwise nothing but `attempt` has changed
 bool advance(const DynamicCase& scene, Motion& motion, double timeStep);
 
 /// The step that ends at time.value(). One that is not solved is tried again half as long, up to ten times.

@@ -9,7 +9,7 @@ namespace drystone
 
 template<>
 FunctionList<2>::FunctionList(const Dictionary& dictionary, const std::filesystem::path& caseDirectory,
-                              const std::string& startName, const TimePoint& begin,
+                              const std::string& startName, const TimePoint& begin, double startTime,
                               const Assembly<2>& assembly)
 {
     for (const Entry& entry : dictionary.entries())
@@ -28,7 +28,7 @@ FunctionList<2>::FunctionList(const Dictionary& dictionary, const std::filesyste
         function.plan = functionTypes().select(own);
         if (!function.plan.enabled)
             continue;
-        function.control = OutputControl(function.plan.control, begin);
+        function.control = OutputControl(function.plan.control, begin, startTime);
         function.object = function.plan.make(
             {postProcessingFolder(caseDirectory, name, startName), function.plan.writePrecision}, assembly);
         functions.push_back(std::move(function));

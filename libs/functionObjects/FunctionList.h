@@ -51,9 +51,11 @@ public:
     /// \param caseDirectory postProcessing/ is made in it
     /// \param startName     name of the time at which this run starts or continues
     /// \param begin         that time
+    /// \param startTime     of controlDict, from which intervals of time are counted [s]
     /// \throws FatalIOError for what is wrong with the dictionary
     FunctionList(const Dictionary& functions, const std::filesystem::path& caseDirectory,
-                 const std::string& startName, const TimePoint& begin, const Assembly<Dim>& assembly);
+                 const std::string& startName, const TimePoint& begin, double startTime,
+                 const Assembly<Dim>& assembly);
 
     /// Let each function write that is due. To be called once a step, in order.
     /// \throws FatalError when a table cannot be written

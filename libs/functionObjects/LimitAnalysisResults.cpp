@@ -114,7 +114,7 @@ void checkFunctions(const Dictionary& controlDict, const std::filesystem::path& 
     const Entry* functions = controlDict.find("functions");
     if (!functions)
         return;
-    const FunctionList<2> list(functions->dictionary(), caseDirectory, "0", {}, assembly);
+    const FunctionList<2> list(functions->dictionary(), caseDirectory, "0", {}, 0, assembly);
     if (!list.names().empty())
         info("Functions of system/controlDict are for time stepping, and not run here: {}\n",
              fmt::join(list.names(), " "));

@@ -66,7 +66,7 @@ std::string unsolvedStep(const DynamicCase& scene, const Motion& motion, const T
         "(residual "
         "{:.3g}). The state at its start has been written. Raise tolerance or {} in "
         "system/solution/contactDynamics, or begin from there with a smaller deltaT.",
-        time.name(), scene.solution.tolerance, motion.residuals.retries, worst(motion.residuals),
+        time.name(), scene.solution.tolerance, motion.attempt.retries, worst(motion.attempt),
         scene.solution.solver == SolverType::gaussSeidel ? "maximumSweeps, or choose another solver,"
                                                          : "maximumIterations");
 }

@@ -28,23 +28,22 @@ void visitLedger(Ledger& energy, const Visit& visit)
     visit("energyAlgorithmicLoss", energy.algorithmicLoss);
 }
 
+/// How the step that led to a state was solved, likewise.
+template<class Residuals, class Visit>
+void visitResiduals(Residuals& residuals, const Visit& visit)
+{
+    visit("solverInitialResidual", residuals.initialResidual);
+    visit("solverPrimalResidual", residuals.primalResidual);
+    visit("solverDualResidual", residuals.dualResidual);
+    visit("solverGap", residuals.gap);
+    visit("solverIterations", residuals.iterations);
+    visit("solverFactorisations", residuals.factorisations);
+    visit("solverPrograms", residuals.programs);
+    visit("solverRetries", residuals.retries);
+}
+
 /// The whole numbers that say which corner meets which edge, of one point.
 constexpr std::size_t featureNumbers = 5;
-
-/// Functions about the solver, by name: `residuals { }`, or `mine { type residuals; }`.
-std::vector<std::string> solverFunctions(const Dictionary& functions)
-{
-    std::vector<std::string> names;
-    for (const Entry& entry : functions.entries())
-    {
-        if (entry.isDictionary()
-            && entry.dictionary().getOrDefault<std::string>("type", entry.keyword()) == "residuals")
-        {
-            names.push_back(entry.keyword());
-        }
-    }
-    return names;
-}
 
 FunctionList<2> readFunctions(const std::filesystem::path& caseDirectory, const DynamicCase& scene,
                               Time& time, FunctionObjects functionObjects)
@@ -54,7 +53,8 @@ FunctionList<2> readFunctions(const std::filesystem::path& caseDirectory, const 
     {
         return {};
     }
-    return {*functions, caseDirectory, time.startName(), time.point(), scene.assembly};
+    return {*functions,    caseDirectory, time.startName(), time.point(), time.controls().startTime,
+            scene.assembly};
 }
 
 /// The time that a state was written at.
@@ -66,6 +66,7 @@ TimeState timeOf(const State& saved)
     time.index = static_cast<long>(stateScalar(saved, "timeIndex"));
     time.origin = stateScalar(saved, "timeOrigin");
     time.originIndex = static_cast<long>(stateScalar(saved, "timeOriginIndex"));
+    time.detourEnd = stateScalar(saved, "timeDetourEnd");
     return time;
 }
 
@@ -86,6 +87,8 @@ Motion motionOf(const DynamicCase& scene, const State& saved)
 
     Motion motion = startMotion(scene, std::move(state));
     visitLedger(motion.energy, [&](const char* name, double& value) { value = stateScalar(saved, name); });
+    visitResiduals(motion.residuals, [&](const char* name, auto& value)
+                   { value = static_cast<std::decay_t<decltype(value)>>(stateScalar(saved, name)); });
     const auto gapsThere = saved.arrays.find("contactGap");
     const std::size_t points = gapsThere == saved.arrays.end() ? 0 : gapsThere->second.size();
     const auto& gaps = stateArray(saved, "contactGap", points);
@@ -127,7 +130,11 @@ State stateOf(const Motion& motion, const Time& time)
                      {"deltaT", now.deltaT},
                      {"timeIndex", static_cast<double>(now.index)},
                      {"timeOrigin", now.origin},
-                     {"timeOriginIndex", static_cast<double>(now.originIndex)}};
+                     {"timeOriginIndex", static_cast<double>(now.originIndex)},
+                     {"timeDetourEnd", now.detourEnd},
+                     {"stepLength", time.value() - time.previousValue()}};
+    visitResiduals(motion.residuals,
+                   [&](const char* name, auto value) { state.scalars[name] = static_cast<double>(value); });
     visitLedger(motion.energy, [&](const char* name, double value) { state.scalars[name] = value; });
     auto& translation = state.arrays["translation"];
     auto& rotation = state.arrays["rotation"];
@@ -198,14 +205,9 @@ void postProcess(const std::filesystem::path& caseDirectory, const DynamicCase& 
         throw FatalError("There are no results to look at: no time directory of this case has a state. Run "
                          "contactDynamics without -postProcess first.");
     }
-    Dictionary functions =
+    const Dictionary functions =
         time.controlDict().found("functions") ? time.controlDict().subDict("functions") : Dictionary();
-    for (const std::string& name : solverFunctions(functions))
-    {
-        info("{}: how the solver did is not in time directories; left out", name);
-        functions.remove(name);
-    }
-    FunctionList<2> list(functions, caseDirectory, states.front().first, {}, scene.assembly);
+    FunctionList<2> list(functions, caseDirectory, states.front().first, {}, 0, scene.assembly);
     std::vector<BlockVelocity<2>> velocities;
     for (const auto& [name, saved] : states)
     {
@@ -215,7 +217,7 @@ void postProcess(const std::filesystem::path& caseDirectory, const DynamicCase& 
         StepObservation<2> seen = observe(scene, motion, time, velocities, friction);
         const TimeState then = timeOf(saved);
         seen.time = then.value;
-        seen.timeStep = then.deltaT;
+        seen.timeStep = stateScalar(saved, "stepLength");
         seen.step = then.index;
         list.writeAlways(seen);
     }
@@ -234,6 +236,8 @@ MotionResults::MotionResults(std::filesystem::path caseDirectory, const DynamicC
 {
     requireWritable(caseDirectory_);
     requireWritable(caseDirectory_ / "VTK");
+    time_.stopAlsoAt([this](double value, double deltaT)
+                     { return functions_.timeToNextWrite(value, deltaT); });
 }
 
 void MotionResults::write()

@@ -22,8 +22,7 @@ Motion startOrContinue(const std::filesystem::path& caseDirectory, const Dynamic
 State stateOf(const Motion& motion, const Time& time);
 
 /// `-postProcess`: the functions of controlDict carried out on each state that runs have left in the case, in
-/// order of time, into postProcessing/<function>/<first time>/. Functions about the solver are left out: a
-/// state does not say how it was found. \throws FatalError when there is no state
+/// order of time, into postProcessing/<function>/<first time>/. \throws FatalError when there is no state
 void postProcess(const std::filesystem::path& caseDirectory, const DynamicCase& scene, const Time& time);
 
 /// Whether the functions of controlDict are carried out.
@@ -33,7 +32,9 @@ enum class FunctionObjects
     none
 };
 
-/// Writes the results of one run. Keeps references to the scene, the motion and the time of the run.
+/// Writes the results of one run. Keeps references to the scene, the motion and the time of the run, and has
+/// the time end adjusted steps where its functions want to write: so it must not be moved, and must live as
+/// long as the time steps.
 class MotionResults
 {
 public:
@@ -42,6 +43,8 @@ public:
     /// written
     MotionResults(std::filesystem::path caseDirectory, const DynamicCase& scene, const Motion& motion,
                   Time& time, FunctionObjects functionObjects);
+    MotionResults(const MotionResults&) = delete;
+    MotionResults& operator=(const MotionResults&) = delete;
 
     /// The frame of the state that the run starts from, unless an earlier run has written it.
     void writeFirstFrames();

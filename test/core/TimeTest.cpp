@@ -119,7 +119,6 @@ TEST_F(TimeCase, EndsAdjustedStepsOnTheWriteTimes)
         "deltaT 0.03; endTime 0.5; adjustTimeStep on; writeControl adjustableRunTime; writeInterval 0.1;");
     Time time(directory, ControlDict::required);
     std::vector<double> written;
-    time.setDeltaT(0.03);
     while (time.loop())
     {
         EXPECT_LE(time.deltaT(), 0.03 * (1 + 1e-9));
@@ -272,18 +271,102 @@ TEST_F(TimeCase, LeavesAControlDictAloneThatMayNotBeModified)
     EXPECT_TRUE(time.loop());
 }
 
-TEST_F(TimeCase, RepeatsAStepWithAShorterOne)
+TEST_F(TimeCase, RepeatsAStepInPartsAndGoesOnAtTheTimesItWouldHaveHad)
 {
-    control("deltaT 0.1; endTime 0.3;");
+    control("deltaT 0.1; endTime 0.7;");
+    Time whole(directory, ControlDict::required);
+    std::vector<double> regular;
+    while (whole.loop())
+        regular.push_back(whole.value());
+    ASSERT_EQ(regular.size(), 7u);
+
     Time time(directory, ControlDict::required);
     ASSERT_TRUE(time.loop());
     ASSERT_TRUE(time.loop());
+    time.shortenStep(0.05);
     time.shortenStep(0.025);
     EXPECT_EQ(time.index(), 2);
     EXPECT_NEAR(time.value(), 0.125, 1e-15);
     EXPECT_NEAR(time.previousValue(), 0.1, 1e-15);
+    const TimeState inParts = time.state();
     ASSERT_TRUE(time.loop());
-    EXPECT_NEAR(time.value(), 0.15, 1e-15);
+    EXPECT_EQ(time.value(), regular[1]) << "the rest of the step";
+    EXPECT_NEAR(time.deltaT(), 0.075, 1e-15);
+    time.shortenStep(0.0375);
+    EXPECT_NEAR(time.value(), 0.1625, 1e-15);
+    for (std::size_t i = 1; i < regular.size(); ++i)
+    {
+        ASSERT_TRUE(time.loop());
+        EXPECT_EQ(time.value(), regular[i]);
+    }
+    EXPECT_FALSE(time.loop());
+
+    Time restarted(directory, ControlDict::required);
+    restarted.resume(inParts);
+    for (std::size_t i = 1; i < regular.size(); ++i)
+    {
+        ASSERT_TRUE(restarted.loop());
+        EXPECT_EQ(restarted.value(), regular[i]);
+    }
+    EXPECT_FALSE(restarted.loop());
+}
+
+TEST_F(TimeCase, DoesNotEndInTheMiddleOfAStepThatIsMadeInParts)
+{
+    control("deltaT 0.1; endTime 0.2;");
+    Time time(directory, ControlDict::required);
+    ASSERT_TRUE(time.loop());
+    ASSERT_TRUE(time.loop());
+    time.shortenStep(0.08);
+    ASSERT_TRUE(time.loop());
+    EXPECT_EQ(time.value(), 0.2);
+    EXPECT_FALSE(time.loop());
+}
+
+TEST_F(TimeCase, TakesAStepBackToTheLastBit)
+{
+    control("deltaT 0.1; endTime 5;");
+    Time whole(directory, ControlDict::required);
+    std::vector<double> regular;
+    while (whole.loop())
+        regular.push_back(whole.value());
+
+    Time time(directory, ControlDict::required);
+    for (int i = 0; i < 23; ++i)
+        ASSERT_TRUE(time.loop());
+    const TimeState before = time.state();
+    ASSERT_TRUE(time.loop());
+    for (double part = 0.05; part > 1e-4; part /= 2)
+        time.shortenStep(part);
+    time.abandonStep();
+    const TimeState after = time.state();
+    EXPECT_EQ(after.value, before.value);
+    EXPECT_EQ(after.deltaT, before.deltaT);
+    EXPECT_EQ(after.index, before.index);
+    EXPECT_EQ(after.origin, before.origin);
+    EXPECT_EQ(after.originIndex, before.originIndex);
+    for (std::size_t i = 23; i < regular.size(); ++i)
+    {
+        ASSERT_TRUE(time.loop());
+        EXPECT_EQ(time.value(), regular[i]);
+    }
+}
+
+TEST_F(TimeCase, EndsAdjustedStepsWhereOthersAskAndAtTheEndTime)
+{
+    control("deltaT 0.03; endTime 0.5; adjustTimeStep on; writeControl runTime; writeInterval 0.2;");
+    Time time(directory, ControlDict::required);
+    OutputControl every({WriteControl::adjustableRunTime, 0.07}, {});
+    time.stopAlsoAt([&](double value, double deltaT) { return every.timeToNextWrite(value, deltaT); });
+    std::vector<double> times;
+    while (time.loop())
+    {
+        times.push_back(time.value());
+        time.setDeltaT(0.03);
+    }
+    for (int i = 1; i <= 7; ++i)
+        EXPECT_THAT(times, testing::Contains(testing::DoubleNear(0.07 * i, 1e-14)));
+    EXPECT_NEAR(times.back(), 0.5, 1e-15);
 }
 
 TEST_F(TimeCase, NamesWhatIsWrongWithAControlDict)

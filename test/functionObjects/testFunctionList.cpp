@@ -32,7 +32,7 @@ protected:
     FunctionList<2> read(const std::string& text, const std::string& startName = "0",
                          const TimePoint& begin = {}) const
     {
-        return {Dictionary::readString(text, "system/controlDict"), folder, startName, begin, assembly};
+        return {Dictionary::readString(text, "system/controlDict"), folder, startName, begin, 0, assembly};
     }
 
     std::string refusal(const std::string& text) const
