@@ -81,6 +81,14 @@ std::string tableText(const LimitAnalysisCase& structure, const LimitAnalysis& r
         result.certificate.dualResidual, result.certificate.gap, cpuTime);
 }
 
+std::string coulombText(const CoulombRange& range)
+{
+    return fmt::format(
+        "# lowest[-] highest[-] associative[-] starts[-] converged[-]\n{:.12g} {:.12g} {:.12g} "
+        "{} {}\n",
+        range.lowest, range.highest, range.associative, range.starts, range.converged);
+}
+
 } // namespace
 
 void printLimitAnalysisCase(const LimitAnalysisCase& structure)
@@ -97,6 +105,14 @@ void printLimitAnalysis(const LimitAnalysis& result)
 {
     if (result.status == CollapseStatus::optimal)
         info("Collapse load multiplier alpha = {:.9g}", result.alpha);
+    if (result.coulomb)
+    {
+        const CoulombRange& range = *result.coulomb;
+        info(
+            "Coulomb's law: lowest of the collapses met, alpha {:.6f} to {:.6f} ({} of {} starts converged); "
+            "associative: {:.6f}",
+            range.lowest, range.highest, range.converged, range.starts, range.associative);
+    }
     info("Status: {}", statusText(result.status));
     const Certificate& certificate = result.certificate;
     info("Certificate: primal residual = {:.3e}, dual residual = {:.3e}, gap = {:.3e}, No Iterations {}\n",
@@ -161,6 +177,9 @@ void writeLimitAnalysisResults(const std::filesystem::path& caseDirectory, const
                                    structure.points.size());
     writeMechanismPicture(limitAnalysisTable(caseDirectory).replace_filename("mechanism.svg"), assembly,
                           mechanismPlacements(assembly, rates, 0.5 * meanBlockSize(assembly)), picture);
+    if (result.coulomb)
+        writeWholeFile(limitAnalysisTable(caseDirectory).replace_filename("coulomb.dat"),
+                       coulombText(*result.coulomb));
     writeWholeFile(limitAnalysisTable(caseDirectory), tableText(structure, result, cpuTime));
 }
 

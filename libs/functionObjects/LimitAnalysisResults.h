@@ -40,6 +40,7 @@ void removeLimitAnalysisTable(const std::filesystem::path& caseDirectory);
 /// Writes
 /// - postProcessing/limitAnalysis/0/limitAnalysis.dat, a row of figures; alpha is `inf` for unbounded and
 ///   `nan` for unstable;
+/// - postProcessing/limitAnalysis/0/coulomb.dat for the non-associative flow rule: the range of what was met;
 /// - postProcessing/limitAnalysis/0/mechanism.svg, the mechanism over the structure as built;
 /// - VTK/blocks.vtp.series, the mechanism growing from the structure as built, with displacement rates;
 /// - VTK/contacts.vtp.series, contact forces at collapse, gap and state.

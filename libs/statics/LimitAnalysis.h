@@ -7,6 +7,8 @@
 #include "conic/Certificate.h"
 #include "conic/InteriorPoint.h"
 
+#include <optional>
+
 namespace drystone
 {
 
@@ -24,6 +26,17 @@ enum class CollapseStatus
     notConverged = 3 ///< the solver did not reach its tolerance: there is no answer
 };
 
+/// With Coulomb's law collapse is not unique: what a search from several starts has met (NonAssociative.h).
+struct CoulombRange
+{
+    double associative =
+        0;              ///< multiplier of the associative law, never below; infinite when that is unbounded
+    double lowest = 0;  ///< of the collapses met
+    double highest = 0; ///< of the collapses met
+    int starts = 0;     ///< tried, mirror images included
+    int converged = 0;  ///< that led to a collapse within the tolerance
+};
+
 struct LimitAnalysis
 {
     CollapseStatus status = CollapseStatus::notConverged;
@@ -35,6 +48,8 @@ struct LimitAnalysis
     int factorisations = 0;       ///< likewise, of Schur matrices
     int solves = 0;               ///< likewise, with those factors
     int variables = 0;            ///< forces and the multiplier
+    std::optional<CoulombRange>
+        coulomb; ///< for the non-associative flow rule; the rest is of its lowest collapse
 };
 
 /// Solves the program and checks the dead load by itself: the multipliers that a structure can carry are an

@@ -9,10 +9,19 @@
 namespace drystone
 {
 
+void declare(Options& options, LimitAnalysisControls& controls)
+{
+    declare(options, controls.solver);
+    options.optional("nonAssociative", controls.nonAssociative,
+                     "how the lowest collapse with `flowRule nonAssociative;` is searched for");
+}
+
 LimitAnalysisCase readLimitAnalysisCase(const std::filesystem::path& caseDirectory)
 {
     LimitAnalysisCase result;
-    result.solution = readSolverChoice(caseDirectory, "limitAnalysis");
+    const auto controls = readOptions<LimitAnalysisControls>(readSolution(caseDirectory, "limitAnalysis"));
+    result.solution = controls.solver;
+    result.nonAssociative = controls.nonAssociative;
     if (solvesMotionOnly(result.solution.solver))
     {
         throw FatalIOError(nameOf(result.solution.solver)
@@ -25,14 +34,6 @@ LimitAnalysisCase readLimitAnalysisCase(const std::filesystem::path& caseDirecto
     requireFreeBlock(result.assembly, caseDirectory);
 
     result.contact = readContactProperties(caseDirectory);
-    if (result.contact.friction && result.contact.friction->flowRule == FlowRule::nonAssociative)
-    {
-        const Dictionary dictionary = Dictionary::readFile(caseDirectory / "constant/contactProperties");
-        throw FatalIOError(
-            "limitAnalysis follows the associative flow rule only, in which a joint that slides opens. "
-            "Write `flowRule associative;`: its multiplier is an upper bound on that of Coulomb's law.",
-            dictionary.subDict("friction").locationOf("flowRule"));
-    }
     const Vector<2> gravity = readGravity(caseDirectory);
     const std::vector<BlockMass<2>> blocks = blockMasses(result.assembly);
     const std::vector<double> masses =
@@ -47,6 +48,16 @@ LimitAnalysisCase readLimitAnalysisCase(const std::filesystem::path& caseDirecto
         limitAnalysisProgram(result.freeBlocks, equilibriumColumns(result.assembly, blocks, result.points),
                              result.friction, loads);
     return result;
+}
+
+LimitAnalysis solveLimitAnalysis(const LimitAnalysisCase& structure)
+{
+    const InteriorPointSettings solver = interiorPointSettings(structure.solution);
+    const std::optional<CoulombFriction>& friction = structure.contact.friction;
+    return friction && friction->flowRule == FlowRule::nonAssociative
+               ? solveNonAssociative(structure.program, jointsOf(structure.points), structure.nonAssociative,
+                                     solver)
+               : solveLimitAnalysis(structure.program, solver);
 }
 
 } // namespace drystone

@@ -4,13 +4,21 @@
 
 #include "assembly/ContactProperties.h"
 #include "conic/SolverChoice.h"
-#include "statics/LimitAnalysis.h"
+#include "statics/NonAssociative.h"
 
 #include <filesystem>
 #include <vector>
 
 namespace drystone
 {
+
+/// system/solution/limitAnalysis.
+struct LimitAnalysisControls
+{
+    SolverChoice solver;
+    NonAssociativeSettings nonAssociative; ///< used with `flowRule nonAssociative;`
+};
+void declare(Options& options, LimitAnalysisControls& controls);
 
 /// A structure with its loads, read and checked.
 struct LimitAnalysisCase
@@ -22,11 +30,15 @@ struct LimitAnalysisCase
     int freeBlocks = 0;
     PlaneConeProgram program;
     SolverChoice solution;
+    NonAssociativeSettings nonAssociative;
 };
 
 /// Reads constant/assembly, g, materialProperties, contactProperties, loads and system/solution.
 /// \throws FatalIOError with the first thing that is wrong: blocks that overlap, a live load that is missing,
-/// a flow rule that limit analysis cannot follow
+/// a solver that is none for limit analysis
 LimitAnalysisCase readLimitAnalysisCase(const std::filesystem::path& caseDirectory);
+
+/// Collapse by the flow rule of the case.
+LimitAnalysis solveLimitAnalysis(const LimitAnalysisCase& structure);
 
 } // namespace drystone

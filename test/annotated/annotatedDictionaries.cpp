@@ -65,7 +65,7 @@ void declare(Options& options, ControlDictSettings& settings)
 /// system/solution, of which each application reads its own sub-dictionary.
 struct SolutionSettings
 {
-    SolverChoice limitAnalysis;
+    LimitAnalysisControls limitAnalysis;
     SolverChoice contactDynamics;
 };
 void declare(Options& options, SolutionSettings& settings)

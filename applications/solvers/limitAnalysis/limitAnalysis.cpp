@@ -29,8 +29,7 @@ int run(const CommandLine& commandLine)
     if (!commandLine.dryRun && !commandLine.postProcess)
     {
         const double start = cpuTime();
-        const LimitAnalysis result =
-            solveLimitAnalysis(structure.program, interiorPointSettings(structure.solution));
+        const LimitAnalysis result = solveLimitAnalysis(structure);
         const double used = cpuTime() - start;
         printLimitAnalysis(result);
         if (result.status == CollapseStatus::notConverged)
@@ -62,7 +61,7 @@ int main(int argc, char* argv[])
             "constant/loads:\n{}\nsystem/solution/limitAnalysis:\n{}",
             helpText(describeOptions<Gravity>()), helpText(describeOptions<MaterialProperties>()),
             helpText(describeOptions<ContactProperties>()), helpText(describeOptions<LoadCases>()),
-            helpText(describeOptions<SolverChoice>()));
+            helpText(describeOptions<LimitAnalysisControls>()));
     };
     return runApplication(argc, argv, description, run);
 }
