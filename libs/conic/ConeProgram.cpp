@@ -62,6 +62,35 @@ Eigen::VectorXd applyInertia(const ConeProgram<Rows, Forces>& program, const Eig
     return force;
 }
 
+template<int Rows, int Forces>
+double objective(const ConeProgram<Rows, Forces>& program, const ConeSolution& solution)
+{
+    double value = 0.5 * applyInertia(program, solution.displacement).dot(solution.displacement);
+    if (program.gap.size() > 0)
+    {
+        value += program.gap.dot(solution.contactForce);
+    }
+    return program.hasMultiplier() ? value - solution.multiplier : value;
+}
+
+std::string_view nameOf(SolveStatus status)
+{
+    switch (status)
+    {
+    case SolveStatus::optimal:
+        return "optimal";
+    case SolveStatus::infeasible:
+        return "infeasible";
+    case SolveStatus::unbounded:
+        return "unbounded";
+    case SolveStatus::notConverged:
+        break;
+    }
+    return "notConverged";
+}
+
+template double objective(const PlaneConeProgram&, const ConeSolution&);
+template double objective(const SpaceConeProgram&, const ConeSolution&);
 template Eigen::VectorXd applyEquilibrium(const PlaneConeProgram&, const Eigen::VectorXd&);
 template Eigen::VectorXd applyEquilibrium(const SpaceConeProgram&, const Eigen::VectorXd&);
 template Eigen::VectorXd applyTransposed(const PlaneConeProgram&, const Eigen::VectorXd&);

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include <limits>
+#include <string_view>
 #include <vector>
 
 namespace drystone
@@ -114,5 +115,12 @@ Eigen::VectorXd applyTransposed(const ConeProgram<Rows, Forces>& program,
 /// Mbar y. \return R b; zero when the program has no inertia
 template<int Rows, int Forces>
 Eigen::VectorXd applyInertia(const ConeProgram<Rows, Forces>& program, const Eigen::VectorXd& displacement);
+
+/// The primal objective 1/2 y' Mbar y + g' c - alpha of a solution; in limit analysis without gaps -alpha.
+template<int Rows, int Forces>
+double objective(const ConeProgram<Rows, Forces>& program, const ConeSolution& solution);
+
+/// optimal, infeasible, unbounded or notConverged
+std::string_view nameOf(SolveStatus status);
 
 } // namespace drystone

@@ -23,7 +23,7 @@ struct InteriorPointSettings
 ConeSolution solveInteriorPoint(const PlaneConeProgram& program, const InteriorPointSettings& settings = {});
 
 /// Solves a program of space likewise, its round friction cones in the symmetric scaling of Nesterov & Todd
-/// (1997). `restingForce` of the solution stays empty.
+/// (1997). `restingForce` of the solution stays empty. \throws std::invalid_argument for points with strength
 ConeSolution solveInteriorPoint(const SpaceConeProgram& program, const InteriorPointSettings& settings = {});
 
 } // namespace drystone

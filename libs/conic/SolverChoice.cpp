@@ -33,6 +33,8 @@ void declare(Options& options, SolverChoice& choice)
     options.optional("maximumIterations", choice.maximumIterations, "of each solver").atLeast(1);
     options.optional("maximumSweeps", choice.maximumSweeps, "over all contact points, of gaussSeidel")
         .atLeast(1);
+    options.optional("writeProgram", choice.writeProgram,
+                     "which cone programs are written into postProcessing/, as solveProgram reads them");
     options.optional("correctors", choice.correctors, "of interiorPoint, tried with one factorisation")
         .atLeast(0)
         .atMost(20);
@@ -60,8 +62,11 @@ std::string nameOf(SolverType solver)
     return {};
 }
 
-ConeSolution solveConeProgram(const PlaneConeProgram& program, const SolverChoice& choice,
-                              const ConeSolution& start)
+namespace
+{
+
+ConeSolution solveAsChosen(const PlaneConeProgram& program, const SolverChoice& choice,
+                           const ConeSolution& start)
 {
     AugmentedLagrangianSettings multipliers{choice.tolerance, choice.maximumIterations};
     switch (choice.solver)
@@ -114,6 +119,45 @@ ConeSolution solveConeProgram(const PlaneConeProgram& program, const SolverChoic
         {
             break;
         }
+    }
+    return solution;
+}
+
+} // namespace
+
+ConeSolution solveConeProgram(const PlaneConeProgram& program, const SolverChoice& choice,
+                              const ConeSolution& start)
+{
+    ConeSolution solution = solveAsChosen(program, choice, start);
+    if (choice.observer)
+    {
+        choice.observer(program, solution);
+    }
+    return solution;
+}
+
+ConeSolution solveConeProgram(const SpaceConeProgram& program, const SolverChoice& choice,
+                              const ConeSolution& start)
+{
+    const AugmentedLagrangianSettings multipliers{choice.tolerance, choice.maximumIterations};
+    switch (choice.solver)
+    {
+    case SolverType::augmentedLagrangian:
+        return solveAugmentedLagrangian(program, start, multipliers);
+    case SolverType::gaussSeidel:
+        return solveGaussSeidel(program, start, {choice.tolerance, choice.maximumSweeps});
+    case SolverType::interiorPoint:
+    case SolverType::automatic:
+        break;
+    }
+    ConeSolution solution = solveInteriorPoint(program, interiorPointSettings(choice));
+    const bool canGoOn = program.hasInertia() && !program.hasMultiplier();
+    if (choice.solver == SolverType::automatic && solution.status != SolveStatus::optimal && canGoOn)
+    {
+        const ConeSolution rough = solution;
+        solution = solveAugmentedLagrangian(program, rough, multipliers);
+        solution.iterations += rough.iterations;
+        solution.factorisations += rough.factorisations;
     }
     return solution;
 }

@@ -8,6 +8,7 @@
 #include "core/Options.h"
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -30,6 +31,24 @@ inline std::array<std::pair<std::string_view, SolverType>, 4> namesOf(SolverType
              {"gaussSeidel", SolverType::gaussSeidel}}};
 }
 
+/// Which cone programs are written as files (ProgramFile.h), for someone else to solve them again.
+enum class WriteProgram
+{
+    never,
+    unsolved, ///< those that were not solved to the tolerance
+    always    ///< each; of the programs of one step in time the last stays
+};
+
+inline std::array<std::pair<std::string_view, WriteProgram>, 3> namesOf(WriteProgram)
+{
+    return {{{"never", WriteProgram::never},
+             {"unsolved", WriteProgram::unsolved},
+             {"always", WriteProgram::always}}};
+}
+
+/// Sees each program that has been solved, and what came of it.
+using SolveObserver = std::function<void(const PlaneConeProgram&, const ConeSolution&)>;
+
 /// `<application> { solver automatic; tolerance 1e-9; }`. The file and each key may be absent.
 struct SolverChoice
 {
@@ -38,6 +57,8 @@ struct SolverChoice
     int maximumIterations = 200; ///< of each solver
     int correctors = 3;          ///< of interiorPoint
     int maximumSweeps = 10000;   ///< of gaussSeidel, which needs many and cheap ones
+    WriteProgram writeProgram = WriteProgram::never;
+    SolveObserver observer; ///< called by solveConeProgram; no key: applications set it, or leave it empty
 };
 void declare(Options& options, SolverChoice& choice);
 
@@ -49,6 +70,9 @@ SolverChoice readSolverChoice(const std::filesystem::path& caseDirectory, const 
 /// \return the solution; with `automatic` and a first solver that did not converge, that of the second one,
 /// the iterations of both counted
 ConeSolution solveConeProgram(const PlaneConeProgram& program, const SolverChoice& choice,
+                              const ConeSolution& start = {});
+/// Likewise in space; the observer is not called.
+ConeSolution solveConeProgram(const SpaceConeProgram& program, const SolverChoice& choice,
                               const ConeSolution& start = {});
 
 /// Whether a solver needs inertia, so that limit analysis cannot be solved with it.

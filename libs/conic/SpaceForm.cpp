@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace drystone
 {
@@ -51,6 +52,10 @@ VectorXd scaledLoad(const SpaceForm& form, const VectorXd& rows, double& scale)
 
 SpaceForm makeSpaceForm(const SpaceConeProgram& program)
 {
+    if (program.hasStrength())
+    {
+        throw std::invalid_argument("solvers of space take cones only, no strength");
+    }
     SpaceForm form;
     form.bodies = program.bodies;
     form.scaling.lever = powerOfTwo(meanLeverArm(program));

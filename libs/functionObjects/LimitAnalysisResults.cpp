@@ -3,6 +3,7 @@
 
 #include "assembly/ContactState.h"
 #include "assembly/Facing.h"
+#include "conic/ProgramFile.h"
 #include "core/Error.h"
 #include "core/Log.h"
 #include "core/WholeFile.h"
@@ -157,6 +158,15 @@ void removeLimitAnalysisTable(const std::filesystem::path& caseDirectory)
 {
     std::error_code ignored;
     std::filesystem::remove(limitAnalysisTable(caseDirectory), ignored);
+}
+
+void writeLimitAnalysisProgram(const std::filesystem::path& caseDirectory, const LimitAnalysisCase& structure,
+                               const LimitAnalysis& result)
+{
+    const WriteProgram when = structure.solution.writeProgram;
+    if (when == WriteProgram::always
+        || (when == WriteProgram::unsolved && result.status == CollapseStatus::notConverged))
+        writeProgram(limitAnalysisTable(caseDirectory).parent_path() / "coneProgram", structure.program);
 }
 
 void writeLimitAnalysisResults(const std::filesystem::path& caseDirectory, const LimitAnalysisCase& structure,

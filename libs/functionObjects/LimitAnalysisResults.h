@@ -37,6 +37,11 @@ void requireWritableResults(const std::filesystem::path& caseDirectory);
 /// for an answer.
 void removeLimitAnalysisTable(const std::filesystem::path& caseDirectory);
 
+/// The cone program as postProcessing/limitAnalysis/0/coneProgram, when `writeProgram` of system/solution
+/// asks for it.
+void writeLimitAnalysisProgram(const std::filesystem::path& caseDirectory, const LimitAnalysisCase& structure,
+                               const LimitAnalysis& result);
+
 /// Writes
 /// - postProcessing/limitAnalysis/0/limitAnalysis.dat, a row of figures; alpha is `inf` for unbounded and
 ///   `nan` for unstable;

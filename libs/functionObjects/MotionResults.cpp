@@ -2,6 +2,7 @@
 #include "functionObjects/MotionResults.h"
 
 #include "assembly/ContactState.h"
+#include "conic/ProgramFile.h"
 #include "core/Case.h"
 #include "core/Log.h"
 #include "core/WholeFile.h"
@@ -121,6 +122,13 @@ Motion motionOf(const DynamicCase& scene, const State& saved)
 }
 
 } // namespace
+
+void writePrograms(DynamicCase& scene, const std::filesystem::path& caseDirectory, const Time& time)
+{
+    scene.solution.observer = programWriter(
+        scene.solution.writeProgram, [caseDirectory, &time]
+        { return postProcessingFolder(caseDirectory, "contactDynamics", time.name()) / "coneProgram"; });
+}
 
 State stateOf(const Motion& motion, const Time& time)
 {

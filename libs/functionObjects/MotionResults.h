@@ -25,6 +25,10 @@ State stateOf(const Motion& motion, const Time& time);
 /// order of time, into postProcessing/<function>/<first time>/. \throws FatalError when there is no state
 void postProcess(const std::filesystem::path& caseDirectory, const DynamicCase& scene, const Time& time);
 
+/// Lets the solver write its cone programs as postProcessing/contactDynamics/<time>/coneProgram, when
+/// `writeProgram` of system/solution asks for it. \param time of the run; must outlive the scene
+void writePrograms(DynamicCase& scene, const std::filesystem::path& caseDirectory, const Time& time);
+
 /// Whether the functions of controlDict are carried out.
 enum class FunctionObjects
 {

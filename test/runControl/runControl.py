@@ -156,6 +156,26 @@ class RunControl(unittest.TestCase):
         self.assertIn("was not solved", done.stderr)
         self.assertIn("maximumSweeps", done.stderr)
 
+    def testTheProgramOfAStepIsKeptAndSolvedAgain(self):
+        case = self.copy("programs", endTime="0.02")
+        self.write(case, "system/solution", header % "solution" + "contactDynamics { writeProgram always; }\n")
+        self.run_(case)
+        self.assertEqual(sorted(os.listdir(os.path.join(case, "postProcessing/contactDynamics"))),
+                         [f"{0.002 * step:g}" for step in range(1, 11)])
+        program = "postProcessing/contactDynamics/0.02/coneProgram"
+        for solver in ("interiorPoint", "augmentedLagrangian"):
+            done = subprocess.run([os.path.join(applications, "solveProgram"), "-case", case, program, "-solver",
+                                   solver], capture_output=True, text=True, timeout=60, check=False)
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+            self.assertIn("Status: optimal", done.stdout)
+        for options, status, says in ((("-solver", "interiorPoint", "-maximumIterations", "1"), 2, "notConverged"),
+                                      (("-solver", "gausSeidel"), 1, "Did you mean gaussSeidel"),
+                                      (("-tolerance", "-1"), 1, "tolerance")):
+            done = subprocess.run([os.path.join(applications, "solveProgram"), "-case", case, program, *options],
+                                  capture_output=True, text=True, timeout=60, check=False)
+            self.assertEqual(done.returncode, status, done.stdout + done.stderr)
+            self.assertIn(says, done.stdout + done.stderr)
+
     def numbers(self, case):
         """Places of the blocks at the end."""
         text = self.state(case).decode()

@@ -18,7 +18,7 @@ int run(const CommandLine& commandLine)
 {
     printBanner(commandLine);
     Time time(commandLine.caseDirectory, ControlDict::required);
-    const DynamicCase scene = readDynamicCase(commandLine.caseDirectory);
+    DynamicCase scene = readDynamicCase(commandLine.caseDirectory);
     if (commandLine.postProcess)
     {
         postProcess(commandLine.caseDirectory, scene, time);
@@ -37,6 +37,7 @@ int run(const CommandLine& commandLine)
     }
 
     catchStopSignals();
+    writePrograms(scene, commandLine.caseDirectory, time);
     results.writeFirstFrames();
     Progress progress;
     while (time.loop())

@@ -32,6 +32,7 @@ int run(const CommandLine& commandLine)
         const LimitAnalysis result = solveLimitAnalysis(structure);
         const double used = cpuTime() - start;
         printLimitAnalysis(result);
+        writeLimitAnalysisProgram(directory, structure, result);
         if (result.status == CollapseStatus::notConverged)
         {
             removeLimitAnalysisTable(directory);
