@@ -8,105 +8,44 @@ namespace drystone
 {
 
 template<int Rows>
-BlockCholesky<Rows>::BlockCholesky(const std::vector<int>& columnStart, const std::vector<int>& row)
-    : size_(static_cast<int>(columnStart.size()) - 1), start_(size_ + 1, 0), place_(size_, -1)
+BlockCholesky<Rows>::BlockCholesky(const BlockPattern& matrix)
+    : pattern_(makeFactorPattern(matrix)), place_(matrix.columns(), -1)
 {
-    // The pattern of column j of L is that of S joined with those of j's children in the elimination tree,
-    // less the children themselves; j's parent is the first row below its diagonal.
-    std::vector<std::vector<int>> children(size_);
-    std::vector<int> mark(size_, -1);
-    for (int column = 0; column < size_; ++column)
-    {
-        const auto begin = static_cast<std::ptrdiff_t>(row_.size());
-        mark[column] = column;
-        row_.push_back(column);
-        const auto join = [&](int candidate)
-        {
-            if (candidate > column && mark[candidate] != column)
-            {
-                mark[candidate] = column;
-                row_.push_back(candidate);
-            }
-        };
-        for (int entry = columnStart[column]; entry < columnStart[column + 1]; ++entry)
-        {
-            join(row[entry]);
-        }
-        for (const int child : children[column])
-        {
-            for (int entry = start_[child]; entry < start_[child + 1]; ++entry)
-            {
-                join(row_[entry]);
-            }
-        }
-        std::sort(row_.begin() + begin, row_.end());
-        start_[column + 1] = static_cast<int>(row_.size());
-        const double below = static_cast<double>(row_.size()) - begin - 1;
-        operations_ += Rows * Rows * Rows * (below * (below + 1) / 2 + below + 1.0 / 6);
-        if (below > 0)
-        {
-            children[row_[begin + 1]].push_back(column);
-        }
-    }
-
-    updateStart_.assign(size_ + 1, 0);
-    for (int column = 0; column < size_; ++column)
-    {
-        for (int entry = start_[column] + 1; entry < start_[column + 1]; ++entry)
-        {
-            ++updateStart_[row_[entry] + 1];
-        }
-    }
-    for (int column = 0; column < size_; ++column)
-    {
-        updateStart_[column + 1] += updateStart_[column];
-    }
-    updatePosition_.resize(updateStart_[size_]);
-    columnOf_.resize(updateStart_[size_]);
-    std::vector<int> next(updateStart_.begin(), updateStart_.end() - 1);
-    for (int column = 0; column < size_; ++column)
-    {
-        for (int entry = start_[column] + 1; entry < start_[column + 1]; ++entry)
-        {
-            const int update = next[row_[entry]]++;
-            updatePosition_[update] = entry;
-            columnOf_[update] = column;
-        }
-    }
 }
 
 template<int Rows>
 void BlockCholesky<Rows>::allocate()
 {
-    blocks_.assign(row_.size(), PaddedBlock::Zero());
+    blocks_.assign(pattern_.factor.row.size(), PaddedBlock::Zero());
 }
 
 template<int Rows>
-bool BlockCholesky<Rows>::factorise(const std::vector<int>& columnStart, const std::vector<int>& row,
-                                    const Block* values)
+bool BlockCholesky<Rows>::factorise(const BlockPattern& matrix, const Block* values)
 {
-    for (int column = 0; column < size_; ++column)
+    const std::vector<int>& start = pattern_.factor.columnStart;
+    const std::vector<int>& row = pattern_.factor.row;
+    for (int column = 0; column < matrix.columns(); ++column)
     {
-        const int begin = start_[column];
-        const int end = start_[column + 1];
+        const int begin = start[column];
+        const int end = start[column + 1];
         for (int entry = begin; entry < end; ++entry)
         {
-            place_[row_[entry]] = entry;
+            place_[row[entry]] = entry;
             blocks_[entry].setZero();
         }
-        for (int entry = columnStart[column]; entry < columnStart[column + 1]; ++entry)
+        for (int entry = matrix.columnStart[column]; entry < matrix.columnStart[column + 1]; ++entry)
         {
-            blocks_[place_[row[entry]]].template topRows<Rows>() = values[entry];
+            blocks_[place_[matrix.row[entry]]].template topRows<Rows>() = values[entry];
         }
         // L_ij L_jj' = S_ij - sum_k L_ik L_jk'
-        for (int update = updateStart_[column]; update < updateStart_[column + 1]; ++update)
+        for (int update = pattern_.updateStart[column]; update < pattern_.updateStart[column + 1]; ++update)
         {
-            const int first = updatePosition_[update];
-            const int last = start_[columnOf_[update] + 1];
+            const int first = pattern_.updatePosition[update];
+            const int last = start[pattern_.columnOf[update] + 1];
             const Block factor = blocks_[first].template topRows<Rows>().transpose();
             for (int entry = first; entry < last; ++entry)
             {
-                blocks_[place_[row_[entry]]].noalias() -= blocks_[entry].lazyProduct(factor);
+                blocks_[place_[row[entry]]].noalias() -= blocks_[entry].lazyProduct(factor);
             }
         }
         // The diagonal block: its Cholesky factor by hand (the compiler unrolls it), kept as the inverse.
@@ -161,26 +100,28 @@ void BlockCholesky<Rows>::solve(Eigen::Ref<Eigen::VectorXd> x) const
 {
     using Segment = Eigen::Matrix<double, Rows, 1>;
     using Padded = Eigen::Matrix<double, paddedRows, 1>;
-    for (int column = 0; column < size_; ++column)
+    const std::vector<int>& start = pattern_.factor.columnStart;
+    const std::vector<int>& row = pattern_.factor.row;
+    for (int column = 0; column < pattern_.factor.columns(); ++column)
     {
-        const int begin = start_[column];
+        const int begin = start[column];
         const Segment value =
             blocks_[begin].template topRows<Rows>() * x.template segment<Rows>(Rows * column);
         x.template segment<Rows>(Rows * column) = value;
-        for (int entry = begin + 1; entry < start_[column + 1]; ++entry)
+        for (int entry = begin + 1; entry < start[column + 1]; ++entry)
         {
             const Padded product = blocks_[entry].lazyProduct(value);
-            x.template segment<Rows>(Rows * row_[entry]) -= product.template head<Rows>();
+            x.template segment<Rows>(Rows * row[entry]) -= product.template head<Rows>();
         }
     }
-    for (int column = size_ - 1; column >= 0; --column)
+    for (int column = pattern_.factor.columns() - 1; column >= 0; --column)
     {
-        const int begin = start_[column];
+        const int begin = start[column];
         Segment value = x.template segment<Rows>(Rows * column);
-        for (int entry = begin + 1; entry < start_[column + 1]; ++entry)
+        for (int entry = begin + 1; entry < start[column + 1]; ++entry)
         {
             value.noalias() -= blocks_[entry].template topRows<Rows>().transpose()
-                               * x.template segment<Rows>(Rows * row_[entry]);
+                               * x.template segment<Rows>(Rows * row[entry]);
         }
         x.template segment<Rows>(Rows * column).noalias() =
             blocks_[begin].template topRows<Rows>().transpose() * value;

@@ -143,30 +143,11 @@ struct SchurSystem<Rows>::Factor
 
 template<int Rows>
 SchurSystem<Rows>::SchurSystem(int bodies, const std::vector<Coupling>& couplings)
-    : bodies_(bodies), columnStart_(bodies + 1, 0), factor_(std::make_unique<Factor>())
+    : bodies_(bodies), pattern_(makeBlockPattern(bodies, couplings)), factor_(std::make_unique<Factor>())
 {
-    std::vector<Coupling> pairs; // (column, row), row >= column
-    pairs.reserve(couplings.size() + bodies);
-    for (int body = 0; body < bodies; ++body)
-    {
-        pairs.push_back({body, body});
-    }
-    for (const Coupling& pair : couplings)
-    {
-        pairs.push_back({std::min(pair[0], pair[1]), std::max(pair[0], pair[1])});
-    }
-    std::sort(pairs.begin(), pairs.end());
-    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-    row_.reserve(pairs.size());
-    for (const Coupling& pair : pairs)
-    {
-        row_.push_back(pair[1]);
-        ++columnStart_[pair[0] + 1];
-    }
-    std::partial_sum(columnStart_.begin(), columnStart_.end(), columnStart_.begin());
-    values_.assign(row_.size(), Block::Zero());
+    values_.assign(pattern_.row.size(), Block::Zero());
 
-    BlockCholesky<Rows> symbolic(columnStart_, row_);
+    BlockCholesky<Rows> symbolic(pattern_);
     operations_ = symbolic.operations();
     if (operations_ < supernodalOperations)
     {
@@ -182,8 +163,8 @@ SchurSystem<Rows>::SchurSystem(int bodies, const std::vector<Coupling>& coupling
     common.postorder = 0;
     common.supernodal = CHOLMOD_SUPERNODAL;
     const std::size_t size = static_cast<std::size_t>(Rows) * bodies;
-    const std::size_t entries =
-        Rows * Rows * (row_.size() - bodies) + static_cast<std::size_t>(Rows * (Rows + 1) / 2) * bodies;
+    const std::size_t entries = Rows * Rows * (pattern_.row.size() - bodies)
+                                + static_cast<std::size_t>(Rows * (Rows + 1) / 2) * bodies;
     factor_->matrix = cholmod_allocate_sparse(size, size, entries, 1, 1, -1, CHOLMOD_REAL, &common);
     auto* start = static_cast<int*>(factor_->matrix->p);
     auto* scalarRow = static_cast<int*>(factor_->matrix->i);
@@ -193,11 +174,11 @@ SchurSystem<Rows>::SchurSystem(int bodies, const std::vector<Coupling>& coupling
         for (int column = 0; column < Rows; ++column)
         {
             start[Rows * body + column] = position;
-            for (int entry = columnStart_[body]; entry < columnStart_[body + 1]; ++entry)
+            for (int entry = pattern_.columnStart[body]; entry < pattern_.columnStart[body + 1]; ++entry)
             {
-                for (int line = entry == columnStart_[body] ? column : 0; line < Rows; ++line)
+                for (int line = entry == pattern_.columnStart[body] ? column : 0; line < Rows; ++line)
                 {
-                    scalarRow[position++] = Rows * row_[entry] + line;
+                    scalarRow[position++] = Rows * pattern_.row[entry] + line;
                 }
             }
         }
@@ -224,21 +205,6 @@ bool SchurSystem<Rows>::supernodal() const
 }
 
 template<int Rows>
-int SchurSystem<Rows>::slot(int first, int second) const
-{
-    const int column = std::min(first, second);
-    const int wanted = std::max(first, second);
-    const auto begin = row_.begin() + columnStart_[column];
-    const auto end = row_.begin() + columnStart_[column + 1];
-    const auto found = std::lower_bound(begin, end, wanted);
-    if (found == end || *found != wanted)
-    {
-        throw std::out_of_range("SchurSystem::slot: no such pair in the pattern");
-    }
-    return static_cast<int>(found - row_.begin());
-}
-
-template<int Rows>
 void SchurSystem<Rows>::setZero()
 {
     for (Block& block : values_)
@@ -252,7 +218,7 @@ bool SchurSystem<Rows>::factorise()
 {
     if (factor_->blocks)
     {
-        return factor_->blocks->factorise(columnStart_, row_, values_.data());
+        return factor_->blocks->factorise(pattern_, values_.data());
     }
     cholmod_common& common = factor_->workspace->common;
     auto* value = static_cast<double*>(factor_->matrix->x);
@@ -261,9 +227,9 @@ bool SchurSystem<Rows>::factorise()
     {
         for (int column = 0; column < Rows; ++column)
         {
-            for (int entry = columnStart_[body]; entry < columnStart_[body + 1]; ++entry)
+            for (int entry = pattern_.columnStart[body]; entry < pattern_.columnStart[body + 1]; ++entry)
             {
-                for (int line = entry == columnStart_[body] ? column : 0; line < Rows; ++line)
+                for (int line = entry == pattern_.columnStart[body] ? column : 0; line < Rows; ++line)
                 {
                     value[position++] = values_[entry](line, column);
                 }

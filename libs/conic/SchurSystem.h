@@ -3,17 +3,15 @@
 /// A_k', one small dense block a body and one a pair of touching bodies.
 #pragma once
 
+#include "conic/BlockPattern.h"
+
 #include <Eigen/Core>
 
-#include <array>
 #include <memory>
 #include <vector>
 
 namespace drystone
 {
-
-/// Which bodies touch which: pairs of distinct bodies, in any order, repeats allowed.
-using Coupling = std::array<int, 2>;
 
 /// An order in which to eliminate the bodies so that the factor stays sparse: minimum degree, or nested
 /// dissection for large systems. \return order[position] = body
@@ -40,11 +38,11 @@ public:
 
     /// Where the block of a pair is kept, for `coupling`. \throws std::out_of_range for a pair not in the
     /// pattern
-    int slot(int first, int second) const;
+    int slot(int first, int second) const { return pattern_.slot(first, second); }
 
     void setZero();
     /// Diagonal block of a body.
-    Block& diagonal(int body) { return values_[columnStart_[body]]; }
+    Block& diagonal(int body) { return values_[pattern_.columnStart[body]]; }
     /// Block with the rows of the later and the columns of the earlier body of a pair.
     Block& coupling(int slot) { return values_[slot]; }
 
@@ -62,8 +60,7 @@ private:
     struct Factor;
     int bodies_ = 0;
     double operations_ = 0;
-    std::vector<int> columnStart_; ///< lower triangle by columns of blocks, the diagonal block first
-    std::vector<int> row_;
+    BlockPattern pattern_;
     std::vector<Block, Eigen::aligned_allocator<Block>> values_;
     std::unique_ptr<Factor> factor_;
 };

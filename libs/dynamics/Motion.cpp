@@ -1,6 +1,8 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "dynamics/Motion.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -109,16 +111,44 @@ void forgetRounding(const DynamicCase& scene, std::vector<ContactPoint<2>>& poin
     }
 }
 
+/// How a point of a block, now at `position`, is displaced; to the last digits, however little that is [m].
+Vector<2> displacementOf(const DynamicCase& scene, int block, const Vector<2>& position,
+                         const std::vector<Placement<2>>& from, const std::vector<Placement<2>>& to)
+{
+    const auto index = static_cast<std::size_t>(block);
+    const Vector<2> arm = position - scene.blocks[index].centroid - from[index].translation;
+    const double turn = to[index].rotation - from[index].rotation;
+    const double half = std::sin(turn / 2);
+    return to[index].translation - from[index].translation + std::sin(turn) * Vector<2>(-arm.y(), arm.x())
+           - 2 * half * half * arm;
+}
+
+/// By how far the neighbour has slid past the block at a contact point, along the edge there [m].
+double slip(const DynamicCase& scene, const std::vector<Placement<2>>& from,
+            const std::vector<Placement<2>>& to, const ContactPoint<2>& point)
+{
+    const auto edgeBlock =
+        static_cast<std::size_t>(point.feature.vertexBlock == point.block ? point.neighbour : point.block);
+    const Eigen::Rotation2Dd turn(to[edgeBlock].rotation - from[edgeBlock].rotation);
+    return (turn * tangent(point))
+        .dot(displacementOf(scene, point.neighbour, point.position, from, to)
+             - displacementOf(scene, point.block, point.position, from, to));
+}
+
 /// Corrects the linear prediction of the gaps of moving contacts; see Relinearisation.
 ///
 /// The angular momentum of a block about a fixed point changes over a step by c1 x m v1 - c0 x m v0 + J (w1 -
 /// w0), c its mass centre. With c1 - c0 = dt (theta v1 + (1 - theta) v0) the first two are (c0 + (1 - theta)
 /// (c1 - c0)) x m (v1 - v0): lever arms are to be taken there. For theta 1 these are the arms at the start,
 /// for theta 1/2 those halfway.
-Relinearisation movingContactGeometry(const DynamicCase& scene, const Motion& motion)
+/// Of the slip of a point, too: blocks that turn together by a finite angle do not slide on each other, but
+/// linear prediction says they do, in proportion to the square of the angle; and where many blocks do so,
+/// locked together, no forces would make it vanish.
+Relinearisation movingContactGeometry(const DynamicCase& scene, const Motion& motion,
+                                      const std::vector<ContactPoint<2>>& start)
 {
-    return [&scene, &motion](const Eigen::VectorXd& displacement, const Eigen::VectorXd& contactForce,
-                             PlaneConeProgram& program)
+    return [&scene, &motion, &start](const Eigen::VectorXd& displacement, const Eigen::VectorXd& contactForce,
+                                     PlaneConeProgram& program)
     {
         const Eigen::VectorXd linear = applyTransposed(program, displacement);
         std::vector<ContactPoint<2>> points;
@@ -129,7 +159,8 @@ Relinearisation movingContactGeometry(const DynamicCase& scene, const Motion& mo
             motion.contacts->measure(between, points);
             setColumns(program, columnsAt(scene, between, points));
         }
-        motion.contacts->measure(moved(motion.state.placements, scene.free, displacement), points);
+        const auto after = moved(motion.state.placements, scene.free, displacement);
+        motion.contacts->measure(after, points);
         forgetRounding(scene, points);
         const Eigen::VectorXd closing =
             early > 0 ? applyTransposed(program, displacement) : Eigen::VectorXd(linear);
@@ -143,6 +174,7 @@ Relinearisation movingContactGeometry(const DynamicCase& scene, const Motion& mo
                 error = std::max(error, std::abs(points[i].gap - predicted));
             }
             program.gap[row] = points[i].gap + closing[row];
+            program.gap[row + 1] = closing[row + 1] - slip(scene, motion.state.placements, after, start[i]);
         }
         return error;
     };
@@ -307,7 +339,7 @@ bool advance(const DynamicCase& scene, Motion& motion, double timeStep)
     PlaneConeProgram program =
         thetaStepProgram(scene.mass, velocity, load, points, columns, friction, scheme);
     const Relinearisation relinearise =
-        motion.contacts ? movingContactGeometry(scene, motion) : Relinearisation();
+        motion.contacts ? movingContactGeometry(scene, motion, points) : Relinearisation();
     StepGuess guess{timeStep * velocity, forcesOfLastStep(motion, points)};
     ThetaStep step = solveThetaStep(program, settings, guess, relinearise);
 

@@ -1,6 +1,8 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "dynamics/ThetaStep.h"
 
+#include "conic/CoulombNewton.h"
+
 #include <Eigen/QR>
 
 #include <algorithm>
@@ -17,17 +19,21 @@ constexpr int maximumPrograms = 100;
 /// they stuck. Where no sliding motion exists (Painleve's rod) only that leads to the solution.
 constexpr int programsToRestart = 50;
 
-/// A single block that slides, and most structures, reach Coulomb's law exactly in so many programs; where it
-/// takes more, the error it leaves in the gaps may be what is allowed for them anyway.
+/// Newton's method reaches Coulomb's law exactly, most often from the first program or the second; it is
+/// tried after 1, 2, 4, 8 ... of them. Where it fails, and after so many programs, the error in the gaps may
+/// be what is allowed for them anyway.
 constexpr int programsToExactFlow = 4;
+constexpr int newtonSteps = 100;
+constexpr int mostRelinearisations = 10;
 
-/// mu |u_t| of each point: what the program's flow opens.
+/// mu |u_t| of each point: what the program's flow opens. \param closing A'y
 Eigen::VectorXd dilatancy(const PlaneConeProgram& program, const Eigen::VectorXd& closing)
 {
     Eigen::VectorXd opening(program.points());
     for (int point = 0; point < program.points(); ++point)
     {
-        opening[point] = program.friction[static_cast<std::size_t>(point)] * std::abs(closing[2 * point + 1]);
+        opening[point] = program.friction[static_cast<std::size_t>(point)]
+                         * std::abs(closing[2 * point + 1] - program.gap[2 * point + 1]);
     }
     return opening;
 }
@@ -146,6 +152,84 @@ void solveOnce(ThetaStep& step, const PlaneConeProgram& program, const SolverCho
     step.closing = applyTransposed(program, step.displacement);
 }
 
+/// Coulomb's law by Newton's method. \param program its gaps without what the flow opens; with it on return
+/// \return whether it was reached; otherwise the step is as it was but for the work counted
+bool solveFlow(ThetaStep& step, PlaneConeProgram& program, const ConeSolution& start,
+               const StepSettings& settings, double gapTolerance)
+{
+    constexpr double beyond = 1e-3; // nearly for nothing: the last Newton step is exact
+    ConeSolution solution =
+        solveCoulombNewton(program, start, {beyond * settings.solver.tolerance, gapTolerance, newtonSteps});
+    step.iterations += solution.iterations;
+    step.factorisations += solution.factorisations;
+    if (solution.status != SolveStatus::optimal)
+    {
+        return false;
+    }
+    solution.displacement =
+        displacementUnder(program, program.load - applyEquilibrium(program, solution.contactForce));
+    Eigen::VectorXd closing = applyTransposed(program, solution.displacement);
+    // Gaps that are right to a tolerance only may as well be those that the points which touch want.
+    for (int point = 0; point < program.points(); ++point)
+    {
+        const double mu = program.friction[static_cast<std::size_t>(point)];
+        const auto force = solution.contactForce.segment<2>(2 * point);
+        auto gap = program.gap.segment<2>(2 * point);
+        const Eigen::Vector2d open = gap - closing.segment<2>(2 * point);
+        if ((force[0] > 0 || open[0] < 0) && std::abs(open[0]) <= gapTolerance)
+        {
+            gap[0] -= open[0];
+        }
+        if (std::abs(force[1]) < mu * force[0] && std::abs(open[1]) <= gapTolerance)
+        {
+            gap[1] -= open[1];
+        }
+        gap[0] += mu * std::abs(closing[2 * point + 1] - gap[1]);
+    }
+    step.certificate = certifyOptimal(program, solution);
+    step.status = SolveStatus::optimal;
+    step.displacement = std::move(solution.displacement);
+    step.contactForce = std::move(solution.contactForce);
+    step.closing = std::move(closing);
+    return true;
+}
+
+/// Likewise with gaps that are right where the blocks end up. Closed rings of blocks are mobile to first
+/// order only: as they move, some points open by the square of their displacements, and which of them carries
+/// what is then decided by less than contactTolerance. So gaps are taken as known to that, or to a thousandth
+/// of what the step changes the motion by, if that is less. \param heading dt v0
+bool solveFlow(ThetaStep& step, PlaneConeProgram program, ConeSolution start, const Eigen::VectorXd& heading,
+               const StepSettings& settings, const Relinearisation& relinearise)
+{
+    constexpr double partOfStep = 1e-3;
+    for (int round = 0; round <= mostRelinearisations; ++round)
+    {
+        PlaneConeProgram flowing = program;
+        const double gapTolerance =
+            relinearise ? std::min(settings.contactTolerance,
+                                   partOfStep * (start.displacement - heading).lpNorm<Eigen::Infinity>())
+                        : 0;
+        if (!solveFlow(step, flowing, start, settings, gapTolerance))
+        {
+            return false;
+        }
+        const bool isRight =
+            !relinearise
+            || relinearise(step.displacement, step.contactForce, program) <= settings.contactTolerance;
+        if (isRight && step.certificate.worst() <= settings.solver.tolerance)
+        {
+            return true;
+        }
+        if (!relinearise)
+        {
+            return false;
+        }
+        start.displacement = step.displacement;
+        start.contactForce = step.contactForce;
+    }
+    return false;
+}
+
 } // namespace
 
 void setColumns(PlaneConeProgram& program, const std::vector<ContactColumns<2>>& columns)
@@ -212,10 +296,22 @@ ThetaStep solveThetaStep(PlaneConeProgram program, const StepSettings& settings,
         // About where the blocks are heading, so that what is left is of second order in their acceleration.
         relinearise(guess.displacement, start.contactForce, program);
     }
+    const Eigen::VectorXd heading =
+        guess.displacement.size() > 0 ? guess.displacement : Eigen::VectorXd::Zero(program.load.size());
     AcceleratedIteration fixedPoint;
     Eigen::VectorXd gap = program.gap; // without the share that is imposed
     for (;;)
     {
+        const bool isNewtonsTurn =
+            isCoulomb && step.programs > 0 && (step.programs & (step.programs - 1)) == 0;
+        if (isNewtonsTurn)
+        {
+            program.gap = gap;
+            if (solveFlow(step, program, start, heading, settings, relinearise))
+            {
+                return step;
+            }
+        }
         for (int point = 0; isCoulomb && point < program.points(); ++point)
         {
             program.gap[2 * point] = gap[2 * point] + imposed[point];

@@ -52,8 +52,9 @@ struct StepGuess
 
 /// Corrects a program for what is not linear in it. Given the displacements of its solution, it puts the
 /// contact columns where the momenta of the step want them and the gaps such that g - A'y, for this y, are
-/// the gaps of the blocks where y takes them, turned by finite angles. \return the largest error of the gaps
-/// that the program as it came had predicted, at points that carry a force or overlap [m]
+/// the gaps, and minus the slips, of the blocks where y takes them, turned by finite angles. \return the
+/// largest error of the gaps that the program as it came had predicted, at points that carry a force or
+/// overlap [m]
 using Relinearisation = std::function<double(const Eigen::VectorXd& displacement,
                                              const Eigen::VectorXd& contactForce, PlaneConeProgram& program)>;
 
@@ -81,9 +82,10 @@ struct ThetaStep
 /// the solution. Otherwise programs are solved in turn until the linear prediction of the gaps is right to
 /// `contactTolerance` and, with `nonAssociative`, until the fixed point of Acary & Cadoux (2013) is reached:
 /// the program's flow opens a point by mu |u_t| as it slides by u_t; with its gap increased by just that the
-/// point slides without opening, which is Coulomb's law. The fixed point is found by Anderson's acceleration.
-/// It stands still when mu |u_t| changes by less than ten times the tolerance of itself or 1e-12 of
-/// `blockSize`; from the fourth program on `contactTolerance` will do.
+/// point slides without opening, which is Coulomb's law. After the first program Newton's method
+/// (CoulombNewton.h) finds that fixed point, most often; else Anderson's acceleration goes on from there,
+/// until mu |u_t| changes by less than ten times the tolerance of itself or 1e-12 of `blockSize`; from the
+/// fourth program on `contactTolerance` will do.
 ///
 /// The displacements are those that the contact forces give the blocks, to the last digits (y = Mbar^-1 (fbar
 /// - A c)), unless that would spoil the certificate: so no momentum is lost to the tolerance of the solver.

@@ -1,0 +1,140 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Coulomb's law by Newton's method: closed forms, and its own certificate on random stacks.
+#include "conic/CoulombNewton.h"
+
+#include "conic/Certificate.h"
+#include "conic/InteriorPoint.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace drystone
+{
+namespace
+{
+
+/// Columns of a point at `arm` from the mass centre of the body it presses up on, against fixed ground.
+ConeColumns<3, 2> standingOn(int body, double armX, double armY)
+{
+    ConeColumns<3, 2> columns;
+    columns.first = body;
+    columns.onFirst << 0, -1, -1, 0, -armX, armY;
+    return columns;
+}
+
+/// A low block on two corners under (fx fy 0), its inertia 2, 2 and 0.5.
+PlaneConeProgram blockOnTwoCorners(double push, double weight, double mu)
+{
+    PlaneConeProgram program;
+    program.bodies = 1;
+    program.contacts = {standingOn(0, -0.5, -0.1), standingOn(0, 0.5, -0.1)};
+    program.friction = {mu, mu};
+    program.load = Eigen::Vector3d(push, -weight, 0);
+    program.inertia = {Eigen::Vector3d(2, 2, 0.5).asDiagonal()};
+    program.gap = Eigen::VectorXd::Zero(4);
+    return program;
+}
+
+ConeSolution nothing(const PlaneConeProgram& program)
+{
+    ConeSolution start;
+    start.displacement = Eigen::VectorXd::Zero(program.load.size());
+    start.contactForce = Eigen::VectorXd::Zero(2 * program.points());
+    return start;
+}
+
+/// The certificate of the program whose gaps are larger by what the flow opens: that of Coulomb's law.
+double worstOfCoulomb(PlaneConeProgram program, const ConeSolution& solution)
+{
+    const Eigen::VectorXd closing = applyTransposed(program, solution.displacement);
+    for (int point = 0; point < program.points(); ++point)
+    {
+        program.gap[2 * point] += program.friction[static_cast<std::size_t>(point)]
+                                  * std::abs(closing[2 * point + 1] - program.gap[2 * point + 1]);
+    }
+    return certifyOptimal(program, solution).worst();
+}
+
+TEST(CoulombNewton, ABlockPushedHarderThanFrictionSlidesWithoutRising)
+{
+    for (const double push : {0.6, -0.6})
+    {
+        const PlaneConeProgram program = blockOnTwoCorners(push, 1, 0.4);
+        const ConeSolution solution = solveCoulombNewton(program, nothing(program));
+        ASSERT_EQ(solution.status, SolveStatus::optimal);
+        EXPECT_NEAR(solution.displacement[0], (push > 0 ? 0.2 : -0.2) / 2, 1e-14);
+        EXPECT_NEAR(solution.displacement[1], 0, 1e-14);
+        EXPECT_NEAR(solution.displacement[2], 0, 1e-14);
+        EXPECT_NEAR(solution.contactForce[0] + solution.contactForce[2], 1, 1e-13);
+        EXPECT_LT(worstOfCoulomb(program, solution), 1e-12);
+    }
+}
+
+TEST(CoulombNewton, ABlockPushedLessStandsAndOneThatIsLiftedFlies)
+{
+    const PlaneConeProgram standing = blockOnTwoCorners(0.3, 1, 0.4);
+    EXPECT_LT(solveCoulombNewton(standing, nothing(standing)).displacement.norm(), 1e-12);
+    const PlaneConeProgram flying = blockOnTwoCorners(0.3, -1, 0.4);
+    const ConeSolution solution = solveCoulombNewton(flying, nothing(flying));
+    ASSERT_EQ(solution.status, SolveStatus::optimal);
+    EXPECT_LT((solution.displacement - Eigen::Vector3d(0.15, 0.5, 0)).norm(), 1e-14);
+}
+
+TEST(CoulombNewton, ASlipThatIsGivenInTheGapIsNoSlip)
+{
+    // The ground point moves along by the tangential gap: a block carried by 0.01 with it has not slid.
+    PlaneConeProgram program = blockOnTwoCorners(0, 1, 0.4);
+    program.gap << 0, -0.01, 0, -0.01;
+    const ConeSolution solution = solveCoulombNewton(program, nothing(program));
+    ASSERT_EQ(solution.status, SolveStatus::optimal);
+    EXPECT_NEAR(solution.displacement[0], 0.01, 1e-13);
+    EXPECT_NEAR(solution.contactForce[1] + solution.contactForce[3], 0.02, 1e-12);
+    EXPECT_LT(worstOfCoulomb(program, solution), 1e-11);
+}
+
+TEST(CoulombNewton, RandomStacksFromTheAssociativeSolution)
+{
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> symmetric(-1, 1);
+    int solved = 0;
+    for (int trial = 0; trial < 100; ++trial)
+    {
+        PlaneConeProgram program;
+        program.bodies = 6;
+        program.load = Eigen::VectorXd::Zero(18);
+        for (int body = 0; body < 6; ++body)
+        {
+            for (const double x : {-0.5, 0.5})
+            {
+                ConeColumns<3, 2> columns = standingOn(body, x, -0.5);
+                columns.second = body - 1;
+                columns.onSecond = -standingOn(body, x, 0.5).onFirst;
+                program.contacts.push_back(columns);
+                program.friction.push_back(0.3);
+            }
+            program.load.segment<3>(3 * body) << symmetric(random), -1 + 0.5 * symmetric(random), 0;
+            program.inertia.push_back(Eigen::Vector3d(1, 1, 0.2).asDiagonal());
+        }
+        program.gap = Eigen::VectorXd::Zero(24);
+        const ConeSolution near = solveInteriorPoint(program, {1e-9, 100, 3});
+        ASSERT_EQ(near.status, SolveStatus::optimal);
+        const ConeSolution solution = solveCoulombNewton(program, near);
+        // Whoever says that it has solved it has.
+        if (solution.status == SolveStatus::optimal)
+        {
+            ++solved;
+            EXPECT_LT(worstOfCoulomb(program, solution), 1e-10) << "stack " << trial;
+        }
+    }
+    EXPECT_GE(solved, 85) << "of 100";
+}
+
+TEST(CoulombNewton, AStartOfAnotherSizeIsRefused)
+{
+    const PlaneConeProgram program = blockOnTwoCorners(0.3, 1, 0.4);
+    EXPECT_THROW(solveCoulombNewton(program, {}), std::invalid_argument);
+}
+
+} // namespace
+} // namespace drystone
