@@ -31,4 +31,23 @@ std::vector<ContactPoint<2>> findContactPoints(const Assembly<2>& assembly, doub
     return points;
 }
 
+std::vector<ContactPoint<2>> divideJoints(const std::vector<ContactPoint<2>>& ends, int pointsPerJoint)
+{
+    std::vector<ContactPoint<2>> points;
+    points.reserve(ends.size() / 2 * static_cast<std::size_t>(pointsPerJoint));
+    for (std::size_t end = 0; end + 1 < ends.size(); end += 2)
+    {
+        const int last = pointsPerJoint - 1;
+        for (int i = 0; i <= last; ++i)
+        {
+            ContactPoint<2> point = ends[end];
+            // From either end, so that the ends themselves keep their last digit.
+            point.position =
+                (double(last - i) * ends[end].position + double(i) * ends[end + 1].position) / last;
+            points.push_back(point);
+        }
+    }
+    return points;
+}
+
 } // namespace drystone

@@ -50,4 +50,8 @@ inline Vector<2> tangent(const ContactPoint<2>& point)
 template<int Dim>
 std::vector<ContactPoint<Dim>> findContactPoints(const Assembly<Dim>& assembly, double tolerance = 1e-6);
 
+/// The same joints with `pointsPerJoint` points each, at equal distances from end to end. \param ends the two
+/// points of each joint, as findContactPoints gives them
+std::vector<ContactPoint<2>> divideJoints(const std::vector<ContactPoint<2>>& ends, int pointsPerJoint);
+
 } // namespace drystone

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace drystone
 {
 
@@ -21,9 +23,6 @@ const Registry<CoulombFriction>& frictionTypes()
 const std::vector<AbsentEffect>& absentEffects()
 {
     static const std::vector<AbsentEffect> effects{
-        {"cohesion", "shear strength without normal force"},
-        {"tension", "tensile strength of the joints"},
-        {"crushing", "a limit to the compression that a contact carries"},
         {"elasticity", "joints that give way under load"},
         {"damping", "losses beside friction and impact"},
         {"rollingResistance", "a moment that resists rolling"},
@@ -50,21 +49,89 @@ void declare(Options& options, Restitution& restitution)
         .example("0.5");
 }
 
+void declare(Options& options, JointStrength& strength)
+{
+    options.required("strength", strength.strength, "of a joint over its area")
+        .unit("Pa")
+        .atLeast(0)
+        .example("1e5");
+}
+
+void declare(Options& options, JointFriction& friction)
+{
+    options.required("mu", friction.mu, "friction coefficient")
+        .unit("-")
+        .atLeast(0)
+        .atMost(1e6)
+        .example("0.4");
+}
+
+void declare(Options& options, JointProperties& properties)
+{
+    options.optional("friction", properties.friction, "shear by normal force");
+    options.optional("cohesion", properties.cohesion, "shear beside friction");
+    options.optional("tension", properties.tension, "normal stress that holds the joint together");
+    options.optional("crushing", properties.crushing, "pressure that the joint bears");
+}
+
 void declare(Options& options, ContactProperties& properties)
 {
     options.optional("friction", properties.friction, frictionTypes(),
                      "shear at the contacts; absent: frictionless");
     options.optional("restitution", properties.restitution, "rebound after an impact; absent: none");
+    options.optional("cohesion", properties.cohesion, "shear of the joints beside friction; absent: none");
+    options.optional("tension", properties.tension,
+                     "normal stress that holds joints together, at most cohesion over mu; absent: none");
+    options.optional("crushing", properties.crushing, "pressure that the joints bear; absent: any");
+    options
+        .optional("pointsPerJoint", properties.pointsPerJoint,
+                  "contact points along each joint, of limitAnalysis; absent: 2, with crushing 11")
+        .atLeast(2)
+        .atMost(1000)
+        .example("11");
+    options.optional(
+        "joints", properties.joints,
+        "what some joints have instead: by name, as 3-7 for that of blocks 3 and 7, 12-ground for "
+        "that of block 12 and the support ground, or by quoted pattern");
 }
 
 EffectNames effectNames(const ContactProperties& properties)
 {
     EffectNames names;
-    (properties.friction ? names.simulated : names.absent).emplace_back("friction");
-    (properties.restitution ? names.simulated : names.absent).emplace_back("restitution");
+    const auto tell = [&names](bool isThere, const char* name)
+    { (isThere ? names.simulated : names.absent).emplace_back(name); };
+    const auto inJoints = [&properties](std::optional<JointStrength> JointProperties::*effect)
+    {
+        return std::any_of(properties.joints.begin(), properties.joints.end(),
+                           [effect](const auto& joint) { return (joint.second.*effect).has_value(); });
+    };
+    const bool hasFriction =
+        properties.friction
+        || std::any_of(properties.joints.begin(), properties.joints.end(),
+                       [](const auto& joint) { return joint.second.friction.has_value(); });
+    tell(hasFriction, "friction");
+    tell(properties.restitution.has_value(), "restitution");
+    tell(properties.cohesion || inJoints(&JointProperties::cohesion), "cohesion");
+    tell(properties.tension || inJoints(&JointProperties::tension), "tension");
+    tell(properties.crushing || inJoints(&JointProperties::crushing), "crushing");
     for (const AbsentEffect& effect : absentEffects())
         names.absent.emplace_back(effect.name);
     return names;
+}
+
+void refuseEffects(const std::filesystem::path& caseDirectory, const std::string& application,
+                   const std::vector<std::string>& names)
+{
+    const Dictionary dictionary = Dictionary::readFile(caseDirectory / "constant/contactProperties");
+    for (const std::string& name : names)
+    {
+        if (const Entry* entry = dictionary.findExact(name))
+        {
+            throw FatalIOError(fmt::format("{} does not simulate {}. Remove the entry to compute without it.",
+                                           application, name),
+                               entry->location());
+        }
+    }
 }
 
 ContactProperties readContactProperties(const std::filesystem::path& caseDirectory)
@@ -77,7 +144,7 @@ ContactProperties readContactProperties(const std::filesystem::path& caseDirecto
         {
             throw FatalIOError(
                 fmt::format("This version does not simulate {} ({}). Remove the entry to compute "
-                            "without it; simulated are: friction restitution.",
+                            "without it; simulated are: friction restitution cohesion tension crushing.",
                             effect.name, effect.summary),
                 entry->location());
         }

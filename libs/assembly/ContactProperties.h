@@ -47,11 +47,45 @@ struct Restitution
 
 void declare(Options& options, Restitution& restitution);
 
+/// Strength of the joints over their area. Of cohesion: shear that a joint carries beside friction; of
+/// tension: normal stress that holds it together; of crushing: pressure that it bears.
+struct JointStrength
+{
+    double strength = 0; ///< [Pa]
+};
+
+void declare(Options& options, JointStrength& strength);
+
+/// Friction of some joints only. The flow rule is that of all.
+struct JointFriction
+{
+    double mu = 0; ///< friction coefficient, 0 to 1e6
+};
+
+void declare(Options& options, JointFriction& friction);
+
+/// What some joints have instead of what all have; the effects that it does not name stay as they are.
+struct JointProperties
+{
+    std::optional<JointFriction> friction;
+    std::optional<JointStrength> cohesion;
+    std::optional<JointStrength> tension;
+    std::optional<JointStrength> crushing;
+};
+
+void declare(Options& options, JointProperties& properties);
+
 /// The effects of a case; one that is absent is not simulated and costs nothing.
 struct ContactProperties
 {
     std::optional<CoulombFriction> friction; ///< absent: frictionless
     std::optional<Restitution> restitution;  ///< absent: impacts are plastic
+    std::optional<JointStrength> cohesion;   ///< absent: shear by friction alone
+    std::optional<JointStrength> tension;    ///< absent: joints open freely
+    std::optional<JointStrength> crushing;   ///< absent: any pressure is borne
+    /// By name (see jointName), exact names before the last pattern that matches.
+    std::vector<std::pair<NamePattern, JointProperties>> joints;
+    std::optional<int> pointsPerJoint; ///< absent: 2, the ends; with crushing 11
 };
 
 void declare(Options& options, ContactProperties& properties);
@@ -81,7 +115,13 @@ EffectNames effectNames(const ContactProperties& properties);
 /// faulty, or asks for an effect that is unknown or absent from this version
 ContactProperties readContactProperties(const std::filesystem::path& caseDirectory);
 
-/// Friction coefficient of each of `points` contact points: 0 without friction.
+/// Refuses effects that an application does not simulate, so that nobody takes a result for what it is not.
+/// \param names of sub-dictionaries or entries of constant/contactProperties
+/// \throws FatalIOError for the first of them that the case gives
+void refuseEffects(const std::filesystem::path& caseDirectory, const std::string& application,
+                   const std::vector<std::string>& names);
+
+/// Friction coefficient of each of `points` contact points: 0 without friction. Not for cases with `joints`.
 std::vector<double> frictionCoefficients(const ContactProperties& properties, std::size_t points);
 
 } // namespace drystone

@@ -24,7 +24,7 @@ std::vector<Vector<2>> pointForces(const Eigen::VectorXd& contactForce)
 }
 
 std::vector<ContactState> contactStates(std::span<const Vector<2>> forces, std::span<const double> friction,
-                                        double tolerance)
+                                        std::span<const double> cohesion, double tolerance)
 {
     if (friction.size() != forces.size())
         throw FatalError(fmt::format("{} friction coefficients were given for {} contact forces.",
@@ -37,10 +37,13 @@ std::vector<ContactState> contactStates(std::span<const Vector<2>> forces, std::
     for (std::size_t i = 0; i < forces.size(); ++i)
     {
         const double normal = forces[i].x();
-        const double strength = friction[i] * normal;
-        if (normal <= tolerance * largest)
+        const double shear = std::abs(forces[i].y());
+        const double strength = friction[i] * normal + (cohesion.empty() ? 0 : cohesion[i]);
+        const bool isCohesive = !cohesion.empty() && cohesion[i] > 0;
+        if (isCohesive ? std::max(std::abs(normal), shear) <= tolerance * largest
+                       : normal <= tolerance * largest)
             states.push_back(ContactState::open);
-        else if (std::abs(forces[i].y()) >= strength - tolerance * normal)
+        else if (shear >= strength - tolerance * (normal + (isCohesive ? cohesion[i] : 0)))
             states.push_back(ContactState::sliding);
         else
             states.push_back(ContactState::sticking);

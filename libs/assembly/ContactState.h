@@ -23,8 +23,9 @@ std::vector<Vector<2>> pointForces(const Eigen::VectorXd& contactForce);
 /// State of each point from its force (normal, tangent) [N]. A point is open when its normal force is below
 /// `tolerance` times the largest, and slides when its shear comes within `tolerance` n of mu n.
 ///
-/// \param friction coefficient mu of each point
+/// \param friction coefficient mu of each point \param cohesion shear that each carries beside it [N]; empty:
+/// none. A point in tension is open only when it carries no shear either.
 std::vector<ContactState> contactStates(std::span<const Vector<2>> forces, std::span<const double> friction,
-                                        double tolerance = 1e-6);
+                                        std::span<const double> cohesion = {}, double tolerance = 1e-6);
 
 } // namespace drystone

@@ -36,6 +36,8 @@ DynamicCase readDynamicCase(const std::filesystem::path& caseDirectory)
     Assembly<2> assembly = readAssembly(caseDirectory);
     refuseOverlaps(assembly, caseDirectory);
     scene.contact = readContactProperties(caseDirectory);
+    refuseEffects(caseDirectory, "contactDynamics",
+                  {"cohesion", "tension", "crushing", "pointsPerJoint", "joints"});
     scene.gravity = readGravity(caseDirectory);
     const std::vector<double> densities = readDensities(caseDirectory, assembly, scene.gravity);
     setStructure(scene, std::move(assembly), densities);

@@ -82,6 +82,14 @@ std::string tableText(const LimitAnalysisCase& structure, const LimitAnalysis& r
         result.certificate.dualResidual, result.certificate.gap, cpuTime);
 }
 
+std::vector<double> cohesionsOf(const PlaneConeProgram& program)
+{
+    std::vector<double> cohesions;
+    for (const Strength& strength : program.strength)
+        cohesions.push_back(strength.cohesion);
+    return cohesions;
+}
+
 std::string coulombText(const CoulombRange& range)
 {
     return fmt::format(
@@ -179,7 +187,9 @@ void writeLimitAnalysisResults(const std::filesystem::path& caseDirectory, const
 
     const std::vector<Vector<2>> forces = pointForces(result.contactForce);
     VtkSeries contacts(caseDirectory / "VTK", "contacts", 0);
-    contacts.write(0, contactFrame(structure.points, forces, contactStates(forces, structure.friction)));
+    contacts.write(0,
+                   contactFrame(structure.points, forces,
+                                contactStates(forces, structure.friction, cohesionsOf(structure.program))));
 
     MechanismPicture picture;
     picture.title = std::filesystem::absolute(caseDirectory).lexically_normal().filename().string();

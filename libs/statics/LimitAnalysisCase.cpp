@@ -3,11 +3,51 @@
 
 #include "assembly/AssemblyChecks.h"
 #include "assembly/AssemblyFile.h"
+#include "assembly/JointLaws.h"
 #include "assembly/Materials.h"
 #include "core/Solution.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace drystone
 {
+namespace
+{
+
+/// With crushing, hinges move inwards from the ends of a joint: the points that they move along.
+constexpr int pointsToCrush = 11;
+
+std::vector<ContactPoint<2>> contactPoints(const Assembly<2>& assembly, const ContactProperties& contact)
+{
+    const bool canCrush = contact.crushing
+                          || std::any_of(contact.joints.begin(), contact.joints.end(),
+                                         [](const auto& joint) { return joint.second.crushing.has_value(); });
+    const int count = contact.pointsPerJoint.value_or(canCrush ? pointsToCrush : 2);
+    std::vector<ContactPoint<2>> ends = findContactPoints(assembly);
+    return count > 2 ? divideJoints(ends, count) : ends;
+}
+
+/// Empty where no point has any: cones cost less.
+std::vector<Strength> strengthsOf(const std::vector<PointLaw>& laws)
+{
+    std::vector<Strength> strengths;
+    strengths.reserve(laws.size());
+    bool isAny = false;
+    for (const PointLaw& law : laws)
+    {
+        strengths.push_back({law.cohesion, law.tension, law.crushing});
+        isAny = isAny || law.cohesion > 0 || law.tension > 0 || std::isfinite(law.crushing);
+    }
+    return isAny ? strengths : std::vector<Strength>();
+}
+
+FlowRule flowRuleOf(const ContactProperties& contact)
+{
+    return contact.friction ? contact.friction->flowRule : FlowRule::associative;
+}
+
+} // namespace
 
 void declare(Options& options, LimitAnalysisControls& controls)
 {
@@ -41,20 +81,32 @@ LimitAnalysisCase readLimitAnalysisCase(const std::filesystem::path& caseDirecto
     const LoadVectors loads =
         readLoads(caseDirectory, {result.assembly, masses, gravity}, LiveLoad::required);
 
-    result.points = findContactPoints(result.assembly);
-    result.friction = frictionCoefficients(result.contact, result.points.size());
+    result.points = contactPoints(result.assembly, result.contact);
+    const std::vector<PointLaw> laws =
+        pointLaws(caseDirectory, result.contact, result.assembly, result.points);
+    for (const PointLaw& law : laws)
+    {
+        result.friction.push_back(law.mu);
+    }
     result.freeBlocks = static_cast<int>(loads.dead.size()) / 3;
     result.program =
         limitAnalysisProgram(result.freeBlocks, equilibriumColumns(result.assembly, blocks, result.points),
                              result.friction, loads);
+    result.program.strength = strengthsOf(laws);
+    if (result.program.hasStrength() && flowRuleOf(result.contact) == FlowRule::nonAssociative)
+    {
+        const Dictionary dictionary = Dictionary::readFile(caseDirectory / "constant/contactProperties");
+        throw FatalIOError("limitAnalysis follows the non-associative flow rule with friction alone. Write "
+                           "`flowRule associative;`, or remove cohesion, tension and crushing.",
+                           dictionary.subDict("friction").locationOf("flowRule"));
+    }
     return result;
 }
 
 LimitAnalysis solveLimitAnalysis(const LimitAnalysisCase& structure)
 {
     const InteriorPointSettings solver = interiorPointSettings(structure.solution);
-    const std::optional<CoulombFriction>& friction = structure.contact.friction;
-    return friction && friction->flowRule == FlowRule::nonAssociative
+    return flowRuleOf(structure.contact) == FlowRule::nonAssociative
                ? solveNonAssociative(structure.program, jointsOf(structure.points), structure.nonAssociative,
                                      solver)
                : solveLimitAnalysis(structure.program, solver);

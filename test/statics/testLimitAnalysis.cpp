@@ -2,6 +2,7 @@
 /// Limit analysis against published and closed-form multipliers; each answer's certificate is computed by
 /// conic/Certificate.h from the problem data, not by the solver.
 #include "Structures.h"
+#include "assembly/JointLaws.h"
 #include "texture/Arch.h"
 
 #include <gtest/gtest.h>
@@ -160,6 +161,33 @@ TEST(LimitAnalysis, OfAMonolithIsTheLesserOfFrictionAndSlenderness)
         assembly.blocks = {rectangle(0, 0, 0.5, 2), rectangle(-1, -1, 2, 0, 0)};
         const Structure structure(std::move(assembly));
         EXPECT_NEAR(multiplierOf(structure.program(mu, structure.weightLoads())), std::min(mu, 0.25), 1e-9);
+    }
+}
+
+TEST(LimitAnalysis, OfAMonolithWhoseToeCrushesConvergesWithThePointsOfTheJoint)
+{
+    // alpha = (b - W/(2 s t))/h with b = 0.25, h = 1, W = 1000, t = 1; the error is at most s t d2/(8 W h), d
+    // the distance of the points.
+    Assembly<2> assembly;
+    assembly.supports = {{"ground", "ground"}};
+    assembly.blocks = {rectangle(0, 0, 0.5, 2), rectangle(-1, -1, 2, 0, 0)};
+    Structure structure(std::move(assembly));
+    const std::vector<ContactPoint<2>> ends = structure.points;
+    for (const double strength : {3e3, 1e4, 1e5, 1e9})
+    {
+        for (const int count : {2, 5, 11, 41, 161, 641})
+        {
+            structure.points = divideJoints(ends, count);
+            const std::vector<double> areas = pointAreas(structure.assembly, structure.points);
+            PlaneConeProgram program = structure.program(3, structure.weightLoads());
+            for (const double area : areas)
+            {
+                program.strength.push_back({.crushing = strength * area});
+            }
+            const double distance = 0.5 / (count - 1);
+            const double bound = std::min(strength * distance * distance / 8000, 0.25);
+            EXPECT_NEAR(multiplierOf(program), 0.25 - 1000 / (2 * strength), bound + 1e-9) << count;
+        }
     }
 }
 
