@@ -92,6 +92,11 @@ void defineFunctions(mu::Parser& parser)
 
 double evaluateExpression(const std::string& expression)
 {
+    return evaluateExpression(expression, {});
+}
+
+double evaluateExpression(const std::string& expression, const std::map<std::string, double>& names)
+{
     if (expression.find_first_not_of(" \t\r\n") == std::string::npos)
         throw std::invalid_argument("the expression is empty");
     if (expression.size() > longestExpression)
@@ -103,6 +108,8 @@ double evaluateExpression(const std::string& expression)
     {
         mu::Parser parser;
         defineFunctions(parser);
+        for (const auto& [name, value] : names)
+            parser.DefineConst(name, value);
         parser.SetExpr(withPlainConstants(expression));
         int count = 0;
         const double* results = parser.Eval(count);

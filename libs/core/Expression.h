@@ -2,6 +2,7 @@
 /// Arithmetic in dictionaries: `#calc "2*$length"`, `#eval { sin(degToRad(30)) }`.
 #pragma once
 
+#include <map>
 #include <string>
 
 namespace drystone
@@ -13,5 +14,8 @@ namespace drystone
 /// Nothing is compiled or executed. \throws std::invalid_argument saying what is wrong, also when the value
 /// is not finite
 double evaluateExpression(const std::string& expression);
+
+/// The same with names that stand for numbers: letters, digits and _.
+double evaluateExpression(const std::string& expression, const std::map<std::string, double>& names);
 
 } // namespace drystone

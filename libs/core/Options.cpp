@@ -448,7 +448,7 @@ Lines bracketed(const OptionDescription& option, const OptionDescription::Altern
     case Form::namedDictionaries:
         lines.push_back(option.key);
         lines.emplace_back("{");
-        lines.emplace_back("    name");
+        lines.push_back("    " + (option.exampleText.empty() ? std::string("name") : option.exampleText));
         append(lines, body, "    ");
         lines.emplace_back("}");
         return lines;

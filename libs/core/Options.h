@@ -113,7 +113,8 @@ public:
     Option& orInfinite();
     /// The words that are allowed. (Enumerations know theirs.)
     Option& oneOf(std::vector<std::string> allowedWords);
-    /// What annotated dictionaries show when there is no default.
+    /// What annotated dictionaries show when there is no default; of a dictionary of dictionaries, the name
+    /// that a user might give.
     Option& example(std::string text);
 
     const OptionDescription& description() const { return about; }

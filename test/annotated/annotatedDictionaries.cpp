@@ -17,6 +17,7 @@
 #include "functionObjects/FunctionList.h"
 #include "statics/LimitAnalysisCase.h"
 #include "studies/IncrementalDynamics.h"
+#include "studies/ParameterSearch.h"
 #include "texture/Texture.h"
 
 #include <algorithm>
@@ -107,6 +108,11 @@ std::vector<Example> examples()
             "Over which accelerations of the ground incrementalDynamics repeats a motion, and when a run has "
             "gone too far.",
             {"intensity", "criterion"}),
+        example<ParameterSearchSettings>(
+            "system/parameterSearchDict",
+            "Which entries parameterSearch varies, what of the results is to be least or largest, and how it "
+            "searches.",
+            {"variables", "results", "objective", "search"}),
         example<InitialMotion>("0/motion", "How blocks start; without this file as built and at rest."),
     };
 }

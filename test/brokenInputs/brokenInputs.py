@@ -128,6 +128,39 @@ def inStudy(name, old, new, *says, file="system/incrementalDynamicsDict", **more
                   | more.pop("files", {}), **more)
 
 
+searching = """applications (blockTexture limitAnalysis);
+variables
+{
+    mu
+    {
+        file "constant/contactProperties";
+        entry "friction/mu";
+        bounds (0.3 1);
+    }
+}
+results
+{
+    alpha
+    {
+        table "postProcessing/limitAnalysis/0/limitAnalysis.dat";
+        column alpha;
+    }
+}
+objective { goal minimise; value alpha; }
+constraints { strong { value mu; atLeast 0.4; } }
+search
+(
+    { algorithm DIRECT_L; maximumEvaluations 5; }
+    { algorithm COBYLA; tolerance 1e-3; }
+);
+"""
+
+
+def inSearch(name, old, new, *says, **more):
+    return Broken("parameterSearch", name, "system/parameterSearchDict", old, new, says=says,
+                  files={"system/parameterSearchDict": searching} | more.pop("files", {}), **more)
+
+
 brokenInputs = [
     # The text of a dictionary.
     inTexture("missingSemicolon", "courses     6;", "courses     6", r"`?;`?", lines=(8, 9)),
@@ -264,6 +297,30 @@ brokenInputs = [
     inStudy("endsOtherwise", "endTime 0.1;", "stopAt nextWrite;", r"stopAt endTime", file="system/controlDict"),
     Broken("incrementalDynamics", "postProcess", before=built, arguments=("-postProcess",), says=(r"-postProcess",),
            where="-"),
+    # A search.
+    inSearch("noDictionary", "", "", r"parameterSearchDict", content=None, lines=(0,),
+             files={"system/parameterSearchDict": REMOVE}),
+    inSearch("unknownApplication", "limitAnalysis)", "limitAnalysys)", r"Did you mean limitAnalysis\?"),
+    inSearch("shellCommand", "limitAnalysis)", "\"rm -rf .\")", r"Valid"),
+    inSearch("unknownAlgorithm", "COBYLA", "COBILA", r"Did you mean COBYLA\?"),
+    inSearch("noConstraintsTaken", "COBYLA", "BOBYQA", r"BOBYQA takes no constraints", r"COBYLA", lines=(21,)),
+    inSearch("unknownEntry", "friction/mu", "friction/mo", r"cannot be varied", r"mu"),
+    inSearch("entryIsNoNumber", "friction/mu", "friction/type", r"cannot be varied", r"number"),
+    inSearch("noFile", "constant/contactProperties", "constant/contactPropertis", r"There is no file"),
+    inSearch("fileOutside", "constant/contactProperties", "../contactProperties", r"within the case"),
+    inSearch("emptyBounds", "(0.3 1)", "(1 0.3)", r"lower one first"),
+    inSearch("startOutside", "bounds (0.3 1);", "bounds (0.3 1); start 2;@@", r"outside the bounds"),
+    inSearch("unknownName", "value alpha", "value \"alpha + beta\"", r"beta", r"Variables and results: mu alpha",
+             lines=(19,)),
+    inSearch("brokenArithmetic", "value alpha", "value \"alpha +\"", r"no arithmetic", lines=(19,)),
+    inSearch("unknownGoal", "minimise", "minimize", r"Did you mean minimise\?"),
+    inSearch("nameTwice", "    alpha\n", "    mu\n", r"have the name mu", lines=(10, 11, 12)),
+    inSearch("nameOfAConstant", "    alpha\n", "    pi\n", r"has a meaning", lines=(10, 11, 12)),
+    inSearch("constraintWithoutLimit", "atLeast 0.4;", "", r"atLeast", r"atMost", lines=(20,)),
+    inSearch("limitsCrossed", "atLeast 0.4;", "atLeast 0.4; atMost 0.3;", r"nothing meets both", lines=(20,)),
+    inSearch("bisectionOfTwo", "    mu\n    {", "    mu { file \"constant/g\"; entry x; bounds (0 1); }\n    nu\n    {",
+             r"(?i)one variable|cannot be varied", lines=(0, 4, 5, 20, 21, 22, 23)),
+    inSearch("unknownKey", "column alpha;", "colum alpha;", r"Did you mean column\?"),
     inAnalysis("controlDictStep", "system/controlDict", "deltaT 0.01", "deltaT -0.01", r"deltaT"),
 ]
 

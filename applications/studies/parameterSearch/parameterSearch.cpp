@@ -1,0 +1,56 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// parameterSearch: the values of some entries of a case at which a result is least or largest.
+#include "core/CommandLine.h"
+#include "core/Error.h"
+#include "core/Log.h"
+#include "core/Signals.h"
+#include "studies/ParameterSearchCase.h"
+
+using namespace drystone;
+
+namespace
+{
+
+int run(const CommandLine& commandLine)
+{
+    printBanner(commandLine);
+    if (commandLine.postProcess)
+    {
+        throw FatalError("parameterSearch writes its tables when it runs: leave -postProcess away.");
+    }
+    const ParameterSearch search = readParameterSearch(commandLine.caseDirectory, commandLine);
+    SearchHistory history(search);
+    printSearch(search, history);
+    if (commandLine.dryRun)
+    {
+        printEnd();
+        return 0;
+    }
+
+    catchStopSignals();
+    const SearchOutcome outcome = carryOut(search, history);
+    printOutcome(search, history, outcome);
+    writeOutcome(search, history, outcome);
+    printExecutionTime();
+    printEnd();
+    return exitStatus(outcome);
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+    ApplicationDescription description;
+    description.name = "parameterSearch";
+    description.summary =
+        "Varies entries of a case until a result is least or largest, within constraints: runs applications "
+        "in "
+        "copies of the case and lets algorithms of NLopt choose the points. Started again, it goes on.";
+    description.kind = ApplicationKind::solver;
+    description.details = []
+    {
+        return fmt::format("system/parameterSearchDict:\n{}",
+                           helpText(describeOptions<ParameterSearchSettings>()));
+    };
+    return runApplication(argc, argv, description, run);
+}

@@ -1,0 +1,272 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+#include "studies/CaseRuns.h"
+
+#include "core/Case.h"
+#include "core/Error.h"
+#include "core/Signals.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace drystone
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+
+/// Whether an entry of a case directory is a result, or belongs to a search.
+bool isLeftOut(const fs::path& path)
+{
+    const std::string name = path.filename().string();
+    if (name == "VTK" || name == "postProcessing" || name == "parameterSearch" || name.starts_with("log.")
+        || name.starts_with("."))
+    {
+        return true;
+    }
+    char* end = nullptr;
+    const double time = std::strtod(name.c_str(), &end);
+    return end != name.c_str() && *end == 0 && time != 0 && fs::is_directory(path);
+}
+
+void copyInto(const fs::path& from, const fs::path& to)
+{
+    fs::create_directories(to);
+    for (const fs::directory_entry& entry : fs::directory_iterator(from))
+    {
+        if (isLeftOut(entry.path()))
+        {
+            continue;
+        }
+        if (entry.is_directory())
+        {
+            copyInto(entry.path(), to / entry.path().filename());
+        }
+        else if (entry.is_regular_file())
+        {
+            fs::copy_file(entry.path(), to / entry.path().filename(), fs::copy_options::overwrite_existing);
+        }
+    }
+}
+
+std::string contentOf(const fs::path& file)
+{
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+void listFiles(const fs::path& folder, std::vector<fs::path>& files)
+{
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    {
+        if (isLeftOut(entry.path()))
+        {
+            continue;
+        }
+        if (entry.is_directory())
+        {
+            listFiles(entry.path(), files);
+        }
+        else if (entry.is_regular_file())
+        {
+            files.push_back(entry.path());
+        }
+    }
+}
+
+/// The last lines of a file, without blank ones.
+std::string lastLines(const fs::path& file, std::size_t count)
+{
+    std::ifstream stream(file);
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(stream, line);)
+    {
+        if (!line.empty())
+        {
+            lines.push_back("    " + line);
+        }
+    }
+    const std::size_t skipped = lines.size() > count ? lines.size() - count : 0;
+    lines.erase(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(skipped));
+    return fmt::format("{}", fmt::join(lines, "\n"));
+}
+
+/// This program's own directory: the other applications are beside it.
+fs::path applicationFolder()
+{
+    return fs::read_symlink("/proc/self/exe").parent_path();
+}
+
+} // namespace
+
+void copyCase(const fs::path& caseDirectory, const fs::path& target)
+{
+    try
+    {
+        fs::remove_all(target);
+        copyInto(caseDirectory, target);
+    }
+    catch (const fs::filesystem_error& error)
+    {
+        throw FatalError(
+            fmt::format("Cannot copy the case to {}: {}.", target.string(), error.code().message()));
+    }
+}
+
+std::uint64_t fingerprint(const fs::path& caseDirectory)
+{
+    std::vector<fs::path> files;
+    listFiles(caseDirectory, files);
+    std::sort(files.begin(), files.end());
+    // FNV-1a.
+    std::uint64_t hash = 0xcbf29ce484222325u;
+    const auto add = [&](const std::string& text)
+    {
+        for (const char c : text + '\0')
+        {
+            hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+        }
+    };
+    for (const fs::path& file : files)
+    {
+        const fs::path name = file.lexically_relative(caseDirectory);
+        if (name != "system/parameterSearchDict")
+        {
+            add(name.string());
+            add(contentOf(file));
+        }
+    }
+    return hash;
+}
+
+ApplicationRun runInCase(const std::string& application, const fs::path& caseDirectory,
+                         const std::vector<std::string>& options)
+{
+    const std::string program = (applicationFolder() / application).string();
+    if (::access(program.c_str(), X_OK) != 0)
+    {
+        throw FatalError(fmt::format("The application {} is not where the others are: {}. Build all of them.",
+                                     application, program));
+    }
+    const std::string log = (caseDirectory / ("log." + application)).string();
+    const std::string errors = log + ".errors";
+    const std::string directory = caseDirectory.string();
+    std::vector<const char*> arguments{program.c_str(), "-case", directory.c_str()};
+    for (const std::string& option : options)
+    {
+        arguments.push_back(option.c_str());
+    }
+    arguments.push_back(nullptr);
+
+    const pid_t child = ::fork();
+    if (child < 0)
+    {
+        throw FatalError(fmt::format("Cannot start {}: {}.", application, std::strerror(errno)));
+    }
+    if (child == 0)
+    {
+        // Between fork and exec only what a signal handler may do.
+        const int output = ::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
+        const int complaints = ::open(errors.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
+        const int input = ::open("/dev/null", O_RDONLY);
+        if (output < 0 || complaints < 0 || input < 0)
+        {
+            ::_exit(127);
+        }
+        ::dup2(input, 0);
+        ::dup2(output, 1);
+        ::dup2(complaints, 2);
+        ::execv(program.c_str(), const_cast<char* const*>(arguments.data()));
+        ::_exit(127);
+    }
+
+    ApplicationRun run;
+    int status = 0;
+    int wait = 0; // [ms]
+    while (::waitpid(child, &status, WNOHANG) == 0)
+    {
+        if (stopSignal() != 0 && !run.isInterrupted)
+        {
+            run.isInterrupted = true;
+            ::kill(child, stopSignal());
+        }
+        wait = std::min(wait + 1, 10);
+        ::poll(nullptr, 0, wait);
+    }
+    run.isInterrupted = run.isInterrupted || stopSignal() != 0;
+    run.status = WIFSIGNALED(status) ? exitStatusOfSignal(WTERMSIG(status)) : WEXITSTATUS(status);
+    run.lastWords = lastLines(errors, 12);
+    std::error_code ignored;
+    if (run.lastWords.empty())
+    {
+        fs::remove(errors, ignored);
+    }
+    return run;
+}
+
+std::optional<std::vector<double>> readColumn(const fs::path& table, const std::string& name)
+{
+    std::error_code ignored;
+    if (!fs::is_regular_file(table, ignored))
+    {
+        return {};
+    }
+    std::ifstream stream(table);
+    std::vector<std::string> columns;
+    std::vector<double> values;
+    std::size_t wanted = 0;
+    for (std::string line; std::getline(stream, line);)
+    {
+        std::istringstream words(line);
+        std::string word;
+        if (line.starts_with("#"))
+        {
+            columns.clear();
+            words.get();
+            while (words >> word)
+            {
+                columns.push_back(word);
+            }
+            continue;
+        }
+        if (values.empty())
+        {
+            const auto found = std::find_if(columns.begin(), columns.end(),
+                                            [&](const std::string& column)
+                                            { return column == name || column.starts_with(name + "["); });
+            if (found == columns.end())
+            {
+                throw FatalError(fmt::format("{} has no column {}.\n\nIts columns: {}", table.string(), name,
+                                             fmt::join(columns, " ")));
+            }
+            wanted = static_cast<std::size_t>(found - columns.begin());
+        }
+        std::size_t read = 0;
+        while (read <= wanted && words >> word)
+        {
+            ++read;
+        }
+        char* end = nullptr;
+        const double value = std::strtod(word.c_str(), &end);
+        if (read <= wanted || end == word.c_str() || *end != 0)
+        {
+            throw FatalError(fmt::format("{} is not a table of numbers: `{}`.", table.string(), line));
+        }
+        values.push_back(value);
+    }
+    return values;
+}
+
+} // namespace drystone

@@ -1,0 +1,172 @@
+#!/usr/bin/env python3
+# Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+"""parameterSearch in a case: interruption, continuation, history, and points that cannot be computed.
+
+parameterSearch.py BIN CASE       CASE: the tutorial liveLoadDirection
+"""
+import os
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import unittest
+
+applications, tutorial = (os.path.abspath(path) for path in sys.argv[1:3])
+
+header = "FoamFile { version 2.0; format ascii; class dictionary; object %s; }\n"
+search = header % "parameterSearchDict" + """
+applications (blockTexture limitAnalysis);
+variables { angle { file "constant/loads"; entry angle; bounds (%(bounds)s); } }
+results { alpha { table "postProcessing/limitAnalysis/0/limitAnalysis.dat"; column %(column)s; %(otherwise)s } }
+objective { goal minimise; value alpha; }
+%(constraints)s
+search ( { algorithm %(algorithm)s; maximumEvaluations %(evaluations)s; tolerance 1e-5; } );
+"""
+good = {"bounds": "0 90", "column": "alpha", "otherwise": "", "constraints": "", "algorithm": "SBPLX",
+        "evaluations": "100"}
+
+
+class ParameterSearch(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.root = tempfile.TemporaryDirectory()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.root.cleanup()
+
+    def case(self, name, **changes):
+        case = os.path.join(self.root.name, name)
+        shutil.copytree(tutorial, case, ignore=shutil.ignore_patterns("VTK", "postProcessing", "log.*", "assembly",
+                                                                      "parameterSearch"))
+        self.set(case, **changes)
+        return case
+
+    @staticmethod
+    def set(case, **changes):
+        with open(os.path.join(case, "system/parameterSearchDict"), "w", encoding="utf-8") as file:
+            file.write(search % {**good, **changes})
+
+    def run_(self, case, *options, status=0):
+        done = subprocess.run([os.path.join(applications, "parameterSearch"), "-case", case, *options],
+                              capture_output=True, text=True, timeout=120, check=False)
+        self.assertEqual(done.returncode, status, done.stdout[-2000:] + done.stderr)
+        return done
+
+    @staticmethod
+    def read(case, name):
+        with open(os.path.join(case, name), encoding="utf-8") as file:
+            return file.read()
+
+    def rows(self, case):
+        """Points of the history without their times."""
+        text = self.read(case, "postProcessing/parameterSearch/0/history.dat")
+        return [line.split()[:-1] for line in text.splitlines() if not line.startswith("#")]
+
+    def testASearchLeavesItsHistoryItsBestCaseAndTheCaseAsItWas(self):
+        case = self.case("plain")
+        before = self.read(case, "constant/loads")
+        done = self.run_(case)
+        self.assertRegex(done.stdout, r"Least alpha = 0\.54075")
+        self.assertEqual(self.read(case, "constant/loads"), before)
+        self.assertEqual(sorted(os.listdir(os.path.join(case, "parameterSearch"))), ["best"])
+        best = self.read(case, "postProcessing/parameterSearch/0/best.dat").split()
+        angle = float(best[best.index("evaluations") + 1])
+        self.assertAlmostEqual(angle, 32.7353, delta=0.02)
+        kept = self.read(case, "parameterSearch/best/constant/loads")
+        self.assertAlmostEqual(float(re.search(r"^angle\s+(\S+);", kept, re.M).group(1)), angle, delta=1e-9)
+        self.assertTrue(os.path.exists(os.path.join(case, "parameterSearch/best/VTK")))
+        self.assertTrue(os.path.exists(os.path.join(case, "postProcessing/parameterSearch/0/parameterSearch.svg")))
+
+    def testAnInterruptedSearchGoesOnAndEndsAsIfItHadNotBeen(self):
+        whole = self.case("whole")
+        self.run_(whole)
+        for name, sent, status in (("interrupted", signal.SIGINT, 130), ("terminated", signal.SIGTERM, 143)):
+            case = self.case(name)
+            process = subprocess.Popen([os.path.join(applications, "parameterSearch"), "-case", case],
+                                       stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+            for line in process.stdout:
+                if line.startswith("Evaluation 7:"):
+                    process.send_signal(sent)
+                    break
+            output, errors = process.communicate(timeout=60)
+            self.assertEqual(process.returncode, status, output + errors)
+            self.assertIn("goes on from here", output)
+            known = self.rows(case)
+            self.assertLess(len(known), len(self.rows(whole)))
+            done = self.run_(case)
+            self.assertEqual(len(re.findall(r"\(known\)", done.stdout)) >= len(known), True)
+            self.assertEqual(self.rows(case), self.rows(whole))
+            self.assertEqual(self.rows(case)[:len(known)], known)
+
+    def testASearchThatIsDoneComputesNothingAnewAndOneThatGoesFurtherOnlyWhatIsNew(self):
+        case = self.case("again", evaluations="12")
+        self.assertIn("not converged: raise maximumEvaluations", self.run_(case, status=2).stdout)
+        first = self.rows(case)
+        self.assertLessEqual(len(first), 12)
+        self.set(case)
+        self.run_(case)
+        self.assertGreater(len(self.rows(case)), len(first))
+        self.assertEqual(self.rows(case)[:len(first)], first)
+        known = self.read(case, "postProcessing/parameterSearch/0/history.dat")
+        done = self.run_(case)
+        self.assertEqual(self.read(case, "postProcessing/parameterSearch/0/history.dat"), known)
+        self.assertEqual(len(re.findall(r"^Evaluation", done.stdout, re.M)), len(re.findall(r"known\)", done.stdout)))
+
+    def testAHistoryOfAnotherCaseIsRefused(self):
+        case = self.case("changed", evaluations="3", algorithm="DIRECT_L")
+        self.run_(case)
+        properties = self.read(case, "constant/contactProperties")
+        with open(os.path.join(case, "constant/contactProperties"), "w", encoding="utf-8") as file:
+            file.write(properties.replace("0.65", "0.6"))
+        done = self.run_(case, status=1)
+        self.assertIn("Remove postProcessing/parameterSearch", done.stderr)
+        with open(os.path.join(case, "constant/contactProperties"), "w", encoding="utf-8") as file:
+            file.write(properties)
+        self.run_(case)
+        with open(os.path.join(case, "postProcessing/parameterSearch/0/history.dat"), "a", encoding="utf-8") as file:
+            file.write("45 half a ro")
+        done = self.run_(case, status=1)
+        self.assertRegex(done.stderr, r"history.dat at line 6")
+
+    def testAResultThatIsNotThereEndsTheSearchUnlessOtherwiseIsGiven(self):
+        case = self.case("unbounded", bounds="-90 -80", algorithm="DIRECT_L", evaluations="4")
+        done = self.run_(case, status=1)
+        self.assertIn("no finite number for the result alpha at angle = -8", done.stderr)
+        self.assertRegex(done.stderr, r"parameterSearchDict\S* at line 5")
+        self.set(case, bounds="-90 -80", algorithm="DIRECT_L", evaluations="4", otherwise="otherwise 10;")
+        self.assertIn("Least alpha = 10", self.run_(case).stdout)
+
+    def testAColumnThatThereIsNotIsToldWithThoseThatThereAre(self):
+        done = self.run_(self.case("column", column="beta"), status=1)
+        self.assertIn("has no column beta", done.stderr)
+        self.assertIn("alpha[-]", done.stderr)
+        self.assertRegex(done.stderr, r"parameterSearchDict\S*column at line 5")
+
+    def testACaseThatIsFaultyIsToldAtItsFirstPoint(self):
+        case = self.case("faulty")
+        with open(os.path.join(case, "constant/g"), "w", encoding="utf-8") as file:
+            file.write("value (0 -9.81);\nvalu 3;\n")
+        done = self.run_(case, status=1)
+        self.assertIn("The first point of the search cannot be computed", done.stderr)
+        self.assertIn("valu", done.stderr)
+
+    def testConstraintsThatNothingMeetsGiveNoAnswer(self):
+        case = self.case("infeasible", constraints="constraints { strong { value alpha; atLeast 100; } }",
+                         algorithm="COBYLA")
+        done = self.run_(case, status=2)
+        self.assertIn("No point that was tried meets the constraints", done.stdout)
+        self.assertNotIn("Least alpha", done.stdout)
+
+    def testDryRunChecksAndComputesNothing(self):
+        case = self.case("dry")
+        done = self.run_(case, "-dry-run")
+        self.assertIn("Objective: minimise alpha", done.stdout)
+        self.assertFalse(os.path.exists(os.path.join(case, "parameterSearch")))
+        self.assertFalse(os.path.exists(os.path.join(case, "postProcessing")))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
