@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace drystone
 {
@@ -69,6 +70,60 @@ Eigen::VectorXd pointLoad(const Assembly<2>& assembly, int block, const Vector<2
     return load;
 }
 
+std::optional<Eigen::VectorXd> lineLoad(const Assembly<2>& assembly, const Vector<2>& from,
+                                        const Vector<2>& to, const Vector<2>& forcePerLength,
+                                        double tolerance)
+{
+    // Cut wherever the line may pass from one block to another: at their edges, and beside their corners.
+    const Vector<2> along = to - from;
+    const double length = along.norm();
+    std::vector<double> cuts{0, 1};
+    const auto cut = [&cuts](double place)
+    {
+        if (place > 0 && place < 1)
+        {
+            cuts.push_back(place);
+        }
+    };
+    const BoundingBox reach = enlarged({from.cwiseMin(to), from.cwiseMax(to)}, tolerance);
+    for (const Block<2>& block : assembly.blocks)
+    {
+        if (block.support >= 0 || !meet(reach, boundingBox(block.outline)))
+        {
+            continue;
+        }
+        for (std::size_t i = 0; i < block.outline.size(); ++i)
+        {
+            const Vector<2> corner = block.outline[i] - from;
+            const Vector<2> edge = block.outline[(i + 1) % block.outline.size()] - block.outline[i];
+            cut(corner.dot(along) / (length * length));
+            if (const double sine = cross(along, edge); std::abs(sine) > 1e-12 * length * edge.norm())
+            {
+                cut(cross(corner, edge) / sine);
+            }
+        }
+    }
+    std::sort(cuts.begin(), cuts.end());
+    std::optional<Eigen::VectorXd> load;
+    for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
+    {
+        const double share = cuts[i + 1] - cuts[i];
+        if (share <= 1e-12)
+        {
+            continue;
+        }
+        const Vector<2> middle = from + (cuts[i] + cuts[i + 1]) / 2 * along;
+        const std::optional<int> block = findLoadedBlock(assembly, middle, tolerance);
+        if (!block)
+        {
+            return std::nullopt;
+        }
+        const Eigen::VectorXd piece = pointLoad(assembly, *block, middle, share * length * forcePerLength);
+        load = load ? Eigen::VectorXd(*load + piece) : piece;
+    }
+    return load;
+}
+
 namespace
 {
 
@@ -115,6 +170,29 @@ void declare(Options& options, ForceSettings& settings)
                   });
 }
 
+struct LineSettings
+{
+    Vector<2> from{0, 0};
+    Vector<2> to{0, 0};
+    Vector<2> value{0, 0};
+};
+
+void declare(Options& options, LineSettings& settings)
+{
+    options.required("from", settings.from, "start of the line, in or on free blocks")
+        .unit("m")
+        .example("(0 1.05)");
+    options.required("to", settings.to, "its end").unit("m").example("(2 1.05)");
+    options.required("value", settings.value, "force per length").unit("N/m").example("(0 -1000 0)");
+    options.check("to",
+                  [&settings]() -> std::string
+                  {
+                      return settings.from == settings.to
+                                 ? "A line needs two different ends. For a single point write `type force;`."
+                                 : "";
+                  });
+}
+
 struct SupportMovementSettings
 {
     std::string support;
@@ -124,7 +202,15 @@ struct SupportMovementSettings
 void declare(Options& options, SupportMovementSettings& settings)
 {
     options.required("support", settings.support, "name of the support that moves").example("right");
-    options.required("direction", settings.direction, "of its movement").example("(0 -1 0)");
+    options.required("direction", settings.direction, "of its movement; its length does not matter")
+        .example("(0 -1 0)");
+    options.check("direction",
+                  [&settings]() -> std::string
+                  {
+                      return settings.direction.isZero(0)
+                                 ? "A direction cannot be (0 0 0). Write for instance `direction (0 -1 0);`."
+                                 : "";
+                  });
 }
 
 /// A force may miss the outline by this part of the mean block size: the extrados of an arch of trapezoids,
@@ -149,38 +235,106 @@ LoadMaker makeForce(const ForceSettings& settings, const Dictionary& dictionary)
     };
 }
 
+LoadMaker makeLine(const LineSettings& settings, const Dictionary& dictionary)
+{
+    return [settings, place = dictionary.locationOf("from")](const LoadContext& context) -> Eigen::VectorXd
+    {
+        const double reach = reachOfAForce * meanBlockSize(context.assembly);
+        const std::optional<Eigen::VectorXd> load =
+            lineLoad(context.assembly, settings.from, settings.to, settings.value, reach);
+        if (!load)
+        {
+            throw FatalIOError(
+                fmt::format(
+                    "The line from ({:.6g} {:.6g}) to ({:.6g} {:.6g}) leaves the free blocks: all of it "
+                    "needs one to act on. VTK/assembly.vtp shows where the blocks are.",
+                    settings.from.x(), settings.from.y(), settings.to.x(), settings.to.y()),
+                place);
+        }
+        return *load;
+    };
+}
+
+std::vector<Model<LoadMaker>> singleLoads()
+{
+    return {
+        model<LoadMaker, GravitySettings>("gravity", "the weight of the blocks",
+                                          [](const GravitySettings&) -> LoadMaker
+                                          {
+                                              return [](const LoadContext& context) {
+                                                  return gravityLoad(context.assembly, context.masses,
+                                                                     context.gravity);
+                                              };
+                                          }),
+        model<LoadMaker, InertialSettings>(
+            "inertial", "each block's own weight, turned into a direction",
+            [](const InertialSettings& settings) -> LoadMaker
+            {
+                return [direction = settings.direction](const LoadContext& context)
+                { return inertialLoad(context.assembly, context.masses, context.gravity, direction); };
+            }),
+        model<LoadMaker, ForceSettings>("force", "a force on the block at a point", makeForce),
+        model<LoadMaker, LineSettings>("line", "a force per length on the blocks along a line", makeLine),
+    };
+}
+
+const Registry<LoadMaker>& singleLoadTypes()
+{
+    static const Registry<LoadMaker> registry{"load", singleLoads()};
+    return registry;
+}
+
+struct SumSettings
+{
+    std::vector<Named<LoadMaker>> loads;
+};
+
+void declare(Options& options, SumSettings& settings)
+{
+    options.required("loads", settings.loads, singleLoadTypes(),
+                     "that act together; each has a name of yours");
+}
+
+LoadMaker makeSum(const SumSettings& settings, const Dictionary& dictionary)
+{
+    if (settings.loads.empty())
+    {
+        throw FatalIOError("A sum needs loads. Write for instance `loads { weight { type gravity; } }`.",
+                           dictionary.locationOf("loads"));
+    }
+    return [loads = settings.loads](const LoadContext& context)
+    {
+        Eigen::VectorXd sum = loads.front().second(context);
+        for (std::size_t i = 1; i < loads.size(); ++i)
+        {
+            sum += loads[i].second(context);
+        }
+        return sum;
+    };
+}
+
 } // namespace
 
 const Registry<LoadMaker>& loadTypes()
 {
-    static const Registry<LoadMaker> registry{
-        "load",
-        {
-            model<LoadMaker, GravitySettings>("gravity", "the weight of the blocks",
-                                              [](const GravitySettings&) -> LoadMaker
-                                              {
-                                                  return [](const LoadContext& context) {
-                                                      return gravityLoad(context.assembly, context.masses,
-                                                                         context.gravity);
-                                                  };
-                                              }),
-            model<LoadMaker, InertialSettings>(
-                "inertial", "each block's own weight, turned into a direction",
-                [](const InertialSettings& settings) -> LoadMaker
+    static const Registry<LoadMaker> registry = []
+    {
+        Registry<LoadMaker> all{"load", singleLoads()};
+        all.models.push_back(
+            model<LoadMaker, SumSettings>("sum", "several loads that act together", makeSum));
+        all.models.push_back(model<LoadMaker, SupportMovementSettings>(
+            "supportMovement", "settlement of a support, of limitAnalysis, instead of a live load",
+            [](const SupportMovementSettings&, const Dictionary& dictionary) -> LoadMaker
+            {
+                return [place = dictionary.locationOf("type")](const LoadContext&) -> Eigen::VectorXd
                 {
-                    return [direction = settings.direction](const LoadContext& context)
-                    { return inertialLoad(context.assembly, context.masses, context.gravity, direction); };
-                }),
-            model<LoadMaker, ForceSettings>("force", "a force on the block at a point", makeForce),
-            model<LoadMaker, SupportMovementSettings>(
-                "supportMovement", "settlement of a support: not simulated by this version",
-                [](const SupportMovementSettings&, const Dictionary& dictionary) -> LoadMaker
-                {
-                    throw FatalIOError("This version does not simulate supportMovement. Loads that it does: "
-                                       "force gravity inertial.",
-                                       dictionary.locationOf("type"));
-                }),
-        }};
+                    throw FatalIOError("supportMovement can only be the live load, and by itself. Loads that "
+                                       "can stand here: force gravity inertial line sum.",
+                                       place);
+                };
+            }));
+        return all;
+    }();
     return registry;
 }
 
@@ -188,7 +342,40 @@ void declare(Options& options, LoadCases& cases)
 {
     options.required("dead", cases.dead, loadTypes(), "load that acts in full");
     options.optional("live", cases.live, loadTypes(), "load that the multiplier alpha makes grow");
+    options.optional("multiplier", cases.multiplier, "of the live load that limitAnalysis looks for");
 }
+
+namespace
+{
+
+/// The movement that a live load of type supportMovement asks for.
+std::optional<SupportMovement> readMovement(const Dictionary& loads, const Assembly<2>& assembly)
+{
+    const Entry* live = loads.findExact("live");
+    const Entry* type = live ? live->dictionary().find("type") : nullptr;
+    if (!type || type->as<std::string>() != "supportMovement")
+    {
+        return std::nullopt;
+    }
+    SupportMovementSettings settings;
+    Options options;
+    options.readElsewhere({"type"});
+    declare(options, settings);
+    options.readFrom(live->dictionary());
+    std::vector<std::string> names;
+    for (const Support& support : assembly.supports)
+    {
+        if (support.name == settings.support)
+        {
+            return SupportMovement{static_cast<int>(names.size()), settings.direction.normalized()};
+        }
+        names.push_back(support.name);
+    }
+    throw FatalIOError(unknownWordMessage("support", settings.support, names),
+                       live->dictionary().locationOf("support"));
+}
+
+} // namespace
 
 LoadVectors readLoads(const std::filesystem::path& caseDirectory, const LoadContext& context,
                       LiveLoad liveLoad)
@@ -208,8 +395,15 @@ LoadVectors readLoads(const std::filesystem::path& caseDirectory, const LoadCont
             "inertial; direction (1 0 0); }",
             dictionary.location());
     }
-    LoadVectors loads{cases.dead(context), cases.live ? (*cases.live)(context) : Eigen::VectorXd()};
-    if (liveLoad == LiveLoad::required && loads.live.isZero(0))
+    LoadVectors loads;
+    loads.multiplier = cases.multiplier;
+    loads.dead = cases.dead(context);
+    loads.movement = readMovement(dictionary, context.assembly);
+    if (cases.live && !loads.movement)
+    {
+        loads.live = (*cases.live)(context);
+    }
+    if (liveLoad == LiveLoad::required && !loads.movement && loads.live.isZero(0))
     {
         throw FatalIOError(
             "The live load is zero on every block, as where gravity (constant/g) is zero: there "

@@ -6,13 +6,37 @@
 #include "core/Options.h"
 #include "core/Registry.h"
 
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace drystone
 {
+
+/// Which multipliers of the live load are asked for.
+enum class Multiplier
+{
+    positive, ///< the largest that is carried
+    negative, ///< the least that is carried: the live load reversed
+    both      ///< the range between them
+};
+
+inline std::array<std::pair<std::string_view, Multiplier>, 3> namesOf(Multiplier)
+{
+    return {
+        {{"positive", Multiplier::positive}, {"negative", Multiplier::negative}, {"both", Multiplier::both}}};
+}
+
+/// A support that moves instead of a live load that grows.
+struct SupportMovement
+{
+    int support = -1;           ///< index into Assembly::supports
+    Vector<2> direction{0, -1}; ///< unit vector
+};
 
 /// Rows of a load vector: 3 for each free block, ux uy [N] and rz [N m] about its centroid, in the order of
 /// the free blocks (see freeIndices).
@@ -20,6 +44,8 @@ struct LoadVectors
 {
     Eigen::VectorXd dead; ///< acts in full
     Eigen::VectorXd live; ///< acts times the load multiplier alpha; size 0 where the case has no live load
+    std::optional<SupportMovement> movement = {}; ///< instead of `live`
+    Multiplier multiplier = Multiplier::positive;
 };
 
 /// Weight of the free blocks. \param masses of all blocks [kg] \param gravity [m/s2]
@@ -37,6 +63,12 @@ std::optional<int> findLoadedBlock(const Assembly<2>& assembly, const Vector<2>&
 /// A force [N] at a point [m] of a free block.
 Eigen::VectorXd pointLoad(const Assembly<2>& assembly, int block, const Vector<2>& point,
                           const Vector<2>& force);
+
+/// A force per length [N/m] along a straight line, on the blocks that hold its pieces or lie within
+/// `tolerance` [m] of them. Nothing where a piece has no free block.
+std::optional<Eigen::VectorXd> lineLoad(const Assembly<2>& assembly, const Vector<2>& from,
+                                        const Vector<2>& to, const Vector<2>& forcePerLength,
+                                        double tolerance);
 
 /// What a load is made from.
 struct LoadContext
@@ -58,6 +90,7 @@ struct LoadCases
 {
     LoadMaker dead;
     std::optional<LoadMaker> live;
+    Multiplier multiplier = Multiplier::positive;
 };
 
 void declare(Options& options, LoadCases& cases);

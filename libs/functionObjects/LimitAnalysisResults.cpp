@@ -15,6 +15,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace drystone
@@ -72,14 +73,18 @@ double tabledAlpha(const LimitAnalysis& result)
     return result.alpha;
 }
 
-std::string tableText(const LimitAnalysisCase& structure, const LimitAnalysis& result, double cpuTime)
+std::string tableText(const LimitAnalysisCase& structure, const std::vector<LimitAnalysis>& results,
+                      double cpuTime)
 {
-    return fmt::format(
+    std::string text =
         "# alpha[-] status[-] blocks[-] contactPoints[-] variables[-] iterations[-] primalResidual[-] "
-        "dualResidual[-] gap[-] cpuTime[s]\n{:.12g} {} {} {} {} {} {:.3e} {:.3e} {:.3e} {:.6g}\n",
-        tabledAlpha(result), static_cast<int>(result.status), structure.freeBlocks, structure.points.size(),
-        result.variables, result.iterations, result.certificate.primalResidual,
-        result.certificate.dualResidual, result.certificate.gap, cpuTime);
+        "dualResidual[-] gap[-] cpuTime[s]\n";
+    for (const LimitAnalysis& result : results)
+        text += fmt::format("{:.12g} {} {} {} {} {} {:.3e} {:.3e} {:.3e} {:.6g}\n", tabledAlpha(result),
+                            static_cast<int>(result.status), structure.freeBlocks, structure.points.size(),
+                            result.variables, result.iterations, result.certificate.primalResidual,
+                            result.certificate.dualResidual, result.certificate.gap, cpuTime);
+    return text;
 }
 
 std::vector<double> cohesionsOf(const PlaneConeProgram& program)
@@ -88,6 +93,40 @@ std::vector<double> cohesionsOf(const PlaneConeProgram& program)
     for (const Strength& strength : program.strength)
         cohesions.push_back(strength.cohesion);
     return cohesions;
+}
+
+/// Stress resultants of each joint about its middle: normal and shear force on the first block, moment
+/// (positive where the pressure lies towards the joint's tangent), and the centre of pressure, where the line
+/// of thrust passes. Joints that carry nothing are left out.
+std::string thrustText(const std::vector<ContactPoint<2>>& points, const std::vector<Vector<2>>& forces)
+{
+    double largest = 0;
+    for (const Vector<2>& force : forces)
+        largest = std::max(largest, force.norm());
+    std::string text =
+        "# x[m] y[m] normalForce[N] shearForce[N] moment[Nm] eccentricity[m] block[-] neighbour[-]\n";
+    for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end)
+    {
+        Vector<2> middle = Vector<2>::Zero();
+        Vector<2> force = Vector<2>::Zero();
+        for (end = begin; end < points.size() && points[end].joint == points[begin].joint; ++end)
+        {
+            middle += points[end].position;
+            force += forces[end];
+        }
+        middle /= static_cast<double>(end - begin);
+        double moment = 0;
+        for (std::size_t i = begin; i < end; ++i)
+            moment += forces[i].x() * tangent(points[i]).dot(points[i].position - middle);
+        if (force.norm() <= 1e-6 * largest)
+            continue;
+        const double eccentricity = force.x() != 0 ? moment / force.x() : 0;
+        const Vector<2> pressure = middle + eccentricity * tangent(points[begin]);
+        text += fmt::format("{:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {} {}\n", pressure.x(), pressure.y(),
+                            force.x(), force.y(), moment, eccentricity, points[begin].block,
+                            points[begin].neighbour);
+    }
+    return text;
 }
 
 std::string coulombText(const CoulombRange& range)
@@ -110,22 +149,34 @@ void printLimitAnalysisCase(const LimitAnalysisCase& structure)
     info("Solver: {}, tolerance {:g}\n", nameOf(structure.solution.solver), structure.solution.tolerance);
 }
 
-void printLimitAnalysis(const LimitAnalysis& result)
+void printLimitAnalysis(const LimitAnalysisCase& structure, const std::vector<LimitAnalysis>& results)
 {
-    if (result.status == CollapseStatus::optimal)
-        info("Collapse load multiplier alpha = {:.9g}", result.alpha);
-    if (result.coulomb)
+    for (const LimitAnalysis& result : results)
     {
-        const CoulombRange& range = *result.coulomb;
+        if (result.status == CollapseStatus::optimal)
+        {
+            if (structure.movement)
+                info("Base reaction of {} against its movement = {:.9g} N",
+                     structure.assembly.supports[structure.movement->support].name, result.alpha);
+            info("Collapse load multiplier alpha = {:.9g}", result.alpha);
+        }
+        if (result.coulomb)
+        {
+            const CoulombRange& range = *result.coulomb;
+            info("Coulomb's law: lowest of the collapses met, alpha {:.6f} to {:.6f} ({} of {} starts "
+                 "converged); associative: {:.6f}",
+                 range.lowest, range.highest, range.converged, range.starts, range.associative);
+        }
+        info("Status: {}", statusText(result.status));
+        const Certificate& certificate = result.certificate;
         info(
-            "Coulomb's law: lowest of the collapses met, alpha {:.6f} to {:.6f} ({} of {} starts converged); "
-            "associative: {:.6f}",
-            range.lowest, range.highest, range.converged, range.starts, range.associative);
+            "Certificate: primal residual = {:.3e}, dual residual = {:.3e}, gap = {:.3e}, No Iterations {}\n",
+            certificate.primalResidual, certificate.dualResidual, certificate.gap, result.iterations);
     }
-    info("Status: {}", statusText(result.status));
-    const Certificate& certificate = result.certificate;
-    info("Certificate: primal residual = {:.3e}, dual residual = {:.3e}, gap = {:.3e}, No Iterations {}\n",
-         certificate.primalResidual, certificate.dualResidual, certificate.gap, result.iterations);
+    if (results.size() == 2 && results[0].status != CollapseStatus::unstable)
+        info("Range of load multipliers: {:.9g} to {:.9g}\n",
+             results[1].status == CollapseStatus::unbounded ? -tabledAlpha(results[1]) : results[1].alpha,
+             tabledAlpha(results[0]));
 }
 
 std::filesystem::path limitAnalysisTable(const std::filesystem::path& caseDirectory)
@@ -177,30 +228,60 @@ void writeLimitAnalysisProgram(const std::filesystem::path& caseDirectory, const
         writeProgram(limitAnalysisTable(caseDirectory).parent_path() / "coneProgram", structure.program);
 }
 
-void writeLimitAnalysisResults(const std::filesystem::path& caseDirectory, const LimitAnalysisCase& structure,
-                               const LimitAnalysis& result, double cpuTime)
+namespace
+{
+
+/// Mechanism, forces and thrust of one answer. \param suffix of the files' names
+void writeAnswer(const std::filesystem::path& caseDirectory, const LimitAnalysisCase& structure,
+                 const LimitAnalysis& result, const std::string& suffix)
 {
     const Assembly<2>& assembly = structure.assembly;
-    const Eigen::Matrix3Xd rates = ratesOfAllBlocks(assembly, result.mechanism);
-    VtkSeries blocks(caseDirectory / "VTK", "blocks", 0);
+    const auto file = [&](const std::string& name, const std::string& extension)
+    { return limitAnalysisTable(caseDirectory).replace_filename(name + suffix + extension); };
+    Eigen::Matrix3Xd rates = ratesOfAllBlocks(assembly, result.mechanism);
+    if (structure.movement && result.status == CollapseStatus::optimal)
+    {
+        // The mechanism belongs to a unit movement of the support.
+        for (std::size_t block = 0; block < assembly.blocks.size(); ++block)
+        {
+            if (assembly.blocks[block].support == structure.movement->support)
+                rates.col(static_cast<Eigen::Index>(block)).head<2>() = structure.movement->direction;
+        }
+    }
+    VtkSeries blocks(caseDirectory / "VTK", "blocks" + suffix, 0);
     writeMechanism(blocks, assembly, rates);
 
     const std::vector<Vector<2>> forces = pointForces(result.contactForce);
-    VtkSeries contacts(caseDirectory / "VTK", "contacts", 0);
+    VtkSeries contacts(caseDirectory / "VTK", "contacts" + suffix, 0);
     contacts.write(0,
                    contactFrame(structure.points, forces,
                                 contactStates(forces, structure.friction, cohesionsOf(structure.program))));
+    writeWholeFile(file("thrust", ".dat"), thrustText(structure.points, forces));
 
     MechanismPicture picture;
     picture.title = std::filesystem::absolute(caseDirectory).lexically_normal().filename().string();
-    picture.subtitle = fmt::format("{}, {} blocks, {} contact points", caption(result), structure.freeBlocks,
-                                   structure.points.size());
-    writeMechanismPicture(limitAnalysisTable(caseDirectory).replace_filename("mechanism.svg"), assembly,
+    picture.subtitle = fmt::format("{}, {} blocks, {} contact points",
+                                   structure.movement && result.status == CollapseStatus::optimal
+                                       ? fmt::format("base reaction {:.6g} N", result.alpha)
+                                       : caption(result),
+                                   structure.freeBlocks, structure.points.size());
+    writeMechanismPicture(file("mechanism", ".svg"), assembly,
                           mechanismPlacements(assembly, rates, 0.5 * meanBlockSize(assembly)), picture);
+    picture.thrust = jointForces(structure.points, forces);
+    writeMechanismPicture(file("thrust", ".svg"), assembly, std::vector<Placement<2>>(assembly.blocks.size()),
+                          picture);
     if (result.coulomb)
-        writeWholeFile(limitAnalysisTable(caseDirectory).replace_filename("coulomb.dat"),
-                       coulombText(*result.coulomb));
-    writeWholeFile(limitAnalysisTable(caseDirectory), tableText(structure, result, cpuTime));
+        writeWholeFile(file("coulomb", ".dat"), coulombText(*result.coulomb));
+}
+
+} // namespace
+
+void writeLimitAnalysisResults(const std::filesystem::path& caseDirectory, const LimitAnalysisCase& structure,
+                               const std::vector<LimitAnalysis>& results, double cpuTime)
+{
+    for (std::size_t i = 0; i < results.size(); ++i)
+        writeAnswer(caseDirectory, structure, results[i], i == 0 ? "" : "Negative");
+    writeWholeFile(limitAnalysisTable(caseDirectory), tableText(structure, results, cpuTime));
 }
 
 } // namespace drystone

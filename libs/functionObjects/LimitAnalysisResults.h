@@ -14,7 +14,7 @@ namespace drystone
 void printLimitAnalysisCase(const LimitAnalysisCase& structure);
 
 /// Multiplier, status and certificate. No multiplier is printed for what did not converge.
-void printLimitAnalysis(const LimitAnalysis& result);
+void printLimitAnalysis(const LimitAnalysisCase& structure, const std::vector<LimitAnalysis>& results);
 
 /// postProcessing/limitAnalysis/0/limitAnalysis.dat
 std::filesystem::path limitAnalysisTable(const std::filesystem::path& caseDirectory);
@@ -47,11 +47,15 @@ void writeLimitAnalysisProgram(const std::filesystem::path& caseDirectory, const
 ///   `nan` for unstable;
 /// - postProcessing/limitAnalysis/0/coulomb.dat for the non-associative flow rule: the range of what was met;
 /// - postProcessing/limitAnalysis/0/mechanism.svg, the mechanism over the structure as built;
+/// - postProcessing/limitAnalysis/0/thrust.dat and thrust.svg: stress resultants and centre of pressure of
+///   each joint that carries a load, the line of thrust;
 /// - VTK/blocks.vtp.series, the mechanism growing from the structure as built, with displacement rates;
 /// - VTK/contacts.vtp.series, contact forces at collapse, gap and state.
-/// \param cpuTime of the solution [s]
+///
+/// A second answer, of the negative end of the range, has a second row, and files with `Negative` in their
+/// names. \param cpuTime of the solution [s]
 /// \throws FatalError naming what cannot be written
 void writeLimitAnalysisResults(const std::filesystem::path& caseDirectory, const LimitAnalysisCase& structure,
-                               const LimitAnalysis& result, double cpuTime);
+                               const std::vector<LimitAnalysis>& results, double cpuTime);
 
 } // namespace drystone

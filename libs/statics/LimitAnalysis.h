@@ -40,14 +40,15 @@ struct CoulombRange
 struct LimitAnalysis
 {
     CollapseStatus status = CollapseStatus::notConverged;
-    double alpha = 0;             ///< collapse load multiplier, for `optimal`
+    double alpha = 0; ///< collapse load multiplier, for `optimal`; of a settlement the base reaction [N]
     Eigen::VectorXd contactForce; ///< (n, t) of each contact point at collapse [N]; zero for `unstable`
-    Eigen::VectorXd mechanism;    ///< (ux uy rz) of each free block, largest entry 1; zero for `unbounded`
-    Certificate certificate;      ///< of what the status claims
-    int iterations = 0;           ///< of the solver, all programs together
-    int factorisations = 0;       ///< likewise, of Schur matrices
-    int solves = 0;               ///< likewise, with those factors
-    int variables = 0;            ///< forces and the multiplier
+    Eigen::VectorXd mechanism; ///< (ux uy rz) of each free block, largest entry 1, but of a settlement for a
+                               ///< unit movement; zero for `unbounded`
+    Certificate certificate;   ///< of what the status claims
+    int iterations = 0;        ///< of the solver, all programs together
+    int factorisations = 0;    ///< likewise, of Schur matrices
+    int solves = 0;            ///< likewise, with those factors
+    int variables = 0;         ///< forces and the multiplier
     std::optional<CoulombRange>
         coulomb; ///< for the non-associative flow rule; the rest is of its lowest collapse
 };

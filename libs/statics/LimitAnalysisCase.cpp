@@ -6,6 +6,7 @@
 #include "assembly/JointLaws.h"
 #include "assembly/Materials.h"
 #include "core/Solution.h"
+#include "statics/Settlement.h"
 
 #include <algorithm>
 #include <cmath>
@@ -93,6 +94,30 @@ LimitAnalysisCase readLimitAnalysisCase(const std::filesystem::path& caseDirecto
         limitAnalysisProgram(result.freeBlocks, equilibriumColumns(result.assembly, blocks, result.points),
                              result.friction, loads);
     result.program.strength = strengthsOf(laws);
+    result.multiplier = loads.multiplier;
+    result.movement = loads.movement;
+    if (loads.movement)
+    {
+        result.program.liveLoad.resize(0);
+        result.program.gap = settlementGaps(result.assembly, result.points, *loads.movement);
+        const Dictionary dictionary = Dictionary::readFile(caseDirectory / "constant/loads");
+        if (loads.multiplier != Multiplier::positive)
+        {
+            throw FatalIOError("A support that moves has no multiplier: reverse its direction instead.",
+                               dictionary.locationOf("multiplier"));
+        }
+        if (flowRuleOf(result.contact) == FlowRule::nonAssociative)
+        {
+            throw FatalIOError("supportMovement follows the associative flow rule only. Write `flowRule "
+                               "associative;` in constant/contactProperties.",
+                               dictionary.subDict("live").locationOf("type"));
+        }
+        if (result.program.gap.isZero(0))
+        {
+            throw FatalIOError("The support that moves touches no block: nothing settles.",
+                               dictionary.subDict("live").locationOf("support"));
+        }
+    }
     if (result.program.hasStrength() && flowRuleOf(result.contact) == FlowRule::nonAssociative)
     {
         const Dictionary dictionary = Dictionary::readFile(caseDirectory / "constant/contactProperties");
@@ -106,10 +131,31 @@ LimitAnalysisCase readLimitAnalysisCase(const std::filesystem::path& caseDirecto
 LimitAnalysis solveLimitAnalysis(const LimitAnalysisCase& structure)
 {
     const InteriorPointSettings solver = interiorPointSettings(structure.solution);
+    if (structure.movement)
+    {
+        return solveSettlement(structure.program, solver);
+    }
     return flowRuleOf(structure.contact) == FlowRule::nonAssociative
                ? solveNonAssociative(structure.program, jointsOf(structure.points), structure.nonAssociative,
                                      solver)
                : solveLimitAnalysis(structure.program, solver);
+}
+
+std::vector<LimitAnalysis> solveLimitAnalyses(const LimitAnalysisCase& structure)
+{
+    std::vector<LimitAnalysis> results;
+    if (structure.multiplier != Multiplier::negative)
+    {
+        results.push_back(solveLimitAnalysis(structure));
+    }
+    if (structure.multiplier != Multiplier::positive)
+    {
+        LimitAnalysisCase reversed = structure;
+        reversed.program.liveLoad *= -1;
+        results.push_back(solveLimitAnalysis(reversed));
+        results.back().alpha *= -1;
+    }
+    return results;
 }
 
 } // namespace drystone

@@ -31,6 +31,8 @@ struct LimitAnalysisCase
     PlaneConeProgram program;
     SolverChoice solution;
     NonAssociativeSettings nonAssociative;
+    Multiplier multiplier = Multiplier::positive; ///< which ends of the range are asked for
+    std::optional<SupportMovement> movement;      ///< instead of a live load
 };
 
 /// Reads constant/assembly, g, materialProperties, contactProperties, loads and system/solution.
@@ -38,7 +40,11 @@ struct LimitAnalysisCase
 /// a solver that is none for limit analysis
 LimitAnalysisCase readLimitAnalysisCase(const std::filesystem::path& caseDirectory);
 
-/// Collapse by the flow rule of the case.
+/// Collapse by the flow rule of the case, for a positive multiplier; for a support that moves, settlement.
 LimitAnalysis solveLimitAnalysis(const LimitAnalysisCase& structure);
+
+/// One answer for each end of the range that the case asks for, the positive one first. Multipliers of the
+/// negative end have their sign.
+std::vector<LimitAnalysis> solveLimitAnalyses(const LimitAnalysisCase& structure);
 
 } // namespace drystone

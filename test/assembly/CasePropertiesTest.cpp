@@ -180,8 +180,36 @@ TEST_F(CaseProperties, FaultsOfLoadsAreNamed)
                 AllOf(HasSubstr("Did you mean inertial?"), HasSubstr("constant/loads")));
     EXPECT_THAT(loadReport(dead + "live { type force; at (0.5 3); value (1 0); }"),
                 AllOf(HasSubstr("no free block at (0.5 3)"), HasSubstr("line 2.")));
-    EXPECT_THAT(loadReport(dead + "live { type supportMovement; support ground; direction (0 -1 0); }"),
-                HasSubstr("does not simulate supportMovement"));
+    EXPECT_THAT(loadReport(dead + "live { type supportMovement; support groud; direction (0 -1 0); }"),
+                AllOf(HasSubstr("Did you mean ground?"), HasSubstr("line 2.")));
+    EXPECT_THAT(loadReport(dead + "live { type supportMovement; support ground; direction (0 0 0); }"),
+                HasSubstr("cannot be (0 0 0)"));
+    EXPECT_THAT(loadReport("dead { type supportMovement; support ground; direction (0 -1 0); } live { type "
+                           "gravity; }"),
+                HasSubstr("can only be the live load"));
+    EXPECT_THAT(loadReport(dead + "live { type line; from (0 2); to (1.5 2); value (0 -1); }"),
+                AllOf(HasSubstr("leaves the free blocks"), HasSubstr("line 2.")));
+    EXPECT_THAT(loadReport(dead + "live { type line; from (0 2); to (0 2); value (0 -1); }"),
+                HasSubstr("two different ends"));
+    EXPECT_THAT(loadReport(dead + "live { type sum; loads { a { type sum; loads { } } } }"),
+                HasSubstr("Valid load types"));
+    EXPECT_THAT(loadReport(dead + "live { type sum; loads { } }"), HasSubstr("needs loads"));
+    EXPECT_THAT(loadReport(dead + "live { type gravity; }\nmultiplier either;"),
+                AllOf(HasSubstr("both"), HasSubstr("line 3.")));
+}
+
+TEST_F(CaseProperties, LoadsMayBeSumsAndSupportsMayMove)
+{
+    write("constant/loads",
+          "dead { type sum; loads { weight { type gravity; } top { type line; from (0 2); to "
+          "(0.5 2); value (0 -100 0); } } }\nlive { type supportMovement; support ground; "
+          "direction (0 -3 0); }");
+    const LoadVectors loads = readLoads(directory, {assembly, masses, {0, -10}}, LiveLoad::required);
+    EXPECT_EQ(loads.dead, Eigen::Vector3d(0, -20050, 12.5));
+    EXPECT_EQ(loads.live.size(), 0);
+    ASSERT_TRUE(loads.movement);
+    EXPECT_EQ(loads.movement->support, 0);
+    EXPECT_EQ(loads.movement->direction, Vector<2>(0, -1));
 }
 
 TEST_F(CaseProperties, OverlapsAreRefusedAtTheLineOfTheSecondBlock)

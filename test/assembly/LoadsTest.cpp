@@ -60,3 +60,19 @@ TEST(Loads, APointOnNoFreeBlockLoadsNone)
 }
 
 } // namespace
+
+TEST(Loads, OfALineAreSharedByTheBlocksThatItCrosses)
+{
+    // Along y = 0.5 from x = 0.5 to 2: half a metre on the first free block, one on the second.
+    const auto load = lineLoad(twoOnGround(), {0.5, 0.5}, {2, 0.5}, {0, -10}, 1e-3);
+    ASSERT_TRUE(load);
+    const Eigen::VectorXd expected = (Eigen::VectorXd(6) << 0, -5, -5 * 0.25, 0, -10, 10 * 0.5).finished();
+    EXPECT_LT((*load - expected).lpNorm<Eigen::Infinity>(), 1e-12);
+    // Backwards the same, and over the top of a block too; not where there is none.
+    EXPECT_LT(
+        (*lineLoad(twoOnGround(), {2, 0.5}, {0.5, 0.5}, {0, -10}, 1e-3) - expected).lpNorm<Eigen::Infinity>(),
+        1e-12);
+    EXPECT_NEAR((*lineLoad(twoOnGround(), {0, 2}, {1, 2}, {0, -10}, 1e-3))[1], -10, 1e-12);
+    EXPECT_FALSE(lineLoad(twoOnGround(), {0, 2}, {1.5, 2}, {0, -10}, 1e-3));
+    EXPECT_FALSE(lineLoad(twoOnGround(), {-5, -0.5}, {-4, -0.5}, {0, -10}, 1e-3));
+}

@@ -46,7 +46,7 @@ protected:
         const LimitAnalysisCase structure = readLimitAnalysisCase(directory);
         const LimitAnalysis result =
             solveLimitAnalysis(structure.program, interiorPointSettings(structure.solution));
-        writeLimitAnalysisResults(directory, structure, result, 0.5);
+        writeLimitAnalysisResults(directory, structure, {result}, 0.5);
         return result;
     }
     /// The row of the table.

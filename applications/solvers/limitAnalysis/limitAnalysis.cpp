@@ -8,10 +8,17 @@
 #include "core/Time.h"
 #include "functionObjects/LimitAnalysisResults.h"
 
+#include <algorithm>
+
 using namespace drystone;
 
 namespace
 {
+
+bool hasNoAnswer(const LimitAnalysis& result)
+{
+    return result.status == CollapseStatus::notConverged;
+}
 
 int run(const CommandLine& commandLine)
 {
@@ -29,16 +36,16 @@ int run(const CommandLine& commandLine)
     if (!commandLine.dryRun && !commandLine.postProcess)
     {
         const double start = cpuTime();
-        const LimitAnalysis result = solveLimitAnalysis(structure);
+        const std::vector<LimitAnalysis> results = solveLimitAnalyses(structure);
         const double used = cpuTime() - start;
-        printLimitAnalysis(result);
-        writeLimitAnalysisProgram(directory, structure, result);
-        if (result.status == CollapseStatus::notConverged)
+        printLimitAnalysis(structure, results);
+        writeLimitAnalysisProgram(directory, structure, results.front());
+        if (std::any_of(results.begin(), results.end(), hasNoAnswer))
         {
             removeLimitAnalysisTable(directory);
             return 2;
         }
-        writeLimitAnalysisResults(directory, structure, result, used);
+        writeLimitAnalysisResults(directory, structure, results, used);
     }
     printExecutionTime();
     printEnd();

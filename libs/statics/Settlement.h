@@ -1,0 +1,26 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Settlement: what a support still carries when it gives way, and how the structure follows it.
+#pragma once
+
+#include "assembly/ContactPoint.h"
+#include "statics/LimitAnalysis.h"
+
+namespace drystone
+{
+
+/// Gaps that open at the points (normal, tangent ...) when a support moves by a unit and all blocks stay.
+Eigen::VectorXd settlementGaps(const Assembly<2>& assembly, const std::vector<ContactPoint<2>>& points,
+                               const SupportMovement& movement);
+
+/// Settlement of a support (Portioli & Cascini 2016): the least reaction R against the movement with which
+/// the structure still stands. With g the gaps of a unit movement, g'c is that reaction (the work of c on g),
+/// and
+///
+///     R = min g'c   subject to   A c = f, c in the friction cones;      z = g - A'y,
+///
+/// where y is the mechanism by which the blocks follow a unit movement.
+/// \param program with `gap` from settlementGaps and without live load
+/// \return alpha: R [N]; mechanism: y, for a unit movement; `unstable` as in solveLimitAnalysis
+LimitAnalysis solveSettlement(const PlaneConeProgram& program, const InteriorPointSettings& settings = {});
+
+} // namespace drystone
