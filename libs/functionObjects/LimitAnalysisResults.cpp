@@ -12,6 +12,7 @@
 #include "io/Frames.h"
 #include "io/Mechanism.h"
 #include "io/MechanismPicture.h"
+#include "io/Plot.h"
 
 #include <fmt/format.h>
 
@@ -282,6 +283,75 @@ void writeLimitAnalysisResults(const std::filesystem::path& caseDirectory, const
     for (std::size_t i = 0; i < results.size(); ++i)
         writeAnswer(caseDirectory, structure, results[i], i == 0 ? "" : "Negative");
     writeWholeFile(limitAnalysisTable(caseDirectory), tableText(structure, results, cpuTime));
+}
+
+namespace
+{
+
+std::string endText(PushoverEnd end)
+{
+    switch (end)
+    {
+    case PushoverEnd::overturned:
+        return "alpha has come down to zero: the structure overturns by itself";
+    case PushoverEnd::falling:
+        return "blocks have lost their hold: the structure falls by itself";
+    case PushoverEnd::stepsUsedUp:
+        return "maximumSteps are used up, the structure still stands";
+    case PushoverEnd::unbounded:
+        return "no live load of this direction makes it move";
+    case PushoverEnd::unstable:
+        return "the blocks cannot carry the dead load as built";
+    case PushoverEnd::notConverged:
+        break;
+    }
+    return "not converged: the curve ends before its end. Try another step";
+}
+
+} // namespace
+
+bool runPushover(const std::filesystem::path& caseDirectory, const LimitAnalysisCase& structure)
+{
+    constexpr double frames = 100;
+    const double between = std::max(structure.pushover->step, meanBlockSize(structure.assembly) / frames);
+    VtkSeries series(caseDirectory / "VTK", "pushover", 0);
+    double next = 0;
+    const Pushover pushover =
+        solvePushover(structure,
+                      [&](const CapacityPoint& point, const std::vector<Placement<2>>& placements)
+                      {
+                          if (point.displacement >= next || point.alpha == 0)
+                          {
+                              series.write(point.displacement, blockFrame(structure.assembly, placements));
+                              next = point.displacement + between;
+                          }
+                      });
+    std::string table = "# displacement[m] alpha[-] largestDisplacement[m] certificate[-] iterations[-]\n";
+    PlotCurve curve;
+    for (const CapacityPoint& point : pushover.curve)
+    {
+        table += fmt::format("{:.9g} {:.9g} {:.9g} {:.3e} {}\n", point.displacement, point.alpha,
+                             point.largest, point.worst, point.iterations);
+        curve.x.push_back(point.displacement);
+        curve.y.push_back(point.alpha);
+    }
+    const auto file = [&](const char* name)
+    { return limitAnalysisTable(caseDirectory).replace_filename(name); };
+    writeWholeFile(file("capacity.dat"), table);
+    if (pushover.curve.size() > 1)
+    {
+        Plot plot;
+        plot.title = "Capacity curve of "
+                     + std::filesystem::absolute(caseDirectory).lexically_normal().filename().string();
+        plot.subtitle = endText(pushover.end);
+        plot.x.label = "displacement of the live load [m]";
+        plot.y.label = "alpha [-]";
+        plot.curves.push_back(std::move(curve));
+        writePlot(file("capacity.svg"), plot);
+    }
+    info("Pushover: {} positions; {}{}\n", pushover.curve.size(), endText(pushover.end),
+         pushover.curve.empty() ? "" : fmt::format(", at d = {:.6g} m", pushover.curve.back().displacement));
+    return pushover.end != PushoverEnd::notConverged;
 }
 
 } // namespace drystone

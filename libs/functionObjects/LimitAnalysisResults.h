@@ -58,4 +58,10 @@ void writeLimitAnalysisProgram(const std::filesystem::path& caseDirectory, const
 void writeLimitAnalysisResults(const std::filesystem::path& caseDirectory, const LimitAnalysisCase& structure,
                                const std::vector<LimitAnalysis>& results, double cpuTime);
 
+/// Follows the capacity curve of a case and writes
+/// - postProcessing/limitAnalysis/0/capacity.dat, a row for each position, and capacity.svg;
+/// - VTK/pushover.vtp.series, the blocks in at most about 100 of the positions, displacement as time.
+/// Prints how it ends. \return whether it has an end: not where the solver failed
+bool runPushover(const std::filesystem::path& caseDirectory, const LimitAnalysisCase& structure);
+
 } // namespace drystone

@@ -48,6 +48,33 @@ FlowRule flowRuleOf(const ContactProperties& contact)
     return contact.friction ? contact.friction->flowRule : FlowRule::associative;
 }
 
+/// Refuses what a capacity curve does not follow.
+void requirePushover(const LimitAnalysisCase& structure, const std::filesystem::path& caseDirectory)
+{
+    refuseEffects(caseDirectory, "pushover", {"cohesion", "tension", "crushing", "pointsPerJoint", "joints"});
+    const SourceLocation place = readSolution(caseDirectory, "limitAnalysis").locationOf("pushover");
+    if (flowRuleOf(structure.contact) == FlowRule::nonAssociative)
+    {
+        throw FatalIOError(
+            "pushover follows the associative flow rule only. Write `flowRule associative;` in "
+            "constant/contactProperties.",
+            place);
+    }
+    const LoadVectors& loads = structure.loads;
+    bool hasMoments = loads.movement.has_value();
+    for (Eigen::Index row = 2; row < loads.dead.size() && !hasMoments; row += 3)
+    {
+        hasMoments = loads.dead[row] != 0 || loads.live[row] != 0;
+    }
+    if (hasMoments || loads.multiplier != Multiplier::positive)
+    {
+        throw FatalIOError(
+            "pushover follows loads at the mass centres with a positive multiplier: gravity and "
+            "inertial. Remove pushover, or change constant/loads.",
+            place);
+    }
+}
+
 } // namespace
 
 void declare(Options& options, LimitAnalysisControls& controls)
@@ -55,6 +82,8 @@ void declare(Options& options, LimitAnalysisControls& controls)
     declare(options, controls.solver);
     options.optional("nonAssociative", controls.nonAssociative,
                      "how the lowest collapse with `flowRule nonAssociative;` is searched for");
+    options.optional("pushover", controls.pushover,
+                     "capacity curve: the multiplier as the structure moves on, until it needs none");
 }
 
 LimitAnalysisCase readLimitAnalysisCase(const std::filesystem::path& caseDirectory)
@@ -63,6 +92,7 @@ LimitAnalysisCase readLimitAnalysisCase(const std::filesystem::path& caseDirecto
     const auto controls = readOptions<LimitAnalysisControls>(readSolution(caseDirectory, "limitAnalysis"));
     result.solution = controls.solver;
     result.nonAssociative = controls.nonAssociative;
+    result.pushover = controls.pushover;
     if (solvesMotionOnly(result.solution.solver))
     {
         throw FatalIOError(nameOf(result.solution.solver)
@@ -94,6 +124,11 @@ LimitAnalysisCase readLimitAnalysisCase(const std::filesystem::path& caseDirecto
         limitAnalysisProgram(result.freeBlocks, equilibriumColumns(result.assembly, blocks, result.points),
                              result.friction, loads);
     result.program.strength = strengthsOf(laws);
+    result.loads = loads;
+    if (result.pushover)
+    {
+        requirePushover(result, caseDirectory);
+    }
     result.multiplier = loads.multiplier;
     result.movement = loads.movement;
     if (loads.movement)
@@ -156,6 +191,13 @@ std::vector<LimitAnalysis> solveLimitAnalyses(const LimitAnalysisCase& structure
         results.back().alpha *= -1;
     }
     return results;
+}
+
+Pushover solvePushover(const LimitAnalysisCase& structure, const PushoverObserver& observe)
+{
+    const double mu = structure.contact.friction ? structure.contact.friction->mu : 0;
+    return solvePushover({structure.assembly, mu, structure.loads}, *structure.pushover,
+                         interiorPointSettings(structure.solution), observe);
 }
 
 } // namespace drystone

@@ -5,6 +5,7 @@
 #include "assembly/ContactProperties.h"
 #include "conic/SolverChoice.h"
 #include "statics/NonAssociative.h"
+#include "statics/Pushover.h"
 
 #include <filesystem>
 #include <vector>
@@ -16,7 +17,8 @@ namespace drystone
 struct LimitAnalysisControls
 {
     SolverChoice solver;
-    NonAssociativeSettings nonAssociative; ///< used with `flowRule nonAssociative;`
+    NonAssociativeSettings nonAssociative;    ///< used with `flowRule nonAssociative;`
+    std::optional<PushoverSettings> pushover; ///< absent: collapse from the structure as built only
 };
 void declare(Options& options, LimitAnalysisControls& controls);
 
@@ -33,6 +35,8 @@ struct LimitAnalysisCase
     NonAssociativeSettings nonAssociative;
     Multiplier multiplier = Multiplier::positive; ///< which ends of the range are asked for
     std::optional<SupportMovement> movement;      ///< instead of a live load
+    std::optional<PushoverSettings> pushover;     ///< the capacity curve is asked for
+    LoadVectors loads;
 };
 
 /// Reads constant/assembly, g, materialProperties, contactProperties, loads and system/solution.
@@ -42,6 +46,9 @@ LimitAnalysisCase readLimitAnalysisCase(const std::filesystem::path& caseDirecto
 
 /// Collapse by the flow rule of the case, for a positive multiplier; for a support that moves, settlement.
 LimitAnalysis solveLimitAnalysis(const LimitAnalysisCase& structure);
+
+/// The capacity curve of a case that asks for one.
+Pushover solvePushover(const LimitAnalysisCase& structure, const PushoverObserver& observe);
 
 /// One answer for each end of the range that the case asks for, the positive one first. Multipliers of the
 /// negative end have their sign.

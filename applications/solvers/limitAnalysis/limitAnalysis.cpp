@@ -46,6 +46,8 @@ int run(const CommandLine& commandLine)
             return 2;
         }
         writeLimitAnalysisResults(directory, structure, results, used);
+        if (structure.pushover && !runPushover(directory, structure))
+            return 2;
     }
     printExecutionTime();
     printEnd();

@@ -1,0 +1,235 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+#include "statics/Pushover.h"
+
+#include "assembly/Facing.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace drystone
+{
+namespace
+{
+
+/// Gaps up to this, relative to the mean block size, are contacts to come: a block that has lost its support
+/// falls onto what is below it.
+constexpr double farthestContact = 2;
+
+/// Least work of the live load in a step, relative to its force over the length of the step. Where a block
+/// falls or the structure snaps through, the dead load does the work; it may then move farther, up to what it
+/// meets.
+constexpr double leastWork = 1e-2;
+
+enum class Overlaps
+{
+    close,
+    stay
+};
+
+/// What is tried after a program that was not solved.
+struct Attempt
+{
+    double step = 1; ///< factor on the step
+    Overlaps overlaps = Overlaps::close;
+    double tolerance = 0;
+};
+constexpr std::array<Attempt, 6> attempts{{{1, Overlaps::stay},
+                                           {0.5},
+                                           {2, Overlaps::stay, 1e-8},
+                                           {2, Overlaps::close, 1e-7},
+                                           {2, Overlaps::stay, 1e-6},
+                                           {0.25, Overlaps::stay, 1e-6}}};
+constexpr int patience = 500; ///< iterations allowed to an attempt
+
+/// Placements carried on by displacements of the free blocks.
+std::vector<Placement<2>> carried(std::vector<Placement<2>> placements, const std::vector<int>& free,
+                                  const Eigen::VectorXd& displacement, double share)
+{
+    for (std::size_t block = 0; block < free.size(); ++block)
+    {
+        if (free[block] >= 0)
+        {
+            placements[block].translation += share * displacement.segment<2>(3 * free[block]);
+            placements[block].rotation += share * displacement[3 * free[block] + 2];
+        }
+    }
+    return placements;
+}
+
+/// Largest displacement of any corner, to first order.
+double largestOf(const std::vector<double>& radius, const std::vector<int>& free,
+                 const Eigen::VectorXd& rates)
+{
+    double largest = 0;
+    for (std::size_t block = 0; block < free.size(); ++block)
+    {
+        if (free[block] >= 0)
+        {
+            largest = std::max(largest, rates.segment<2>(3 * free[block]).norm()
+                                            + radius[block] * std::abs(rates[3 * free[block] + 2]));
+        }
+    }
+    return largest;
+}
+
+/// A of the points, about the mass centres where the blocks are now.
+void setColumns(PlaneConeProgram& program, const PushoverScene& scene, std::vector<BlockMass<2>> masses,
+                const std::vector<Placement<2>>& placements, const std::vector<ContactPoint<2>>& points)
+{
+    for (std::size_t block = 0; block < masses.size(); ++block)
+    {
+        masses[block].centroid += placements[block].translation;
+    }
+    program.contacts.clear();
+    for (const ContactColumns<2>& column : equilibriumColumns(scene.assembly, masses, points))
+    {
+        program.contacts.push_back({column.block, column.neighbour, column.onBlock, column.onNeighbour});
+    }
+}
+
+} // namespace
+
+void declare(Options& options, PushoverSettings& settings)
+{
+    options.optional("step", settings.step, "largest displacement of any corner in a step")
+        .unit("m")
+        .above(0);
+    options.optional("maximumSteps", settings.maximumSteps, "after which the curve ends").atLeast(1);
+}
+
+Pushover solvePushover(const PushoverScene& scene, const PushoverSettings& settings,
+                       const InteriorPointSettings& solver, const PushoverObserver& observe)
+{
+    const std::vector<BlockMass<2>> masses = blockMasses(scene.assembly);
+    const std::vector<int> free = freeIndices(scene.assembly);
+    std::vector<double> radius(masses.size(), 0);
+    for (std::size_t block = 0; block < masses.size(); ++block)
+    {
+        for (const Vector<2>& corner : scene.assembly.blocks[block].outline)
+        {
+            radius[block] = std::max(radius[block], (corner - masses[block].centroid).norm());
+        }
+    }
+    double liveForce = 0;
+    for (Eigen::Index row = 0; row < scene.loads.live.size(); row += 3)
+    {
+        liveForce += scene.loads.live.segment<2>(row).norm();
+    }
+
+    PlaneConeProgram program;
+    program.bodies = static_cast<int>(scene.loads.dead.size() / 3);
+    program.load = scene.loads.dead;
+    program.liveLoad = scene.loads.live;
+    MovingContacts contacts(scene.assembly);
+    const double margin = farthestContact * meanBlockSize(scene.assembly);
+    std::vector<Placement<2>> placements(scene.assembly.blocks.size());
+    Pushover result;
+    CapacityPoint point;
+    double work = settings.step * liveForce; // of the live load in a step
+    for (int step = 0; step <= settings.maximumSteps; ++step)
+    {
+        std::vector<ContactPoint<2>> points = contacts.update(placements, margin);
+        program.friction.assign(points.size(), scene.mu);
+        const auto setGaps = [&]
+        {
+            program.gap = Eigen::VectorXd::Zero(2 * program.points());
+            for (int i = 0; i < program.points(); ++i)
+            {
+                program.gap[2 * i] = points[i].gap / work; // y of the program belongs to unit work
+            }
+        };
+        setColumns(program, scene, masses, placements, points);
+        setGaps();
+        ConeSolution solution = solveInteriorPoint(program, solver);
+        // Where that fails: a shorter step, overlaps of the last steps that cannot all be undone left as they
+        // are, and in the end a coarser tolerance, which the certificate of the point tells.
+        for (const Attempt& attempt : attempts)
+        {
+            if (step == 0 || solution.status == SolveStatus::optimal)
+            {
+                break;
+            }
+            work *= attempt.step;
+            setGaps();
+            if (attempt.overlaps == Overlaps::stay)
+            {
+                program.gap = program.gap.cwiseMax(0);
+            }
+            InteriorPointSettings coarser = solver;
+            coarser.tolerance = std::max(solver.tolerance, attempt.tolerance);
+            coarser.maximumIterations = std::max(solver.maximumIterations, patience);
+            solution = solveInteriorPoint(program, coarser);
+        }
+        if (solution.status != SolveStatus::optimal)
+        {
+            PlaneConeProgram dead = program;
+            dead.liveLoad.resize(0);
+            dead.gap.resize(0);
+            const bool falls = solveInteriorPoint(dead, solver).status == SolveStatus::infeasible;
+            result.end = falls ? (step == 0 ? PushoverEnd::unstable : PushoverEnd::falling)
+                         : solution.status == SolveStatus::unbounded ? PushoverEnd::unbounded
+                                                                     : PushoverEnd::notConverged;
+            if (result.end == PushoverEnd::falling)
+            {
+                point.alpha = 0;
+                result.curve.push_back(point);
+                observe(point, placements);
+            }
+            return result;
+        }
+        point.alpha = solution.multiplier;
+        point.worst = certify(program, solution).worst();
+        point.iterations = solution.iterations;
+        if (step == 0 && point.alpha < 0)
+        {
+            result.end = PushoverEnd::unstable;
+            return result;
+        }
+        if (point.alpha <= 0)
+        {
+            // Between the last two positions.
+            const CapacityPoint& before = result.curve.back();
+            const double share = before.alpha / (before.alpha - point.alpha);
+            point.displacement = before.displacement + share * (point.displacement - before.displacement);
+            point.largest = before.largest + share * (point.largest - before.largest);
+            point.alpha = 0;
+            result.curve.push_back(point);
+            observe(point, placements);
+            result.end = PushoverEnd::overturned;
+            return result;
+        }
+        result.curve.push_back(point);
+        observe(point, placements);
+
+        const double rate = largestOf(radius, free, solution.displacement);
+        work = std::max(settings.step / rate, leastWork * settings.step * liveForce);
+        const std::vector<double> gaps = [&]
+        {
+            std::vector<double> now;
+            for (const ContactPoint<2>& at : points)
+            {
+                now.push_back(at.gap);
+            }
+            return now;
+        }();
+        const std::vector<Placement<2>> middle = carried(placements, free, solution.displacement, work / 2);
+        contacts.measure(middle, points);
+        for (std::size_t i = 0; i < points.size(); ++i)
+        {
+            points[i].gap = gaps[i];
+        }
+        setColumns(program, scene, masses, middle, points);
+        setGaps();
+        ConeSolution motion = solveInteriorPoint(program, solver);
+        const Eigen::VectorXd& moved =
+            motion.status == SolveStatus::optimal ? motion.displacement : solution.displacement;
+        placements = carried(std::move(placements), free, moved, work);
+        point.displacement += work / liveForce;
+        point.largest += work * largestOf(radius, free, moved);
+    }
+    result.end = PushoverEnd::stepsUsedUp;
+    return result;
+}
+
+} // namespace drystone
