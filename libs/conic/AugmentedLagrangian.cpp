@@ -278,16 +278,14 @@ ConeSolution solveAugmentedLagrangian(const PlaneConeProgram& program, const Con
     for (int rounds = 0; rounds < mostRounds && solution.status != SolveStatus::optimal; ++rounds)
     {
         const bool isMinimum = solver.round();
-        if (isMinimum && !solver.isSettled() && rounds + 1 < mostRounds)
-        {
-            continue;
-        }
         solution = fromRays(program, form, solver.forces(), solver.displacement(), 0);
         if (heads)
         {
             solution.displacement += start.displacement;
         }
-        const bool isSolved = isMinimum && certifyOptimal(program, solution).worst() <= settings.tolerance;
+        const bool isExact = settings.stop == StopWhen::certified || solver.isSettled();
+        const bool isSolved =
+            isMinimum && isExact && certifyOptimal(program, solution).worst() <= settings.tolerance;
         solution.status = isSolved ? SolveStatus::optimal : SolveStatus::notConverged;
         if (!isMinimum)
         {

@@ -7,12 +7,21 @@
 namespace drystone
 {
 
+/// When the augmented Lagrangian has done enough.
+enum class StopWhen
+{
+    certified, ///< the certificate meets the tolerance. Where the bodies move by much more than the forces of
+               ///< one step move them, that is soon: the certificate compares with all of the motion
+    settled ///< the multipliers have settled, too, to the tolerance of what the forces do in one step
+};
+
 /// Keys of `solver augmentedLagrangian;`.
 struct AugmentedLagrangianSettings
 {
     double tolerance = 1e-9;     ///< on every figure of the certificate
     int maximumIterations = 100; ///< Newton steps allowed
     double penalty = 1e2;        ///< sigma to begin with, relative to the inertia; grows tenfold a round
+    StopWhen stop = StopWhen::settled;
 };
 
 /// Solves a plane program with inertia (a time step) by the method of multipliers on its dual,

@@ -80,6 +80,14 @@ std::vector<ContactColumns<2>> columnsAt(const DynamicCase& scene,
 Eigen::VectorXd forcesOfLastStep(const Motion& motion, const std::vector<ContactPoint<2>>& points)
 {
     Eigen::VectorXd forces = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(points.size()));
+    if (!motion.contacts)
+    {
+        for (std::size_t point = 0; point < points.size(); ++point) // they stay as built
+        {
+            forces.segment<2>(2 * static_cast<Eigen::Index>(point)) = motion.contactForces[point];
+        }
+        return forces;
+    }
     // Both lists are sorted by (block, neighbour); a pair has a handful of points.
     std::size_t first = 0;
     for (std::size_t point = 0; point < points.size(); ++point)

@@ -285,6 +285,13 @@ ThetaStep solveThetaStep(PlaneConeProgram program, const StepSettings& settings,
         return step;
     }
 
+    if (start.contactForce.lpNorm<Eigen::Infinity>() > 0)
+    {
+        // Where the forces of the last step would take the blocks: in steady motion that is nearly the
+        // solution.
+        start.displacement =
+            displacementUnder(program, program.load - applyEquilibrium(program, start.contactForce));
+    }
     const bool isCoulomb = settings.flowRule == FlowRule::nonAssociative;
     Eigen::VectorXd imposed = Eigen::VectorXd::Zero(program.points());
     if (isCoulomb && guess.displacement.size() > 0)
