@@ -3,15 +3,12 @@
 /// certificate. What fails is listed by name and reason; what is listed and does not fail is a fault too.
 #include "HardCases.h"
 #include "Peers.h"
+#include "Walls.h"
 
-#include "assembly/Loads.h"
-#include "assembly/Materials.h"
 #include "conic/AugmentedLagrangian.h"
 #include "conic/GaussSeidel.h"
 #include "conic/InteriorPoint.h"
 #include "dynamics/ThetaStep.h"
-#include "statics/LimitAnalysis.h"
-#include "texture/Texture.h"
 
 #include <Eigen/Cholesky>
 
@@ -30,41 +27,6 @@ struct Problem
     AnyConeProgram program;
 };
 
-/// Wall 1 to 6 of the paper: dead and horizontal live load, mu 0.65.
-PlaneConeProgram wall(int number)
-{
-    const auto file = fmt::format(
-        DRYSTONE_SOURCE_DIR "/tutorials/limitAnalysis/masonryPanels/wall{}/system/blockTextureDict", number);
-    const Assembly<2> assembly = makeStructure(Dictionary::readFile(file));
-    const std::vector<BlockMass<2>> blocks = blockMasses(assembly);
-    const std::vector<double> masses = massesOf(blocks, std::vector<double>(blocks.size(), 1000 / 9.81));
-    const std::vector<ContactPoint<2>> points = findContactPoints(assembly);
-    const Vector<2> gravity(0, -9.81);
-    const LoadVectors loads{gravityLoad(assembly, masses, gravity),
-                            inertialLoad(assembly, masses, gravity, {1, 0})};
-    return limitAnalysisProgram(static_cast<int>(loads.dead.size()) / 3,
-                                equilibriumColumns(assembly, blocks, points),
-                                std::vector<double>(points.size(), 0.65), loads);
-}
-
-/// A step of 0.002 s from rest of the wall pushed by alpha; moments of inertia of its full block.
-PlaneConeProgram wallStep(int number, double alpha)
-{
-    PlaneConeProgram program = wall(number);
-    program.load += alpha * program.liveLoad;
-    for (int body = 0; body < program.bodies; ++body)
-    {
-        const double mass = program.liveLoad[3 * body] / 9.81;
-        const double width = mass / (0.175 * 1000 / 9.81);
-        program.inertia.push_back(
-            (mass * Eigen::Vector3d(1, 1, (width * width + 0.175 * 0.175) / 12) / (0.002 * 0.002))
-                .asDiagonal());
-    }
-    program.liveLoad.resize(0);
-    program.gap = Eigen::VectorXd::Zero(2 * program.points());
-    return program;
-}
-
 const std::vector<Problem>& problems()
 {
     static const std::vector<Problem> all = []
@@ -72,7 +34,7 @@ const std::vector<Problem>& problems()
         std::vector<Problem> list;
         for (int number = 1; number <= 6; ++number)
         {
-            list.push_back({fmt::format("wall {} limit", number), wall(number)});
+            list.push_back({fmt::format("wall {} limit", number), limitAnalysisOf(paperWall(number))});
         }
         const auto direction = [](double angle) { return Eigen::Vector2d(std::cos(angle), std::sin(angle)); };
         for (const int boxes : {1, 5, 20})
@@ -86,8 +48,8 @@ const std::vector<Problem>& problems()
         heavy.push = direction(0.4);
         list.push_back({"tower heavy limit plane", planeLimitAnalysis(heavy)});
         list.push_back({"tower heavy limit space", spaceLimitAnalysis(heavy)});
-        list.push_back({"wall 1 step standing", wallStep(1, 0.8 * 0.642859)});
-        list.push_back({"wall 1 step moving", wallStep(1, 1.1 * 0.642859)});
+        list.push_back({"wall 1 step standing", stepOf(paperWall(1), 0.8 * paperMultipliers[0])});
+        list.push_back({"wall 1 step moving", stepOf(paperWall(1), 1.1 * paperMultipliers[0])});
         for (const HardCase& hard : hardCases())
         {
             const bool isSmall = hard.tower.boxes.size() <= 20 && hard.tower.pointsPerSide <= 10;

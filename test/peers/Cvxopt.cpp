@@ -37,7 +37,7 @@ std::optional<Peer> cvxopt()
     {
         const Scratch scratch;
         std::visit([&](const auto& program) { writeProgram(scratch.folder / "program", program); }, any);
-        runProgram(fmt::format("{} '{}' '{}/program' '{}/solution' {}", python,
+        runProgram(fmt::format("timeout 300 {} '{}' '{}/program' '{}/solution' {}", python,
                                DRYSTONE_PEERS "/solveWithCvxopt.py", scratch.folder.string(),
                                scratch.folder.string(), tolerance));
         PeerAnswer answer;

@@ -59,16 +59,15 @@ def main():
     load = program["load"]
     live = program.get("liveLoad")
     gap = program.get("gap", [0.0] * (forces * points))
-    # Unknowns: displacements y (with inertia only), s of each point in a standard cone, alpha.
-    #   minimise 1/2 y'My + g's - alpha   subject to   M y + B s - alpha L = f,   s in K
-    # c = T s: in the plane the two edges of the cone, in space a second-order cone. Loads over the largest,
-    # inertia over its largest.
+    # In displacements, where the matrix that CVXOPT factorises is as sparse as the blocks touch:
+    #   minimise 1/2 y'My - f'y   subject to   z = g - B'y in K,   L'y = 1
+    # with multipliers s in K of z and -alpha of L'y = 1. c = T s: in the plane the two edges of the cone, in space
+    # a second-order cone. Loads are over the largest, inertia over its largest.
     scale = max(map(abs, load + (live or []))) or 1.0
     heaviest = max((abs(number) for block in program.get("inertia", []) for number in block), default=1.0)
-    length = scale / heaviest  # of displacements with inertia
     inertia = program.get("inertia")
-    first = rows * bodies if inertia else 0
-    size = first + forces * points + (1 if live else 0)
+    length = scale / heaviest if inertia else 1.0  # of displacements
+    size = rows * bodies
 
     def basis(mu):
         if forces == 2:
@@ -76,7 +75,7 @@ def main():
         return [[1, 0, 0], [0, mu, 0], [0, 0, mu]]
 
     i, j, x = [], [], []
-    q = [0.0] * size
+    h = []
     for point, (one, other, onOne, onOther) in enumerate(contacts):
         cone = basis(program["friction"][point])
         for column in range(forces):
@@ -84,49 +83,34 @@ def main():
                 for row in range(rows if body >= 0 else 0):
                     entry = sum(part[row * forces + k] * cone[k][column] for k in range(forces))
                     if entry:
-                        i.append(rows * body + row)
-                        j.append(first + forces * point + column)
+                        i.append(forces * point + column)
+                        j.append(rows * body + row)
                         x.append(entry)
-            q[first + forces * point + column] = sum(gap[forces * point + k] * cone[k][column]
-                                                     for k in range(forces)) / (length if inertia else 1)
+            h.append(sum(gap[forces * point + k] * cone[k][column] for k in range(forces)) / length)
+    g = spmatrix(x, i, j, (forces * points, size))
     p = spmatrix([], [], [], (size, size))
-    if inertia:
-        for body, block in enumerate(inertia):
-            for row in range(rows):
-                for column in range(rows):
-                    entry = block[row * rows + column] / heaviest
-                    if entry:
-                        p[rows * body + row, rows * body + column] = entry
-                        i.append(rows * body + row)
-                        j.append(rows * body + column)
-                        x.append(entry)
-    if live:
-        q[-1] = -1.0
-        for row, entry in enumerate(live):
-            if entry:
-                i.append(row)
-                j.append(size - 1)
-                x.append(-entry / scale)
-    a = spmatrix(x, i, j, (rows * bodies, size))
-    b = matrix([entry / scale for entry in load])
-    g = spmatrix(-1.0, range(forces * points), range(first, first + forces * points), (forces * points, size))
-    h = matrix(0.0, (forces * points, 1))
+    for body, block in enumerate(inertia or []):
+        for row in range(rows):
+            for column in range(rows):
+                if block[row * rows + column]:
+                    p[rows * body + row, rows * body + column] = block[row * rows + column] / heaviest
+    q = matrix([-entry / scale for entry in load])
+    a = matrix([entry / scale for entry in live], (1, size)) if live else spmatrix([], [], [], (0, size))
+    b = matrix([1.0]) if live else matrix(0.0, (0, 1))
     dims = {"l": forces * points, "q": [], "s": []} if forces == 2 else {"l": 0, "q": [3] * points, "s": []}
     solvers.options.update(show_progress=False, abstol=tolerance, reltol=tolerance, feastol=tolerance, maxiters=100)
     start = time.process_time()
-    answer = solvers.coneqp(p, matrix(q), g, h, dims, a, b)
+    answer = solvers.coneqp(p, q, g, matrix(h), dims, a, b)
     seconds = time.process_time() - start
     force = []
     for point in range(points):
         cone = basis(program["friction"][point])
-        s = answer["x"][first + forces * point:first + forces * (point + 1)]
+        s = answer["z"][forces * point:forces * (point + 1)]
         force += [scale * sum(cone[k][column] * s[column] for column in range(forces)) for k in range(forces)]
-    # Multipliers of the balance are -y; with inertia y itself is there, of the scale of lengths.
-    y = [-entry / scale for entry in answer["y"]]
-    if inertia:
-        y = [length * entry for entry in answer["x"][:first]]
+    # L over `scale` does unit work on y, so L itself does `scale`.
+    y = [entry * length / (scale if live else 1.0) for entry in answer["x"]]
     with open(sys.argv[2], "w", encoding="utf-8") as file:
-        print(seconds, answer["iterations"], answer["x"][size - 1] if live else 0.0, file=file)
+        print(seconds, answer["iterations"], -answer["y"][0] if live else 0.0, file=file)
         for entry in force + y:
             print(repr(float(entry)), file=file)
 

@@ -1,0 +1,158 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Our solvers and other people's on the same problems: limit analysis of the six walls and of square ones,
+/// and the first step of wall 1 and wall 6. Times are CPU times of the solvers alone, in ms and in units of
+/// F, one assembly, factorisation and solve of the same Schur matrix in the same run (Clp's hold its reading
+/// of the file, for it is a program of its own). The certificate beside them is ours for all, so that speed
+/// is never bought with accuracy unseen. Who is not installed is left out.
+///
+///     build/test/PeersBenchmark --benchmark_out=peers.csv --benchmark_out_format=csv
+#include "Peers.h"
+#include "Walls.h"
+
+#include "conic/RayProgram.h"
+
+#include <benchmark/benchmark.h>
+
+#include <limits>
+
+namespace drystone
+{
+namespace
+{
+
+struct Problem
+{
+    std::string name;
+    std::function<PlaneConeProgram()> make;
+};
+
+const std::vector<Problem>& problems()
+{
+    static const std::vector<Problem> all = []
+    {
+        std::vector<Problem> list;
+        for (int wall = 1; wall <= 6; ++wall)
+        {
+            list.push_back(
+                {fmt::format("wall {} limit", wall), [wall] { return limitAnalysisOf(paperWall(wall)); }});
+        }
+        for (const int size : {20, 40})
+        {
+            list.push_back(
+                {fmt::format("square {} limit", size), [size] { return limitAnalysisOf(squareWall(size)); }});
+        }
+        for (const int wall : {1, 6})
+        {
+            for (const double share : {0.8, 1.1})
+            {
+                list.push_back({fmt::format("wall {} step {} alpha", wall, share), [wall, share]
+                                { return stepOf(paperWall(wall), share * paperMultipliers[wall - 1]); }});
+            }
+        }
+        return list;
+    }();
+    return all;
+}
+
+std::vector<Peer> contestants()
+{
+    const auto ours = [](SolverType solver)
+    {
+        return Peer{nameOf(solver), ContactLaw::associative,
+                    [solver](const AnyConeProgram& any, double tolerance) -> std::optional<PeerAnswer>
+                    {
+                        const auto& program = std::get<PlaneConeProgram>(any);
+                        if (solvesMotionOnly(solver) && !program.hasInertia())
+                        {
+                            return {};
+                        }
+                        SolverChoice choice;
+                        choice.solver = solver;
+                        choice.tolerance = tolerance;
+                        choice.maximumIterations = 2000;
+                        const double start = cpuSeconds();
+                        PeerAnswer answer{solveConeProgram(program, choice), 0};
+                        answer.seconds = cpuSeconds() - start;
+                        return answer;
+                    }};
+    };
+    std::vector<Peer> all{ours(SolverType::interiorPoint), ours(SolverType::augmentedLagrangian),
+                          ours(SolverType::gaussSeidel)};
+    for (const Peer& peer : installedPeers())
+    {
+        all.push_back(peer);
+    }
+    return all;
+}
+
+/// One assembly, factorisation and solve: the least of several.
+double unitOfWork(const PlaneConeProgram& program)
+{
+    RayForm form = makeRayForm(program);
+    SchurSystem<3> system = makeSchurSystem(form);
+    const Eigen::VectorXd d = Eigen::VectorXd::Ones(form.program.rayCount());
+    double least = std::numeric_limits<double>::max();
+    for (int repetition = 0; repetition < 10; ++repetition)
+    {
+        Eigen::VectorXd x = Eigen::VectorXd::Ones(3 * form.program.bodies);
+        const double start = cpuSeconds();
+        assembleSchur(form.program, d, 1e-9, 0, system);
+        system.factorise();
+        system.solve(x);
+        least = std::min(least, cpuSeconds() - start);
+        benchmark::DoNotOptimize(x.data());
+    }
+    return least;
+}
+
+void solve(benchmark::State& state)
+{
+    const Problem& problem = problems()[static_cast<std::size_t>(state.range(0))];
+    const Peer peer = contestants()[static_cast<std::size_t>(state.range(1))];
+    const PlaneConeProgram program = problem.make();
+    state.SetLabel(problem.name + ": " + peer.name + (peer.law == ContactLaw::Coulomb ? " (Coulomb)" : ""));
+    const double unit = unitOfWork(program);
+    std::optional<PeerAnswer> answer;
+    for (auto _ : state)
+    {
+        answer = peer.solve(program, 1e-8);
+        state.SetIterationTime(answer ? answer->seconds : 0);
+    }
+    if (!answer)
+    {
+        state.SkipWithError("not a problem of its kind");
+        return;
+    }
+    state.counters["blocks"] = program.bodies;
+    state.counters["iterations"] = answer->solution.iterations;
+    state.counters["certificate"] = certifyByLaw(program, answer->solution, peer.law).worst();
+    state.counters["solve[ms]"] = 1e3 * answer->seconds;
+    state.counters["F[ms]"] = 1e3 * unit;
+    state.counters["solve[F]"] = answer->seconds / unit;
+}
+
+void allPairs(benchmark::internal::Benchmark* benchmark)
+{
+    benchmark->ArgNames({"problem", "solver"})->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(1);
+    const std::vector<Peer> solvers = contestants();
+    for (std::size_t problem = 0; problem < problems().size(); ++problem)
+    {
+        for (std::size_t solver = 0; solver < solvers.size(); ++solver)
+        {
+            const bool isStep = problems()[problem].name.find("step") != std::string::npos;
+            const std::string& name = solvers[solver].name;
+            const bool stepsOnly = solvers[solver].law == ContactLaw::Coulomb
+                                   || name == nameOf(SolverType::augmentedLagrangian)
+                                   || name == nameOf(SolverType::gaussSeidel);
+            const bool limitOnly = name == "GLPK" || name == "Clp";
+            if (isStep ? !limitOnly : !stepsOnly)
+            {
+                benchmark->Args({static_cast<long>(problem), static_cast<long>(solver)});
+            }
+        }
+    }
+}
+BENCHMARK(solve)->Apply(allPairs);
+
+} // namespace
+} // namespace drystone
