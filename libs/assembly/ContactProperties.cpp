@@ -23,9 +23,8 @@ const Registry<CoulombFriction>& frictionTypes()
 const std::vector<AbsentEffect>& absentEffects()
 {
     static const std::vector<AbsentEffect> effects{
-        {"elasticity", "joints that give way under load"},
-        {"damping", "losses beside friction and impact"},
-        {"rollingResistance", "a moment that resists rolling"},
+        {"rollingResistance",
+         "a moment that resists rolling: blocks with corners touch at points and do not roll"},
     };
     return effects;
 }
@@ -57,6 +56,26 @@ void declare(Options& options, JointStrength& strength)
         .example("1e5");
 }
 
+void declare(Options& options, Elasticity& elasticity)
+{
+    options.required("normal", elasticity.normal, "stiffness of a contact point against pressing")
+        .unit("N/m")
+        .above(0)
+        .example("1e9");
+    options.required("tangential", elasticity.tangential, "stiffness of a contact point against shearing")
+        .unit("N/m")
+        .above(0)
+        .example("5e8");
+}
+
+void declare(Options& options, Damping& damping)
+{
+    options.required("massProportional", damping.massProportional, "force over momentum of a block")
+        .unit("1/s")
+        .atLeast(0)
+        .example("0.5");
+}
+
 void declare(Options& options, JointFriction& friction)
 {
     options.required("mu", friction.mu, "friction coefficient")
@@ -83,6 +102,10 @@ void declare(Options& options, ContactProperties& properties)
     options.optional("tension", properties.tension,
                      "normal stress that holds joints together, at most cohesion over mu; absent: none");
     options.optional("crushing", properties.crushing, "pressure that the joints bear; absent: any");
+    options.optional("elasticity", properties.elasticity,
+                     "contact points that give way under force, in motion; absent: rigid");
+    options.optional("damping", properties.damping,
+                     "losses beside friction and impact, in motion; absent: none");
     options
         .optional("pointsPerJoint", properties.pointsPerJoint,
                   "contact points along each joint, of limitAnalysis; absent: 2, with crushing 11")
@@ -114,6 +137,8 @@ EffectNames effectNames(const ContactProperties& properties)
     tell(properties.cohesion || inJoints(&JointProperties::cohesion), "cohesion");
     tell(properties.tension || inJoints(&JointProperties::tension), "tension");
     tell(properties.crushing || inJoints(&JointProperties::crushing), "crushing");
+    tell(properties.elasticity.has_value(), "elasticity");
+    tell(properties.damping.has_value(), "damping");
     for (const AbsentEffect& effect : absentEffects())
         names.absent.emplace_back(effect.name);
     return names;
@@ -144,7 +169,8 @@ ContactProperties readContactProperties(const std::filesystem::path& caseDirecto
         {
             throw FatalIOError(
                 fmt::format("This version does not simulate {} ({}). Remove the entry to compute "
-                            "without it; simulated are: friction restitution cohesion tension crushing.",
+                            "without it; simulated are: friction restitution cohesion tension crushing "
+                            "elasticity damping.",
                             effect.name, effect.summary),
                 entry->location());
         }

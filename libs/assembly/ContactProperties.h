@@ -64,6 +64,23 @@ struct JointFriction
 
 void declare(Options& options, JointFriction& friction);
 
+/// Contact points that give way under force, like springs: Krabbenhoft et al. (2012), the term 1/2 c' C c.
+struct Elasticity
+{
+    double normal = 0;     ///< stiffness of a contact point [N/m]
+    double tangential = 0; ///< likewise [N/m]
+};
+
+void declare(Options& options, Elasticity& elasticity);
+
+/// Losses beside friction and impact: a force of -massProportional M v on each block.
+struct Damping
+{
+    double massProportional = 0; ///< [1/s]
+};
+
+void declare(Options& options, Damping& damping);
+
 /// What some joints have instead of what all have; the effects that it does not name stay as they are.
 struct JointProperties
 {
@@ -83,6 +100,8 @@ struct ContactProperties
     std::optional<JointStrength> cohesion;   ///< absent: shear by friction alone
     std::optional<JointStrength> tension;    ///< absent: joints open freely
     std::optional<JointStrength> crushing;   ///< absent: any pressure is borne
+    std::optional<Elasticity> elasticity;    ///< absent: rigid; in motion only
+    std::optional<Damping> damping;          ///< absent: none; in motion only
     /// By name (see jointName), exact names before the last pattern that matches.
     std::vector<std::pair<NamePattern, JointProperties>> joints;
     std::optional<int> pointsPerJoint; ///< absent: 2, the ends; with crushing 11

@@ -257,6 +257,10 @@ ConeSolution solveAugmentedLagrangian(const PlaneConeProgram& program, const Con
     {
         throw std::invalid_argument("solveAugmentedLagrangian needs cones: no strengths");
     }
+    if (program.hasCompliance())
+    {
+        throw std::invalid_argument("solveAugmentedLagrangian needs rigid points");
+    }
     // In increments from where the blocks are heading: the momenta they have drop out of the load, and the
     // figures left are those of one step.
     PlaneConeProgram increment = program;

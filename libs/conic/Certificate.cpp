@@ -181,8 +181,8 @@ Certificate certifyOptimal(const ConeProgram<Rows, Forces>& program, const ConeS
     Eigen::VectorXd imbalance = inertial + applyEquilibrium(program, c) - program.load;
     double forceScale = largest<Rows, Forces>(program.load, 1 / lever);
     double displacementScale = largest<Rows, Forces>(y, lever);
-    // Objectives: primal 1/2 y'Mbar y + g'c - alpha, dual f'y - 1/2 y'Mbar y; difference = y'Mbar y + g'c -
-    // alpha - f'y.
+    // Objectives: primal 1/2 y'Mbar y + g'c + 1/2 c'C c - alpha, dual f'y - 1/2 y'Mbar y - 1/2 c'C c;
+    // difference = y'Mbar y + (g + C c)'c - alpha - f'y.
     double difference = inertial.dot(y) - program.load.dot(y);
     double differenceScale = std::max(magnitude(inertial, y), magnitude(program.load, y));
     Certificate certificate;
@@ -198,13 +198,13 @@ Certificate certifyOptimal(const ConeProgram<Rows, Forces>& program, const ConeS
         certificate.dualResidual = relative(std::abs(program.liveLoad.dot(y) - 1), 1);
     }
     Eigen::VectorXd z = -closing;
-    if (program.gap.size() > 0)
+    if (program.gap.size() > 0 || program.hasCompliance())
     {
-        z += program.gap;
-        displacementScale =
-            std::max(displacementScale, program.gap.size() > 0 ? program.gap.cwiseAbs().maxCoeff() : 0);
-        difference += program.gap.dot(c);
-        differenceScale = std::max(differenceScale, magnitude(program.gap, c));
+        const Eigen::VectorXd gap = gapUnder(program, c);
+        z += gap;
+        displacementScale = std::max(displacementScale, gap.size() > 0 ? gap.cwiseAbs().maxCoeff() : 0);
+        difference += gap.dot(c);
+        differenceScale = std::max(differenceScale, magnitude(gap, c));
     }
     if (program.hasInertia())
     {

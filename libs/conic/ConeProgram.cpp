@@ -48,6 +48,18 @@ Eigen::VectorXd applyTransposed(const ConeProgram<Rows, Forces>& program, const 
 }
 
 template<int Rows, int Forces>
+Eigen::VectorXd gapUnder(const ConeProgram<Rows, Forces>& program, const Eigen::VectorXd& contactForce)
+{
+    Eigen::VectorXd gap =
+        program.gap.size() > 0 ? program.gap : Eigen::VectorXd::Zero(Forces * program.points()).eval();
+    if (program.hasCompliance())
+    {
+        gap += program.compliance.cwiseProduct(contactForce);
+    }
+    return gap;
+}
+
+template<int Rows, int Forces>
 Eigen::VectorXd applyInertia(const ConeProgram<Rows, Forces>& program, const Eigen::VectorXd& displacement)
 {
     Eigen::VectorXd force = Eigen::VectorXd::Zero(Rows * program.bodies);
@@ -69,6 +81,10 @@ double objective(const ConeProgram<Rows, Forces>& program, const ConeSolution& s
     if (program.gap.size() > 0)
     {
         value += program.gap.dot(solution.contactForce);
+    }
+    if (program.hasCompliance())
+    {
+        value += 0.5 * program.compliance.dot(solution.contactForce.cwiseAbs2());
     }
     return program.hasMultiplier() ? value - solution.multiplier : value;
 }
@@ -95,6 +111,8 @@ template Eigen::VectorXd applyEquilibrium(const PlaneConeProgram&, const Eigen::
 template Eigen::VectorXd applyEquilibrium(const SpaceConeProgram&, const Eigen::VectorXd&);
 template Eigen::VectorXd applyTransposed(const PlaneConeProgram&, const Eigen::VectorXd&);
 template Eigen::VectorXd applyTransposed(const SpaceConeProgram&, const Eigen::VectorXd&);
+template Eigen::VectorXd gapUnder(const PlaneConeProgram&, const Eigen::VectorXd&);
+template Eigen::VectorXd gapUnder(const SpaceConeProgram&, const Eigen::VectorXd&);
 template Eigen::VectorXd applyInertia(const PlaneConeProgram&, const Eigen::VectorXd&);
 template Eigen::VectorXd applyInertia(const SpaceConeProgram&, const Eigen::VectorXd&);
 

@@ -35,14 +35,14 @@ struct Strength
 
 /// The problem data. With b bodies, k contact points, R = Rows and F = Forces:
 ///
-///     minimise    1/2 r' Mbar^-1 r + g' c - alpha
+///     minimise    1/2 r' Mbar^-1 r + g' c + 1/2 c' C c - alpha
 ///     subject to  r + A c = f + alpha L,    |c_t| <= mu c_n at every point
 ///
 /// over the contact forces c (F k), the inertial forces r (R b) and the multiplier alpha. Its multipliers y
 /// (R b) are the displacements of the bodies, and r = Mbar y:
 ///
-///     maximise    f' y - 1/2 y' Mbar y
-///     subject to  z = g - A' y,    mu |z_t| <= z_n at every point,    L' y = 1
+///     maximise    f' y - 1/2 y' Mbar y - 1/2 c' C c
+///     subject to  z = g + C c - A' y,    mu |z_t| <= z_n at every point,    L' y = 1
 ///
 /// - limit analysis (Portioli & Cascini 2017, eq. 10): `inertia` empty, so that r = 0; f dead and L live
 /// load; y is the
@@ -67,10 +67,12 @@ struct ConeProgram
     Eigen::VectorXd liveLoad;       ///< L, R b, or empty: no multiplier
     std::vector<Inertia> inertia;   ///< Mbar, one symmetric block a body, or empty: r = 0
     Eigen::VectorXd gap;            ///< g, F k (normal, tangential ...), or empty: zero
+    Eigen::VectorXd compliance;     ///< diagonal of C, F k, >= 0, or empty: rigid points
 
     int points() const { return static_cast<int>(contacts.size()); }
     bool hasMultiplier() const { return liveLoad.size() > 0; }
     bool hasInertia() const { return !inertia.empty(); }
+    bool hasCompliance() const { return compliance.size() > 0; }
     bool hasStrength() const { return !strength.empty(); }
 };
 
@@ -112,11 +114,16 @@ template<int Rows, int Forces>
 Eigen::VectorXd applyTransposed(const ConeProgram<Rows, Forces>& program,
                                 const Eigen::VectorXd& displacement);
 
+/// g + C c: how far the points are apart with what their forces press them together. \return F k
+template<int Rows, int Forces>
+Eigen::VectorXd gapUnder(const ConeProgram<Rows, Forces>& program, const Eigen::VectorXd& contactForce);
+
 /// Mbar y. \return R b; zero when the program has no inertia
 template<int Rows, int Forces>
 Eigen::VectorXd applyInertia(const ConeProgram<Rows, Forces>& program, const Eigen::VectorXd& displacement);
 
-/// The primal objective 1/2 y' Mbar y + g' c - alpha of a solution; in limit analysis without gaps -alpha.
+/// The primal objective 1/2 y' Mbar y + g' c + 1/2 c' C c - alpha of a solution; in limit analysis without
+/// gaps -alpha.
 template<int Rows, int Forces>
 double objective(const ConeProgram<Rows, Forces>& program, const ConeSolution& solution);
 

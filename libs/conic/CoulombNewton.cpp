@@ -353,6 +353,10 @@ ConeSolution solveCoulombNewton(const PlaneConeProgram& program, const ConeSolut
     {
         throw std::invalid_argument("solveCoulombNewton needs inertia and no multiplier");
     }
+    if (program.hasCompliance())
+    {
+        throw std::invalid_argument("solveCoulombNewton needs rigid points");
+    }
     if (start.displacement.size() != program.load.size() || start.contactForce.size() != 2 * program.points())
     {
         throw std::invalid_argument("solveCoulombNewton needs a start of the size of the program");

@@ -52,7 +52,8 @@ struct LocalProblem
 {
     Eigen::Matrix<double, Rows, Forces> firstMoves; ///< Mbar^-1 A of the first body
     Eigen::Matrix<double, Rows, Forces> secondMoves;
-    Eigen::Matrix<double, Forces, Forces> W;
+    Eigen::Matrix<double, Forces, Forces> W;    ///< with the compliance of the point
+    Eigen::Matrix<double, Forces, Forces> ownW; ///< without
 };
 
 template<int Rows, int Forces>
@@ -78,6 +79,12 @@ std::vector<LocalProblem<Rows, Forces>> makeLocalProblems(const ConeProgram<Rows
         {
             problem.secondMoves = inertia[columns.second].solve(columns.onSecond);
             problem.W += columns.onSecond.transpose() * problem.secondMoves;
+        }
+        problem.ownW = problem.W;
+        if (program.hasCompliance())
+        {
+            problem.W +=
+                program.compliance.template segment<Forces>(Forces * static_cast<int>(point)).asDiagonal();
         }
     }
     return problems;
@@ -249,7 +256,7 @@ ConeSolution solveGaussSeidel(const ConeProgram<Rows, Forces>& program, const Co
                 continue; // nothing there can move
             }
             auto force = c.template segment<Forces>(Forces * point);
-            const Force<Forces> b = z - problem.W * force;
+            const Force<Forces> b = z - problem.ownW * force;
             const Force<Forces> best = leastInCone(problem.W, b, program.friction[point]);
             const Force<Forces> change = best - force;
             force = best;

@@ -499,6 +499,10 @@ ConeSolution solveOnce(const PlaneConeProgram& program, const InteriorPointSetti
 
 ConeSolution solveInteriorPoint(const PlaneConeProgram& program, const InteriorPointSettings& settings)
 {
+    if (program.hasCompliance())
+    {
+        throw std::invalid_argument("solveInteriorPoint needs rigid points");
+    }
     ConeSolution solution = solveOnce(program, settings, LiveWork::unit);
     if (solution.status == SolveStatus::optimal)
     {

@@ -119,7 +119,7 @@ SourceLocation placeOf(const Entry& entry, std::size_t element)
 void refuseUnknownKeys(const Dictionary& dictionary)
 {
     const std::vector<std::string> known{"dimensions", "bodies",   "contacts", "friction", "strength",
-                                         "load",       "liveLoad", "inertia",  "gap"};
+                                         "load",       "liveLoad", "inertia",  "gap",      "compliance"};
     for (const Entry& entry : dictionary.entries())
     {
         if (!entry.isUsed() && entry.keyword() != "FoamFile")
@@ -233,6 +233,15 @@ ConeProgram<Rows, Forces> readProgramOf(const Dictionary& dictionary)
         program.gap = readVector(dictionary, "gap", Forces * points,
                                  fmt::format("{} for each of {} contact points", Forces, points));
     }
+    if (dictionary.found("compliance"))
+    {
+        program.compliance = readVector(dictionary, "compliance", Forces * points,
+                                        fmt::format("{} for each of {} contact points", Forces, points));
+        if (program.compliance.size() > 0 && program.compliance.minCoeff() < 0)
+        {
+            throw FatalIOError("A compliance is at least 0.", dictionary.locationOf("compliance"));
+        }
+    }
     refuseUnknownKeys(dictionary);
     return program;
 }
@@ -321,6 +330,10 @@ std::string programText(const ConeProgram<Rows, Forces>& program)
     if (program.gap.size() > 0)
     {
         appendVector(text, "gap", program.gap.data(), program.gap.size(), Forces);
+    }
+    if (program.hasCompliance())
+    {
+        appendVector(text, "compliance", program.compliance.data(), program.compliance.size(), Forces);
     }
     return text;
 }

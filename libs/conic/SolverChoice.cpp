@@ -1,6 +1,8 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "conic/SolverChoice.h"
 
+#include "conic/ElasticNewton.h"
+
 #include "conic/Certificate.h"
 #include "core/Solution.h"
 
@@ -72,6 +74,12 @@ ConeSolution solveAsChosen(const PlaneConeProgram& program, const SolverChoice& 
                            const ConeSolution& start)
 {
     AugmentedLagrangianSettings multipliers{choice.tolerance, choice.maximumIterations};
+    if (program.hasCompliance()) // which no other solver takes
+    {
+        return choice.solver == SolverType::gaussSeidel
+                   ? solveGaussSeidel(program, start, {choice.tolerance, choice.maximumSweeps})
+                   : solveElasticNewton(program, start, {choice.tolerance, choice.maximumIterations});
+    }
     switch (choice.solver)
     {
     case SolverType::interiorPoint:

@@ -28,6 +28,35 @@ void setStructure(DynamicCase& scene, Assembly<2> assembly, const std::vector<do
     scene.roundingGap = 64 * std::numeric_limits<double>::epsilon() * extent;
 }
 
+/// What elastic contact points go together with.
+void refuseCombinations(const DynamicCase& scene, const std::filesystem::path& caseDirectory)
+{
+    if (!scene.contact.elasticity)
+    {
+        return;
+    }
+    const Dictionary contact = Dictionary::readFile(caseDirectory / "constant/contactProperties");
+    if (scene.contact.restitution)
+    {
+        throw FatalIOError("Elastic contact points rebound by themselves: remove restitution, or elasticity.",
+                           contact.locationOf("restitution"));
+    }
+    if (scene.schemes.timeIntegration.theta < 1)
+    {
+        throw FatalIOError("Elastic contact points are integrated with theta 1 only: set `theta 1;` in "
+                           "system/schemes, or remove elasticity.",
+                           contact.locationOf("elasticity"));
+    }
+    if (scene.solution.solver == SolverType::interiorPoint
+        || scene.solution.solver == SolverType::augmentedLagrangian)
+    {
+        throw FatalIOError(
+            "Elastic contact points are solved by Newton's method of their own, or by gaussSeidel: set "
+            "`solver automatic;` for contactDynamics in system/solution, or remove elasticity.",
+            contact.locationOf("elasticity"));
+    }
+}
+
 DynamicCase readDynamicCase(const std::filesystem::path& caseDirectory)
 {
     DynamicCase scene;
@@ -38,6 +67,8 @@ DynamicCase readDynamicCase(const std::filesystem::path& caseDirectory)
     scene.contact = readContactProperties(caseDirectory);
     refuseEffects(caseDirectory, "contactDynamics",
                   {"cohesion", "tension", "crushing", "pointsPerJoint", "joints"});
+    refuseCombinations(scene, caseDirectory);
+    scene.effects = stepEffects(scene.contact);
     scene.gravity = readGravity(caseDirectory);
     const std::vector<double> densities = readDensities(caseDirectory, assembly, scene.gravity);
     setStructure(scene, std::move(assembly), densities);

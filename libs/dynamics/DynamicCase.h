@@ -7,6 +7,7 @@
 #include "dynamics/DynamicState.h"
 #include "dynamics/GroundMotion.h"
 #include "dynamics/Schemes.h"
+#include "dynamics/StepEffect.h"
 
 #include <filesystem>
 
@@ -24,6 +25,8 @@ struct DynamicCase
     Eigen::VectorXd deadLoad;              ///< likewise [N, N, N m]
     Vector<2> gravity = Vector<2>::Zero(); ///< [m/s2]
     ContactProperties contact;
+    std::vector<std::shared_ptr<const StepEffect>>
+        effects; ///< see stepEffects; what is not there costs nothing
     GroundMotion groundMotion;
     double groundFactor = 1; ///< times groundMotion: the intensity of an incremental analysis
     Schemes schemes;

@@ -248,6 +248,8 @@ void keepLedger(const DynamicCase& scene, Motion& motion, const StepEnergy& step
     energy.frictionLoss += step.frictionLoss;
     energy.impactLoss += step.normalLoss;
     energy.algorithmicLoss += step.algorithmicLoss;
+    energy.elastic += step.elasticChange;
+    energy.dampingLoss += step.dampingLoss;
     energy.kinetic = kineticEnergy(scene, motion.state.velocity);
     energy.potential = potentialEnergy(scene, motion.state.placements);
 }
@@ -349,6 +351,11 @@ bool advance(const DynamicCase& scene, Motion& motion, double timeStep)
     const Relinearisation relinearise =
         motion.contacts ? movingContactGeometry(scene, motion, points) : Relinearisation();
     StepGuess guess{timeStep * velocity, forcesOfLastStep(motion, points)};
+    const EffectContext context{scene.mass, guess.contactForce, motion.contactForces, scheme.timeStep};
+    for (const auto& effect : scene.effects)
+    {
+        effect->contribute(context, program);
+    }
     ThetaStep step = solveThetaStep(program, settings, guess, relinearise);
 
     double lostInImpacts = 0;
@@ -363,7 +370,7 @@ bool advance(const DynamicCase& scene, Motion& motion, double timeStep)
         return solved.status == SolveStatus::optimal;
     };
     bool isSolved = count(step);
-    const bool hasImpacts = scene.restitution() > 0 || scheme.theta < 1;
+    const bool hasImpacts = (scene.restitution() > 0 || scheme.theta < 1) && !program.hasCompliance();
     for (int impacts = 0; isSolved && hasImpacts && impacts < mostImpacts; ++impacts)
     {
         const auto colliding = collidingPoints(program, step, velocity, slowImpact * acceleration * timeStep);
@@ -407,7 +414,11 @@ bool advance(const DynamicCase& scene, Motion& motion, double timeStep)
     motion.residuals = motion.attempt;
     motion.state.velocity = velocity;
     advance(motion.state, scene.free, step.displacement, scheme);
-    const StepEnergy energy = stepEnergy(step, scene.mass, load, velocity, motion.state.velocity, scheme);
+    StepEnergy energy = stepEnergy(step, scene.mass, load, velocity, motion.state.velocity, scheme);
+    for (const auto& effect : scene.effects)
+    {
+        effect->account(context, step, energy);
+    }
     motion.energy.impactLoss += lostInImpacts;
     keepLedger(scene, motion, energy, (load - scene.deadLoad).dot(step.displacement));
 

@@ -32,14 +32,17 @@ struct EnergyLedger
     double frictionLoss = 0;    ///< in sliding
     double impactLoss = 0;      ///< in impacts
     double algorithmicLoss = 0; ///< of the time integration
+    double elastic = 0;         ///< stored in contact points that give way
+    double dampingLoss = 0;
 };
 
-/// What the ledger leaves unexplained [J]: kinetic + potential + losses - (opening + external work), zero but
-/// for rounding and the tolerance of the solver.
+/// What the ledger leaves unexplained [J]: kinetic + potential + elastic + losses - (opening + external
+/// work), zero but for rounding and the tolerance of the solver.
 inline double imbalance(const EnergyLedger& ledger)
 {
-    const double losses = ledger.frictionLoss + ledger.impactLoss + ledger.algorithmicLoss;
-    return ledger.kinetic + ledger.potential + losses - ledger.opening - ledger.externalWork;
+    const double losses =
+        ledger.frictionLoss + ledger.impactLoss + ledger.algorithmicLoss + ledger.dampingLoss;
+    return ledger.kinetic + ledger.potential + ledger.elastic + losses - ledger.opening - ledger.externalWork;
 }
 
 /// How hard the solver worked on a step, and how well the step is solved.

@@ -27,13 +27,15 @@ constexpr int newtonSteps = 100;
 constexpr int mostRelinearisations = 10;
 
 /// mu |u_t| of each point: what the program's flow opens. \param closing A'y
-Eigen::VectorXd dilatancy(const PlaneConeProgram& program, const Eigen::VectorXd& closing)
+Eigen::VectorXd dilatancy(const PlaneConeProgram& program, const Eigen::VectorXd& closing,
+                          const Eigen::VectorXd& contactForce)
 {
+    const Eigen::VectorXd gap = program.hasCompliance() ? gapUnder(program, contactForce) : program.gap;
     Eigen::VectorXd opening(program.points());
     for (int point = 0; point < program.points(); ++point)
     {
         opening[point] = program.friction[static_cast<std::size_t>(point)]
-                         * std::abs(closing[2 * point + 1] - program.gap[2 * point + 1]);
+                         * std::abs(closing[2 * point + 1] - gap[2 * point + 1]);
     }
     return opening;
 }
@@ -296,7 +298,7 @@ ThetaStep solveThetaStep(PlaneConeProgram program, const StepSettings& settings,
     Eigen::VectorXd imposed = Eigen::VectorXd::Zero(program.points());
     if (isCoulomb && guess.displacement.size() > 0)
     {
-        imposed = dilatancy(program, applyTransposed(program, guess.displacement));
+        imposed = dilatancy(program, applyTransposed(program, guess.displacement), start.contactForce);
     }
     if (relinearise && guess.displacement.size() > 0)
     {
@@ -309,8 +311,8 @@ ThetaStep solveThetaStep(PlaneConeProgram program, const StepSettings& settings,
     Eigen::VectorXd gap = program.gap; // without the share that is imposed
     for (;;)
     {
-        const bool isNewtonsTurn =
-            isCoulomb && step.programs > 0 && (step.programs & (step.programs - 1)) == 0;
+        const bool isNewtonsTurn = isCoulomb && !program.hasCompliance() && step.programs > 0
+                                   && (step.programs & (step.programs - 1)) == 0;
         if (isNewtonsTurn)
         {
             program.gap = gap;
@@ -333,7 +335,7 @@ ThetaStep solveThetaStep(PlaneConeProgram program, const StepSettings& settings,
         bool stands = true;
         if (isCoulomb)
         {
-            const Eigen::VectorXd opening = dilatancy(program, step.closing);
+            const Eigen::VectorXd opening = dilatancy(program, step.closing, step.contactForce);
             const double change = (opening - imposed).lpNorm<Eigen::Infinity>();
             const double exact = std::max(1e-12 * settings.blockSize,
                                           10 * settings.solver.tolerance * opening.lpNorm<Eigen::Infinity>());

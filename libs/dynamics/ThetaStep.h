@@ -110,6 +110,8 @@ struct StepEnergy
     double normalLoss = 0;   ///< of the normal forces: closing of gaps; negative where sliding opens a joint
     double frictionLoss = 0; ///< of the shear forces
     double algorithmicLoss = 0; ///< (theta - 1/2) |v1 - v0|_M^2, in which impacts on closed contacts are lost
+    double elasticChange = 0;   ///< what contact points that give way have stored; of effects
+    double dampingLoss = 0;     ///< likewise
 };
 
 /// Energies of a step. With p = M (v1 - v0) and u = y/dt = (v0 + v1)/2 + (theta - 1/2)(v1 - v0):

@@ -143,7 +143,9 @@ std::string coulombText(const CoulombRange& range)
 void printLimitAnalysisCase(const LimitAnalysisCase& structure)
 {
     ContactProperties atRest = structure.contact;
-    atRest.restitution.reset(); // nothing hits anything
+    atRest.restitution.reset(); // nothing hits anything,
+    atRest.elasticity.reset();  // and a collapse is not a matter of stiffness
+    atRest.damping.reset();
     const auto [simulated, absent] = effectNames(atRest);
     printEffects(simulated, absent);
     info("Blocks: {} free, contact points: {}", structure.freeBlocks, structure.points.size());

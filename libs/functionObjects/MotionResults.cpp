@@ -27,6 +27,8 @@ void visitLedger(Ledger& energy, const Visit& visit)
     visit("energyFrictionLoss", energy.frictionLoss);
     visit("energyImpactLoss", energy.impactLoss);
     visit("energyAlgorithmicLoss", energy.algorithmicLoss);
+    visit("energyElastic", energy.elastic);
+    visit("energyDampingLoss", energy.dampingLoss);
 }
 
 /// How the step that led to a state was solved, likewise.

@@ -1,0 +1,33 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// elasticity { normal kn; tangential kt; }: contact points that give way under force like springs.
+#pragma once
+
+#include "dynamics/StepEffect.h"
+
+namespace drystone
+{
+
+/// Krabbenhoft, Huang, da Silva & Lyamin (2012): the term 1/2 c' C c, C = diag(1/kn, 1/kt). The openings are
+/// then z = g + C c - A'y, so that a point that carries n stands at a gap of -n/kn: g has that overlap at the
+/// start of the step by itself. Shear leaves nothing that could be seen in the places of the blocks, so its
+/// share at the start is put into g: -t0/kt, t0 of the last step.
+///
+/// Energy: where a point stays closed, c1'(A'y) = c1'C (c1 - c0), which is the change of 1/2 c'Cc and
+/// 1/2 (c1 - c0)'C (c1 - c0), a loss of the time integration (theta 1).
+///
+/// The shear of a point that moves past a corner, and so becomes another one, starts again from none.
+class JointElasticity final : public StepEffect
+{
+public:
+    explicit JointElasticity(const Elasticity& elasticity)
+        : compliance(1 / elasticity.normal, 1 / elasticity.tangential)
+    {
+    }
+    void contribute(const EffectContext& context, PlaneConeProgram& program) const override;
+    void account(const EffectContext& context, const ThetaStep& step, StepEnergy& energy) const override;
+
+private:
+    Eigen::Vector2d compliance; ///< (1/kn, 1/kt) [m/N]
+};
+
+} // namespace drystone

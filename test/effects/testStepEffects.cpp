@@ -1,0 +1,196 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Effects beside friction and impact: elastic contact points and damping, against closed forms.
+#include "../dynamics/Scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <numbers>
+
+using namespace drystone;
+using namespace drystone::scenes;
+
+namespace
+{
+
+/// One block of 1 m x 1 m on the ground.
+DynamicCase blockOnSprings(double normal, double tangential, Settings settings = {})
+{
+    Assembly<2> assembly = ground(-5, 5);
+    assembly.blocks.push_back(rectangle(0, 0, 1, 1));
+    DynamicCase scene = sceneOf(std::move(assembly), settings);
+    scene.contact.elasticity = Elasticity{normal, tangential};
+    scene.effects = stepEffects(scene.contact);
+    return scene;
+}
+
+void run(const DynamicCase& scene, Motion& motion, double timeStep, int steps)
+{
+    for (int step = 0; step < steps; ++step)
+    {
+        ASSERT_TRUE(advance(scene, motion, timeStep)) << "step " << step;
+    }
+}
+
+} // namespace
+
+TEST(JointElasticity, ABlockSettlesByItsWeightOverTheStiffnessOfItsPoints)
+{
+    for (const double stiffness : {1e6, 1e8, 1e10})
+    {
+        const DynamicCase scene = blockOnSprings(stiffness, 0.5 * stiffness);
+        Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+        // Steps far longer than a period: theta 1 then takes all energy out of the springs.
+        run(scene, motion, 0.02, 300);
+        const double weight = scene.mass[0] * g;
+        ASSERT_EQ(motion.points.size(), 2u);
+        EXPECT_NEAR(motion.state.placements[1].translation.y() / (-weight / (2 * stiffness)), 1, 1e-9);
+        EXPECT_NEAR(motion.contactForces[0].x(), weight / 2, 1e-9 * weight);
+        EXPECT_NEAR(motion.energy.elastic, 0.5 * weight * weight / (2 * stiffness),
+                    1e-8 * motion.energy.elastic);
+        EXPECT_LT(relativeImbalance(motion.energy), 1e-6);
+    }
+}
+
+TEST(JointElasticity, ABlockOnSpringsHasTheFrequenciesOfItsStiffnessAndMassMatrices)
+{
+    const double normal = 2e7;
+    const double tangential = 1e7;
+    Settings settings;
+    settings.mu = 5;           // sticks
+    settings.tolerance = 1e-9; // steps of 1e-5 s: less than that of the weight is rounding
+    DynamicCase scene = blockOnSprings(normal, tangential, settings);
+    scene.schemes.smallDisplacements = true; // no moment of the weight about the leaning block
+    // K = A C^-1 A' by hand: points at x = -0.5 and 0.5 beside the mass centre, 0.5 under it.
+    Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero();
+    for (const double x : {-0.5, 0.5})
+    {
+        const Eigen::Vector3d up(0, 1, x);      // vertical displacement of the point
+        const Eigen::Vector3d along(1, 0, 0.5); // horizontal one
+        stiffness += normal * up * up.transpose() + tangential * along * along.transpose();
+    }
+    const Eigen::Matrix3d mass = scene.mass.asDiagonal();
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix3d> modes(stiffness, mass);
+    for (int mode = 0; mode < 3; ++mode)
+    {
+        const double period = 2 * std::numbers::pi / std::sqrt(modes.eigenvalues()[mode]);
+        const Eigen::Vector3d shape = modes.eigenvectors().col(mode).normalized();
+        Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+        run(scene, motion, 0.02, 300); // settled
+        motion.state.velocity = 1e-4 * shape;
+        const auto place = [&]
+        {
+            const Placement<2>& at = motion.state.placements[1];
+            return Eigen::Vector3d(at.translation.x(), at.translation.y(), at.rotation)
+                .dot(scene.mass.cwiseProduct(shape));
+        };
+        const double rest = place();
+        const double timeStep = period / 2000;
+        double before = rest;
+        double measured = 0;
+        for (int step = 1; step < 3000 && measured == 0; ++step)
+        {
+            before = place() - rest;
+            ASSERT_TRUE(advance(scene, motion, timeStep)) << "step " << step;
+            const double now = place() - rest;
+            if (step > 1 && before > 0 && now <= 0) // half a period from the start
+            {
+                measured = 2 * timeStep * (step - 1 + before / (before - now));
+            }
+        }
+        EXPECT_NEAR(measured / period, 1, 5e-3) << "mode " << mode;
+    }
+}
+
+TEST(JointElasticity, StifferPointsComeEverNearerToTheRigidBlock)
+{
+    // Newmark's block: 0.9196875 m. A thousandfold range of stiffness.
+    const auto distance = [](std::optional<double> stiffness)
+    {
+        Settings settings;
+        settings.mu = 0.2;
+        DynamicCase scene = blockOnSprings(1, 1, settings);
+        scene.contact.elasticity.reset();
+        if (stiffness)
+        {
+            scene.contact.elasticity = Elasticity{*stiffness, *stiffness};
+        }
+        scene.effects = stepEffects(scene.contact);
+        PulseShape pulse;
+        pulse.amplitude = 0.5 * g;
+        pulse.duration = 0.5;
+        shake(scene, std::make_shared<RectangularPulse>(pulse));
+        Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+        run(scene, motion, 2e-3, 1000);
+        EXPECT_LT(relativeImbalance(motion.energy), 1e-6);
+        return std::abs(motion.state.placements[1].translation.x());
+    };
+    const double rigid = distance({});
+    EXPECT_NEAR(rigid, 0.9196875, 5e-3 * rigid);
+    double last = 1;
+    for (const double stiffness : {1e6, 1e7, 1e8, 1e9})
+    {
+        const double error = std::abs(distance(stiffness) - rigid);
+        EXPECT_LT(error, last) << stiffness;
+        last = error;
+    }
+    EXPECT_LT(last, 1e-4 * rigid);
+}
+
+TEST(MassDamping, ABlockThatFallsReachesTheVelocityAtWhichDampingCarriesIt)
+{
+    Settings settings;
+    Assembly<2> assembly = ground(-5, 5);
+    assembly.blocks.push_back(rectangle(0, 500, 1, 1));
+    DynamicCase scene = sceneOf(std::move(assembly), settings);
+    scene.contact.damping = Damping{4};
+    scene.effects = stepEffects(scene.contact);
+    Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+    // v1 = (v0 + g dt)/(1 + a dt) in each step of theta 1
+    double velocity = 0;
+    for (int step = 0; step < 1000; ++step)
+    {
+        ASSERT_TRUE(advance(scene, motion, 0.01));
+        velocity = (velocity - 0.01 * g) / 1.04;
+        ASSERT_NEAR(motion.state.velocity[1], velocity, 1e-11);
+    }
+    EXPECT_NEAR(motion.state.velocity[1], -g / 4, 1e-10);
+    EXPECT_GT(motion.energy.dampingLoss, 0);
+    EXPECT_LT(relativeImbalance(motion.energy), 1e-10);
+}
+
+TEST(MassDamping, DecaysAsTheExponentialToSecondOrderWithThetaOneHalf)
+{
+    const auto error = [](double timeStep)
+    {
+        Settings settings;
+        settings.theta = 0.5;
+        settings.gravity.setZero();
+        Assembly<2> assembly = ground(-5, 5);
+        assembly.blocks.push_back(rectangle(0, 5, 1, 1));
+        DynamicCase scene = sceneOf(std::move(assembly), settings);
+        scene.contact.damping = Damping{2};
+        scene.effects = stepEffects(scene.contact);
+        DynamicState start = stateAtRest(scene.assembly);
+        start.velocity << 1, 0.5, 3;
+        Motion motion = startMotion(scene, start);
+        run(scene, motion, timeStep, static_cast<int>(std::lround(1 / timeStep)));
+        EXPECT_LT(relativeImbalance(motion.energy), 1e-12);
+        return std::abs(motion.state.velocity[2] - 3 * std::exp(-2.0));
+    };
+    const double coarse = error(0.02);
+    const double fine = error(0.01);
+    EXPECT_NEAR(coarse / fine, 4, 0.05);
+}
+
+TEST(StepEffects, WhatIsAbsentIsNotInTheList)
+{
+    ContactProperties properties;
+    EXPECT_TRUE(stepEffects(properties).empty());
+    properties.damping = Damping{0};
+    EXPECT_TRUE(stepEffects(properties).empty());
+    properties.damping = Damping{1};
+    properties.elasticity = Elasticity{1e8, 1e8};
+    EXPECT_EQ(stepEffects(properties).size(), 2u);
+}
