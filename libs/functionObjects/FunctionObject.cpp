@@ -19,12 +19,12 @@ void EnergyFunction<2>::write(const StepObservation<2>& step)
         table.emplace(output.folder / "energy.dat",
                       std::vector<std::string>{"Time[s]", "kinetic[J]", "potential[J]", "externalWork[J]",
                                                "frictionLoss[J]", "impactLoss[J]", "algorithmicLoss[J]",
-                                               "elastic[J]", "dampingLoss[J]", "imbalance[J]"},
+                                               "imbalance[J]", "elastic[J]", "dampingLoss[J]"},
                       output.precision);
     const EnergyLedger& energy = step.energy;
     table->write(std::array{step.time, energy.kinetic, energy.potential, energy.externalWork,
-                            energy.frictionLoss, energy.impactLoss, energy.algorithmicLoss, energy.elastic,
-                            energy.dampingLoss, imbalance(energy)});
+                            energy.frictionLoss, energy.impactLoss, energy.algorithmicLoss, imbalance(energy),
+                            energy.elastic, energy.dampingLoss});
 }
 
 template<>

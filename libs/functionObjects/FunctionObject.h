@@ -32,7 +32,7 @@ struct FunctionOutput
 
 /// The energy ledger, in energy.dat:
 /// `Time[s] kinetic[J] potential[J] externalWork[J] frictionLoss[J] impactLoss[J] algorithmicLoss[J]
-/// elastic[J] dampingLoss[J] imbalance[J]`.
+/// imbalance[J] elastic[J] dampingLoss[J]`.
 template<int Dim>
 class EnergyFunction final : public FunctionObject<Dim>
 {

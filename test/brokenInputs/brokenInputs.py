@@ -161,6 +161,21 @@ def inSearch(name, old, new, *says, **more):
                   files={"system/parameterSearchDict": searching} | more.pop("files", {}), **more)
 
 
+springs = """friction { type Coulomb; mu 0.65; flowRule associative; }
+elasticity
+{
+    normal 1e8;
+    tangential 1e8;
+}
+damping { massProportional 1; }
+"""
+
+
+def inMotionEffect(name, old, new, *says, **more):
+    return Broken("contactDynamics", name, "constant/contactProperties", old, new, says=says, before=built,
+                  files={"constant/contactProperties": springs} | more.pop("files", {}), **more)
+
+
 brokenInputs = [
     # The text of a dictionary.
     inTexture("missingSemicolon", "courses     6;", "courses     6", r"`?;`?", lines=(8, 9)),
@@ -297,6 +312,17 @@ brokenInputs = [
     inStudy("endsOtherwise", "endTime 0.1;", "stopAt nextWrite;", r"stopAt endTime", file="system/controlDict"),
     Broken("incrementalDynamics", "postProcess", before=built, arguments=("-postProcess",), says=(r"-postProcess",),
            where="-"),
+    # Effects in motion.
+    inMotionEffect("noStiffness", "normal 1e8;", "", r"normal", lines=(2,)),
+    inMotionEffect("negativeStiffness", "1e8", "-1e8", r"normal", r"above 0"),
+    inMotionEffect("unknownStiffness", "tangential", "tangental", r"Did you mean tangential\?"),
+    inMotionEffect("negativeDamping", "massProportional 1", "massProportional -1", r"at least 0"),
+    inMotionEffect("reboundOfSprings", "damping", "restitution { normal 0.5; }@@\ndamping", r"remove restitution"),
+    inMotionEffect("trapezoidalSprings", "elasticity", "elasticity", r"theta 1",
+                   files={"system/schemes": "timeIntegration { type theta; theta 0.5; }\n"}),
+    inMotionEffect("rigidSolver", "elasticity", "elasticity", r"solver automatic",
+                   files={"system/solution": "contactDynamics { solver interiorPoint; }\n"}),
+    inMotionEffect("rolling", "damping { massProportional 1; }", "rollingResistance { }", r"rollingResistance"),
     # A search.
     inSearch("noDictionary", "", "", r"parameterSearchDict", content=None, lines=(0,),
              files={"system/parameterSearchDict": REMOVE}),

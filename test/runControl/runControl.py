@@ -100,6 +100,17 @@ class RunControl(unittest.TestCase):
             self.assertEqual(self.state(parts), self.state(once))
             self.assertIn(b"contactForce", self.state(once))
 
+    def testARunOfElasticAndDampedBlocksInPartsEndsInTheSameBytes(self):
+        springs = (header % "contactProperties" + "friction { type Coulomb; mu 0.3; flowRule nonAssociative; }\n"
+                   "elasticity { normal 1e7; tangential 5e6; }\ndamping { massProportional 1; }\n")
+        once, parts = self.copy("springs"), self.copy("springs.parts", endTime="0.2")
+        for case in (once, parts):
+            self.write(case, "constant/contactProperties", springs)
+            self.assertRegex(self.run_(case).stdout, r"Effects simulated: .*elasticity damping")
+        self.control(parts)
+        self.run_(parts)
+        self.assertEqual(self.state(parts), self.state(once))
+
     def testCtrlCWritesTheStateAndTheRunGoesOnFromIt(self):
         once = self.copy("long", endTime="4", deltaT="0.0005", writeInterval="4")
         self.run_(once)
