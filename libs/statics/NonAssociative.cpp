@@ -339,7 +339,7 @@ CoulombResiduals coulombResiduals(const PlaneConeProgram& program, const std::ve
                                   const Eigen::VectorXd& mechanism)
 {
     const double lever = meanLeverArm(program);
-    const auto scaled = [lever](VectorXd rows, double factor)
+    const auto scaled = [](VectorXd rows, double factor)
     {
         for (Eigen::Index row = 2; row < rows.size(); row += 3)
         {
