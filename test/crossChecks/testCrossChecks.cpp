@@ -298,7 +298,11 @@ ConeSolution coulombStep(const SpaceConeProgram& program)
                                      { return solveInteriorPoint(shifted, {.tolerance = 1e-10}); }));
 }
 
-/// A step with Coulomb's law has one solution where friction is small; ours by fixed point must be Siconos'.
+/// Two motions obey Coulomb's law here, 1.7e-3 of a free fall apart. Started from either of them, the next
+/// program gives back the same motion to 5e-14 m and 5e-17 m, at certificates of 6e-10 and 3e-13.
+constexpr const char* severalMotions = "wall 1 step moving";
+
+/// Where a step with Coulomb's law has one solution, ours must be Siconos'.
 TEST(CrossChecks, CoulombStepsAreThoseOfSiconos)
 {
     const auto peer = siconosGaussSeidel();
@@ -324,10 +328,22 @@ TEST(CrossChecks, CoulombStepsAreThoseOfSiconos)
         const double worst = certifyByLaw(problem.program, ours, ContactLaw::Coulomb).worst();
         // The fixed point stands when the dilatancy does to ten times the tolerance of a program.
         EXPECT_LE(worst, 1e-6) << problem.name;
-        const double fall = 9.81 * 0.002 * 0.002;
-        EXPECT_LT((ours.displacement - answer->solution.displacement).lpNorm<Eigen::Infinity>(),
-                  1e-3 * std::max(fall, ours.displacement.lpNorm<Eigen::Infinity>()))
-            << problem.name;
+        if (problem.name == severalMotions)
+        {
+            continue;
+        }
+        // A certificate of e leaves the motion open to about the root of 2 e, in the norm of the energy.
+        const double theirs = certifyByLaw(problem.program, answer->solution, ContactLaw::Coulomb).worst();
+        const double open = std::sqrt(2 * worst) + std::sqrt(2 * theirs);
+        const double apart = std::visit(
+            [&](const auto& program)
+            {
+                const Eigen::VectorXd difference = ours.displacement - answer->solution.displacement;
+                return std::sqrt(difference.dot(applyInertia(program, difference)));
+            },
+            problem.program);
+        EXPECT_LE(apart, std::max(1e-6, open) * std::sqrt(objectiveScale(problem.program, 0)))
+            << problem.name << ": certificates " << worst << " and " << theirs;
         ++compared;
     }
     EXPECT_GT(compared, 5);
