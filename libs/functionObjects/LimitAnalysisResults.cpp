@@ -146,7 +146,9 @@ void printLimitAnalysisCase(const LimitAnalysisCase& structure)
     atRest.restitution.reset(); // nothing hits anything,
     atRest.elasticity.reset();  // and a collapse is not a matter of stiffness
     atRest.damping.reset();
-    const auto [simulated, absent] = effectNames(atRest);
+    auto [simulated, absent] = effectNames(atRest);
+    (structure.movement ? simulated : absent).emplace_back("supportMovement");
+    (structure.pushover ? simulated : absent).emplace_back("pushover");
     printEffects(simulated, absent);
     info("Blocks: {} free, contact points: {}", structure.freeBlocks, structure.points.size());
     info("Solver: {}, tolerance {:g}\n", nameOf(structure.solution.solver), structure.solution.tolerance);

@@ -248,6 +248,9 @@ class RunControl(unittest.TestCase):
         case = self.copy("dry")
         done = self.run_(case, "-dry-run")
         self.assertIn("End", done.stdout)
+        # 0.5 g on a block with mu 0.2
+        self.assertIn("Peak a/g = 0.5 exceeds what the blocks carry at rest (alpha = 0.2)", done.stdout)
+        self.assertIn("joints slide", done.stdout)
         self.assertEqual(self.times(case), [])
         for name in ("VTK", "postProcessing"):
             # blockTexture has left VTK/assembly.vtp

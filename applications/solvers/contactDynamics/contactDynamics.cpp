@@ -6,6 +6,7 @@
 #include "core/Error.h"
 #include "core/Log.h"
 #include "core/Signals.h"
+#include "functionObjects/EffectAdvice.h"
 #include "functionObjects/MotionLog.h"
 #include "functionObjects/MotionResults.h"
 
@@ -32,6 +33,7 @@ int run(const CommandLine& commandLine)
     printScene(scene, motion, time, results.functions().names());
     if (commandLine.dryRun)
     {
+        printLine(adviceText(scene, adviseEffects(scene, motion.state)));
         printEnd();
         return 0;
     }

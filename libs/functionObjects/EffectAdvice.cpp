@@ -1,0 +1,228 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+#include "functionObjects/EffectAdvice.h"
+
+#include "statics/LimitAnalysis.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace drystone
+{
+namespace
+{
+
+constexpr double border = 0.05;
+constexpr std::size_t mostPoints = 100000; // beyond, the advice would take longer than some runs
+constexpr double solverTolerance = 1e-8;
+constexpr double demandTolerance = 1e-4; // of mu, relative
+constexpr double leastFriction = 1e-4;
+constexpr std::array unlimitedFrictions{100.0, 30.0, 10.0}; // the first that the solver can cope with
+
+/// The structure under loads of the ground that grow in one direction.
+struct Statics
+{
+    PlaneConeProgram program;
+    InteriorPointSettings settings;
+
+    /// The largest multiple of a load that is carried; 0 when the dead load is not.
+    double capacity(const Eigen::VectorXd& load, double mu)
+    {
+        std::fill(program.friction.begin(), program.friction.end(), mu);
+        if (load.isZero(0))
+        {
+            program.liveLoad.resize(0);
+            return solveInteriorPoint(program, settings).status == SolveStatus::infeasible
+                       ? 0
+                       : std::numeric_limits<double>::infinity();
+        }
+        program.liveLoad = load;
+        const LimitAnalysis result = solveLimitAnalysis(program, settings);
+        switch (result.status)
+        {
+        case CollapseStatus::optimal:
+            return result.alpha;
+        case CollapseStatus::unbounded:
+            return std::numeric_limits<double>::infinity();
+        case CollapseStatus::unstable:
+            return 0;
+        case CollapseStatus::notConverged:
+            break;
+        }
+        return std::numeric_limits<double>::quiet_NaN();
+    }
+};
+
+/// The corners of the box between minus and plus the peaks of the components [m/s2].
+std::vector<Vector<2>> corners(const DynamicCase& scene)
+{
+    std::vector<Vector<2>> result{Vector<2>::Zero()};
+    for (const GroundMotion::Component& component : scene.groundMotion.components)
+    {
+        const Vector<2> peak =
+            scene.groundFactor * component.acceleration->peak() * component.direction.head<2>();
+        std::vector<Vector<2>> more;
+        for (const Vector<2>& corner : result)
+        {
+            more.emplace_back(corner + peak);
+            more.emplace_back(corner - peak);
+        }
+        result = std::move(more);
+    }
+    return result;
+}
+
+bool isAtRest(const DynamicState& state)
+{
+    const auto isMoved = [](const Placement<2>& placement)
+    { return placement.translation != Vector<2>::Zero() || placement.rotation != 0; };
+    return state.velocity.isZero(0)
+           && std::none_of(state.placements.begin(), state.placements.end(), isMoved);
+}
+
+std::string reasonAgainst(const DynamicCase& scene, const DynamicState& start, std::size_t points)
+{
+    if (!isAtRest(start))
+        return "the blocks do not start at rest as built";
+    if (scene.contact.elasticity)
+        return "elastic joints amplify the motion of the ground, which criteria of rigid blocks do not see";
+    if (points > mostPoints)
+        return fmt::format("more than {} contact points", mostPoints);
+    if (scene.groundMotion.components.size() > 4)
+        return "the ground moves along more than four directions";
+    return "";
+}
+
+} // namespace
+
+Margin margin(double demand, double available)
+{
+    if (std::abs(demand - available) <= border * available)
+        return Margin::nearBorder;
+    return demand < available ? Margin::below : Margin::above;
+}
+
+EffectAdvice adviseEffects(const DynamicCase& scene, const DynamicState& start)
+{
+    EffectAdvice advice;
+    const std::vector<ContactPoint<2>> points = findContactPoints(scene.assembly);
+    advice.reason = reasonAgainst(scene, start, points.size());
+    advice.isAssessed = advice.reason.empty();
+    if (!advice.isAssessed)
+        return advice;
+    advice.mu = scene.contact.friction ? scene.contact.friction->mu : 0;
+
+    Statics statics;
+    const LoadVectors dead{scene.deadLoad, scene.deadLoad};
+    statics.program = limitAnalysisProgram(static_cast<int>(scene.mass.size()) / 3,
+                                           equilibriumColumns(scene.assembly, scene.blocks, points),
+                                           std::vector<double>(points.size(), advice.mu), dead);
+    statics.settings.tolerance = solverTolerance;
+    const auto loadOf = [&scene](const Vector<2>& acceleration)
+    {
+        Eigen::VectorXd load = Eigen::VectorXd::Zero(scene.mass.size());
+        for (Eigen::Index row = 0; row < load.size(); row += 3)
+            load.segment<2>(row) = -scene.mass[row] * acceleration;
+        return load;
+    };
+
+    advice.capacity = std::numeric_limits<double>::infinity();
+    for (const Vector<2>& corner : corners(scene))
+    {
+        const Eigen::VectorXd load = loadOf(corner);
+        const double capacity = statics.capacity(load, advice.mu);
+        if (!(capacity >= advice.capacity)) // nor where there is no answer
+        {
+            advice.capacity = capacity;
+            advice.peak = corner.norm();
+        }
+        advice.peak = std::max(advice.peak, std::isinf(advice.capacity) ? corner.norm() : 0.0);
+
+        double unlimited = std::numeric_limits<double>::quiet_NaN();
+        double enough = 0;
+        for (std::size_t i = 0; i < unlimitedFrictions.size() && std::isnan(unlimited); ++i)
+        {
+            enough = unlimitedFrictions[i];
+            unlimited = statics.capacity(load, enough);
+        }
+        if (unlimited == 0) // no friction whatever keeps the blocks at rest
+            continue;
+        if (std::isnan(unlimited))
+        {
+            advice.frictionDemand = unlimited;
+            break;
+        }
+        const double share = std::min(1.0, unlimited) * (1 - 1e-6);
+        const auto suffices = [&](double mu) { return statics.capacity(load, mu) >= share; };
+        double demand = std::max(advice.frictionDemand, leastFriction);
+        if (suffices(demand))
+        {
+            advice.frictionDemand = demand == leastFriction ? 0 : demand;
+            continue;
+        }
+        while (enough > demand * (1 + demandTolerance))
+        {
+            const double middle = std::sqrt(demand * enough);
+            (suffices(middle) ? enough : demand) = middle;
+        }
+        advice.frictionDemand = enough;
+    }
+    if (std::isnan(advice.capacity))
+    {
+        advice.isAssessed = false;
+        advice.reason = "limit analysis of the structure did not converge";
+    }
+    return advice;
+}
+
+std::string adviceText(const DynamicCase& scene, const EffectAdvice& advice)
+{
+    std::string text = "Advice by closed criteria of rigid blocks; nothing is switched on or off:\n";
+    if (!advice.isAssessed)
+        return text + fmt::format("    none: {}.\n", advice.reason);
+    if (advice.capacity == 0)
+        return text + "    The blocks cannot carry their dead load: they move by themselves.\n";
+
+    std::string warnings;
+    const double gravity = scene.gravity.norm();
+    const double peak = advice.peak / (gravity > 0 ? gravity : 1);
+    const std::string alpha = std::isinf(advice.capacity)
+                                  ? "no multiple of it moves the blocks"
+                                  : fmt::format("alpha = {:.6g}", advice.capacity * peak);
+    if (advice.peak == 0)
+        text += "    The ground is still and the blocks carry their dead load: they stay at rest, and "
+                "limitAnalysis suffices.\n";
+    else if (advice.capacity > 1)
+        text += fmt::format("    Peak a/g = {:.6g} is below what the blocks carry at rest ({}): "
+                            "limitAnalysis suffices.\n",
+                            peak, alpha);
+    else
+        text +=
+            fmt::format("    Peak a/g = {:.6g} exceeds what the blocks carry at rest ({}): they may move, "
+                        "which takes contactDynamics.\n",
+                        peak, alpha);
+    if (advice.peak > 0 && margin(1, advice.capacity) == Margin::nearBorder)
+        warnings += "    Warning: the peak is within 5% of that border. Tolerances, small gaps and the flow "
+                    "rule decide there: do not rely on either side.\n";
+    if (scene.flowRule() == FlowRule::nonAssociative && advice.peak > 0 && advice.capacity > 1)
+        warnings += "    With `flowRule nonAssociative;` blocks may move below alpha as well: limitAnalysis "
+                    "with that flow rule gives the range.\n";
+
+    if (std::isnan(advice.frictionDemand))
+        return text
+               + "    The friction demand is not known: limit analysis without sliding did not converge.\n"
+               + warnings;
+    const bool slides = advice.frictionDemand >= advice.mu;
+    text += fmt::format("    Friction demand {:.4g} is {} mu = {:.6g}: {}.\n", advice.frictionDemand,
+                        slides ? "not below" : "below", advice.mu,
+                        slides ? "joints slide, and the flow rule matters"
+                               : "no joint slides before blocks rock");
+    if (advice.frictionDemand > 0 && margin(advice.frictionDemand, advice.mu) == Margin::nearBorder)
+        warnings += "    Warning: the friction demand is within 5% of mu.\n";
+    return text + warnings;
+}
+
+} // namespace drystone
