@@ -131,6 +131,7 @@ BENCHMARK(nonAssociative)
     ->ArgName("wall")
     ->Arg(1)
     ->Arg(3)
+    ->Arg(6)
     ->Iterations(1)
     ->UseManualTime()
     ->Unit(benchmark::kSecond);
