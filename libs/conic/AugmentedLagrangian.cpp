@@ -194,6 +194,10 @@ bool AugmentedLagrangian::minimise()
             slope_ += momentum.dot(y_.segment<3>(3 * body));
         }
         const double step = bestStep();
+        if (!std::isfinite(step) || !direction_.allFinite())
+        {
+            return false; // the penalty is beyond what the factor can carry
+        }
         y_ += step * direction_;
         w_ += (step * sigma_) * closing_;
     }

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace drystone
 {
@@ -94,12 +95,18 @@ ConeSolution solveAsChosen(const PlaneConeProgram& program, const SolverChoice& 
 
     // From the last step if it is near; else from nothing, and the last digits from there.
     const bool canStart = program.hasInertia() && !program.hasMultiplier() && !program.hasStrength();
-    ConeSolution solution;
+    ConeSolution solution; // the best so far
+    double error = std::numeric_limits<double>::infinity();
     int iterations = 0;
     int factorisations = 0;
     const auto finished = [&](const ConeSolution& solved)
     {
-        solution = solved;
+        const double itsError = certifyOptimal(program, solved).worst();
+        if (solved.status == SolveStatus::optimal || itsError < error || solution.contactForce.size() == 0)
+        {
+            solution = solved;
+            error = itsError;
+        }
         solution.iterations = iterations += solved.iterations;
         solution.factorisations = factorisations += solved.factorisations;
         return solution.status == SolveStatus::optimal || !canStart;
@@ -123,6 +130,7 @@ ConeSolution solveAsChosen(const PlaneConeProgram& program, const SolverChoice& 
     {
         return solution;
     }
+    solution.status = SolveStatus::notConverged; // at the tolerance of the choice
     // Which penalty keeps the most digits depends on how stiff the contacts are beside the inertia.
     multipliers.maximumIterations = choice.maximumIterations;
     multipliers.stop = StopWhen::settled;

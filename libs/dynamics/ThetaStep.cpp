@@ -24,6 +24,7 @@ constexpr int programsToRestart = 50;
 /// be what is allowed for them anyway.
 constexpr int programsToExactFlow = 4;
 constexpr int newtonSteps = 100;
+constexpr double nearlySolved = 1000; // times the tolerance
 constexpr int mostRelinearisations = 10;
 
 /// mu |u_t| of each point: what the program's flow opens. \param closing A'y
@@ -53,7 +54,9 @@ Eigen::VectorXd displacementUnder(const PlaneConeProgram& program, Eigen::Vector
 
 /// Fixed-point iteration x = F(x), accelerated (Anderson 1965; Walker & Ni 2011, type II): the next x is the
 /// combination of the last ones at which F(x) - x would vanish were it linear. Plain iteration on a wall that
-/// collapses ends in swinging between two states.
+/// collapses ends in swinging between two states. Near a threshold, though, F grows faster than x up to where
+/// Coulomb's motion is, thousands of times the associative one: its secant leads back to a fixed point below
+/// zero, and plain iteration away from there.
 class AcceleratedIteration
 {
 public:
@@ -89,7 +92,15 @@ public:
         {
             result -= weights[column] * imageChanges_[static_cast<std::size_t>(column)];
         }
-        return result.cwiseMax(0.0);
+        result = result.cwiseMax(0.0);
+        const double reached = image.lpNorm<Eigen::Infinity>();
+        if (reached > 2 * x.lpNorm<Eigen::Infinity>() && result.lpNorm<Eigen::Infinity>() < reached / 2)
+        {
+            residualChanges_.clear();
+            imageChanges_.clear();
+            return image;
+        }
+        return result;
     }
 
 private:
@@ -326,13 +337,17 @@ ThetaStep solveThetaStep(PlaneConeProgram program, const StepSettings& settings,
             program.gap[2 * point] = gap[2 * point] + imposed[point];
         }
         solveOnce(step, program, settings.solver, start);
-        if (step.status != SolveStatus::optimal)
+        // Only the last program of Coulomb's law has to be solved to the tolerance.
+        const bool isSolved = step.status == SolveStatus::optimal;
+        if (!isSolved
+            && (!isCoulomb || step.certificate.worst() > nearlySolved * settings.solver.tolerance
+                || step.programs == maximumPrograms))
         {
             return step;
         }
         start.displacement = step.displacement;
         start.contactForce = step.contactForce;
-        bool stands = true;
+        bool stands = isSolved;
         if (isCoulomb)
         {
             const Eigen::VectorXd opening = dilatancy(program, step.closing, step.contactForce);
@@ -347,7 +362,7 @@ ThetaStep solveThetaStep(PlaneConeProgram program, const StepSettings& settings,
                                                   : Eigen::VectorXd::Zero(step.displacement.size())))
                     .lpNorm<Eigen::Infinity>();
             const double coarse = std::max(exact, std::min(settings.contactTolerance, 1e-2 * moved));
-            stands = change <= (step.programs < programsToExactFlow ? exact : coarse);
+            stands = stands && change <= (step.programs < programsToExactFlow ? exact : coarse);
             imposed = fixedPoint.next(imposed, opening);
             if (step.programs == programsToRestart)
             {

@@ -73,6 +73,24 @@ TEST_P(PaperWall, MovesAtOneThousandthAbove)
     EXPECT_GT(largestDisplacement(motion), 1e-6);
 }
 
+// Just above, the associative motion is next to nothing and Coulomb's a thousand times that: a fixed point
+// that is drawn to the former does not converge.
+TEST_P(PaperWall, MovesByCoulombsLawJustAbove)
+{
+    for (const double share : {1.0000017, 1.0005})
+    {
+        DynamicCase scene =
+            wall(GetParam(), share, {.mu = 0.65, .flowRule = FlowRule::nonAssociative, .tolerance = 1e-12});
+        scene.schemes.smallDisplacements = true;
+        Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+        for (int step = 0; step < 3; ++step)
+        {
+            ASSERT_TRUE(advance(scene, motion, timeStep)) << "share " << share << " step " << step;
+        }
+        EXPECT_GT(largestDisplacement(motion), 1e-7) << "share " << share;
+    }
+}
+
 TEST_P(PaperWall, FallsWithoutBlocksEnteringEachOtherAndItsEnergyIsAccountedFor)
 {
     const DynamicCase scene =
