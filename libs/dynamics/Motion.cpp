@@ -152,11 +152,14 @@ double slip(const DynamicCase& scene, const std::vector<Placement<2>>& from,
 /// Of the slip of a point, too: blocks that turn together by a finite angle do not slide on each other, but
 /// linear prediction says they do, in proportion to the square of the angle; and where many blocks do so,
 /// locked together, no forces would make it vanish.
+/// \param ofEffects what effects have put into the gaps, which the places of the blocks do not show
 Relinearisation movingContactGeometry(const DynamicCase& scene, const Motion& motion,
-                                      const std::vector<ContactPoint<2>>& start)
+                                      const std::vector<ContactPoint<2>>& start,
+                                      const Eigen::VectorXd& ofEffects)
 {
-    return [&scene, &motion, &start](const Eigen::VectorXd& displacement, const Eigen::VectorXd& contactForce,
-                                     PlaneConeProgram& program)
+    return
+        [&scene, &motion, &start, &ofEffects](const Eigen::VectorXd& displacement,
+                                              const Eigen::VectorXd& contactForce, PlaneConeProgram& program)
     {
         const Eigen::VectorXd linear = applyTransposed(program, displacement);
         std::vector<ContactPoint<2>> points;
@@ -176,13 +179,16 @@ Relinearisation movingContactGeometry(const DynamicCase& scene, const Motion& mo
         for (std::size_t i = 0; i < points.size(); ++i)
         {
             const Eigen::Index row = 2 * static_cast<Eigen::Index>(i);
-            const double predicted = program.gap[row] - linear[row];
+            const Eigen::Vector2d own =
+                ofEffects.size() > 0 ? Eigen::Vector2d(ofEffects.segment<2>(row)) : Eigen::Vector2d::Zero();
+            const double predicted = program.gap[row] - own[0] - linear[row];
             if (contactForce[row] > 0 || points[i].gap < 0)
             {
                 error = std::max(error, std::abs(points[i].gap - predicted));
             }
-            program.gap[row] = points[i].gap + closing[row];
-            program.gap[row + 1] = closing[row + 1] - slip(scene, motion.state.placements, after, start[i]);
+            program.gap[row] = points[i].gap + closing[row] + own[0];
+            program.gap[row + 1] =
+                closing[row + 1] - slip(scene, motion.state.placements, after, start[i]) + own[1];
         }
         return error;
     };
@@ -348,14 +354,20 @@ bool advance(const DynamicCase& scene, Motion& motion, double timeStep)
     const std::vector<double> friction = frictionCoefficients(scene.contact, points.size());
     PlaneConeProgram program =
         thetaStepProgram(scene.mass, velocity, load, points, columns, friction, scheme);
-    const Relinearisation relinearise =
-        motion.contacts ? movingContactGeometry(scene, motion, points) : Relinearisation();
     StepGuess guess{timeStep * velocity, forcesOfLastStep(motion, points)};
     const EffectContext context{scene.mass, guess.contactForce, motion.contactForces, scheme.timeStep};
-    for (const auto& effect : scene.effects)
+    Eigen::VectorXd ofEffects;
+    if (!scene.effects.empty())
     {
-        effect->contribute(context, program);
+        const Eigen::VectorXd gap = program.gap;
+        for (const auto& effect : scene.effects)
+        {
+            effect->contribute(context, program);
+        }
+        ofEffects = program.gap - gap;
     }
+    const Relinearisation relinearise =
+        motion.contacts ? movingContactGeometry(scene, motion, points, ofEffects) : Relinearisation();
     ThetaStep step = solveThetaStep(program, settings, guess, relinearise);
 
     double lostInImpacts = 0;

@@ -105,6 +105,59 @@ TEST(SlidingBlock, ABasePulseLeavesABlockBehindAsNewmarkSays)
     }
 }
 
+/// Adds a motion of the ground along y.
+void heave(DynamicCase& scene, std::shared_ptr<const GroundAcceleration> acceleration)
+{
+    GroundMotion::Component component;
+    component.direction = Eigen::Vector3d::UnitY();
+    component.acceleration = std::move(acceleration);
+    scene.groundMotion.components.push_back(component);
+}
+
+TEST(SlidingBlock, AGroundThatAlsoRisesPressesTheBlockOn)
+{
+    // In units of g, for half a second: 0.5 along x and v along y. The block is left behind at first by
+    // 0.5 - mu (1 + v); then it slows down by mu.
+    const double mu = 0.2;
+    for (const double rise : {0.3, -0.4, -0.999})
+    {
+        const double left = 0.5 - mu * (1 + rise);
+        const double speed = left * 0.5;
+        const double distance = g * (0.5 * left * 0.25 + speed * speed / (2 * mu));
+        Sliding run{scenes::sceneOf(blockOnGround(), {.theta = 0.5, .mu = mu}), 1e-3};
+        scenes::shake(run.scene, std::make_shared<RectangularPulse>(PulseShape{0.5 * g, 0.5, 0}));
+        heave(run.scene, std::make_shared<RectangularPulse>(PulseShape{rise * g, 0.5, 0}));
+        ASSERT_NO_FATAL_FAILURE(run.until(2));
+        EXPECT_NEAR(run.motion.state.placements[1].translation.x(), -distance, 1e-5 * distance) << rise;
+        EXPECT_LT(run.highest, 1e-9) << rise;
+    }
+}
+
+TEST(SlidingBlock, FromAGroundThatSinksFasterThanItFallsABlockLiftsOff)
+{
+    // 1.5 g downwards for 0.2 s: relative to the ground the block rises at 0.5 g, and its shear is gone.
+    Sliding run{scenes::sceneOf(blockOnGround(), {.theta = 0.5, .mu = 0.2}), 1e-3};
+    scenes::shake(run.scene, std::make_shared<RectangularPulse>(PulseShape{0.5 * g, 0.2, 0}));
+    heave(run.scene, std::make_shared<RectangularPulse>(PulseShape{-1.5 * g, 0.2, 0}));
+    ASSERT_NO_FATAL_FAILURE(run.until(0.2));
+    EXPECT_NEAR(run.motion.state.placements[1].translation.x(), -0.01 * g, 1e-9);
+    EXPECT_NEAR(run.motion.state.placements[1].translation.y(), 0.01 * g, 1e-9);
+}
+
+TEST(SlidingBlock, WithTheGroundRisingItTakesMoreToMakeItSlide)
+{
+    // It slides from 0.2 (1 + 0.3) g on.
+    for (const double horizontal : {0.259, 0.261})
+    {
+        Sliding run{scenes::sceneOf(blockOnGround(), {.mu = 0.2}), 1e-3};
+        scenes::shake(run.scene, std::make_shared<ConstantAcceleration>(horizontal * g));
+        heave(run.scene, std::make_shared<ConstantAcceleration>(0.3 * g));
+        ASSERT_NO_FATAL_FAILURE(run.until(0.5));
+        const double expected = std::max(0.0, horizontal - 0.26) * g * 0.125;
+        EXPECT_NEAR(-run.motion.state.placements[1].translation.x(), expected, 0.01 * expected + 1e-12);
+    }
+}
+
 /// When a block dropped from 1 m has come to rest. \param phase part of a step by which it is released early
 double timeAtRest(const scenes::Settings& settings, double timeStep, double phase)
 {

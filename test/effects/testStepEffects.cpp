@@ -138,6 +138,28 @@ TEST(JointElasticity, StifferPointsComeEverNearerToTheRigidBlock)
     EXPECT_LT(last, 1e-4 * rigid);
 }
 
+TEST(JointElasticity, ABlockThatIsPushedBelowItsFrictionComesToRestWithItsShearInTheSprings)
+{
+    // Over displacements of any size too, where shear leaves nothing to be seen in the places of the blocks.
+    for (const bool small : {true, false})
+    {
+        const double stiffness = 1e7;
+        DynamicCase scene = blockOnSprings(stiffness, 0.5 * stiffness);
+        scene.schemes.smallDisplacements = small;
+        shake(scene, std::make_shared<ConstantAcceleration>(-0.3 * g)); // pushes to the right
+        Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+        run(scene, motion, 0.02, 500);
+        const double weight = scene.mass[0] * g;
+        // Two points share 0.3 W; the block leans by the moment 0.5 m 0.3 W over its rocking stiffness.
+        const double lean = 0.15 * weight / (2 * stiffness * 0.25);
+        EXPECT_NEAR(motion.state.placements[1].translation.x(), 0.3 * weight / stiffness + 0.5 * lean,
+                    1e-3 * weight / stiffness);
+        EXPECT_NEAR(motion.contactForces[0].y() + motion.contactForces[1].y(), -0.3 * weight, 1e-6 * weight);
+        EXPECT_LT(motion.state.velocity.norm(), 1e-9);
+        EXPECT_LT(relativeImbalance(motion.energy), 1e-6);
+    }
+}
+
 TEST(MassDamping, ABlockThatFallsReachesTheVelocityAtWhichDampingCarriesIt)
 {
     Settings settings;
