@@ -68,12 +68,53 @@ void declare(Options& options, Elasticity& elasticity)
         .example("5e8");
 }
 
+void declare(Options& options, HousnerLoss& loss)
+{
+    options
+        .required("slenderness", loss.slenderness,
+                  "of the block, atan(width/height); small: beyond 0.35 the "
+                  "equivalence is worse than 2%")
+        .unit("rad")
+        .above(0)
+        .atMost(0.5)
+        .example("0.24497866");
+    options.required("radius", loss.radius, "from a corner to the mass centre")
+        .unit("m")
+        .above(0)
+        .example("1.0307764");
+    options.required("amplitude", loss.amplitude, "rotation that the block is released from")
+        .unit("rad")
+        .above(0)
+        .example("0.1");
+    options.check(
+        "amplitude",
+        [&loss]
+        {
+            return loss.amplitude < loss.slenderness
+                       ? ""
+                       : "A block released from beyond its slenderness overturns: amplitude must be "
+                         "below slenderness.";
+        });
+}
+
 void declare(Options& options, Damping& damping)
 {
-    options.required("massProportional", damping.massProportional, "force over momentum of a block")
+    options.optional("massProportional", damping.massProportional, "force over momentum of a block")
         .unit("1/s")
         .atLeast(0)
         .example("0.5");
+    options.optional(
+        "equivalentToHousner", damping.equivalentToHousner,
+        "instead: the massProportional that takes from a rocking block, in the swing to the other "
+        "side, what an impact takes from it; for joints that do not lose it themselves");
+    options.check(
+        "massProportional",
+        [&damping]
+        {
+            return damping.equivalentToHousner && damping.massProportional > 0
+                       ? "massProportional and equivalentToHousner are both given. Remove one of them."
+                       : "";
+        });
 }
 
 void declare(Options& options, JointFriction& friction)

@@ -73,10 +73,22 @@ struct Elasticity
 
 void declare(Options& options, Elasticity& elasticity);
 
+/// The loss that a rocking block of the case has in an impact (Housner 1963), to be taken by damping instead.
+struct HousnerLoss
+{
+    double slenderness = 0; ///< angle from a corner's vertical to the mass centre, atan(b/h) [rad]
+    double radius = 0;      ///< from that corner to the mass centre [m]
+    double amplitude = 0;   ///< rotation it is released from, below the slenderness [rad]
+};
+
+void declare(Options& options, HousnerLoss& loss);
+
 /// Losses beside friction and impact: a force of -massProportional M v on each block.
 struct Damping
 {
     double massProportional = 0; ///< [1/s]
+    /// Instead: the coefficient follows from it (see equivalentDamping in dynamics/MassDamping.h).
+    std::optional<HousnerLoss> equivalentToHousner = {};
 };
 
 void declare(Options& options, Damping& damping);

@@ -6,6 +6,7 @@
 #include "assembly/Facing.h"
 #include "assembly/Loads.h"
 #include "assembly/Materials.h"
+#include "dynamics/MassDamping.h"
 
 namespace drystone
 {
@@ -68,8 +69,13 @@ DynamicCase readDynamicCase(const std::filesystem::path& caseDirectory)
     refuseEffects(caseDirectory, "contactDynamics",
                   {"cohesion", "tension", "crushing", "pointsPerJoint", "joints"});
     refuseCombinations(scene, caseDirectory);
-    scene.effects = stepEffects(scene.contact);
     scene.gravity = readGravity(caseDirectory);
+    if (scene.contact.damping && scene.contact.damping->equivalentToHousner)
+    {
+        scene.contact.damping->massProportional =
+            equivalentDamping(*scene.contact.damping->equivalentToHousner, scene.gravity.norm());
+    }
+    scene.effects = stepEffects(scene.contact);
     const std::vector<double> densities = readDensities(caseDirectory, assembly, scene.gravity);
     setStructure(scene, std::move(assembly), densities);
     const std::vector<double> masses = massesOf(scene.blocks, densities);

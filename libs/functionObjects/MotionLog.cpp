@@ -33,6 +33,11 @@ void printScene(const DynamicCase& scene, const Motion& motion, const Time& time
                  ? "associative (a joint that slides opens)"
                  : "nonAssociative (Coulomb)");
     }
+    if (scene.contact.damping)
+    {
+        info("Damping: massProportional {:.6g} 1/s{}", scene.contact.damping->massProportional,
+             scene.contact.damping->equivalentToHousner ? ", equivalent to Housner's loss" : "");
+    }
     info("Time integration: theta {:g}, deltaT {:g} s, from {} s to {:g} s",
          scene.schemes.timeIntegration.theta, time.deltaT(), time.startName(), time.controls().endTime);
     info("Solver: {}, tolerance {:g}", nameOf(scene.solution.solver), scene.solution.tolerance);
