@@ -12,7 +12,7 @@ enum class StopWhen
 {
     certified, ///< the certificate meets the tolerance. Where the bodies move by much more than the forces of
                ///< one step move them, that is soon: the certificate compares with all of the motion
-    settled ///< the multipliers have settled, too, to the tolerance of what the forces do in one step
+    settled    ///< the multipliers have settled, too, to the tolerance of what the forces do in one step
 };
 
 /// Keys of `solver augmentedLagrangian;`.

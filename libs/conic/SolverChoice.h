@@ -58,7 +58,8 @@ struct SolverChoice
     int correctors = 3;          ///< of interiorPoint
     int maximumSweeps = 10000;   ///< of gaussSeidel, which needs many and cheap ones
     WriteProgram writeProgram = WriteProgram::never;
-    SolveObserver observer = {}; ///< called by solveConeProgram; no key: applications set it, or leave it empty
+    SolveObserver observer =
+        {}; ///< called by solveConeProgram; no key: applications set it, or leave it empty
 };
 void declare(Options& options, SolverChoice& choice);
 

@@ -75,7 +75,8 @@ std::string textOf(bool value)
 
 std::string textOf(const std::string& value)
 {
-    const bool isWord = !value.empty()
+    // OpenFOAM does not take a dot first for a word.
+    const bool isWord = !value.empty() && value.front() != '.'
                         && value.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
                                                    "0123456789_.:")
                                == std::string::npos;

@@ -3,7 +3,7 @@
 """Our reading of dictionaries against that of OpenFOAM 1912's own foamDictionary.
 
 compareDictionaries.py shipped  READER   every dictionary in etc/ and tutorials/: foamDictionary reads it, and sees
-                                         the same entries
+                                         the same entries (#calc is left as it stands)
 compareDictionaries.py examples READER   the dictionaries of package openfoam-examples: at least 99% are read, and a
                                          seeded sample of 500 has the same entries
 compareDictionaries.py macros   READER   dictionaries of ours with macros and directives: the same entries when
@@ -131,7 +131,12 @@ def compareShipped(reader):
     failures = []
     for file in files:
         wasRead, text = ours[str(file)]
-        foamRead, foamText = readByFoam(file)
+        # foamDictionary evaluates #calc by compiling it, which it refuses to a superuser, so such a file is compared as
+        # it stands; what our own evaluation gives, the tests of the expressions say.
+        isCalculated = re.search(rb'^[^/]*#calc', file.read_bytes(), re.MULTILINE)
+        if wasRead and isCalculated:
+            wasRead, text = readByUs(reader, [file], "print")[str(file)]
+        foamRead, foamText = readByFoam(file, *(["-disableFunctionEntries"] if isCalculated else []))
         if not wasRead or not foamRead:
             failures.append(f"{file}: {'' if wasRead else 'we: ' + text}{'' if foamRead else 'foamDictionary: ' + foamText}")
             continue
