@@ -114,6 +114,10 @@ double AugmentedLagrangian::slopeAt(double step) const
 double AugmentedLagrangian::bestStep() const
 {
     const double atStart = slopeAt(0);
+    if (!(atStart < 0))
+    {
+        return 1; // all that is left of the slope is rounding: Newton's step can only refine
+    }
     double low = 0;
     double slopeLow = atStart;
     double high = 1;
@@ -134,7 +138,7 @@ double AugmentedLagrangian::bestStep() const
         return high;
     }
     double best = high;
-    for (int trial = 0; trial < 40; ++trial)
+    for (int trial = 0; trial < 40 && slopeHigh > slopeLow; ++trial)
     {
         best = (low * slopeHigh - high * slopeLow) / (slopeHigh - slopeLow);
         const double slope = slopeAt(best);

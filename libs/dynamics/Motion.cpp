@@ -143,6 +143,25 @@ double slip(const DynamicCase& scene, const std::vector<Placement<2>>& from,
              - displacementOf(scene, point.block, point.position, from, to));
 }
 
+/// Lets an overlap that is there when a step begins stay for now, all but what the loads would move a block
+/// in the step from rest. Closed at once, an overlap d would throw the blocks apart with d/dt, the faster the
+/// shorter the step. Overlaps that steps leave are smaller than the tolerance and are closed. \return whether
+/// there was any
+bool leaveOverlaps(PlaneConeProgram& program, double tolerance, double reach)
+{
+    bool isAny = false;
+    for (int point = 0; point < program.points(); ++point)
+    {
+        const double left = -program.gap[2 * point] - tolerance - reach;
+        if (left > 0)
+        {
+            program.gap[2 * point] += left;
+            isAny = true;
+        }
+    }
+    return isAny;
+}
+
 /// Corrects the linear prediction of the gaps of moving contacts; see Relinearisation.
 ///
 /// The angular momentum of a block about a fixed point changes over a step by c1 x m v1 - c0 x m v0 + J (w1 -
@@ -152,7 +171,8 @@ double slip(const DynamicCase& scene, const std::vector<Placement<2>>& from,
 /// Of the slip of a point, too: blocks that turn together by a finite angle do not slide on each other, but
 /// linear prediction says they do, in proportion to the square of the angle; and where many blocks do so,
 /// locked together, no forces would make it vanish.
-/// \param ofEffects what effects have put into the gaps, which the places of the blocks do not show
+/// \param ofEffects what effects, and overlaps that may stay, have put into the gaps, which the places of the
+/// blocks do not show
 Relinearisation movingContactGeometry(const DynamicCase& scene, const Motion& motion,
                                       const std::vector<ContactPoint<2>>& start,
                                       const Eigen::VectorXd& ofEffects)
@@ -357,9 +377,13 @@ bool advance(const DynamicCase& scene, Motion& motion, double timeStep)
     StepGuess guess{timeStep * velocity, forcesOfLastStep(motion, points)};
     const EffectContext context{scene.mass, guess.contactForce, motion.contactForces, scheme.timeStep};
     Eigen::VectorXd ofEffects;
-    if (!scene.effects.empty())
+    const Eigen::VectorXd gap = program.gap;
+    // Points that give way overlap by what their forces press them together.
+    const bool isOverlapLeft =
+        !scene.contact.elasticity
+        && leaveOverlaps(program, settings.contactTolerance, acceleration * timeStep * timeStep);
+    if (!scene.effects.empty() || isOverlapLeft)
     {
-        const Eigen::VectorXd gap = program.gap;
         for (const auto& effect : scene.effects)
         {
             effect->contribute(context, program);
