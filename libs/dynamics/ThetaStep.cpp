@@ -25,6 +25,8 @@ constexpr int programsToRestart = 50;
 constexpr int programsToExactFlow = 4;
 constexpr int newtonSteps = 100;
 constexpr double nearlySolved = 1000; // times the tolerance
+
+constexpr double closest = 1e-12; // tolerance that every solver but gaussSeidel reaches
 constexpr int mostRelinearisations = 10;
 
 /// mu |u_t| of each point: what the program's flow opens. \param closing A'y
@@ -109,44 +111,70 @@ private:
     std::vector<Eigen::VectorXd> residualChanges_, imageChanges_;
 };
 
-/// Whether no motion, with these forces, solves the program to the tolerance; then it is the step.
-bool isRest(ThetaStep& step, const PlaneConeProgram& program, const Eigen::VectorXd& contactForce,
-            double tolerance)
+/// No motion, with forces, and how nearly it solves the program.
+struct Rest
 {
-    ConeSolution resting;
-    resting.displacement = Eigen::VectorXd::Zero(program.load.size());
-    resting.contactForce = contactForce;
-    const Certificate certificate = certifyOptimal(program, resting);
-    if (step.programs == 0)
-    {
-        step.initialResidual = certificate.worst();
-    }
-    if (certificate.worst() > tolerance)
+    ConeSolution solution;
+    Certificate certificate;
+};
+
+Rest restWith(const PlaneConeProgram& program, const Eigen::VectorXd& contactForce)
+{
+    Rest rest;
+    rest.solution.displacement = Eigen::VectorXd::Zero(program.load.size());
+    rest.solution.contactForce = contactForce;
+    rest.certificate = certifyOptimal(program, rest.solution);
+    return rest;
+}
+
+/// Whether rest solves the program to the tolerance; then it is the step.
+bool comesToRest(ThetaStep& step, const PlaneConeProgram& program, Rest rest, double tolerance)
+{
+    if (rest.certificate.worst() > tolerance)
     {
         return false;
     }
     step.status = SolveStatus::optimal;
-    step.certificate = certificate;
-    step.displacement = std::move(resting.displacement);
-    step.contactForce = std::move(resting.contactForce);
+    step.certificate = rest.certificate;
+    step.displacement = std::move(rest.solution.displacement);
+    step.contactForce = std::move(rest.solution.contactForce);
     step.closing = Eigen::VectorXd::Zero(2 * program.points());
     return true;
+}
+
+ConeSolution solveCounted(ThetaStep& step, const PlaneConeProgram& program, const SolverChoice& solver,
+                          const ConeSolution& start)
+{
+    ConeSolution solution = solveConeProgram(program, solver, start);
+    step.iterations += solution.iterations;
+    step.factorisations += solution.factorisations;
+    return solution;
 }
 
 void solveOnce(ThetaStep& step, const PlaneConeProgram& program, const SolverChoice& solver,
                const ConeSolution& start)
 {
-    ConeSolution solution = solveConeProgram(program, solver, start);
-    step.iterations += solution.iterations;
-    step.factorisations += solution.factorisations;
+    ConeSolution solution = solveCounted(step, program, solver, start);
     ++step.programs;
     step.status = solution.status;
     step.certificate = certifyOptimal(program, solution);
     if (solution.status == SolveStatus::optimal)
     {
         // A structure whose forces balance its loads to the tolerance stands still: not by what the solver
-        // leaves of a displacement, which would be an impulse in the next step, but exactly.
-        if (isRest(step, program, solution.contactForce, solver.tolerance))
+        // leaves of a displacement, which would be an impulse in the next step, but exactly. The gap of a
+        // certificate is work, so of second order in what is out of balance: a solution that is nearly rest
+        // may be rest, and is known when it is solved to the square of the tolerance. Otherwise a wall would
+        // move off below its multiplier, little by little.
+        Rest rest = restWith(program, solution.contactForce);
+        SolverChoice closer = solver;
+        closer.tolerance = std::max(closest, 0.1 * solver.tolerance * solver.tolerance);
+        if (rest.certificate.worst() > solver.tolerance
+            && rest.certificate.worst() <= std::sqrt(solver.tolerance) && closer.tolerance < solver.tolerance
+            && solver.solver != SolverType::gaussSeidel)
+        {
+            rest = restWith(program, solveCounted(step, program, closer, solution).contactForce);
+        }
+        if (comesToRest(step, program, std::move(rest), solver.tolerance))
         {
             return;
         }
@@ -293,7 +321,9 @@ ThetaStep solveThetaStep(PlaneConeProgram program, const StepSettings& settings,
     start.contactForce = guess.contactForce.size() == 2 * program.points()
                              ? guess.contactForce
                              : Eigen::VectorXd::Zero(2 * program.points());
-    if (isRest(step, program, start.contactForce, settings.solver.tolerance))
+    Rest rest = restWith(program, start.contactForce);
+    step.initialResidual = rest.certificate.worst();
+    if (comesToRest(step, program, std::move(rest), settings.solver.tolerance))
     {
         return step;
     }

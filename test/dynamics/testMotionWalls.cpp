@@ -55,6 +55,23 @@ TEST_P(PaperWall, StandsStillAtOneThousandthBelowItsMultiplier)
     EXPECT_LT(largestDisplacement(motion), 1e-9);
 }
 
+// What a loose solver leaves of a displacement must not become momentum.
+TEST_P(PaperWall, StandsStillBelowItsMultiplierAtAnyTolerance)
+{
+    for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-10})
+    {
+        DynamicCase scene =
+            wall(GetParam(), 0.998, {.mu = 0.65, .flowRule = FlowRule::associative, .tolerance = tolerance});
+        scene.schemes.smallDisplacements = true;
+        Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+        for (int step = 0; step < 50; ++step)
+        {
+            ASSERT_TRUE(advance(scene, motion, timeStep)) << "tolerance " << tolerance << " step " << step;
+        }
+        EXPECT_EQ(largestDisplacement(motion), 0) << "tolerance " << tolerance;
+    }
+}
+
 TEST_P(PaperWall, MovesAtOneThousandthAbove)
 {
     const DynamicCase scene =
