@@ -201,7 +201,7 @@ std::vector<Look> looks(const Plot& plot)
     for (std::size_t i = 0; i < plot.curves.size(); ++i)
     {
         const PlotCurve& curve = plot.curves[i];
-        Look look{curve.colour.empty() ? palette[i % palette.size()] : curve.colour, curve.marker};
+        Look look{curve.colour.empty() ? curveColour(i) : curve.colour, curve.marker};
         if (look.marker == CurveMarker::automatic) // a marker at each of very many points is a smear
             look.marker = curve.x.size() > 60 && curve.line != CurveLine::none ? CurveMarker::none
                                                                                : markers[i % markers.size()];
@@ -299,6 +299,11 @@ std::vector<double> axisTicks(double lower, double upper, AxisScale scale)
     if (ticks.size() < 2) // less than a factor of two: as a linear axis
         return axisTicks(lower, upper, AxisScale::linear);
     return ticks;
+}
+
+std::string curveColour(std::size_t index)
+{
+    return palette[index % palette.size()];
 }
 
 std::string plotSvg(const Plot& plot)

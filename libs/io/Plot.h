@@ -82,6 +82,9 @@ struct Plot
 /// ten (and, over less than two and a half decades, 2 and 5 times them) for a logarithmic one.
 std::vector<double> axisTicks(double lower, double upper, AxisScale scale);
 
+/// The colour of a curve that names none, by its place among the curves.
+std::string curveColour(std::size_t index);
+
 /// Text of an SVG file. The legend stands beside the plot, so that it never covers data.
 /// \throws FatalError when x and y of a curve differ in number, a value is not finite, or a
 /// logarithmic axis is to show a value that is not positive; the message names the curve and the point

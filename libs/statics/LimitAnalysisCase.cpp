@@ -86,7 +86,8 @@ void declare(Options& options, LimitAnalysisControls& controls)
                      "capacity curve: the multiplier as the structure moves on, until it needs none");
 }
 
-LimitAnalysisCase readLimitAnalysisCase(const std::filesystem::path& caseDirectory)
+LimitAnalysisCase readLimitAnalysisCase(const std::filesystem::path& caseDirectory,
+                                        std::optional<int> pointsPerJoint)
 {
     LimitAnalysisCase result;
     const auto controls = readOptions<LimitAnalysisControls>(readSolution(caseDirectory, "limitAnalysis"));
@@ -105,6 +106,10 @@ LimitAnalysisCase readLimitAnalysisCase(const std::filesystem::path& caseDirecto
     requireFreeBlock(result.assembly, caseDirectory);
 
     result.contact = readContactProperties(caseDirectory);
+    if (pointsPerJoint)
+    {
+        result.contact.pointsPerJoint = pointsPerJoint;
+    }
     const Vector<2> gravity = readGravity(caseDirectory);
     const std::vector<BlockMass<2>> blocks = blockMasses(result.assembly);
     const std::vector<double> masses =

@@ -8,6 +8,7 @@
 #include "statics/Pushover.h"
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 namespace drystone
@@ -40,9 +41,11 @@ struct LimitAnalysisCase
 };
 
 /// Reads constant/assembly, g, materialProperties, contactProperties, loads and system/solution.
+/// \param pointsPerJoint instead of what the case has; for studies
 /// \throws FatalIOError with the first thing that is wrong: blocks that overlap, a live load that is missing,
 /// a solver that is none for limit analysis
-LimitAnalysisCase readLimitAnalysisCase(const std::filesystem::path& caseDirectory);
+LimitAnalysisCase readLimitAnalysisCase(const std::filesystem::path& caseDirectory,
+                                        std::optional<int> pointsPerJoint = {});
 
 /// Collapse by the flow rule of the case, for a positive multiplier; for a support that moves, settlement.
 LimitAnalysis solveLimitAnalysis(const LimitAnalysisCase& structure);

@@ -125,30 +125,77 @@ void copyCase(const fs::path& caseDirectory, const fs::path& target)
     }
 }
 
-std::uint64_t fingerprint(const fs::path& caseDirectory)
+std::uint64_t fingerprint(std::string_view text)
+{
+    // FNV-1a.
+    std::uint64_t hash = 0xcbf29ce484222325u;
+    for (const char c : text)
+    {
+        hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+    }
+    return hash;
+}
+
+std::uint64_t fingerprint(const fs::path& caseDirectory, const std::string& leftOut)
 {
     std::vector<fs::path> files;
     listFiles(caseDirectory, files);
     std::sort(files.begin(), files.end());
-    // FNV-1a.
-    std::uint64_t hash = 0xcbf29ce484222325u;
-    const auto add = [&](const std::string& text)
-    {
-        for (const char c : text + '\0')
-        {
-            hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-        }
-    };
+    std::string all;
     for (const fs::path& file : files)
     {
         const fs::path name = file.lexically_relative(caseDirectory);
-        if (name != "system/parameterSearchDict")
+        if (name != leftOut)
         {
-            add(name.string());
-            add(contentOf(file));
+            all += name.string() + '\0' + contentOf(file) + '\0';
         }
     }
-    return hash;
+    return fingerprint(all);
+}
+
+std::vector<std::vector<double>> readHistory(const fs::path& file, const std::string& heading,
+                                             std::size_t numbers, const std::string& study)
+{
+    std::vector<std::vector<double>> rows;
+    if (!fs::exists(file))
+    {
+        return rows;
+    }
+    const std::string text = contentOf(file);
+    if (!text.starts_with(heading))
+    {
+        throw FatalError(fmt::format("{} is of another {}: the files of the case, or what is asked for, were "
+                                     "others than now, so that it cannot be continued. Remove "
+                                     "postProcessing/{} to begin anew.",
+                                     file.string(), study, study));
+    }
+    std::istringstream lines(text.substr(heading.size()));
+    int lineNumber = static_cast<int>(std::count(heading.begin(), heading.end(), '\n'));
+    for (std::string line; std::getline(lines, line);)
+    {
+        ++lineNumber;
+        std::vector<double> row;
+        const char* at = line.c_str();
+        for (char* end = nullptr;; at = end)
+        {
+            const double value = std::strtod(at, &end);
+            if (end == at)
+            {
+                break;
+            }
+            row.push_back(value);
+        }
+        if (row.size() != numbers
+            || line.find_first_not_of(" \t", static_cast<std::size_t>(at - line.c_str())) != line.npos)
+        {
+            throw FatalIOError(fmt::format("A row of the history has {} numbers and not something else.\n\n"
+                                           "Remove the row, or postProcessing/{} to begin anew.",
+                                           numbers, study),
+                               {file.string(), "", lineNumber});
+        }
+        rows.push_back(std::move(row));
+    }
+    return rows;
 }
 
 ApplicationRun runInCase(const std::string& application, const fs::path& caseDirectory,

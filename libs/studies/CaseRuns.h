@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace drystone
@@ -15,9 +16,20 @@ namespace drystone
 /// search leaves (parameterSearch). What was at `target` is removed. \throws FatalError
 void copyCase(const std::filesystem::path& caseDirectory, const std::filesystem::path& target);
 
-/// A number that differs, but for bad luck, when a file that copyCase copies differs;
-/// system/parameterSearchDict does not count.
-std::uint64_t fingerprint(const std::filesystem::path& caseDirectory);
+/// A number that differs, but for bad luck, when a text does.
+std::uint64_t fingerprint(std::string_view text);
+
+/// The same of the files that copyCase copies. \param leftOut a file that does not count, in the case
+/// directory
+std::uint64_t fingerprint(const std::filesystem::path& caseDirectory, const std::string& leftOut);
+
+/// The rows that a study which was interrupted has left.
+/// \param heading comment lines that say what the rows depend on \param numbers in a row
+/// \param study name of its folder in postProcessing, for messages
+/// \return nothing when there is no such file
+/// \throws FatalError when the heading is another one, or a row is none
+std::vector<std::vector<double>> readHistory(const std::filesystem::path& file, const std::string& heading,
+                                             std::size_t numbers, const std::string& study);
 
 /// What came of an application.
 struct ApplicationRun

@@ -324,7 +324,7 @@ ParameterSearch readParameterSearch(const fs::path& caseDirectory, const Command
     }
     requireWritable(resultsFolder(caseDirectory));
     requireWritable(caseDirectory / "parameterSearch");
-    search.caseFingerprint = fingerprint(caseDirectory);
+    search.caseFingerprint = fingerprint(caseDirectory, "system/parameterSearchDict");
     if (commandLine.noFunctionObjects)
     {
         search.options.emplace_back("-noFunctionObjects");
@@ -335,47 +335,10 @@ ParameterSearch readParameterSearch(const fs::path& caseDirectory, const Command
 SearchHistory::SearchHistory(const ParameterSearch& search)
     : search_(search), file_(resultsFolder(search.caseDirectory) / "history.dat")
 {
-    if (!fs::exists(file_))
-    {
-        return;
-    }
-    const std::string text = contentOf(file_);
-    const std::string heading = historyHeading(search);
-    if (!text.starts_with(heading))
-    {
-        throw FatalError(
-            fmt::format("{} is of a search with other files, applications, variables or results than this "
-                        "case has now, so "
-                        "that it cannot be continued. Remove postProcessing/parameterSearch to begin anew.",
-                        file_.string()));
-    }
     const std::size_t numbers = search.settings.variables.size() + search.settings.results.size() + 2;
-    std::istringstream lines(text.substr(heading.size()));
-    int lineNumber = 2;
-    for (std::string line; std::getline(lines, line);)
+    for (const std::vector<double>& row :
+         readHistory(file_, historyHeading(search), numbers, applicationName))
     {
-        ++lineNumber;
-        std::vector<double> row;
-        const char* at = line.c_str();
-        for (char* end = nullptr;; at = end)
-        {
-            const double value = std::strtod(at, &end);
-            if (end == at)
-            {
-                break;
-            }
-            row.push_back(value);
-        }
-        if (row.size() != numbers
-            || line.find_first_not_of(" \t", static_cast<std::size_t>(at - line.c_str())) != line.npos)
-        {
-            throw FatalIOError(
-                fmt::format(
-                    "A row of the history has {} numbers and not something else.\n\nRemove the row, or "
-                    "postProcessing/parameterSearch to begin anew.",
-                    numbers),
-                {file_.string(), "", lineNumber});
-        }
         const auto variables = static_cast<std::ptrdiff_t>(search.settings.variables.size());
         SearchRecord record{{row.begin(), row.begin() + variables},
                             {row.begin() + variables, row.end() - 2},

@@ -16,6 +16,7 @@
 #include "dynamics/Schemes.h"
 #include "functionObjects/FunctionList.h"
 #include "statics/LimitAnalysisCase.h"
+#include "studies/AccuracySettings.h"
 #include "studies/IncrementalDynamics.h"
 #include "studies/ParameterSearch.h"
 #include "texture/Texture.h"
@@ -113,6 +114,11 @@ std::vector<Example> examples()
             "Which entries parameterSearch varies, what of the results is to be least or largest, and how it "
             "searches.",
             {"variables", "results", "objective", "search"}),
+        example<AccuracySettings>(
+            "system/accuracyCostDict",
+            "Which figures of the case accuracyCost measures, what they are compared with, and over which "
+            "settings.",
+            {"quantities", "sweeps"}),
         example<InitialMotion>("0/motion", "How blocks start; without this file as built and at rest."),
     };
 }

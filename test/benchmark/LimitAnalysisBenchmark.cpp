@@ -6,7 +6,7 @@
 ///     build/test/LimitAnalysisBenchmark --benchmark_out=results.csv --benchmark_out_format=csv
 #include "assembly/Loads.h"
 #include "assembly/Materials.h"
-#include "conic/RayProgram.h"
+#include "conic/UnitOfWork.h"
 #include "statics/LimitAnalysis.h"
 #include "texture/Texture.h"
 
@@ -62,31 +62,15 @@ PlaneConeProgram programOf(const Dictionary& dictionary)
                                 std::vector<double>(points.size(), 0.65), loads);
 }
 
-/// One assembly + factorisation + solve.
-double unitOfWork(const RayForm& form, SchurSystem<3>& system)
-{
-    const Eigen::VectorXd d = Eigen::VectorXd::Ones(form.program.rayCount());
-    Eigen::VectorXd x = Eigen::VectorXd::Ones(3 * form.program.bodies);
-    const double start = cpuSeconds();
-    assembleSchur(form.program, d, 1e-9, 0, system);
-    system.factorise();
-    system.solve(x);
-    const double used = cpuSeconds() - start;
-    benchmark::DoNotOptimize(x.data());
-    return used;
-}
-
 void solve(benchmark::State& state, const Dictionary& dictionary, double tolerance)
 {
     const PlaneConeProgram program = programOf(dictionary);
-    RayForm form = makeRayForm(program);
-    SchurSystem<3> system = makeSchurSystem(form);
     double unit = std::numeric_limits<double>::max();
     double whole = std::numeric_limits<double>::max();
     LimitAnalysis result;
     for (auto _ : state)
     {
-        unit = std::min(unit, unitOfWork(form, system));
+        unit = std::min(unit, unitOfWork(program));
         const double start = cpuSeconds();
         result = solveLimitAnalysis(program, {.tolerance = tolerance});
         const double used = cpuSeconds() - start;

@@ -9,7 +9,7 @@
 #include "Peers.h"
 #include "Walls.h"
 
-#include "conic/RayProgram.h"
+#include "conic/UnitOfWork.h"
 
 #include <benchmark/benchmark.h>
 
@@ -83,26 +83,6 @@ std::vector<Peer> contestants()
         all.push_back(peer);
     }
     return all;
-}
-
-/// One assembly, factorisation and solve: the least of several.
-double unitOfWork(const PlaneConeProgram& program)
-{
-    RayForm form = makeRayForm(program);
-    SchurSystem<3> system = makeSchurSystem(form);
-    const Eigen::VectorXd d = Eigen::VectorXd::Ones(form.program.rayCount());
-    double least = std::numeric_limits<double>::max();
-    for (int repetition = 0; repetition < 10; ++repetition)
-    {
-        Eigen::VectorXd x = Eigen::VectorXd::Ones(3 * form.program.bodies);
-        const double start = cpuSeconds();
-        assembleSchur(form.program, d, 1e-9, 0, system);
-        system.factorise();
-        system.solve(x);
-        least = std::min(least, cpuSeconds() - start);
-        benchmark::DoNotOptimize(x.data());
-    }
-    return least;
 }
 
 void solve(benchmark::State& state)

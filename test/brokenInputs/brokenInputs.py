@@ -161,6 +161,34 @@ def inSearch(name, old, new, *says, **more):
                   files={"system/parameterSearchDict": searching} | more.pop("files", {}), **more)
 
 
+measuring = """quantities
+{
+    alpha { type multiplier; reference { type finest; } }
+    slide
+    {
+        type displacement;
+        block 0;
+        reference { type finest; deltaT 0.005; }
+    }
+}
+sweeps
+{
+    tolerances { quantity alpha; tolerance (1e-4 1e-8); }
+    steps
+    {
+        quantity slide;
+        deltaT (0.02 0.01);
+        theta (0.5 1);
+    }
+}
+"""
+
+
+def inAccuracy(name, old, new, *says, file="system/accuracyCostDict", **more):
+    return Broken("accuracyCost", name, file, old, new, says=says, before=built,
+                  files={"system/accuracyCostDict": measuring} | more.pop("files", {}), **more)
+
+
 springs = """friction { type Coulomb; mu 0.65; flowRule associative; }
 elasticity
 {
@@ -312,6 +340,29 @@ brokenInputs = [
     inStudy("endsOtherwise", "endTime 0.1;", "stopAt nextWrite;", r"stopAt endTime", file="system/controlDict"),
     Broken("incrementalDynamics", "postProcess", before=built, arguments=("-postProcess",), says=(r"-postProcess",),
            where="-"),
+    # What accuracy costs.
+    inAccuracy("noDictionary", "", "", r"accuracyCostDict", content=None, lines=(0,),
+               files={"system/accuracyCostDict": REMOVE}),
+    inAccuracy("unknownQuantityType", "multiplier", "multiplyer", r"Did you mean multiplier\?"),
+    inAccuracy("unknownQuantity", "quantity alpha", "quantity alhpa", r"Did you mean alpha\?"),
+    inAccuracy("unknownReference", "type finest; deltaT", "type fine; deltaT", r"Valid reference types: Housner finest value"),
+    inAccuracy("noReference", "reference { type finest; deltaT 0.005; }", "", r"reference is missing", lines=(4,)),
+    inAccuracy("valueWithoutSource", "type finest; deltaT 0.005;", "type value; value 0.01;", r"source"),
+    inAccuracy("unknownKey", "theta (0.5", "tehta (0.5", r"Did you mean theta\?"),
+    inAccuracy("explicitTheta", "(0.5 1)", "(0.2 1)", r"from 0.5 to 1"),
+    inAccuracy("stepOfNothing", "(0.02 0.01)", "(0.02 0)", r"above 0"),
+    inAccuracy("valueTwice", "(0.02 0.01)", "(0.02 0.02)", r"stands twice"),
+    inAccuracy("unknownFlowRule", "theta (0.5 1)", "flowRule (associative coulomb)", r"coulomb", r"nonAssociative"),
+    inAccuracy("unknownSolver", "theta (0.5 1)", "solver (interiorPoynt)", r"Did you mean interiorPoint\?"),
+    inAccuracy("thetaOfAMultiplier", "tolerance (1e-4 1e-8);", "theta (0.5 1);", r"theta is for motions"),
+    inAccuracy("pointsOfAMotion", "theta (0.5 1)", "pointsPerJoint (2 5)", r"pointsPerJoint is for multipliers"),
+    inAccuracy("alongPointsOfAMotion", "theta (0.5 1)", "along pointsPerJoint", r"deltaT or tolerance"),
+    inAccuracy("quantityOfNoBlock", "block 0", "block 999", r"There is no block 999"),
+    inAccuracy("HousnerOfAWall", "type finest; deltaT 0.005;", "type Housner;", r"does not say this quantity"),
+    inAccuracy("noPhases", "theta (0.5 1)", "phases 0", r"phases"),
+    inAccuracy("nameOfNoFile", "steps", "s.teps", r"cannot be that of a file", lines=(11,)),
+    inAccuracy("endsAtOnce", "endTime 0.1;", "endTime 0;", r"raise endTime", file="system/controlDict"),
+    Broken("accuracyCost", "postProcess", before=built, arguments=("-postProcess",), says=(r"-postProcess",), where="-"),
     # Effects in motion.
     inMotionEffect("noStiffness", "normal 1e8;", "", r"normal", lines=(2,)),
     inMotionEffect("negativeStiffness", "1e8", "-1e8", r"normal", r"above 0"),

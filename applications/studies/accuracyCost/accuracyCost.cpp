@@ -1,0 +1,55 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// accuracyCost: what accuracy costs in time: the error of a figure against a reference, beside CPU time,
+/// over steps, schemes, flow rules, solvers, tolerances and contact points.
+#include "core/CommandLine.h"
+#include "core/Error.h"
+#include "core/Log.h"
+#include "core/Signals.h"
+#include "studies/AccuracyCostCase.h"
+
+using namespace drystone;
+
+namespace
+{
+
+int run(const CommandLine& commandLine)
+{
+    printBanner(commandLine);
+    if (commandLine.postProcess)
+    {
+        throw FatalError(
+            "accuracyCost writes its tables when it runs: leave -postProcess away. Called again, "
+            "it writes them anew from the runs that are known.");
+    }
+    const AccuracyStudy study = readAccuracyStudy(commandLine.caseDirectory);
+    printAccuracyStudy(study);
+    AccuracyRuns runs(study);
+    if (commandLine.dryRun)
+    {
+        printEnd();
+        return 0;
+    }
+
+    catchStopSignals();
+    const AccuracyResults results = carryOut(study, runs);
+    printAccuracyResults(study, results);
+    writeAccuracyResults(study, results);
+    printExecutionTime();
+    printEnd();
+    return exitStatus(results);
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+    ApplicationDescription description;
+    description.name = "accuracyCost";
+    description.summary =
+        "Computes figures of a case with many settings: their errors against a reference beside CPU time, as "
+        "table, pictures and a page. Started again, it goes on where it was stopped.";
+    description.kind = ApplicationKind::solver;
+    description.details = []
+    { return fmt::format("system/accuracyCostDict:\n{}", helpText(describeOptions<AccuracySettings>())); };
+    return runApplication(argc, argv, description, run);
+}

@@ -1,0 +1,174 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Figures of a case whose errors accuracyCost measures, and what they are compared with.
+///
+/// Periods, distances, energies, thresholds and multipliers: what the equations determine. The path of a
+/// structure that rocks for long is not among them, for it depends on rounding.
+#pragma once
+
+#include "core/Registry.h"
+#include "dynamics/Motion.h"
+#include "statics/LimitAnalysisCase.h"
+#include "studies/References.h"
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace drystone
+{
+
+enum class Displacements
+{
+    large, ///< contacts move with the blocks
+    small  ///< they stay as built
+};
+inline std::array<std::pair<std::string_view, Displacements>, 2> namesOf(Displacements)
+{
+    return {{{"large", Displacements::large}, {"small", Displacements::small}}};
+}
+
+enum class QuantityKind
+{
+    motion,       ///< of runs in time, as contactDynamics makes them
+    limitAnalysis ///< of collapse, as limitAnalysis finds it
+};
+
+/// How a case is computed. What does not apply to a kind of quantity is 0 (or the first of its words).
+struct RunSetting
+{
+    double deltaT = 0; ///< [s]
+    double theta = 0;
+    FlowRule flowRule = FlowRule::associative;
+    SolverType solver = SolverType::automatic;
+    double tolerance = 0;
+    int pointsPerJoint = 0;
+    Displacements displacements = Displacements::large;
+
+    friend auto operator<=>(const RunSetting&, const RunSetting&) = default;
+};
+
+/// Where in a step the motion begins: the first step is only a part of one, so that impacts fall at other
+/// phases of the steps.
+struct StepPhase
+{
+    int index = 0;
+    int count = 1;
+    double firstStep() const { return count > 1 ? (index + 0.5) / count : 1; } ///< [deltaT]
+
+    friend auto operator<=>(const StepPhase&, const StepPhase&) = default;
+};
+
+enum class RunEnd
+{
+    done,
+    unsolved, ///< a step, or the program, was not solved to the tolerance
+    missing,  ///< the run has no such figure: the block did not come back before endTime
+    interrupted
+};
+
+/// What came of one run.
+struct Measurement
+{
+    double value = 0;         ///< nan unless done
+    double hover = 0;         ///< largest gap at a point that carries force, at the end of a step [m]
+    double steps = 0;         ///< in time, or iterations of the solver
+    double cpuTime = 0;       ///< [s]
+    double worstResidual = 0; ///< of any step: primal, dual or gap
+    RunEnd end = RunEnd::done;
+};
+
+/// The structure that is computed, read once; no run changes it.
+struct AccuracyCase
+{
+    std::filesystem::path caseDirectory;
+    std::optional<DynamicCase> scene; ///< where a quantity is one of motion
+    DynamicState start;
+    double endTime = 0;                          ///< [s]
+    std::map<int, LimitAnalysisCase> structures; ///< by points a joint, 0: as the case says
+};
+
+/// What a figure ought to be.
+struct Reference
+{
+    double value = 0;
+    double uncertainty = 0; ///< what is known of the error of the reference itself
+    std::string text;       ///< where it comes from, for the page
+};
+
+/// A figure that is ready to be measured.
+struct Quantity
+{
+    std::string summary; ///< `time at which block 1 is upright again for the 3rd time`
+    std::string unit;
+    /// One run. A function of its arguments but for `cpuTime` and signals.
+    std::function<Measurement(const AccuracyCase&, const RunSetting&, const StepPhase&)> measure;
+    /// The figure from Housner's equation; empty where that does not say it.
+    std::function<double(const AccuracyCase&)> housner = {};
+};
+
+/// What `reference { type ...; }` asks for.
+struct ReferencePlan
+{
+    enum class Kind
+    {
+        Housner,
+        value,
+        finest
+    };
+    Kind kind = Kind::finest;
+    double value = 0;
+    std::string source;
+    // of the finest run; what is absent is the case's own
+    std::optional<double> deltaT;
+    std::optional<double> theta;
+    std::optional<FlowRule> flowRule;
+    std::optional<SolverType> solver;
+    std::optional<double> tolerance;
+    std::optional<int> pointsPerJoint;
+    std::optional<Displacements> displacements;
+    int phases = 20;
+    SourceLocation location;
+};
+const Registry<ReferencePlan>& referenceTypes();
+
+/// A quantity of the dictionary.
+struct QuantityPlan
+{
+    QuantityKind kind = QuantityKind::motion;
+    ReferencePlan reference;
+    /// \throws FatalIOError for a block that there is not, or that is fixed
+    std::function<Quantity(const AccuracyCase&)> make;
+};
+
+/// All types: returnTime, displacement, energy, threshold, multiplier.
+const Registry<QuantityPlan>& quantityTypes();
+
+/// The block of a case that Housner's equation is about: one free rectangle on a fixed ground, rebound by the
+/// impact alone, with the rotation it starts from.
+struct HousnerCase
+{
+    RockingBlock block;
+    RockingState start;
+    int index = 0; ///< of the block
+};
+/// \throws FatalError saying what of the case is not as Housner's equation has it
+HousnerCase housnerCase(const AccuracyCase& study);
+
+/// Steps a case with a setting, and shows each state.
+/// \param observe called before the first step with a step of 0, and after each one; false ends the run
+/// \return how the run ended, with its costs; `value` is left at 0
+using MotionObserver = std::function<bool(const Motion& motion, double timeStep)>;
+Measurement stepThrough(const DynamicCase& scene, const AccuracyCase& study, const RunSetting& setting,
+                        const StepPhase& phase, const MotionObserver& observe);
+
+/// The scene of a case with a setting in place of its own.
+DynamicCase sceneWith(const AccuracyCase& study, const RunSetting& setting);
+
+/// F: CPU time of one assembly, factorisation and solve of the Schur matrix of the case, that of its first
+/// step or of its collapse [s].
+double unitOfWork(const AccuracyCase& study, const RunSetting& setting, QuantityKind kind);
+
+} // namespace drystone

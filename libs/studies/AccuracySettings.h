@@ -1,0 +1,74 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// What accuracyCost measures and over which settings: system/accuracyCostDict.
+///
+///     quantities
+///     {
+///         return { type returnTime; block 1; count 3; reference { type Housner; } }
+///     }
+///     sweeps
+///     {
+///         schemes { quantity return; deltaT (0.02 0.01 0.005); theta (0.5 1); }
+///     }
+#pragma once
+
+#include "studies/AccuracyQuantity.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace drystone
+{
+
+/// What the points of one curve differ by.
+enum class SweepAxis
+{
+    deltaT,
+    tolerance,
+    pointsPerJoint
+};
+inline std::array<std::pair<std::string_view, SweepAxis>, 3> namesOf(SweepAxis)
+{
+    return {{{"deltaT", SweepAxis::deltaT},
+             {"tolerance", SweepAxis::tolerance},
+             {"pointsPerJoint", SweepAxis::pointsPerJoint}}};
+}
+
+/// All combinations of some settings. A list that is empty holds what the case itself has.
+struct Sweep
+{
+    std::string quantity;
+    std::vector<double> deltaT; ///< [s]
+    std::vector<double> theta;
+    std::vector<FlowRule> flowRule;
+    std::vector<SolverType> solver;
+    std::vector<double> tolerance;
+    std::vector<int> pointsPerJoint;
+    std::vector<Displacements> displacements;
+    std::optional<SweepAxis> along; ///< absent: the first of the three that has several values
+    int phases = 20;
+    int repeats = 5;
+};
+void declare(Options& options, Sweep& sweep);
+
+/// The dictionary as it is written.
+struct AccuracySettings
+{
+    std::vector<Named<QuantityPlan>> quantities;
+    std::vector<Named<Sweep>> sweeps;
+};
+void declare(Options& options, AccuracySettings& settings);
+
+/// All settings of a sweep. \param ofCase what a list that is empty stands for
+std::vector<RunSetting> settingsOf(const Sweep& sweep, const RunSetting& ofCase);
+
+/// What the points of a curve of this sweep differ by.
+SweepAxis axisOf(const Sweep& sweep, QuantityKind kind);
+
+/// What the points of one curve have in common: the setting with 0 along the axis.
+RunSetting curveOf(RunSetting setting, SweepAxis axis);
+
+/// The value of a setting along an axis.
+double alongAxis(const RunSetting& setting, SweepAxis axis);
+
+} // namespace drystone

@@ -1,0 +1,192 @@
+#!/usr/bin/env python3
+# Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+"""accuracyCost in a case: interruption, continuation, history, table, pictures and page.
+
+accuracyCost.py BIN CASE       CASE: the tutorial accuracyCost/rockingBlock/freeRocking
+"""
+import csv
+import os
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+applications, tutorial = (os.path.abspath(path) for path in sys.argv[1:3])
+
+results = "postProcessing/accuracyCost/0"
+study = """FoamFile { version 2.0; format ascii; class dictionary; object accuracyCostDict; }
+quantities
+{
+    first { type returnTime; block 1; count 1; reference { type %(reference)s; } }
+    loss { type energy; part dissipation; reference { type finest; deltaT 0.01; phases 3; } }
+}
+sweeps
+{
+    schemes { quantity first; deltaT (0.04 0.02 0.01); theta (0.5 1); phases %(phases)s; }
+    solvers
+    {
+        quantity first; deltaT (0.02 0.01); theta (0.5 1); phases 3;
+        solver (interiorPoint augmentedLagrangian); tolerance (1e-4 1e-8);
+    }
+    tolerances { quantity first; tolerance (1e-2 1e-5 1e-8); flowRule (associative nonAssociative); phases 2; }
+    losses { quantity loss; deltaT (0.04 0.02); phases 3; }
+    %(more)s
+}
+"""
+good = {"reference": "Housner", "phases": "4", "more": ""}
+
+
+class AccuracyCost(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.root = tempfile.TemporaryDirectory()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.root.cleanup()
+
+    def case(self, name, **changes):
+        case = os.path.join(self.root.name, name)
+        shutil.copytree(tutorial, case, ignore=shutil.ignore_patterns("VTK", "postProcessing", "log.*", "assembly"))
+        subprocess.run([os.path.join(applications, "blockTexture"), "-case", case], check=True, capture_output=True)
+        for old, new in (("deltaT .*;", "deltaT 0.01;"), ("endTime .*;", "endTime 1;")):
+            self.replace(case, "system/controlDict", "(?m)^" + old, new)
+        self.set(case, **changes)
+        return case
+
+    def replace(self, case, name, old, new):
+        text = self.read(case, name)
+        with open(os.path.join(case, name), "w", encoding="utf-8") as file:
+            file.write(re.sub(old, new, text))
+
+    @staticmethod
+    def set(case, **changes):
+        with open(os.path.join(case, "system/accuracyCostDict"), "w", encoding="utf-8") as file:
+            file.write(study % {**good, **changes})
+
+    def run_(self, case, *options, status=0):
+        done = subprocess.run([os.path.join(applications, "accuracyCost"), "-case", case, *options],
+                              capture_output=True, text=True, timeout=120, check=False)
+        self.assertEqual(done.returncode, status, done.stdout[-2000:] + done.stderr)
+        return done
+
+    @staticmethod
+    def read(case, name):
+        with open(os.path.join(case, name), encoding="utf-8") as file:
+            return file.read()
+
+    def table(self, case):
+        """Rows of the table without their times."""
+        rows = list(csv.DictReader(self.read(case, results + "/accuracyCost.csv").splitlines()))
+        return [{key: value for key, value in row.items() if key not in ("cpuTime[s]", "F[s]")} for row in rows]
+
+    def runs(self, case):
+        """Rows of the history without their times."""
+        rows = [line.split() for line in self.read(case, results + "/history.dat").splitlines() if line[0] != "#"]
+        return [row[:13] + row[14:] for row in rows]
+
+    def testAStudyLeavesTableHistoryPicturesAndAPageThatShowsThem(self):
+        case = self.case("plain")
+        self.run_(case)
+        table = self.table(case)
+        self.assertEqual(len(table), 6 + 16 + 6 + 2)
+        self.assertEqual(len(self.runs(case)), 6 * 4 + 16 * 3 + 6 * 2 + 3 * 3)  # two of `losses` are of the reference
+        page = self.read(case, results + "/accuracyCost.md")
+        pictures = re.findall(r"!\[\w+\]\(([^)]+)\)", page)
+        self.assertEqual(sorted(pictures), ["losses.svg", "schemes.svg", "solvers.svg", "solversSolvers0.0001.svg",
+                                            "solversSolvers1e-08.svg", "tolerances.svg"])
+        for picture in pictures:
+            self.assertIn("</svg>", self.read(case, results + "/" + picture))
+        for text in ("Housner's equation", "Cheapest settings", "| 5% |", "| 0.1% |", "Dolan", "knee", "Coulomb",
+                     "finest run"):
+            self.assertIn(text, page)
+        # A finer step is nearer, the trapezoidal rule most of all; no error is zero.
+        error = {(row["deltaT[s]"], row["theta"]): float(row["medianError"]) for row in table if row["sweep"] == "schemes"}
+        self.assertLess(error["0.01", "1"], 0.6 * error["0.02", "1"])
+        self.assertLess(error["0.01", "0.5"], 0.1 * error["0.01", "1"])
+        self.assertGreater(error["0.01", "0.5"], 1e-9)
+
+    def testAnInterruptedStudyGoesOnAndEndsAsIfItHadNotBeen(self):
+        whole = self.case("whole")
+        self.run_(whole)
+        for name, sent, status in (("interrupted", signal.SIGINT, 130), ("terminated", signal.SIGTERM, 143)):
+            case = self.case(name)
+            with subprocess.Popen([os.path.join(applications, "accuracyCost"), "-case", case],
+                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+                while not os.path.exists(os.path.join(case, results, "history.dat")):
+                    time.sleep(0.001)
+                process.send_signal(sent)
+                output, errors = process.communicate(timeout=60)
+            self.assertEqual(process.returncode, status, output + errors)
+            self.assertIn("goes on from here", output)
+            known = self.runs(case)
+            self.assertLess(len(known), len(self.runs(whole)))
+            self.assertIn(f"{len(known)} runs are known", self.run_(case).stdout)
+            self.assertEqual(self.runs(case), self.runs(whole))
+            self.assertEqual(self.table(case), self.table(whole))
+
+    def testAStudyThatIsKilledLosesTheRunsOfOneSettingAtMost(self):
+        case = self.case("killed")
+        with subprocess.Popen([os.path.join(applications, "accuracyCost"), "-case", case],
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+            while not os.path.exists(os.path.join(case, results, "history.dat")):
+                time.sleep(0.001)
+            process.kill()
+            process.communicate(timeout=60)
+        self.assertGreater(len(self.runs(case)), 0)
+        self.run_(case)
+        self.assertEqual(len(self.table(case)), 30)
+
+    def testMoreSweepsAndOtherReferencesKeepWhatIsKnown(self):
+        case = self.case("more")
+        self.run_(case)
+        before = self.runs(case)
+        known = self.read(case, results + "/history.dat")
+        self.run_(case)
+        self.assertEqual(self.read(case, results + "/history.dat"), known)
+        self.set(case, more="again { quantity first; deltaT (0.04 0.03); phases 4; }",
+                 reference='value; value 0.4938; source "another program"')
+        self.run_(case)
+        self.assertEqual(self.runs(case)[:len(before)], before)
+        self.assertEqual(len(self.runs(case)), len(before) + 4)
+        self.assertIn("another program", self.read(case, results + "/accuracyCost.md"))
+
+    def testAHistoryOfAnotherCaseIsRefused(self):
+        case = self.case("changed")
+        self.run_(case)
+        properties = self.read(case, "constant/contactProperties")
+        self.replace(case, "constant/contactProperties", r"mu\s+1;", "mu 0.9;")
+        self.assertIn("Remove postProcessing/accuracyCost", self.run_(case, status=1).stderr)
+        with open(os.path.join(case, "constant/contactProperties"), "w", encoding="utf-8") as file:
+            file.write(properties)
+        self.run_(case)
+        with open(os.path.join(case, results, "history.dat"), "a", encoding="utf-8") as file:
+            file.write("1 2 half a ro")
+        self.assertRegex(self.run_(case, status=1).stderr, r"history.dat at line \d+")
+
+    def testAFigureThatARunDoesNotHaveIsAFailureAndNotAnError(self):
+        case = self.case("short", reference='value; value 0.4938; source "Housner"')
+        self.replace(case, "system/controlDict", r"endTime 1;", "endTime 0.3;")
+        done = self.run_(case)
+        self.assertIn("4 of 4 runs FAILED", done.stdout)
+        self.assertTrue(all(row["medianError"] == "nan" for row in self.table(case) if row["quantity"] == "first"))
+        self.assertIn("none of those tried", self.read(case, results + "/accuracyCost.md"))
+
+    def testHousnersEquationOfAnotherCaseIsRefusedWithItsLine(self):
+        case = self.case("rebound")
+        with open(os.path.join(case, "constant/contactProperties"), "a", encoding="utf-8") as file:
+            file.write("restitution { normal 0.5; }\n")
+        self.assertRegex(self.run_(case, status=1).stderr, r"(?s)remove restitution.*accuracyCostDict\S* at line 4")
+
+    def testDryRunChecksAndComputesNothing(self):
+        case = self.case("dry")
+        self.assertIn("Sweep schemes: first over 6 settings, 24 runs", self.run_(case, "-dry-run").stdout)
+        self.assertFalse(os.path.exists(os.path.join(case, "postProcessing")))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
