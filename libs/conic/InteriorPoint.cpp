@@ -83,7 +83,10 @@ private:
     bool factorise();
     void tryResting();
     /// Forces of later iterates are too near the surface of their cones.
-    bool isRestingSought() const { return rays_.hasMultiplier() && resting_.size() == 0 && iterations_ <= 4; }
+    bool isRestingSought() const
+    {
+        return rays_.hasMultiplier() && rays_.rayCount() > 0 && resting_.size() == 0 && iterations_ <= 4;
+    }
     void solveNewton(const VectorXd& complementarity, double reduction, Iterate& step);
     void solveSchur(VectorXd& x);
     double complementarity() const { return rays_.rayCount() ? at_.s.dot(at_.z) / rays_.rayCount() : 0; }

@@ -638,8 +638,11 @@ void printAccuracyResults(const AccuracyStudy& study, const AccuracyResults& res
     }
     for (const CheapestRow& row : cheapestRows(study, results))
     {
-        info("{}: {} is reached for {} by {}", study.quantities[row.quantity].name, percentText(row.level),
-             row.measure == ErrorMeasure::median ? "half of the phases" : "all phases",
+        const bool isMotion = study.quantities[row.quantity].kind == QuantityKind::motion;
+        info("{}: {} is reached {}by {}", study.quantities[row.quantity].name, percentText(row.level),
+             !isMotion                             ? ""
+             : row.measure == ErrorMeasure::median ? "for half of the phases "
+                                                   : "for all phases ",
              row.point ? fmt::format("{} in {:.3g} s",
                                      settingText(row.point->setting, study.quantities[row.quantity].kind),
                                      row.point->cpuTime)

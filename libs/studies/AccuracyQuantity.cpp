@@ -63,7 +63,7 @@ void declare(Options& options, FinestSettings& settings)
     options.optional("flowRule", plan.flowRule, "associative or nonAssociative: the limits of the two differ")
         .example("nonAssociative");
     options.optional("solver", plan.solver, "of a motion").example("automatic");
-    options.optional("tolerance", plan.tolerance, "of the solver").above(0).atMost(0.1).example("1e-11");
+    options.optional("tolerance", plan.tolerance, "of the solver").above(0).atMost(1e-3).example("1e-11");
     options.optional("pointsPerJoint", plan.pointsPerJoint, "of a multiplier")
         .atLeast(2)
         .atMost(1000)

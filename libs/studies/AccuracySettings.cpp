@@ -57,7 +57,7 @@ void declare(Options& options, Sweep& sweep)
         .example("(interiorPoint augmentedLagrangian)");
     options.optional("tolerance", sweep.tolerance, "of the solver")
         .above(0)
-        .atMost(0.1)
+        .atMost(1e-3)
         .example("(1e-4 1e-8)");
     options
         .optional("pointsPerJoint", sweep.pointsPerJoint,

@@ -32,7 +32,7 @@ sweeps
         quantity first; deltaT (0.02 0.01); theta (0.5 1); phases 3;
         solver (interiorPoint augmentedLagrangian); tolerance (1e-4 1e-8);
     }
-    tolerances { quantity first; tolerance (1e-2 1e-5 1e-8); flowRule (associative nonAssociative); phases 2; }
+    tolerances { quantity first; tolerance (1e-3 1e-5 1e-8); flowRule (associative nonAssociative); phases 2; }
     losses { quantity loss; deltaT (0.04 0.02); phases 3; }
     %(more)s
 }

@@ -103,6 +103,16 @@ TEST(InteriorPoint, NamesABodyThatNothingTouches)
     EXPECT_LT(solution.displacement[4], 0); // the second body falls
 }
 
+TEST(InteriorPoint, DropsABlockWithoutAnyContact)
+{
+    PlaneConeProgram program = standingBlock(0.65, 1);
+    program.contacts.clear();
+    program.friction.clear();
+    const ConeSolution solution = solveInteriorPoint(program);
+    ASSERT_EQ(solution.status, SolveStatus::infeasible);
+    EXPECT_LT(solution.displacement[1], 0);
+}
+
 TEST(Certificate, TellsAWrongAnswer)
 {
     const PlaneConeProgram program = standingBlock(0.65, 1);

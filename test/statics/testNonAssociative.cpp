@@ -79,6 +79,27 @@ TEST(NonAssociative, OfAMonolithIsThatOfTheAssociativeLaw)
     }
 }
 
+TEST(NonAssociative, AtALooseToleranceOfTheSolverHasNoAnswerOrARightOne)
+{
+    // Mechanisms are so inexact then that no point may be left that carries anything.
+    const Structure structure = standing(paperWalls()[0].bond);
+    const PlaneConeProgram program = structure.program(0.65, structure.weightLoads());
+    const std::vector<int> joint = jointsOf(structure.points);
+    for (const double tolerance : {1e-3, 1e-4})
+    {
+        const LimitAnalysis result =
+            solveNonAssociative(program, joint, {.starts = 1}, {.tolerance = tolerance});
+        if (result.status == CollapseStatus::optimal)
+        {
+            expectCoulomb(program, joint, result);
+        }
+        else
+        {
+            EXPECT_EQ(result.status, CollapseStatus::notConverged);
+        }
+    }
+}
+
 TEST(NonAssociative, LeavesUnstableWhatIsUnstable)
 {
     const Structure structure = standing(paperWalls()[0].bond);
