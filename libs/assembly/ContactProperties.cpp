@@ -117,6 +117,23 @@ void declare(Options& options, Damping& damping)
         });
 }
 
+void declare(Options& options, Deletion& deletion)
+{
+    options
+        .required("box", deletion.box,
+                  "lower left and upper right corner; a block whose mass centre is outside is out")
+        .unit("m")
+        .example("((-10 -1) (10 20))");
+    options.check("box",
+                  [&deletion]
+                  {
+                      const auto& [lower, upper] = deletion.box;
+                      return lower[0] < upper[0] && lower[1] < upper[1]
+                                 ? ""
+                                 : "The box is empty: give its lower left corner, then its upper right one.";
+                  });
+}
+
 void declare(Options& options, JointFriction& friction)
 {
     options.required("mu", friction.mu, "friction coefficient")
@@ -147,6 +164,8 @@ void declare(Options& options, ContactProperties& properties)
                      "contact points that give way under force, in motion; absent: rigid");
     options.optional("damping", properties.damping,
                      "losses beside friction and impact, in motion; absent: none");
+    options.optional("deletion", properties.deletion,
+                     "blocks that leave a box are computed no further, in motion; absent: all are");
     options
         .optional("pointsPerJoint", properties.pointsPerJoint,
                   "contact points along each joint, of limitAnalysis; absent: 2, with crushing 11")
@@ -180,6 +199,7 @@ EffectNames effectNames(const ContactProperties& properties)
     tell(properties.crushing || inJoints(&JointProperties::crushing), "crushing");
     tell(properties.elasticity.has_value(), "elasticity");
     tell(properties.damping.has_value(), "damping");
+    tell(properties.deletion.has_value(), "deletion");
     for (const AbsentEffect& effect : absentEffects())
         names.absent.emplace_back(effect.name);
     return names;
@@ -211,7 +231,7 @@ ContactProperties readContactProperties(const std::filesystem::path& caseDirecto
             throw FatalIOError(
                 fmt::format("This version does not simulate {} ({}). Remove the entry to compute "
                             "without it; simulated are: friction restitution cohesion tension crushing "
-                            "elasticity damping.",
+                            "elasticity damping deletion.",
                             effect.name, effect.summary),
                 entry->location());
         }

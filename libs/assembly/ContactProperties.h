@@ -93,6 +93,14 @@ struct Damping
 
 void declare(Options& options, Damping& damping);
 
+/// Blocks that leave a box are out of the computation from then on.
+struct Deletion
+{
+    std::pair<std::array<double, 2>, std::array<double, 2>> box; ///< lower and upper corner [m]
+};
+
+void declare(Options& options, Deletion& deletion);
+
 /// What some joints have instead of what all have; the effects that it does not name stay as they are.
 struct JointProperties
 {
@@ -114,6 +122,7 @@ struct ContactProperties
     std::optional<JointStrength> crushing;   ///< absent: any pressure is borne
     std::optional<Elasticity> elasticity;    ///< absent: rigid; in motion only
     std::optional<Damping> damping;          ///< absent: none; in motion only
+    std::optional<Deletion> deletion;        ///< absent: blocks are followed wherever they go; in motion only
     /// By name (see jointName), exact names before the last pattern that matches.
     std::vector<std::pair<NamePattern, JointProperties>> joints;
     std::optional<int> pointsPerJoint; ///< absent: 2, the ends; with crushing 11

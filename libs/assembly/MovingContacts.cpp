@@ -182,6 +182,12 @@ const std::vector<ContactPoint<2>>& MovingContacts::update(const std::vector<Pla
     return points_;
 }
 
+void MovingContacts::leaveOut(int block)
+{
+    isLeftOut_.resize(isFixed_.size(), false);
+    isLeftOut_[static_cast<std::size_t>(block)] = true;
+}
+
 void MovingContacts::findNeighbours(double margin)
 {
     bool isCurrent = fat_.size() == reach_.size();
@@ -208,7 +214,8 @@ void MovingContacts::findNeighbours(double margin)
     for (const auto& [block, neighbour] : neighbours_)
     {
         // Asked of every pair in the list, so that its reserve cannot change the result.
-        if (!(isFixed_[block] && isFixed_[neighbour]) && meet(reach_[block], reach_[neighbour]))
+        const bool isLeftOut = !isLeftOut_.empty() && (isLeftOut_[block] || isLeftOut_[neighbour]);
+        if (!isLeftOut && !(isFixed_[block] && isFixed_[neighbour]) && meet(reach_[block], reach_[neighbour]))
         {
             findPoints(block, neighbour, margin);
         }

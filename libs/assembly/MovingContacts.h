@@ -90,6 +90,9 @@ public:
     /// [s] \param acceleration bound on what the loads add to the velocity [m/s2], for instance gravity
     double marginFor(const std::vector<Vector<3>>& velocities, double timeStep, double acceleration) const;
 
+    /// Has a block touch nothing from the next update on. \param block index of the block
+    void leaveOut(int block);
+
     /// How many times the neighbour list was built [-].
     int rebuilds() const { return rebuilds_; }
 
@@ -153,6 +156,7 @@ private:
     std::vector<Vector<2>> localTangent_; ///< of edge i
     std::vector<Vector<2>> centroid_;     ///< of each block [m]
     std::vector<char> isFixed_;           ///< block belongs to a support
+    std::vector<char> isLeftOut_;         ///< see leaveOut; empty while there is none
     std::vector<double> radius_;          ///< of each block about its mass centre [m]
     std::vector<double> deepest_;         ///< overlap beyond which a block's contacts are not trusted [m]
     double tolerance_ = 0;                ///< [m]

@@ -180,6 +180,10 @@ Certificate certifyOptimal(const ConeProgram<Rows, Forces>& program, const ConeS
 
     Eigen::VectorXd imbalance = inertial + applyEquilibrium(program, c) - program.load;
     double forceScale = largest<Rows, Forces>(program.load, 1 / lever);
+    if (forceScale == 0) // bodies at rest and free of loads that something pushes
+    {
+        forceScale = largest<Rows, Forces>(inertial, 1 / lever);
+    }
     double displacementScale = largest<Rows, Forces>(y, lever);
     // Objectives: primal 1/2 y'Mbar y + g'c + 1/2 c'C c - alpha, dual f'y - 1/2 y'Mbar y - 1/2 c'C c;
     // difference = y'Mbar y + (g + C c)'c - alpha - f'y.

@@ -32,11 +32,18 @@ void setStructure(DynamicCase& scene, Assembly<2> assembly, const std::vector<do
 /// What elastic contact points go together with.
 void refuseCombinations(const DynamicCase& scene, const std::filesystem::path& caseDirectory)
 {
+    const Dictionary contact = Dictionary::readFile(caseDirectory / "constant/contactProperties");
+    if (scene.contact.deletion && scene.schemes.smallDisplacements)
+    {
+        throw FatalIOError(
+            "With `smallDisplacements yes;` no block leaves where it was built: remove deletion, or "
+            "set `smallDisplacements no;` in system/schemes.",
+            contact.locationOf("deletion"));
+    }
     if (!scene.contact.elasticity)
     {
         return;
     }
-    const Dictionary contact = Dictionary::readFile(caseDirectory / "constant/contactProperties");
     if (scene.contact.restitution)
     {
         throw FatalIOError("Elastic contact points rebound by themselves: remove restitution, or elasticity.",
@@ -85,6 +92,7 @@ DynamicCase readDynamicCase(const std::filesystem::path& caseDirectory)
     {
         scene.groundMotion = readGroundMotion(Dictionary::readFile(file), caseDirectory);
     }
+    scene.supportMotions = readSupportMotions(caseDirectory, scene.assembly);
     return scene;
 }
 

@@ -8,6 +8,7 @@
 #include "dynamics/GroundMotion.h"
 #include "dynamics/Schemes.h"
 #include "dynamics/StepEffect.h"
+#include "dynamics/SupportMotion.h"
 
 #include <filesystem>
 
@@ -28,6 +29,7 @@ struct DynamicCase
     std::vector<std::shared_ptr<const StepEffect>>
         effects; ///< see stepEffects; what is not there costs nothing
     GroundMotion groundMotion;
+    std::vector<SupportMotion> supportMotions; ///< of supports that move; most cases have none
     double groundFactor = 1; ///< times groundMotion: the intensity of an incremental analysis
     Schemes schemes;
     SolverChoice solution;
@@ -45,10 +47,9 @@ struct DynamicCase
 /// and `roundingGap`. Loads and all else are left alone. \param densities of all blocks [kg/m3]
 void setStructure(DynamicCase& scene, Assembly<2> assembly, const std::vector<double>& densities);
 
-/// Reads constant/assembly, g, materialProperties, contactProperties, loads and groundMotion (both may be
-/// absent: gravity alone, and a ground at rest), system/schemes and the sub-dictionary contactDynamics of
-/// system/solution.
-/// \throws FatalIOError with the first thing that is wrong
+/// Reads constant/assembly, g, materialProperties, contactProperties, loads, groundMotion and supportMotion
+/// (these three may be absent: gravity alone, ground and supports at rest), system/schemes and the
+/// sub-dictionary contactDynamics of system/solution. \throws FatalIOError with the first thing that is wrong
 DynamicCase readDynamicCase(const std::filesystem::path& caseDirectory);
 
 /// The load on the free blocks while the ground accelerates: dead - groundFactor M a. \param ground mean

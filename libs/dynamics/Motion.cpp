@@ -56,9 +56,21 @@ double largestAcceleration(const DynamicCase& scene, const Eigen::VectorXd& load
     return largest;
 }
 
-std::vector<Vector<3>> velocitiesOfAllBlocks(const DynamicCase& scene, const Eigen::VectorXd& velocity)
+/// Of supports the mean from one instant to another, where they move. \param velocity of the free blocks
+std::vector<Vector<3>> velocitiesOfAllBlocks(const DynamicCase& scene, const Eigen::VectorXd& velocity,
+                                             double from, double to)
 {
     std::vector<Vector<3>> result(scene.free.size(), Vector<3>::Zero());
+    for (const SupportMotion& motion : scene.supportMotions)
+    {
+        for (std::size_t block = 0; block < result.size(); ++block)
+        {
+            if (scene.assembly.blocks[block].support == motion.support)
+            {
+                result[block].head<2>() = motion.velocity->mean(from, to) * motion.direction;
+            }
+        }
+    }
     for (std::size_t block = 0; block < scene.free.size(); ++block)
     {
         if (scene.free[block] >= 0)
@@ -67,6 +79,75 @@ std::vector<Vector<3>> velocitiesOfAllBlocks(const DynamicCase& scene, const Eig
         }
     }
     return result;
+}
+
+/// The placements that a step leads to, or a share of the way there. \param supports how blocks move with
+/// their supports over the step, see supportDisplacements
+std::vector<Placement<2>> moved(const DynamicCase& scene, const Motion& motion,
+                                const Eigen::VectorXd& displacement, const std::vector<Vector<2>>& supports,
+                                double share = 1)
+{
+    std::vector<Placement<2>> placements = moved(motion.state.placements, scene.free, displacement, share);
+    for (std::size_t block = 0; block < supports.size(); ++block)
+    {
+        placements[block].translation += share * supports[block];
+    }
+    return placements;
+}
+
+/// By how much points close and slide because supports move, two a point [m]; empty where none does.
+Eigen::VectorXd closingBySupports(const std::vector<ContactPoint<2>>& points,
+                                  const std::vector<ContactColumns<2>>& columns,
+                                  const std::vector<Vector<2>>& supports)
+{
+    if (supports.empty())
+    {
+        return {};
+    }
+    Eigen::VectorXd closing(2 * static_cast<Eigen::Index>(points.size()));
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+        const auto part = [&](const ContactColumns<2>::Matrix& column, int block) -> Vector<2>
+        { return column.topRows<2>().transpose() * supports[static_cast<std::size_t>(block)]; };
+        closing.segment<2>(2 * static_cast<Eigen::Index>(i)) =
+            part(columns[i].onBlock, points[i].block) + part(columns[i].onNeighbour, points[i].neighbour);
+    }
+    return closing;
+}
+
+/// The blocks that have left the box stop where they are, and are left out from now on.
+void deleteBlocks(const DynamicCase& scene, Motion& motion)
+{
+    if (!scene.contact.deletion || !motion.contacts)
+    {
+        return;
+    }
+    motion.isDeleted.resize(scene.free.size(), false);
+    const auto& [lower, upper] = scene.contact.deletion->box;
+    for (std::size_t block = 0; block < scene.free.size(); ++block)
+    {
+        const Vector<2> centre = scene.blocks[block].centroid + motion.state.placements[block].translation;
+        const bool isOutside =
+            centre.x() < lower[0] || centre.y() < lower[1] || centre.x() > upper[0] || centre.y() > upper[1];
+        if (isOutside && scene.free[block] >= 0 && !motion.isDeleted[block])
+        {
+            motion.isDeleted[block] = true;
+            motion.contacts->leaveOut(static_cast<int>(block));
+            motion.state.velocity.segment<3>(3 * scene.free[block]).setZero();
+        }
+    }
+}
+
+/// No load on blocks that are out.
+void unloadDeleted(const DynamicCase& scene, const Motion& motion, Eigen::VectorXd& load)
+{
+    for (std::size_t block = 0; block < motion.isDeleted.size(); ++block)
+    {
+        if (motion.isDeleted[block])
+        {
+            load.segment<3>(3 * scene.free[block]).setZero();
+        }
+    }
 }
 
 std::vector<ContactColumns<2>> columnsAt(const DynamicCase& scene,
@@ -175,22 +256,23 @@ bool leaveOverlaps(PlaneConeProgram& program, double tolerance, double reach)
 /// blocks do not show
 Relinearisation movingContactGeometry(const DynamicCase& scene, const Motion& motion,
                                       const std::vector<ContactPoint<2>>& start,
-                                      const Eigen::VectorXd& ofEffects)
+                                      const Eigen::VectorXd& ofEffects,
+                                      const std::vector<Vector<2>>& supports)
 {
-    return
-        [&scene, &motion, &start, &ofEffects](const Eigen::VectorXd& displacement,
-                                              const Eigen::VectorXd& contactForce, PlaneConeProgram& program)
+    return [&scene, &motion, &start, &ofEffects, &supports](const Eigen::VectorXd& displacement,
+                                                            const Eigen::VectorXd& contactForce,
+                                                            PlaneConeProgram& program)
     {
         const Eigen::VectorXd linear = applyTransposed(program, displacement);
         std::vector<ContactPoint<2>> points;
         const double early = 1 - scene.schemes.timeIntegration.theta;
         if (early > 0)
         {
-            const auto between = moved(motion.state.placements, scene.free, displacement, early);
+            const auto between = moved(scene, motion, displacement, supports, early);
             motion.contacts->measure(between, points);
             setColumns(program, columnsAt(scene, between, points));
         }
-        const auto after = moved(motion.state.placements, scene.free, displacement);
+        const auto after = moved(scene, motion, displacement, supports);
         motion.contacts->measure(after, points);
         forgetRounding(scene, points);
         const Eigen::VectorXd closing =
@@ -214,11 +296,11 @@ Relinearisation movingContactGeometry(const DynamicCase& scene, const Motion& mo
     };
 }
 
-/// Points that the step closes and that were closing when it began.
+/// Points that the step closes and that were closing when it began. \param closing velocity of the points
+/// [m/s], two a point
 std::vector<std::size_t> collidingPoints(const PlaneConeProgram& program, const ThetaStep& step,
-                                         const Eigen::VectorXd& velocity, double slowest)
+                                         const Eigen::VectorXd& closing, double slowest)
 {
-    const Eigen::VectorXd closing = applyTransposed(program, velocity);
     const double force = carriesForce * step.contactForce.lpNorm<Eigen::Infinity>();
     std::vector<std::size_t> carrying;
     bool collide = false;
@@ -235,9 +317,10 @@ std::vector<std::size_t> collidingPoints(const PlaneConeProgram& program, const 
 
 /// Velocities after an impact at some points: M (v+ - v-) = -A P, u_n+ >= -e u_n- where u_n- closes, with
 /// friction. That is a step of theta 1 without loads whose gaps are dt e u_n-.
+/// \param bySupports see closingBySupports; may be empty
 ThetaStep collide(const DynamicCase& scene, const PlaneConeProgram& program,
                   const std::vector<std::size_t>& colliding, const Eigen::VectorXd& velocity,
-                  const StepSettings& settings, double timeStep)
+                  const Eigen::VectorXd& bySupports, const StepSettings& settings, double timeStep)
 {
     PlaneConeProgram impact;
     impact.bodies = program.bodies;
@@ -247,7 +330,11 @@ ThetaStep collide(const DynamicCase& scene, const PlaneConeProgram& program,
         impact.inertia.push_back(inertia.segment<3>(3 * body).asDiagonal());
     }
     impact.load = timeStep * inertia.cwiseProduct(velocity);
-    const Eigen::VectorXd closing = applyTransposed(program, velocity);
+    Eigen::VectorXd closing = applyTransposed(program, velocity);
+    if (bySupports.size() > 0)
+    {
+        closing += bySupports / timeStep;
+    }
     impact.gap = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(colliding.size()));
     for (std::size_t i = 0; i < colliding.size(); ++i)
     {
@@ -256,6 +343,11 @@ ThetaStep collide(const DynamicCase& scene, const PlaneConeProgram& program,
         const double closingVelocity = closing[2 * static_cast<Eigen::Index>(colliding[i])];
         impact.gap[2 * static_cast<Eigen::Index>(i)] =
             -timeStep * scene.restitution() * std::max(closingVelocity, 0.0);
+        if (bySupports.size() > 0)
+        {
+            impact.gap.segment<2>(2 * static_cast<Eigen::Index>(i)) -=
+                bySupports.segment<2>(2 * static_cast<Eigen::Index>(colliding[i]));
+        }
     }
     return solveThetaStep(std::move(impact), settings);
 }
@@ -286,15 +378,15 @@ Motion startMotion(const DynamicCase& scene, DynamicState state)
 {
     Motion motion;
     motion.state = std::move(state);
-    motion.energy.kinetic = kineticEnergy(scene, motion.state.velocity);
-    motion.energy.potential = potentialEnergy(scene, motion.state.placements);
-    motion.energy.opening = motion.energy.kinetic + motion.energy.potential;
     if (!scene.schemes.smallDisplacements)
     {
         motion.contacts.emplace(scene.assembly);
+        deleteBlocks(scene, motion);
         motion.points = motion.contacts->update(
             motion.state.placements,
-            motion.contacts->marginFor(velocitiesOfAllBlocks(scene, motion.state.velocity), 0, 0));
+            motion.contacts->marginFor(
+                velocitiesOfAllBlocks(scene, motion.state.velocity, motion.state.time, motion.state.time), 0,
+                0));
     }
     else
     {
@@ -324,6 +416,9 @@ Motion startMotion(const DynamicCase& scene, DynamicState state)
         }
     }
     motion.contactForces.assign(motion.points.size(), Vector<2>::Zero());
+    motion.energy.kinetic = kineticEnergy(scene, motion.state.velocity);
+    motion.energy.potential = potentialEnergy(scene, motion.state.placements);
+    motion.energy.opening = motion.energy.kinetic + motion.energy.potential;
     return motion;
 }
 
@@ -337,8 +432,11 @@ bool advance(const DynamicCase& scene, Motion& motion, double timeStep)
     settings.solver = scene.solution;
 
     const double start = motion.state.time;
-    const Eigen::VectorXd load =
+    Eigen::VectorXd load =
         loadUnder(scene, meanGroundAcceleration(scene.groundMotion, start, start + timeStep));
+    unloadDeleted(scene, motion, load);
+    const std::vector<Vector<2>> supports =
+        supportDisplacements(scene.supportMotions, scene.assembly, start, start + timeStep);
     const double acceleration = largestAcceleration(scene, load);
     Eigen::VectorXd velocity = motion.state.velocity;
 
@@ -347,8 +445,8 @@ bool advance(const DynamicCase& scene, Motion& motion, double timeStep)
     std::vector<ContactColumns<2>> columns;
     if (motion.contacts)
     {
-        const auto velocities = velocitiesOfAllBlocks(scene, velocity);
-        const auto ahead = moved(motion.state.placements, scene.free, timeStep * velocity);
+        const auto velocities = velocitiesOfAllBlocks(scene, velocity, start, start + timeStep);
+        const auto ahead = moved(scene, motion, timeStep * velocity, supports);
         points = motion.contacts->update(motion.state.placements, ahead,
                                          motion.contacts->marginFor(velocities, timeStep, acceleration));
         forgetRounding(scene, points);
@@ -358,8 +456,7 @@ bool advance(const DynamicCase& scene, Motion& motion, double timeStep)
         }
         else
         {
-            const auto between =
-                moved(motion.state.placements, scene.free, (1 - scheme.theta) * timeStep * velocity);
+            const auto between = moved(scene, motion, timeStep * velocity, supports, 1 - scheme.theta);
             std::vector<ContactPoint<2>> pointsBetween;
             motion.contacts->measure(between, pointsBetween);
             columns = columnsAt(scene, between, pointsBetween);
@@ -390,11 +487,18 @@ bool advance(const DynamicCase& scene, Motion& motion, double timeStep)
         }
         ofEffects = program.gap - gap;
     }
+    const Eigen::VectorXd bySupports = closingBySupports(points, columns, supports);
+    if (bySupports.size() > 0)
+    {
+        program.gap -= bySupports;
+    }
     const Relinearisation relinearise =
-        motion.contacts ? movingContactGeometry(scene, motion, points, ofEffects) : Relinearisation();
+        motion.contacts ? movingContactGeometry(scene, motion, points, ofEffects, supports)
+                        : Relinearisation();
     ThetaStep step = solveThetaStep(program, settings, guess, relinearise);
 
     double lostInImpacts = 0;
+    double workOfSupports = 0;
     int iterations = 0;
     int factorisations = 0;
     int programs = 0;
@@ -409,7 +513,12 @@ bool advance(const DynamicCase& scene, Motion& motion, double timeStep)
     const bool hasImpacts = (scene.restitution() > 0 || scheme.theta < 1) && !program.hasCompliance();
     for (int impacts = 0; isSolved && hasImpacts && impacts < mostImpacts; ++impacts)
     {
-        const auto colliding = collidingPoints(program, step, velocity, slowImpact * acceleration * timeStep);
+        Eigen::VectorXd closing = applyTransposed(program, velocity);
+        if (bySupports.size() > 0)
+        {
+            closing += bySupports / timeStep;
+        }
+        const auto colliding = collidingPoints(program, step, closing, slowImpact * acceleration * timeStep);
         if (colliding.empty())
         {
             break;
@@ -420,12 +529,20 @@ bool advance(const DynamicCase& scene, Motion& motion, double timeStep)
         {
             setColumns(before, columnsAt(scene, motion.state.placements, points));
         }
-        const ThetaStep impact = collide(scene, before, colliding, velocity, settings, timeStep);
+        const ThetaStep impact = collide(scene, before, colliding, velocity, bySupports, settings, timeStep);
         isSolved = count(impact);
         if (isSolved)
         {
             const Eigen::VectorXd after = impact.displacement / timeStep;
             lostInImpacts += impactLoss(scene, velocity, after);
+            for (std::size_t i = 0; bySupports.size() > 0 && i < colliding.size(); ++i)
+            {
+                const double work =
+                    impact.contactForce.segment<2>(2 * static_cast<Eigen::Index>(i))
+                        .dot(bySupports.segment<2>(2 * static_cast<Eigen::Index>(colliding[i])));
+                workOfSupports += work;
+                lostInImpacts += work;
+            }
             velocity = after;
             program.load = load + scene.mass.cwiseProduct(velocity) / (scheme.theta * timeStep);
             guess.displacement = timeStep * velocity;
@@ -450,13 +567,34 @@ bool advance(const DynamicCase& scene, Motion& motion, double timeStep)
     motion.residuals = motion.attempt;
     motion.state.velocity = velocity;
     advance(motion.state, scene.free, step.displacement, scheme);
+    for (std::size_t block = 0; block < supports.size(); ++block)
+    {
+        motion.state.placements[block].translation += supports[block];
+    }
     StepEnergy energy = stepEnergy(step, scene.mass, load, velocity, motion.state.velocity, scheme);
+    // Points close and slide by A'y and by what the supports do, which work against the same forces.
+    for (Eigen::Index row = 0; row < bySupports.size(); row += 2)
+    {
+        const double normalWork = step.contactForce[row] * bySupports[row];
+        const double shearWork = step.contactForce[row + 1] * bySupports[row + 1];
+        energy.normalLoss += normalWork;
+        energy.frictionLoss += shearWork;
+        workOfSupports += normalWork + shearWork;
+    }
     for (const auto& effect : scene.effects)
     {
         effect->account(context, step, energy);
     }
     motion.energy.impactLoss += lostInImpacts;
-    keepLedger(scene, motion, energy, (load - scene.deadLoad).dot(step.displacement));
+    double takenAlong = 0;
+    if (scene.contact.deletion)
+    {
+        const double kineticBefore = kineticEnergy(scene, motion.state.velocity);
+        deleteBlocks(scene, motion);
+        takenAlong = kineticBefore - kineticEnergy(scene, motion.state.velocity);
+    }
+    keepLedger(scene, motion, energy,
+               (load - scene.deadLoad).dot(step.displacement) + workOfSupports - takenAlong);
 
     motion.points = std::move(points);
     if (motion.contacts)
@@ -470,7 +608,7 @@ bool advance(const DynamicCase& scene, Motion& motion, double timeStep)
         motion.contactForces[i] = step.contactForce.segment<2>(row);
         if (!motion.contacts)
         {
-            motion.points[i].gap -= step.closing[row];
+            motion.points[i].gap -= step.closing[row] + (bySupports.size() > 0 ? bySupports[row] : 0);
         }
     }
     return true;
@@ -500,7 +638,8 @@ bool advance(const DynamicCase& scene, Motion& motion, Time& time)
     if (time.controls().adjustTimeStep)
     {
         double fastest = 0;
-        for (const Vector<3>& velocity : velocitiesOfAllBlocks(scene, motion.state.velocity))
+        for (const Vector<3>& velocity :
+             velocitiesOfAllBlocks(scene, motion.state.velocity, motion.state.time, motion.state.time))
         {
             fastest = std::max(fastest, velocity.head<2>().norm() + scene.blockSize * std::abs(velocity[2]));
         }
@@ -515,7 +654,8 @@ StepObservation<2> observe(const DynamicCase& scene, const Motion& motion, const
                            std::vector<BlockVelocity<2>>& velocities, const std::vector<double>& friction)
 {
     velocities.clear();
-    for (const Vector<3>& velocity : velocitiesOfAllBlocks(scene, motion.state.velocity))
+    for (const Vector<3>& velocity :
+         velocitiesOfAllBlocks(scene, motion.state.velocity, motion.state.time, motion.state.time))
     {
         velocities.push_back({velocity.head<2>(), velocity[2]});
     }

@@ -24,6 +24,8 @@ struct Motion
     StepResiduals residuals;                ///< of the last step
     StepResiduals attempt;                  ///< of the last attempt at a step, solved or not
     std::optional<MovingContacts> contacts; ///< empty with smallDisplacements: the points stay as built
+    std::vector<char> isDeleted; ///< one a block, where the case has a `deletion`: it is outside the
+                                 ///< box, at rest where it left it. Follows from `state`
 };
 
 /// The motion that starts from a state, its ledger opened there.
@@ -37,7 +39,9 @@ Motion startMotion(const DynamicCase& scene, DynamicState state);
 ///    closing when it began, collide first. M (v+ - v-) = -A P with u_n+ >= -e u_n-, wherever in the step
 ///    they would have met; then the step is repeated from v+. Without restitution and with theta 1 the
 ///    program itself is the plastic impact;
-/// 4. blocks moved by finite rotations, and the ledger of energy kept.
+/// 4. blocks moved by finite rotations, and the ledger of energy kept;
+/// 5. with `deletion`, blocks whose mass centre is outside the box stopped there for good: they touch nothing
+///    and feel no load. The kinetic energy that they take with them counts as external work, negative.
 ///
 /// \return whether the step was solved; otherwise nothing but `attempt` has changed
 bool advance(const DynamicCase& scene, Motion& motion, double timeStep);

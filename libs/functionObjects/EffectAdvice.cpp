@@ -87,6 +87,8 @@ std::string reasonAgainst(const DynamicCase& scene, const DynamicState& start, s
 {
     if (!isAtRest(start))
         return "the blocks do not start at rest as built";
+    if (!scene.supportMotions.empty())
+        return "supports move";
     if (scene.contact.elasticity)
         return "elastic joints amplify the motion of the ground, which criteria of rigid blocks do not see";
     if (points > mostPoints)

@@ -146,6 +146,7 @@ void printLimitAnalysisCase(const LimitAnalysisCase& structure)
     atRest.restitution.reset(); // nothing hits anything,
     atRest.elasticity.reset();  // and a collapse is not a matter of stiffness
     atRest.damping.reset();
+    atRest.deletion.reset();
     auto [simulated, absent] = effectNames(atRest);
     (structure.movement ? simulated : absent).emplace_back("supportMovement");
     (structure.pushover ? simulated : absent).emplace_back("pushover");

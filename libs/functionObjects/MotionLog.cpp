@@ -22,6 +22,7 @@ void printScene(const DynamicCase& scene, const Motion& motion, const Time& time
 {
     auto [simulated, absent] = effectNames(scene.contact);
     (scene.groundMotion.components.empty() ? absent : simulated).emplace_back("groundMotion");
+    (scene.supportMotions.empty() ? absent : simulated).emplace_back("supportMotion");
     (scene.schemes.smallDisplacements ? absent : simulated).emplace_back("largeDisplacements");
     printEffects(simulated, absent);
     info("{}", summary(scene.groundMotion));

@@ -279,9 +279,13 @@ void MotionResults::writeFrames()
         velocities.insert(velocities.end(), {velocity.x(), velocity.y()});
         angular.push_back(velocity.z());
     }
-    blocks_.write(time_.value(), blockFrame(scene_.assembly, motion_.state.placements,
-                                            {{"velocity", 2, std::move(velocities)},
-                                             {"angularVelocity", 1, std::move(angular)}}));
+    std::vector<Field> fields{{"velocity", 2, std::move(velocities)},
+                              {"angularVelocity", 1, std::move(angular)}};
+    if (scene_.contact.deletion)
+    {
+        fields.push_back({"deleted", 1, {motion_.isDeleted.begin(), motion_.isDeleted.end()}});
+    }
+    blocks_.write(time_.value(), blockFrame(scene_.assembly, motion_.state.placements, std::move(fields)));
     const std::vector<double> friction = frictionCoefficients(scene_.contact, motion_.points.size());
     contacts_.write(time_.value(), contactFrame(motion_.points, motion_.contactForces,
                                                 contactStates(motion_.contactForces, friction)));

@@ -103,6 +103,9 @@ std::vector<Example> examples()
             "How the ground moves; without this file it does not. Results are relative to "
             "the moving ground.",
             {"direction", "acceleration"}),
+        example<SupportMotionFile>(
+            "constant/supportMotion",
+            "How supports move; without this file they do not. Relative to the ground, and without turning."),
         example<Schemes>("system/schemes", "How contactDynamics steps through time.", {"timeIntegration"}),
         example<IncrementalDynamicsSettings>(
             "system/incrementalDynamicsDict",

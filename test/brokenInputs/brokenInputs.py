@@ -204,6 +204,11 @@ def inMotionEffect(name, old, new, *says, **more):
                   files={"constant/contactProperties": springs} | more.pop("files", {}), **more)
 
 
+def inSupportMotion(name, content, *says, **more):
+    return Broken("contactDynamics", name, "constant/supportMotion", says=says, before=built,
+                  files={"constant/supportMotion": content}, **more)
+
+
 brokenInputs = [
     # The text of a dictionary.
     inTexture("missingSemicolon", "courses     6;", "courses     6", r"`?;`?", lines=(8, 9)),
@@ -368,6 +373,10 @@ brokenInputs = [
     inMotionEffect("negativeStiffness", "1e8", "-1e8", r"normal", r"above 0"),
     inMotionEffect("unknownStiffness", "tangential", "tangental", r"Did you mean tangential\?"),
     inMotionEffect("negativeDamping", "massProportional 1", "massProportional -1", r"at least 0"),
+    inMotionEffect("emptyBox", "damping { massProportional 1; }", "deletion { box ((1 0) (0 1)); }", r"lower left"),
+    inMotionEffect("boxOfSmallDisplacements", "damping { massProportional 1; }",
+                   "deletion { box ((-9 -9) (9 9)); }", r"remove deletion",
+                   files={"system/schemes": "smallDisplacements yes;\n"}),
     inMotionEffect("twoDampings", "massProportional 1;",
                    "massProportional 1; equivalentToHousner { slenderness 0.2; radius 1; amplitude 0.1; }",
                    r"Remove one of them"),
@@ -379,6 +388,16 @@ brokenInputs = [
     inMotionEffect("rigidSolver", "elasticity", "elasticity", r"solver automatic",
                    files={"system/solution": "contactDynamics { solver interiorPoint; }\n"}),
     inMotionEffect("rolling", "damping { massProportional 1; }", "rollingResistance { }", r"rollingResistance"),
+    # Supports that move.
+    inSupportMotion("unknownSupport", "roof { direction (1 0); velocity ((0 0) (1 1)); }\n", r"no support roof",
+                    r"ground", lines=(1,)),
+    inSupportMotion("noMotion", "ground\n{\n    direction (1 0);\n}\n", r"either displacement or velocity", lines=(1,)),
+    inSupportMotion("motionTwice", "ground\n{\n    direction (1 0);\n    displacement ((0 0) (1 1));\n"
+                    "    velocity ((0 0) (1 1));\n}\n", r"either displacement or velocity", lines=(4,)),
+    inSupportMotion("jumpingSupport", "ground\n{\n    direction (1 0);\n    displacement ((0 0) (0 1));\n}\n",
+                    r"must increase", lines=(4,)),
+    inSupportMotion("noWhere", "ground\n{\n    direction (0 0);\n    velocity ((0 0) (1 1));\n}\n", r"no length",
+                    lines=(3,)),
     # A search.
     inSearch("noDictionary", "", "", r"parameterSearchDict", content=None, lines=(0,),
              files={"system/parameterSearchDict": REMOVE}),

@@ -111,6 +111,23 @@ class RunControl(unittest.TestCase):
         self.run_(parts)
         self.assertEqual(self.state(parts), self.state(once))
 
+    def testARunWithAMovingSupportAndBlocksThatLeaveTheBoxInPartsEndsInTheSameBytes(self):
+        contact = (header % "contactProperties" + "friction { type Coulomb; mu 0.3; flowRule nonAssociative; }\n"
+                   "deletion { box ((0 -10) (10 10)); }\n")
+        support = header % "supportMotion" + "ground { direction (-1 0); velocity ((0 0) (0.3 1.5) (0.6 0)); }\n"
+        once, parts = self.copy("support"), self.copy("support.parts", endTime="0.2")
+        for case in (once, parts):
+            self.write(case, "constant/contactProperties", contact)
+            self.write(case, "constant/supportMotion", support)
+            self.assertRegex(self.run_(case).stdout, r"Effects simulated: .*deletion.* supportMotion")
+        self.control(parts)
+        self.run_(parts)
+        self.assertEqual(self.state(parts), self.state(once))
+        # A block is out by then, at rest where it left the box.
+        state = self.state(once).decode()
+        velocities = re.search(r"velocity \d+\n\((.*?)\)", state, re.S)[1].split()
+        self.assertTrue(any(velocities[3 * i:3 * i + 3] == ["0", "0", "0"] for i in range(3)), velocities)
+
     def testCtrlCWritesTheStateAndTheRunGoesOnFromIt(self):
         once = self.copy("long", endTime="4", deltaT="0.0005", writeInterval="4")
         self.run_(once)

@@ -1,0 +1,247 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Supports that move, and blocks that leave a box.
+#include "../dynamics/Scenes.h"
+
+#include <gtest/gtest.h>
+
+using namespace drystone;
+using namespace drystone::scenes;
+
+namespace
+{
+
+/// The ground moves with velocities between points in time. \param points times [s] and velocities [m/s]
+SupportMotion motionOf(const Vector<2>& direction, const std::vector<std::pair<double, double>>& points)
+{
+    std::vector<double> times;
+    std::vector<double> velocities;
+    for (const auto& [time, velocity] : points)
+    {
+        times.push_back(time);
+        velocities.push_back(velocity);
+    }
+    return {0, direction, tabulatedAcceleration(times, velocities, Interpolation::linear, OutOfBounds::zero)};
+}
+
+DynamicCase blockOnGround(const Settings& settings, double width = 1, double height = 0.4)
+{
+    Assembly<2> assembly = ground(-20, 20);
+    assembly.blocks.push_back(rectangle(-width / 2, 0, width, height));
+    return sceneOf(std::move(assembly), settings);
+}
+
+void run(const DynamicCase& scene, Motion& motion, double timeStep, double until)
+{
+    while (motion.state.time < until - timeStep / 2)
+    {
+        ASSERT_TRUE(advance(scene, motion, timeStep)) << motion.state.time;
+        ASSERT_LT(relativeImbalance(motion.energy), 1e-10) << motion.state.time;
+    }
+}
+
+} // namespace
+
+TEST(SupportMotion, CarriesABlockAsAGroundThatAcceleratesLeavesItBehind)
+{
+    // Newmark's pulse of 0.5 g over 0.5 s, mu 0.2; seen from the ground, and from outside. The trapezoidal
+    // rule takes both alike to the last digits.
+    for (const bool small : {true, false})
+    {
+        DynamicCase relative = blockOnGround({.theta = 0.5, .mu = 0.2});
+        relative.schemes.smallDisplacements = small;
+        DynamicCase absolute = relative;
+        shake(relative, std::make_shared<RectangularPulse>(PulseShape{0.5 * g, 0.5, 0}));
+        absolute.supportMotions = {motionOf({1, 0}, {{0, 0}, {0.5, 0.25 * g}, {10, 0.25 * g}})};
+        Motion fromTheGround = startMotion(relative, stateAtRest(relative.assembly));
+        Motion fromOutside = startMotion(absolute, stateAtRest(absolute.assembly));
+        for (int step = 0; step < 1500; ++step)
+        {
+            ASSERT_TRUE(advance(relative, fromTheGround, 1e-3));
+            ASSERT_TRUE(advance(absolute, fromOutside, 1e-3));
+            const auto& outside = fromOutside.state.placements;
+            ASSERT_NEAR(outside[1].translation.x() - outside[0].translation.x(),
+                        fromTheGround.state.placements[1].translation.x(), 1e-9)
+                << step;
+            ASSERT_LT(relativeImbalance(fromOutside.energy), 1e-10);
+        }
+        const auto& outside = fromOutside.state.placements;
+        EXPECT_NEAR(outside[0].translation.x(), 0.0625 * g + 0.25 * g, 1e-9);
+        EXPECT_NEAR(outside[1].translation.x() - outside[0].translation.x(), -0.9196875, 1e-3);
+        EXPECT_LT(std::abs(outside[1].translation.y()), 1e-9);
+        // In the end the block goes along: the ground has given it its kinetic energy and what was lost.
+        const double mass = absolute.mass[0];
+        EXPECT_NEAR(fromOutside.energy.kinetic, 0.5 * mass * std::pow(0.25 * g, 2), 1e-3 * mass);
+        EXPECT_GT(fromOutside.energy.externalWork, fromOutside.energy.kinetic);
+        EXPECT_NEAR(fromOutside.energy.frictionLoss, 0.2 * mass * g * 0.9196875, 5e-3 * mass * g);
+    }
+}
+
+TEST(SupportMotion, MakesABlockRockAsTheGroundDoes)
+{
+    for (const double theta : {1.0, 0.5})
+    {
+        DynamicCase relative = blockOnGround({.theta = theta, .mu = 5}, 0.5, 2);
+        DynamicCase absolute = relative;
+        shake(relative, std::make_shared<RectangularPulse>(PulseShape{0.32 * g, 0.5, 0}));
+        absolute.supportMotions = {motionOf({1, 0}, {{0, 0}, {0.5, 0.16 * g}, {10, 0.16 * g}})};
+        Motion fromTheGround = startMotion(relative, stateAtRest(relative.assembly));
+        Motion fromOutside = startMotion(absolute, stateAtRest(absolute.assembly));
+        double largest = 0;
+        double difference = 0;
+        for (int step = 0; step < 3000; ++step)
+        {
+            ASSERT_TRUE(advance(relative, fromTheGround, 1e-3));
+            ASSERT_TRUE(advance(absolute, fromOutside, 1e-3));
+            ASSERT_LT(relativeImbalance(fromOutside.energy), 1e-9);
+            const double rotation = fromTheGround.state.placements[1].rotation;
+            largest = std::max(largest, std::abs(rotation));
+            difference = std::max(difference, std::abs(rotation - fromOutside.state.placements[1].rotation));
+        }
+        EXPECT_GT(largest, 0.1);
+        EXPECT_LT(difference, 0.02 * largest) << "theta " << theta;
+    }
+}
+
+TEST(SupportMotion, ThatStartsAllAtOncePushesABlockAsAPlasticImpactDoes)
+{
+    // 1 m/s upwards: the impulse m v works m v^2, half of which becomes kinetic energy.
+    for (const double theta : {1.0, 0.5})
+    {
+        DynamicCase scene = blockOnGround({.theta = theta});
+        scene.supportMotions = {motionOf({0, 1}, {{0, 1}, {10, 1}})};
+        Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+        ASSERT_NO_FATAL_FAILURE(run(scene, motion, 1e-2, 0.5));
+        const double mass = scene.mass[0];
+        EXPECT_NEAR(motion.state.velocity[1], 1, 1e-9);
+        EXPECT_NEAR(motion.state.placements[1].translation.y(), 0.5, 1e-9);
+        EXPECT_NEAR(motion.energy.externalWork, mass + mass * g * 0.5, 1e-8 * mass);
+        EXPECT_NEAR(motion.energy.potential, mass * g * 0.5, 1e-8 * mass);
+        EXPECT_NEAR(motion.energy.kinetic, 0.5 * mass, 1e-9 * mass);
+    }
+}
+
+TEST(SupportMotion, ThatSettlesTakesABlockAlongAsLongAsItFallsSlowerThanTheBlock)
+{
+    DynamicCase scene = blockOnGround({});
+    scene.supportMotions = {motionOf({0, -1}, {{0, 0}, {0.5, 0.25 * g}, {1, 0}})}; // g/2 down, then g/2 up
+    Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+    const double weight = scene.mass[0] * g;
+    const auto force = [&motion] { return motion.contactForces[0].x() + motion.contactForces[1].x(); };
+    // Backward Euler starts with half a step's velocity too little.
+    ASSERT_NO_FATAL_FAILURE(run(scene, motion, 1e-3, 0.4));
+    EXPECT_NEAR(force(), 0.5 * weight, 1e-6 * weight);
+    ASSERT_NO_FATAL_FAILURE(run(scene, motion, 1e-3, 0.9));
+    EXPECT_NEAR(force(), 1.5 * weight, 1e-6 * weight);
+    ASSERT_NO_FATAL_FAILURE(run(scene, motion, 1e-3, 1.5));
+    EXPECT_NEAR(force(), weight, 1e-6 * weight);
+    EXPECT_NEAR(motion.state.placements[1].translation.y(), -0.125 * g, 1e-9);
+    EXPECT_EQ(motion.state.placements[0].translation.x(), 0);
+    EXPECT_LT(motion.state.velocity.norm(), 1e-9);
+}
+
+TEST(SupportMotion, OfNoSupportIsNone)
+{
+    EXPECT_TRUE(supportDisplacements({}, ground(-1, 1), 0, 1).empty());
+    const auto displacements =
+        supportDisplacements({motionOf({0, 1}, {{1, 2}, {2, 2}})}, ground(-1, 1), 0, 1.5);
+    ASSERT_EQ(displacements.size(), 1u);
+    EXPECT_NEAR(displacements[0].y(), 1, 1e-15);
+}
+
+namespace
+{
+
+/// A block slides at 3 m/s over the edge of the ground at x = 1; another one rests.
+DynamicCase blockOverTheEdge()
+{
+    Assembly<2> assembly = ground(-5, 1);
+    assembly.blocks.push_back(rectangle(0, 0, 0.4, 0.4));
+    assembly.blocks.push_back(rectangle(-3, 0, 1, 1));
+    return sceneOf(std::move(assembly), {.mu = 0.1});
+}
+
+DynamicState slidingOff(const DynamicCase& scene)
+{
+    DynamicState state = stateAtRest(scene.assembly);
+    state.velocity[0] = 3;
+    return state;
+}
+
+} // namespace
+
+TEST(Deletion, ABlockThatLeavesTheBoxStopsThereAndTakesItsEnergyWithIt)
+{
+    const DynamicCase followed = blockOverTheEdge();
+    DynamicCase scene = followed;
+    scene.contact.deletion = Deletion{{{-10, -1}, {10, 10}}};
+    Motion motion = startMotion(scene, slidingOff(scene));
+    Motion reference = startMotion(followed, slidingOff(followed));
+    double kineticThere = 0;
+    double workBefore = 0;
+    int step = 0;
+    for (; step < 2000 && !motion.isDeleted[1]; ++step)
+    {
+        workBefore = motion.energy.externalWork;
+        ASSERT_TRUE(advance(scene, motion, 1e-3));
+        ASSERT_TRUE(advance(followed, reference, 1e-3));
+        ASSERT_LT(relativeImbalance(motion.energy), 1e-10);
+        kineticThere = 0.5 * followed.mass.dot(reference.state.velocity.cwiseAbs2());
+    }
+    ASSERT_TRUE(motion.isDeleted[1]);
+    EXPECT_FALSE(motion.isDeleted[2]);
+    // Until it is out, nothing is different.
+    EXPECT_EQ(motion.state.placements[1].translation, reference.state.placements[1].translation);
+    EXPECT_LT(scene.blocks[1].centroid.y() + motion.state.placements[1].translation.y(), -1);
+    EXPECT_NEAR(motion.energy.externalWork - workBefore, -kineticThere, 1e-9 * kineticThere);
+    EXPECT_LT(motion.energy.kinetic, 1e-20);
+    const Placement<2> last = motion.state.placements[1];
+    for (int more = 0; more < 100; ++more)
+    {
+        ASSERT_TRUE(advance(scene, motion, 1e-3));
+    }
+    EXPECT_EQ(motion.state.placements[1].translation, last.translation);
+    EXPECT_EQ(motion.state.placements[1].rotation, last.rotation);
+    EXPECT_LT(relativeImbalance(motion.energy), 1e-10);
+    EXPECT_EQ(motion.points.size(), 2u); // of the other block
+    // A run that starts from this state knows which block is out.
+    const Motion again = startMotion(scene, motion.state);
+    EXPECT_EQ(again.isDeleted, motion.isDeleted);
+}
+
+TEST(Deletion, WhatStandsOnABlockThatIsDeletedFalls)
+{
+    // A tray with a load slides to the right; its centre leaves the box, that of the load has not yet.
+    Assembly<2> assembly = ground(-5, 5);
+    assembly.blocks.push_back(rectangle(0, 0, 1, 0.4));
+    assembly.blocks.push_back(rectangle(0.1, 0.4, 0.5, 0.2));
+    DynamicCase scene = sceneOf(std::move(assembly), {.mu = 0.1});
+    scene.contact.deletion = Deletion{{{-1, -10}, {0.6, 10}}};
+    DynamicState state = stateAtRest(scene.assembly);
+    state.velocity[0] = state.velocity[3] = 1;
+    Motion motion = startMotion(scene, state);
+    int step = 0;
+    for (; step < 500 && !motion.isDeleted[1]; ++step)
+    {
+        ASSERT_TRUE(advance(scene, motion, 1e-3));
+    }
+    ASSERT_TRUE(motion.isDeleted[1]);
+    ASSERT_FALSE(motion.isDeleted[2]);
+    const double height = motion.state.placements[2].translation.y();
+    for (int more = 0; more < 100; ++more)
+    {
+        ASSERT_TRUE(advance(scene, motion, 1e-3));
+    }
+    EXPECT_NEAR(motion.state.placements[2].translation.y() - height, -0.5 * g * 1e-6 * 100 * 101, 1e-9);
+    EXPECT_LT(relativeImbalance(motion.energy), 1e-10);
+}
+
+TEST(Deletion, ABlockOutsideFromTheStartIsNotComputed)
+{
+    DynamicCase scene = blockOverTheEdge();
+    scene.contact.deletion = Deletion{{{-10, -1}, {0, 10}}};
+    Motion motion = startMotion(scene, slidingOff(scene));
+    EXPECT_EQ(motion.energy.opening, 0);
+    ASSERT_NO_FATAL_FAILURE(run(scene, motion, 1e-2, 1));
+    EXPECT_EQ(motion.state.placements[1].translation.x(), 0);
+    EXPECT_EQ(motion.state.velocity.norm(), 0);
+}
