@@ -255,7 +255,7 @@ VectorXd raysOf(const PlaneConeProgram& program, const RayForm& form, const Vect
 } // namespace
 
 ConeSolution solveAugmentedLagrangian(const PlaneConeProgram& program, const ConeSolution& start,
-                                      const AugmentedLagrangianSettings& settings)
+                                      const AugmentedLagrangianSettings& settings, SymbolicAnalysis* kept)
 {
     if (!program.hasInertia() || program.hasMultiplier())
     {
@@ -279,8 +279,9 @@ ConeSolution solveAugmentedLagrangian(const PlaneConeProgram& program, const Con
         increment.gap = (program.gap.size() > 0 ? program.gap : VectorXd::Zero(2 * program.points()))
                         - applyTransposed(program, start.displacement);
     }
-    RayForm form = makeRayForm(increment);
-    SchurSystem<3> system = makeSchurSystem(form);
+    SymbolicAnalysis own;
+    RayForm form = makeRayForm(increment, kept ? *kept : own);
+    SchurSystem<3>& system = schurSystem(form, kept ? *kept : own);
     AugmentedLagrangian solver(form.program, system, settings);
     VectorXd forces = start.contactForce.size() == 2 * program.points()
                           ? raysOf(program, form, start.contactForce)

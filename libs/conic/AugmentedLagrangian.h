@@ -7,6 +7,8 @@
 namespace drystone
 {
 
+struct SymbolicAnalysis;
+
 /// When the augmented Lagrangian has done enough.
 enum class StopWhen
 {
@@ -39,10 +41,12 @@ struct AugmentedLagrangianSettings
 ///
 /// \param start forces of the last step, and where the blocks are heading (both sized as in the solution, or
 /// empty). The better they are, the fewer steps.
+/// \param kept of the last program, to be used where the same bodies touch (RayProgram.h); not owned
 /// \return `optimal` when the certificate meets the tolerance, otherwise `notConverged` with the last iterate
 /// \throws std::invalid_argument for a program without inertia, with a multiplier or with strengths
 ConeSolution solveAugmentedLagrangian(const PlaneConeProgram& program, const ConeSolution& start,
-                                      const AugmentedLagrangianSettings& settings = {});
+                                      const AugmentedLagrangianSettings& settings = {},
+                                      SymbolicAnalysis* kept = nullptr);
 
 /// Solves a program of space likewise, with projections onto round friction cones for max(0, .):
 /// |Proj(w)|^2 / (2 sigma) is once differentiable and its gradient semismooth (Hayashi, Yamashita & Fukushima

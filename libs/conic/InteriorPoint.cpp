@@ -472,14 +472,14 @@ PlaneConeProgram withUnitInertia(const PlaneConeProgram& program)
 
 /// Solves one program in ray form; `optimal` in its status means that the scaled residuals met the tolerance.
 ConeSolution solveOnce(const PlaneConeProgram& program, const InteriorPointSettings& settings,
-                       LiveWork liveWork)
+                       LiveWork liveWork, SymbolicAnalysis& symbolic)
 {
-    RayForm form = makeRayForm(program);
+    RayForm form = makeRayForm(program, symbolic);
     if (liveWork == LiveWork::none)
     {
         form.program.liveWork = 0;
     }
-    SchurSystem<3> system = makeSchurSystem(form);
+    SchurSystem<3>& system = schurSystem(form, symbolic);
     InteriorPoint solver(form.program, system, settings);
     // The least forces of a time step say little: they leave inertia out. Wall 6 collapsing: 20.6
     // factorisations a step from `unit`, 33.2 from `leastSquares`, which fails in one step of seventeen.
@@ -504,12 +504,12 @@ ConeSolution solveOnce(const PlaneConeProgram& program, const InteriorPointSetti
 /// certificate of a solution \return the last solution, with all the work counted
 template<class Worst>
 ConeSolution solveToCertificate(const PlaneConeProgram& program, InteriorPointSettings settings,
-                                LiveWork liveWork, const Worst& worst)
+                                LiveWork liveWork, SymbolicAnalysis& symbolic, const Worst& worst)
 {
     constexpr int attempts = 3;
     constexpr double hopeless = 1e4; // times the tolerance
     const double tolerance = settings.tolerance;
-    ConeSolution solution = solveOnce(program, settings, liveWork);
+    ConeSolution solution = solveOnce(program, settings, liveWork, symbolic);
     for (int attempt = 1; attempt < attempts && solution.status == SolveStatus::optimal; ++attempt)
     {
         const double reached = worst(solution);
@@ -518,7 +518,7 @@ ConeSolution solveToCertificate(const PlaneConeProgram& program, InteriorPointSe
             break;
         }
         settings.tolerance /= 10;
-        ConeSolution better = solveOnce(program, settings, liveWork);
+        ConeSolution better = solveOnce(program, settings, liveWork, symbolic);
         better.iterations += solution.iterations;
         better.factorisations += solution.factorisations;
         better.solves += solution.solves;
@@ -534,15 +534,18 @@ ConeSolution solveToCertificate(const PlaneConeProgram& program, InteriorPointSe
 
 } // namespace
 
-ConeSolution solveInteriorPoint(const PlaneConeProgram& program, const InteriorPointSettings& settings)
+ConeSolution solveInteriorPoint(const PlaneConeProgram& program, const InteriorPointSettings& settings,
+                                SymbolicAnalysis* kept)
 {
+    SymbolicAnalysis own;
+    SymbolicAnalysis& symbolic = kept ? *kept : own;
     if (program.hasCompliance())
     {
         throw std::invalid_argument("solveInteriorPoint needs rigid points");
     }
     // Any forces that balance the load will do: y = 0 completes them.
     const bool isBalanceAlone = !program.hasMultiplier() && !program.hasInertia() && program.gap.size() == 0;
-    ConeSolution solution = solveToCertificate(program, settings, LiveWork::unit,
+    ConeSolution solution = solveToCertificate(program, settings, LiveWork::unit, symbolic,
                                                [&](ConeSolution& found)
                                                {
                                                    if (isBalanceAlone)
@@ -568,7 +571,7 @@ ConeSolution solveInteriorPoint(const PlaneConeProgram& program, const InteriorP
     // balances f, since the optimality conditions are -A'y in the dual cone, L'y = 0 and f'y = r' Mbar^-1 r >
     // 0.
     const ConeSolution moved = solveToCertificate(
-        withUnitInertia(program), settings, LiveWork::none,
+        withUnitInertia(program), settings, LiveWork::none, symbolic,
         [&](const ConeSolution& found) { return certifyInfeasible(program, found.displacement).worst(); });
     solution.factorisations += moved.factorisations;
     solution.solves += moved.solves;
@@ -597,7 +600,7 @@ ConeSolution solveInteriorPoint(const PlaneConeProgram& program, const InteriorP
         }
     }
     ConeSolution carried =
-        solveToCertificate(live, settings, LiveWork::none,
+        solveToCertificate(live, settings, LiveWork::none, symbolic,
                            [&](ConeSolution& found)
                            {
                                for (int point = 0; program.hasStrength() && point < program.points(); ++point)

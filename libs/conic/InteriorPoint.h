@@ -8,6 +8,8 @@
 namespace drystone
 {
 
+struct SymbolicAnalysis;
+
 /// Keys of `solver interiorPoint;`.
 struct InteriorPointSettings
 {
@@ -20,7 +22,9 @@ struct InteriorPointSettings
 /// correctors, proximal regularisation of the Schur system with iterative refinement). The solution's status
 /// is `optimal`, `infeasible` or `unbounded` only when the certificate of Certificate.h, computed from the
 /// problem data, meets the tolerance; otherwise `notConverged` with the best iterate.
-ConeSolution solveInteriorPoint(const PlaneConeProgram& program, const InteriorPointSettings& settings = {});
+/// \param kept of the last program, to be used where the same bodies touch (RayProgram.h); not owned
+ConeSolution solveInteriorPoint(const PlaneConeProgram& program, const InteriorPointSettings& settings = {},
+                                SymbolicAnalysis* kept = nullptr);
 
 /// Solves a program of space likewise, its round friction cones in the symmetric scaling of Nesterov & Todd
 /// (1997). `restingForce` of the solution stays empty. \throws std::invalid_argument for points with strength

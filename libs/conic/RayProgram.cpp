@@ -158,7 +158,7 @@ void assembleRays(const RayProgram& program, const Eigen::VectorXd& d, double de
 
 } // namespace
 
-RayForm makeRayForm(const PlaneConeProgram& program)
+RayForm makeRayForm(const PlaneConeProgram& program, SymbolicAnalysis& symbolic)
 {
     RayForm form;
     RayProgram& rays = form.program;
@@ -175,11 +175,17 @@ RayForm makeRayForm(const PlaneConeProgram& program)
             form.couplings.push_back({columns.first, columns.second});
         }
     }
-    const std::vector<int> order = eliminationOrder(program.bodies, form.couplings);
+    if (symbolic.order.empty() || symbolic.bodies != program.bodies || symbolic.touching != form.couplings)
+    {
+        symbolic.bodies = program.bodies;
+        symbolic.touching = form.couplings;
+        symbolic.order = eliminationOrder(program.bodies, form.couplings);
+        symbolic.system.reset();
+    }
     rays.position.assign(program.bodies, 0);
     for (int place = 0; place < program.bodies; ++place)
     {
-        rays.position[order[place]] = place;
+        rays.position[symbolic.order[place]] = place;
     }
     for (Coupling& pair : form.couplings)
     {
@@ -239,9 +245,13 @@ RayForm makeRayForm(const PlaneConeProgram& program)
     return form;
 }
 
-SchurSystem<3> makeSchurSystem(RayForm& form)
+SchurSystem<3>& schurSystem(RayForm& form, SymbolicAnalysis& symbolic)
 {
-    SchurSystem<3> system(form.program.bodies, form.couplings);
+    if (!symbolic.system)
+    {
+        symbolic.system.emplace(form.program.bodies, form.couplings);
+    }
+    SchurSystem<3>& system = *symbolic.system;
     for (RayProgram::Group& group : form.program.groups)
     {
         group.slot = group.second < form.program.bodies ? system.slot(group.first, group.second) : -1;

@@ -6,6 +6,8 @@
 #include "conic/ConeProgram.h"
 #include "conic/SchurSystem.h"
 
+#include <optional>
+
 namespace drystone
 {
 
@@ -98,11 +100,23 @@ struct RayForm
     std::vector<Coupling> couplings; ///< pairs of bodies in elimination order, for the Schur system
 };
 
-/// Structure and numbers of the ray form of a program.
-RayForm makeRayForm(const PlaneConeProgram& program);
+/// The symbolic part of a Schur system, which depends on nothing but which bodies touch. Kept from program to
+/// program it is made anew only when that changes, and the results are the same to the last bit as without
+/// it. Empty at first; not for two threads at once.
+struct SymbolicAnalysis
+{
+    int bodies = 0;
+    std::vector<Coupling> touching; ///< pairs of bodies as the program numbers them, in its order
+    std::vector<int> order;         ///< of elimination
+    std::optional<SchurSystem<3>> system;
+};
 
-/// A Schur system with the pattern of the ray form; tells each group where its block is.
-SchurSystem<3> makeSchurSystem(RayForm& form);
+/// Structure and numbers of the ray form of a program. \param symbolic brought up to date but for its system
+RayForm makeRayForm(const PlaneConeProgram& program, SymbolicAnalysis& symbolic);
+
+/// The Schur system with the pattern of a ray form, its numbers those of who used it last; tells each group
+/// where its block is. \param symbolic that makeRayForm was called with
+SchurSystem<3>& schurSystem(RayForm& form, SymbolicAnalysis& symbolic);
 
 /// Refreshes `load`, `liveLoad` and `gap` (and their scaling) of a ray form whose contacts and inertia stand.
 void updateRayForm(RayForm& form, const PlaneConeProgram& program);

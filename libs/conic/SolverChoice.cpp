@@ -4,6 +4,7 @@
 #include "conic/ElasticNewton.h"
 
 #include "conic/Certificate.h"
+#include "conic/RayProgram.h"
 #include "core/Solution.h"
 
 #include <algorithm>
@@ -72,7 +73,7 @@ namespace
 {
 
 ConeSolution solveAsChosen(const PlaneConeProgram& program, const SolverChoice& choice,
-                           const ConeSolution& start)
+                           const ConeSolution& start, SymbolicAnalysis* kept)
 {
     AugmentedLagrangianSettings multipliers{choice.tolerance, choice.maximumIterations};
     if (program.hasCompliance()) // which no other solver takes
@@ -84,9 +85,9 @@ ConeSolution solveAsChosen(const PlaneConeProgram& program, const SolverChoice& 
     switch (choice.solver)
     {
     case SolverType::interiorPoint:
-        return solveInteriorPoint(program, interiorPointSettings(choice));
+        return solveInteriorPoint(program, interiorPointSettings(choice), kept);
     case SolverType::augmentedLagrangian:
-        return solveAugmentedLagrangian(program, start, multipliers);
+        return solveAugmentedLagrangian(program, start, multipliers, kept);
     case SolverType::gaussSeidel:
         return solveGaussSeidel(program, start, {choice.tolerance, choice.maximumSweeps});
     case SolverType::automatic:
@@ -101,8 +102,9 @@ ConeSolution solveAsChosen(const PlaneConeProgram& program, const SolverChoice& 
     int factorisations = 0;
     const auto finished = [&](const ConeSolution& solved)
     {
-        const double itsError = certifyOptimal(program, solved).worst();
-        if (solved.status == SolveStatus::optimal || itsError < error || solution.contactForce.size() == 0)
+        const bool isSolved = solved.status == SolveStatus::optimal;
+        const double itsError = isSolved ? 0 : certifyOptimal(program, solved).worst();
+        if (isSolved || itsError < error || solution.contactForce.size() == 0)
         {
             solution = solved;
             error = itsError;
@@ -118,26 +120,27 @@ ConeSolution solveAsChosen(const PlaneConeProgram& program, const SolverChoice& 
         multipliers.maximumIterations = std::min(mostStepsFromNearby, choice.maximumIterations);
         multipliers.penalty = penaltyFromNearby;
         multipliers.stop = choice.tolerance >= attainable ? StopWhen::certified : StopWhen::settled;
-        if (finished(solveAugmentedLagrangian(program, start, multipliers)))
+        if (finished(solveAugmentedLagrangian(program, start, multipliers, kept)))
         {
             return solution;
         }
     }
     SolverChoice cold = choice;
     cold.tolerance = canStart ? std::max(choice.tolerance, attainable) : choice.tolerance;
-    const ConeSolution rough = solveInteriorPoint(program, interiorPointSettings(cold));
+    const ConeSolution rough = solveInteriorPoint(program, interiorPointSettings(cold), kept);
     if (finished(rough) && (cold.tolerance == choice.tolerance || !canStart))
     {
         return solution;
     }
     solution.status = SolveStatus::notConverged; // at the tolerance of the choice
+    error = certifyOptimal(program, solution).worst();
     // Which penalty keeps the most digits depends on how stiff the contacts are beside the inertia.
     multipliers.maximumIterations = choice.maximumIterations;
     multipliers.stop = StopWhen::settled;
     for (const double penalty : penaltiesOfLastDigits)
     {
         multipliers.penalty = penalty;
-        if (finished(solveAugmentedLagrangian(program, rough, multipliers)))
+        if (finished(solveAugmentedLagrangian(program, rough, multipliers, kept)))
         {
             break;
         }
@@ -148,9 +151,10 @@ ConeSolution solveAsChosen(const PlaneConeProgram& program, const SolverChoice& 
 } // namespace
 
 ConeSolution solveConeProgram(const PlaneConeProgram& program, const SolverChoice& choice,
-                              const ConeSolution& start)
+                              const ConeSolution& start, SymbolicAnalysis* kept)
 {
-    ConeSolution solution = solveAsChosen(program, choice, start);
+    SymbolicAnalysis own; // shared by the solvers that are tried
+    ConeSolution solution = solveAsChosen(program, choice, start, kept ? kept : &own);
     if (choice.observer)
     {
         choice.observer(program, solution);

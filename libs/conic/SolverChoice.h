@@ -68,10 +68,11 @@ void declare(Options& options, SolverChoice& choice);
 SolverChoice readSolverChoice(const std::filesystem::path& caseDirectory, const std::string& application);
 
 /// Solves a program as chosen. \param start of augmentedLagrangian and gaussSeidel; may be empty
+/// \param kept of the last program, to be used where the same bodies touch (RayProgram.h); not owned
 /// \return the solution; with `automatic` and a first solver that did not converge, that of the second one,
 /// the iterations of both counted
 ConeSolution solveConeProgram(const PlaneConeProgram& program, const SolverChoice& choice,
-                              const ConeSolution& start = {});
+                              const ConeSolution& start = {}, SymbolicAnalysis* kept = nullptr);
 /// Likewise in space; the observer is not called.
 ConeSolution solveConeProgram(const SpaceConeProgram& program, const SolverChoice& choice,
                               const ConeSolution& start = {});

@@ -12,8 +12,9 @@ namespace drystone
 
 double unitOfWork(const PlaneConeProgram& program)
 {
-    RayForm form = makeRayForm(program);
-    SchurSystem<3> system = makeSchurSystem(form);
+    SymbolicAnalysis symbolic;
+    RayForm form = makeRayForm(program, symbolic);
+    SchurSystem<3>& system = schurSystem(form, symbolic);
     const Eigen::VectorXd d = Eigen::VectorXd::Ones(form.program.rayCount());
     Eigen::VectorXd x;
     const auto timeOf = [&](int count)

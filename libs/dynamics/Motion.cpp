@@ -1,6 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "dynamics/Motion.h"
 
+#include "conic/RayProgram.h"
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -377,6 +378,7 @@ void keepLedger(const DynamicCase& scene, Motion& motion, const StepEnergy& step
 Motion startMotion(const DynamicCase& scene, DynamicState state)
 {
     Motion motion;
+    motion.symbolic = std::make_shared<SymbolicAnalysis>();
     motion.state = std::move(state);
     if (!scene.schemes.smallDisplacements)
     {
@@ -495,7 +497,7 @@ bool advance(const DynamicCase& scene, Motion& motion, double timeStep)
     const Relinearisation relinearise =
         motion.contacts ? movingContactGeometry(scene, motion, points, ofEffects, supports)
                         : Relinearisation();
-    ThetaStep step = solveThetaStep(program, settings, guess, relinearise);
+    ThetaStep step = solveThetaStep(program, settings, guess, relinearise, motion.symbolic.get());
 
     double lostInImpacts = 0;
     double workOfSupports = 0;
@@ -546,7 +548,7 @@ bool advance(const DynamicCase& scene, Motion& motion, double timeStep)
             velocity = after;
             program.load = load + scene.mass.cwiseProduct(velocity) / (scheme.theta * timeStep);
             guess.displacement = timeStep * velocity;
-            step = solveThetaStep(program, settings, guess, relinearise);
+            step = solveThetaStep(program, settings, guess, relinearise, motion.symbolic.get());
             isSolved = count(step);
         }
     }

@@ -8,10 +8,13 @@
 #include "dynamics/StepObservation.h"
 #include "dynamics/ThetaStep.h"
 
+#include <memory>
 #include <optional>
 
 namespace drystone
 {
+
+struct SymbolicAnalysis;
 
 /// All that changes in a run. What a run needs to continue bit for bit is `state`, `energy`, `points` and
 /// `contactForces`.
@@ -19,11 +22,12 @@ struct Motion
 {
     DynamicState state;
     EnergyLedger energy;
-    std::vector<ContactPoint<2>> points;    ///< of the last step, where they are now; gaps [m]
-    std::vector<Vector<2>> contactForces;   ///< one a point: mean over the last step, (normal, tangent) [N]
-    StepResiduals residuals;                ///< of the last step
-    StepResiduals attempt;                  ///< of the last attempt at a step, solved or not
-    std::optional<MovingContacts> contacts; ///< empty with smallDisplacements: the points stay as built
+    std::vector<ContactPoint<2>> points;  ///< of the last step, where they are now; gaps [m]
+    std::vector<Vector<2>> contactForces; ///< one a point: mean over the last step, (normal, tangent) [N]
+    StepResiduals residuals;              ///< of the last step
+    StepResiduals attempt;                ///< of the last attempt at a step, solved or not
+    std::shared_ptr<SymbolicAnalysis> symbolic; ///< of the last programs; copies of a motion share it
+    std::optional<MovingContacts> contacts;     ///< empty with smallDisplacements: the points stay as built
     std::vector<char> isDeleted; ///< one a block, where the case has a `deletion`: it is outside the
                                  ///< box, at rest where it left it. Follows from `state`
 };

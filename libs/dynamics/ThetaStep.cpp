@@ -2,6 +2,7 @@
 #include "dynamics/ThetaStep.h"
 
 #include "conic/CoulombNewton.h"
+#include "conic/RayProgram.h"
 
 #include <Eigen/QR>
 
@@ -143,50 +144,74 @@ bool comesToRest(ThetaStep& step, const PlaneConeProgram& program, Rest rest, do
 }
 
 ConeSolution solveCounted(ThetaStep& step, const PlaneConeProgram& program, const SolverChoice& solver,
-                          const ConeSolution& start)
+                          const ConeSolution& start, SymbolicAnalysis* symbolic)
 {
-    ConeSolution solution = solveConeProgram(program, solver, start);
+    ConeSolution solution = solveConeProgram(program, solver, start, symbolic);
     step.iterations += solution.iterations;
     step.factorisations += solution.factorisations;
     return solution;
 }
 
-void solveOnce(ThetaStep& step, const PlaneConeProgram& program, const SolverChoice& solver,
-               const ConeSolution& start)
+/// Largest force among the rows of bodies, moments aside.
+double largestForce(const Eigen::VectorXd& rows)
 {
-    ConeSolution solution = solveCounted(step, program, solver, start);
+    double largest = 0;
+    for (Eigen::Index row = 0; row < rows.size(); row += 3)
+    {
+        largest = std::max(largest, rows.segment<2>(row).lpNorm<Eigen::Infinity>());
+    }
+    return largest;
+}
+
+/// A structure whose forces balance its loads to the tolerance stands still: not by what the solver leaves of
+/// a displacement, which would be an impulse in the next step, but exactly. The gap of a certificate is work,
+/// so of second order in what is out of balance: a solution that is nearly rest may be rest, and is known
+/// when it is solved to the square of the tolerance. Otherwise a wall would move off below its multiplier,
+/// little by little.
+bool standsStill(ThetaStep& step, const PlaneConeProgram& program, const SolverChoice& solver,
+                 const ConeSolution& solution, SymbolicAnalysis* symbolic)
+{
+    const double nearly = std::sqrt(solver.tolerance);
+    Rest rest = restWith(program, solution.contactForce);
+    SolverChoice closer = solver;
+    closer.tolerance = std::max(closest, 0.1 * solver.tolerance * solver.tolerance);
+    if (rest.certificate.worst() > solver.tolerance && rest.certificate.worst() <= nearly
+        && closer.tolerance < solver.tolerance && solver.solver != SolverType::gaussSeidel)
+    {
+        rest = restWith(program, solveCounted(step, program, closer, solution, symbolic).contactForce);
+    }
+    return comesToRest(step, program, std::move(rest), solver.tolerance);
+}
+
+void solveOnce(ThetaStep& step, const PlaneConeProgram& program, const SolverChoice& solver,
+               const ConeSolution& start, SymbolicAnalysis* symbolic)
+{
+    constexpr double farFromRest = 0.1; // of the loads out of balance: not worth a look
+    ConeSolution solution = solveCounted(step, program, solver, start, symbolic);
     ++step.programs;
     step.status = solution.status;
-    step.certificate = certifyOptimal(program, solution);
+    bool isBalanced = false;
     if (solution.status == SolveStatus::optimal)
     {
-        // A structure whose forces balance its loads to the tolerance stands still: not by what the solver
-        // leaves of a displacement, which would be an impulse in the next step, but exactly. The gap of a
-        // certificate is work, so of second order in what is out of balance: a solution that is nearly rest
-        // may be rest, and is known when it is solved to the square of the tolerance. Otherwise a wall would
-        // move off below its multiplier, little by little.
-        Rest rest = restWith(program, solution.contactForce);
-        SolverChoice closer = solver;
-        closer.tolerance = std::max(closest, 0.1 * solver.tolerance * solver.tolerance);
-        if (rest.certificate.worst() > solver.tolerance
-            && rest.certificate.worst() <= std::sqrt(solver.tolerance) && closer.tolerance < solver.tolerance
-            && solver.solver != SolverType::gaussSeidel)
-        {
-            rest = restWith(program, solveCounted(step, program, closer, solution).contactForce);
-        }
-        if (comesToRest(step, program, std::move(rest), solver.tolerance))
+        const Eigen::VectorXd outOfBalance = program.load - applyEquilibrium(program, solution.contactForce);
+        if (largestForce(outOfBalance) <= farFromRest * largestForce(program.load)
+            && standsStill(step, program, solver, solution, symbolic))
         {
             return;
         }
         ConeSolution balanced = solution;
-        balanced.displacement =
-            displacementUnder(program, program.load - applyEquilibrium(program, solution.contactForce));
+        balanced.displacement = displacementUnder(program, outOfBalance);
         const Certificate certificate = certifyOptimal(program, balanced);
-        if (certificate.worst() <= solver.tolerance)
+        isBalanced = certificate.worst() <= solver.tolerance;
+        if (isBalanced)
         {
             step.certificate = certificate;
             solution = std::move(balanced);
         }
+    }
+    if (!isBalanced)
+    {
+        step.certificate = certifyOptimal(program, solution);
     }
     step.displacement = std::move(solution.displacement);
     step.contactForce = std::move(solution.contactForce);
@@ -306,7 +331,7 @@ PlaneConeProgram thetaStepProgram(const Eigen::VectorXd& mass, const Eigen::Vect
 }
 
 ThetaStep solveThetaStep(PlaneConeProgram program, const StepSettings& settings, const StepGuess& guess,
-                         const Relinearisation& relinearise)
+                         const Relinearisation& relinearise, SymbolicAnalysis* symbolic)
 {
     ThetaStep step;
     if (program.points() == 0)
@@ -366,7 +391,7 @@ ThetaStep solveThetaStep(PlaneConeProgram program, const StepSettings& settings,
         {
             program.gap[2 * point] = gap[2 * point] + imposed[point];
         }
-        solveOnce(step, program, settings.solver, start);
+        solveOnce(step, program, settings.solver, start, symbolic);
         // Only the last program of Coulomb's law has to be solved to the tolerance.
         const bool isSolved = step.status == SolveStatus::optimal;
         if (!isSolved

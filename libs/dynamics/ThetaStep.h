@@ -13,6 +13,8 @@
 namespace drystone
 {
 
+struct SymbolicAnalysis;
+
 /// Length of a step and weight of its end.
 struct ThetaScheme
 {
@@ -89,9 +91,10 @@ struct ThetaStep
 ///
 /// The displacements are those that the contact forces give the blocks, to the last digits (y = Mbar^-1 (fbar
 /// - A c)), unless that would spoil the certificate: so no momentum is lost to the tolerance of the solver.
+/// \param symbolic kept from step to step (RayProgram.h), or null; not owned
 /// \return status `notConverged` after 100 programs, or when the solver fails
 ThetaStep solveThetaStep(PlaneConeProgram program, const StepSettings& settings, const StepGuess& guess = {},
-                         const Relinearisation& relinearise = {});
+                         const Relinearisation& relinearise = {}, SymbolicAnalysis* symbolic = nullptr);
 
 /// The placements moved by displacements of the free blocks, times `share`. \param free see freeIndices
 std::vector<Placement<2>> moved(std::vector<Placement<2>> placements, const std::vector<int>& free,
