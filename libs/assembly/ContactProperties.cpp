@@ -117,6 +117,12 @@ void declare(Options& options, Damping& damping)
         });
 }
 
+void declare(Options& options, ContactModel& model)
+{
+    options.optional("formulation", model.formulation,
+                     "forces at points of a joint, or the stress resultants N, T, M of the whole joint");
+}
+
 void declare(Options& options, Deletion& deletion)
 {
     options
@@ -166,6 +172,7 @@ void declare(Options& options, ContactProperties& properties)
                      "losses beside friction and impact, in motion; absent: none");
     options.optional("deletion", properties.deletion,
                      "blocks that leave a box are computed no further, in motion; absent: all are");
+    options.optional("contact", properties.contact, "what limitAnalysis knows of a joint; absent: points");
     options
         .optional("pointsPerJoint", properties.pointsPerJoint,
                   "contact points along each joint, of limitAnalysis; absent: 2, with crushing 11")
@@ -197,6 +204,8 @@ EffectNames effectNames(const ContactProperties& properties)
     tell(properties.cohesion || inJoints(&JointProperties::cohesion), "cohesion");
     tell(properties.tension || inJoints(&JointProperties::tension), "tension");
     tell(properties.crushing || inJoints(&JointProperties::crushing), "crushing");
+    tell(properties.contact && properties.contact->formulation == ContactFormulation::surface,
+         "surfaceContact");
     tell(properties.elasticity.has_value(), "elasticity");
     tell(properties.damping.has_value(), "damping");
     tell(properties.deletion.has_value(), "deletion");

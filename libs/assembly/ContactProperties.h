@@ -93,6 +93,25 @@ struct Damping
 
 void declare(Options& options, Damping& damping);
 
+/// What limit analysis knows of a joint.
+enum class ContactFormulation
+{
+    points, ///< forces (n, t) at points along it
+    surface ///< stress resultants (N, T, M) of the whole
+};
+
+inline std::array<std::pair<std::string_view, ContactFormulation>, 2> namesOf(ContactFormulation)
+{
+    return {{{"points", ContactFormulation::points}, {"surface", ContactFormulation::surface}}};
+}
+
+struct ContactModel
+{
+    ContactFormulation formulation = ContactFormulation::points;
+};
+
+void declare(Options& options, ContactModel& model);
+
 /// Blocks that leave a box are out of the computation from then on.
 struct Deletion
 {
@@ -123,6 +142,7 @@ struct ContactProperties
     std::optional<Elasticity> elasticity;    ///< absent: rigid; in motion only
     std::optional<Damping> damping;          ///< absent: none; in motion only
     std::optional<Deletion> deletion;        ///< absent: blocks are followed wherever they go; in motion only
+    std::optional<ContactModel> contact;     ///< absent: points; in limit analysis only
     /// By name (see jointName), exact names before the last pattern that matches.
     std::vector<std::pair<NamePattern, JointProperties>> joints;
     std::optional<int> pointsPerJoint; ///< absent: 2, the ends; with crushing 11

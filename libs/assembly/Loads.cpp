@@ -338,11 +338,36 @@ const Registry<LoadMaker>& loadTypes()
     return registry;
 }
 
+void declare(Options& options, LoadCombination& combination)
+{
+    options.required("dead", combination.dead, loadTypes(), "load that acts in full");
+    options.required("live", combination.live, loadTypes(), "load that the multiplier alpha makes grow");
+    options.optional("multiplier", combination.multiplier, "of the live load that limitAnalysis looks for");
+}
+
 void declare(Options& options, LoadCases& cases)
 {
-    options.required("dead", cases.dead, loadTypes(), "load that acts in full");
+    options.optional("dead", cases.dead, loadTypes(),
+                     "load that acts in full; required without combinations");
     options.optional("live", cases.live, loadTypes(), "load that the multiplier alpha makes grow");
     options.optional("multiplier", cases.multiplier, "of the live load that limitAnalysis looks for");
+    options.optional("combinations", cases.combinations,
+                     "instead, of limitAnalysis: several pairs of dead and live load, each with a name of "
+                     "yours and an answer of its own");
+    options.check("dead",
+                  [&cases]() -> std::string
+                  {
+                      const bool isSingle = cases.dead || cases.live;
+                      if (!isSingle && cases.combinations.empty())
+                      {
+                          return "The dead load is missing. Write for instance `dead { type gravity; }`.";
+                      }
+                      return isSingle && !cases.combinations.empty()
+                                 ? "Give either dead and live, or combinations: each of them has its own."
+                             : cases.live && !cases.dead
+                                 ? "The dead load is missing. Write for instance `dead { type gravity; }`."
+                                 : "";
+                  });
 }
 
 namespace
@@ -388,6 +413,12 @@ LoadVectors readLoads(const std::filesystem::path& caseDirectory, const LoadCont
     const Dictionary dictionary = readCaseFile(
         caseDirectory, file, "dead { type gravity; } live { type inertial; direction (1 0 0); }");
     const auto cases = readOptions<LoadCases>(dictionary);
+    if (!cases.combinations.empty())
+    {
+        throw FatalIOError("combinations are for limitAnalysis. Write for instance `dead { type gravity; }` "
+                           "instead.",
+                           dictionary.locationOf("combinations"));
+    }
     if (!cases.live && liveLoad == LiveLoad::required)
     {
         throw FatalIOError(
@@ -411,6 +442,34 @@ LoadVectors readLoads(const std::filesystem::path& caseDirectory, const LoadCont
             dictionary.locationOf("live"));
     }
     return loads;
+}
+
+std::vector<std::pair<std::string, LoadVectors>>
+readLoadCombinations(const std::filesystem::path& caseDirectory, const LoadContext& context)
+{
+    constexpr std::string_view file = "constant/loads";
+    std::vector<std::pair<std::string, LoadVectors>> result;
+    if (!std::filesystem::exists(caseDirectory / file))
+    {
+        return result;
+    }
+    const Dictionary dictionary = Dictionary::readFile(caseDirectory / file);
+    for (const auto& [name, combination] : readOptions<LoadCases>(dictionary).combinations)
+    {
+        LoadVectors loads;
+        loads.multiplier = combination.multiplier;
+        loads.dead = combination.dead(context);
+        loads.live = combination.live(context);
+        if (loads.live.isZero(0))
+        {
+            throw FatalIOError(
+                "The live load is zero on every block: there is nothing to find the multiplier "
+                "of. Give gravity, or a live load of type force.",
+                dictionary.subDict("combinations").subDict(name).locationOf("live"));
+        }
+        result.emplace_back(name, std::move(loads));
+    }
+    return result;
 }
 
 } // namespace drystone

@@ -85,12 +85,23 @@ using LoadMaker = std::function<Eigen::VectorXd(const LoadContext&)>;
 /// The loads that `dead { type ...; }` and `live { type ...; }` choose from.
 const Registry<LoadMaker>& loadTypes();
 
-/// constant/loads.
-struct LoadCases
+/// Loads that act at one time.
+struct LoadCombination
 {
     LoadMaker dead;
+    LoadMaker live;
+    Multiplier multiplier = Multiplier::positive;
+};
+
+void declare(Options& options, LoadCombination& combination);
+
+/// constant/loads: dead and live load, or several combinations of them.
+struct LoadCases
+{
+    LoadMaker dead; ///< empty where there are combinations
     std::optional<LoadMaker> live;
     Multiplier multiplier = Multiplier::positive;
+    std::vector<Named<LoadCombination>> combinations;
 };
 
 void declare(Options& options, LoadCases& cases);
@@ -107,5 +118,10 @@ enum class LiveLoad
 /// structure
 LoadVectors readLoads(const std::filesystem::path& caseDirectory, const LoadContext& context,
                       LiveLoad liveLoad);
+
+/// The load vectors of each of the `combinations` of constant/loads, by name; live loads are required. None
+/// where the case has dead and live load instead. \throws as readLoads
+std::vector<std::pair<std::string, LoadVectors>>
+readLoadCombinations(const std::filesystem::path& caseDirectory, const LoadContext& context);
 
 } // namespace drystone

@@ -74,7 +74,7 @@ DynamicCase readDynamicCase(const std::filesystem::path& caseDirectory)
     refuseOverlaps(assembly, caseDirectory);
     scene.contact = readContactProperties(caseDirectory);
     refuseEffects(caseDirectory, "contactDynamics",
-                  {"cohesion", "tension", "crushing", "pointsPerJoint", "joints"});
+                  {"cohesion", "tension", "crushing", "pointsPerJoint", "joints", "contact"});
     refuseCombinations(scene, caseDirectory);
     scene.gravity = readGravity(caseDirectory);
     if (scene.contact.damping && scene.contact.damping->equivalentToHousner)

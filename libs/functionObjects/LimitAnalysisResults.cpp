@@ -155,10 +155,43 @@ void printLimitAnalysisCase(const LimitAnalysisCase& structure)
     info("Solver: {}, tolerance {:g}\n", nameOf(structure.solution.solver), structure.solution.tolerance);
 }
 
+namespace
+{
+
+/// The combination that is nearest to collapse.
+void printGoverning(const std::vector<LimitAnalysis>& results)
+{
+    const auto demand = [](const LimitAnalysis& result)
+    { return result.status == CollapseStatus::unstable ? 0 : std::abs(tabledAlpha(result)); };
+    const auto least = std::min_element(results.begin(), results.end(),
+                                        [&](const auto& a, const auto& b) { return demand(a) < demand(b); });
+    if (least->status == CollapseStatus::unstable)
+        info("Governing combination: {}, unstable under its dead load\n", least->combination);
+    else
+        info("Governing combination: {}, alpha = {:.9g}\n", least->combination, tabledAlpha(*least));
+}
+
+/// What the files of each answer have in their names: the combination, and `Negative` for the negative end.
+std::vector<std::string> suffixes(const std::vector<LimitAnalysis>& results)
+{
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < results.size(); ++i)
+    {
+        const std::string& combination = results[i].combination;
+        const bool isSecond = i > 0 && results[i - 1].combination == combination;
+        names.push_back((combination.empty() ? "" : "_" + combination) + (isSecond ? "Negative" : ""));
+    }
+    return names;
+}
+
+} // namespace
+
 void printLimitAnalysis(const LimitAnalysisCase& structure, const std::vector<LimitAnalysis>& results)
 {
     for (const LimitAnalysis& result : results)
     {
+        if (!result.combination.empty())
+            info("Combination {}", result.combination);
         if (result.status == CollapseStatus::optimal)
         {
             if (structure.movement)
@@ -179,7 +212,9 @@ void printLimitAnalysis(const LimitAnalysisCase& structure, const std::vector<Li
             "Certificate: primal residual = {:.3e}, dual residual = {:.3e}, gap = {:.3e}, No Iterations {}\n",
             certificate.primalResidual, certificate.dualResidual, certificate.gap, result.iterations);
     }
-    if (results.size() == 2 && results[0].status != CollapseStatus::unstable)
+    if (!structure.combinations.empty())
+        printGoverning(results);
+    else if (results.size() == 2 && results[0].status != CollapseStatus::unstable)
         info("Range of load multipliers: {:.9g} to {:.9g}\n",
              results[1].status == CollapseStatus::unbounded ? -tabledAlpha(results[1]) : results[1].alpha,
              tabledAlpha(results[0]));
@@ -237,6 +272,21 @@ void writeLimitAnalysisProgram(const std::filesystem::path& caseDirectory, const
 namespace
 {
 
+/// The line of thrust: a point at each centre of pressure, with the force there [N].
+PolyData thrustFrame(const std::vector<JointForce>& joints)
+{
+    PolyData data;
+    data.kind = CellKind::point;
+    Field force{"jointForce", 2, {}};
+    for (const JointForce& joint : joints)
+    {
+        data.points.push_back(joint.centre);
+        force.values.insert(force.values.end(), {joint.force.x(), joint.force.y()});
+    }
+    data.fields.push_back(std::move(force));
+    return data;
+}
+
 /// Mechanism, forces and thrust of one answer. \param suffix of the files' names
 void writeAnswer(const std::filesystem::path& caseDirectory, const LimitAnalysisCase& structure,
                  const LimitAnalysis& result, const std::string& suffix)
@@ -263,6 +313,8 @@ void writeAnswer(const std::filesystem::path& caseDirectory, const LimitAnalysis
                    contactFrame(structure.points, forces,
                                 contactStates(forces, structure.friction, cohesionsOf(structure.program))));
     writeWholeFile(file("thrust", ".dat"), thrustText(structure.points, forces));
+    VtkSeries thrust(caseDirectory / "VTK", "thrust" + suffix, 0);
+    thrust.write(0, thrustFrame(jointForces(structure.points, forces)));
 
     MechanismPicture picture;
     picture.title = std::filesystem::absolute(caseDirectory).lexically_normal().filename().string();
@@ -285,8 +337,17 @@ void writeAnswer(const std::filesystem::path& caseDirectory, const LimitAnalysis
 void writeLimitAnalysisResults(const std::filesystem::path& caseDirectory, const LimitAnalysisCase& structure,
                                const std::vector<LimitAnalysis>& results, double cpuTime)
 {
+    const std::vector<std::string> names = suffixes(results);
     for (std::size_t i = 0; i < results.size(); ++i)
-        writeAnswer(caseDirectory, structure, results[i], i == 0 ? "" : "Negative");
+        writeAnswer(caseDirectory, structure, results[i], names[i]);
+    if (!structure.combinations.empty())
+    {
+        std::string text = "# combination alpha[-] status[-]\n";
+        for (const LimitAnalysis& result : results)
+            text += fmt::format("{} {:.12g} {}\n", result.combination, tabledAlpha(result),
+                                static_cast<int>(result.status));
+        writeWholeFile(limitAnalysisTable(caseDirectory).replace_filename("combinations.dat"), text);
+    }
     writeWholeFile(limitAnalysisTable(caseDirectory), tableText(structure, results, cpuTime));
 }
 

@@ -51,10 +51,12 @@ void writeLimitAnalysisProgram(const std::filesystem::path& caseDirectory, const
 ///   each joint that carries a load, the line of thrust;
 /// - VTK/blocks.vtp.series, the mechanism growing from the structure as built, with displacement rates;
 /// - VTK/contacts.vtp.series, contact forces at collapse, gap and state.
+/// - VTK/thrust.vtp.series, the line of thrust: centres of pressure with the force of the joint.
 ///
 /// A second answer, of the negative end of the range, has a second row, and files with `Negative` in their
-/// names. \param cpuTime of the solution [s]
-/// \throws FatalError naming what cannot be written
+/// names. With combinations of loads each has its row and `_<name>` in the names of its files;
+/// combinations.dat lists names, multipliers and statuses. \param cpuTime of the solution [s] \throws
+/// FatalError naming what cannot be written
 void writeLimitAnalysisResults(const std::filesystem::path& caseDirectory, const LimitAnalysisCase& structure,
                                const std::vector<LimitAnalysis>& results, double cpuTime);
 

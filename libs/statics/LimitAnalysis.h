@@ -8,6 +8,7 @@
 #include "conic/InteriorPoint.h"
 
 #include <optional>
+#include <string>
 
 namespace drystone
 {
@@ -49,6 +50,7 @@ struct LimitAnalysis
     int factorisations = 0;    ///< likewise, of Schur matrices
     int solves = 0;            ///< likewise, with those factors
     int variables = 0;         ///< forces and the multiplier
+    std::string combination;   ///< of loads that this is the answer for; empty where there is one only
     std::optional<CoulombRange>
         coulomb; ///< for the non-associative flow rule; the rest is of its lowest collapse
 };

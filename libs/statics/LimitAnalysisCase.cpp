@@ -7,6 +7,7 @@
 #include "assembly/Materials.h"
 #include "core/Solution.h"
 #include "statics/Settlement.h"
+#include "statics/SurfaceContact.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,6 +49,32 @@ FlowRule flowRuleOf(const ContactProperties& contact)
     return contact.friction ? contact.friction->flowRule : FlowRule::associative;
 }
 
+bool isSurfaceContact(const ContactProperties& contact)
+{
+    return contact.contact && contact.contact->formulation == ContactFormulation::surface;
+}
+
+/// Refuses what contact by surfaces is not formulated for.
+void requireSurfaceContact(const LimitAnalysisCase& structure, const std::filesystem::path& caseDirectory)
+{
+    const Dictionary dictionary = Dictionary::readFile(caseDirectory / "constant/contactProperties");
+    const SourceLocation place = dictionary.subDict("contact").locationOf("formulation");
+    if (structure.program.hasStrength() || structure.contact.pointsPerJoint || structure.pushover
+        || structure.loads.movement)
+    {
+        throw FatalIOError(
+            "`formulation surface;` is for joints with friction alone under a live load. Remove "
+            "it, or cohesion, tension, crushing, pointsPerJoint, pushover and supportMovement.",
+            place);
+    }
+    if (flowRuleOf(structure.contact) == FlowRule::nonAssociative)
+    {
+        throw FatalIOError("`formulation surface;` follows the associative flow rule only. Write `flowRule "
+                           "associative;`, or remove the formulation.",
+                           place);
+    }
+}
+
 /// Refuses what a capacity curve does not follow.
 void requirePushover(const LimitAnalysisCase& structure, const std::filesystem::path& caseDirectory)
 {
@@ -59,6 +86,12 @@ void requirePushover(const LimitAnalysisCase& structure, const std::filesystem::
             "pushover follows the associative flow rule only. Write `flowRule associative;` in "
             "constant/contactProperties.",
             place);
+    }
+    if (!structure.combinations.empty())
+    {
+        throw FatalIOError("pushover follows one pair of dead and live load. Remove pushover, or the "
+                           "combinations of constant/loads.",
+                           place);
     }
     const LoadVectors& loads = structure.loads;
     bool hasMoments = loads.movement.has_value();
@@ -114,8 +147,11 @@ LimitAnalysisCase readLimitAnalysisCase(const std::filesystem::path& caseDirecto
     const std::vector<BlockMass<2>> blocks = blockMasses(result.assembly);
     const std::vector<double> masses =
         massesOf(blocks, readDensities(caseDirectory, result.assembly, gravity));
-    const LoadVectors loads =
-        readLoads(caseDirectory, {result.assembly, masses, gravity}, LiveLoad::required);
+    const LoadContext context{result.assembly, masses, gravity};
+    result.combinations = readLoadCombinations(caseDirectory, context);
+    const LoadVectors loads = result.combinations.empty()
+                                  ? readLoads(caseDirectory, context, LiveLoad::required)
+                                  : result.combinations.front().second;
 
     result.points = contactPoints(result.assembly, result.contact);
     const std::vector<PointLaw> laws =
@@ -133,6 +169,10 @@ LimitAnalysisCase readLimitAnalysisCase(const std::filesystem::path& caseDirecto
     if (result.pushover)
     {
         requirePushover(result, caseDirectory);
+    }
+    if (isSurfaceContact(result.contact))
+    {
+        requireSurfaceContact(result, caseDirectory);
     }
     result.multiplier = loads.multiplier;
     result.movement = loads.movement;
@@ -170,7 +210,26 @@ LimitAnalysisCase readLimitAnalysisCase(const std::filesystem::path& caseDirecto
 
 LimitAnalysis solveLimitAnalysis(const LimitAnalysisCase& structure)
 {
-    const InteriorPointSettings solver = interiorPointSettings(structure.solution);
+    InteriorPointSettings solver = interiorPointSettings(structure.solution);
+    if (isSurfaceContact(structure.contact))
+    {
+        // Closer, so that the certificate in resultants, whose residuals are sums, meets the tolerance too.
+        const double tolerance = solver.tolerance;
+        solver.tolerance *= 0.1;
+        LimitAnalysis result = solveLimitAnalysis(structure.program, solver);
+        const std::vector<JointResultant> joints =
+            jointResultants(structure.points, structure.friction, result.contactForce);
+        result.variables = 3 * static_cast<int>(joints.size()) + 1;
+        if (result.status == CollapseStatus::optimal)
+        {
+            result.certificate = certifySurfaceContact(structure.assembly, joints, structure.loads, result);
+            if (!(result.certificate.worst() <= tolerance))
+            {
+                result.status = CollapseStatus::notConverged;
+            }
+        }
+        return result;
+    }
     if (structure.movement)
     {
         return solveSettlement(structure.program, solver);
@@ -184,6 +243,24 @@ LimitAnalysis solveLimitAnalysis(const LimitAnalysisCase& structure)
 std::vector<LimitAnalysis> solveLimitAnalyses(const LimitAnalysisCase& structure)
 {
     std::vector<LimitAnalysis> results;
+    if (!structure.combinations.empty())
+    {
+        for (const auto& [name, loads] : structure.combinations)
+        {
+            LimitAnalysisCase single = structure;
+            single.combinations.clear();
+            single.loads = loads;
+            single.multiplier = loads.multiplier;
+            single.program.load = loads.dead;
+            single.program.liveLoad = loads.live;
+            for (LimitAnalysis& result : solveLimitAnalyses(single))
+            {
+                result.combination = name;
+                results.push_back(std::move(result));
+            }
+        }
+        return results;
+    }
     if (structure.multiplier != Multiplier::negative)
     {
         results.push_back(solveLimitAnalysis(structure));
@@ -192,6 +269,7 @@ std::vector<LimitAnalysis> solveLimitAnalyses(const LimitAnalysisCase& structure
     {
         LimitAnalysisCase reversed = structure;
         reversed.program.liveLoad *= -1;
+        reversed.loads.live *= -1;
         results.push_back(solveLimitAnalysis(reversed));
         results.back().alpha *= -1;
     }

@@ -34,10 +34,11 @@ struct LimitAnalysisCase
     PlaneConeProgram program;
     SolverChoice solution;
     NonAssociativeSettings nonAssociative;
-    Multiplier multiplier = Multiplier::positive; ///< which ends of the range are asked for
-    std::optional<SupportMovement> movement;      ///< instead of a live load
-    std::optional<PushoverSettings> pushover;     ///< the capacity curve is asked for
-    LoadVectors loads;
+    Multiplier multiplier = Multiplier::positive;                  ///< which ends of the range are asked for
+    std::optional<SupportMovement> movement;                       ///< instead of a live load
+    std::optional<PushoverSettings> pushover;                      ///< the capacity curve is asked for
+    LoadVectors loads;                                             ///< with combinations those of the first
+    std::vector<std::pair<std::string, LoadVectors>> combinations; ///< mostly none
 };
 
 /// Reads constant/assembly, g, materialProperties, contactProperties, loads and system/solution.
@@ -53,8 +54,8 @@ LimitAnalysis solveLimitAnalysis(const LimitAnalysisCase& structure);
 /// The capacity curve of a case that asks for one.
 Pushover solvePushover(const LimitAnalysisCase& structure, const PushoverObserver& observe);
 
-/// One answer for each end of the range that the case asks for, the positive one first. Multipliers of the
-/// negative end have their sign.
+/// One answer for each end of the range that the case asks for, the positive one first; for each combination
+/// of loads in turn. Multipliers of the negative end have their sign.
 std::vector<LimitAnalysis> solveLimitAnalyses(const LimitAnalysisCase& structure);
 
 } // namespace drystone

@@ -388,6 +388,27 @@ brokenInputs = [
     inMotionEffect("rigidSolver", "elasticity", "elasticity", r"solver automatic",
                    files={"system/solution": "contactDynamics { solver interiorPoint; }\n"}),
     inMotionEffect("rolling", "damping { massProportional 1; }", "rollingResistance { }", r"rollingResistance"),
+    # Combinations of loads, and contact by surfaces.
+    inAnalysis("twoKindsOfLoads", "constant/loads", "dead {", "combinations { a { dead { type gravity; } live { type "
+               "inertial; direction (1 0 0); } } }\ndead@@ {", r"either dead and live, or combinations"),
+    inAnalysis("combinationWithoutLive", "constant/loads", "", "", r"live", lines=(3,),
+               files={"constant/loads": "combinations\n{\n    wind { dead { type gravity; } }\n}\n"}),
+    inAnalysis("combinedPushover", "system/solution", "tolerance 1e-9;", "tolerance 1e-9;\n    pushover { step 0.01; }",
+               r"Remove pushover", lines=(5,),
+               files={"constant/loads": "combinations { a { dead { type gravity; } live { type inertial; direction "
+                      "(1 0); } } }\n"}),
+    Broken("contactDynamics", "combinationsInMotion", "constant/loads", says=(r"for limitAnalysis",), lines=(1,),
+           before=built,
+           files={"constant/loads": "combinations { a { dead { type gravity; } live { type inertial; direction "
+                      "(1 0); } } }\n"}),
+    inAnalysis("unknownFormulation", "constant/contactProperties", "friction", "contact { formulation surfaces; }@@\nfriction",
+               r"Did you mean surface\?"),
+    inAnalysis("crushedSurface", "constant/contactProperties", "friction",
+               "crushing { strength 1e6; }\ncontact { formulation surface; }@@\nfriction", r"Remove", r"crushing"),
+    inAnalysis("surfaceOfCoulomb", "constant/contactProperties", "friction",
+               "contact { formulation surface; }\nfriction", r"associative flow rule only", lines=(1,),
+               files={"constant/contactProperties": "friction\n{\n    type Coulomb;\n    mu 0.65;\n    flowRule "
+                      "nonAssociative;\n}\n"}),
     # Supports that move.
     inSupportMotion("unknownSupport", "roof { direction (1 0); velocity ((0 0) (1 1)); }\n", r"no support roof",
                     r"ground", lines=(1,)),

@@ -4,6 +4,7 @@
 #include "core/Error.h"
 #include "core/WholeFile.h"
 #include "functionObjects/LimitAnalysisResults.h"
+#include "statics/SurfaceContact.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -77,13 +78,82 @@ TEST_F(LimitAnalysisResults, OfACollapseHaveTheMultiplier)
     EXPECT_EQ(values[3], 2);
     EXPECT_EQ(values[4], 5);
     EXPECT_EQ(values[9], 0.5);
-    for (const char* file :
-         {"postProcessing/limitAnalysis/0/mechanism.svg", "VTK/blocks.vtp.series", "VTK/contacts.vtp.series"})
+    for (const char* file : {"postProcessing/limitAnalysis/0/mechanism.svg", "VTK/blocks.vtp.series",
+                             "VTK/contacts.vtp.series", "VTK/thrust.vtp.series"})
         EXPECT_TRUE(fs::exists(directory / file)) << file;
 
     removeLimitAnalysisTable(directory);
     EXPECT_FALSE(fs::exists(limitAnalysisTable(directory)));
     EXPECT_THROW(confirmResults(directory), FatalError);
+}
+
+TEST_F(LimitAnalysisResults, OfCombinationsOfLoadsHaveARowEach)
+{
+    // 1 x 2 m, 20 kN, mu 0.4: slides at 0.4; under 20 kN more it needs twice that load, or overturns.
+    writeWholeFile(directory / "constant/loads",
+                   "combinations { bare { dead { type gravity; } live { type inertial; direction (1 0); } } "
+                   "full { dead { type sum; loads { w { type gravity; } p { type force; at (0.5 2); value "
+                   "(0 -20000); } } } live { type inertial; direction (1 0); } multiplier both; } }");
+    const LimitAnalysisCase structure = readLimitAnalysisCase(directory);
+    const std::vector<LimitAnalysis> results = solveLimitAnalyses(structure);
+    ASSERT_EQ(results.size(), 3U);
+    EXPECT_EQ(results[0].combination, "bare");
+    EXPECT_NEAR(results[0].alpha, 0.4, 1e-8);
+    EXPECT_NEAR(results[1].alpha, 0.8, 1e-8);
+    EXPECT_NEAR(results[2].alpha, -0.8, 1e-8);
+    writeLimitAnalysisResults(directory, structure, results, 0.5);
+    EXPECT_EQ(row().size(), 30U);
+    for (const char* file : {"combinations.dat", "mechanism_bare.svg", "mechanism_full.svg",
+                             "mechanism_fullNegative.svg", "thrust_full.dat"})
+        EXPECT_TRUE(fs::exists(limitAnalysisTable(directory).replace_filename(file))) << file;
+}
+
+TEST_F(LimitAnalysisResults, OfContactBySurfacesAreCertifiedInStressResultants)
+{
+    for (const double mu : {0.4, 0.7}) // slides; overturns
+    {
+        writeWholeFile(
+            directory / "constant/contactProperties",
+            fmt::format("friction {{ type Coulomb; mu {}; }} contact {{ formulation surface; }}", mu));
+        writeWholeFile(directory / "constant/loads",
+                       "dead { type gravity; } live { type inertial; direction (1 0 0); } multiplier both;");
+        const LimitAnalysisCase structure = readLimitAnalysisCase(directory);
+        for (const LimitAnalysis& result : solveLimitAnalyses(structure))
+        {
+            EXPECT_EQ(result.status, CollapseStatus::optimal);
+            EXPECT_NEAR(std::abs(result.alpha), std::min(mu, 0.5), 1e-8);
+            EXPECT_LT(result.certificate.worst(), 1e-9);
+            EXPECT_EQ(result.variables, 4); // N, T and M of one joint, and alpha
+        }
+    }
+}
+
+TEST_F(LimitAnalysisResults, ACertificateInStressResultantsTellsAWrongAnswer)
+{
+    writeWholeFile(directory / "constant/contactProperties",
+                   "friction { type Coulomb; mu 0.7; } contact { formulation surface; }");
+    writeWholeFile(directory / "constant/loads",
+                   "dead { type gravity; } live { type inertial; direction (1 0 0); }");
+    const LimitAnalysisCase structure = readLimitAnalysisCase(directory);
+    const LimitAnalysis right = solveLimitAnalysis(structure);
+    const auto worst = [&](const LimitAnalysis& result)
+    {
+        return certifySurfaceContact(
+                   structure.assembly,
+                   jointResultants(structure.points, structure.friction, result.contactForce),
+                   structure.loads, result)
+            .worst();
+    };
+    EXPECT_LT(worst(right), 1e-9);
+    LimitAnalysis wrong = right;
+    wrong.alpha *= 1.01;
+    EXPECT_GT(worst(wrong), 1e-3);
+    wrong = right;
+    wrong.mechanism[2] *= 1.01; // turns more than it lifts
+    EXPECT_GT(worst(wrong), 1e-3);
+    wrong = right;
+    wrong.contactForce *= 1.01;
+    EXPECT_GT(worst(wrong), 1e-3);
 }
 
 TEST_F(LimitAnalysisResults, OfALoadThatNeverBreaksTheStructureHaveAnInfiniteMultiplier)
