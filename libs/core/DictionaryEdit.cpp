@@ -32,12 +32,27 @@ std::vector<std::string> keywordsOf(std::string_view path)
     return keywords;
 }
 
+/// A directive with nothing after it would take the next statement for its argument: one that is added, say.
+void refuseBareDirectives(const std::vector<Statement>& statements, const std::string& file)
+{
+    for (const Statement& statement : statements)
+    {
+        if (statement.kind == Statement::Kind::directive && statement.value.empty())
+            throw FatalIOError(
+                fmt::format("{} has no argument. Give it one, or remove it.", statement.keyword.text),
+                SourceLocation{file, "", statement.keyword.line});
+        refuseBareDirectives(statement.body, file);
+        refuseBareDirectives(statement.otherwise, file);
+    }
+}
+
 /// The text of a file and the statements it consists of.
 struct Edited
 {
     Edited(const std::string& text, const std::filesystem::path& path)
         : file{path.lexically_normal().string(), text}, statements(parseStatements(file))
     {
+        refuseBareDirectives(statements, file.name);
     }
     Edited(const Edited&) = delete;
 
@@ -158,13 +173,16 @@ std::string entryText(const std::string& keyword, const std::string& value, cons
 std::string replaced(const std::string& text, const Statement& statement, const std::string& value)
 {
     std::string result = text;
+    const auto needsBlank = [&text](std::size_t at)
+    { return at > 0 && std::isspace(static_cast<unsigned char>(text[at - 1])) == 0; };
     const bool wasDictionary = statement.kind == Statement::Kind::dictionary;
     if (wasDictionary)
     {
         // valueBegin is after `{`, end after `}`.
         const std::size_t begin = statement.valueBegin - 1;
-        return result.replace(begin, statement.end - begin,
-                              isDictionaryText(value) ? value : fmt::format("{};", value));
+        return result.replace(
+            begin, statement.end - begin,
+            isDictionaryText(value) ? value : fmt::format("{}{};", needsBlank(begin) ? " " : "", value));
     }
     std::size_t begin = statement.valueBegin;
     std::size_t end = statement.valueBegin;
@@ -182,8 +200,7 @@ std::string replaced(const std::string& text, const Statement& statement, const 
     }
     if (isDictionaryText(value))
         end = statement.end;
-    const bool needsBlank = begin > 0 && std::isspace(static_cast<unsigned char>(text[begin - 1])) == 0;
-    return result.replace(begin, end - begin, fmt::format("{}{}", needsBlank ? " " : "", value));
+    return result.replace(begin, end - begin, fmt::format("{}{}", needsBlank(begin) ? " " : "", value));
 }
 
 } // namespace

@@ -104,14 +104,14 @@ std::optional<double> number(std::string_view token)
     return code == std::errc() ? std::optional(value) : std::nullopt;
 }
 
-/// A finite number, or a refusal that names it.
-double finiteNumber(const Text& text, std::size_t line, std::string_view token)
+/// A number that is finite, also times a factor, or a refusal that names it.
+double finiteNumber(const Text& text, std::size_t line, std::string_view token, double factor = 1)
 {
     const std::optional<double> value = number(token);
     if (!value)
         text.refuse(line, fmt::format("'{}' is not a number.", token.substr(0, 40)),
                     "Correct it, or get a complete copy of the record.");
-    if (!std::isfinite(*value))
+    if (!std::isfinite(*value * factor))
         text.refuse(line, fmt::format("The value {} is not a finite number.", token),
                     "Correct it, or get a complete copy of the record.");
     return *value;
@@ -233,8 +233,9 @@ PeerHeader peerHeader(const Text& text)
                     "It should read as in NPTS= 4000, DT= .01 SEC.");
     if (!(*count >= 1 && *count <= 1e9 && *count == std::floor(*count)))
         text.refuse(header.line, fmt::format("NPTS is {}, not a number of values.", *count), "Correct it.");
-    if (!(*timeStep > 0 && std::isfinite(*timeStep)))
-        text.refuse(header.line, fmt::format("DT is {} s; a time step is positive.", *timeStep),
+    if (!(*timeStep > 0 && std::isfinite(*count * *timeStep)))
+        text.refuse(header.line,
+                    fmt::format("DT is {} s; a time step is positive, and the record finite.", *timeStep),
                     "Correct it.");
     header.count = *count;
     header.timeStep = *timeStep;
@@ -303,7 +304,7 @@ Record readPeerRecord(const std::filesystem::path& file, const std::string& unit
         for (const std::string_view token : words(text.lines[i], " \t\r\f\v,"))
         {
             last = i;
-            const double value = finiteNumber(text, i, token);
+            const double value = finiteNumber(text, i, token, factor);
             if (record.accelerations.size() == count)
                 text.refuse(i, fmt::format("More values than NPTS = {}.", count),
                             fmt::format("Correct NPTS in line {}, or remove the surplus.", header.line + 1));
@@ -438,8 +439,8 @@ Record readCsvRecord(const std::filesystem::path& file, const CsvLayout& layout)
                         fmt::format("The row has {} columns; column {} (counted from 0) is wanted.",
                                     row.size(), needed - 1),
                         "Complete the row, or correct the choice of columns.");
-        const auto value = [&](std::size_t column)
-        { return finiteNumber(text, i, withDecimalPoint(row[column], separator)); };
+        const auto value = [&](std::size_t column, double unitFactor = 1)
+        { return finiteNumber(text, i, withDecimalPoint(row[column], separator), unitFactor); };
         const double time =
             equalSteps ? static_cast<double>(record.times.size()) * layout.timeStep : value(timeColumn);
         if (!record.times.empty() && !(time > record.times.back()))
@@ -447,7 +448,7 @@ Record readCsvRecord(const std::filesystem::path& file, const CsvLayout& layout)
                 i, fmt::format("The time {} s is not after the one before, {} s.", time, record.times.back()),
                 "Times must increase from row to row.");
         record.times.push_back(time);
-        record.accelerations.push_back(value(valueColumn) * factor);
+        record.accelerations.push_back(value(valueColumn, factor) * factor);
     }
     if (record.times.empty())
         text.refuse(first, "The record has titles and no values.", "Get a complete copy of it.");

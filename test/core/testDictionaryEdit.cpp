@@ -127,5 +127,17 @@ TEST(DictionaryEdit, WhatIsNotOneValueIsRefused)
     EXPECT_THROW(withEntrySet("b { #ifeq $x 1\na 1;\n#endif\n}", "file", "b/a", "2"), FatalIOError);
 }
 
+TEST(DictionaryEdit, ADirectiveWithoutArgumentIsRefusedForItWouldTakeAnEntryThatIsAdded)
+{
+    EXPECT_THROW(withEntrySet("#calc", "file", "a", "1"), FatalIOError);
+    EXPECT_THROW(withEntrySet("b { #include }", "file", "b/a", "1"), FatalIOError);
+    EXPECT_THROW(withEntryRemoved("a 1;\n#remove", "file", "a"), FatalIOError);
+}
+
+TEST(DictionaryEdit, ADictionaryThatFollowsItsKeyCloselyBecomesAValueApartFromIt)
+{
+    EXPECT_EQ(withEntrySet("a{ b 1; }\n", "file", "a", "2"), "a 2;\n");
+}
+
 } // namespace
 } // namespace drystone

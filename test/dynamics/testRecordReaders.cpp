@@ -198,6 +198,9 @@ TEST(PeerReader, RefusesBrokenRecordsWithTheirLine)
                 AllOf(HasSubstr("NaN"), HasSubstr("line 6")));
     EXPECT_THAT(peerRefusal(replaced(good, "-.5000000E+00", "1e400")),
                 AllOf(HasSubstr("1e400"), HasSubstr("line 6")));
+    EXPECT_THAT(peerRefusal(replaced(good, "-.5000000E+00", "1e308")), // g: not finite in m/s2
+                AllOf(HasSubstr("1e308"), HasSubstr("line 6")));
+    EXPECT_THAT(peerRefusal(replaced(good, "DT= .01000", "DT= 1e308")), HasSubstr("line 4"));
     EXPECT_THAT(peerRefusal(replaced(good, "-.5000000E+00", "-.5x")),
                 AllOf(HasSubstr("'-.5x'"), HasSubstr("line 6")));
     EXPECT_THAT(peerRefusal(replaced(good, "DT= .01000", "DT= -.01")),
@@ -356,6 +359,7 @@ TEST(CsvReader, RefusesBrokenRecordsWithTheirLine)
     EXPECT_THAT(csvRefusal("t,a\n", layout), HasSubstr("no values"));
     EXPECT_THAT(csvRefusal("0,1\n1\n", layout), AllOf(HasSubstr("1 columns"), HasSubstr("line 2")));
     EXPECT_THAT(csvRefusal("0,1\n1,nan\n", layout), AllOf(HasSubstr("nan"), HasSubstr("line 2")));
+    EXPECT_THAT(csvRefusal("0,1\n1,1e308\n", layout), AllOf(HasSubstr("1e308"), HasSubstr("line 2")));
     EXPECT_THAT(csvRefusal("0,1\n1,\n", layout), HasSubstr("line 2"));
     EXPECT_THAT(csvRefusal("0,1\n1,x\n", layout), AllOf(HasSubstr("'x'"), HasSubstr("line 2")));
     EXPECT_THAT(csvRefusal("0,1\n1,1\n0.5,1\n", layout), AllOf(HasSubstr("0.5"), HasSubstr("line 3")));

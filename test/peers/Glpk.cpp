@@ -47,6 +47,7 @@ std::optional<PeerAnswer> solve(const AnyConeProgram& any, double tolerance)
     settings.tol_bnd = std::max(tolerance, 1e-9);
     settings.tol_dj = std::max(tolerance, 1e-9);
     settings.tm_lim = 60000;
+    settings.it_lim = 10000 + 100 * (linear.rows + count); // it may cycle
     const double start = cpuSeconds();
     glp_scale_prob(problem, GLP_SF_AUTO);
     glp_adv_basis(problem, 0);

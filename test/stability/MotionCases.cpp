@@ -839,7 +839,7 @@ std::vector<StabilityCase> motionCases()
     {
         add(fmt::format("vibration_{}Hz", frequency),
             "faster than the steps: impulses, not samples, must count",
-            "displacement over that of the ground (a twentieth of it above 0.25 g)", 1, 1,
+            "displacement over that of the ground (a twentieth of it above 0.25 g)", 1e-2, 1e-1,
             [frequency](SolverType solver) { return vibration(solver, frequency); });
     }
     add("wedge", "self-locked: forces of any size are in balance", "displacement [m]", 1e-9, 1e-4, wedge);

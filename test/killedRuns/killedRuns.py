@@ -1,0 +1,133 @@
+#!/usr/bin/env python3
+# Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+"""contactDynamics killed (kill -9) at random times and started again: what was written is whole and right, at most
+the steps since the last write are lost, and the end is that of a run which nobody killed, bit for bit.
+
+killedRuns.py BIN RUNS [SEED]
+"""
+import filecmp
+import os
+import random
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+
+applications, runs = sys.argv[1], int(sys.argv[2])
+seed = int(sys.argv[3]) if len(sys.argv) > 3 else 1
+
+header = "FoamFile { version 2.0; format ascii; class dictionary; object %s; }\n"
+step, interval, end = 0.001, 0.01, 0.8
+files = {
+    "constant/g": "value (0 -9.81 0);\n",
+    "constant/materialProperties": "density 2000;\n",
+    "constant/contactProperties": "friction { type Coulomb; mu 0.5; flowRule nonAssociative; }\n",
+    "constant/groundMotion": "direction (1 0 0);\nacceleration { type sine; amplitude 6; duration 1; cycles 4; }\n",
+    "system/blockTextureDict": """dimensions 2;
+texture { type courses; unit (0.4 0.2); thickness 1; rows ( (0.5 1 1 0.5) (1 1 1) (0.5 1 1 0.5) (1 1 1) ); }
+supports { ground { type ground; } }
+""",
+    "system/controlDict": f"""application contactDynamics;
+startFrom latestTime; startTime 0; stopAt endTime; endTime {end}; deltaT {step};
+writeControl runTime; writeInterval {interval};
+functions {{ energy {{ type energy; }} }}
+""",
+}
+
+
+def make(case):
+    for name, text in files.items():
+        path = os.path.join(case, name)
+        os.makedirs(os.path.dirname(path), exist_ok=True)
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(header % os.path.basename(name) + text)
+    run("blockTexture", case)
+
+
+def run(application, case):
+    done = subprocess.run([os.path.join(applications, application), "-case", case], capture_output=True, text=True,
+                          check=False)
+    if done.returncode != 0:
+        sys.exit(f"{application} ended with {done.returncode}\n{done.stdout[-2000:]}{done.stderr}")
+    return done.stdout
+
+
+def times(case):
+    return sorted((name for name in os.listdir(case) if re.fullmatch(r"[0-9]+(\.[0-9]+)?", name)), key=float)
+
+
+def expectWrittenAsIn(reference, case, what):
+    """Each state on disk is that of the reference, to the last byte."""
+    for instant in times(case):
+        folder = os.path.join(case, instant)
+        for name in os.listdir(folder):
+            if not filecmp.cmp(os.path.join(folder, name), os.path.join(reference, instant, name), shallow=False):
+                sys.exit(f"{what}: {instant}/{name} is not that of the run which nobody killed")
+
+
+def lastTime(log):
+    found = re.findall(r"^Time = (\S+)", log, re.M)
+    return float(found[-1]) if found else 0
+
+
+def energies(case):
+    """Rows of energy.dat over all starts, the later start counting where they overlap."""
+    rows = {}
+    folder = os.path.join(case, "postProcessing/energy")
+    for start in sorted(os.listdir(folder), key=float):
+        rows = {instant: row for instant, row in rows.items() if float(instant) <= float(start) + step / 2}
+        with open(os.path.join(folder, start, "energy.dat"), encoding="utf-8") as file:
+            for line in file:
+                if not line.startswith("#") and line.endswith("\n"):
+                    rows[line.split()[0]] = line
+    return rows
+
+
+with tempfile.TemporaryDirectory() as root:
+    base = os.path.join(root, "base")
+    make(base)
+    reference = os.path.join(root, "reference")
+    shutil.copytree(base, reference)
+    began = time.monotonic()
+    run("contactDynamics", reference)
+    length = time.monotonic() - began
+    wholeEnergy = energies(reference)
+    whole = times(reference)
+    chance = random.Random(seed)
+    lost, early, late = [], 0, 0
+    for number in range(1, runs + 1):
+        case = os.path.join(root, "killed")
+        shutil.copytree(base, case)
+        delay = chance.uniform(0, length)
+        what = f"run {number} of seed {seed}, killed after {delay:.3f} s"
+        with open(os.path.join(root, "log"), "w+", encoding="utf-8") as log:
+            process = subprocess.Popen([os.path.join(applications, "contactDynamics"), "-case", case], stdout=log,
+                                       stderr=subprocess.STDOUT)
+            time.sleep(delay)
+            process.kill()
+            process.wait()
+            log.seek(0)
+            reached = lastTime(log.read())
+        late += process.returncode == 0
+        written = times(case)
+        latest = float(written[-1]) if written else 0
+        early += latest == 0
+        expectWrittenAsIn(reference, case, what)
+        # A step of rounding; and the step in hand when it was killed may have been logged before it was written.
+        if reached - latest > interval + 1.5 * step:
+            sys.exit(f"{what}: had come to {reached:g} s, and only {latest:g} s was written")
+        lost.append(max(0, round((reached - latest) / step)))
+        again = run("contactDynamics", case)
+        first = re.search(r"^Time = (\S+)", again, re.M)
+        if first and not 0 < float(first.group(1)) - latest < 1.5 * step:
+            sys.exit(f"{what}: went on at {first.group(1)} s from {latest:g} s")
+        expectWrittenAsIn(reference, case, what + ", and gone on")
+        if times(case) != whole:
+            sys.exit(f"{what}: went on, and wrote other times: {times(case)}")
+        if energies(case) != wholeEnergy:
+            sys.exit(f"{what}: went on, and energy.dat is another")
+        shutil.rmtree(case)
+    print(f"{runs} runs of {length:.2f} s killed: {max(lost)} steps lost at most ({interval / step:.0f} between writes), "
+          f"{early} killed before the first write, {late} after the end")
