@@ -1,0 +1,167 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// What each effect costs: CPU time of 0.2 s of motion of the paper's wall 1, in steps of 0.002 s, that
+/// nothing but gravity and a push of 1.1 times its multiplier acts on (`none`: frictionless, rigid, undamped,
+/// the push as a force), then with each effect alone beside friction, and with all that go together. What an
+/// effect costs where it is absent is in results/README.md: it takes a second build.
+///
+///     build/test/EffectsBenchmark --benchmark_out=effects.csv --benchmark_out_format=csv
+#include "dynamics/Motion.h"
+#include "texture/Texture.h"
+
+#include <benchmark/benchmark.h>
+
+#include <ctime>
+
+namespace drystone
+{
+namespace
+{
+
+constexpr double weight = 9.81;
+constexpr double multiplier = 0.642859;
+constexpr double timeStep = 0.002;
+constexpr int steps = 100;
+
+double cpuSeconds()
+{
+    timespec now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// The wall under its weight and a push to the left, without any effect.
+DynamicCase wall()
+{
+    DynamicCase scene;
+    Assembly<2> assembly = makeStructure(Dictionary::readFile(
+        DRYSTONE_TUTORIALS "/contactDynamics/masonryPanels/wall1/system/blockTextureDict"));
+    const std::vector<double> densities(assembly.blocks.size(), 1000 / weight);
+    setStructure(scene, std::move(assembly), densities);
+    scene.gravity = {0, -weight};
+    scene.deadLoad = Eigen::VectorXd::Zero(scene.mass.size());
+    for (Eigen::Index row = 0; row < scene.mass.size(); row += 3)
+    {
+        scene.deadLoad.segment<2>(row) = scene.mass[row] * weight * Vector<2>(-1.1 * multiplier, -1);
+    }
+    return scene;
+}
+
+void friction(DynamicCase& scene)
+{
+    scene.contact.friction = CoulombFriction{0.65, FlowRule::associative};
+}
+
+void coulomb(DynamicCase& scene)
+{
+    scene.contact.friction = CoulombFriction{0.65, FlowRule::nonAssociative};
+}
+
+void restitution(DynamicCase& scene)
+{
+    friction(scene);
+    scene.contact.restitution = Restitution{0.3};
+}
+
+void elasticity(DynamicCase& scene)
+{
+    friction(scene);
+    scene.contact.elasticity = Elasticity{1e8, 5e7};
+}
+
+void damping(DynamicCase& scene)
+{
+    friction(scene);
+    scene.contact.damping = Damping{0.5};
+}
+
+void deletion(DynamicCase& scene)
+{
+    friction(scene);
+    scene.contact.deletion = Deletion{{{-10, -10}, {10, 10}}};
+}
+
+void groundMotion(DynamicCase& scene)
+{
+    friction(scene);
+    for (const Eigen::Vector3d& direction : {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY()})
+    {
+        GroundMotion::Component component;
+        component.direction = direction;
+        component.acceleration = std::make_shared<SinePulse>(PulseShape{0.5, 0.2, 0}, 2);
+        scene.groundMotion.components.push_back(component);
+    }
+}
+
+void supportMotion(DynamicCase& scene)
+{
+    friction(scene);
+    scene.supportMotions = {
+        {0, {1, 0}, tabulatedAcceleration({0, 1}, {0, 0.5}, Interpolation::linear, OutOfBounds::zero)}};
+}
+
+/// Restitution goes without elasticity only.
+void all(DynamicCase& scene)
+{
+    groundMotion(scene);
+    supportMotion(scene);
+    elasticity(scene);
+    damping(scene);
+    deletion(scene);
+}
+
+void effects(benchmark::State& state, void (*choose)(DynamicCase&))
+{
+    DynamicCase scene = wall();
+    if (choose)
+    {
+        choose(scene);
+    }
+    scene.effects = stepEffects(scene.contact);
+    double least = 1e300;
+    for (auto _ : state)
+    {
+        Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+        const double start = cpuSeconds();
+        for (int step = 0; step < steps; ++step)
+        {
+            if (!advance(scene, motion, timeStep))
+            {
+                state.SkipWithError("a step was not solved");
+                return;
+            }
+        }
+        const double used = cpuSeconds() - start;
+        least = std::min(least, used);
+        state.SetIterationTime(used);
+    }
+    state.counters["least[ms/step]"] = 1e3 * least / steps;
+}
+
+BENCHMARK_CAPTURE(effects, none, nullptr)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(5);
+BENCHMARK_CAPTURE(effects, friction, friction)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(5);
+BENCHMARK_CAPTURE(effects, nonAssociative, coulomb)
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(5);
+BENCHMARK_CAPTURE(effects, restitution, restitution)
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(5);
+BENCHMARK_CAPTURE(effects, elasticity, elasticity)
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(5);
+BENCHMARK_CAPTURE(effects, damping, damping)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(5);
+BENCHMARK_CAPTURE(effects, deletion, deletion)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(5);
+BENCHMARK_CAPTURE(effects, groundMotion, groundMotion)
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(5);
+BENCHMARK_CAPTURE(effects, supportMotion, supportMotion)
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(5);
+BENCHMARK_CAPTURE(effects, all, all)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(5);
+
+} // namespace
+} // namespace drystone
