@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <fstream>
 #include <set>
 
@@ -324,8 +325,7 @@ std::optional<Reference> referenceOf(const AccuracyStudy& study, std::size_t ind
         }
         else
         {
-            reference = {finest.value, finest.worstResidual * std::abs(finest.value),
-                         fmt::format("the case's own finest run ({})", with)};
+            reference = {finest.value, 0, fmt::format("the case's own finest run ({})", with)};
         }
     }
     if (reference.value == 0 || !std::isfinite(reference.value))
@@ -621,6 +621,7 @@ AccuracyResults carryOut(const AccuracyStudy& study, AccuracyRuns& runs)
                      ? fmt::format("error {:.3g}, worst {:.3g}", point.medianError, point.worstError)
                      : fmt::format("{} of {} runs FAILED", point.failed, point.runs),
                  point.cpuTime, number + 1, plans.size(), worker.timeLeft());
+            std::fflush(stdout); // a study takes long: whoever reads its log is to see how far it is
             result.points.push_back(point);
         }
         results.sweeps.push_back(std::move(result));

@@ -17,6 +17,9 @@ namespace
 /// Errors of nothing are drawn here, for the axis is logarithmic.
 constexpr double leastDrawn = 1e-16;
 
+/// Pictures with more curves than this show medians alone.
+constexpr std::size_t mostCurvesWithWorst = 8;
+
 /// Fewer problems than this say nothing of solvers.
 constexpr std::size_t leastProblems = 4;
 
@@ -176,15 +179,19 @@ Plot errorPlot(const AccuracyStudy& study, const SweepResult& sweep)
     const bool overTolerance = sweep.axis == SweepAxis::tolerance;
     const auto curves = curvesOf(sweep);
     Plot plot;
-    plot.title = fmt::format("{}: error of the {}", sweep.name, quantity.quantity.summary);
+    plot.title = fmt::format("{}: error of {}", sweep.name, quantity.name);
+    const bool isCrowded = curves.size() > mostCurvesWithWorst;
     plot.subtitle = fmt::format(
         "points: {}{}; {}", axisName(sweep.axis),
-        isMotion ? fmt::format("; solid: median, dashed: worst of {} phases", planOf(study, sweep).phases)
-                 : "",
+        !isMotion   ? ""
+        : isCrowded ? fmt::format("; median of {} phases", planOf(study, sweep).phases)
+                    : fmt::format("; solid: median, dashed: worst of {} phases", planOf(study, sweep).phases),
         processorName());
     plot.x = {overTolerance ? "tolerance of the solver" : "CPU time [s]", AxisScale::logarithmic, {}, {}};
     plot.y = {"relative error", AxisScale::logarithmic, {}, {}};
     const ShownKeys shown = differingKeys(settingsAt(sweep.points), sweep.axis);
+    plot.width = isCrowded ? 1100 : plot.width;
+    plot.height = std::max(plot.height, 110 + 20.0 * static_cast<double>(curves.size())); // of the legend
     std::vector<PlotCurve> worst;
     for (std::size_t index = 0; index < curves.size(); ++index)
     {
@@ -213,7 +220,7 @@ Plot errorPlot(const AccuracyStudy& study, const SweepResult& sweep)
         plot.curves.push_back(std::move(medians));
         worst.push_back(std::move(worsts));
     }
-    if (isMotion)
+    if (isMotion && !isCrowded)
     {
         for (PlotCurve& curve : worst)
         {
