@@ -106,16 +106,18 @@ std::vector<std::vector<AccuracyPoint>> curvesOf(const SweepResult& sweep)
 
 std::optional<std::size_t> kneeOf(const std::vector<AccuracyPoint>& curve)
 {
-    if (std::any_of(curve.begin(), curve.end(), [](const AccuracyPoint& point) { return !point.isWhole(); }))
+    std::size_t reached = curve.size(); // the rest are tolerances that the solver cannot reach
+    while (reached > 0 && !curve[reached - 1].isWhole())
     {
-        return {};
+        --reached;
     }
-    std::size_t knee = curve.size();
-    while (knee > 0 && curve[knee - 1].medianError <= 2 * curve.back().medianError)
+    std::size_t knee = reached;
+    while (knee > 0 && curve[knee - 1].isWhole()
+           && curve[knee - 1].medianError <= 2 * curve[reached - 1].medianError)
     {
         --knee;
     }
-    return knee + 1 < curve.size() ? std::optional(knee) : std::nullopt;
+    return knee + 1 < reached ? std::optional(knee) : std::nullopt;
 }
 
 const AccuracyPoint* cheapest(const std::vector<AccuracyPoint>& points, double level, ErrorMeasure measure)

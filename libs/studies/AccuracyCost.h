@@ -43,8 +43,8 @@ struct SweepResult
 std::vector<std::vector<AccuracyPoint>> curvesOf(const SweepResult& sweep);
 
 /// Where a curve along the tolerance bends: the loosest tolerance from which on no median error is above
-/// twice that of the tightest. A tighter one costs time and gains nothing. \param curve from loose to tight
-/// \return its index; nothing when that is the tightest one itself, or a run failed
+/// twice that of the tightest one that is reached. A tighter one costs time and gains nothing. \param curve
+/// from loose to tight \return its index; nothing when that is the tightest one itself
 std::optional<std::size_t> kneeOf(const std::vector<AccuracyPoint>& curve);
 
 /// Which error over the phases counts.

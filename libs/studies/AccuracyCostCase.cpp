@@ -589,7 +589,8 @@ AccuracyResults carryOut(const AccuracyStudy& study, AccuracyRuns& runs)
         }
         results.references.push_back(*reference);
         results.unitsOfWork.push_back(unitOfWork(study.scene, quantity.ofCase, quantity.kind));
-        info("Reference of {}: {:.9g} {}{}: {}", quantity.name, reference->value, quantity.quantity.unit,
+        info("Reference of {}: {:.9g}{}{}: {}", quantity.name, reference->value,
+             quantity.quantity.unit == "-" ? "" : " " + quantity.quantity.unit,
              reference->uncertainty > 0 ? fmt::format(" +- {:.2g}", reference->uncertainty) : "",
              reference->text);
         info("One assembly, factorisation and solve: F = {:.3g} s", results.unitsOfWork.back());

@@ -321,7 +321,7 @@ std::string sweepSection(const AccuracyStudy& study, const AccuracyResults& resu
                                 knee ? fmt::format("knee at {:g}, error {}, {:.3g} s",
                                                    curve[*knee].setting.tolerance,
                                                    errorText(curve[*knee].medianError), curve[*knee].cpuTime)
-                                     : "no knee: the error falls to the tightest tolerance, or a run failed");
+                                     : "no knee: the error falls to the tightest tolerance");
         }
     }
     return text + "\n";

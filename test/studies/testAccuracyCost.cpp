@@ -205,8 +205,10 @@ TEST(AccuracyCost, TheKneeIsWhereATighterToleranceGainsNothing)
     EXPECT_EQ(kneeOf(curve({1e-3, 1e-1, 1e-3, 1e-3})), std::optional<std::size_t>(2)); // luck is no knee
     EXPECT_EQ(kneeOf(curve({1e-2, 1e-4, 1e-6})), std::nullopt);
     EXPECT_EQ(kneeOf({}), std::nullopt);
-    auto failing = curve({1e-3, 1e-3, 1e-3});
-    failing[1].failed = 1;
+    auto failing = curve({1e-1, 1e-3, 1e-3, 1e-3, 1e-3});
+    failing[4].failed = 1; // out of the solver's reach
+    EXPECT_EQ(kneeOf(failing), std::optional<std::size_t>(1));
+    failing[2].failed = 1;
     EXPECT_EQ(kneeOf(failing), std::nullopt);
 }
 
