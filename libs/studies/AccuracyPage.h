@@ -29,7 +29,8 @@ struct CheapestRow
     std::optional<AccuracyPoint> point; ///< nothing when none of the settings does
 };
 
-/// For each quantity 5%, 1% and 0.1%, over all its sweeps; of motions by the median and by the worst phase.
+/// For each quantity 5%, 1% and 0.1%, over all its sweeps; of motions by the median and by the worst phase,
+/// of settings that were tried at the largest number of phases.
 std::vector<CheapestRow> cheapestRows(const AccuracyStudy& study, const AccuracyResults& results);
 
 /// accuracyCost.csv: a row for each setting of each sweep.
