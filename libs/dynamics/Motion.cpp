@@ -375,10 +375,26 @@ void keepLedger(const DynamicCase& scene, Motion& motion, const StepEnergy& step
 
 } // namespace
 
+KeptAnalysis::KeptAnalysis() = default;
+KeptAnalysis::KeptAnalysis(const KeptAnalysis&) {}
+KeptAnalysis& KeptAnalysis::operator=(const KeptAnalysis&)
+{
+    return *this;
+}
+KeptAnalysis::~KeptAnalysis() = default;
+
+SymbolicAnalysis* KeptAnalysis::get()
+{
+    if (!analysis_)
+    {
+        analysis_ = std::make_unique<SymbolicAnalysis>();
+    }
+    return analysis_.get();
+}
+
 Motion startMotion(const DynamicCase& scene, DynamicState state)
 {
     Motion motion;
-    motion.symbolic = std::make_shared<SymbolicAnalysis>();
     motion.state = std::move(state);
     if (!scene.schemes.smallDisplacements)
     {

@@ -16,18 +16,33 @@ namespace drystone
 
 struct SymbolicAnalysis;
 
+/// The symbolic part of the programs of a motion, made when first asked for. A copy of a motion has one of
+/// its own, since threads go on from one motion each for itself.
+class KeptAnalysis
+{
+public:
+    KeptAnalysis();
+    KeptAnalysis(const KeptAnalysis& other);
+    KeptAnalysis& operator=(const KeptAnalysis& other);
+    ~KeptAnalysis();
+    SymbolicAnalysis* get();
+
+private:
+    std::unique_ptr<SymbolicAnalysis> analysis_;
+};
+
 /// All that changes in a run. What a run needs to continue bit for bit is `state`, `energy`, `points` and
 /// `contactForces`.
 struct Motion
 {
     DynamicState state;
     EnergyLedger energy;
-    std::vector<ContactPoint<2>> points;  ///< of the last step, where they are now; gaps [m]
-    std::vector<Vector<2>> contactForces; ///< one a point: mean over the last step, (normal, tangent) [N]
-    StepResiduals residuals;              ///< of the last step
-    StepResiduals attempt;                ///< of the last attempt at a step, solved or not
-    std::shared_ptr<SymbolicAnalysis> symbolic; ///< of the last programs; copies of a motion share it
-    std::optional<MovingContacts> contacts;     ///< empty with smallDisplacements: the points stay as built
+    std::vector<ContactPoint<2>> points;    ///< of the last step, where they are now; gaps [m]
+    std::vector<Vector<2>> contactForces;   ///< one a point: mean over the last step, (normal, tangent) [N]
+    StepResiduals residuals;                ///< of the last step
+    StepResiduals attempt;                  ///< of the last attempt at a step, solved or not
+    KeptAnalysis symbolic;                  ///< of the last programs
+    std::optional<MovingContacts> contacts; ///< empty with smallDisplacements: the points stay as built
     std::vector<char> isDeleted; ///< one a block, where the case has a `deletion`: it is outside the
                                  ///< box, at rest where it left it. Follows from `state`
 };
