@@ -33,6 +33,20 @@ BlockMass<2> blockMass(const Block<2>& block)
     return mass;
 }
 
+std::vector<Placement<2>> moved(std::vector<Placement<2>> placements, const std::vector<int>& free,
+                                const Eigen::VectorXd& displacement, double share)
+{
+    for (std::size_t block = 0; block < free.size(); ++block)
+    {
+        if (free[block] >= 0)
+        {
+            placements[block].translation += share * displacement.segment<2>(3 * free[block]);
+            placements[block].rotation += share * displacement[3 * free[block] + 2];
+        }
+    }
+    return placements;
+}
+
 Polygon placed(const Polygon& outline, const Vector<2>& centre, const Placement<2>& placement)
 {
     // centre + (vertex - centre) would round

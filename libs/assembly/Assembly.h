@@ -67,6 +67,11 @@ struct Placement<2>
     double rotation = 0;                       ///< [rad], positive counter-clockwise
 };
 
+/// The placements moved by displacements of the free blocks, ux uy rz each, times `share`. Rotations are
+/// finite: angles of the plane add. \param free see freeIndices
+std::vector<Placement<2>> moved(std::vector<Placement<2>> placements, const std::vector<int>& free,
+                                const Eigen::VectorXd& displacement, double share = 1);
+
 /// An outline turned about `centre` by the placement's rotation, then moved [m]. Unchanged to the last bit
 /// where the placement is none.
 Polygon placed(const Polygon& outline, const Vector<2>& centre, const Placement<2>& placement);

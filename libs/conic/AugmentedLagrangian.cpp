@@ -187,6 +187,10 @@ bool AugmentedLagrangian::minimise()
         ++iterations_;
         direction_ = -gradient_;
         system_.solve(direction_.head(3 * rays_.bodies));
+        if (!direction_.allFinite())
+        {
+            return false; // the penalty is beyond what the factor can carry
+        }
         applyRaysTransposed(rays_, direction_, closing_);
         curvature_ = 0;
         slope_ = -rays_.load.dot(direction_);
@@ -198,10 +202,6 @@ bool AugmentedLagrangian::minimise()
             slope_ += momentum.dot(y_.segment<3>(3 * body));
         }
         const double step = bestStep();
-        if (!std::isfinite(step) || !direction_.allFinite())
-        {
-            return false; // the penalty is beyond what the factor can carry
-        }
         y_ += step * direction_;
         w_ += (step * sigma_) * closing_;
     }

@@ -29,16 +29,17 @@ void setStructure(DynamicCase& scene, Assembly<2> assembly, const std::vector<do
     scene.roundingGap = 64 * std::numeric_limits<double>::epsilon() * extent;
 }
 
-/// What elastic contact points go together with.
+/// What elastic contact points, and deletion, do not go together with.
 void refuseCombinations(const DynamicCase& scene, const std::filesystem::path& caseDirectory)
 {
-    const Dictionary contact = Dictionary::readFile(caseDirectory / "constant/contactProperties");
+    const auto locationOf = [&caseDirectory](const std::string& key)
+    { return Dictionary::readFile(caseDirectory / "constant/contactProperties").locationOf(key); };
     if (scene.contact.deletion && scene.schemes.smallDisplacements)
     {
         throw FatalIOError(
             "With `smallDisplacements yes;` no block leaves where it was built: remove deletion, or "
             "set `smallDisplacements no;` in system/schemes.",
-            contact.locationOf("deletion"));
+            locationOf("deletion"));
     }
     if (!scene.contact.elasticity)
     {
@@ -47,13 +48,13 @@ void refuseCombinations(const DynamicCase& scene, const std::filesystem::path& c
     if (scene.contact.restitution)
     {
         throw FatalIOError("Elastic contact points rebound by themselves: remove restitution, or elasticity.",
-                           contact.locationOf("restitution"));
+                           locationOf("restitution"));
     }
     if (scene.schemes.timeIntegration.theta < 1)
     {
         throw FatalIOError("Elastic contact points are integrated with theta 1 only: set `theta 1;` in "
                            "system/schemes, or remove elasticity.",
-                           contact.locationOf("elasticity"));
+                           locationOf("elasticity"));
     }
     if (scene.solution.solver == SolverType::interiorPoint
         || scene.solution.solver == SolverType::augmentedLagrangian)
@@ -61,7 +62,7 @@ void refuseCombinations(const DynamicCase& scene, const std::filesystem::path& c
         throw FatalIOError(
             "Elastic contact points are solved by Newton's method of their own, or by gaussSeidel: set "
             "`solver automatic;` for contactDynamics in system/solution, or remove elasticity.",
-            contact.locationOf("elasticity"));
+            locationOf("elasticity"));
     }
 }
 

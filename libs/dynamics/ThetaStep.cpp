@@ -444,20 +444,6 @@ ThetaStep solveThetaStep(PlaneConeProgram program, const StepSettings& settings,
     }
 }
 
-std::vector<Placement<2>> moved(std::vector<Placement<2>> placements, const std::vector<int>& free,
-                                const Eigen::VectorXd& displacement, double share)
-{
-    for (std::size_t block = 0; block < free.size(); ++block)
-    {
-        if (free[block] >= 0)
-        {
-            placements[block].translation += share * displacement.segment<2>(3 * free[block]);
-            placements[block].rotation += share * displacement[3 * free[block] + 2];
-        }
-    }
-    return placements;
-}
-
 void advance(DynamicState& state, const std::vector<int>& free, const Eigen::VectorXd& displacement,
              const ThetaScheme& scheme)
 {

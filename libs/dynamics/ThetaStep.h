@@ -96,10 +96,6 @@ struct ThetaStep
 ThetaStep solveThetaStep(PlaneConeProgram program, const StepSettings& settings, const StepGuess& guess = {},
                          const Relinearisation& relinearise = {}, SymbolicAnalysis* symbolic = nullptr);
 
-/// The placements moved by displacements of the free blocks, times `share`. \param free see freeIndices
-std::vector<Placement<2>> moved(std::vector<Placement<2>> placements, const std::vector<int>& free,
-                                const Eigen::VectorXd& displacement, double share = 1);
-
 /// Moves the blocks by the displacements of a step and gives them v1 = (y/dt - (1 - theta) v0)/theta.
 /// Rotations are finite: angles of the plane add.
 void advance(DynamicState& state, const std::vector<int>& free, const Eigen::VectorXd& displacement,

@@ -42,21 +42,6 @@ constexpr std::array<Attempt, 6> attempts{{{1, Overlaps::stay},
                                            {0.25, Overlaps::stay, 1e-6}}};
 constexpr int patience = 500; ///< iterations allowed to an attempt
 
-/// Placements carried on by displacements of the free blocks.
-std::vector<Placement<2>> carried(std::vector<Placement<2>> placements, const std::vector<int>& free,
-                                  const Eigen::VectorXd& displacement, double share)
-{
-    for (std::size_t block = 0; block < free.size(); ++block)
-    {
-        if (free[block] >= 0)
-        {
-            placements[block].translation += share * displacement.segment<2>(3 * free[block]);
-            placements[block].rotation += share * displacement[3 * free[block] + 2];
-        }
-    }
-    return placements;
-}
-
 /// Largest displacement of any corner, to first order.
 double largestOf(const std::vector<double>& radius, const std::vector<int>& free,
                  const Eigen::VectorXd& rates)
@@ -213,7 +198,7 @@ Pushover solvePushover(const PushoverScene& scene, const PushoverSettings& setti
             }
             return now;
         }();
-        const std::vector<Placement<2>> middle = carried(placements, free, solution.displacement, work / 2);
+        const std::vector<Placement<2>> middle = moved(placements, free, solution.displacement, work / 2);
         contacts.measure(middle, points);
         for (std::size_t i = 0; i < points.size(); ++i)
         {
@@ -222,11 +207,11 @@ Pushover solvePushover(const PushoverScene& scene, const PushoverSettings& setti
         setColumns(program, scene, masses, middle, points);
         setGaps();
         ConeSolution motion = solveInteriorPoint(program, solver);
-        const Eigen::VectorXd& moved =
+        const Eigen::VectorXd& displacement =
             motion.status == SolveStatus::optimal ? motion.displacement : solution.displacement;
-        placements = carried(std::move(placements), free, moved, work);
+        placements = moved(std::move(placements), free, displacement, work);
         point.displacement += work / liveForce;
-        point.largest += work * largestOf(radius, free, moved);
+        point.largest += work * largestOf(radius, free, displacement);
     }
     result.end = PushoverEnd::stepsUsedUp;
     return result;

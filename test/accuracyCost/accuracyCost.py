@@ -11,11 +11,11 @@ import shutil
 import signal
 import subprocess
 import sys
-import tempfile
 import time
 import unittest
 
-applications, tutorial = (os.path.abspath(path) for path in sys.argv[1:3])
+sys.path.insert(0, os.path.join(os.path.dirname(__file__), ".."))
+from caseTest import CaseTest, applications, tutorial
 
 results = "postProcessing/accuracyCost/0"
 study = """FoamFile { version 2.0; format ascii; class dictionary; object accuracyCostDict; }
@@ -40,14 +40,8 @@ sweeps
 good = {"reference": "Housner", "phases": "4", "more": ""}
 
 
-class AccuracyCost(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.root = tempfile.TemporaryDirectory()
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.root.cleanup()
+class AccuracyCost(CaseTest):
+    application = "accuracyCost"
 
     def case(self, name, **changes):
         case = os.path.join(self.root.name, name)
@@ -67,17 +61,6 @@ class AccuracyCost(unittest.TestCase):
     def set(case, **changes):
         with open(os.path.join(case, "system/accuracyCostDict"), "w", encoding="utf-8") as file:
             file.write(study % {**good, **changes})
-
-    def run_(self, case, *options, status=0):
-        done = subprocess.run([os.path.join(applications, "accuracyCost"), "-case", case, *options],
-                              capture_output=True, text=True, timeout=120, check=False)
-        self.assertEqual(done.returncode, status, done.stdout[-2000:] + done.stderr)
-        return done
-
-    @staticmethod
-    def read(case, name):
-        with open(os.path.join(case, name), encoding="utf-8") as file:
-            return file.read()
 
     def table(self, case):
         """Rows of the table without their times."""

@@ -5,12 +5,12 @@
 /// effect costs where it is absent is in results/README.md: it takes a second build.
 ///
 ///     build/test/EffectsBenchmark --benchmark_out=effects.csv --benchmark_out_format=csv
+#include "Peers.h"
+
 #include "dynamics/Motion.h"
 #include "texture/Texture.h"
 
 #include <benchmark/benchmark.h>
-
-#include <ctime>
 
 namespace drystone
 {
@@ -21,13 +21,6 @@ constexpr double weight = 9.81;
 constexpr double multiplier = 0.642859;
 constexpr double timeStep = 0.002;
 constexpr int steps = 100;
-
-double cpuSeconds()
-{
-    timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 /// The wall under its weight and a push to the left, without any effect.
 DynamicCase wall()

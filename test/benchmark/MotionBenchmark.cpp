@@ -6,6 +6,8 @@
 /// law.
 ///
 ///     build/test/MotionBenchmark --benchmark_out=results.csv --benchmark_out_format=csv
+#include "Peers.h"
+
 #include "assembly/AssemblyFile.h"
 #include "core/WholeFile.h"
 #include "dynamics/Motion.h"
@@ -16,7 +18,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <ctime>
 #include <fstream>
 
 namespace drystone
@@ -25,13 +26,6 @@ namespace
 {
 
 constexpr std::array<double, 6> multipliers{0.642859, 0.579999, 0.403694, 0.331948, 0.239643, 0.347825};
-
-double cpuSeconds()
-{
-    timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 /// The case of a wall in a folder of its own, the ground at `share` of the collapse multiplier.
 std::filesystem::path makeCase(long wall, double share)

@@ -10,12 +10,11 @@ import shutil
 import signal
 import subprocess
 import sys
-import tempfile
 import unittest
 
-applications, tutorial = (os.path.abspath(path) for path in sys.argv[1:3])
+sys.path.insert(0, os.path.join(os.path.dirname(__file__), ".."))
+from caseTest import CaseTest, applications, tutorial, header
 
-header = "FoamFile { version 2.0; format ascii; class dictionary; object %s; }\n"
 search = header % "parameterSearchDict" + """
 applications (blockTexture limitAnalysis);
 variables { angle { file "constant/loads"; entry angle; bounds (%(bounds)s); } }
@@ -28,14 +27,8 @@ good = {"bounds": "0 90", "column": "alpha", "otherwise": "", "constraints": "",
         "evaluations": "100"}
 
 
-class ParameterSearch(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.root = tempfile.TemporaryDirectory()
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.root.cleanup()
+class ParameterSearch(CaseTest):
+    application = "parameterSearch"
 
     def case(self, name, **changes):
         case = os.path.join(self.root.name, name)
@@ -48,17 +41,6 @@ class ParameterSearch(unittest.TestCase):
     def set(case, **changes):
         with open(os.path.join(case, "system/parameterSearchDict"), "w", encoding="utf-8") as file:
             file.write(search % {**good, **changes})
-
-    def run_(self, case, *options, status=0):
-        done = subprocess.run([os.path.join(applications, "parameterSearch"), "-case", case, *options],
-                              capture_output=True, text=True, timeout=120, check=False)
-        self.assertEqual(done.returncode, status, done.stdout[-2000:] + done.stderr)
-        return done
-
-    @staticmethod
-    def read(case, name):
-        with open(os.path.join(case, name), encoding="utf-8") as file:
-            return file.read()
 
     def rows(self, case):
         """Points of the history without their times."""

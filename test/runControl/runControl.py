@@ -10,13 +10,12 @@ import shutil
 import signal
 import subprocess
 import sys
-import tempfile
 import time
 import unittest
 
-applications, tutorial = sys.argv[1:3]
+sys.path.insert(0, os.path.join(os.path.dirname(__file__), ".."))
+from caseTest import CaseTest, applications, tutorial, header
 
-header = "FoamFile { version 2.0; format ascii; class dictionary; object %s; }\n"
 texture = header % "blockTextureDict" + """
 dimensions 2;
 texture
@@ -37,10 +36,12 @@ controls = {"application": "contactDynamics", "startFrom": "latestTime", "startT
             "endTime": "0.6", "deltaT": "0.002", "writeControl": "runTime", "writeInterval": "0.2"}
 
 
-class RunControl(unittest.TestCase):
+class RunControl(CaseTest):
+    application = "contactDynamics"
+
     @classmethod
     def setUpClass(cls):
-        cls.root = tempfile.TemporaryDirectory()
+        super().setUpClass()
         cls.base = os.path.join(cls.root.name, "base")
         shutil.copytree(tutorial, cls.base, ignore=shutil.ignore_patterns("VTK", "postProcessing", "log.*", "[0-9]*",
                                                                           "assembly"))
@@ -50,10 +51,6 @@ class RunControl(unittest.TestCase):
         made = subprocess.run([os.path.join(applications, "blockTexture"), "-case", cls.base], capture_output=True,
                               text=True, check=False)
         assert made.returncode == 0, made.stdout + made.stderr
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.root.cleanup()
 
     @staticmethod
     def write(case, name, text):
@@ -74,12 +71,6 @@ class RunControl(unittest.TestCase):
         shutil.copytree(self.base, case)
         self.control(case, **changes)
         return case
-
-    def run_(self, case, *options, status=0):
-        done = subprocess.run([os.path.join(applications, "contactDynamics"), "-case", case, *options],
-                              capture_output=True, text=True, timeout=120, check=False)
-        self.assertEqual(done.returncode, status, done.stdout[-2000:] + done.stderr)
-        return done
 
     def state(self, case, instant="0.6"):
         with open(os.path.join(case, instant, "state"), "rb") as file:

@@ -15,20 +15,6 @@ namespace drystone
 namespace
 {
 
-/// The structure seen from behind: x reversed.
-Assembly<2> mirrored(Assembly<2> assembly)
-{
-    for (auto& block : assembly.blocks)
-    {
-        for (auto& vertex : block.outline)
-        {
-            vertex.x() = -vertex.x();
-        }
-        std::reverse(block.outline.begin(), block.outline.end());
-    }
-    return assembly;
-}
-
 std::string_view nameOf(CollapseStatus status)
 {
     constexpr std::array<std::string_view, 4> names{"optimal", "unstable", "unbounded", "notConverged"};
@@ -48,11 +34,6 @@ LimitAnalysis solved(const PlaneConeProgram& program, CollapseStatus expected, O
         outcome.broken = fmt::format("certificate {:.1e}", result.certificate.worst());
     }
     return result;
-}
-
-void worsen(Outcome& outcome, double error)
-{
-    outcome.figure = error <= outcome.figure ? outcome.figure : error; // keeps NaN
 }
 
 /// Relative error of a multiplier; absolute below 1e-6.

@@ -115,11 +115,6 @@ struct Watched
     }
 };
 
-void worsen(Outcome& outcome, double error)
-{
-    outcome.figure = error <= outcome.figure ? outcome.figure : error; // keeps NaN
-}
-
 Assembly<2> onGround(const std::vector<Block<2>>& blocks)
 {
     Assembly<2> assembly = scenes::ground(-8, 8);
@@ -131,13 +126,18 @@ constexpr std::array bothRules{FlowRule::associative, FlowRule::nonAssociative};
 
 // Sliding.
 
+DynamicState movingAlongX(const DynamicCase& scene, double velocity)
+{
+    DynamicState state = stateAtRest(scene.assembly);
+    state.velocity[0] = velocity;
+    return state;
+}
+
 Outcome impulsiveSlide(SolverType solver)
 {
     Outcome outcome;
     const DynamicCase scene = sceneFor(solver, onGround({rectangle(0, 0, 1, 0.4)}));
-    DynamicState start = stateAtRest(scene.assembly);
-    start.velocity[0] = 1;
-    Watched run(scene, start, outcome);
+    Watched run(scene, movingAlongX(scene, 1), outcome);
     double highest = 0;
     while (run.motion.state.time < 0.2 && run.step(5e-4))
     {
@@ -159,9 +159,7 @@ Outcome impulsiveSlideAssociative(SolverType solver)
     {
         const DynamicCase scene =
             sceneFor(solver, onGround({rectangle(0, 0, 1, 0.4)}), {.flowRule = FlowRule::associative});
-        DynamicState start = stateAtRest(scene.assembly);
-        start.velocity[0] = 1;
-        Watched run(scene, start, outcome);
+        Watched run(scene, movingAlongX(scene, 1), outcome);
         run.step(timeStep);
         worsen(outcome, std::abs(run.motion.energy.kinetic / run.motion.energy.opening - 1 / (1 + 0.36)));
     }
@@ -175,9 +173,7 @@ Outcome steadySlide(SolverType solver)
     {
         const DynamicCase scene =
             sceneFor(solver, onGround({rectangle(0, 0, 1, 0.4)}), {.flowRule = FlowRule::associative});
-        DynamicState start = stateAtRest(scene.assembly);
-        start.velocity[0] = 1;
-        Watched run(scene, start, outcome);
+        Watched run(scene, movingAlongX(scene, 1), outcome);
         run.until(0.1, timeStep);
         const double hover = 0.6 * timeStep * run.motion.state.velocity[0];
         worsen(outcome, std::abs(run.motion.state.placements[1].translation.y() / hover - 1));
@@ -185,10 +181,9 @@ Outcome steadySlide(SolverType solver)
     return outcome;
 }
 
-/// Between two fixed walls that it fits exactly a block may fall freely or hang: Coulomb's law allows either.
-Outcome exactFitSlot(SolverType solver)
+/// A block between two fixed walls that it fits exactly.
+Assembly<2> slot()
 {
-    Outcome outcome;
     Assembly<2> assembly;
     assembly.supports = {{"walls", "blocks"}};
     for (const double left : {-1.0, 1.0})
@@ -197,6 +192,14 @@ Outcome exactFitSlot(SolverType solver)
         assembly.blocks.back().support = 0;
     }
     assembly.blocks.push_back(rectangle(0, 0, 1, 1));
+    return assembly;
+}
+
+/// Between two fixed walls that it fits exactly a block may fall freely or hang: Coulomb's law allows either.
+Outcome exactFitSlot(SolverType solver)
+{
+    Outcome outcome;
+    const Assembly<2> assembly = slot();
     for (const double velocity : {0.0, -0.5})
     {
         const DynamicCase scene = sceneFor(solver, assembly);
@@ -219,14 +222,7 @@ Outcome exactFitSlot(SolverType solver)
 Outcome exactFitSlotAssociative(SolverType solver)
 {
     Outcome outcome;
-    Assembly<2> assembly;
-    assembly.supports = {{"walls", "blocks"}};
-    for (const double left : {-1.0, 1.0})
-    {
-        assembly.blocks.push_back(rectangle(left, -1, 1, 3));
-        assembly.blocks.back().support = 0;
-    }
-    assembly.blocks.push_back(rectangle(0, 0, 1, 1));
+    const Assembly<2> assembly = slot();
     const DynamicCase scene = sceneFor(solver, assembly, {.flowRule = FlowRule::associative});
     Watched run(scene, outcome);
     run.until(0.1, 1e-3);
@@ -331,41 +327,23 @@ Outcome cornerOnCorner(SolverType solver, double aside)
     return outcome;
 }
 
-/// Painleve's rod: see test/dynamics. What is measured is the impulse that stops it.
+/// What is measured is the impulse that stops the rod.
 Outcome painleve(SolverType solver)
 {
     Outcome outcome;
-    const Eigen::Rotation2Dd turn(std::atan(2.0));
-    Block<2> rod = rectangle(-0.5, -0.005, 1, 0.01);
-    Vector<2> lowest(0, 0);
-    for (Vector<2>& corner : rod.outline)
-    {
-        corner = turn * corner;
-        lowest = corner.y() < lowest.y() ? corner : lowest;
-    }
-    for (Vector<2>& corner : rod.outline)
-    {
-        corner -= lowest;
-    }
-    const double inertia = (1 + 0.01 * 0.01) / 12;
-    Eigen::Matrix2d compliance;
-    compliance << 1 + lowest.y() * lowest.y() / inertia, -lowest.x() * lowest.y() / inertia,
-        -lowest.x() * lowest.y() / inertia, 1 + lowest.x() * lowest.x() / inertia;
-    const Vector<2> exact = compliance.inverse() * Vector<2>(1, 0);
+    const scenes::PainlevesRod rod = scenes::painlevesRod();
     for (const FlowRule flowRule : bothRules)
     {
         const double timeStep = 1e-5;
-        const DynamicCase scene = sceneFor(solver, onGround({rod}), {.mu = 2, .flowRule = flowRule});
-        DynamicState start = stateAtRest(scene.assembly);
-        start.velocity[0] = -1;
-        Watched run(scene, start, outcome);
+        const DynamicCase scene = sceneFor(solver, onGround({rod.block}), {.mu = 2, .flowRule = flowRule});
+        Watched run(scene, movingAlongX(scene, -1), outcome);
         run.step(timeStep);
         double normal = 0;
         for (const Vector<2>& force : run.motion.contactForces)
         {
             normal += force.x();
         }
-        worsen(outcome, std::abs(normal * timeStep / scene.mass[0] - exact.y()));
+        worsen(outcome, std::abs(normal * timeStep / scene.mass[0] - rod.impulse.y()));
         for (int step = 0; step < 20; ++step)
         {
             run.step(timeStep);

@@ -20,6 +20,12 @@ struct Outcome
     std::string note = {};   ///< for the table, such as which of several right answers it was
 };
 
+/// The larger of the figure and an error becomes the figure.
+inline void worsen(Outcome& outcome, double error)
+{
+    outcome.figure = error <= outcome.figure ? outcome.figure : error; // keeps NaN
+}
+
 /// Whether a case is short enough for every test run.
 enum class Length
 {

@@ -7,6 +7,8 @@
 #include "texture/RunningBond.h"
 #include "texture/Supports.h"
 
+#include <algorithm>
+
 namespace drystone
 {
 
@@ -92,6 +94,20 @@ inline Structure standing(const RunningBond& bond)
     ground.segment = 0.5 * bond.unit.x();
     addGround(assembly, "ground", ground);
     return Structure(std::move(assembly));
+}
+
+/// The structure seen from behind: x reversed.
+inline Assembly<2> mirrored(Assembly<2> assembly)
+{
+    for (auto& block : assembly.blocks)
+    {
+        for (auto& vertex : block.outline)
+        {
+            vertex.x() = -vertex.x();
+        }
+        std::reverse(block.outline.begin(), block.outline.end());
+    }
+    return assembly;
 }
 
 inline Block<2> rectangle(double x0, double y0, double x1, double y1, int support = -1)

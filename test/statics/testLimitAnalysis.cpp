@@ -15,20 +15,6 @@ using namespace drystone;
 namespace
 {
 
-/// The structure seen from behind: x reversed.
-Assembly<2> mirrored(Assembly<2> assembly)
-{
-    for (auto& block : assembly.blocks)
-    {
-        for (auto& vertex : block.outline)
-        {
-            vertex.x() = -vertex.x();
-        }
-        std::reverse(block.outline.begin(), block.outline.end());
-    }
-    return assembly;
-}
-
 void expectCertified(const LimitAnalysis& result)
 {
     EXPECT_LE(result.certificate.primalResidual, 1e-9);

@@ -1,0 +1,34 @@
+# Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+"""What the tests of whole applications share: cases in a temporary folder, on which an application is run."""
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+applications, tutorial = (os.path.abspath(path) for path in sys.argv[1:3])
+
+header = "FoamFile { version 2.0; format ascii; class dictionary; object %s; }\n"
+
+
+class CaseTest(unittest.TestCase):
+    application = ""  # the one that run_ runs
+
+    @classmethod
+    def setUpClass(cls):
+        cls.root = tempfile.TemporaryDirectory()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.root.cleanup()
+
+    def run_(self, case, *options, status=0):
+        done = subprocess.run([os.path.join(applications, self.application), "-case", case, *options],
+                              capture_output=True, text=True, timeout=120, check=False)
+        self.assertEqual(done.returncode, status, done.stdout[-2000:] + done.stderr)
+        return done
+
+    @staticmethod
+    def read(case, name):
+        with open(os.path.join(case, name), encoding="utf-8") as file:
+            return file.read()
