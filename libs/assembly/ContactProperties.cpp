@@ -175,7 +175,8 @@ void declare(Options& options, ContactProperties& properties)
     options.optional("contact", properties.contact, "what limitAnalysis knows of a joint; absent: points");
     options
         .optional("pointsPerJoint", properties.pointsPerJoint,
-                  "contact points along each joint, of limitAnalysis; absent: 2, with crushing 11")
+                  "contact points along each joint, of limitAnalysis; absent: its ends, and where it "
+                  "crushes as many as that takes")
         .atLeast(2)
         .atMost(1000)
         .example("11");

@@ -145,7 +145,7 @@ struct ContactProperties
     std::optional<ContactModel> contact;     ///< absent: points; in limit analysis only
     /// By name (see jointName), exact names before the last pattern that matches.
     std::vector<std::pair<NamePattern, JointProperties>> joints;
-    std::optional<int> pointsPerJoint; ///< absent: 2, the ends; with crushing 11
+    std::optional<int> pointsPerJoint; ///< absent: the ends, and hinges that crush
 };
 
 void declare(Options& options, ContactProperties& properties);

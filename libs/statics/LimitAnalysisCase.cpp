@@ -6,28 +6,28 @@
 #include "assembly/JointLaws.h"
 #include "assembly/Materials.h"
 #include "core/Solution.h"
+#include "statics/CrushingHinges.h"
 #include "statics/Settlement.h"
 #include "statics/SurfaceContact.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace drystone
 {
 namespace
 {
 
-/// With crushing, hinges move inwards from the ends of a joint: the points that they move along.
-constexpr int pointsToCrush = 11;
+/// By how much of the length of a joint its resultant may be beyond where it crushes, unless the tolerance of
+/// the solver asks for less; and how many times points are added until then.
+constexpr double hingeTolerance = 1e-7;
+constexpr int mostHingeRounds = 30;
 
 std::vector<ContactPoint<2>> contactPoints(const Assembly<2>& assembly, const ContactProperties& contact)
 {
-    const bool canCrush = contact.crushing
-                          || std::any_of(contact.joints.begin(), contact.joints.end(),
-                                         [](const auto& joint) { return joint.second.crushing.has_value(); });
-    const int count = contact.pointsPerJoint.value_or(canCrush ? pointsToCrush : 2);
     std::vector<ContactPoint<2>> ends = findContactPoints(assembly);
-    return count > 2 ? divideJoints(ends, count) : ends;
+    return contact.pointsPerJoint.value_or(2) > 2 ? divideJoints(ends, *contact.pointsPerJoint) : ends;
 }
 
 /// Empty where no point has any: cones cost less.
@@ -47,6 +47,22 @@ std::vector<Strength> strengthsOf(const std::vector<PointLaw>& laws)
 FlowRule flowRuleOf(const ContactProperties& contact)
 {
     return contact.friction ? contact.friction->flowRule : FlowRule::associative;
+}
+
+/// The program of the points that the structure has.
+PlaneConeProgram programOf(const LimitAnalysisCase& structure, std::vector<Strength> strengths)
+{
+    PlaneConeProgram program = limitAnalysisProgram(
+        structure.freeBlocks,
+        equilibriumColumns(structure.assembly, blockMasses(structure.assembly), structure.points),
+        structure.friction, structure.loads);
+    program.strength = std::move(strengths);
+    if (structure.movement)
+    {
+        program.liveLoad.resize(0);
+        program.gap = settlementGaps(structure.assembly, structure.points, *structure.movement);
+    }
+    return program;
 }
 
 bool isSurfaceContact(const ContactProperties& contact)
@@ -108,6 +124,128 @@ void requirePushover(const LimitAnalysisCase& structure, const std::filesystem::
     }
 }
 
+LimitAnalysis solveWithPoints(const LimitAnalysisCase& structure)
+{
+    InteriorPointSettings solver = interiorPointSettings(structure.solution);
+    if (isSurfaceContact(structure.contact))
+    {
+        // Closer, so that the certificate in resultants, whose residuals are sums, meets the tolerance too.
+        const double tolerance = solver.tolerance;
+        solver.tolerance *= 0.1;
+        LimitAnalysis result = solveLimitAnalysis(structure.program, solver);
+        const std::vector<JointResultant> joints =
+            jointResultants(structure.points, structure.friction, result.contactForce);
+        result.variables = 3 * static_cast<int>(joints.size()) + 1;
+        if (result.status == CollapseStatus::optimal)
+        {
+            result.certificate = certifySurfaceContact(structure.assembly, joints, structure.loads, result);
+            if (!(result.certificate.worst() <= tolerance))
+            {
+                result.status = CollapseStatus::notConverged;
+            }
+        }
+        return result;
+    }
+    if (structure.movement)
+    {
+        return solveSettlement(structure.program, solver);
+    }
+    return flowRuleOf(structure.contact) == FlowRule::nonAssociative
+               ? solveNonAssociative(structure.program, jointsOf(structure.points), structure.nonAssociative,
+                                     solver)
+               : solveLimitAnalysis(structure.program, solver);
+}
+
+std::vector<LimitAnalysis> solveAllWithPoints(const LimitAnalysisCase& structure)
+{
+    std::vector<LimitAnalysis> results;
+    if (!structure.combinations.empty())
+    {
+        for (const auto& [name, loads] : structure.combinations)
+        {
+            LimitAnalysisCase single = structure;
+            single.combinations.clear();
+            single.loads = loads;
+            single.multiplier = loads.multiplier;
+            single.program.load = loads.dead;
+            single.program.liveLoad = loads.live;
+            for (LimitAnalysis& result : solveAllWithPoints(single))
+            {
+                result.combination = name;
+                results.push_back(std::move(result));
+            }
+        }
+        return results;
+    }
+    if (structure.multiplier != Multiplier::negative)
+    {
+        results.push_back(solveWithPoints(structure));
+    }
+    if (structure.multiplier != Multiplier::positive)
+    {
+        LimitAnalysisCase reversed = structure;
+        reversed.program.liveLoad *= -1;
+        reversed.loads.live *= -1;
+        results.push_back(solveWithPoints(reversed));
+        results.back().alpha *= -1;
+    }
+    return results;
+}
+
+/// Adds points where joints crush in the answers, which are those of one structure. \return whether any was
+bool addHinges(LimitAnalysisCase& structure, const std::vector<LimitAnalysis>& results)
+{
+    if (structure.contact.pointsPerJoint || !structure.program.hasStrength())
+    {
+        return false;
+    }
+    std::vector<Eigen::VectorXd> forces;
+    for (const LimitAnalysis& result : results)
+    {
+        if (result.status == CollapseStatus::optimal)
+        {
+            forces.push_back(result.contactForce);
+        }
+    }
+    JointPoints joints{structure.points, structure.friction, structure.program.strength};
+    if (!addCrushingHinges(joints, forces, std::max(hingeTolerance, 10 * structure.solution.tolerance)))
+    {
+        return false;
+    }
+    structure.points = std::move(joints.points);
+    structure.friction = std::move(joints.friction);
+    structure.program = programOf(structure, std::move(joints.strength));
+    return true;
+}
+
+/// Solves until no joint bears more than it can. \return the answers; `notConverged` when that takes too long
+std::vector<LimitAnalysis>
+solveWithHinges(LimitAnalysisCase& structure,
+                const std::function<std::vector<LimitAnalysis>(const LimitAnalysisCase&)>& solve)
+{
+    std::vector<LimitAnalysis> results = solve(structure);
+    for (int round = 0; addHinges(structure, results); ++round)
+    {
+        const std::vector<LimitAnalysis> before = std::move(results);
+        results = solve(structure);
+        for (std::size_t i = 0; i < results.size(); ++i)
+        {
+            results[i].iterations += before[i].iterations;
+            results[i].factorisations += before[i].factorisations;
+            results[i].solves += before[i].solves;
+            if (round == mostHingeRounds)
+            {
+                results[i].status = CollapseStatus::notConverged;
+            }
+        }
+        if (round == mostHingeRounds)
+        {
+            break;
+        }
+    }
+    return results;
+}
+
 } // namespace
 
 void declare(Options& options, LimitAnalysisControls& controls)
@@ -161,11 +299,9 @@ LimitAnalysisCase readLimitAnalysisCase(const std::filesystem::path& caseDirecto
         result.friction.push_back(law.mu);
     }
     result.freeBlocks = static_cast<int>(loads.dead.size()) / 3;
-    result.program =
-        limitAnalysisProgram(result.freeBlocks, equilibriumColumns(result.assembly, blocks, result.points),
-                             result.friction, loads);
-    result.program.strength = strengthsOf(laws);
     result.loads = loads;
+    result.movement = loads.movement;
+    result.program = programOf(result, strengthsOf(laws));
     if (result.pushover)
     {
         requirePushover(result, caseDirectory);
@@ -175,11 +311,8 @@ LimitAnalysisCase readLimitAnalysisCase(const std::filesystem::path& caseDirecto
         requireSurfaceContact(result, caseDirectory);
     }
     result.multiplier = loads.multiplier;
-    result.movement = loads.movement;
     if (loads.movement)
     {
-        result.program.liveLoad.resize(0);
-        result.program.gap = settlementGaps(result.assembly, result.points, *loads.movement);
         const Dictionary dictionary = Dictionary::readFile(caseDirectory / "constant/loads");
         if (loads.multiplier != Multiplier::positive)
         {
@@ -208,72 +341,16 @@ LimitAnalysisCase readLimitAnalysisCase(const std::filesystem::path& caseDirecto
     return result;
 }
 
-LimitAnalysis solveLimitAnalysis(const LimitAnalysisCase& structure)
+LimitAnalysis solveLimitAnalysis(LimitAnalysisCase& structure)
 {
-    InteriorPointSettings solver = interiorPointSettings(structure.solution);
-    if (isSurfaceContact(structure.contact))
-    {
-        // Closer, so that the certificate in resultants, whose residuals are sums, meets the tolerance too.
-        const double tolerance = solver.tolerance;
-        solver.tolerance *= 0.1;
-        LimitAnalysis result = solveLimitAnalysis(structure.program, solver);
-        const std::vector<JointResultant> joints =
-            jointResultants(structure.points, structure.friction, result.contactForce);
-        result.variables = 3 * static_cast<int>(joints.size()) + 1;
-        if (result.status == CollapseStatus::optimal)
-        {
-            result.certificate = certifySurfaceContact(structure.assembly, joints, structure.loads, result);
-            if (!(result.certificate.worst() <= tolerance))
-            {
-                result.status = CollapseStatus::notConverged;
-            }
-        }
-        return result;
-    }
-    if (structure.movement)
-    {
-        return solveSettlement(structure.program, solver);
-    }
-    return flowRuleOf(structure.contact) == FlowRule::nonAssociative
-               ? solveNonAssociative(structure.program, jointsOf(structure.points), structure.nonAssociative,
-                                     solver)
-               : solveLimitAnalysis(structure.program, solver);
+    return solveWithHinges(structure, [](const LimitAnalysisCase& with)
+                           { return std::vector<LimitAnalysis>{solveWithPoints(with)}; })
+        .front();
 }
 
-std::vector<LimitAnalysis> solveLimitAnalyses(const LimitAnalysisCase& structure)
+std::vector<LimitAnalysis> solveLimitAnalyses(LimitAnalysisCase& structure)
 {
-    std::vector<LimitAnalysis> results;
-    if (!structure.combinations.empty())
-    {
-        for (const auto& [name, loads] : structure.combinations)
-        {
-            LimitAnalysisCase single = structure;
-            single.combinations.clear();
-            single.loads = loads;
-            single.multiplier = loads.multiplier;
-            single.program.load = loads.dead;
-            single.program.liveLoad = loads.live;
-            for (LimitAnalysis& result : solveLimitAnalyses(single))
-            {
-                result.combination = name;
-                results.push_back(std::move(result));
-            }
-        }
-        return results;
-    }
-    if (structure.multiplier != Multiplier::negative)
-    {
-        results.push_back(solveLimitAnalysis(structure));
-    }
-    if (structure.multiplier != Multiplier::positive)
-    {
-        LimitAnalysisCase reversed = structure;
-        reversed.program.liveLoad *= -1;
-        reversed.loads.live *= -1;
-        results.push_back(solveLimitAnalysis(reversed));
-        results.back().alpha *= -1;
-    }
-    return results;
+    return solveWithHinges(structure, solveAllWithPoints);
 }
 
 Pushover solvePushover(const LimitAnalysisCase& structure, const PushoverObserver& observe)

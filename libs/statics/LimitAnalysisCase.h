@@ -28,7 +28,7 @@ struct LimitAnalysisCase
 {
     Assembly<2> assembly;
     ContactProperties contact;
-    std::vector<ContactPoint<2>> points; ///< as built
+    std::vector<ContactPoint<2>> points; ///< of the structure as built
     std::vector<double> friction;        ///< mu of each point
     int freeBlocks = 0;
     PlaneConeProgram program;
@@ -49,13 +49,19 @@ LimitAnalysisCase readLimitAnalysisCase(const std::filesystem::path& caseDirecto
                                         std::optional<int> pointsPerJoint = {});
 
 /// Collapse by the flow rule of the case, for a positive multiplier; for a support that moves, settlement.
-LimitAnalysis solveLimitAnalysis(const LimitAnalysisCase& structure);
+///
+/// Joints that crush turn about points within them. Unless the case says how many points they have
+/// (`pointsPerJoint`), points are added to where the hinges are, until no joint bears a resultant nearer to
+/// its end than it can, to 1e-7 of its length or ten times the tolerance of the solver (CrushingHinges.h).
+/// \param structure gets these points
+LimitAnalysis solveLimitAnalysis(LimitAnalysisCase& structure);
 
 /// The capacity curve of a case that asks for one.
 Pushover solvePushover(const LimitAnalysisCase& structure, const PushoverObserver& observe);
 
 /// One answer for each end of the range that the case asks for, the positive one first; for each combination
 /// of loads in turn. Multipliers of the negative end have their sign.
-std::vector<LimitAnalysis> solveLimitAnalyses(const LimitAnalysisCase& structure);
+/// \param structure gets points where joints crush, see solveLimitAnalysis
+std::vector<LimitAnalysis> solveLimitAnalyses(LimitAnalysisCase& structure);
 
 } // namespace drystone

@@ -44,7 +44,7 @@ protected:
     LimitAnalysis solve(const std::string& live)
     {
         writeWholeFile(directory / "constant/loads", "dead { type gravity; } live { " + live + " }");
-        const LimitAnalysisCase structure = readLimitAnalysisCase(directory);
+        LimitAnalysisCase structure = readLimitAnalysisCase(directory);
         const LimitAnalysis result =
             solveLimitAnalysis(structure.program, interiorPointSettings(structure.solution));
         writeLimitAnalysisResults(directory, structure, {result}, 0.5);
@@ -94,7 +94,7 @@ TEST_F(LimitAnalysisResults, OfCombinationsOfLoadsHaveARowEach)
                    "combinations { bare { dead { type gravity; } live { type inertial; direction (1 0); } } "
                    "full { dead { type sum; loads { w { type gravity; } p { type force; at (0.5 2); value "
                    "(0 -20000); } } } live { type inertial; direction (1 0); } multiplier both; } }");
-    const LimitAnalysisCase structure = readLimitAnalysisCase(directory);
+    LimitAnalysisCase structure = readLimitAnalysisCase(directory);
     const std::vector<LimitAnalysis> results = solveLimitAnalyses(structure);
     ASSERT_EQ(results.size(), 3U);
     EXPECT_EQ(results[0].combination, "bare");
@@ -117,7 +117,7 @@ TEST_F(LimitAnalysisResults, OfContactBySurfacesAreCertifiedInStressResultants)
             fmt::format("friction {{ type Coulomb; mu {}; }} contact {{ formulation surface; }}", mu));
         writeWholeFile(directory / "constant/loads",
                        "dead { type gravity; } live { type inertial; direction (1 0 0); } multiplier both;");
-        const LimitAnalysisCase structure = readLimitAnalysisCase(directory);
+        LimitAnalysisCase structure = readLimitAnalysisCase(directory);
         for (const LimitAnalysis& result : solveLimitAnalyses(structure))
         {
             EXPECT_EQ(result.status, CollapseStatus::optimal);
@@ -134,7 +134,7 @@ TEST_F(LimitAnalysisResults, ACertificateInStressResultantsTellsAWrongAnswer)
                    "friction { type Coulomb; mu 0.7; } contact { formulation surface; }");
     writeWholeFile(directory / "constant/loads",
                    "dead { type gravity; } live { type inertial; direction (1 0 0); }");
-    const LimitAnalysisCase structure = readLimitAnalysisCase(directory);
+    LimitAnalysisCase structure = readLimitAnalysisCase(directory);
     const LimitAnalysis right = solveLimitAnalysis(structure);
     const auto worst = [&](const LimitAnalysis& result)
     {

@@ -3,6 +3,7 @@
 /// conic/Certificate.h from the problem data, not by the solver.
 #include "Structures.h"
 #include "assembly/JointLaws.h"
+#include "statics/CrushingHinges.h"
 #include "texture/Arch.h"
 
 #include <gtest/gtest.h>
@@ -175,6 +176,65 @@ TEST(LimitAnalysis, OfAMonolithWhoseToeCrushesConvergesWithThePointsOfTheJoint)
             EXPECT_NEAR(multiplierOf(program), 0.25 - 1000 / (2 * strength), bound + 1e-9) << count;
         }
     }
+}
+
+TEST(LimitAnalysis, OfAMonolithWhoseToeCrushesIsExactWithAPointWhereTheHingeIs)
+{
+    // With the tension T l t as well: W alpha h = P (l - u)/2, P = W + T, u = l P/(S + T).
+    Assembly<2> assembly;
+    assembly.supports = {{"ground", "ground"}};
+    assembly.blocks = {rectangle(0, 0, 0.5, 2), rectangle(-1, -1, 2, 0, 0)};
+    Structure structure(std::move(assembly));
+    const std::vector<ContactPoint<2>> ends = structure.points;
+    for (const double tension : {0.0, 400.0})
+    {
+        for (const double strength : {2.5e3, 1e4, 1e5, 1e7, 1e9})
+        {
+            JointPoints joints{ends, {3, 3}, {}};
+            joints.strength.assign(2, {3 * tension / 2, tension / 2, strength * 0.5 / 2});
+            const double resultant = 1000 + tension;
+            const double depth = 0.5 * resultant / (strength * 0.5 + tension);
+            const double exact = resultant * (0.5 - depth) / 2 / 1000;
+            double alpha = 0;
+            int rounds = 0;
+            for (bool isAdded = true; isAdded && rounds < 30; ++rounds)
+            {
+                structure.points = joints.points;
+                PlaneConeProgram program = structure.program(3, structure.weightLoads());
+                program.strength = joints.strength;
+                const LimitAnalysis result = solveLimitAnalysis(program);
+                ASSERT_EQ(result.status, CollapseStatus::optimal);
+                EXPECT_GE(result.alpha, exact - 1e-8) << "never too low";
+                alpha = result.alpha;
+                isAdded = addCrushingHinges(joints, {result.contactForce}, 1e-9);
+            }
+            EXPECT_NEAR(alpha, exact, 1e-7) << strength << ' ' << tension << ' ' << rounds;
+            EXPECT_LE(rounds, 4);
+            EXPECT_LE(joints.points.size(), 6U);
+        }
+    }
+}
+
+TEST(CrushingHinges, LeaveJointsThatBearAnyPressureAsTheyAre)
+{
+    Assembly<2> assembly;
+    assembly.supports = {{"ground", "ground"}};
+    assembly.blocks = {rectangle(0, 0, 0.5, 2), rectangle(-1, -1, 2, 0, 0)};
+    const Structure structure(std::move(assembly));
+    JointPoints joints{structure.points, {3, 3}, {Strength{1, 0}, Strength{1, 0}}};
+    Eigen::VectorXd atOneEnd(4);
+    atOneEnd << 1000, 0, 0, 0;
+    EXPECT_FALSE(addCrushingHinges(joints, {atOneEnd}, 1e-9));
+    EXPECT_EQ(joints.points.size(), 2U);
+    // A joint without a force has no hinge either.
+    joints.strength.assign(2, {.crushing = 1e4});
+    EXPECT_FALSE(addCrushingHinges(joints, {Eigen::VectorXd::Zero(4)}, 1e-9));
+    EXPECT_TRUE(addCrushingHinges(joints, {atOneEnd}, 1e-9));
+    ASSERT_EQ(joints.points.size(), 3U);
+    // 1000 N over 2e4/0.5 N/m, from whichever end bears it.
+    EXPECT_NEAR((joints.points[1].position - joints.points[0].position).norm(), 0.025, 1e-12);
+    EXPECT_NEAR(joints.strength[0].crushing, 2e4 * 0.0125 / 0.5, 1e-9);
+    EXPECT_NEAR(joints.strength[1].crushing, 2e4 / 2, 1e-9);
 }
 
 TEST(LimitAnalysis, OfAFrictionlessWallIsZero)

@@ -25,7 +25,7 @@ int run(const CommandLine& commandLine)
     printBanner(commandLine);
     const std::filesystem::path& directory = commandLine.caseDirectory;
     const Time time(directory); // nothing moves, but a fault in controlDict is one here too
-    const LimitAnalysisCase structure = readLimitAnalysisCase(directory);
+    LimitAnalysisCase structure = readLimitAnalysisCase(directory);
     if (!commandLine.noFunctionObjects)
         checkFunctions(time.controlDict(), directory, structure.assembly);
     printLimitAnalysisCase(structure);
