@@ -228,30 +228,6 @@ bool AugmentedLagrangian::round()
     return true;
 }
 
-/// Multipliers of the rays that make up contact forces; those outside their cone are put on its surface.
-VectorXd raysOf(const PlaneConeProgram& program, const RayForm& form, const VectorXd& contactForce)
-{
-    VectorXd s = VectorXd::Zero(form.program.rayCount());
-    for (int point = 0; point < program.points(); ++point)
-    {
-        const double normal = contactForce[2 * point] / form.scaling.load;
-        const double shear = contactForce[2 * point + 1] / form.scaling.load;
-        const double mu = program.friction[point];
-        const int first = form.firstRay[point];
-        if (mu > 0)
-        {
-            const double length = std::sqrt(1 + mu * mu);
-            s[first] = std::max(0.0, length * (normal + shear / mu) / 2);
-            s[first + 1] = std::max(0.0, length * (normal - shear / mu) / 2);
-        }
-        else
-        {
-            s[first] = std::max(0.0, normal);
-        }
-    }
-    return s;
-}
-
 } // namespace
 
 ConeSolution solveAugmentedLagrangian(const PlaneConeProgram& program, const ConeSolution& start,

@@ -128,6 +128,46 @@ void BlockCholesky<Rows>::solve(Eigen::Ref<Eigen::VectorXd> x) const
     }
 }
 
+template<int Rows>
+void BlockCholesky<Rows>::solve(Eigen::Ref<Eigen::VectorXd> one, Eigen::Ref<Eigen::VectorXd> other) const
+{
+    using Segment = Eigen::Matrix<double, Rows, 1>;
+    using Padded = Eigen::Matrix<double, paddedRows, 1>;
+    const std::vector<int>& start = pattern_.factor.columnStart;
+    const std::vector<int>& row = pattern_.factor.row;
+    for (int column = 0; column < pattern_.factor.columns(); ++column)
+    {
+        const int begin = start[column];
+        const Block inverse = blocks_[begin].template topRows<Rows>();
+        const Segment first = inverse * one.template segment<Rows>(Rows * column);
+        const Segment second = inverse * other.template segment<Rows>(Rows * column);
+        one.template segment<Rows>(Rows * column) = first;
+        other.template segment<Rows>(Rows * column) = second;
+        for (int entry = begin + 1; entry < start[column + 1]; ++entry)
+        {
+            const Padded productFirst = blocks_[entry].lazyProduct(first);
+            const Padded productSecond = blocks_[entry].lazyProduct(second);
+            one.template segment<Rows>(Rows * row[entry]) -= productFirst.template head<Rows>();
+            other.template segment<Rows>(Rows * row[entry]) -= productSecond.template head<Rows>();
+        }
+    }
+    for (int column = pattern_.factor.columns() - 1; column >= 0; --column)
+    {
+        const int begin = start[column];
+        Segment first = one.template segment<Rows>(Rows * column);
+        Segment second = other.template segment<Rows>(Rows * column);
+        for (int entry = begin + 1; entry < start[column + 1]; ++entry)
+        {
+            const Block transposed = blocks_[entry].template topRows<Rows>().transpose();
+            first.noalias() -= transposed * one.template segment<Rows>(Rows * row[entry]);
+            second.noalias() -= transposed * other.template segment<Rows>(Rows * row[entry]);
+        }
+        const Block inverse = blocks_[begin].template topRows<Rows>().transpose();
+        one.template segment<Rows>(Rows * column).noalias() = inverse * first;
+        other.template segment<Rows>(Rows * column).noalias() = inverse * second;
+    }
+}
+
 template class BlockCholesky<3>;
 template class BlockCholesky<6>;
 

@@ -39,6 +39,8 @@ public:
 
     /// Solves in place.
     void solve(Eigen::Ref<Eigen::VectorXd> x) const;
+    /// Likewise for two right sides at once.
+    void solve(Eigen::Ref<Eigen::VectorXd> one, Eigen::Ref<Eigen::VectorXd> other) const;
 
 private:
     FactorPattern pattern_;

@@ -35,17 +35,20 @@ double relative(double value, double scale)
 /// Largest |entry| of a vector of body rows, moments divided (or, for displacements, rotations multiplied) by
 /// `lever`.
 template<int Rows, int Forces>
-double largest(const Eigen::VectorXd& rows, double momentFactor)
+double largest(const Eigen::Ref<const Eigen::VectorXd>& rows, double momentFactor)
 {
     double result = 0;
-    for (Eigen::Index row = 0; row < rows.size(); ++row)
+    for (Eigen::Index body = 0; body < rows.size(); body += Rows)
     {
-        const double value = std::abs(rows[row]) * (row % Rows < Forces ? 1 : momentFactor);
-        if (std::isnan(value))
+        for (int row = 0; row < Rows; ++row)
         {
-            return infinite;
+            const double value = std::abs(rows[body + row]) * (row < Forces ? 1 : momentFactor);
+            if (std::isnan(value))
+            {
+                return infinite;
+            }
+            result = std::max(result, value);
         }
-        result = std::max(result, value);
     }
     return result;
 }
@@ -215,8 +218,11 @@ Certificate certifyOptimal(const ConeProgram<Rows, Forces>& program, const ConeS
         // How far the loads would carry free bodies: the measure of a displacement when nothing moves.
         for (int body = 0; body < program.bodies; ++body)
         {
-            const Eigen::VectorXd fall =
-                program.inertia[body].ldlt().solve(program.load.template segment<Rows>(Rows * body));
+            const auto& inertia = program.inertia[body];
+            const Eigen::Matrix<double, Rows, 1> load = program.load.template segment<Rows>(Rows * body);
+            const Eigen::Matrix<double, Rows, 1> fall =
+                inertia.isDiagonal(0) ? Eigen::Matrix<double, Rows, 1>(load.cwiseQuotient(inertia.diagonal()))
+                                      : Eigen::Matrix<double, Rows, 1>(inertia.ldlt().solve(load));
             displacementScale = std::max(displacementScale, largest<Rows, Forces>(fall, lever));
         }
         differenceScale = std::max(differenceScale, forceScale * displacementScale);

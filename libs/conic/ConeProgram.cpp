@@ -29,20 +29,22 @@ Eigen::VectorXd applyEquilibrium(const ConeProgram<Rows, Forces>& program,
 template<int Rows, int Forces>
 Eigen::VectorXd applyTransposed(const ConeProgram<Rows, Forces>& program, const Eigen::VectorXd& displacement)
 {
-    Eigen::VectorXd closing = Eigen::VectorXd::Zero(Forces * program.points());
+    Eigen::VectorXd closing(Forces * program.points());
     for (int point = 0; point < program.points(); ++point)
     {
         const auto& columns = program.contacts[point];
-        auto change = closing.template segment<Forces>(Forces * point);
+        Eigen::Matrix<double, Forces, 1> change = Eigen::Matrix<double, Forces, 1>::Zero();
         if (columns.first >= 0)
         {
-            change += columns.onFirst.transpose() * displacement.template segment<Rows>(Rows * columns.first);
+            change += columns.onFirst.transpose().lazyProduct(
+                displacement.template segment<Rows>(Rows * columns.first));
         }
         if (columns.second >= 0)
         {
-            change +=
-                columns.onSecond.transpose() * displacement.template segment<Rows>(Rows * columns.second);
+            change += columns.onSecond.transpose().lazyProduct(
+                displacement.template segment<Rows>(Rows * columns.second));
         }
+        closing.template segment<Forces>(Forces * point) = change;
     }
     return closing;
 }

@@ -12,7 +12,7 @@ namespace drystone
 {
 
 /// The columns of the equilibrium matrix A that belong to one contact point. They touch the rows of at most
-/// two bodies. Rows: forces, then moments; columns: normal force, then shear.
+/// two bodies, whose forces are opposite. Rows: forces, then moments; columns: normal force, then shear.
 template<int Rows, int Forces>
 struct ConeColumns
 {
@@ -21,6 +21,18 @@ struct ConeColumns
     Eigen::Matrix<double, Rows, Forces> onFirst = Eigen::Matrix<double, Rows, Forces>::Zero();
     Eigen::Matrix<double, Rows, Forces> onSecond = Eigen::Matrix<double, Rows, Forces>::Zero();
 };
+
+/// Whether the forces on the two bodies are opposite, to rounding; where one of them is fixed they are.
+template<int Rows, int Forces>
+bool hasOppositeForces(const ConeColumns<Rows, Forces>& columns)
+{
+    constexpr double rounding = 1e-9;
+    const auto onFirst = columns.onFirst.template topRows<Forces>(); // as many rows of force as components
+    const auto onSecond = columns.onSecond.template topRows<Forces>();
+    return columns.first < 0 || columns.second < 0
+           || (onFirst + onSecond).template lpNorm<Eigen::Infinity>()
+                  <= rounding * onFirst.template lpNorm<Eigen::Infinity>();
+}
 
 /// What reshapes the cone of a point to -tension <= c_n <= crushing, |c_t| <= cohesion + mu c_n. None of it
 /// leaves the cone.

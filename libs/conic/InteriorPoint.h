@@ -15,16 +15,19 @@ struct InteriorPointSettings
 {
     double tolerance = 1e-9;     ///< on every figure of the certificate
     int maximumIterations = 200; ///< factorisations allowed
-    int correctors = 3;          ///< higher-order corrections tried with one factorisation
+    int correctors = 6;          ///< higher-order corrections tried with one factorisation
 };
 
-/// Solves a plane program from a cold start (Mehrotra 1992 predictor-corrector with Gondzio 1996 multiple
-/// correctors, proximal regularisation of the Schur system with iterative refinement). The solution's status
-/// is `optimal`, `infeasible` or `unbounded` only when the certificate of Certificate.h, computed from the
-/// problem data, meets the tolerance; otherwise `notConverged` with the best iterate.
+/// Solves a plane program from a cold start (Mehrotra 1992 predictor-corrector with multiple correctors of
+/// Gondzio 1996, weighted as by Colombo & Gondzio 2008, proximal regularisation of the Schur system with
+/// iterative refinement). The solution's status is `optimal`, `infeasible` or `unbounded` only when the
+/// certificate of Certificate.h, computed from the problem data, meets the tolerance; otherwise
+/// `notConverged` with the best iterate.
 /// \param kept of the last program, to be used where the same bodies touch (RayProgram.h); not owned
+/// \param near what may be nearly the solution of a program with inertia, such as what solved the last step:
+/// iterations begin there if it is near enough, else, or if they do not end, from nothing; not owned
 ConeSolution solveInteriorPoint(const PlaneConeProgram& program, const InteriorPointSettings& settings = {},
-                                SymbolicAnalysis* kept = nullptr);
+                                SymbolicAnalysis* kept = nullptr, const ConeSolution* near = nullptr);
 
 /// Solves a program of space likewise, its round friction cones in the symmetric scaling of Nesterov & Todd
 /// (1997). `restingForce` of the solution stays empty. \throws std::invalid_argument for points with strength

@@ -167,6 +167,11 @@ ConeProgram<Rows, Forces> readProgramOf(const Dictionary& dictionary)
         program.contacts.push_back({entry.first, entry.second,
                                     matrixOf<Rows, Forces>(entry.onFirst, "", contacts.location()),
                                     matrixOf<Rows, Forces>(entry.onSecond, "", contacts.location())});
+        if (!hasOppositeForces(program.contacts.back()))
+        {
+            fail(fmt::format(
+                "what it does to its two bodies must be opposite in the first {} rows, the forces.", Forces));
+        }
     }
     const std::size_t points = program.contacts.size();
     const std::size_t rows = Rows * static_cast<std::size_t>(program.bodies);

@@ -26,7 +26,8 @@ using AnyConeProgram = std::variant<PlaneConeProgram, SpaceConeProgram>;
 ///     (
 ///         (0 -1 (0 -1 -1 0 -0.1 0.2) (0 0 0 0 0 0))
 ///     );                                  // (first body, second body, (R F numbers on the first body,
-///                                         // row by row; columns: normal, then shear), (on the second))
+///                                         // row by row; columns: normal, then shear), (on the second:
+///                                         // opposite forces))
 ///     friction        174(0.65 0.65 ...); // mu of each point, at least 0
 ///     strength        174((0 0 inf) ...); // (cohesion tension crushing) of each point; optional
 ///     load            99(0 -1000 0 ...);  // f, R a body
@@ -44,8 +45,8 @@ template<int Rows, int Forces>
 void writeProgram(const std::filesystem::path& file, const ConeProgram<Rows, Forces>& program);
 
 /// \throws FatalIOError with file and line for what is not as above: a missing or an unknown key, a list of
-/// another length, a body that there is not, a friction below 0, an inertia that is not symmetric and
-/// positive definite
+/// another length, a body that there is not, forces on two bodies that are not opposite, a friction below 0,
+/// an inertia that is not symmetric and positive definite
 AnyConeProgram readProgram(const std::filesystem::path& file);
 
 /// What a solver calls after each program it is given, to write those that `when` asks for.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 
 namespace drystone
 {
@@ -137,20 +138,58 @@ LimitedWeights limitedWeights(const RayProgram& program, std::size_t limit, cons
     return {share, q * one * two * share};
 }
 
-/// B diag(d) B' of weighted rays, added to the blocks of the group's bodies.
-void addWeighted(const RayProgram& program, const RayProgram::Group& group, const RayProgram::Ray& ray,
-                 double weight, SchurSystem<3>& system)
+/// What a ray does to the rows of its two bodies.
+Eigen::Vector3d onFirst(const RayProgram::Ray& ray)
+{
+    return {ray[0], ray[1], ray[2]};
+}
+Eigen::Vector3d onSecond(const RayProgram::Ray& ray)
+{
+    return {-ray[0], -ray[1], ray[3]};
+}
+
+/// The ray of a unit of force in a direction at a point, from body `first` to `second` of its columns.
+RayProgram::Ray makeRay(const ConeColumns<3, 2>& columns, const Eigen::Vector2d& direction, double lever)
+{
+    if (!hasOppositeForces(columns))
+    {
+        throw std::invalid_argument("the forces of a contact on its two bodies must be opposite");
+    }
+    const Eigen::Vector3d first = columns.onFirst * direction;
+    const Eigen::Vector3d second = columns.onSecond * direction;
+    // Of a body that does not move the rows may have been left out.
+    const Eigen::Vector2d force = (columns.first >= 0 ? first : Eigen::Vector3d(-second)).head<2>();
+    return {force.x(), force.y(), columns.first >= 0 ? first.z() / lever : 0.0,
+            columns.second >= 0 ? second.z() / lever : 0.0};
+}
+
+/// The same ray with its bodies exchanged.
+RayProgram::Ray exchanged(const RayProgram::Ray& ray)
+{
+    return {-ray[0], -ray[1], ray[3], ray[2]};
+}
+
+/// sum d b b' over rays of a group, added to the blocks of its bodies.
+void addToBlocks(const RayProgram& program, const RayProgram::Group& group, const Eigen::Matrix4d& products,
+                 SchurSystem<3>& system)
 {
     if (group.first >= program.bodies)
     {
         return;
     }
-    system.diagonal(group.first) += weight * ray.onFirst * ray.onFirst.transpose();
-    if (group.slot >= 0)
+    system.diagonal(group.first) += products.topLeftCorner<3, 3>();
+    if (group.slot < 0)
     {
-        system.coupling(group.slot) += weight * ray.onSecond * ray.onFirst.transpose();
-        system.diagonal(group.second) += weight * ray.onSecond * ray.onSecond.transpose();
+        return;
     }
+    // With the translations of the second body opposite to those of the first.
+    Eigen::Matrix3d secondFirst;
+    secondFirst << -products.topLeftCorner<2, 3>(), products.bottomLeftCorner<1, 3>();
+    system.coupling(group.slot) += secondFirst;
+    Eigen::Matrix3d secondSecond;
+    secondSecond << products.topLeftCorner<2, 2>(), -products.topRightCorner<2, 1>(),
+        -products.bottomLeftCorner<1, 2>(), products(3, 3);
+    system.diagonal(group.second) += secondSecond;
 }
 
 /// The Schur system of the rays alone.
@@ -193,6 +232,7 @@ RayForm makeRayForm(const PlaneConeProgram& program, SymbolicAnalysis& symbolic)
     }
 
     form.firstRay.reserve(program.contacts.size() + 1);
+    RayDirections directions;
     for (int point = 0; point < program.points(); ++point)
     {
         const auto& columns = program.contacts[point];
@@ -206,14 +246,15 @@ RayForm makeRayForm(const PlaneConeProgram& program, SymbolicAnalysis& symbolic)
             rays.groups.push_back({first, second, next, next, -1});
         }
         form.firstRay.push_back(static_cast<int>(rays.rays.size()));
-        const RayDirections directions = rayDirections(program, point);
+        if (point == 0 || program.hasStrength() || program.friction[point] != program.friction[point - 1])
+        {
+            directions = rayDirections(program, point);
+        }
         for (int ray = 0; ray < directions.count; ++ray)
         {
-            const Eigen::Vector2d& direction = directions.direction[ray];
-            const Eigen::Vector3d onOne = scaledRows(columns.onFirst * direction, form.scaling.lever);
-            const Eigen::Vector3d onOther = scaledRows(columns.onSecond * direction, form.scaling.lever);
-            rays.rays.push_back(one < other ? RayProgram::Ray{onOne, onOther}
-                                            : RayProgram::Ray{onOther, onOne});
+            form.directions.push_back(directions.direction[ray]);
+            const RayProgram::Ray made = makeRay(columns, directions.direction[ray], form.scaling.lever);
+            rays.rays.push_back(one < other ? made : exchanged(made));
         }
         rays.groups.back().end = static_cast<int>(rays.rays.size());
         if (program.hasStrength())
@@ -222,21 +263,6 @@ RayForm makeRayForm(const PlaneConeProgram& program, SymbolicAnalysis& symbolic)
         }
     }
     form.firstRay.push_back(static_cast<int>(rays.rays.size()));
-    for (RayProgram::Group& group : rays.groups)
-    {
-        // The fixed ground has no rows: what a ray does to it is zero, so that loops need not ask.
-        for (int ray = group.begin; ray < group.end; ++ray)
-        {
-            if (group.second == rays.bodies)
-            {
-                rays.rays[ray].onSecond.setZero();
-            }
-            if (group.first == rays.bodies)
-            {
-                rays.rays[ray].onFirst.setZero();
-            }
-        }
-    }
     if (program.hasInertia())
     {
         rays.inertia.assign(rays.bodies, RayProgram::Inertia::Zero());
@@ -313,11 +339,10 @@ void updateRayForm(RayForm& form, const PlaneConeProgram& program)
     {
         for (int point = 0; point < program.points(); ++point)
         {
-            const RayDirections directions = rayDirections(program, point);
-            for (int ray = 0; ray < directions.count; ++ray)
+            for (int ray = form.firstRay[point]; ray < form.firstRay[point + 1]; ++ray)
             {
-                rays.gap[form.firstRay[point] + ray] =
-                    directions.direction[ray].dot(program.gap.segment<2>(2 * point)) / scaling.displacement;
+                rays.gap[ray] =
+                    form.directions[ray].dot(program.gap.segment<2>(2 * point)) / scaling.displacement;
             }
         }
     }
@@ -328,11 +353,12 @@ void applyRaysTransposed(const RayProgram& program, const Eigen::VectorXd& y, Ei
     out.resize(program.rayCount());
     for (const RayProgram::Group& group : program.groups)
     {
-        const Eigen::Vector3d first = y.segment<3>(3 * group.first);
-        const Eigen::Vector3d second = y.segment<3>(3 * group.second);
+        const auto first = y.segment<3>(3 * group.first);
+        const auto second = y.segment<3>(3 * group.second);
+        const Eigen::Vector4d closing(first[0] - second[0], first[1] - second[1], first[2], second[2]);
         for (int ray = group.begin; ray < group.end; ++ray)
         {
-            out[ray] = program.rays[ray].onFirst.dot(first) + program.rays[ray].onSecond.dot(second);
+            out[ray] = program.rays[ray].dot(closing);
         }
     }
     for (std::size_t limit = 0; limit < program.limits.size(); ++limit)
@@ -348,15 +374,19 @@ void addRays(const RayProgram& program, const Eigen::VectorXd& s, Eigen::VectorX
 {
     for (const RayProgram::Group& group : program.groups)
     {
-        Eigen::Vector3d first = Eigen::Vector3d::Zero();
-        Eigen::Vector3d second = Eigen::Vector3d::Zero();
+        RayProgram::Ray sum = RayProgram::Ray::Zero();
         for (int ray = group.begin; ray < group.end; ++ray)
         {
-            first += program.rays[ray].onFirst * s[ray];
-            second += program.rays[ray].onSecond * s[ray];
+            sum += program.rays[ray] * s[ray];
         }
-        out.segment<3>(3 * group.first) += first;
-        out.segment<3>(3 * group.second) += second;
+        if (group.first < program.bodies)
+        {
+            out.segment<3>(3 * group.first) += onFirst(sum);
+        }
+        if (group.second < program.bodies)
+        {
+            out.segment<3>(3 * group.second) += onSecond(sum);
+        }
     }
     for (std::size_t limit = 0; limit < program.limits.size(); ++limit)
     {
@@ -382,35 +412,13 @@ void assembleRays(const RayProgram& program, const Eigen::VectorXd& d, double de
     }
     for (const RayProgram::Group& group : program.groups)
     {
-        if (group.first >= program.bodies)
-        {
-            continue;
-        }
-        Eigen::Matrix3d firstFirst = Eigen::Matrix3d::Zero();
-        if (group.slot < 0)
-        {
-            for (int ray = group.begin; ray < group.end; ++ray)
-            {
-                const Eigen::Vector3d& first = program.rays[ray].onFirst;
-                firstFirst.noalias() += (d[ray] * first) * first.transpose();
-            }
-            system.diagonal(group.first) += firstFirst;
-            continue;
-        }
-        Eigen::Matrix3d secondFirst = Eigen::Matrix3d::Zero();
-        Eigen::Matrix3d secondSecond = Eigen::Matrix3d::Zero();
+        Eigen::Matrix4d products = Eigen::Matrix4d::Zero();
         for (int ray = group.begin; ray < group.end; ++ray)
         {
-            const Eigen::Vector3d& first = program.rays[ray].onFirst;
-            const Eigen::Vector3d& second = program.rays[ray].onSecond;
-            const Eigen::Vector3d weighted = d[ray] * second;
-            firstFirst.noalias() += (d[ray] * first) * first.transpose();
-            secondFirst.noalias() += weighted * first.transpose();
-            secondSecond.noalias() += weighted * second.transpose();
+            const RayProgram::Ray& force = program.rays[ray];
+            products.noalias() += (d[ray] * force).lazyProduct(force.transpose());
         }
-        system.diagonal(group.first) += firstFirst;
-        system.coupling(group.slot) += secondFirst;
-        system.diagonal(group.second) += secondSecond;
+        addToBlocks(program, group, products, system);
     }
 }
 
@@ -437,11 +445,9 @@ void assembleSchur(const RayProgram& program, const Eigen::VectorXd& d, double d
             const RayProgram::Limit& at = program.limits[limit];
             if (at.rays == 2)
             {
-                const RayProgram::Ray& one = program.rays[at.ray];
-                const RayProgram::Ray& two = program.rays[at.ray + 1];
-                addWeighted(program, program.groups[at.group],
-                            {one.onFirst - two.onFirst, one.onSecond - two.onSecond},
-                            limitedWeights(program, limit, d).difference, system);
+                const RayProgram::Ray force = program.rays[at.ray] - program.rays[at.ray + 1];
+                addToBlocks(program, program.groups[at.group],
+                            limitedWeights(program, limit, d).difference * force * force.transpose(), system);
             }
         }
     }
@@ -468,8 +474,11 @@ void solveWithLimits(const RayProgram& program, const Eigen::VectorXd& d, SchurS
         const double share = at.factor * x[program.row(limit)] / weightOf(limit);
         for (int ray = at.ray; ray < at.ray + at.rays; ++ray)
         {
-            x.segment<3>(3 * group.first) -= share * d[ray] * program.rays[ray].onFirst;
-            x.segment<3>(3 * group.second) -= share * d[ray] * program.rays[ray].onSecond;
+            x.segment<3>(3 * group.first) -= share * d[ray] * onFirst(program.rays[ray]);
+            if (group.second < program.bodies)
+            {
+                x.segment<3>(3 * group.second) -= share * d[ray] * onSecond(program.rays[ray]);
+            }
         }
     }
     system.solve(x.head(3 * program.bodies));
@@ -481,11 +490,48 @@ void solveWithLimits(const RayProgram& program, const Eigen::VectorXd& d, SchurS
         for (int ray = at.ray; ray < at.ray + at.rays; ++ray)
         {
             coupled += d[ray]
-                       * (program.rays[ray].onFirst.dot(x.segment<3>(3 * group.first))
-                          + program.rays[ray].onSecond.dot(x.segment<3>(3 * group.second)));
+                       * (onFirst(program.rays[ray]).dot(x.segment<3>(3 * group.first))
+                          + onSecond(program.rays[ray]).dot(x.segment<3>(3 * group.second)));
         }
         x[program.row(limit)] = (x[program.row(limit)] - at.factor * coupled) / weightOf(limit);
     }
+}
+
+Eigen::VectorXd raysOf(const PlaneConeProgram& program, const RayForm& form,
+                       const Eigen::VectorXd& contactForce)
+{
+    Eigen::VectorXd s = Eigen::VectorXd::Zero(form.program.rayCount());
+    for (int point = 0; point < program.points(); ++point)
+    {
+        const double normal = contactForce[2 * point] / form.scaling.load;
+        const double shear = contactForce[2 * point + 1] / form.scaling.load;
+        const double mu = program.friction[point];
+        const int first = form.firstRay[point];
+        if (mu > 0)
+        {
+            const double length = 1 / form.directions[first].x();
+            s[first] = std::max(0.0, length * (normal + shear / mu) / 2);
+            s[first + 1] = std::max(0.0, length * (normal - shear / mu) / 2);
+        }
+        else
+        {
+            s[first] = std::max(0.0, normal);
+        }
+    }
+    return s;
+}
+
+Eigen::VectorXd rowsOf(const RayForm& form, const Eigen::VectorXd& displacement)
+{
+    const RayProgram& rays = form.program;
+    Eigen::VectorXd y = Eigen::VectorXd::Zero(rays.row(rays.limits.size()));
+    for (int body = 0; body < rays.bodies; ++body)
+    {
+        Eigen::Vector3d rows = displacement.segment<3>(3 * body);
+        rows[2] *= form.scaling.lever;
+        y.segment<3>(3 * rays.position[body]) = rows / form.scaling.displacement;
+    }
+    return y;
 }
 
 ConeSolution fromRays(const PlaneConeProgram& program, const RayForm& form, const Eigen::VectorXd& s,
@@ -497,12 +543,10 @@ ConeSolution fromRays(const PlaneConeProgram& program, const RayForm& form, cons
     solution.contactForce = Eigen::VectorXd::Zero(2 * program.points());
     for (int point = 0; point < program.points(); ++point)
     {
-        const RayDirections directions = rayDirections(program, point);
         solution.contactForce.segment<2>(2 * point) = origin(program, point);
-        for (int ray = 0; ray < directions.count; ++ray)
+        for (int ray = form.firstRay[point]; ray < form.firstRay[point + 1]; ++ray)
         {
-            solution.contactForce.segment<2>(2 * point) +=
-                directions.direction[ray] * s[form.firstRay[point] + ray] * scaling.load;
+            solution.contactForce.segment<2>(2 * point) += form.directions[ray] * s[ray] * scaling.load;
         }
     }
     solution.displacement = Eigen::VectorXd::Zero(3 * program.bodies);

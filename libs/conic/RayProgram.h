@@ -31,20 +31,16 @@ namespace drystone
 /// loads by their largest entry, displacements so that inertia is of order one; see `RayScaling`.
 struct RayProgram
 {
-    using Force = Eigen::Vector3d;
     using Inertia = Eigen::Matrix3d;
 
-    /// The part of B that belongs to one ray.
-    struct Ray
-    {
-        Force onFirst;
-        Force onSecond;
-    };
+    /// The part of B that belongs to one ray: its force on the first body (x, y), which is the opposite of
+    /// that on the second, its moment on the first and its moment on the second.
+    using Ray = Eigen::Vector4d;
     /// Rays between the same two bodies, which stand together.
     struct Group
     {
-        int first; ///< body in elimination order; `bodies` stands for fixed ground, whose rows are never read
-        int second; ///< later than `first` in elimination order
+        int first; ///< body in elimination order, or `bodies`, the fixed ground, when nothing else is touched
+        int second; ///< later than `first` in elimination order, or `bodies`
         int begin;  ///< of its rays
         int end;
         int slot; ///< of the pair's block in the Schur system, or -1 when `second` is fixed
@@ -96,8 +92,9 @@ struct RayForm
 {
     RayProgram program;
     RayScaling scaling;
-    std::vector<int> firstRay;       ///< first ray of each contact point
-    std::vector<Coupling> couplings; ///< pairs of bodies in elimination order, for the Schur system
+    std::vector<int> firstRay;               ///< first ray of each contact point, and one past the last
+    std::vector<Eigen::Vector2d> directions; ///< normal force and shear of a unit of each ray
+    std::vector<Coupling> couplings;         ///< pairs of bodies in elimination order, for the Schur system
 };
 
 /// The symbolic part of a Schur system, which depends on nothing but which bodies touch. Kept from program to
@@ -112,6 +109,7 @@ struct SymbolicAnalysis
 };
 
 /// Structure and numbers of the ray form of a program. \param symbolic brought up to date but for its system
+/// \throws std::invalid_argument when the forces of a contact on its two bodies are not opposite
 RayForm makeRayForm(const PlaneConeProgram& program, SymbolicAnalysis& symbolic);
 
 /// The Schur system with the pattern of a ray form, its numbers those of who used it last; tells each group
@@ -124,7 +122,7 @@ void updateRayForm(RayForm& form, const PlaneConeProgram& program);
 /// out = B' y. \param y 3 (bodies + 1) + limits, ground zero \param out one entry a ray
 void applyRaysTransposed(const RayProgram& program, const Eigen::VectorXd& y, Eigen::VectorXd& out);
 
-/// out += B s. \param out 3 (bodies + 1) + limits, ground set to zero
+/// out += B s. \param out 3 (bodies + 1) + limits; the rows of the ground stay as they are
 void addRays(const RayProgram& program, const Eigen::VectorXd& s, Eigen::VectorXd& out);
 
 /// Puts S = M + delta I + B diag(d) B' into the system, its diagonal entries raised by the share `relative`.
@@ -135,6 +133,14 @@ void assembleSchur(const RayProgram& program, const Eigen::VectorXd& d, double d
 /// assembled with \param x right, replaced by the solution
 void solveWithLimits(const RayProgram& program, const Eigen::VectorXd& d, SchurSystem<3>& system,
                      Eigen::VectorXd& x);
+
+/// Forces s of the rays that make up contact forces of a program without strengths; those outside their cone
+/// are put on its surface. \param contactForce F k
+Eigen::VectorXd raysOf(const PlaneConeProgram& program, const RayForm& form,
+                       const Eigen::VectorXd& contactForce);
+
+/// Displacements in the units and the order of a ray form. \param displacement 3 b \return y, ground at rest
+Eigen::VectorXd rowsOf(const RayForm& form, const Eigen::VectorXd& displacement);
 
 /// Solution in the program's own units and numbering.
 ConeSolution fromRays(const PlaneConeProgram& program, const RayForm& form, const Eigen::VectorXd& s,

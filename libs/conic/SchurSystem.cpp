@@ -268,6 +268,18 @@ void SchurSystem<Rows>::solve(Eigen::Ref<Eigen::VectorXd> x)
     std::copy(value, value + x.size(), x.data());
 }
 
+template<int Rows>
+void SchurSystem<Rows>::solve(Eigen::Ref<Eigen::VectorXd> one, Eigen::Ref<Eigen::VectorXd> other)
+{
+    if (factor_->blocks)
+    {
+        factor_->blocks->solve(one, other);
+        return;
+    }
+    solve(one);
+    solve(other);
+}
+
 template class SchurSystem<3>;
 template class SchurSystem<6>;
 

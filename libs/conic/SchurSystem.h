@@ -51,6 +51,9 @@ public:
 
     /// Solves S x = x in place, Rows * bodies entries.
     void solve(Eigen::Ref<Eigen::VectorXd> x);
+    /// Solves for two right sides at once, which takes little longer than for one: most of the time goes into
+    /// fetching the factor.
+    void solve(Eigen::Ref<Eigen::VectorXd> one, Eigen::Ref<Eigen::VectorXd> other);
 
     /// Multiplications of one factorisation, and what chose between the block and the supernodal factor.
     double factorOperations() const { return operations_; }

@@ -10,6 +10,10 @@
 #include <algorithm>
 #include <cstdio>
 
+#if __has_include(<malloc.h>)
+#include <malloc.h>
+#endif
+
 namespace drystone
 {
 
@@ -260,9 +264,20 @@ int runCommandLine(int argc, const char* const* argv, const ApplicationDescripti
 
 } // namespace
 
+void keepFreedMemory()
+{
+#ifdef __GLIBC__
+    constexpr int kept = 1 << 28;          // bytes on top of the heap
+    constexpr int largestOnHeap = 1 << 25; // bytes of one array; more is not taken
+    mallopt(M_TRIM_THRESHOLD, kept);
+    mallopt(M_MMAP_THRESHOLD, largestOnHeap);
+#endif
+}
+
 int runApplication(int argc, const char* const* argv, const ApplicationDescription& description,
                    const std::function<int(const CommandLine&)>& program)
 {
+    keepFreedMemory();
     return runGuarded(
         [&]
         {

@@ -1,6 +1,8 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "statics/LimitAnalysis.h"
 
+#include "conic/RayProgram.h"
+
 namespace drystone
 {
 namespace
@@ -33,7 +35,8 @@ PlaneConeProgram limitAnalysisProgram(int freeBlocks, const std::vector<ContactC
 
 LimitAnalysis solveLimitAnalysis(const PlaneConeProgram& program, const InteriorPointSettings& settings)
 {
-    const ConeSolution solution = solveInteriorPoint(program, settings);
+    SymbolicAnalysis symbolic;
+    const ConeSolution solution = solveInteriorPoint(program, settings, &symbolic);
     LimitAnalysis result;
     result.variables = 2 * program.points() + 1;
     result.iterations = solution.iterations;
@@ -76,7 +79,7 @@ LimitAnalysis solveLimitAnalysis(const PlaneConeProgram& program, const Interior
             solution.restingForce.size() > 0 && certifyOptimal(dead, resting).worst() <= settings.tolerance;
         if (!isCarried)
         {
-            resting = solveInteriorPoint(dead, settings);
+            resting = solveInteriorPoint(dead, settings, &symbolic);
             result.iterations += resting.iterations;
             result.factorisations += resting.factorisations;
             result.solves += resting.solves;

@@ -1,6 +1,8 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "statics/NonAssociative.h"
 
+#include "conic/RayProgram.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -235,7 +237,7 @@ public:
 private:
     std::optional<Pair> solve(const PlaneConeProgram& program)
     {
-        ConeSolution solution = solveInteriorPoint(program, solver_);
+        ConeSolution solution = solveInteriorPoint(program, solver_, &symbolic_);
         work_.iterations += solution.iterations;
         work_.factorisations += solution.factorisations;
         work_.solves += solution.solves;
@@ -247,6 +249,7 @@ private:
     }
 
     const PlaneConeProgram& program_;
+    SymbolicAnalysis symbolic_; ///< of the last program: most have the same points
     std::vector<int> joint_;
     InteriorPointSettings solver_;
     LimitAnalysis& work_;

@@ -2,6 +2,7 @@
 #include "statics/Pushover.h"
 
 #include "assembly/Facing.h"
+#include "conic/RayProgram.h"
 
 #include <algorithm>
 #include <array>
@@ -111,6 +112,7 @@ Pushover solvePushover(const PushoverScene& scene, const PushoverSettings& setti
     std::vector<Placement<2>> placements(scene.assembly.blocks.size());
     Pushover result;
     CapacityPoint point;
+    SymbolicAnalysis symbolic;               // of the last program: blocks touch the same ones for many steps
     double work = settings.step * liveForce; // of the live load in a step
     for (int step = 0; step <= settings.maximumSteps; ++step)
     {
@@ -126,7 +128,7 @@ Pushover solvePushover(const PushoverScene& scene, const PushoverSettings& setti
         };
         setColumns(program, scene, masses, placements, points);
         setGaps();
-        ConeSolution solution = solveInteriorPoint(program, solver);
+        ConeSolution solution = solveInteriorPoint(program, solver, &symbolic);
         // Where that fails: a shorter step, overlaps of the last steps that cannot all be undone left as they
         // are, and in the end a coarser tolerance, which the certificate of the point tells.
         for (const Attempt& attempt : attempts)
@@ -144,14 +146,14 @@ Pushover solvePushover(const PushoverScene& scene, const PushoverSettings& setti
             InteriorPointSettings coarser = solver;
             coarser.tolerance = std::max(solver.tolerance, attempt.tolerance);
             coarser.maximumIterations = std::max(solver.maximumIterations, patience);
-            solution = solveInteriorPoint(program, coarser);
+            solution = solveInteriorPoint(program, coarser, &symbolic);
         }
         if (solution.status != SolveStatus::optimal)
         {
             PlaneConeProgram dead = program;
             dead.liveLoad.resize(0);
             dead.gap.resize(0);
-            const bool falls = solveInteriorPoint(dead, solver).status == SolveStatus::infeasible;
+            const bool falls = solveInteriorPoint(dead, solver, &symbolic).status == SolveStatus::infeasible;
             result.end = falls ? (step == 0 ? PushoverEnd::unstable : PushoverEnd::falling)
                          : solution.status == SolveStatus::unbounded ? PushoverEnd::unbounded
                                                                      : PushoverEnd::notConverged;
@@ -206,7 +208,7 @@ Pushover solvePushover(const PushoverScene& scene, const PushoverSettings& setti
         }
         setColumns(program, scene, masses, middle, points);
         setGaps();
-        ConeSolution motion = solveInteriorPoint(program, solver);
+        ConeSolution motion = solveInteriorPoint(program, solver, &symbolic);
         const Eigen::VectorXd& displacement =
             motion.status == SolveStatus::optimal ? motion.displacement : solution.displacement;
         placements = moved(std::move(placements), free, displacement, work);

@@ -1,6 +1,8 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "statics/Settlement.h"
 
+#include "conic/RayProgram.h"
+
 namespace drystone
 {
 
@@ -21,7 +23,8 @@ Eigen::VectorXd settlementGaps(const Assembly<2>& assembly, const std::vector<Co
 
 LimitAnalysis solveSettlement(const PlaneConeProgram& program, const InteriorPointSettings& settings)
 {
-    ConeSolution solution = solveInteriorPoint(program, settings);
+    SymbolicAnalysis symbolic;
+    ConeSolution solution = solveInteriorPoint(program, settings, &symbolic);
     LimitAnalysis result;
     result.variables = 2 * program.points();
     result.iterations = solution.iterations;
@@ -33,7 +36,7 @@ LimitAnalysis solveSettlement(const PlaneConeProgram& program, const InteriorPoi
         // Does it stand at all? Gaps have no part in that.
         PlaneConeProgram dead = program;
         dead.gap.resize(0);
-        const ConeSolution standing = solveInteriorPoint(dead, settings);
+        const ConeSolution standing = solveInteriorPoint(dead, settings, &symbolic);
         result.iterations += standing.iterations;
         result.factorisations += standing.factorisations;
         result.solves += standing.solves;

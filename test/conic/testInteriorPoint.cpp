@@ -4,6 +4,8 @@
 #include "conic/InteriorPoint.h"
 #include "conic/SchurSystem.h"
 
+#include "Towers.h"
+
 #include <Eigen/Cholesky>
 #include <Eigen/Dense>
 
@@ -187,4 +189,47 @@ TEST(SchurSystem, RefusesAMatrixThatIsNotPositiveDefinite)
     system.setZero();
     system.diagonal(0).diagonal() << 1, -1, 1;
     EXPECT_FALSE(system.factorise());
+}
+
+TEST(InteriorPoint, BeginsNearTheSolutionOfTheLastStep)
+{
+    // The next step of a falling tower pushed a little more: the same blocks slide and open.
+    const Tower tower = evenTower(20);
+    const ConeSolution last = solveInteriorPoint(planeStep(tower, 0.40));
+    const PlaneConeProgram program = planeStep(tower, 0.402);
+    const ConeSolution cold = solveInteriorPoint(program);
+    const ConeSolution warm = solveInteriorPoint(program, {}, nullptr, &last);
+    ASSERT_EQ(cold.status, SolveStatus::optimal);
+    ASSERT_EQ(warm.status, SolveStatus::optimal);
+    EXPECT_LE(certifyOptimal(program, warm).worst(), 1e-9);
+    EXPECT_LT(warm.iterations, 0.8 * cold.iterations);
+    EXPECT_NEAR((warm.displacement - cold.displacement).lpNorm<Eigen::Infinity>(), 0,
+                1e-6 * cold.displacement.lpNorm<Eigen::Infinity>());
+}
+
+TEST(InteriorPoint, BeginsFromNothingWhereWhatItIsGivenIsFar)
+{
+    const PlaneConeProgram program = planeStep(evenTower(20), 0.4);
+    const ConeSolution cold = solveInteriorPoint(program);
+    ConeSolution far = cold;
+    far.displacement *= -1;
+    far.contactForce.setConstant(1e3 * cold.contactForce.maxCoeff());
+    const ConeSolution solution = solveInteriorPoint(program, {}, nullptr, &far);
+    EXPECT_EQ(solution.status, SolveStatus::optimal);
+    EXPECT_EQ(solution.iterations, cold.iterations);
+    EXPECT_EQ(solution.displacement, cold.displacement);
+}
+
+TEST(InteriorPoint, BeginsNearASolutionOfStepsOnly)
+{
+    const PlaneConeProgram program = standingBlock(0.65, 1);
+    const ConeSolution solution = solveInteriorPoint(program);
+    EXPECT_THROW(solveInteriorPoint(program, {}, nullptr, &solution), std::invalid_argument);
+}
+
+TEST(InteriorPoint, NeedsOppositeForcesOnTheTwoBodiesOfAContact)
+{
+    PlaneConeProgram program = planeStep(evenTower(2), 0.4);
+    program.contacts.back().onSecond *= 1.01;
+    EXPECT_THROW(solveInteriorPoint(program), std::invalid_argument);
 }

@@ -88,6 +88,8 @@ Program scrambled(Program program)
                 entry += normal(random);
             }
         }
+        const auto components = columns.onFirst.cols();
+        columns.onSecond.topRows(components) = -columns.onFirst.topRows(components);
     }
     for (double& entry : program.load)
     {
@@ -166,6 +168,8 @@ TEST(ProgramFile, TellsFaultsWithTheirLine)
     EXPECT_THAT(fault.message, HasSubstr("cannot touch itself"));
     fault = faultAfter("(1 0 (", "(1 0 (7 ");
     EXPECT_THAT(fault.message, HasSubstr("7 and 6 numbers, where 3 x 2"));
+    fault = faultAfter("(1 0 (0 -1 ", "(1 0 (0 -2 ");
+    EXPECT_THAT(fault.message, HasSubstr("Contact point 2: what it does to its two bodies must be opposite"));
     fault = faultAfter("0.65", "-0.65");
     EXPECT_THAT(fault.message, HasSubstr("friction -0.65 of contact point 0 is below 0"));
     EXPECT_EQ(fault.line, lineOf("friction"));

@@ -46,7 +46,7 @@ everyones = {"Eigen", "fmt", "OpenMP"}
 
 # What C, C++ and POSIX offer: names without an ending, and these.
 system = re.compile(r"[a-z_]+$|(sys|netinet|arpa)/[a-z]+\.h$|"
-                    r"(unistd|fcntl|signal|dirent|limits|pthread|sched|pwd|poll|termios|dlfcn|fenv)\.h$")
+                    r"(unistd|fcntl|signal|dirent|limits|malloc|pthread|sched|pwd|poll|termios|dlfcn|fenv)\.h$")
 include = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
 

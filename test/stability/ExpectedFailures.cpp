@@ -57,8 +57,6 @@ const std::vector<ExpectedFailure>& expectedFailures()
          "forces of a million times the weight: the ray is 4e-7 from balance when rounding ends the search"},
         {"static_overhang_20_inside", SolverType::interiorPoint,
          "stands by 6e-7: the certificate stays at 1e-6"},
-        {"static_overhang_20_outside", SolverType::interiorPoint,
-         "the proof that it falls comes no nearer than 1.3e-9"},
         {"cornerOnCorner", SolverType::automatic,
          "7e-6 m of overlap in the step after the impact: the line that parts the corners turns with the "
          "block"},
