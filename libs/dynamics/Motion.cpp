@@ -318,6 +318,10 @@ std::vector<std::size_t> collidingPoints(const PlaneConeProgram& program, const 
 
 /// Velocities after an impact at some points: M (v+ - v-) = -A P, u_n+ >= -e u_n- where u_n- closes, with
 /// friction. That is a step of theta 1 without loads whose gaps are dt e u_n-.
+///
+/// Friction is Coulomb's, whatever the flow rule of the steps. In a step the associative law opens a joint by
+/// mu |u_t| dt, which the next step takes into account as a gap and which vanishes with dt; in an impact it
+/// would throw the blocks apart at mu |u_t|, however short the step: other physics.
 /// \param bySupports see closingBySupports; may be empty
 ThetaStep collide(const DynamicCase& scene, const PlaneConeProgram& program,
                   const std::vector<std::size_t>& colliding, const Eigen::VectorXd& velocity,
@@ -350,7 +354,9 @@ ThetaStep collide(const DynamicCase& scene, const PlaneConeProgram& program,
                 bySupports.segment<2>(2 * static_cast<Eigen::Index>(colliding[i]));
         }
     }
-    return solveThetaStep(std::move(impact), settings);
+    StepSettings instant = settings;
+    instant.flowRule = FlowRule::nonAssociative;
+    return solveThetaStep(std::move(impact), instant);
 }
 
 /// What an impact takes from the kinetic energy: P' (u+ + u-)/2 with the impulses P = dt c.

@@ -183,7 +183,8 @@ bool standsStill(ThetaStep& step, const PlaneConeProgram& program, const SolverC
     return comesToRest(step, program, std::move(rest), solver.tolerance);
 }
 
-void solveOnce(ThetaStep& step, const PlaneConeProgram& program, const SolverChoice& solver,
+/// \return whether the displacements are those that the contact forces give the blocks
+bool solveOnce(ThetaStep& step, const PlaneConeProgram& program, const SolverChoice& solver,
                const ConeSolution& start, SymbolicAnalysis* symbolic)
 {
     constexpr double farFromRest = 0.1; // of the loads out of balance: not worth a look
@@ -197,7 +198,7 @@ void solveOnce(ThetaStep& step, const PlaneConeProgram& program, const SolverCho
         if (largestForce(outOfBalance) <= farFromRest * largestForce(program.load)
             && standsStill(step, program, solver, solution, symbolic))
         {
-            return;
+            return false;
         }
         ConeSolution balanced = solution;
         balanced.displacement = displacementUnder(program, outOfBalance);
@@ -216,6 +217,29 @@ void solveOnce(ThetaStep& step, const PlaneConeProgram& program, const SolverCho
     step.displacement = std::move(solution.displacement);
     step.contactForce = std::move(solution.contactForce);
     step.closing = applyTransposed(program, step.displacement);
+    return isBalanced;
+}
+
+/// With theta below 1 lever arms are those on the way to where the step takes the blocks. They are then right
+/// to the tolerance of the gaps, and angular momentum with them: here both become exact, by displacements
+/// that are less than that tolerance.
+void keepMomenta(ThetaStep& step, PlaneConeProgram& program, const Relinearisation& relinearise)
+{
+    constexpr int mostRounds = 4; // each leaves the square of the last, in effect
+    constexpr double lastDigits = 1e-15;
+    for (int round = 0; round < mostRounds; ++round)
+    {
+        Eigen::VectorXd displacement =
+            displacementUnder(program, program.load - applyEquilibrium(program, step.contactForce));
+        const double change = (displacement - step.displacement).lpNorm<Eigen::Infinity>();
+        if (change <= lastDigits * displacement.lpNorm<Eigen::Infinity>())
+        {
+            return;
+        }
+        step.displacement = std::move(displacement);
+        step.closing = applyTransposed(program, step.displacement);
+        relinearise(step.displacement, step.contactForce, program);
+    }
 }
 
 /// Coulomb's law by Newton's method. \param program its gaps without what the flow opens; with it on return
@@ -391,7 +415,7 @@ ThetaStep solveThetaStep(PlaneConeProgram program, const StepSettings& settings,
         {
             program.gap[2 * point] = gap[2 * point] + imposed[point];
         }
-        solveOnce(step, program, settings.solver, start, symbolic);
+        const bool isBalanced = solveOnce(step, program, settings.solver, start, symbolic);
         // Only the last program of Coulomb's law has to be solved to the tolerance.
         const bool isSolved = step.status == SolveStatus::optimal;
         if (!isSolved
@@ -434,6 +458,10 @@ ThetaStep solveThetaStep(PlaneConeProgram program, const StepSettings& settings,
         }
         if (stands)
         {
+            if (relinearise && isBalanced)
+            {
+                keepMomenta(step, program, relinearise);
+            }
             return step;
         }
         if (step.programs == maximumPrograms)

@@ -200,6 +200,37 @@ void expectRestInTime(double theta, double timeStep)
     EXPECT_LT(last - first, 0.001 * 4.063714);
 }
 
+TEST(BouncingBlock, AnImpactDoesNotThrowASlidingBlockUpWhateverTheFlowRuleOfTheSteps)
+{
+    // u_n+ = e u_n-; friction takes mu (1 + e) u_n- of the sliding. The associative law would add mu u_t+.
+    const double mu = 0.1;
+    const double restitution = 0.5;
+    for (const FlowRule flowRule : {FlowRule::associative, FlowRule::nonAssociative})
+    {
+        for (const double theta : {1.0, 0.5})
+        {
+            Assembly<2> assembly = scenes::ground(-8, 8);
+            assembly.blocks.push_back(scenes::rectangle(0, 0, 1, 0.4));
+            const DynamicCase scene = scenes::sceneOf(assembly, {.theta = theta,
+                                                                 .mu = mu,
+                                                                 .flowRule = flowRule,
+                                                                 .restitution = restitution,
+                                                                 .gravity = {0, 0}});
+            DynamicState start = stateAtRest(scene.assembly);
+            start.placements.back().translation.y() = 0.0025;
+            start.velocity << 1, -3, 0;
+            Motion motion = startMotion(scene, start);
+            for (int step = 0; step < 10; ++step)
+            {
+                ASSERT_TRUE(advance(scene, motion, 1e-3));
+            }
+            EXPECT_NEAR(motion.state.velocity[0], 1 - mu * (1 + restitution) * 3, 1e-9) << theta;
+            EXPECT_NEAR(motion.state.velocity[1], restitution * 3, 1e-9) << theta;
+            EXPECT_NEAR(motion.state.velocity[2], 0, 1e-9) << theta;
+        }
+    }
+}
+
 TEST(BouncingBlock, ABlockComesToRestInTimeWhateverThePhaseOfTheStep)
 {
     // Backward Euler takes g dt of the velocity from each flight: an error of first order.
