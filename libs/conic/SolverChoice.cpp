@@ -26,7 +26,7 @@ constexpr double penaltyFromNearby = 1e4;
 
 /// What the interior point reaches on every step; the digits beyond come from the augmented Lagrangian, whose
 /// active set is then right and whose penalty can be large.
-constexpr double attainable = 1e-9;
+constexpr double attainable = 1e-10;
 constexpr std::array penaltiesOfLastDigits{1e7, 1e5, 1e3, 1e9};
 
 } // namespace
