@@ -162,9 +162,12 @@ void declare(Options& options, ContactProperties& properties)
     options.optional("friction", properties.friction, frictionTypes(),
                      "shear at the contacts; absent: frictionless");
     options.optional("restitution", properties.restitution, "rebound after an impact; absent: none");
-    options.optional("cohesion", properties.cohesion, "shear of the joints beside friction; absent: none");
-    options.optional("tension", properties.tension,
-                     "normal stress that holds joints together, at most cohesion over mu; absent: none");
+    options.optional("cohesion", properties.cohesion,
+                     "shear of the joints beside friction, in motion until they break; absent: none");
+    options.optional(
+        "tension", properties.tension,
+        "normal stress that holds joints together, at most cohesion over mu, in motion until they "
+        "break; absent: none");
     options.optional("crushing", properties.crushing, "pressure that the joints bear; absent: any");
     options.optional("elasticity", properties.elasticity,
                      "contact points that give way under force, in motion; absent: rigid");

@@ -23,9 +23,10 @@ constexpr int mostRounds = 30;
 class AugmentedLagrangian
 {
 public:
-    AugmentedLagrangian(const RayProgram& rays, SchurSystem<3>& system,
+    /// \param most upper bounds of the rays, or empty \param rounding of the load
+    AugmentedLagrangian(const RayProgram& rays, VectorXd most, double rounding, SchurSystem<3>& system,
                         const AugmentedLagrangianSettings& settings)
-        : rays_(rays), system_(system), settings_(settings)
+        : rays_(rays), most_(std::move(most)), rounding_(rounding), system_(system), settings_(settings)
     {
     }
 
@@ -51,15 +52,17 @@ private:
     double bestStep() const;
 
     const RayProgram& rays_;
+    const VectorXd most_;       ///< upper bounds of the rays, or empty
+    const double rounding_ = 0; ///< of the gradient, where strengths are large beside the load
     SchurSystem<3>& system_;
     AugmentedLagrangianSettings settings_;
     double sigma_ = 1;
     VectorXd s_;        ///< multipliers of the round
     VectorXd y_;        ///< 3 (bodies + 1), the ground at rest
     VectorXd w_;        ///< s + sigma (B'y - g), kept by increments: sigma times a difference loses no digits
-    VectorXd pressing_; ///< max(0, w)
+    VectorXd pressing_; ///< max(0, w), and no more than the ray may carry
     VectorXd gradient_; ///< M y - f + B max(0, w)
-    VectorXd d_;        ///< sigma where a ray presses in the factor, else 0
+    VectorXd d_;        ///< sigma where a ray presses, below its bound, in the factor, else 0
     VectorXd direction_, closing_; ///< Newton's step, and B' of it
     double curvature_ = 0;         ///< direction' M direction
     double slope_ = 0;             ///< direction' (M y - f), without the rays
@@ -71,6 +74,10 @@ private:
 void AugmentedLagrangian::computeGradient()
 {
     pressing_ = w_.cwiseMax(0.0);
+    if (most_.size() > 0)
+    {
+        pressing_ = pressing_.cwiseMin(most_).eval();
+    }
     gradient_ = -rays_.load;
     addRays(rays_, pressing_, gradient_);
     for (int body = 0; body < rays_.bodies; ++body)
@@ -83,6 +90,10 @@ void AugmentedLagrangian::computeGradient()
 bool AugmentedLagrangian::factorise()
 {
     VectorXd d = (w_.array() > 0).select(VectorXd::Constant(w_.size(), sigma_), 0.0);
+    if (most_.size() > 0)
+    {
+        d = (w_.array() < most_.array()).select(d, 0.0).eval();
+    }
     if (factorisations_ > 0 && d == d_)
     {
         return true;
@@ -105,8 +116,10 @@ bool AugmentedLagrangian::factorise()
 /// Derivative of the function along the direction: piecewise linear and increasing.
 double AugmentedLagrangian::slopeAt(double step) const
 {
+    const auto there = (w_.array() + (step * sigma_) * closing_.array()).max(0.0);
     return slope_ + step * curvature_
-           + (w_.array() + (step * sigma_) * closing_.array()).max(0.0).matrix().dot(closing_);
+           + (most_.size() > 0 ? there.min(most_.array()).matrix().dot(closing_)
+                               : there.matrix().dot(closing_));
 }
 
 /// Where the derivative vanishes. Newton's full step when the pieces it crosses hardly matter; else by regula
@@ -164,7 +177,7 @@ double AugmentedLagrangian::bestStep() const
 
 bool AugmentedLagrangian::minimise()
 {
-    const double enough = 0.01 * settings_.tolerance;
+    const double enough = std::max(0.01 * settings_.tolerance, rounding_);
     double before = std::numeric_limits<double>::infinity();
     int factorisationsBefore = factorisations_;
     for (;;)
@@ -228,6 +241,27 @@ bool AugmentedLagrangian::round()
     return true;
 }
 
+/// Limits of single rays become upper bounds of them, one a ray; the form is left without limits. Empty where
+/// there are none.
+VectorXd takeBounds(RayForm& form)
+{
+    RayProgram& rays = form.program;
+    if (rays.limits.empty())
+    {
+        return {};
+    }
+    VectorXd most = VectorXd::Constant(static_cast<Eigen::Index>(rays.rays.size()),
+                                       std::numeric_limits<double>::infinity());
+    for (const RayProgram::Limit& limit : rays.limits)
+    {
+        most[limit.ray] = limit.bound / (limit.component * form.scaling.load);
+    }
+    rays.limits.clear();
+    rays.load.conservativeResize(3 * (rays.bodies + 1));
+    rays.gap.conservativeResize(most.size());
+    return most;
+}
+
 } // namespace
 
 ConeSolution solveAugmentedLagrangian(const PlaneConeProgram& program, const ConeSolution& start,
@@ -237,9 +271,9 @@ ConeSolution solveAugmentedLagrangian(const PlaneConeProgram& program, const Con
     {
         throw std::invalid_argument("solveAugmentedLagrangian needs inertia and no multiplier");
     }
-    if (program.hasStrength())
+    if (program.hasCrushing())
     {
-        throw std::invalid_argument("solveAugmentedLagrangian needs cones: no strengths");
+        throw std::invalid_argument("solveAugmentedLagrangian takes cohesion and tension, but no crushing");
     }
     if (program.hasCompliance())
     {
@@ -258,7 +292,11 @@ ConeSolution solveAugmentedLagrangian(const PlaneConeProgram& program, const Con
     SymbolicAnalysis own;
     RayForm form = makeRayForm(increment, kept ? *kept : own);
     SchurSystem<3>& system = schurSystem(form, kept ? *kept : own);
-    AugmentedLagrangian solver(form.program, system, settings);
+    VectorXd most = takeBounds(form);
+    constexpr double roundingUnits = 64 * std::numeric_limits<double>::epsilon();
+    const double rounding =
+        program.hasStrength() ? roundingUnits * form.program.load.lpNorm<Eigen::Infinity>() : 0;
+    AugmentedLagrangian solver(form.program, std::move(most), rounding, system, settings);
     VectorXd forces = start.contactForce.size() == 2 * program.points()
                           ? raysOf(program, form, start.contactForce)
                           : VectorXd::Zero(form.program.rayCount());

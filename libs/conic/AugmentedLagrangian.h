@@ -43,7 +43,9 @@ struct AugmentedLagrangianSettings
 /// empty). The better they are, the fewer steps.
 /// \param kept of the last program, to be used where the same bodies touch (RayProgram.h); not owned
 /// \return `optimal` when the certificate meets the tolerance, otherwise `notConverged` with the last iterate
-/// \throws std::invalid_argument for a program without inertia, with a multiplier or with strengths
+/// Cohesion bounds the rays of pure shear from above: there s = min(max(0, w), bound), and A = {0 < w <
+/// bound}. \throws std::invalid_argument for a program without inertia, with a multiplier, crushing or
+/// compliance
 ConeSolution solveAugmentedLagrangian(const PlaneConeProgram& program, const ConeSolution& start,
                                       const AugmentedLagrangianSettings& settings = {},
                                       SymbolicAnalysis* kept = nullptr);

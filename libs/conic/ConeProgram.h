@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <limits>
 #include <string_view>
 #include <vector>
@@ -86,6 +87,11 @@ struct ConeProgram
     bool hasInertia() const { return !inertia.empty(); }
     bool hasCompliance() const { return compliance.size() > 0; }
     bool hasStrength() const { return !strength.empty(); }
+    bool hasCrushing() const
+    {
+        return std::any_of(strength.begin(), strength.end(),
+                           [](const Strength& ofPoint) { return ofPoint.isBounded(); });
+    }
 };
 
 using PlaneConeProgram = ConeProgram<3, 2>;

@@ -32,7 +32,8 @@ constexpr double leastDecrease = 0.1;
 
 enum class PointState : char
 {
-    open,
+    open,  ///< carries what it can in tension and, if it slides too, in shear: nothing without strength
+    hangs, ///< opens, but its cohesion keeps it from sliding
     sticks,
     slidesForwards,
     slidesBackwards
@@ -189,11 +190,15 @@ void CoulombNewton::project()
 {
     for (int point = 0; point < program_.points(); ++point)
     {
-        const double normal = std::max(0.0, w_[2 * point]);
-        const double most = program_.friction[static_cast<std::size_t>(point)] * normal;
+        const Strength strength =
+            program_.hasStrength() ? program_.strength[static_cast<std::size_t>(point)] : Strength{};
+        const double normal = std::max(-strength.tension, w_[2 * point]);
+        const double most =
+            std::max(0.0, strength.cohesion + program_.friction[static_cast<std::size_t>(point)] * normal);
         const double shear = w_[2 * point + 1];
         PointState& state = states_[static_cast<std::size_t>(point)];
-        state = !(normal > 0)    ? PointState::open
+        state = !(normal > -strength.tension)
+                    ? (std::abs(shear) < most ? PointState::hangs : PointState::open)
                 : shear >= most  ? PointState::slidesForwards
                 : shear <= -most ? PointState::slidesBackwards
                                  : PointState::sticks;
@@ -224,6 +229,9 @@ bool CoulombNewton::factorise()
         {
         case PointState::open:
             continue;
+        case PointState::hangs:
+            change << 0, 0, 0, 1;
+            break;
         case PointState::sticks:
             change.setIdentity();
             break;
@@ -353,9 +361,9 @@ ConeSolution solveCoulombNewton(const PlaneConeProgram& program, const ConeSolut
     {
         throw std::invalid_argument("solveCoulombNewton needs inertia and no multiplier");
     }
-    if (program.hasCompliance())
+    if (program.hasCompliance() || program.hasCrushing())
     {
-        throw std::invalid_argument("solveCoulombNewton needs rigid points");
+        throw std::invalid_argument("solveCoulombNewton needs rigid points that do not crush");
     }
     if (start.displacement.size() != program.load.size() || start.contactForce.size() != 2 * program.points())
     {

@@ -26,7 +26,9 @@ struct CoulombNewtonSettings
 /// which is the program itself with g_n larger by mu |(A'y)_t - g_t| (Acary & Cadoux 2013). The law is
 /// written with projections (Alart & Curnier 1991): with w = s + rho (A'y - g),
 ///
-///     c_n = max(0, w_n),    c_t = w_t put between -mu c_n and mu c_n,
+/// (with strengths -T <= c_n and |c_t| <= C + mu c_n)
+///
+///     c_n = max(-T, w_n),    c_t = w_t put between -(C + mu c_n) and C + mu c_n,
 ///
 /// and the equations of motion are solved by Newton's method in y for fixed s, one sparse LU factorisation
 /// for each new set of points that are open, stick, and slide; then s = c, and again: rho is so large that a

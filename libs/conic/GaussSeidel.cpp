@@ -104,16 +104,31 @@ Eigen::VectorXd displacementUnder(const ConeProgram<Rows, Forces>& program,
     return rows;
 }
 
-/// Nearest forces within the cones.
+/// The best force of a point within what it can carry.
 template<int Rows, int Forces>
-Eigen::VectorXd insideCones(const ConeProgram<Rows, Forces>& program, Eigen::VectorXd contactForce)
+Force<Forces> leastAt(const ConeProgram<Rows, Forces>& program, int point,
+                      const Eigen::Matrix<double, Forces, Forces>& W, const Force<Forces>& b)
+{
+    if constexpr (Forces == 2)
+    {
+        if (program.hasStrength())
+        {
+            return leastInSet(W, b, program.friction[point], program.strength[point]);
+        }
+    }
+    return leastInCone(W, b, program.friction[point]);
+}
+
+/// Nearest forces that the points can carry.
+template<int Rows, int Forces>
+Eigen::VectorXd insideSets(const ConeProgram<Rows, Forces>& program, Eigen::VectorXd contactForce)
 {
     using Matrix = Eigen::Matrix<double, Forces, Forces>;
     for (int point = 0; point < program.points(); ++point)
     {
         auto force = contactForce.template segment<Forces>(Forces * point);
         const Force<Forces> away = -force;
-        force = leastInCone(Matrix(Matrix::Identity()), away, program.friction[point]);
+        force = leastAt(program, point, Matrix(Matrix::Identity()), away);
     }
     return contactForce;
 }
@@ -133,6 +148,42 @@ Eigen::Vector2d leastInCone(const Eigen::Matrix2d& W, const Eigen::Vector2d& b, 
     const double onDown = leastOnRay<2>(W, b, down);
     // The least on a ray d is b'd n / 2.
     return onUp * b.dot(up) <= onDown * b.dot(down) ? onUp * up : onDown * down;
+}
+
+Eigen::Vector2d leastInSet(const Eigen::Matrix2d& W, const Eigen::Vector2d& b, double mu,
+                           const Strength& strength)
+{
+    const auto value = [&](const Eigen::Vector2d& c) { return c.dot(0.5 * W * c + b); };
+    const Eigen::Vector2d inside = -W.ldlt().solve(b);
+    if (inside[0] >= -strength.tension && inside[0] <= strength.crushing
+        && std::abs(inside[1]) <= strength.cohesion + mu * inside[0])
+    {
+        return inside;
+    }
+    // Its edges: from the corner at the greatest tension, or at the most pressure, to the other one.
+    const double alone = std::max(0.0, strength.cohesion - mu * strength.tension);
+    const double length = strength.crushing + strength.tension;
+    Eigen::Vector2d best(-strength.tension, alone);
+    double least = value(best);
+    const auto tryEdge = [&](const Eigen::Vector2d& corner, const Eigen::Vector2d& direction, double most)
+    {
+        const double along = -direction.dot(b + W * corner) / direction.dot(W * direction);
+        const Eigen::Vector2d c = corner + std::clamp(along, 0.0, most) * direction;
+        if (value(c) < least)
+        {
+            best = c;
+            least = value(c);
+        }
+    };
+    tryEdge({-strength.tension, alone}, {1, mu}, length);
+    tryEdge({-strength.tension, -alone}, {1, -mu}, length);
+    tryEdge({-strength.tension, -alone}, {0, 1}, 2 * alone);
+    if (strength.isBounded())
+    {
+        const double shear = alone + mu * length;
+        tryEdge({strength.crushing, -shear}, {0, 1}, 2 * shear);
+    }
+    return best;
 }
 
 /// On the surface, along d = (1, mu cos p, mu sin p), the least is -(b'd)^2 / (2 d'W d) where b'd < 0: the
@@ -203,16 +254,16 @@ ConeSolution solveGaussSeidel(const ConeProgram<Rows, Forces>& program, const Co
     {
         throw std::invalid_argument("solveGaussSeidel needs inertia and no multiplier");
     }
-    if (program.hasStrength())
+    if (Forces == 3 && program.hasStrength())
     {
-        throw std::invalid_argument("solveGaussSeidel needs cones: no strengths");
+        throw std::invalid_argument("solveGaussSeidel needs cones in space: no strengths");
     }
     const auto problems = makeLocalProblems(program);
     const int points = program.points();
     ConeSolution solution;
     Eigen::VectorXd& c = solution.contactForce;
     Eigen::VectorXd& y = solution.displacement;
-    c = start.contactForce.size() == Forces * points ? insideCones(program, start.contactForce)
+    c = start.contactForce.size() == Forces * points ? insideSets(program, start.contactForce)
                                                      : Eigen::VectorXd::Zero(Forces * points);
     y = displacementUnder(program, c);
 
@@ -257,7 +308,7 @@ ConeSolution solveGaussSeidel(const ConeProgram<Rows, Forces>& program, const Co
             }
             auto force = c.template segment<Forces>(Forces * point);
             const Force<Forces> b = z - problem.ownW * force;
-            const Force<Forces> best = leastInCone(problem.W, b, program.friction[point]);
+            const Force<Forces> best = leastAt(program, point, problem.W, b);
             const Force<Forces> change = best - force;
             force = best;
             if (columns.first >= 0)

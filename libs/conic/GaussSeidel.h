@@ -34,7 +34,8 @@ struct GaussSeidelSettings
 ///
 /// \param start contact forces to begin with (F k), or empty; displacements are not looked at
 /// \return `optimal` when the certificate meets the tolerance, otherwise `notConverged` with the last forces
-/// \throws std::invalid_argument for a program without inertia, with a multiplier or with strengths
+/// \throws std::invalid_argument for a program without inertia, with a multiplier or, in space, with
+/// strengths
 template<int Rows, int Forces>
 ConeSolution solveGaussSeidel(const ConeProgram<Rows, Forces>& program, const ConeSolution& start,
                               const GaussSeidelSettings& settings = {});
@@ -42,5 +43,9 @@ ConeSolution solveGaussSeidel(const ConeProgram<Rows, Forces>& program, const Co
 /// The least 1/2 c' W c + b' c in a friction cone |t| <= mu n. \param W symmetric positive definite
 Eigen::Vector2d leastInCone(const Eigen::Matrix2d& W, const Eigen::Vector2d& b, double mu);
 Eigen::Vector3d leastInCone(const Eigen::Matrix3d& W, const Eigen::Vector3d& b, double mu);
+
+/// Likewise in what a point of the plane with strengths can carry.
+Eigen::Vector2d leastInSet(const Eigen::Matrix2d& W, const Eigen::Vector2d& b, double mu,
+                           const Strength& strength);
 
 } // namespace drystone

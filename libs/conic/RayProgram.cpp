@@ -503,8 +503,13 @@ Eigen::VectorXd raysOf(const PlaneConeProgram& program, const RayForm& form,
     Eigen::VectorXd s = Eigen::VectorXd::Zero(form.program.rayCount());
     for (int point = 0; point < program.points(); ++point)
     {
-        const double normal = contactForce[2 * point] / form.scaling.load;
-        const double shear = contactForce[2 * point + 1] / form.scaling.load;
+        const double alone = shearAlone(program, point) / form.scaling.load;
+        const double tension =
+            program.hasStrength() ? program.strength[static_cast<std::size_t>(point)].tension : 0;
+        const double normal = (contactForce[2 * point] + tension) / form.scaling.load;
+        const double whole = contactForce[2 * point + 1] / form.scaling.load;
+        const double held = alone > 0 ? std::clamp(whole, -alone, alone) : 0;
+        const double shear = whole - held;
         const double mu = program.friction[point];
         const int first = form.firstRay[point];
         if (mu > 0)
@@ -516,6 +521,10 @@ Eigen::VectorXd raysOf(const PlaneConeProgram& program, const RayForm& form,
         else
         {
             s[first] = std::max(0.0, normal);
+        }
+        if (alone > 0)
+        {
+            s[form.firstRay[point + 1] - 1] = held + alone;
         }
     }
     return s;

@@ -134,8 +134,8 @@ void assembleSchur(const RayProgram& program, const Eigen::VectorXd& d, double d
 void solveWithLimits(const RayProgram& program, const Eigen::VectorXd& d, SchurSystem<3>& system,
                      Eigen::VectorXd& x);
 
-/// Forces s of the rays that make up contact forces of a program without strengths; those outside their cone
-/// are put on its surface. \param contactForce F k
+/// Forces s of the rays that make up contact forces, slacks left at zero; forces outside their sets are put
+/// inside, or on their surface. \param contactForce F k \return rayCount
 Eigen::VectorXd raysOf(const PlaneConeProgram& program, const RayForm& form,
                        const Eigen::VectorXd& contactForce);
 

@@ -95,7 +95,7 @@ ConeSolution solveAsChosen(const PlaneConeProgram& program, const SolverChoice& 
     }
 
     // From the last step if it is near; else by the interior point, and the last digits from there.
-    const bool canStart = program.hasInertia() && !program.hasMultiplier() && !program.hasStrength();
+    const bool canStart = program.hasInertia() && !program.hasMultiplier() && !program.hasCrushing();
     ConeSolution solution; // the best so far
     double error = std::numeric_limits<double>::infinity();
     int iterations = 0;
@@ -127,8 +127,8 @@ ConeSolution solveAsChosen(const PlaneConeProgram& program, const SolverChoice& 
     }
     SolverChoice cold = choice;
     cold.tolerance = canStart ? std::max(choice.tolerance, attainable) : choice.tolerance;
-    const ConeSolution rough =
-        solveInteriorPoint(program, interiorPointSettings(cold), kept, isStarted ? &start : nullptr);
+    const ConeSolution* near = isStarted && !program.hasStrength() ? &start : nullptr;
+    const ConeSolution rough = solveInteriorPoint(program, interiorPointSettings(cold), kept, near);
     if (finished(rough) && (cold.tolerance == choice.tolerance || !canStart))
     {
         return solution;

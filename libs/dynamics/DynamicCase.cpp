@@ -4,9 +4,14 @@
 #include "assembly/AssemblyFile.h"
 #include "assembly/Equilibrium.h"
 #include "assembly/Facing.h"
+#include "assembly/JointLaws.h"
 #include "assembly/Loads.h"
 #include "assembly/Materials.h"
 #include "dynamics/MassDamping.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
 
 namespace drystone
 {
@@ -29,6 +34,47 @@ void setStructure(DynamicCase& scene, Assembly<2> assembly, const std::vector<do
     scene.roundingGap = 64 * std::numeric_limits<double>::epsilon() * extent;
 }
 
+/// Refuses what some joints shall have and motion does not simulate.
+void refuseCrushingJoints(const ContactProperties& contact, const std::filesystem::path& caseDirectory)
+{
+    for (const auto& [name, properties] : contact.joints)
+    {
+        if (properties.crushing)
+        {
+            throw FatalIOError(fmt::format("contactDynamics does not simulate crushing, which joint {} has. "
+                                           "Remove the entry to compute without it.",
+                                           name.text),
+                               Dictionary::readFile(caseDirectory / "constant/contactProperties")
+                                   .subDict("joints")
+                                   .location());
+        }
+    }
+}
+
+/// The friction coefficients of joints that have one of their own.
+std::vector<std::pair<std::pair<int, int>, double>>
+frictionOfJoints(const std::filesystem::path& caseDirectory, const ContactProperties& contact,
+                 const Assembly<2>& assembly)
+{
+    std::vector<std::pair<std::pair<int, int>, double>> result;
+    if (contact.joints.empty())
+    {
+        return result;
+    }
+    const std::vector<ContactPoint<2>> points = findContactPoints(assembly); // sorted by pairs
+    const std::vector<PointLaw> laws = pointLaws(caseDirectory, contact, assembly, points);
+    const double ofAll = contact.friction ? contact.friction->mu : 0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+        const std::pair pair(points[i].block, points[i].neighbour);
+        if (laws[i].mu != ofAll && (result.empty() || result.back().first != pair))
+        {
+            result.emplace_back(pair, laws[i].mu);
+        }
+    }
+    return result;
+}
+
 /// What elastic contact points, and deletion, do not go together with.
 void refuseCombinations(const DynamicCase& scene, const std::filesystem::path& caseDirectory)
 {
@@ -44,6 +90,27 @@ void refuseCombinations(const DynamicCase& scene, const std::filesystem::path& c
     if (!scene.contact.elasticity)
     {
         return;
+    }
+    for (const std::string effect : {"cohesion", "tension"})
+    {
+        if (effect == "cohesion" ? scene.contact.cohesion : scene.contact.tension)
+        {
+            throw FatalIOError(
+                fmt::format("Joints are either elastic or hold by {0}, which is rigid until it "
+                            "breaks: remove elasticity, or {0}.",
+                            effect),
+                locationOf(effect));
+        }
+    }
+    for (const auto& [name, properties] : scene.contact.joints)
+    {
+        if (properties.cohesion || properties.tension)
+        {
+            throw FatalIOError(fmt::format("Joints are either elastic or hold by cohesion and tension, which "
+                                           "are rigid until they break: remove elasticity, or those of {}.",
+                                           name.text),
+                               locationOf("joints"));
+        }
     }
     if (scene.contact.restitution)
     {
@@ -74,8 +141,8 @@ DynamicCase readDynamicCase(const std::filesystem::path& caseDirectory)
     Assembly<2> assembly = readAssembly(caseDirectory);
     refuseOverlaps(assembly, caseDirectory);
     scene.contact = readContactProperties(caseDirectory);
-    refuseEffects(caseDirectory, "contactDynamics",
-                  {"cohesion", "tension", "crushing", "pointsPerJoint", "joints", "contact"});
+    refuseEffects(caseDirectory, "contactDynamics", {"crushing", "pointsPerJoint", "contact"});
+    refuseCrushingJoints(scene.contact, caseDirectory);
     refuseCombinations(scene, caseDirectory);
     scene.gravity = readGravity(caseDirectory);
     if (scene.contact.damping && scene.contact.damping->equivalentToHousner)
@@ -84,6 +151,8 @@ DynamicCase readDynamicCase(const std::filesystem::path& caseDirectory)
             equivalentDamping(*scene.contact.damping->equivalentToHousner, scene.gravity.norm());
     }
     scene.effects = stepEffects(scene.contact);
+    scene.bonds = jointBonds(caseDirectory, scene.contact, assembly);
+    scene.jointFriction = frictionOfJoints(caseDirectory, scene.contact, assembly);
     const std::vector<double> densities = readDensities(caseDirectory, assembly, scene.gravity);
     setStructure(scene, std::move(assembly), densities);
     const std::vector<double> masses = massesOf(scene.blocks, densities);
@@ -105,6 +174,23 @@ Eigen::VectorXd loadUnder(const DynamicCase& scene, const Eigen::Vector3d& groun
         load.segment<2>(row) -= scene.groundFactor * scene.mass[row] * ground.head<2>();
     }
     return load;
+}
+
+std::vector<double> frictionAt(const DynamicCase& scene, const std::vector<ContactPoint<2>>& points)
+{
+    std::vector<double> friction(points.size(), scene.contact.friction ? scene.contact.friction->mu : 0);
+    for (std::size_t i = 0; !scene.jointFriction.empty() && i < points.size(); ++i)
+    {
+        const std::pair pair(points[i].block, points[i].neighbour);
+        const auto own =
+            std::lower_bound(scene.jointFriction.begin(), scene.jointFriction.end(), pair,
+                             [](const auto& entry, const auto& key) { return entry.first < key; });
+        if (own != scene.jointFriction.end() && own->first == pair)
+        {
+            friction[i] = own->second;
+        }
+    }
+    return friction;
 }
 
 } // namespace drystone

@@ -6,6 +6,7 @@
 #include "conic/SolverChoice.h"
 #include "dynamics/DynamicState.h"
 #include "dynamics/GroundMotion.h"
+#include "dynamics/JointBonds.h"
 #include "dynamics/Schemes.h"
 #include "dynamics/StepEffect.h"
 #include "dynamics/SupportMotion.h"
@@ -27,7 +28,10 @@ struct DynamicCase
     Vector<2> gravity = Vector<2>::Zero(); ///< [m/s2]
     ContactProperties contact;
     std::vector<std::shared_ptr<const StepEffect>>
-        effects; ///< see stepEffects; what is not there costs nothing
+        effects;             ///< see stepEffects; what is not there costs nothing
+    std::vector<Bond> bonds; ///< empty without cohesion and tension
+    /// Of the joints as built with a mu of their own, sorted by (block, neighbour); mostly empty.
+    std::vector<std::pair<std::pair<int, int>, double>> jointFriction;
     GroundMotion groundMotion;
     std::vector<SupportMotion> supportMotions; ///< of supports that move; most cases have none
     double groundFactor = 1; ///< times groundMotion: the intensity of an incremental analysis
@@ -46,6 +50,9 @@ struct DynamicCase
 /// Gives a scene its structure: `assembly` and what follows from it, `blocks`, `free`, `mass`, `blockSize`
 /// and `roundingGap`. Loads and all else are left alone. \param densities of all blocks [kg/m3]
 void setStructure(DynamicCase& scene, Assembly<2> assembly, const std::vector<double>& densities);
+
+/// Friction coefficient of each point: that of its joint as built where that has one of its own.
+std::vector<double> frictionAt(const DynamicCase& scene, const std::vector<ContactPoint<2>>& points);
 
 /// Reads constant/assembly, g, materialProperties, contactProperties, loads, groundMotion and supportMotion
 /// (these three may be absent: gravity alone, ground and supports at rest), system/schemes and the

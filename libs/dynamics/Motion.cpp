@@ -25,6 +25,14 @@ constexpr int mostImpacts = 10;
 
 constexpr int mostHalvings = 10;
 
+/// The ends of an unbroken bond are no farther apart than this, in mean block sizes: what steps leave of
+/// slips adds up.
+constexpr double bondReach = 1e-3;
+
+/// A bond gives way when its point moves by more than this part of what the step moves the blocks by, or by
+/// more than the error allowed in gaps.
+constexpr double yieldsBy = 1e-2;
+
 double kineticEnergy(const DynamicCase& scene, const Eigen::VectorXd& velocity)
 {
     return 0.5 * scene.mass.dot(velocity.cwiseAbs2());
@@ -191,6 +199,59 @@ Eigen::VectorXd forcesOfLastStep(const Motion& motion, const std::vector<Contact
     return forces;
 }
 
+/// Which unbroken bond holds each point.
+std::vector<int> bondsAt(const DynamicCase& scene, const Motion& motion, const std::vector<char>& isBroken,
+                         const std::vector<ContactPoint<2>>& points)
+{
+    if (motion.contacts)
+    {
+        return bondsOfPoints(scene.bonds, isBroken, scene.blocks, motion.state.placements, points,
+                             bondReach * scene.blockSize);
+    }
+    std::vector<int> bondOfPoint(points.size()); // they stay as built, in the order of the bonds
+    for (std::size_t point = 0; point < points.size(); ++point)
+    {
+        bondOfPoint[point] = isBroken[point] ? -1 : static_cast<int>(point);
+    }
+    return bondOfPoint;
+}
+
+/// Whether a bond holds any of the points.
+bool isAnyHeld(const std::vector<int>& bondOfPoint)
+{
+    return std::any_of(bondOfPoint.begin(), bondOfPoint.end(), [](int bond) { return bond >= 0; });
+}
+
+/// Lets the bonds that are whole hold their points where they were joined. One that is left without a point
+/// is broken. \return which bond holds each point
+std::vector<int> holdBonds(const DynamicCase& scene, const Motion& motion,
+                           const std::vector<ContactPoint<2>>& points, std::vector<char>& isBroken,
+                           PlaneConeProgram& program)
+{
+    std::vector<int> bondOfPoint = bondsAt(scene, motion, isBroken, points);
+    isBroken.assign(scene.bonds.size(), true);
+    for (std::size_t point = 0; point < points.size(); ++point)
+    {
+        if (bondOfPoint[point] >= 0)
+        {
+            const auto bond = static_cast<std::size_t>(bondOfPoint[point]);
+            isBroken[bond] = false;
+            if (motion.contacts)
+            {
+                const double opening =
+                    openingOf(scene.bonds[bond], scene.blocks, motion.state.placements, points[point]);
+                program.gap[2 * static_cast<Eigen::Index>(point)] =
+                    std::abs(opening) <= scene.roundingGap ? 0 : opening;
+            }
+        }
+    }
+    if (isAnyHeld(bondOfPoint))
+    {
+        program.strength = strengthsOf(scene.bonds, bondOfPoint);
+    }
+    return bondOfPoint;
+}
+
 /// Without it a structure at rest, whose corners lie on its edges but for rounding, could only be certified
 /// to stand as well as rounding compares with what gravity moves a block in one step: 1e-11.
 void forgetRounding(const DynamicCase& scene, std::vector<ContactPoint<2>>& points)
@@ -285,13 +346,17 @@ Relinearisation movingContactGeometry(const DynamicCase& scene, const Motion& mo
             const Eigen::Vector2d own =
                 ofEffects.size() > 0 ? Eigen::Vector2d(ofEffects.segment<2>(row)) : Eigen::Vector2d::Zero();
             const double predicted = program.gap[row] - own[0] - linear[row];
-            if (contactForce[row] > 0 || points[i].gap < 0)
+            if (contactForce[row] != 0 || points[i].gap < 0)
             {
                 error = std::max(error, std::abs(points[i].gap - predicted));
             }
+            const double slid = slip(scene, motion.state.placements, after, start[i]);
+            if (program.hasStrength() && program.strength[i].cohesion > 0) // where slip decides what holds
+            {
+                error = std::max(error, std::abs(slid + program.gap[row + 1] - own[1] - linear[row + 1]));
+            }
             program.gap[row] = points[i].gap + closing[row] + own[0];
-            program.gap[row + 1] =
-                closing[row + 1] - slip(scene, motion.state.placements, after, start[i]) + own[1];
+            program.gap[row + 1] = closing[row + 1] - slid + own[1];
         }
         return error;
     };
@@ -366,6 +431,142 @@ double impactLoss(const DynamicCase& scene, const Eigen::VectorXd& before, const
     return kineticEnergy(scene, before) - kineticEnergy(scene, after);
 }
 
+/// What the solution of a step asks for beside its program. Nothing is owned.
+struct StepProblem
+{
+    const DynamicCase& scene;
+    Motion& motion; ///< its symbolic analysis alone is changed
+    const std::vector<ContactPoint<2>>& points;
+    const Eigen::VectorXd& load;
+    const Eigen::VectorXd& bySupports; ///< see closingBySupports
+    const StepSettings& settings;
+    double timeStep;
+    const StepGuess& guess;
+    const Relinearisation& relinearise;
+    double acceleration; ///< the largest that the loads give a block [m/s2]
+};
+
+struct StepSolution
+{
+    ThetaStep step;
+    bool isSolved = false;
+    Eigen::VectorXd velocity;  ///< that the step starts from: after the impacts
+    double lostInImpacts = 0;  ///< [J]
+    double workOfSupports = 0; ///< in impacts [J]
+};
+
+/// The step, and where it asks for impacts these first and the step again from the velocities after them.
+/// \param work its counts are added to
+StepSolution solveWithImpacts(const StepProblem& problem, PlaneConeProgram program, StepResiduals& work)
+{
+    const DynamicCase& scene = problem.scene;
+    const Eigen::VectorXd& bySupports = problem.bySupports;
+    const double timeStep = problem.timeStep;
+    const double theta = scene.schemes.timeIntegration.theta;
+    SymbolicAnalysis* symbolic = problem.motion.symbolic.get();
+    const auto count = [&work](const ThetaStep& solved)
+    {
+        work.iterations += solved.iterations;
+        work.factorisations += solved.factorisations;
+        work.programs += solved.programs;
+        return solved.status == SolveStatus::optimal;
+    };
+
+    StepSolution solution;
+    Eigen::VectorXd& velocity = solution.velocity;
+    velocity = problem.motion.state.velocity;
+    ThetaStep& step = solution.step;
+    StepGuess guess = problem.guess;
+    step = solveThetaStep(program, problem.settings, guess, problem.relinearise, symbolic);
+    solution.isSolved = count(step);
+    const bool hasImpacts = (scene.restitution() > 0 || theta < 1) && !program.hasCompliance();
+    for (int impacts = 0; solution.isSolved && hasImpacts && impacts < mostImpacts; ++impacts)
+    {
+        Eigen::VectorXd closing = applyTransposed(program, velocity);
+        if (bySupports.size() > 0)
+        {
+            closing += bySupports / timeStep;
+        }
+        const auto colliding =
+            collidingPoints(program, step, closing, slowImpact * problem.acceleration * timeStep);
+        if (colliding.empty())
+        {
+            break;
+        }
+        // Momentum changes at an instant: about the mass centres where they are, not where a step takes them.
+        PlaneConeProgram before = program;
+        if (problem.motion.contacts && theta < 1)
+        {
+            setColumns(before, columnsAt(scene, problem.motion.state.placements, problem.points));
+        }
+        const ThetaStep impact =
+            collide(scene, before, colliding, velocity, bySupports, problem.settings, timeStep);
+        solution.isSolved = count(impact);
+        if (solution.isSolved)
+        {
+            const Eigen::VectorXd after = impact.displacement / timeStep;
+            solution.lostInImpacts += impactLoss(scene, velocity, after);
+            for (std::size_t i = 0; bySupports.size() > 0 && i < colliding.size(); ++i)
+            {
+                const double byImpulses =
+                    impact.contactForce.segment<2>(2 * static_cast<Eigen::Index>(i))
+                        .dot(bySupports.segment<2>(2 * static_cast<Eigen::Index>(colliding[i])));
+                solution.workOfSupports += byImpulses;
+                solution.lostInImpacts += byImpulses;
+            }
+            velocity = after;
+            program.load = problem.load + scene.mass.cwiseProduct(velocity) / (theta * timeStep);
+            guess.displacement = timeStep * velocity;
+            step = solveThetaStep(program, problem.settings, guess, problem.relinearise, symbolic);
+            solution.isSolved = count(step);
+        }
+    }
+    return solution;
+}
+
+/// Takes the bonds that a solved step would open or shear out of its program. \return how many
+int breakBonds(const StepProblem& problem, const ThetaStep& step, PlaneConeProgram& program,
+               std::vector<int>& bondOfPoint, std::vector<char>& isBroken)
+{
+    const DynamicCase& scene = problem.scene;
+    const Relinearisation& relinearise = problem.relinearise;
+    const StepSettings& settings = problem.settings;
+    PlaneConeProgram there = program; // as the blocks are where the step takes them
+    if (relinearise)
+    {
+        relinearise(step.displacement, step.contactForce, there);
+    }
+    const Eigen::VectorXd opening = there.gap - applyTransposed(there, step.displacement);
+    double farthest = 0;
+    for (Eigen::Index row = 0; row < step.displacement.size(); row += 3)
+    {
+        farthest = std::max({farthest, step.displacement.segment<2>(row).lpNorm<Eigen::Infinity>(),
+                             scene.blockSize * std::abs(step.displacement[row + 2])});
+    }
+    // What a solver leaves of forces out of balance moves the blocks as well: the gap of its certificate is
+    // of second order in them.
+    const double leftover =
+        std::sqrt(settings.solver.tolerance) * problem.acceleration * problem.timeStep * problem.timeStep;
+    const YieldTolerance tolerance{
+        std::max(leftover, std::min(settings.contactTolerance, yieldsBy * farthest)) + 2 * scene.roundingGap,
+        10 * settings.solver.tolerance * step.contactForce.lpNorm<Eigen::Infinity>()};
+    const std::vector<int> givingWay =
+        bondsGivingWay(program, bondOfPoint, opening, step.contactForce, tolerance);
+    for (const int bond : givingWay)
+    {
+        isBroken[static_cast<std::size_t>(bond)] = true;
+        const auto point = static_cast<std::size_t>(std::find(bondOfPoint.begin(), bondOfPoint.end(), bond)
+                                                    - bondOfPoint.begin());
+        bondOfPoint[point] = -1;
+        program.strength[point] = {};
+    }
+    if (!isAnyHeld(bondOfPoint))
+    {
+        program.strength.clear();
+    }
+    return static_cast<int>(givingWay.size());
+}
+
 void keepLedger(const DynamicCase& scene, Motion& motion, const StepEnergy& step, double externalWork)
 {
     EnergyLedger& energy = motion.energy;
@@ -402,6 +603,8 @@ Motion startMotion(const DynamicCase& scene, DynamicState state)
 {
     Motion motion;
     motion.state = std::move(state);
+    motion.isBondBroken =
+        partedBonds(scene.bonds, scene.blocks, motion.state.placements, bondReach * scene.blockSize);
     if (!scene.schemes.smallDisplacements)
     {
         motion.contacts.emplace(scene.assembly);
@@ -433,7 +636,9 @@ Motion startMotion(const DynamicCase& scene, DynamicState state)
             {
                 // Of the generator's numbers themselves: std::uniform_real_distribution differs among
                 // libraries.
-                point.gap = scene.schemes.initialGaps->perturbation * std::ldexp(double(random() >> 11), -53);
+                const double share = std::ldexp(double(random() >> 11), -53);
+                const bool isHeld = !scene.bonds.empty() && !motion.isBondBroken[i];
+                point.gap = isHeld ? 0 : scene.schemes.initialGaps->perturbation * share;
             }
             point.gap -= columns[i].onBlock.col(0).dot(displacements[point.block])
                          + columns[i].onNeighbour.col(0).dot(displacements[point.neighbour]);
@@ -462,13 +667,13 @@ bool advance(const DynamicCase& scene, Motion& motion, double timeStep)
     const std::vector<Vector<2>> supports =
         supportDisplacements(scene.supportMotions, scene.assembly, start, start + timeStep);
     const double acceleration = largestAcceleration(scene, load);
-    Eigen::VectorXd velocity = motion.state.velocity;
 
     // Contact points, and lever arms where the momenta want them.
     std::vector<ContactPoint<2>> points;
     std::vector<ContactColumns<2>> columns;
     if (motion.contacts)
     {
+        const Eigen::VectorXd& velocity = motion.state.velocity;
         const auto velocities = velocitiesOfAllBlocks(scene, velocity, start, start + timeStep);
         const auto ahead = moved(scene, motion, timeStep * velocity, supports);
         points = motion.contacts->update(motion.state.placements, ahead,
@@ -492,10 +697,9 @@ bool advance(const DynamicCase& scene, Motion& motion, double timeStep)
         columns = equilibriumColumns(scene.assembly, scene.blocks, points);
     }
 
-    const std::vector<double> friction = frictionCoefficients(scene.contact, points.size());
-    PlaneConeProgram program =
-        thetaStepProgram(scene.mass, velocity, load, points, columns, friction, scheme);
-    StepGuess guess{timeStep * velocity, forcesOfLastStep(motion, points)};
+    PlaneConeProgram program = thetaStepProgram(scene.mass, motion.state.velocity, load, points, columns,
+                                                frictionAt(scene, points), scheme);
+    const StepGuess guess{timeStep * motion.state.velocity, forcesOfLastStep(motion, points)};
     const EffectContext context{scene.mass, guess.contactForce, motion.contactForces, scheme.timeStep};
     Eigen::VectorXd ofEffects;
     const Eigen::VectorXd gap = program.gap;
@@ -503,11 +707,17 @@ bool advance(const DynamicCase& scene, Motion& motion, double timeStep)
     const bool isOverlapLeft =
         !scene.contact.elasticity
         && leaveOverlaps(program, settings.contactTolerance, acceleration * timeStep * timeStep);
-    if (!scene.effects.empty() || isOverlapLeft)
+    std::vector<char> isBondBroken = motion.isBondBroken;
+    std::vector<int> bondOfPoint;
+    if (!scene.effects.empty() || !scene.bonds.empty() || isOverlapLeft)
     {
         for (const auto& effect : scene.effects)
         {
             effect->contribute(context, program);
+        }
+        if (!scene.bonds.empty())
+        {
+            bondOfPoint = holdBonds(scene, motion, points, isBondBroken, program);
         }
         ofEffects = program.gap - gap;
     }
@@ -519,83 +729,39 @@ bool advance(const DynamicCase& scene, Motion& motion, double timeStep)
     const Relinearisation relinearise =
         motion.contacts ? movingContactGeometry(scene, motion, points, ofEffects, supports)
                         : Relinearisation();
-    ThetaStep step = solveThetaStep(program, settings, guess, relinearise, motion.symbolic.get());
-
-    double lostInImpacts = 0;
-    double workOfSupports = 0;
-    int iterations = 0;
-    int factorisations = 0;
-    int programs = 0;
-    const auto count = [&](const ThetaStep& solved)
+    const StepProblem problem{scene,    motion,   points, load,        bySupports,
+                              settings, timeStep, guess,  relinearise, acceleration};
+    motion.attempt = {};
+    StepSolution solved = solveWithImpacts(problem, program, motion.attempt);
+    while (solved.isSolved && program.hasStrength()
+           && breakBonds(problem, solved.step, program, bondOfPoint, isBondBroken) > 0)
     {
-        iterations += solved.iterations;
-        factorisations += solved.factorisations;
-        programs += solved.programs;
-        return solved.status == SolveStatus::optimal;
-    };
-    bool isSolved = count(step);
-    const bool hasImpacts = (scene.restitution() > 0 || scheme.theta < 1) && !program.hasCompliance();
-    for (int impacts = 0; isSolved && hasImpacts && impacts < mostImpacts; ++impacts)
-    {
-        Eigen::VectorXd closing = applyTransposed(program, velocity);
-        if (bySupports.size() > 0)
-        {
-            closing += bySupports / timeStep;
-        }
-        const auto colliding = collidingPoints(program, step, closing, slowImpact * acceleration * timeStep);
-        if (colliding.empty())
-        {
-            break;
-        }
-        // Momentum changes at an instant: about the mass centres where they are, not where a step takes them.
-        PlaneConeProgram before = program;
-        if (motion.contacts && scheme.theta < 1)
-        {
-            setColumns(before, columnsAt(scene, motion.state.placements, points));
-        }
-        const ThetaStep impact = collide(scene, before, colliding, velocity, bySupports, settings, timeStep);
-        isSolved = count(impact);
-        if (isSolved)
-        {
-            const Eigen::VectorXd after = impact.displacement / timeStep;
-            lostInImpacts += impactLoss(scene, velocity, after);
-            for (std::size_t i = 0; bySupports.size() > 0 && i < colliding.size(); ++i)
-            {
-                const double work =
-                    impact.contactForce.segment<2>(2 * static_cast<Eigen::Index>(i))
-                        .dot(bySupports.segment<2>(2 * static_cast<Eigen::Index>(colliding[i])));
-                workOfSupports += work;
-                lostInImpacts += work;
-            }
-            velocity = after;
-            program.load = load + scene.mass.cwiseProduct(velocity) / (scheme.theta * timeStep);
-            guess.displacement = timeStep * velocity;
-            step = solveThetaStep(program, settings, guess, relinearise, motion.symbolic.get());
-            isSolved = count(step);
-        }
+        solved = solveWithImpacts(problem, program, motion.attempt);
     }
+    const ThetaStep& step = solved.step;
+    double workOfSupports = solved.workOfSupports;
 
     StepResiduals& residuals = motion.attempt;
     residuals.initialResidual = step.initialResidual;
     residuals.primalResidual = step.certificate.primalResidual;
     residuals.dualResidual = step.certificate.dualResidual;
     residuals.gap = step.certificate.gap;
-    residuals.iterations = iterations;
-    residuals.factorisations = factorisations;
-    residuals.programs = programs;
-    if (!isSolved)
+    if (!solved.isSolved)
     {
         return false;
     }
 
     motion.residuals = motion.attempt;
-    motion.state.velocity = velocity;
+    motion.bondsBrokenInStep = -brokenBonds(scene, motion);
+    motion.isBondBroken = std::move(isBondBroken);
+    motion.bondsBrokenInStep += brokenBonds(scene, motion);
+    motion.state.velocity = solved.velocity;
     advance(motion.state, scene.free, step.displacement, scheme);
     for (std::size_t block = 0; block < supports.size(); ++block)
     {
         motion.state.placements[block].translation += supports[block];
     }
-    StepEnergy energy = stepEnergy(step, scene.mass, load, velocity, motion.state.velocity, scheme);
+    StepEnergy energy = stepEnergy(step, scene.mass, load, solved.velocity, motion.state.velocity, scheme);
     // Points close and slide by A'y and by what the supports do, which work against the same forces.
     for (Eigen::Index row = 0; row < bySupports.size(); row += 2)
     {
@@ -609,7 +775,7 @@ bool advance(const DynamicCase& scene, Motion& motion, double timeStep)
     {
         effect->account(context, step, energy);
     }
-    motion.energy.impactLoss += lostInImpacts;
+    motion.energy.impactLoss += solved.lostInImpacts;
     double takenAlong = 0;
     if (scene.contact.deletion)
     {
@@ -674,14 +840,38 @@ bool advance(const DynamicCase& scene, Motion& motion, Time& time)
     return true;
 }
 
-StepObservation<2> observe(const DynamicCase& scene, const Motion& motion, const Time& time,
-                           std::vector<BlockVelocity<2>>& velocities, const std::vector<double>& friction)
+int brokenBonds(const DynamicCase& scene, const Motion& motion)
 {
-    velocities.clear();
+    int broken = 0;
+    for (std::size_t bond = 0; bond < scene.bonds.size(); ++bond)
+    {
+        const bool isOne = scene.bonds[bond].strength.cohesion > 0 || scene.bonds[bond].strength.tension > 0;
+        broken += isOne && motion.isBondBroken[bond] ? 1 : 0;
+    }
+    return broken;
+}
+
+std::vector<Strength> strengthsOf(const DynamicCase& scene, const Motion& motion)
+{
+    return scene.bonds.empty()
+               ? std::vector<Strength>()
+               : strengthsOf(scene.bonds, bondsAt(scene, motion, motion.isBondBroken, motion.points));
+}
+
+StepObservation<2> observe(const DynamicCase& scene, const Motion& motion, const Time& time,
+                           ObservedLists& lists)
+{
+    lists.friction = frictionAt(scene, motion.points);
+    lists.cohesion.clear();
+    for (const Strength& strength : strengthsOf(scene, motion))
+    {
+        lists.cohesion.push_back(strength.cohesion);
+    }
+    lists.velocities.clear();
     for (const Vector<3>& velocity :
          velocitiesOfAllBlocks(scene, motion.state.velocity, motion.state.time, motion.state.time))
     {
-        velocities.push_back({velocity.head<2>(), velocity[2]});
+        lists.velocities.push_back({velocity.head<2>(), velocity[2]});
     }
     StepObservation<2> seen;
     seen.time = time.value();
@@ -689,10 +879,11 @@ StepObservation<2> observe(const DynamicCase& scene, const Motion& motion, const
     seen.step = time.index();
     seen.assembly = &scene.assembly;
     seen.placements = motion.state.placements;
-    seen.velocities = velocities;
+    seen.velocities = lists.velocities;
     seen.contactPoints = motion.points;
     seen.contactForces = motion.contactForces;
-    seen.frictionCoefficients = friction;
+    seen.frictionCoefficients = lists.friction;
+    seen.cohesions = lists.cohesion;
     seen.energy = motion.energy;
     seen.residuals = motion.residuals;
     return seen;

@@ -31,8 +31,8 @@ private:
     std::unique_ptr<SymbolicAnalysis> analysis_;
 };
 
-/// All that changes in a run. What a run needs to continue bit for bit is `state`, `energy`, `points` and
-/// `contactForces`.
+/// All that changes in a run. What a run needs to continue bit for bit is `state`, `energy`, `points`,
+/// `contactForces` and `isBondBroken`.
 struct Motion
 {
     DynamicState state;
@@ -43,9 +43,17 @@ struct Motion
     StepResiduals attempt;                  ///< of the last attempt at a step, solved or not
     KeptAnalysis symbolic;                  ///< of the last programs
     std::optional<MovingContacts> contacts; ///< empty with smallDisplacements: the points stay as built
-    std::vector<char> isDeleted; ///< one a block, where the case has a `deletion`: it is outside the
-                                 ///< box, at rest where it left it. Follows from `state`
+    std::vector<char> isDeleted;    ///< one a block, where the case has a `deletion`: it is outside the
+                                    ///< box, at rest where it left it. Follows from `state`
+    std::vector<char> isBondBroken; ///< one of each of the case's bonds, with what never was one
+    int bondsBrokenInStep = 0;      ///< in the last step
 };
+
+/// How many bonds are broken that once held [-].
+int brokenBonds(const DynamicCase& scene, const Motion& motion);
+
+/// The strengths that the bonds give the points now, none that is broken; empty in a case without bonds.
+std::vector<Strength> strengthsOf(const DynamicCase& scene, const Motion& motion);
 
 /// The motion that starts from a state, its ledger opened there.
 Motion startMotion(const DynamicCase& scene, DynamicState state);
@@ -53,7 +61,8 @@ Motion startMotion(const DynamicCase& scene, DynamicState state);
 /// One step (Portioli & Cascini 2017, eq. 1-9):
 ///
 /// 1. contact points where blocks touch or may meet within the step;
-/// 2. the theta step as a cone program, its gaps right to second order;
+/// 2. the theta step as a cone program, its gaps right to second order; bonds that would give way in it break
+///    and it is solved again without them (JointBonds.h);
 /// 3. impacts, where restitution or a theta below 1 asks for them: points that the step closes, and that were
 ///    closing when it began, collide first. M (v+ - v-) = -A P with u_n+ >= -e u_n-, wherever in the step
 ///    they would have met; then the step is repeated from v+. Without restitution and with theta 1 the
@@ -70,9 +79,16 @@ bool advance(const DynamicCase& scene, Motion& motion, double timeStep);
 /// \return whether it was solved; otherwise the time is that of the start of the step again
 bool advance(const DynamicCase& scene, Motion& motion, Time& time);
 
-/// What observers see. The views are into `motion` and `velocities`.
-/// \param velocities filled in, one a block
+/// What observers see and a motion does not keep.
+struct ObservedLists
+{
+    std::vector<BlockVelocity<2>> velocities; ///< one a block
+    std::vector<double> friction;             ///< one a contact point
+    std::vector<double> cohesion;             ///< likewise [N]; empty in a case without bonds
+};
+
+/// What observers see. The views are into `motion` and `lists`. \param lists filled in
 StepObservation<2> observe(const DynamicCase& scene, const Motion& motion, const Time& time,
-                           std::vector<BlockVelocity<2>>& velocities, const std::vector<double>& friction);
+                           ObservedLists& lists);
 
 } // namespace drystone

@@ -74,6 +74,7 @@ struct StepObservation
     std::span<const ContactPoint<Dim>> contactPoints; ///< where they are now
     std::span<const Vector<Dim>> contactForces;   ///< one a point: mean over the step, (normal, tangent) [N]
     std::span<const double> frictionCoefficients; ///< one a point
+    std::span<const double> cohesions;            ///< shear beside friction [N], likewise; or empty: none
 
     EnergyLedger energy;
     StepResiduals residuals;

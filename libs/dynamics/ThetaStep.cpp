@@ -263,14 +263,16 @@ bool solveFlow(ThetaStep& step, PlaneConeProgram& program, const ConeSolution& s
     for (int point = 0; point < program.points(); ++point)
     {
         const double mu = program.friction[static_cast<std::size_t>(point)];
+        const Strength strength =
+            program.hasStrength() ? program.strength[static_cast<std::size_t>(point)] : Strength{};
         const auto force = solution.contactForce.segment<2>(2 * point);
         auto gap = program.gap.segment<2>(2 * point);
         const Eigen::Vector2d open = gap - closing.segment<2>(2 * point);
-        if ((force[0] > 0 || open[0] < 0) && std::abs(open[0]) <= gapTolerance)
+        if ((force[0] > -strength.tension || open[0] < 0) && std::abs(open[0]) <= gapTolerance)
         {
             gap[0] -= open[0];
         }
-        if (std::abs(force[1]) < mu * force[0] && std::abs(open[1]) <= gapTolerance)
+        if (std::abs(force[1]) < strength.cohesion + mu * force[0] && std::abs(open[1]) <= gapTolerance)
         {
             gap[1] -= open[1];
         }

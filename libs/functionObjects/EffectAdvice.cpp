@@ -91,6 +91,9 @@ std::string reasonAgainst(const DynamicCase& scene, const DynamicState& start, s
         return "supports move";
     if (scene.contact.elasticity)
         return "elastic joints amplify the motion of the ground, which criteria of rigid blocks do not see";
+    if (!scene.bonds.empty() || !scene.jointFriction.empty())
+        return "joints have cohesion, tension or friction of their own, which the criteria do not see; "
+               "limitAnalysis does";
     if (points > mostPoints)
         return fmt::format("more than {} contact points", mostPoints);
     if (scene.groundMotion.components.size() > 4)

@@ -112,7 +112,8 @@ void ContactForcesFunction<2>::write(const StepObservation<2>& step)
         largestNormal = std::max(largestNormal, force.x());
         largestShear = std::max(largestShear, std::abs(force.y()));
     }
-    const std::vector<ContactState> states = contactStates(step.contactForces, step.frictionCoefficients);
+    const std::vector<ContactState> states =
+        contactStates(step.contactForces, step.frictionCoefficients, step.cohesions);
     std::array<int, 3> counts{};
     for (std::size_t i = 0; i < step.contactPoints.size(); ++i)
     {

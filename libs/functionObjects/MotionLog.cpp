@@ -34,6 +34,13 @@ void printScene(const DynamicCase& scene, const Motion& motion, const Time& time
                  ? "associative (a joint that slides opens)"
                  : "nonAssociative (Coulomb)");
     }
+    if (!scene.bonds.empty())
+    {
+        const auto isOne = [](const Bond& bond)
+        { return bond.strength.cohesion > 0 || bond.strength.tension > 0; };
+        info("Bonds: {} at the ends of joints, {} of them broken",
+             std::count_if(scene.bonds.begin(), scene.bonds.end(), isOne), brokenBonds(scene, motion));
+    }
     if (scene.contact.damping)
     {
         info("Damping: massProportional {:.6g} 1/s{}", scene.contact.damping->massProportional,
@@ -59,6 +66,10 @@ void printStep(const DynamicCase& scene, const Motion& motion)
     const StepResiduals& residuals = motion.residuals;
     info("{}:  Solving for contact, Initial residual = {:.6g}, Final residual = {:.6g}, No Iterations {}",
          nameOf(scene.solution.solver), residuals.initialResidual, worst(residuals), residuals.iterations);
+    if (motion.bondsBrokenInStep > 0)
+    {
+        info("{} bonds broke, {} are broken", motion.bondsBrokenInStep, brokenBonds(scene, motion));
+    }
     if (residuals.retries > 0)
     {
         info("The step was shortened {} times to be solved", residuals.retries);

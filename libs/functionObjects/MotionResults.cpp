@@ -120,6 +120,12 @@ Motion motionOf(const DynamicCase& scene, const State& saved)
         point.normal = {normals[2 * i], normals[2 * i + 1]};
         motion.contactForces[i] = {forces[2 * i], forces[2 * i + 1]};
     }
+    // A run that goes on with bonds which it began without has those whose ends are still together.
+    if (!scene.bonds.empty() && saved.arrays.contains("bondBroken"))
+    {
+        const auto& broken = stateArray(saved, "bondBroken", scene.bonds.size());
+        motion.isBondBroken.assign(broken.begin(), broken.end());
+    }
     return motion;
 }
 
@@ -154,6 +160,10 @@ State stateOf(const Motion& motion, const Time& time)
         rotation.push_back(placement.rotation);
     }
     state.arrays["velocity"].assign(motion.state.velocity.begin(), motion.state.velocity.end());
+    if (!motion.isBondBroken.empty())
+    {
+        state.arrays["bondBroken"].assign(motion.isBondBroken.begin(), motion.isBondBroken.end());
+    }
     auto& features = state.arrays["contactFeature"];
     auto& gaps = state.arrays["contactGap"];
     auto& forces = state.arrays["contactForce"];
@@ -218,13 +228,12 @@ void postProcess(const std::filesystem::path& caseDirectory, const DynamicCase& 
     const Dictionary functions =
         time.controlDict().found("functions") ? time.controlDict().subDict("functions") : Dictionary();
     FunctionList<2> list(functions, caseDirectory, states.front().first, {}, 0, scene.assembly);
-    std::vector<BlockVelocity<2>> velocities;
+    ObservedLists lists;
     for (const auto& [name, saved] : states)
     {
         info("Time = {}", name);
         const Motion motion = motionOf(scene, saved);
-        const std::vector<double> friction = frictionCoefficients(scene.contact, motion.points.size());
-        StepObservation<2> seen = observe(scene, motion, time, velocities, friction);
+        StepObservation<2> seen = observe(scene, motion, time, lists);
         const TimeState then = timeOf(saved);
         seen.time = then.value;
         seen.timeStep = stateScalar(saved, "stepLength");
@@ -252,9 +261,8 @@ MotionResults::MotionResults(std::filesystem::path caseDirectory, const DynamicC
 
 void MotionResults::write()
 {
-    std::vector<BlockVelocity<2>> velocities;
-    const std::vector<double> friction = frictionCoefficients(scene_.contact, motion_.points.size());
-    functions_.write(observe(scene_, motion_, time_, velocities, friction), time_.point());
+    ObservedLists lists;
+    functions_.write(observe(scene_, motion_, time_, lists), time_.point());
     if (time_.isWriteTime())
     {
         writeNow();
@@ -286,9 +294,22 @@ void MotionResults::writeFrames()
         fields.push_back({"deleted", 1, {motion_.isDeleted.begin(), motion_.isDeleted.end()}});
     }
     blocks_.write(time_.value(), blockFrame(scene_.assembly, motion_.state.placements, std::move(fields)));
-    const std::vector<double> friction = frictionCoefficients(scene_.contact, motion_.points.size());
+    const std::vector<double> friction = frictionAt(scene_, motion_.points);
+    std::vector<double> cohesion;
+    std::vector<Field> pointFields;
+    if (!scene_.bonds.empty())
+    {
+        Field isHeld{"bonded", 1, {}, FieldType::integer};
+        for (const Strength& strength : strengthsOf(scene_, motion_))
+        {
+            cohesion.push_back(strength.cohesion);
+            isHeld.values.push_back(strength.cohesion > 0 || strength.tension > 0);
+        }
+        pointFields.push_back(std::move(isHeld));
+    }
     contacts_.write(time_.value(), contactFrame(motion_.points, motion_.contactForces,
-                                                contactStates(motion_.contactForces, friction)));
+                                                contactStates(motion_.contactForces, friction, cohesion),
+                                                std::move(pointFields)));
 }
 
 void MotionResults::writeFirstFrames()

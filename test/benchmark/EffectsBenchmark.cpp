@@ -55,6 +55,15 @@ void restitution(DynamicCase& scene)
     scene.contact.restitution = Restitution{0.3};
 }
 
+/// Weaker than the push asks for: some bonds break at once.
+void cohesion(DynamicCase& scene)
+{
+    friction(scene);
+    scene.contact.cohesion = JointStrength{20};
+    scene.contact.tension = JointStrength{10};
+    scene.bonds = jointBonds({}, scene.contact, scene.assembly);
+}
+
 void elasticity(DynamicCase& scene)
 {
     friction(scene);
@@ -92,7 +101,7 @@ void supportMotion(DynamicCase& scene)
         {0, {1, 0}, tabulatedAcceleration({0, 1}, {0, 0.5}, Interpolation::linear, OutOfBounds::zero)}};
 }
 
-/// Restitution goes without elasticity only.
+/// Restitution and cohesion go without elasticity only.
 void all(DynamicCase& scene)
 {
     groundMotion(scene);
@@ -140,6 +149,7 @@ BENCHMARK_CAPTURE(effects, restitution, restitution)
     ->UseManualTime()
     ->Unit(benchmark::kMillisecond)
     ->Iterations(5);
+BENCHMARK_CAPTURE(effects, cohesion, cohesion)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(5);
 BENCHMARK_CAPTURE(effects, elasticity, elasticity)
     ->UseManualTime()
     ->Unit(benchmark::kMillisecond)

@@ -1,6 +1,8 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Cones reshaped by cohesion, tension and crushing: closed forms, and the certificate that covers them.
+#include "conic/AugmentedLagrangian.h"
 #include "conic/Certificate.h"
+#include "conic/GaussSeidel.h"
 #include "conic/InteriorPoint.h"
 
 #include <gtest/gtest.h>
@@ -179,4 +181,92 @@ TEST(Strength, CertificateSeesAForceBeyondIt)
     wrong = right;
     wrong.multiplier *= 1.01;
     EXPECT_GT(certify(program, wrong).worst(), 1e-3);
+}
+
+TEST(Strength, OfStepsInTimeIsTheSameToEverySolver)
+{
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> uniform(0, 1);
+    int moved = 0;
+    for (int trial = 0; trial < 100; ++trial)
+    {
+        PlaneConeProgram program;
+        program.bodies = 4;
+        program.load.setZero(12);
+        for (int body = 0; body < program.bodies; ++body)
+        {
+            for (const double x : {-1.0, 1.0})
+            {
+                ConeColumns<3, 2> columns;
+                columns.first = body;
+                columns.onFirst << 0, -1, -1, 0, -x, -0.5;
+                if (body > 0)
+                {
+                    columns.second = body - 1;
+                    columns.onSecond << 0, 1, 1, 0, x, -0.5;
+                }
+                program.contacts.push_back(columns);
+                const double mu = uniform(random) < 0.2 ? 0 : uniform(random);
+                const double tension = uniform(random) < 0.5 ? 0 : uniform(random);
+                program.friction.push_back(mu);
+                program.strength.push_back(
+                    {mu * tension + (uniform(random) < 0.5 ? 0 : uniform(random)), tension});
+            }
+            program.load.segment<3>(3 * body) << 2 * uniform(random) - 1, 2 * uniform(random) - 1.5, 0;
+            program.inertia.push_back(Eigen::Vector3d(1, 1, 0.3).asDiagonal());
+        }
+        const ConeSolution reference = solveInteriorPoint(program, {.tolerance = 1e-9});
+        ASSERT_EQ(reference.status, SolveStatus::optimal) << trial;
+        const double size = reference.displacement.lpNorm<Eigen::Infinity>();
+        moved += size > 1e-3;
+
+        const ConeSolution multipliers = solveAugmentedLagrangian(program, {}, {1e-9});
+        ASSERT_EQ(multipliers.status, SolveStatus::optimal) << trial;
+        EXPECT_LE(certify(program, multipliers).worst(), 1e-9);
+        EXPECT_LE((multipliers.displacement - reference.displacement).lpNorm<Eigen::Infinity>(),
+                  1e-4 + 1e-4 * size);
+        // From the solution it takes next to nothing.
+        const ConeSolution again = solveAugmentedLagrangian(program, multipliers, {1e-9});
+        ASSERT_EQ(again.status, SolveStatus::optimal) << trial;
+        EXPECT_LE(again.iterations, 3) << trial;
+
+        const ConeSolution sweeps = solveGaussSeidel(program, {}, {1e-6, 20000});
+        ASSERT_EQ(sweeps.status, SolveStatus::optimal) << trial;
+        EXPECT_LE((sweeps.displacement - reference.displacement).lpNorm<Eigen::Infinity>(),
+                  1e-2 + 1e-2 * size);
+    }
+    EXPECT_GT(moved, 50);
+}
+
+TEST(Strength, OfOnePointIsObeyedByTheLeastInItsSet)
+{
+    // Against a grid over the set.
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> uniform(0, 1);
+    for (int trial = 0; trial < 50; ++trial)
+    {
+        const double mu = trial % 5 == 0 ? 0 : uniform(random);
+        const double tension = uniform(random);
+        const Strength strength{mu * tension + (trial % 3 == 0 ? 0 : uniform(random)), tension,
+                                trial % 2 == 0 ? infinite : uniform(random)};
+        Eigen::Matrix2d W;
+        W << 1 + uniform(random), uniform(random) - 0.5, 0, 1 + uniform(random);
+        W(1, 0) = W(0, 1);
+        const Eigen::Vector2d b(6 * uniform(random) - 3, 6 * uniform(random) - 3);
+        const auto value = [&](const Eigen::Vector2d& c) { return c.dot(0.5 * W * c + b); };
+        const Eigen::Vector2d best = leastInSet(W, b, mu, strength);
+        EXPECT_GE(best[0], -tension - 1e-12);
+        EXPECT_LE(best[0], strength.crushing + 1e-12);
+        EXPECT_LE(std::abs(best[1]), strength.cohesion + mu * best[0] + 1e-12);
+        const double end = std::min(strength.crushing, 8.0);
+        for (int i = 0; i <= 60; ++i)
+        {
+            const double normal = -tension + (end + tension) * i / 60;
+            const double most = std::max(0.0, strength.cohesion + mu * normal);
+            for (int j = -20; j <= 20; ++j)
+            {
+                EXPECT_GE(value({normal, most * j / 20}), value(best) - 1e-12) << trial;
+            }
+        }
+    }
 }

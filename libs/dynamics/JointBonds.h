@@ -1,0 +1,75 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// cohesion { strength c; } and tension { strength s; } in motion: joints that hold until they break.
+#pragma once
+
+#include "assembly/ContactPoint.h"
+#include "assembly/ContactProperties.h"
+#include "conic/ConeProgram.h"
+
+#include <filesystem>
+#include <vector>
+
+namespace drystone
+{
+
+/// What holds two blocks together at one end of a joint as built: half of the joint's area. Unbroken it
+/// reshapes the cone of the contact point there as in limit analysis, -T <= n and |t| <= C + mu n, and the
+/// point neither opens nor slides.
+///
+/// It is brittle: in a step in which it would give way, opened or sheared by what it cannot hold, it is
+/// broken from the start, and the step is solved again without it; then others may give way, until none does.
+/// Which do in one go is decided by forces that are redistributed as plastic joints would do it, so a
+/// structure at rest breaks at the load multiplier of limit analysis, whatever the step. A broken bond is
+/// gone for good; friction stays. Breaking takes no energy: a bond that does not give way does no work, and
+/// one that would is not there.
+///
+/// An impact within a step is met by T dt at most, so that the shorter the step, the weaker the impact that
+/// breaks a bond: between rigid blocks its force has no limit. Where impacts are instants of their own
+/// (restitution, or a theta below 1) bonds pass none of their impulses but what presses and rubs.
+struct Bond
+{
+    int block = -1;                         ///< index in Assembly::blocks
+    int neighbour = -1;                     ///< likewise
+    Vector<2> position = Vector<2>::Zero(); ///< as built [m]
+    Strength strength;                      ///< of cohesion and tension [N]
+};
+
+/// The bonds of a structure, two a joint in the order of findContactPoints, some perhaps of no strength;
+/// empty where no joint has cohesion or tension. \throws FatalIOError, see pointLaws
+std::vector<Bond> jointBonds(const std::filesystem::path& caseDirectory, const ContactProperties& properties,
+                             const Assembly<2>& assembly);
+
+/// Whether the two ends of each bond are no longer where they were joined, or it has no strength.
+/// \param centroids of all blocks as built \param reach how far apart they may be [m]
+std::vector<char> partedBonds(const std::vector<Bond>& bonds, const std::vector<BlockMass<2>>& blocks,
+                              const std::vector<Placement<2>>& placements, double reach);
+
+/// Which unbroken bond holds each contact point, or -1.
+/// \param points sorted by (block, neighbour), where the blocks are now
+std::vector<int> bondsOfPoints(const std::vector<Bond>& bonds, const std::vector<char>& isBroken,
+                               const std::vector<BlockMass<2>>& blocks,
+                               const std::vector<Placement<2>>& placements,
+                               const std::vector<ContactPoint<2>>& points, double reach);
+
+/// How far apart the two ends of the bond that holds a point are along its normal [m].
+double openingOf(const Bond& bond, const std::vector<BlockMass<2>>& blocks,
+                 const std::vector<Placement<2>>& placements, const ContactPoint<2>& point);
+
+/// The strengths of points. \param bondOfPoint see bondsOfPoints
+std::vector<Strength> strengthsOf(const std::vector<Bond>& bonds, const std::vector<int>& bondOfPoint);
+
+/// What tells a bond that gives way from one that a solver's tolerance moves.
+struct YieldTolerance
+{
+    double length = 0; ///< opened or slid by less is not [m]
+    double force = 0;  ///< of the solver [N]
+};
+
+/// The bonds that a solved step would open or shear: those at the limit of what they hold.
+/// \param opening z of the points at the end of the step, (normal, tangent) [m] \param contactForce likewise
+/// [N]
+std::vector<int> bondsGivingWay(const PlaneConeProgram& program, const std::vector<int>& bondOfPoint,
+                                const Eigen::VectorXd& opening, const Eigen::VectorXd& contactForce,
+                                const YieldTolerance& tolerance);
+
+} // namespace drystone
