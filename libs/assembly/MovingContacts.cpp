@@ -477,7 +477,9 @@ void MovingContacts::guardCorners(double margin)
     // which they are level comes first: along it they slide, or have just lost contact, and any other one
     // would be a wall across the way of a block that slides over flush blocks. Else it is the line that the
     // motion ahead leaves the most room: it binds only if the step turns out otherwise than foreseen, and
-    // then by no more than that change. Corners at one place are left alone: every line is level there.
+    // then by no more than that change. At corners at one place every line is level: they are left alone, as
+    // where four blocks meet, but where the motion ahead crosses all the lines; then they get the one that it
+    // crosses last.
     const double level = 10 * tolerance_;
     for (int blockCorner = first_[block_]; blockCorner < first_[block_ + 1]; ++blockCorner)
     {
@@ -485,11 +487,11 @@ void MovingContacts::guardCorners(double margin)
              ++neighbourCorner)
         {
             const double apart = (now_.corner[blockCorner] - now_.corner[neighbourCorner]).squaredNorm();
-            if (!isConvex_[blockCorner] || !isConvex_[neighbourCorner] || apart > margin * margin
-                || apart < level * level)
+            if (!isConvex_[blockCorner] || !isConvex_[neighbourCorner] || apart > margin * margin)
             {
                 continue;
             }
+            const bool areAtOnePlace = apart < level * level;
             Candidate best{0, -1, -1, -1, 0, 0, 0};
             bool bestIsLevel = false;
             const CornerLines lines = linesBetween(blockCorner, neighbourCorner, *ahead_, nearlyForemost);
@@ -505,7 +507,8 @@ void MovingContacts::guardCorners(double margin)
                     bestIsLevel = isLevel;
                 }
             }
-            if (best.edge >= 0 && best.gapAhead > tolerance_)
+            const bool closes = best.gap - best.gapAhead > sameCorner * tolerance_;
+            if (best.edge >= 0 && (areAtOnePlace ? closes : best.gapAhead > tolerance_))
             {
                 offer(best, -tolerance_, margin);
             }

@@ -563,6 +563,28 @@ TEST(MovingContacts, BlocksThatFallCornerOnCornerAreListedBeforeTheyOverlapWhenT
     }
 }
 
+TEST(MovingContacts, CornersAtOnePlaceTouchWhenTheBlocksCloseAndNotAtRestOrWhereOneSlidesPastTheOther)
+{
+    const double half = std::sqrt(0.5);
+    const Polygon diamond{{0, -half}, {half, 0}, {0, half}, {-half, 0}};
+    const Assembly<2> assembly = assemblyOf({diamond, diamond});
+    MovingContacts contacts(assembly);
+    Placements placements = atRest(assembly);
+    placements[0].translation = {0, 2 * half + 1e-6};
+    const auto pointsToward = [&](double x, double y)
+    {
+        Placements ahead = placements;
+        ahead[0].translation += Vector<2>(x, y);
+        return contacts.update(placements, ahead, 0.03);
+    };
+    EXPECT_EQ(pointsToward(0, -2e-6).size(), 1U); // onto the corner, ahead by less than makes a joint
+    EXPECT_EQ(pointsToward(0, -4e-6).size(), 4U);
+    EXPECT_TRUE(pointsToward(0, 0).empty());
+    EXPECT_TRUE(pointsToward(0, 1e-3).empty());
+    EXPECT_TRUE(pointsToward(1e-6, -1e-6).empty()); // along an edge of the other one
+    EXPECT_TRUE(pointsToward(-1e-6, -1e-6).empty());
+}
+
 TEST(MovingContacts, AHalfOpenedFaceThatIsCarriedBesideAnotherDoesNotTouchIt)
 {
     // Falls past a wall with a clearance below the margin: the only contacts are those with the wall, none is

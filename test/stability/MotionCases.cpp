@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <random>
+#include <span>
 
 namespace drystone
 {
@@ -305,14 +306,14 @@ Outcome impactAtEveryPhase(SolverType solver, double theta)
 }
 
 /// Two squares on their corners, one above the other: falls straight on its corner.
-Outcome cornerOnCorner(SolverType solver, double aside)
+Outcome cornerOnCorner(SolverType solver, double aside, std::span<const FlowRule> flowRules)
 {
     Outcome outcome;
     Assembly<2> assembly;
     assembly.supports = {{"base", "blocks"}};
     assembly.blocks.push_back({{{0, -1}, {1, 0}, {0, 1}, {-1, 0}}, 1, 0});
     assembly.blocks.push_back({{{aside, 1.01}, {1 + aside, 2.01}, {aside, 3.01}, {-1 + aside, 2.01}}, 1, -1});
-    for (const FlowRule flowRule : bothRules)
+    for (const FlowRule flowRule : flowRules)
     {
         const DynamicCase scene = sceneFor(solver, assembly, {.flowRule = flowRule});
         Watched run(scene, outcome);
@@ -739,10 +740,13 @@ std::vector<StabilityCase> motionCases()
         [](SolverType solver) { return impactAtEveryPhase(solver, 0.5); });
     add("cornerOnCorner", "two corners meet exactly: the normal may be that of any of four edges",
         "gain of energy in a step, over a fall of 1 m", 1e-9, 1e-3,
-        [](SolverType solver) { return cornerOnCorner(solver, 0); });
+        [](SolverType solver) { return cornerOnCorner(solver, 0, std::span(bothRules).first<1>()); });
+    add("cornerOnCorner_Coulomb", "the same: friction stops the corner exactly on the other one",
+        "gain of energy in a step, over a fall of 1 m", 1e-9, 1e-3,
+        [](SolverType solver) { return cornerOnCorner(solver, 0, std::span(bothRules).last<1>()); });
     add("cornerOnCorner_aside", "the same, and a millionth aside",
         "gain of energy in a step, over a fall of 1 m", 1e-9, 1e-3,
-        [](SolverType solver) { return cornerOnCorner(solver, 1e-6); });
+        [](SolverType solver) { return cornerOnCorner(solver, 1e-6, bothRules); });
     add("painleve", "no finite force keeps the rod out of the ground: only an impulse does",
         "error of the impulse over m v", 1e-4, 1e-2, painleve);
     add("zenoBounce", "infinitely many impacts in finite time", "relative error of the time to rest", 1e-2,
