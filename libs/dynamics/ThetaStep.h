@@ -87,7 +87,7 @@ struct ThetaStep
 /// point slides without opening, which is Coulomb's law. After the first program Newton's method
 /// (CoulombNewton.h) finds that fixed point, most often; else Anderson's acceleration goes on from there,
 /// until mu |u_t| changes by less than ten times the tolerance of itself or 1e-12 of `blockSize`; from the
-/// fourth program on `contactTolerance` will do.
+/// fourth program on `contactTolerance` will do. Points that are apart and carry nothing do not count.
 ///
 /// The displacements are those that the contact forces give the blocks, to the last digits (y = Mbar^-1 (fbar
 /// - A c)), unless that would spoil the certificate: so no momentum is lost to the tolerance of the solver.
