@@ -328,8 +328,10 @@ const Registry<LoadMaker>& loadTypes()
             {
                 return [place = dictionary.locationOf("type")](const LoadContext&) -> Eigen::VectorXd
                 {
-                    throw FatalIOError("supportMovement can only be the live load, and by itself. Loads that "
-                                       "can stand here: force gravity inertial line sum.",
+                    throw FatalIOError("supportMovement can only be the live load, by itself and without "
+                                       "combinations: its answer is a reaction in N, which no multiplier "
+                                       "compares with. Loads that can stand here: force gravity inertial "
+                                       "line sum.",
                                        place);
                 };
             }));

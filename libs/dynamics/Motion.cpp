@@ -66,20 +66,12 @@ double largestAcceleration(const DynamicCase& scene, const Eigen::VectorXd& load
 }
 
 /// Of supports the mean from one instant to another, where they move. \param velocity of the free blocks
-std::vector<Vector<3>> velocitiesOfAllBlocks(const DynamicCase& scene, const Eigen::VectorXd& velocity,
-                                             double from, double to)
+std::vector<Vector<3>> velocitiesOfAllBlocks(const DynamicCase& scene,
+                                             const std::vector<Placement<2>>& placements,
+                                             const Eigen::VectorXd& velocity, double from, double to)
 {
-    std::vector<Vector<3>> result(scene.free.size(), Vector<3>::Zero());
-    for (const SupportMotion& motion : scene.supportMotions)
-    {
-        for (std::size_t block = 0; block < result.size(); ++block)
-        {
-            if (scene.assembly.blocks[block].support == motion.support)
-            {
-                result[block].head<2>() = motion.velocity->mean(from, to) * motion.direction;
-            }
-        }
-    }
+    std::vector<Vector<3>> result =
+        supportVelocities(scene.supportMotions, scene.assembly, scene.blocks, placements, from, to);
     for (std::size_t block = 0; block < scene.free.size(); ++block)
     {
         if (scene.free[block] >= 0)
@@ -90,24 +82,32 @@ std::vector<Vector<3>> velocitiesOfAllBlocks(const DynamicCase& scene, const Eig
     return result;
 }
 
-/// The placements that a step leads to, or a share of the way there. \param supports how blocks move with
-/// their supports over the step, see supportDisplacements
+/// Moves blocks by a share of the way that they go with their supports. \param steps see supportSteps
+void moveWithSupports(std::vector<Placement<2>>& placements, const std::vector<SupportStep>& steps,
+                      double share = 1)
+{
+    for (std::size_t block = 0; block < steps.size(); ++block)
+    {
+        const Vector<3> displacement = displacementAfter(steps[block], share);
+        placements[block].translation += displacement.head<2>();
+        placements[block].rotation += displacement[2];
+    }
+}
+
+/// The placements that a step leads to, or a share of the way there. \param supports see supportSteps
 std::vector<Placement<2>> moved(const DynamicCase& scene, const Motion& motion,
-                                const Eigen::VectorXd& displacement, const std::vector<Vector<2>>& supports,
+                                const Eigen::VectorXd& displacement, const std::vector<SupportStep>& supports,
                                 double share = 1)
 {
     std::vector<Placement<2>> placements = moved(motion.state.placements, scene.free, displacement, share);
-    for (std::size_t block = 0; block < supports.size(); ++block)
-    {
-        placements[block].translation += share * supports[block];
-    }
+    moveWithSupports(placements, supports, share);
     return placements;
 }
 
 /// By how much points close and slide because supports move, two a point [m]; empty where none does.
 Eigen::VectorXd closingBySupports(const std::vector<ContactPoint<2>>& points,
                                   const std::vector<ContactColumns<2>>& columns,
-                                  const std::vector<Vector<2>>& supports)
+                                  const std::vector<SupportStep>& supports)
 {
     if (supports.empty())
     {
@@ -117,7 +117,7 @@ Eigen::VectorXd closingBySupports(const std::vector<ContactPoint<2>>& points,
     for (std::size_t i = 0; i < points.size(); ++i)
     {
         const auto part = [&](const ContactColumns<2>::Matrix& column, int block) -> Vector<2>
-        { return column.topRows<2>().transpose() * supports[static_cast<std::size_t>(block)]; };
+        { return column.transpose() * displacementAfter(supports[static_cast<std::size_t>(block)]); };
         closing.segment<2>(2 * static_cast<Eigen::Index>(i)) =
             part(columns[i].onBlock, points[i].block) + part(columns[i].onNeighbour, points[i].neighbour);
     }
@@ -319,7 +319,7 @@ bool leaveOverlaps(PlaneConeProgram& program, double tolerance, double reach)
 Relinearisation movingContactGeometry(const DynamicCase& scene, const Motion& motion,
                                       const std::vector<ContactPoint<2>>& start,
                                       const Eigen::VectorXd& ofEffects,
-                                      const std::vector<Vector<2>>& supports)
+                                      const std::vector<SupportStep>& supports)
 {
     return [&scene, &motion, &start, &ofEffects, &supports](const Eigen::VectorXd& displacement,
                                                             const Eigen::VectorXd& contactForce,
@@ -611,9 +611,10 @@ Motion startMotion(const DynamicCase& scene, DynamicState state)
         deleteBlocks(scene, motion);
         motion.points = motion.contacts->update(
             motion.state.placements,
-            motion.contacts->marginFor(
-                velocitiesOfAllBlocks(scene, motion.state.velocity, motion.state.time, motion.state.time), 0,
-                0));
+            motion.contacts->marginFor(velocitiesOfAllBlocks(scene, motion.state.placements,
+                                                             motion.state.velocity, motion.state.time,
+                                                             motion.state.time),
+                                       0, 0));
     }
     else
     {
@@ -664,8 +665,8 @@ bool advance(const DynamicCase& scene, Motion& motion, double timeStep)
     Eigen::VectorXd load =
         loadUnder(scene, meanGroundAcceleration(scene.groundMotion, start, start + timeStep));
     unloadDeleted(scene, motion, load);
-    const std::vector<Vector<2>> supports =
-        supportDisplacements(scene.supportMotions, scene.assembly, start, start + timeStep);
+    const std::vector<SupportStep> supports = supportSteps(scene.supportMotions, scene.assembly, scene.blocks,
+                                                           motion.state.placements, start, start + timeStep);
     const double acceleration = largestAcceleration(scene, load);
 
     // Contact points, and lever arms where the momenta want them.
@@ -674,7 +675,8 @@ bool advance(const DynamicCase& scene, Motion& motion, double timeStep)
     if (motion.contacts)
     {
         const Eigen::VectorXd& velocity = motion.state.velocity;
-        const auto velocities = velocitiesOfAllBlocks(scene, velocity, start, start + timeStep);
+        const auto velocities =
+            velocitiesOfAllBlocks(scene, motion.state.placements, velocity, start, start + timeStep);
         const auto ahead = moved(scene, motion, timeStep * velocity, supports);
         points = motion.contacts->update(motion.state.placements, ahead,
                                          motion.contacts->marginFor(velocities, timeStep, acceleration));
@@ -757,10 +759,7 @@ bool advance(const DynamicCase& scene, Motion& motion, double timeStep)
     motion.bondsBrokenInStep += brokenBonds(scene, motion);
     motion.state.velocity = solved.velocity;
     advance(motion.state, scene.free, step.displacement, scheme);
-    for (std::size_t block = 0; block < supports.size(); ++block)
-    {
-        motion.state.placements[block].translation += supports[block];
-    }
+    moveWithSupports(motion.state.placements, supports);
     StepEnergy energy = stepEnergy(step, scene.mass, load, solved.velocity, motion.state.velocity, scheme);
     // Points close and slide by A'y and by what the supports do, which work against the same forces.
     for (Eigen::Index row = 0; row < bySupports.size(); row += 2)
@@ -828,8 +827,8 @@ bool advance(const DynamicCase& scene, Motion& motion, Time& time)
     if (time.controls().adjustTimeStep)
     {
         double fastest = 0;
-        for (const Vector<3>& velocity :
-             velocitiesOfAllBlocks(scene, motion.state.velocity, motion.state.time, motion.state.time))
+        for (const Vector<3>& velocity : velocitiesOfAllBlocks(
+                 scene, motion.state.placements, motion.state.velocity, motion.state.time, motion.state.time))
         {
             fastest = std::max(fastest, velocity.head<2>().norm() + scene.blockSize * std::abs(velocity[2]));
         }
@@ -868,8 +867,8 @@ StepObservation<2> observe(const DynamicCase& scene, const Motion& motion, const
         lists.cohesion.push_back(strength.cohesion);
     }
     lists.velocities.clear();
-    for (const Vector<3>& velocity :
-         velocitiesOfAllBlocks(scene, motion.state.velocity, motion.state.time, motion.state.time))
+    for (const Vector<3>& velocity : velocitiesOfAllBlocks(
+             scene, motion.state.placements, motion.state.velocity, motion.state.time, motion.state.time))
     {
         lists.velocities.push_back({velocity.head<2>(), velocity[2]});
     }

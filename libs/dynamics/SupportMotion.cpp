@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace drystone
@@ -27,22 +28,23 @@ Table velocitiesOf(const Table& displacement)
     return velocity;
 }
 
-std::string faultIn(const SupportMotionSettings& settings)
+enum class Jumps
 {
-    if (settings.displacement.empty() == settings.velocity.empty())
-    {
-        return "A support that moves needs either displacement or velocity: a list ((time value) ...).";
-    }
-    const Table& table = settings.velocity.empty() ? settings.displacement : settings.velocity;
+    allowed,
+    refused
+};
+
+/// What is wrong with a table that is given.
+std::string faultIn(const Table& table, Jumps jumps)
+{
     if (table.size() < 2)
     {
         return "The table needs two points or more: ((time value) (time value)).";
     }
-    const bool mayJump = !settings.velocity.empty();
     for (std::size_t i = 0; i + 1 < table.size(); ++i)
     {
         const double duration = table[i + 1].first - table[i].first;
-        if (duration < 0 || (duration == 0 && !mayJump))
+        if (duration < 0 || (duration == 0 && jumps == Jumps::refused))
         {
             return fmt::format("The times of the table must increase: {:g} s comes after {:g} s.",
                                table[i + 1].first, table[i].first);
@@ -51,11 +53,66 @@ std::string faultIn(const SupportMotionSettings& settings)
     return "";
 }
 
+std::string faultIn(const SupportMotionSettings& settings)
+{
+    const bool translates = !settings.displacement.empty() || !settings.velocity.empty();
+    const bool turns = !settings.rotation.empty() || !settings.angularVelocity.empty();
+    if (!translates && !turns)
+    {
+        return "A support that moves needs either displacement or velocity, or rotation or angularVelocity: "
+               "a list "
+               "((time value) ...).";
+    }
+    if (!settings.displacement.empty() && !settings.velocity.empty())
+    {
+        return "Give either displacement or velocity: each follows from the other.";
+    }
+    if (!settings.rotation.empty() && !settings.angularVelocity.empty())
+    {
+        return "Give either rotation or angularVelocity: each follows from the other.";
+    }
+    const auto faultOf = [](const Table& table, Jumps jumps)
+    { return table.empty() ? std::string() : faultIn(table, jumps); };
+    for (const std::string& fault :
+         {faultOf(settings.displacement, Jumps::refused), faultOf(settings.velocity, Jumps::allowed),
+          faultOf(settings.rotation, Jumps::refused), faultOf(settings.angularVelocity, Jumps::allowed)})
+    {
+        if (!fault.empty())
+        {
+            return fault;
+        }
+    }
+    return "";
+}
+
+/// The history of a velocity, given itself or by what it adds up to; null where neither is given.
+std::shared_ptr<const GroundAcceleration> historyOf(const Table& displacement, const Table& velocity)
+{
+    std::vector<double> times;
+    std::vector<double> velocities;
+    for (const auto& [time, value] : velocity.empty() ? velocitiesOf(displacement) : velocity)
+    {
+        times.push_back(time);
+        velocities.push_back(value);
+    }
+    return times.empty() ? nullptr
+                         : tabulatedAcceleration(std::move(times), std::move(velocities),
+                                                 Interpolation::linear, OutOfBounds::zero);
+}
+
+/// (R - 1) arm, to the last digits.
+Vector<2> swing(const Vector<2>& arm, double rotation)
+{
+    const double half = std::sin(rotation / 2);
+    return std::sin(rotation) * Vector<2>(-arm.y(), arm.x()) - 2 * half * half * arm;
+}
+
 } // namespace
 
 void declare(Options& options, SupportMotionSettings& settings)
 {
-    options.required("direction", settings.direction, "of the motion; its length does not matter")
+    options
+        .optional("direction", settings.direction, "of displacement or velocity; its length does not matter")
         .example("(0 -1 0)");
     options
         .optional("displacement", settings.displacement,
@@ -65,11 +122,22 @@ void declare(Options& options, SupportMotionSettings& settings)
         .optional("velocity", settings.velocity,
                   "instead: times [s] and velocities [m/s]; a time that stands twice is a jump")
         .example("((0 0) (0.5 1) (1 0))");
+    options.optional("centre", settings.centre, "of rotation, as built; it moves with the support")
+        .unit("m")
+        .example("(1 0 0)");
+    options
+        .optional("rotation", settings.rotation,
+                  "times [s] and angles [rad] about the centre, straight between them")
+        .example("((0 0) (2 0.01))");
+    options.optional("angularVelocity", settings.angularVelocity, "instead: times [s] and velocities [rad/s]")
+        .example("((0 0) (0.5 0.1) (1 0))");
     options.check("direction",
-                  [&settings] {
-                      return settings.direction.norm() > 0
+                  [&settings]
+                  {
+                      const bool translates = !settings.displacement.empty() || !settings.velocity.empty();
+                      return settings.direction.norm() > 0 || !translates
                                  ? ""
-                                 : "The direction has no length: give one such as (0 -1 0).";
+                                 : "The direction has no length: give one such as `direction (0 -1 0);`.";
                   });
     options.check("displacement", [&settings] { return faultIn(settings); });
 }
@@ -102,19 +170,13 @@ std::vector<SupportMotion> readSupportMotions(const std::filesystem::path& caseD
         }
         SupportMotion motion;
         motion.support = static_cast<int>(found - supports.begin());
-        motion.direction = settings.direction.normalized();
-        std::vector<double> times;
-        std::vector<double> velocities;
-        for (const auto& [time, velocity] :
-             settings.velocity.empty() ? velocitiesOf(settings.displacement) : settings.velocity)
-        {
-            times.push_back(time);
-            velocities.push_back(velocity);
-        }
+        motion.direction = settings.direction.norm() > 0 ? Vector<2>(settings.direction.normalized())
+                                                         : Vector<2>(Vector<2>::Zero());
+        motion.centre = settings.centre;
         try
         {
-            motion.velocity = tabulatedAcceleration(std::move(times), std::move(velocities),
-                                                    Interpolation::linear, OutOfBounds::zero);
+            motion.velocity = historyOf(settings.displacement, settings.velocity);
+            motion.angularVelocity = historyOf(settings.rotation, settings.angularVelocity);
         }
         catch (const std::domain_error& error)
         {
@@ -126,27 +188,65 @@ std::vector<SupportMotion> readSupportMotions(const std::filesystem::path& caseD
     return motions;
 }
 
-std::vector<Vector<2>> supportDisplacements(const std::vector<SupportMotion>& motions,
-                                            const Assembly<2>& assembly, double from, double to)
+Vector<3> displacementAfter(const SupportStep& step, double share)
 {
-    std::vector<Vector<2>> displacements;
+    Vector<3> displacement;
+    displacement << share * step.translation + swing(step.arm, share * step.rotation), share * step.rotation;
+    return displacement;
+}
+
+std::vector<SupportStep> supportSteps(const std::vector<SupportMotion>& motions, const Assembly<2>& assembly,
+                                      const std::vector<BlockMass<2>>& blocks,
+                                      const std::vector<Placement<2>>& placements, double from, double to)
+{
+    std::vector<SupportStep> steps;
     if (motions.empty())
     {
-        return displacements;
+        return steps;
     }
-    displacements.assign(assembly.blocks.size(), Vector<2>::Zero());
+    steps.resize(assembly.blocks.size());
     for (const SupportMotion& motion : motions)
     {
-        const Vector<2> displacement = motion.velocity->integral(from, to) * motion.direction;
-        for (std::size_t block = 0; block < displacements.size(); ++block)
+        SupportStep step;
+        if (motion.velocity)
+        {
+            step.translation = motion.velocity->integral(from, to) * motion.direction;
+        }
+        step.rotation = motion.angularVelocity ? motion.angularVelocity->integral(from, to) : 0;
+        for (std::size_t block = 0; block < steps.size(); ++block)
         {
             if (assembly.blocks[block].support == motion.support)
             {
-                displacements[block] = displacement;
+                const Vector<2> arm = blocks[block].centroid - motion.centre;
+                step.arm = arm + swing(arm, placements[block].rotation);
+                steps[block] = step;
             }
         }
     }
-    return displacements;
+    return steps;
+}
+
+std::vector<Vector<3>> supportVelocities(const std::vector<SupportMotion>& motions,
+                                         const Assembly<2>& assembly, const std::vector<BlockMass<2>>& blocks,
+                                         const std::vector<Placement<2>>& placements, double from, double to)
+{
+    std::vector<Vector<3>> velocities(assembly.blocks.size(), Vector<3>::Zero());
+    for (const SupportMotion& motion : motions)
+    {
+        const double spin = motion.angularVelocity ? motion.angularVelocity->mean(from, to) : 0;
+        const Vector<2> ofCentre =
+            motion.velocity ? Vector<2>(motion.velocity->mean(from, to) * motion.direction) : Vector<2>(0, 0);
+        for (std::size_t block = 0; block < velocities.size(); ++block)
+        {
+            if (assembly.blocks[block].support == motion.support)
+            {
+                const Vector<2> built = blocks[block].centroid - motion.centre;
+                const Vector<2> arm = built + swing(built, placements[block].rotation);
+                velocities[block] << ofCentre + spin * Vector<2>(-arm.y(), arm.x()), spin;
+            }
+        }
+    }
+    return velocities;
 }
 
 } // namespace drystone

@@ -105,7 +105,7 @@ std::vector<Example> examples()
             {"direction", "acceleration"}),
         example<SupportMotionFile>(
             "constant/supportMotion",
-            "How supports move; without this file they do not. Relative to the ground, and without turning."),
+            "How supports move; without this file they do not. Relative to the ground."),
         example<Schemes>("system/schemes", "How contactDynamics steps through time.", {"timeIntegration"}),
         example<IncrementalDynamicsSettings>(
             "system/incrementalDynamicsDict",

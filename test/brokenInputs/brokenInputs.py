@@ -387,6 +387,8 @@ brokenInputs = [
                    files={"system/schemes": "timeIntegration { type theta; theta 0.5; }\n"}),
     inMotionEffect("rigidSolver", "elasticity", "elasticity", r"solver automatic",
                    files={"system/solution": "contactDynamics { solver interiorPoint; }\n"}),
+    inMotionEffect("gluedSprings", "damping { massProportional 1; }", "cohesion { strength 1e5; }",
+                   r"either elastic or hold by cohesion"),
     inMotionEffect("rolling", "damping { massProportional 1; }", "rollingResistance { }", r"rollingResistance"),
     # Combinations of loads, and contact by surfaces.
     inAnalysis("twoKindsOfLoads", "constant/loads", "dead {", "combinations { a { dead { type gravity; } live { type "
@@ -419,6 +421,8 @@ brokenInputs = [
                     r"must increase", lines=(4,)),
     inSupportMotion("noWhere", "ground\n{\n    direction (0 0);\n    velocity ((0 0) (1 1));\n}\n", r"no length",
                     lines=(3,)),
+    inSupportMotion("turnedTwice", "ground\n{\n    rotation ((0 0) (1 1));\n    angularVelocity ((0 0) (1 1));\n}\n",
+                    r"either rotation or angularVelocity", lines=(1,)),
     # A search.
     inSearch("noDictionary", "", "", r"parameterSearchDict", content=None, lines=(0,),
              files={"system/parameterSearchDict": REMOVE}),

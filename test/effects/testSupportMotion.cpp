@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 using namespace drystone;
 using namespace drystone::scenes;
 
@@ -21,6 +23,16 @@ SupportMotion motionOf(const Vector<2>& direction, const std::vector<std::pair<d
         velocities.push_back(velocity);
     }
     return {0, direction, tabulatedAcceleration(times, velocities, Interpolation::linear, OutOfBounds::zero)};
+}
+
+/// Likewise turning about a centre, with angular velocities.
+SupportMotion turningAbout(const Vector<2>& centre, const std::vector<std::pair<double, double>>& points)
+{
+    SupportMotion motion = motionOf({1, 0}, points);
+    motion.angularVelocity = motion.velocity;
+    motion.velocity.reset();
+    motion.centre = centre;
+    return motion;
 }
 
 DynamicCase blockOnGround(const Settings& settings, double width = 1, double height = 0.4)
@@ -141,11 +153,81 @@ TEST(SupportMotion, ThatSettlesTakesABlockAlongAsLongAsItFallsSlowerThanTheBlock
 
 TEST(SupportMotion, OfNoSupportIsNone)
 {
-    EXPECT_TRUE(supportDisplacements({}, ground(-1, 1), 0, 1).empty());
-    const auto displacements =
-        supportDisplacements({motionOf({0, 1}, {{1, 2}, {2, 2}})}, ground(-1, 1), 0, 1.5);
-    ASSERT_EQ(displacements.size(), 1u);
-    EXPECT_NEAR(displacements[0].y(), 1, 1e-15);
+    const Assembly<2> assembly = ground(-1, 1);
+    const std::vector<BlockMass<2>> blocks = blockMasses(assembly);
+    const auto& placements = stateAtRest(assembly).placements;
+    EXPECT_TRUE(supportSteps({}, assembly, blocks, placements, 0, 1).empty());
+    const auto steps =
+        supportSteps({motionOf({0, 1}, {{1, 2}, {2, 2}})}, assembly, blocks, placements, 0, 1.5);
+    ASSERT_EQ(steps.size(), 1u);
+    EXPECT_NEAR(displacementAfter(steps[0]).y(), 1, 1e-15);
+    EXPECT_EQ(displacementAfter(steps[0])[2], 0);
+}
+
+TEST(SupportMotion, TurnsABlockAboutTheCentre)
+{
+    // A quarter turn about (1, 0) in 2 s, in ten parts: the mass centre (0, -0.5) comes to (1.5, -1).
+    const Assembly<2> assembly = ground(-1, 1);
+    const std::vector<BlockMass<2>> blocks = blockMasses(assembly);
+    std::vector<Placement<2>> placements = stateAtRest(assembly).placements;
+    const double spin = std::numbers::pi / 4;
+    const SupportMotion turning = turningAbout({1, 0}, {{0, spin}, {2, spin}});
+    for (int part = 0; part < 10; ++part)
+    {
+        const auto steps =
+            supportSteps({turning}, assembly, blocks, placements, 0.2 * part, 0.2 * (part + 1));
+        const Vector<3> displacement = displacementAfter(steps[0]);
+        placements[0].translation += displacement.head<2>();
+        placements[0].rotation += displacement[2];
+    }
+    EXPECT_NEAR(placements[0].rotation, std::numbers::pi / 2, 1e-14);
+    EXPECT_NEAR((placements[0].translation - Vector<2>(1.5, -0.5)).norm(), 0, 1e-14);
+    const auto velocities = supportVelocities({turning}, assembly, blocks, placements, 1, 1);
+    // The arm from (1, 0) is now (0.5, -1).
+    EXPECT_NEAR((velocities[0] - Vector<3>(spin, 0.5 * spin, spin)).norm(), 0, 1e-14);
+}
+
+TEST(SupportMotion, ABlockOnATableThatTiltsIsLiftedAndSlipsAtTheAngleOfFriction)
+{
+    // mu 0.2: atan 0.2 = 0.1974 rad, at 0.1 rad/s after 1.974 s.
+    for (const bool small : {false, true})
+    {
+        DynamicCase scene = blockOnGround({.mu = 0.2, .tolerance = 1e-10});
+        scene.schemes.smallDisplacements = small;
+        scene.supportMotions = {turningAbout({0, 0}, {{0, 0}, {0.1, 0.1}, {10, 0.1}})}; // 0.005 rad less
+        Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+        const auto slip = [&]
+        {
+            // In the frame of the table the mass centre was built at (0, 0.2).
+            const Placement<2>& block = motion.state.placements[1];
+            const double angle = motion.state.placements[0].rotation;
+            const Vector<2> centre = Vector<2>(0, 0.2) + block.translation;
+            return std::cos(angle) * centre.x() + std::sin(angle) * centre.y();
+        };
+        const auto runUntil = [&](double until)
+        {
+            while (motion.state.time < until - 1e-3)
+            {
+                ASSERT_TRUE(advance(scene, motion, 5e-3)) << motion.state.time;
+            }
+        };
+        if (small) // loads and lever arms as built: it only turns along
+        {
+            ASSERT_NO_FATAL_FAILURE(runUntil(0.2));
+            EXPECT_NEAR(motion.state.placements[1].rotation, 0.015, 1e-6);
+            continue;
+        }
+        ASSERT_NO_FATAL_FAILURE(runUntil(1.99)); // 0.194 rad
+        EXPECT_NEAR(motion.state.placements[0].rotation, 0.194, 1e-12);
+        EXPECT_NEAR(motion.state.placements[1].rotation, 0.194, 1e-6);
+        EXPECT_LT(std::abs(slip()), 1e-4);
+        const double lifted = scene.mass[0] * g * motion.state.placements[1].translation.y();
+        EXPECT_NEAR(motion.energy.potential, lifted, 1e-9);
+        EXPECT_NEAR(motion.energy.externalWork, lifted, 1e-3 * std::abs(lifted) + 0.05 * scene.mass[0]);
+        EXPECT_LT(relativeImbalance(motion.energy), 1e-8);
+        ASSERT_NO_FATAL_FAILURE(runUntil(3)); // 0.295 rad: s'' = g (sin - mu cos), sideways
+        EXPECT_LT(slip(), -0.05);
+    }
 }
 
 namespace
