@@ -16,10 +16,12 @@ namespace drystone
 namespace
 {
 
-/// Multiplications of a factorisation from which CHOLMOD's supernodal code is used. Measured with
-/// LimitAnalysisBenchmark on square walls of 20, 40 and 80 units: F is 0.45, 4.3 and 39 ms with our own block
-/// factor, 1.2, 14 and 47 ms with CHOLMOD's. Where the two cross, beyond 6,440 blocks, is not measured.
-constexpr double supernodalOperations = 2e10;
+/// Multiplications of a factorisation from which CHOLMOD's supernodal code is used. Measured on square walls,
+/// one core, our own block factor against CHOLMOD's: 1.4e7 multiplications (40 units) 3.3 and 5.3 ms, 1.2e8
+/// (80 units) 32 and 32 ms, 4e8 (120 units) 108 and 92 ms, 1e9 (160 units) 285 and 229 ms, 8e9 (320
+/// units) 2.1 and 1.1 s. Solves take the same time with both, but two right sides at once are quicker with
+/// our own.
+constexpr double supernodalOperations = 7e8;
 
 /// Bodies from which the order is by nested dissection instead of minimum degree. Measured likewise: 3.7
 /// against 4.3 ms at 1,620 blocks and 37 against 39 ms at 6,440 are within the noise of F, the whole solution

@@ -85,7 +85,7 @@ void deletion(DynamicCase& scene)
 void groundMotion(DynamicCase& scene)
 {
     friction(scene);
-    for (const Eigen::Vector3d& direction : {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY()})
+    for (const Eigen::Vector3d direction : {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY()})
     {
         GroundMotion::Component component;
         component.direction = direction;

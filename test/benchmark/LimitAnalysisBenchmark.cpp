@@ -83,6 +83,7 @@ BENCHMARK(squareWall)
     ->Arg(40)
     ->Arg(80)
     ->Arg(160)
+    ->Arg(320)
     ->UseManualTime()
     ->Unit(benchmark::kMillisecond)
     ->MinTime(0.1);
