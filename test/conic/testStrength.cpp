@@ -47,6 +47,25 @@ double multiplierOf(const PlaneConeProgram& program)
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
+/// Adds a point at x under a body of a tower, with random friction, cohesion and tension.
+void addRandomPoint(PlaneConeProgram& program, int body, double x, std::mt19937& random)
+{
+    std::uniform_real_distribution<double> uniform(0, 1);
+    ConeColumns<3, 2> columns;
+    columns.first = body;
+    columns.onFirst << 0, -1, -1, 0, -x, -0.5;
+    if (body > 0)
+    {
+        columns.second = body - 1;
+        columns.onSecond << 0, 1, 1, 0, x, -0.5;
+    }
+    program.contacts.push_back(columns);
+    const double mu = uniform(random) < 0.2 ? 0 : uniform(random);
+    const double tension = uniform(random) < 0.5 ? 0 : uniform(random);
+    program.friction.push_back(mu);
+    program.strength.push_back({mu * tension + (uniform(random) < 0.5 ? 0 : uniform(random)), tension});
+}
+
 } // namespace
 
 TEST(Strength, OfNothingLeavesTheCone)
@@ -137,21 +156,8 @@ TEST(Strength, OfRandomTowersIsCertified)
         {
             for (const double x : {-1.0, 1.0})
             {
-                ConeColumns<3, 2> columns;
-                columns.first = body;
-                columns.onFirst << 0, -1, -1, 0, -x, -0.5;
-                if (body > 0)
-                {
-                    columns.second = body - 1;
-                    columns.onSecond << 0, 1, 1, 0, x, -0.5;
-                }
-                program.contacts.push_back(columns);
-                const double mu = uniform(random) < 0.2 ? 0 : uniform(random);
-                const double tension = uniform(random) < 0.5 ? 0 : uniform(random);
-                program.friction.push_back(mu);
-                program.strength.push_back({mu * tension + (uniform(random) < 0.5 ? 0 : uniform(random)),
-                                            tension,
-                                            uniform(random) < 0.5 ? infinite : 2 + 4 * uniform(random)});
+                addRandomPoint(program, body, x, random);
+                program.strength.back().crushing = uniform(random) < 0.5 ? infinite : 2 + 4 * uniform(random);
             }
             program.load[3 * body + 1] = -uniform(random);
             program.liveLoad[3 * body] = uniform(random);
@@ -197,20 +203,7 @@ TEST(Strength, OfStepsInTimeIsTheSameToEverySolver)
         {
             for (const double x : {-1.0, 1.0})
             {
-                ConeColumns<3, 2> columns;
-                columns.first = body;
-                columns.onFirst << 0, -1, -1, 0, -x, -0.5;
-                if (body > 0)
-                {
-                    columns.second = body - 1;
-                    columns.onSecond << 0, 1, 1, 0, x, -0.5;
-                }
-                program.contacts.push_back(columns);
-                const double mu = uniform(random) < 0.2 ? 0 : uniform(random);
-                const double tension = uniform(random) < 0.5 ? 0 : uniform(random);
-                program.friction.push_back(mu);
-                program.strength.push_back(
-                    {mu * tension + (uniform(random) < 0.5 ? 0 : uniform(random)), tension});
+                addRandomPoint(program, body, x, random);
             }
             program.load.segment<3>(3 * body) << 2 * uniform(random) - 1, 2 * uniform(random) - 1.5, 0;
             program.inertia.push_back(Eigen::Vector3d(1, 1, 0.3).asDiagonal());
