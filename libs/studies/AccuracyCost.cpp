@@ -12,6 +12,8 @@ namespace drystone
 namespace
 {
 
+constexpr double never = std::numeric_limits<double>::infinity();
+
 double median(std::vector<double> values)
 {
     if (values.empty())
@@ -49,10 +51,12 @@ std::vector<PointPair> pairsOf(const std::vector<AccuracyPoint>& points, const A
 
 } // namespace
 
-AccuracyPoint summarise(const RunSetting& setting, const std::vector<Measurement>& runs, double reference)
+AccuracyPoint summarise(const RunSetting& setting, const std::vector<Measurement>& runs, double reference,
+                        std::size_t planned)
 {
     AccuracyPoint point;
     point.setting = setting;
+    point.planned = static_cast<int>(planned);
     point.runs = static_cast<int>(runs.size());
     std::vector<double> values;
     std::vector<double> errors;
@@ -67,7 +71,9 @@ AccuracyPoint summarise(const RunSetting& setting, const std::vector<Measurement
         errors.push_back(std::abs(run.value / reference - 1));
         hovers.push_back(run.hover);
         times.push_back(run.cpuTime);
+        point.runTimes.push_back(run.end == RunEnd::done ? run.cpuTime : never);
     }
+    point.runTimes.resize(std::max(planned, runs.size()), never);
     const double nothing = std::numeric_limits<double>::quiet_NaN();
     point.value = point.isWhole() ? median(values) : nothing;
     point.medianError = point.isWhole() ? median(errors) : nothing;
@@ -104,7 +110,7 @@ std::vector<std::vector<AccuracyPoint>> curvesOf(const SweepResult& sweep)
     return curves;
 }
 
-std::optional<std::size_t> kneeOf(const std::vector<AccuracyPoint>& curve)
+std::optional<std::size_t> kneeOf(const std::vector<AccuracyPoint>& curve, double uncertainty)
 {
     std::size_t reached = curve.size(); // the rest are tolerances that the solver cannot reach
     while (reached > 0 && !curve[reached - 1].isWhole())
@@ -112,8 +118,8 @@ std::optional<std::size_t> kneeOf(const std::vector<AccuracyPoint>& curve)
         --reached;
     }
     std::size_t knee = reached;
-    while (knee > 0 && curve[knee - 1].isWhole()
-           && curve[knee - 1].medianError <= 2 * curve[reached - 1].medianError)
+    const double gainsNothing = reached > 0 ? std::max(2 * curve[reached - 1].medianError, uncertainty) : 0;
+    while (knee > 0 && curve[knee - 1].isWhole() && curve[knee - 1].medianError <= gainsNothing)
     {
         --knee;
     }
@@ -142,8 +148,8 @@ double SolverProfile::at(double ratio) const
 
 std::vector<SolverProfile> solverProfiles(const std::vector<AccuracyPoint>& points, double tolerance)
 {
-    // CPU times by problem and solver; infinite where the solver has failed.
-    std::map<RunSetting, std::map<SolverType, double>> times;
+    // CPU times by problem (setting and phase) and solver; infinite where the solver has failed.
+    std::map<std::pair<RunSetting, std::size_t>, std::map<SolverType, double>> times;
     std::vector<SolverType> solvers;
     for (const AccuracyPoint& point : points)
     {
@@ -151,8 +157,10 @@ std::vector<SolverProfile> solverProfiles(const std::vector<AccuracyPoint>& poin
         {
             RunSetting problem = point.setting;
             problem.solver = SolverType::automatic;
-            times[problem][point.setting.solver] =
-                point.isWhole() ? point.cpuTime : std::numeric_limits<double>::infinity();
+            for (std::size_t phase = 0; phase < point.runTimes.size(); ++phase)
+            {
+                times[{problem, phase}][point.setting.solver] = point.runTimes[phase];
+            }
             if (std::find(solvers.begin(), solvers.end(), point.setting.solver) == solvers.end())
             {
                 solvers.push_back(point.setting.solver);
@@ -170,7 +178,7 @@ std::vector<SolverProfile> solverProfiles(const std::vector<AccuracyPoint>& poin
         profile.solver = solver;
         for (const auto& [problem, bySolver] : times)
         {
-            double fastest = std::numeric_limits<double>::infinity();
+            double fastest = never;
             for (const auto& [other, time] : bySolver)
             {
                 fastest = std::min(fastest, time);
@@ -213,6 +221,18 @@ std::vector<PointPair> displacementPairs(const std::vector<AccuracyPoint>& point
             return setting;
         },
         [](const RunSetting& setting) { return setting.displacements == Displacements::large; });
+}
+
+std::vector<PointPair> formulationPairs(const std::vector<AccuracyPoint>& points)
+{
+    return pairsOf(
+        points,
+        [](RunSetting setting)
+        {
+            setting.formulation = ContactFormulation::points;
+            return setting;
+        },
+        [](const RunSetting& setting) { return setting.formulation == ContactFormulation::points; });
 }
 
 std::vector<PointPair> pointsPerJointPairs(const std::vector<AccuracyPoint>& points)

@@ -14,7 +14,8 @@ namespace drystone
 struct AccuracyPoint
 {
     RunSetting setting;
-    int runs = 0;
+    int planned = 0;        ///< runs: phases of a motion, repeats of a multiplier
+    int runs = 0;           ///< that were made; fewer when the first of them were not solved
     int failed = 0;         ///< that were not solved, or did not have the figure
     double value = 0;       ///< median; nan when any failed, as the errors
     double medianError = 0; ///< |value/reference - 1| over the phases
@@ -23,12 +24,14 @@ struct AccuracyPoint
     double steps = 0;   ///< mean
     double cpuTime = 0; ///< median [s]
     double worstResidual = 0;
+    std::vector<double> runTimes; ///< CPU time of each planned run [s]; infinite unless it is done
 
     bool isWhole() const { return runs > 0 && failed == 0; }
 };
 
-/// \param runs of one setting, none of them interrupted
-AccuracyPoint summarise(const RunSetting& setting, const std::vector<Measurement>& runs, double reference);
+/// \param runs of one setting, none of them interrupted \param planned as many runs as there were to be
+AccuracyPoint summarise(const RunSetting& setting, const std::vector<Measurement>& runs, double reference,
+                        std::size_t planned);
 
 /// One sweep that is done.
 struct SweepResult
@@ -44,8 +47,9 @@ std::vector<std::vector<AccuracyPoint>> curvesOf(const SweepResult& sweep);
 
 /// Where a curve along the tolerance bends: the loosest tolerance from which on no median error is above
 /// twice that of the tightest one that is reached. A tighter one costs time and gains nothing. \param curve
-/// from loose to tight \return its index; nothing when that is the tightest one itself
-std::optional<std::size_t> kneeOf(const std::vector<AccuracyPoint>& curve);
+/// from loose to tight \param uncertainty of the reference, relative: errors below it are all the same
+/// \return its index; nothing when that is the tightest one itself
+std::optional<std::size_t> kneeOf(const std::vector<AccuracyPoint>& curve, double uncertainty = 0);
 
 /// Which error over the phases counts.
 enum class ErrorMeasure
@@ -69,8 +73,8 @@ struct SolverProfile
     double at(double ratio) const;
 };
 
-/// Profiles of the solvers at one tolerance; empty when there is but one. A problem is what two points have
-/// in common that differ in the solver alone; one that no solver has solved is left out.
+/// Profiles of the solvers at one tolerance; empty when there is but one. A problem is one phase of what two
+/// points have in common that differ in the solver alone; one that no solver has solved is left out.
 std::vector<SolverProfile> solverProfiles(const std::vector<AccuracyPoint>& points, double tolerance);
 
 /// Two points that differ in one thing.
@@ -86,7 +90,10 @@ std::vector<PointPair> flowRulePairs(const std::vector<AccuracyPoint>& points);
 /// Large displacements against small ones.
 std::vector<PointPair> displacementPairs(const std::vector<AccuracyPoint>& points);
 
-/// Some points a joint against the most that there are, which are nearest to a surface.
+/// Contact by points against that by surfaces.
+std::vector<PointPair> formulationPairs(const std::vector<AccuracyPoint>& points);
+
+/// Some points a joint against the most that there are.
 std::vector<PointPair> pointsPerJointPairs(const std::vector<AccuracyPoint>& points);
 
 /// The limit of figures at steps 4 h, 2 h and h, with the order that they show.

@@ -30,7 +30,7 @@ void refuseKeys(const Dictionary& dictionary, QuantityKind kind)
 {
     const std::vector<std::string> meaningless =
         kind == QuantityKind::motion
-            ? std::vector<std::string>{"pointsPerJoint", "repeats"}
+            ? std::vector<std::string>{"pointsPerJoint", "formulation", "repeats"}
             : std::vector<std::string>{"deltaT", "theta", "solver", "displacements", "phases"};
     for (const std::string& key : meaningless)
     {
@@ -59,6 +59,15 @@ void requirePossible(const AccuracyCase& study, QuantityKind kind, const RunSett
             throw FatalIOError("limitAnalysis follows the non-associative flow rule with friction alone: "
                                "remove nonAssociative.",
                                dictionary.locationOf("flowRule"));
+        }
+        const bool hasPoints = setting.pointsPerJoint > 0 || structure.contact.pointsPerJoint;
+        if (setting.formulation == ContactFormulation::surface
+            && (setting.flowRule == FlowRule::nonAssociative || structure.program.hasStrength()
+                || structure.movement || hasPoints))
+        {
+            throw FatalIOError("Contact by surfaces is for the associative flow rule and for joints with "
+                               "friction alone under a live load, and has no points: remove surface.",
+                               dictionary.locationOf("formulation"));
         }
         return;
     }
@@ -91,6 +100,7 @@ RunSetting finestSetting(const ReferencePlan& plan, RunSetting setting)
     setting.tolerance = plan.tolerance.value_or(setting.tolerance);
     setting.pointsPerJoint = plan.pointsPerJoint.value_or(setting.pointsPerJoint);
     setting.displacements = plan.displacements.value_or(setting.displacements);
+    setting.formulation = plan.formulation.value_or(setting.formulation);
     return setting;
 }
 
@@ -120,11 +130,15 @@ std::string historyHeading(const fs::path& caseDirectory, const Dictionary& dict
     return fmt::format(
         "# case {:016x} quantities {:016x} on {}\n"
         "# quantity[-] deltaT[s] theta[-] flowRule[-] solver[-] tolerance[-] pointsPerJoint[-] "
-        "displacements[-] phase[-] phases[-] value hover[m] steps[-] cpuTime[s] residual[-] "
+        "displacements[-] formulation[-] phase[-] phases[-] value hover[m] steps[-] cpuTime[s] residual[-] "
         "end[-]\n",
         ofCase, fingerprint(quantities), processorName());
 }
-constexpr std::size_t historyNumbers = 16;
+constexpr std::size_t historyNumbers = 17;
+
+/// When as many first runs of a setting are all not solved, neither will be the others: a solver that fails
+/// takes long to do so.
+constexpr int runsUntilGivenUp = 3;
 
 /// Runs of one setting.
 struct RunPlan
@@ -205,6 +219,11 @@ public:
         bool isNew = false;
         for (int index = 0; index < plan.runs; ++index)
         {
+            if (index == runsUntilGivenUp && isUnsolved(runs))
+            {
+                done_ += isNew ? workOf(study_, plan) * (plan.runs - index) / plan.runs : 0;
+                break;
+            }
             const RunKey key = plan.key(index);
             const Measurement* known = runs_.find(key);
             if (known)
@@ -246,6 +265,12 @@ public:
     }
 
 private:
+    static bool isUnsolved(const std::vector<Measurement>& runs)
+    {
+        return std::all_of(runs.begin(), runs.end(),
+                           [](const Measurement& run) { return run.end == RunEnd::unsolved; });
+    }
+
     /// Counts what is to be done, once.
     void count(const std::vector<RunPlan>& plans)
     {
@@ -296,7 +321,7 @@ std::optional<Reference> referenceOf(const AccuracyStudy& study, std::size_t ind
             {
                 return {};
             }
-            points.push_back(summarise(runs.setting, *done, 1));
+            points.push_back(summarise(runs.setting, *done, 1, done->size()));
             if (!points.back().isWhole())
             {
                 throw FatalIOError(fmt::format("The finest run that {} is compared with fails: {} of {} runs "
@@ -325,7 +350,8 @@ std::optional<Reference> referenceOf(const AccuracyStudy& study, std::size_t ind
         }
         else
         {
-            reference = {finest.value, 0, fmt::format("the case's own finest run ({})", with)};
+            reference = {finest.value, finest.setting.tolerance * std::abs(finest.value),
+                         fmt::format("the case's own finest run ({})", with)};
         }
     }
     if (reference.value == 0 || !std::isfinite(reference.value))
@@ -436,6 +462,8 @@ AccuracyStudy readAccuracyStudy(const fs::path& caseDirectory)
             structure.contact.friction ? structure.contact.friction->flowRule : FlowRule::associative;
         ofCollapse.solver = SolverType::interiorPoint;
         ofCollapse.tolerance = structure.solution.tolerance;
+        ofCollapse.formulation =
+            structure.contact.contact ? structure.contact.contact->formulation : ContactFormulation::points;
     }
 
     for (const auto& [name, plan] : settings.quantities)
@@ -529,9 +557,9 @@ AccuracyRuns::AccuracyRuns(const AccuracyStudy& study)
         const auto whole = [&row](std::size_t column) { return static_cast<int>(row[column]); };
         RunKey key{static_cast<std::size_t>(row[0]),
                    {row[1], row[2], FlowRule{whole(3)}, SolverType{whole(4)}, row[5], whole(6),
-                    Displacements{whole(7)}},
-                   {whole(8), whole(9)}};
-        add(key, {row[10], row[11], row[12], row[13], row[14], RunEnd{whole(15)}});
+                    Displacements{whole(7)}, ContactFormulation{whole(8)}},
+                   {whole(9), whole(10)}};
+        add(key, {row[11], row[12], row[13], row[14], row[15], RunEnd{whole(16)}});
     }
     if (size() > 0)
     {
@@ -561,11 +589,11 @@ void AccuracyRuns::write() const
         const RunSetting& setting = key.setting;
         const Measurement& run = runs_.at(key);
         // The fewest digits that read back as the same number.
-        text +=
-            fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}\n", key.quantity, setting.deltaT,
-                        setting.theta, int(setting.flowRule), int(setting.solver), setting.tolerance,
-                        setting.pointsPerJoint, int(setting.displacements), key.phase.index, key.phase.count,
-                        run.value, run.hover, run.steps, run.cpuTime, run.worstResidual, int(run.end));
+        text += fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}\n", key.quantity,
+                            setting.deltaT, setting.theta, int(setting.flowRule), int(setting.solver),
+                            setting.tolerance, setting.pointsPerJoint, int(setting.displacements),
+                            int(setting.formulation), key.phase.index, key.phase.count, run.value, run.hover,
+                            run.steps, run.cpuTime, run.worstResidual, int(run.end));
     }
     writeWholeFile(file_, text);
 }
@@ -616,11 +644,13 @@ AccuracyResults carryOut(const AccuracyStudy& study, AccuracyRuns& runs)
                 return interrupted();
             }
             const AccuracyPoint point =
-                summarise(plans[number].setting, *done, results.references[quantity].value);
+                summarise(plans[number].setting, *done, results.references[quantity].value,
+                          static_cast<std::size_t>(plans[number].runs));
             info("    {}: {}, CPU {:.3g} s  ({} of {}, {})", settingText(point.setting, settings),
                  point.isWhole()
                      ? fmt::format("error {:.3g}, worst {:.3g}", point.medianError, point.worstError)
-                     : fmt::format("{} of {} runs FAILED", point.failed, point.runs),
+                     : fmt::format("{} of {} runs FAILED{}", point.failed, point.runs,
+                                   point.runs < point.planned ? ", no more tried" : ""),
                  point.cpuTime, number + 1, plans.size(), worker.timeLeft());
             std::fflush(stdout); // a study takes long: whoever reads its log is to see how far it is
             result.points.push_back(point);

@@ -49,6 +49,7 @@ struct ShownKeys
     bool tolerance = true;
     bool pointsPerJoint = true;
     bool displacements = true;
+    bool formulation = false; ///< told where they differ alone
 };
 
 std::string textOf(const RunSetting& setting, const ShownKeys& shown)
@@ -82,19 +83,26 @@ std::string textOf(const RunSetting& setting, const ShownKeys& shown)
     {
         parts.push_back(wordOf(setting.displacements) + " displacements");
     }
+    if (shown.formulation)
+    {
+        parts.push_back(setting.formulation == ContactFormulation::points ? "by points" : "by surfaces");
+    }
     return fmt::format("{}", fmt::join(parts, ", "));
 }
 
 ShownKeys keysOf(const RunSetting& setting, QuantityKind kind)
 {
     const bool isMotion = kind == QuantityKind::motion;
-    return {isMotion, isMotion, true, isMotion, true, setting.pointsPerJoint > 0, isMotion};
+    return {isMotion, isMotion,
+            true,     isMotion,
+            true,     setting.pointsPerJoint > 0,
+            isMotion, setting.formulation == ContactFormulation::surface};
 }
 
 /// Those that differ between some settings, without the axis.
 ShownKeys differingKeys(const std::vector<RunSetting>& settings, std::optional<SweepAxis> axis)
 {
-    ShownKeys shown{false, false, false, false, false, false, false};
+    ShownKeys shown{false, false, false, false, false, false, false, false};
     const RunSetting& first = settings.front();
     for (const RunSetting& other : settings)
     {
@@ -108,6 +116,7 @@ ShownKeys differingKeys(const std::vector<RunSetting>& settings, std::optional<S
             shown.pointsPerJoint
             || (other.pointsPerJoint != first.pointsPerJoint && axis != SweepAxis::pointsPerJoint);
         shown.displacements = shown.displacements || other.displacements != first.displacements;
+        shown.formulation = shown.formulation || other.formulation != first.formulation;
     }
     return shown;
 }
@@ -125,6 +134,14 @@ std::vector<RunSetting> settingsAt(const std::vector<AccuracyPoint>& points)
 std::string errorText(double error)
 {
     return std::isfinite(error) ? fmt::format("{:.2g}%", 100 * error) : "failed";
+}
+
+/// `2 of 20 failed`, `the first 3 of 20, no more were tried`
+std::string failedText(const AccuracyPoint& point)
+{
+    return point.runs < point.planned
+               ? fmt::format("the first {} of {}: no more were tried", point.runs, point.planned)
+               : fmt::format("{} of {} failed", point.failed, point.runs);
 }
 
 const StudyQuantity& quantityOf(const AccuracyStudy& study, const SweepResult& sweep)
@@ -171,10 +188,19 @@ std::string profileName(const SweepResult& sweep, double tolerance)
     return fmt::format("{}Solvers{:g}.svg", sweep.name, tolerance);
 }
 
+/// Of the reference of a sweep, relative.
+double uncertaintyOf(const AccuracyResults& results, const SweepResult& sweep)
+{
+    const Reference& reference = results.references[sweep.quantity];
+    return reference.uncertainty / std::abs(reference.value);
+}
+
 /// Over CPU time along deltaT and points a joint; over the tolerance, with the knee, along that.
-Plot errorPlot(const AccuracyStudy& study, const SweepResult& sweep)
+Plot errorPlot(const AccuracyStudy& study, const AccuracyResults& results, const SweepResult& sweep)
 {
     const StudyQuantity& quantity = quantityOf(study, sweep);
+    const double uncertainty = uncertaintyOf(results, sweep);
+    double leastError = HUGE_VAL;
     const bool isMotion = quantity.kind == QuantityKind::motion;
     const bool overTolerance = sweep.axis == SweepAxis::tolerance;
     const auto curves = curvesOf(sweep);
@@ -206,11 +232,12 @@ Plot errorPlot(const AccuracyStudy& study, const SweepResult& sweep)
                 const double x = overTolerance ? point.setting.tolerance : point.cpuTime;
                 medians.x.push_back(x);
                 medians.y.push_back(std::max(point.medianError, leastDrawn));
+                leastError = std::min(leastError, point.medianError);
                 worsts.x.push_back(x);
                 worsts.y.push_back(std::max(point.worstError, leastDrawn));
             }
         }
-        if (const auto knee = kneeOf(curves[index]); overTolerance && knee && curves.size() <= 3)
+        if (const auto knee = kneeOf(curves[index], uncertainty); overTolerance && knee && curves.size() <= 3)
         {
             const double tolerance = curves[index][*knee].setting.tolerance;
             plot.references.push_back(
@@ -219,6 +246,11 @@ Plot errorPlot(const AccuracyStudy& study, const SweepResult& sweep)
         }
         plot.curves.push_back(std::move(medians));
         worst.push_back(std::move(worsts));
+    }
+    if (uncertainty > 0.3 * leastError)
+    {
+        plot.references.push_back(
+            {"uncertainty of the reference", ReferenceDirection::horizontal, uncertainty});
     }
     if (isMotion && !isCrowded)
     {
@@ -277,7 +309,8 @@ std::string sweepSection(const AccuracyStudy& study, const AccuracyResults& resu
               common.solver && !shown.solver,
               common.tolerance && !shown.tolerance && sweep.axis != SweepAxis::tolerance,
               common.pointsPerJoint && !shown.pointsPerJoint && sweep.axis != SweepAxis::pointsPerJoint,
-              common.displacements && !shown.displacements};
+              common.displacements && !shown.displacements,
+              common.formulation && !shown.formulation};
     const std::string always = textOf(sweep.points.front().setting, common);
     const Sweep& plan = planOf(study, sweep);
     std::string text = fmt::format("## Sweep `{}`: {}\n\n", sweep.name, quantity.quantity.summary);
@@ -298,8 +331,7 @@ std::string sweepSection(const AccuracyStudy& study, const AccuracyResults& resu
         const std::string name = textOf(curve.front().setting, shown);
         for (const AccuracyPoint& point : curve)
         {
-            const std::string failed =
-                point.isWhole() ? "" : fmt::format(" ({} of {} failed)", point.failed, point.runs);
+            const std::string failed = point.isWhole() ? "" : " (" + failedText(point) + ")";
             text += fmt::format("| {} | {:g} | {}{}{} | {:.3g} | {:.4g} | {:.3g} |{}\n",
                                 name.empty() ? "all" : name, alongAxis(point.setting, sweep.axis),
                                 errorText(point.medianError), failed,
@@ -311,12 +343,12 @@ std::string sweepSection(const AccuracyStudy& study, const AccuracyResults& resu
     if (sweep.axis == SweepAxis::tolerance)
     {
         text += "\nThe knee is the loosest tolerance from which on no error is above twice that of the "
-                "tightest: a "
-                "tighter one costs time and gains nothing.\n\n";
+                "tightest, or above what the reference is uncertain by: a tighter one costs time and gains "
+                "nothing.\n\n";
         for (const auto& curve : curvesOf(sweep))
         {
             const std::string name = textOf(curve.front().setting, shown);
-            const auto knee = kneeOf(curve);
+            const auto knee = kneeOf(curve, uncertaintyOf(results, sweep));
             text += fmt::format("- {}: {}\n", name.empty() ? quantity.name : name,
                                 knee ? fmt::format("knee at {:g}, error {}, {:.3g} s",
                                                    curve[*knee].setting.tolerance,
@@ -335,8 +367,8 @@ std::string profileSection(const SweepResult& sweep)
         const std::vector<SolverProfile> profiles = solverProfiles(sweep.points, tolerance);
         text += fmt::format(
             "### Solvers at tolerance {:g} (sweep `{}`)\n\n"
-            "Profiles of Dolan and Moré (2002) over {} problems, the settings of the sweep without "
-            "the solver. One is solved when all its phases are.\n\n![profiles]({})\n\n"
+            "Profiles of Dolan and Moré (2002) over {} problems: each phase of each setting of the sweep, "
+            "without the solver.\n\n![profiles]({})\n\n"
             "| solver | solved | fastest | within 2 times the fastest | within 10 times |\n"
             "|---|---:|---:|---:|---:|\n",
             tolerance, sweep.name, profiles.front().problems, profileName(sweep, tolerance));
@@ -454,21 +486,21 @@ std::vector<CheapestRow> cheapestRows(const AccuracyStudy& study, const Accuracy
 
 std::string accuracyTable(const AccuracyStudy& study, const AccuracyResults& results)
 {
-    std::string text =
-        "sweep,quantity,deltaT[s],theta,flowRule,solver,tolerance,pointsPerJoint,displacements,runs,"
-        "failed,value,medianError,worstError,hover[m],steps,cpuTime[s],F[s],residual\n";
+    std::string text = "sweep,quantity,deltaT[s],theta,flowRule,solver,tolerance,pointsPerJoint,"
+                       "displacements,formulation,runs,"
+                       "failed,value,medianError,worstError,hover[m],steps,cpuTime[s],F[s],residual\n";
     for (const SweepResult& sweep : results.sweeps)
     {
         for (const AccuracyPoint& point : sweep.points)
         {
             const RunSetting& setting = point.setting;
             text += fmt::format(
-                "{},{},{},{},{},{},{},{},{},{},{},{:.12g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},"
+                "{},{},{},{},{},{},{},{},{},{},{},{},{:.12g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},"
                 "{:.6g}\n",
                 sweep.name, quantityOf(study, sweep).name, setting.deltaT, setting.theta,
                 wordOf(setting.flowRule), wordOf(setting.solver), setting.tolerance, setting.pointsPerJoint,
-                wordOf(setting.displacements), point.runs, point.failed, point.value, point.medianError,
-                point.worstError, point.hover, point.steps, point.cpuTime,
+                wordOf(setting.displacements), wordOf(setting.formulation), point.runs, point.failed,
+                point.value, point.medianError, point.worstError, point.hover, point.steps, point.cpuTime,
                 results.unitsOfWork[sweep.quantity], point.worstResidual);
         }
     }
@@ -480,7 +512,7 @@ void writePictures(const std::filesystem::path& folder, const AccuracyStudy& stu
 {
     for (const SweepResult& sweep : results.sweeps)
     {
-        writePlot(folder / (sweep.name + ".svg"), errorPlot(study, sweep));
+        writePlot(folder / (sweep.name + ".svg"), errorPlot(study, results, sweep));
         for (const double tolerance : profileTolerances(sweep))
         {
             writePlot(folder / profileName(sweep, tolerance), profilePlot(sweep, tolerance));
@@ -534,6 +566,8 @@ std::string accuracyPage(const AccuracyStudy& study, const AccuracyResults& resu
         text += pairSection(study, sweep, "Associative against Coulomb", "associative", "Coulomb",
                             flowRulePairs(sweep.points));
         text += pairSection(study, sweep, "Point against surface contact", "points", "surface",
+                            formulationPairs(sweep.points));
+        text += pairSection(study, sweep, "Few points a joint against many", "few", "many",
                             pointsPerJointPairs(sweep.points));
         text += pairSection(study, sweep, "Large against small displacements", "large", "small",
                             displacementPairs(sweep.points));

@@ -69,6 +69,8 @@ void declare(Options& options, FinestSettings& settings)
         .atMost(1000)
         .example("21");
     options.optional("displacements", plan.displacements, "of a motion").example("large");
+    options.optional("formulation", plan.formulation, "of a multiplier: contact by points or by surface")
+        .example("points");
     options.optional("phases", plan.phases, "of motion; their median counts").atLeast(1).atMost(1000);
 }
 
@@ -536,6 +538,7 @@ Measurement measureMultiplier(const AccuracyCase& study, const RunSetting& setti
     {
         structure.contact.friction->flowRule = setting.flowRule;
     }
+    structure.contact.contact = ContactModel{setting.formulation};
     Measurement result;
     const double start = cpuTime();
     const LimitAnalysis analysis = solveLimitAnalysis(structure);

@@ -46,6 +46,7 @@ struct RunSetting
     double tolerance = 0;
     int pointsPerJoint = 0;
     Displacements displacements = Displacements::large;
+    ContactFormulation formulation = ContactFormulation::points;
 
     friend auto operator<=>(const RunSetting&, const RunSetting&) = default;
 };
@@ -129,6 +130,7 @@ struct ReferencePlan
     std::optional<double> tolerance;
     std::optional<int> pointsPerJoint;
     std::optional<Displacements> displacements;
+    std::optional<ContactFormulation> formulation;
     int phases = 20;
     SourceLocation location;
 };

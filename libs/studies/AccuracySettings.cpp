@@ -59,14 +59,16 @@ void declare(Options& options, Sweep& sweep)
         .above(0)
         .atMost(1e-3)
         .example("(1e-4 1e-8)");
-    options
-        .optional("pointsPerJoint", sweep.pointsPerJoint,
-                  "of a multiplier: contact points a joint; many of them are surface contact")
+    options.optional("pointsPerJoint", sweep.pointsPerJoint, "of a multiplier: contact points a joint")
         .atLeast(2)
         .atMost(1000)
         .example("(2 5 21)");
     options.optional("displacements", sweep.displacements, "of a motion: large or small")
         .example("(large small)");
+    options
+        .optional("formulation", sweep.formulation,
+                  "of a multiplier: contact by points, or by surface in the stress resultants of the joints")
+        .example("(points surface)");
     options
         .optional("along", sweep.along,
                   "what the points of one curve differ by; absent: the first of deltaT, tolerance and "
@@ -90,6 +92,7 @@ void declare(Options& options, Sweep& sweep)
     twins("tolerance", sweep.tolerance);
     twins("pointsPerJoint", sweep.pointsPerJoint);
     twins("displacements", sweep.displacements);
+    twins("formulation", sweep.formulation);
 }
 
 void declare(Options& options, AccuracySettings& settings)
@@ -185,11 +188,13 @@ std::vector<RunSetting> settingsOf(const Sweep& sweep, const RunSetting& ofCase)
         for (const FlowRule flowRule : valuesOf(sweep.flowRule, ofCase.flowRule))
             for (const SolverType solver : valuesOf(sweep.solver, ofCase.solver))
                 for (const Displacements displacements : valuesOf(sweep.displacements, ofCase.displacements))
-                    for (const int points : valuesOf(sweep.pointsPerJoint, ofCase.pointsPerJoint))
-                        for (const double tolerance : valuesOf(sweep.tolerance, ofCase.tolerance))
-                            for (const double deltaT : valuesOf(sweep.deltaT, ofCase.deltaT))
-                                settings.push_back(
-                                    {deltaT, theta, flowRule, solver, tolerance, points, displacements});
+                    for (const ContactFormulation formulation :
+                         valuesOf(sweep.formulation, ofCase.formulation))
+                        for (const int points : valuesOf(sweep.pointsPerJoint, ofCase.pointsPerJoint))
+                            for (const double tolerance : valuesOf(sweep.tolerance, ofCase.tolerance))
+                                for (const double deltaT : valuesOf(sweep.deltaT, ofCase.deltaT))
+                                    settings.push_back({deltaT, theta, flowRule, solver, tolerance, points,
+                                                        displacements, formulation});
     return settings;
 }
 

@@ -45,6 +45,7 @@ struct Sweep
     std::vector<double> tolerance;
     std::vector<int> pointsPerJoint;
     std::vector<Displacements> displacements;
+    std::vector<ContactFormulation> formulation;
     std::optional<SweepAxis> along; ///< absent: the first of the three that has several values
     int phases = 20;
     int repeats = 5;

@@ -70,7 +70,7 @@ class AccuracyCost(CaseTest):
     def runs(self, case):
         """Rows of the history without their times."""
         rows = [line.split() for line in self.read(case, results + "/history.dat").splitlines() if line[0] != "#"]
-        return [row[:13] + row[14:] for row in rows]
+        return [row[:14] + row[15:] for row in rows]
 
     def testAStudyLeavesTableHistoryPicturesAndAPageThatShowsThem(self):
         case = self.case("plain")
@@ -158,6 +158,50 @@ class AccuracyCost(CaseTest):
         self.assertIn("4 of 4 runs FAILED", done.stdout)
         self.assertTrue(all(row["medianError"] == "nan" for row in self.table(case) if row["quantity"] == "first"))
         self.assertIn("none of those tried", self.read(case, results + "/accuracyCost.md"))
+
+    def testASettingWhoseFirstThreeRunsAreNotSolvedIsGivenUp(self):
+        case = self.case("hopeless", more="hopeless { quantity first; solver (interiorPoint gaussSeidel); "
+                                          "deltaT (0.02 0.01); tolerance (1e-30); phases 5; }")
+        self.assertIn("3 of 3 runs FAILED, no more tried", self.run_(case).stdout)
+        rows = [row for row in self.table(case) if row["sweep"] == "hopeless"]
+        self.assertEqual([(row["runs"], row["failed"]) for row in rows], 4 * [("3", "3")])
+        self.assertIn("the first 3 of 5: no more were tried", self.read(case, results + "/accuracyCost.md"))
+        known = self.runs(case)
+        self.run_(case)
+        self.assertEqual(self.runs(case), known)
+
+    def multiplierCase(self, name, sweep):
+        case = self.case(name)
+        with open(os.path.join(case, "constant/loads"), "w", encoding="utf-8") as file:
+            file.write("dead { type gravity; } live { type inertial; direction (1 0 0); }")
+        with open(os.path.join(case, "system/solution"), "a", encoding="utf-8") as file:
+            file.write("limitAnalysis { solver interiorPoint; tolerance 1e-9; }")
+        with open(os.path.join(case, "system/accuracyCostDict"), "w", encoding="utf-8") as file:
+            file.write("quantities { alpha { type multiplier; reference { type value; value 0.25; source slenderness; } } }\n"
+                       "sweeps { surface { quantity alpha; %s } }" % sweep)
+        return case
+
+    def testContactByPointsIsSetAgainstThatBySurfaces(self):
+        case = self.multiplierCase("surface", "formulation (points surface); flowRule (associative); "
+                                              "tolerance (1e-6 1e-9);")
+        self.run_(case)
+        rows = self.table(case)
+        self.assertEqual([row["formulation"] for row in rows], 2 * ["points"] + 2 * ["surface"])
+        for row in rows:
+            self.assertLess(float(row["medianError"]), float(row["tolerance"]))
+            self.assertEqual(row["failed"], "0")
+        page = self.read(case, results + "/accuracyCost.md")
+        self.assertRegex(page, r"### Point against surface contact[^#]*\| tolerance 1e-09 \| 0.25 \| 0.25 \|")
+        self.assertIn("| by surfaces | 1e-09 |", page)
+
+    def testContactBySurfacesIsRefusedWhereItIsNotFormulated(self):
+        for name, more, line in (("points", "\npointsPerJoint (5);\n formulation (surface); flowRule (associative);", 4),
+                                 ("coulomb", "\nformulation (surface); flowRule (nonAssociative);", 3)):
+            case = self.multiplierCase(name, more)
+            self.assertRegex(self.run_(case, "-dry-run", status=1).stderr,
+                             rf"(?s)remove surface.*accuracyCostDict\S* at line {line}")
+        motion = self.case("motion", more="m { quantity first;\nformulation (points); }")
+        self.assertIn("formulation is for multipliers", self.run_(motion, "-dry-run", status=1).stderr)
 
     def testHousnersEquationOfAnotherCaseIsRefusedWithItsLine(self):
         case = self.case("rebound")

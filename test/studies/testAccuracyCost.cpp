@@ -81,6 +81,7 @@ AccuracyPoint pointWith(RunSetting setting, double error, double cpuTime, int fa
     point.medianError = error;
     point.worstError = 2 * error;
     point.cpuTime = cpuTime;
+    point.runTimes = {failed > 0 ? HUGE_VAL : cpuTime};
     return point;
 }
 
@@ -116,7 +117,7 @@ TEST(AccuracyCost, ImpactsAtOtherPhasesOfAStepGiveOtherErrors)
     {
         runs.push_back(quantity.measure(study, settingWith(0.01, 1), {phase, 20}));
     }
-    const AccuracyPoint point = summarise(settingWith(0.01, 1), runs, reference);
+    const AccuracyPoint point = summarise(settingWith(0.01, 1), runs, reference, 20);
     EXPECT_TRUE(point.isWhole());
     EXPECT_GT(point.worstError, 1.05 * point.medianError);
     EXPECT_LT(point.worstError, 0.2);
@@ -170,7 +171,7 @@ TEST(AccuracyCost, AFailedRunMakesThePointNoAnswer)
     Measurement bad;
     bad.end = RunEnd::unsolved;
     bad.value = std::nan("");
-    const AccuracyPoint point = summarise({}, {good, bad, good}, 1);
+    const AccuracyPoint point = summarise({}, {good, bad, good}, 1, 3);
     EXPECT_EQ(point.failed, 1);
     EXPECT_TRUE(std::isnan(point.medianError));
     EXPECT_EQ(cheapest({point}, 1e9, ErrorMeasure::worst), nullptr);
@@ -183,7 +184,7 @@ TEST(AccuracyCost, MedianAndWorstErrorAreRelativeToTheReference)
     runs[1].value = 1.9;
     runs[2].value = 2.02;
     runs[0].cpuTime = 5;
-    const AccuracyPoint point = summarise({}, runs, 2);
+    const AccuracyPoint point = summarise({}, runs, 2, 3);
     EXPECT_NEAR(point.medianError, 0.05, 1e-12);
     EXPECT_NEAR(point.worstError, 0.1, 1e-12);
     EXPECT_EQ(point.cpuTime, 0); // the median of 5, 0, 0
@@ -210,6 +211,9 @@ TEST(AccuracyCost, TheKneeIsWhereATighterToleranceGainsNothing)
     EXPECT_EQ(kneeOf(failing), std::optional<std::size_t>(1));
     failing[2].failed = 1;
     EXPECT_EQ(kneeOf(failing), std::nullopt);
+    const auto falling = curve({1e-6, 1e-8, 1e-10, 1e-13, 0}); // the last is the reference itself
+    EXPECT_EQ(kneeOf(falling), std::nullopt);
+    EXPECT_EQ(kneeOf(falling, 1e-9), std::optional<std::size_t>(2));
 }
 
 TEST(AccuracyCost, TheCheapestSettingIsTheFastestOfThoseWithinTheLevel)
@@ -247,6 +251,36 @@ TEST(AccuracyCost, ProfilesOfSolversAreThoseOfDolanAndMore)
     EXPECT_EQ(profiles[1].at(1), 0.5);
     EXPECT_EQ(profiles[1].at(1e9), 0.5);
     EXPECT_TRUE(solverProfiles(points, 1e-8).empty());
+}
+
+TEST(AccuracyCost, EachPhaseIsAProblemOfAProfileAndThoseNotTriedAreNotSolved)
+{
+    Measurement quick;
+    quick.value = 1;
+    quick.cpuTime = 1;
+    Measurement slow = quick;
+    slow.cpuTime = 3;
+    Measurement bad = quick;
+    bad.end = RunEnd::unsolved;
+    RunSetting setting = settingWith(0.1, 1);
+    setting.tolerance = 1e-4;
+    std::vector<AccuracyPoint> points;
+    setting.solver = SolverType::interiorPoint;
+    points.push_back(summarise(setting, {quick, slow, quick, quick}, 1, 4));
+    setting.solver = SolverType::augmentedLagrangian;
+    points.push_back(summarise(setting, {slow, quick, bad, quick}, 1, 4));
+    setting.solver = SolverType::gaussSeidel;
+    points.push_back(summarise(setting, {bad, bad, bad}, 1, 4)); // given up
+    EXPECT_EQ(points[2].planned, 4);
+    EXPECT_EQ(points[2].runs, 3);
+    const std::vector<SolverProfile> profiles = solverProfiles(points, 1e-4);
+    ASSERT_EQ(profiles.size(), 3u);
+    EXPECT_EQ(profiles[0].problems, 4u);
+    EXPECT_EQ(profiles[0].at(1), 0.75);
+    EXPECT_EQ(profiles[0].at(3), 1);
+    EXPECT_EQ(profiles[1].at(1), 0.5);
+    EXPECT_EQ(profiles[1].at(3), 0.75);
+    EXPECT_EQ(profiles[2].at(1e9), 0);
 }
 
 TEST(AccuracyCost, RichardsonsExtrapolationFindsLimitAndOrder)
@@ -316,6 +350,14 @@ TEST(AccuracyCost, PairsDifferInOneThingAlone)
     EXPECT_EQ(pairs[0].second, &points[2]);
     EXPECT_TRUE(displacementPairs(points).empty());
     EXPECT_TRUE(pointsPerJointPairs(points).empty());
+    EXPECT_TRUE(formulationPairs(points).empty());
+    RunSetting surface = other;
+    surface.formulation = ContactFormulation::surface;
+    const std::vector<AccuracyPoint> both{pointWith(surface, 0.1, 1), pointWith(other, 0.1, 1)};
+    const std::vector<PointPair> formulations = formulationPairs(both);
+    ASSERT_EQ(formulations.size(), 1u);
+    EXPECT_EQ(formulations[0].first, &both[1]);
+    EXPECT_EQ(formulations[0].second, &both[0]);
 }
 
 TEST(AccuracyCost, FaultyEntriesAreRefusedWithTheirLine)
