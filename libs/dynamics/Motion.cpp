@@ -420,6 +420,7 @@ ThetaStep collide(const DynamicCase& scene, const PlaneConeProgram& program,
         }
     }
     StepSettings instant = settings;
+    instant.kind = StepKind::impact;
     instant.flowRule = FlowRule::nonAssociative;
     return solveThetaStep(std::move(impact), instant);
 }
@@ -480,6 +481,9 @@ StepSolution solveWithImpacts(const StepProblem& problem, PlaneConeProgram progr
     step = solveThetaStep(program, problem.settings, guess, problem.relinearise, symbolic);
     solution.isSolved = count(step);
     const bool hasImpacts = (scene.restitution() > 0 || theta < 1) && !program.hasCompliance();
+    // Nor do points that an impact has just stopped, or thrown back, to its tolerance.
+    double slowest = slowImpact * problem.acceleration * timeStep;
+    std::vector<std::size_t> collided;
     for (int impacts = 0; solution.isSolved && hasImpacts && impacts < mostImpacts; ++impacts)
     {
         Eigen::VectorXd closing = applyTransposed(program, velocity);
@@ -487,8 +491,11 @@ StepSolution solveWithImpacts(const StepProblem& problem, PlaneConeProgram progr
         {
             closing += bySupports / timeStep;
         }
-        const auto colliding =
-            collidingPoints(program, step, closing, slowImpact * problem.acceleration * timeStep);
+        for (const std::size_t point : collided)
+        {
+            slowest = std::max(slowest, closing[2 * static_cast<Eigen::Index>(point)]);
+        }
+        auto colliding = collidingPoints(program, step, closing, slowest);
         if (colliding.empty())
         {
             break;
@@ -517,6 +524,7 @@ StepSolution solveWithImpacts(const StepProblem& problem, PlaneConeProgram progr
             velocity = after;
             program.load = problem.load + scene.mass.cwiseProduct(velocity) / (theta * timeStep);
             guess.displacement = timeStep * velocity;
+            collided = std::move(colliding);
             step = solveThetaStep(program, problem.settings, guess, problem.relinearise, symbolic);
             solution.isSolved = count(step);
         }

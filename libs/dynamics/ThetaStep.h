@@ -36,9 +36,18 @@ PlaneConeProgram thetaStepProgram(const Eigen::VectorXd& mass, const Eigen::Vect
                                   const std::vector<ContactColumns<2>>& columns,
                                   const std::vector<double>& friction, const ThetaScheme& scheme);
 
+/// What a program is of. An impact is a step without loads and with impulses for forces: it leaves no gaps
+/// that later steps would have to mend.
+enum class StepKind
+{
+    motion,
+    impact
+};
+
 /// How well a step is to be solved.
 struct StepSettings
 {
+    StepKind kind = StepKind::motion;
     FlowRule flowRule = FlowRule::associative;
     double blockSize = 1;        ///< mean, what lengths are compared with [m]
     double contactTolerance = 0; ///< error allowed in the gaps at the end of the step [m]
@@ -85,14 +94,15 @@ struct ThetaStep
 /// `contactTolerance` and, with `nonAssociative`, until the fixed point of Acary & Cadoux (2013) is reached:
 /// the program's flow opens a point by mu |u_t| as it slides by u_t; with its gap increased by just that the
 /// point slides without opening, which is Coulomb's law. After the first program Newton's method
-/// (CoulombNewton.h) finds that fixed point, most often; else Anderson's acceleration goes on from there,
-/// until mu |u_t| changes by less than ten times the tolerance of itself or 1e-12 of `blockSize`; from the
-/// fourth program on `contactTolerance` will do. Points that are apart and carry nothing do not count.
+/// (CoulombNewton.h) finds that fixed point, most often, and before it, in steady motion, from the forces of
+/// the guess; else Anderson's acceleration goes on from there, until mu |u_t| changes by less than ten times
+/// the tolerance of itself or 1e-12 of `blockSize`; from the fourth program on `contactTolerance` will do,
+/// and of an impact 1% of what it changes. Points that are apart and carry nothing do not count.
 ///
 /// The displacements are those that the contact forces give the blocks, to the last digits (y = Mbar^-1 (fbar
 /// - A c)), unless that would spoil the certificate: so no momentum is lost to the tolerance of the solver.
 /// \param symbolic kept from step to step (RayProgram.h), or null; not owned
-/// \return status `notConverged` after 100 programs, or when the solver fails
+/// \return status `notConverged` after 60 programs, or when the solver fails
 ThetaStep solveThetaStep(PlaneConeProgram program, const StepSettings& settings, const StepGuess& guess = {},
                          const Relinearisation& relinearise = {}, SymbolicAnalysis* symbolic = nullptr);
 
