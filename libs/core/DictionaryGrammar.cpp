@@ -220,8 +220,10 @@ struct lineComment : seq<two<'/'>, until<eolf>> {};
 // sor goes back to where the comment begins, which is what a message is to name.
 struct commentEnd : sor<until<string<'*', '/'>>, failure> {};
 struct comment : if_must<string<'/', '*'>, commentEnd> {};
-struct skip : star<sor<plus<space>, lineComment, comment>> {};
-struct skipInLine : star<sor<plus<one<' ', '\t', '\r'>>, comment>> {};
+// The byte order mark that some editors leave, also within files that were put together of several.
+struct byteOrderMark : string<'\xEF', '\xBB', '\xBF'> {};
+struct skip : star<sor<plus<space>, lineComment, comment, byteOrderMark>> {};
+struct skipInLine : star<sor<plus<one<' ', '\t', '\r'>>, comment, byteOrderMark>> {};
 
 struct word : scanned<startedWord> {};
 struct number : scanned<numberLength> {};
@@ -756,9 +758,7 @@ template<typename Rule>
 void run(const SourceFile& file, Builder& builder)
 {
     refuseBinary(file);
-    std::string_view text = file.text;
-    if (text.starts_with("\xEF\xBB\xBF")) // the byte order mark that some editors leave
-        text.remove_prefix(3);
+    const std::string_view text = file.text;
     tao::pegtl::memory_input<tao::pegtl::tracking_mode::lazy> input(text.data(), text.data() + text.size(),
                                                                     file.name);
     tao::pegtl::parse<Rule, Action, Control>(input, builder);

@@ -137,10 +137,14 @@ std::filesystem::path inCase(const std::filesystem::path& file, const std::files
 /// A list `((t a) (t a))`, or else two columns.
 std::vector<std::pair<double, double>> readTable(const std::filesystem::path& file)
 {
-    std::ifstream stream(file, std::ios::binary);
+    std::error_code error;
     std::ostringstream content;
-    if (stream)
-        content << stream.rdbuf();
+    if (std::filesystem::is_regular_file(file, error)) // else readCsvRecord says what is wrong
+    {
+        std::ifstream stream(file, std::ios::binary);
+        if (stream)
+            content << stream.rdbuf();
+    }
     const std::string text = content.str();
     const auto begin = text.find_first_not_of(" \t\r\n");
     const bool list = begin != std::string::npos && text.find('(', begin) != std::string::npos;

@@ -55,8 +55,12 @@ void load(const std::filesystem::path& file, Text& text)
 {
     text.file = file;
     std::error_code error;
-    if (std::filesystem::is_directory(file, error))
+    const auto status = std::filesystem::status(file, error);
+    if (std::filesystem::is_directory(status))
         text.refuse(0, "The record is a directory.", "Name a file in it.");
+    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+        text.refuse(0, "The record is not an ordinary file.",
+                    "A device or a pipe may never end: name a file.");
     std::ifstream stream(file, std::ios::binary);
     if (!stream)
         text.refuse(0, "Cannot open the record.",

@@ -288,8 +288,11 @@ void writeState(const fs::path& caseDirectory, const std::string& timeName, cons
 
 State readState(const fs::path& file)
 {
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream || fs::is_directory(file))
+    std::error_code error;
+    std::ifstream stream;
+    if (fs::is_regular_file(file, error)) // a pipe would let us wait for ever
+        stream.open(file, std::ios::binary);
+    if (!stream.is_open())
         throw FatalError(fmt::format(
             "Cannot read the state {}: there is no such file, or it may not be read.", file.string()));
     const std::string text{std::istreambuf_iterator<char>(stream), {}};

@@ -416,6 +416,9 @@ TEST(Dictionary, EmptyTextsAndCommentsAreEmptyDictionaries)
     EXPECT_TRUE(Dictionary::readString("").empty());
     EXPECT_TRUE(Dictionary::readString("// only\n/* comments */ ; ;;").empty());
     EXPECT_TRUE(Dictionary::readString("\xEF\xBB\xBF").empty());
+    const std::string ofTwoFiles = "\xEF\xBB\xBF/* first */ a 1;\n\xEF\xBB\xBF"
+                                   "b 2;\n\xEF\xBB\xBF";
+    EXPECT_EQ(Dictionary::readString(ofTwoFiles).keywords(), (std::vector<std::string>{"a", "b"}));
     EXPECT_EQ(Dictionary::readString("a 1;\r\nb 2;\r\n").get<int>("b"), 2);
 }
 

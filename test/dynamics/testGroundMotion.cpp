@@ -225,6 +225,8 @@ TEST_F(GroundMotionTest, DictionaryReadsATableFromAListOrColumns)
     EXPECT_THAT(refusalOf(text), testing::AllOf(HasSubstr(file.string()), HasSubstr("line 2")));
     std::ofstream(file) << "((0 0)(2 1)(1 1))";
     EXPECT_THAT(refusalOf(text), testing::AllOf(HasSubstr(file.string()), HasSubstr("must increase")));
+    EXPECT_THAT(refusalOf("direction (1 0 0); acceleration { type table; file \"/dev/null\"; }"),
+                testing::AllOf(HasSubstr("/dev/null"), HasSubstr("not an ordinary file")));
 }
 
 TEST(GroundMotionDictionary, EveryTypeDescribesItsKeys)

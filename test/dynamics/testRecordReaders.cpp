@@ -222,6 +222,7 @@ TEST(PeerReader, RefusesBrokenRecordsWithTheirLine)
                 HasSubstr("/nonexistent/record.AT2"));
     EXPECT_THAT(refusal([] { readPeerRecord(std::filesystem::temp_directory_path()); }),
                 HasSubstr("directory"));
+    EXPECT_THAT(refusal([] { readPeerRecord("/dev/null"); }), HasSubstr("not an ordinary file"));
 }
 
 TEST(PeerReader, RandomDamageIsReadAsNumbersOrRefused)
