@@ -67,11 +67,11 @@ LimitAnalysis solveLimitAnalysis(const PlaneConeProgram& program, const Interior
     {
         return result;
     }
-    if (solution.status == SolveStatus::optimal || solution.status == SolveStatus::unbounded)
+    if (solution.status != SolveStatus::infeasible)
     {
         // 0 <= alpha does not say that 0 can be carried: the live load may be what holds the structure up.
         // Forces that carry the dead load alone prove it, if the solver has come by some; else they are
-        // sought.
+        // sought. Where no multiplier was found, that may be why.
         ConeSolution resting;
         resting.contactForce = solution.restingForce;
         resting.displacement = Eigen::VectorXd::Zero(3 * program.bodies);
@@ -84,7 +84,7 @@ LimitAnalysis solveLimitAnalysis(const PlaneConeProgram& program, const Interior
             result.factorisations += resting.factorisations;
             result.solves += resting.solves;
             if ((resting.status == SolveStatus::infeasible && unstable(resting.displacement))
-                || resting.status == SolveStatus::notConverged)
+                || (answered && resting.status == SolveStatus::notConverged))
             {
                 return result;
             }

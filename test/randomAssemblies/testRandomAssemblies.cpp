@@ -31,6 +31,7 @@ struct Tally
     double worst = 0;               ///< figure of the judge over its tolerance
     std::vector<unsigned> unsolved; ///< to the default tolerance of 1e-9
     std::vector<unsigned> hopeless; ///< those of them that are not solved to 1e-6 either
+    int slippery = 0;               ///< those of them whose friction of 1e-12 is below rounding of the forces
 };
 
 constexpr double tolerance = 1e-7;
@@ -177,6 +178,7 @@ void judgeSeed(unsigned seed, Tally& tally)
     if (result.status == CollapseStatus::notConverged)
     {
         tally.unsolved.push_back(seed);
+        tally.slippery += structure.mu < 1e-9 ? 1 : 0;
         if (solveLimitAnalysis(program, {.tolerance = 1e-6}).status == CollapseStatus::notConverged)
         {
             tally.hopeless.push_back(seed);
@@ -195,8 +197,9 @@ void print(const Tally& tally)
     }
     fmt::print("compared with GLPK: {}, at most {:.1e} apart; worst figure of the judge {:.1e}\n",
                tally.compared, tally.furthest, tolerance * tally.worst);
-    fmt::print("limit analysis not solved to 1e-9: {} of them not to 1e-6: {}\n", tally.unsolved.size(),
-               fmt::join(tally.hopeless, " "));
+    fmt::print(
+        "limit analysis not solved to 1e-9: {}, {} of them with a friction of 1e-12; not to 1e-6: {}\n",
+        tally.unsolved.size(), tally.slippery, fmt::join(tally.hopeless, " "));
     fmt::print("their seeds: {}\n", fmt::join(tally.unsolved, " "));
 }
 
@@ -213,16 +216,39 @@ void judgeSeeds(unsigned first, unsigned count)
         judgeSeed(seed, tally);
     }
     print(tally);
-    // Not to converge is no wrong answer, but it may not become a habit: 1.2% of ten thousand when this was
-    // written, nearly all with a gap of 1e-9 to 1e-8.
-    EXPECT_LE(tally.unsolved.size(), 3 * count / 200 + 1);
-    EXPECT_LE(tally.hopeless.size(), count / 500 + 1);
+    // Not to converge is no wrong answer, but it may not become a habit: 0.35% of ten thousand when this was
+    // written, 25 of 35 with a friction of 1e-12, which makes multipliers of that order.
+    EXPECT_LE(tally.unsolved.size(), count / 200 + 1);
+    EXPECT_LE(tally.hopeless.size(), count / 2000 + 1);
     EXPECT_LE(tally.answers["step not solved"], static_cast<int>(count / 100 + 1));
 }
 
 TEST(RandomAssemblies, TwoHundredAreSolvedOrHonestlyNotAndAgreeWithGlpk)
 {
     judgeSeeds(1, 200);
+}
+
+// Loads that the blocks balance but for 8e-6 and 5e-6 of them, which takes an exact proof, and a tower that
+// slides under its own weight and whose least multiplier, below zero, has a gap of 1.5e-9.
+TEST(RandomAssemblies, WhatHardlyFallsIsToldFromWhatStands)
+{
+    Tally tally;
+    for (const unsigned seed : {4723U, 8663U, 1152U})
+    {
+        judgeSeed(seed, tally);
+    }
+    EXPECT_EQ(tally.answers["unstable"], 3);
+}
+
+// Displacements of thousands for a unit of work, so that what is left of the balance counts.
+TEST(RandomAssemblies, LargeDisplacementsDoNotKeepTheObjectivesApart)
+{
+    Tally tally;
+    for (const unsigned seed : {3448U, 1369U, 10844U, 7578U})
+    {
+        judgeSeed(seed, tally);
+    }
+    EXPECT_EQ(tally.answers["notConverged"], 0);
 }
 
 TEST(NightlyRandomAssemblies, TenThousandAreSolvedOrHonestlyNotAndAgreeWithGlpk)
