@@ -4,77 +4,72 @@
 
 namespace drystone
 {
+namespace
+{
+
+// Of gaussSeidel, which is allowed 10,000 sweeps a step (fewer from 100 points on): measured numbers.
+constexpr std::string_view chain =
+    "sweeps needed grow as the fourth power of the blocks: 1,900 for 5, 380,000 for 20";
+constexpr std::string_view ratio =
+    "sweeps needed grow as the ratio of masses: 73,000 for 100, 10,000 allowed";
+constexpr std::string_view points =
+    "sweeps needed grow with the points, whose forces are not unique: 20,000 for 76 in the plane";
+
+} // namespace
 
 const std::vector<ExpectedFailure>& expectedFailures()
 {
     static const std::vector<ExpectedFailure> list{
-        {"step_blocks_200_moving", SolverType::gaussSeidel, "a sweep passes forces on by one block"},
-        {"step_blocks_200_standing", SolverType::gaussSeidel, "a sweep passes forces on by one block"},
-        {"step_blocks_20_moving", SolverType::gaussSeidel, "a sweep passes forces on by one block"},
-        {"step_blocks_20_standing", SolverType::gaussSeidel, "a sweep passes forces on by one block"},
-        {"step_blocks_50_moving", SolverType::gaussSeidel, "a sweep passes forces on by one block"},
-        {"step_blocks_50_standing", SolverType::gaussSeidel, "a sweep passes forces on by one block"},
-        {"step_blocks_5_moving", SolverType::gaussSeidel, "a sweep passes forces on by one block"},
-        {"step_blocks_5_standing", SolverType::gaussSeidel, "a sweep passes forces on by one block"},
-        {"step_duplicatePoints_moving", SolverType::gaussSeidel,
-         "forces of many points are not unique, and sweeps only creep"},
-        {"step_duplicatePoints_standing", SolverType::gaussSeidel,
-         "forces of many points are not unique, and sweeps only creep"},
-        {"step_massRatio_10000_moving", SolverType::gaussSeidel,
-         "sweeps needed grow with the ratio of masses"},
-        {"step_massRatio_10000_standing", SolverType::gaussSeidel,
-         "sweeps needed grow with the ratio of masses"},
-        {"step_massRatio_100_moving", SolverType::gaussSeidel, "sweeps needed grow with the ratio of masses"},
-        {"step_massRatio_100_standing", SolverType::gaussSeidel,
-         "sweeps needed grow with the ratio of masses"},
-        {"step_massRatio_1_moving", SolverType::gaussSeidel, "sweeps needed grow with the ratio of masses"},
-        {"step_massRatio_1_standing", SolverType::gaussSeidel, "sweeps needed grow with the ratio of masses"},
-        {"step_massRatio_1e06_moving", SolverType::gaussSeidel,
-         "sweeps needed grow with the ratio of masses"},
-        {"step_massRatio_1e06_standing", SolverType::gaussSeidel,
-         "sweeps needed grow with the ratio of masses"},
-        {"step_massRatio_1e08_moving", SolverType::gaussSeidel,
-         "sweeps needed grow with the ratio of masses"},
-        {"step_massRatio_1e08_standing", SolverType::gaussSeidel,
-         "sweeps needed grow with the ratio of masses"},
-        {"step_pointsPerSide_10_moving", SolverType::gaussSeidel,
-         "forces of many points are not unique, and sweeps only creep"},
-        {"step_pointsPerSide_10_standing", SolverType::gaussSeidel,
-         "forces of many points are not unique, and sweeps only creep"},
-        {"step_pointsPerSide_2_moving", SolverType::gaussSeidel,
-         "forces of many points are not unique, and sweeps only creep"},
-        {"step_pointsPerSide_2_standing", SolverType::gaussSeidel,
-         "forces of many points are not unique, and sweeps only creep"},
-        {"step_pointsPerSide_300_moving", SolverType::gaussSeidel,
-         "forces of many points are not unique, and sweeps only creep"},
-        {"step_pointsPerSide_300_standing", SolverType::gaussSeidel,
-         "forces of many points are not unique, and sweeps only creep"},
-        {"step_pointsPerSide_76_moving", SolverType::gaussSeidel,
-         "forces of many points are not unique, and sweeps only creep"},
-        {"step_pointsPerSide_76_standing", SolverType::gaussSeidel,
-         "forces of many points are not unique, and sweeps only creep"},
+        {"step_blocks_20_moving", SolverType::gaussSeidel, chain},
+        {"step_blocks_20_standing", SolverType::gaussSeidel, chain},
+        {"step_blocks_50_moving", SolverType::gaussSeidel, chain},
+        {"step_blocks_50_standing", SolverType::gaussSeidel, chain},
+        {"step_blocks_200_moving", SolverType::gaussSeidel, chain},
+        {"step_blocks_200_standing", SolverType::gaussSeidel, chain},
+        {"step_massRatio_100_moving", SolverType::gaussSeidel, ratio},
+        {"step_massRatio_100_standing", SolverType::gaussSeidel, ratio},
+        {"step_massRatio_10000_moving", SolverType::gaussSeidel, ratio},
+        {"step_massRatio_10000_standing", SolverType::gaussSeidel, ratio},
+        {"step_massRatio_1e06_moving", SolverType::gaussSeidel, ratio},
+        {"step_massRatio_1e06_standing", SolverType::gaussSeidel, ratio},
+        {"step_massRatio_1e08_moving", SolverType::gaussSeidel, ratio},
+        {"step_massRatio_1e08_standing", SolverType::gaussSeidel, ratio},
+        {"step_pointsPerSide_76_moving", SolverType::gaussSeidel, points},
+        {"step_pointsPerSide_76_standing", SolverType::gaussSeidel, points},
+        {"step_pointsPerSide_300_moving", SolverType::gaussSeidel, points},
+        {"step_pointsPerSide_300_standing", SolverType::gaussSeidel, points},
         {"static_keystone_above_1em6", SolverType::interiorPoint,
-         "forces of a million times the weight: the ray is 4e-7 from balance when rounding ends the search"},
+         "forces of 1.3e6 times the load: the best ray is 6e-8 from balance, and a certificate asks for "
+         "1e-9"},
         {"static_overhang_20_inside", SolverType::interiorPoint,
-         "stands by 6e-7: the certificate stays at 1e-6"},
+         "its multiplier is 2.5e-7: 200 iterations end with a certificate of 1.4e-6"},
         {"cornerOnCorner_Coulomb", SolverType::automatic,
-         "a block that rests on its corner exactly falls for a step before a line is seen to close: by g "
-         "dt2"},
+         "the corner rests on the other one exactly and falls for one step, by g dt2, before a line is seen "
+         "to close"},
         {"cornerOnCorner_Coulomb", SolverType::interiorPoint,
-         "a block that rests on its corner exactly falls for a step before a line is seen to close: by g "
-         "dt2"},
+         "the corner rests on the other one exactly and falls for one step, by g dt2, before a line is seen "
+         "to close"},
         {"cornerOnCorner_Coulomb", SolverType::augmentedLagrangian,
-         "a block that rests on its corner exactly falls for a step before a line is seen to close: by g "
-         "dt2"},
-        {"painleve", SolverType::gaussSeidel, "an impulse to 1e-4 of the motion of a step of 1e-5 s is none"},
-        {"slivers", SolverType::gaussSeidel, "sweeps needed grow with the ratio of masses"},
+         "the corner rests on the other one exactly and falls for one step, by g dt2, before a line is seen "
+         "to close"},
+        {"painleve", SolverType::gaussSeidel,
+         "no impulse is within 1e-4 of Coulomb's law in a step of 1e-5 s; to 1e-6 it comes"},
+        {"slivers", SolverType::gaussSeidel, ratio},
+        {"motion_massRatio_1e4", SolverType::gaussSeidel, ratio},
+        {"motion_massRatio_1e8", SolverType::gaussSeidel, ratio},
         {"rest_1e6", SolverType::gaussSeidel,
          "steps right to 1e-4 let the tower creep by 0.9 nm each: 0.86 mm in the end"},
-        {"motion_massRatio_1e4", SolverType::gaussSeidel, "sweeps needed grow with the ratio of masses"},
-        {"motion_massRatio_1e8", SolverType::gaussSeidel, "sweeps needed grow with the ratio of masses"},
-        {"motion_tower_200", SolverType::gaussSeidel, "a sweep passes forces on by one block"},
+        {"motion_tower_200", SolverType::gaussSeidel, chain},
         {"motion_tower_200", SolverType::augmentedLagrangian,
-         "forces of 200 blocks settle in more than the 200 steps of Newton allowed"},
+         "the first step, from no forces, takes more than 400 steps of Newton; 200 are allowed"},
+        {"motion_overhang_4_outside", SolverType::gaussSeidel,
+         "a millionth of the overhang is less than its tolerance of 1e-4: the bricks stand"},
+        {"motion_overhang_20_inside", SolverType::gaussSeidel, chain},
+        {"motion_overhang_20_outside", SolverType::gaussSeidel, chain},
+        {"motion_overhang_20_inside", SolverType::interiorPoint,
+         "the weights do next to no work: balance to 1e-10 leaves up to 5e-8 of it out of the ledger"},
+        {"motion_overhang_20_outside", SolverType::interiorPoint,
+         "the weights do next to no work: balance to 1e-10 leaves up to 5e-8 of it out of the ledger"},
     };
     return list;
 }

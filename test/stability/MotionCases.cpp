@@ -6,6 +6,7 @@
 #include "assembly/Penetration.h"
 #include "dynamics/Scenes.h"
 #include "studies/References.h"
+#include "texture/Arch.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -475,10 +476,11 @@ Outcome rest(SolverType solver, long steps)
 
 /// A tower thrown over by a pulse, in another unit of length; times grow with the root of lengths (Froude).
 std::vector<double> thrownTower(SolverType solver, double scale, double theta, FlowRule flowRule,
-                                Outcome& outcome)
+                                Outcome& outcome, double density = 1800)
 {
     const double timeScale = std::sqrt(scale);
-    DynamicCase scene = sceneFor(solver, leaningTower(scale), {.theta = theta, .flowRule = flowRule});
+    DynamicCase scene =
+        sceneFor(solver, leaningTower(scale), {.theta = theta, .flowRule = flowRule, .density = density});
     scenes::shake(scene, std::make_shared<RectangularPulse>(PulseShape{0.6 * g, 0.4 * timeScale, 0}));
     Watched run(scene, outcome);
     std::vector<double> places;
@@ -497,11 +499,12 @@ std::vector<double> thrownTower(SolverType solver, double scale, double theta, F
     return places;
 }
 
-Outcome scaledFall(SolverType solver, double scale)
+/// In other units of length and of force.
+Outcome scaledFall(SolverType solver, double lengths, double forces)
 {
     Outcome outcome;
     const auto metres = thrownTower(solver, 1, 1, FlowRule::nonAssociative, outcome);
-    const auto other = thrownTower(solver, scale, 1, FlowRule::nonAssociative, outcome);
+    const auto other = thrownTower(solver, lengths, 1, FlowRule::nonAssociative, outcome, 1800 * forces);
     for (std::size_t i = 0; i < std::min(metres.size(), other.size()); ++i)
     {
         worsen(outcome, std::abs(metres[i] - other[i]));
@@ -638,6 +641,158 @@ Outcome tallTower(SolverType solver, int blocks)
     return outcome;
 }
 
+/// A block that is pushed by 0.8 and by 1.25 of what it tips at: it stands, and it moves.
+Outcome slenderBlock(SolverType solver, double slenderness)
+{
+    Outcome outcome;
+    for (const double share : {0.8, 1.25})
+    {
+        DynamicCase scene = sceneFor(solver, onGround({rectangle(0, 0, 1, slenderness)}), {.mu = 3});
+        scenes::shake(scene, std::make_shared<ConstantAcceleration>(share / slenderness * g));
+        Watched run(scene, outcome);
+        run.until(0.2, 2e-3);
+        if (share < 1)
+        {
+            worsen(outcome, run.largestDisplacement());
+        }
+        else if (run.holds && !(run.largestDisplacement() > 1e-4))
+        {
+            run.fails("the block does not tip");
+        }
+    }
+    return outcome;
+}
+
+/// Towers side by side that are thrown over, each of which does what one alone does.
+Outcome twinTowers(SolverType solver, int copies)
+{
+    Outcome outcome;
+    std::vector<double> path;
+    for (const int towers : {1, copies})
+    {
+        Assembly<2> assembly = scenes::ground(-4, 4.0 * copies);
+        for (int tower = 0; tower < towers; ++tower)
+        {
+            const Assembly<2> one = leaningTower(1);
+            for (std::size_t block = 1; block < one.blocks.size(); ++block)
+            {
+                assembly.blocks.push_back(one.blocks[block]);
+                for (Vector<2>& vertex : assembly.blocks.back().outline)
+                {
+                    vertex.x() += 4 * tower;
+                }
+            }
+        }
+        DynamicCase scene = sceneFor(solver, std::move(assembly));
+        scenes::shake(scene, std::make_shared<RectangularPulse>(PulseShape{0.6 * g, 0.4, 0}));
+        Watched run(scene, outcome);
+        run.until(0.3, 2e-3);
+        for (std::size_t block = 1; block < run.motion.state.placements.size(); ++block)
+        {
+            const Placement<2>& placement = run.motion.state.placements[block];
+            const std::array<double, 3> place{placement.translation.x(), placement.translation.y(),
+                                              placement.rotation};
+            for (std::size_t i = 0; i < 3; ++i)
+            {
+                const std::size_t known = 3 * ((block - 1) % 5) + i;
+                towers == 1 ? path.push_back(place[i]) : worsen(outcome, std::abs(place[i] - path.at(known)));
+            }
+        }
+    }
+    return outcome;
+}
+
+/// Bricks that overhang by `share` of what they can.
+Outcome overhangingBricks(SolverType solver, int bricks, double share)
+{
+    Outcome outcome;
+    Assembly<2> assembly;
+    assembly.supports = {{"table", "blocks"}};
+    assembly.blocks.push_back(rectangle(-3, -1, 3, 1));
+    assembly.blocks.back().support = 0;
+    double end = 0;
+    for (int brick = 0; brick < bricks; ++brick)
+    {
+        end += share * 0.5 / (bricks - brick);
+        assembly.blocks.push_back(rectangle(end - 1, 0.2 * brick, 1, 0.2));
+    }
+    const DynamicCase scene = sceneFor(solver, std::move(assembly));
+    Watched run(scene, outcome);
+    run.until(0.5, 2e-3);
+    if (share < 1)
+    {
+        worsen(outcome, run.largestDisplacement());
+    }
+    else if (run.holds && !(run.largestDisplacement() > 1e-7))
+    {
+        run.fails("the bricks stand");
+    }
+    return outcome;
+}
+
+Assembly<2> turnedOver(Assembly<2> assembly)
+{
+    for (Block<2>& block : assembly.blocks)
+    {
+        for (Vector<2>& vertex : block.outline)
+        {
+            vertex.x() *= -1;
+        }
+        std::reverse(block.outline.begin(), block.outline.end());
+    }
+    return assembly;
+}
+
+Assembly<2> disturbed(Assembly<2> assembly, double noise)
+{
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> part(-noise, noise);
+    for (Block<2>& block : assembly.blocks)
+    {
+        for (Vector<2>& vertex : block.outline)
+        {
+            vertex += Vector<2>(part(random), part(random));
+        }
+    }
+    return assembly;
+}
+
+/// A semicircular arch of 27 voussoirs that is a thousandth thicker than 0.106721 R, the least that stands,
+/// and one that is as much thinner: as built, disturbed and mirrored.
+Outcome criticalArch(SolverType solver)
+{
+    Outcome outcome;
+    double fallen = 0;
+    for (const double share : {1.001, 0.999})
+    {
+        Arch arch;
+        arch.thickness = share * 0.106721;
+        const Assembly<2> built = makeAssembly(arch);
+        for (const Assembly<2>& assembly : {built, disturbed(built, 1e-15), turnedOver(built)})
+        {
+            const DynamicCase scene = sceneFor(solver, assembly, {.mu = 3});
+            Watched run(scene, outcome);
+            run.until(share > 1 ? 0.1 : 0.4, 2e-3);
+            const double moved = run.largestDisplacement();
+            if (share > 1)
+            {
+                worsen(outcome, moved);
+            }
+            else if (run.holds && !(moved > 1e-5))
+            {
+                run.fails("the thinner arch stands");
+            }
+            else if (run.holds && !(fallen == 0 || std::abs(moved / fallen - 1) < 0.5))
+            {
+                run.fails("noise or mirroring changes how it falls");
+            }
+            fallen = share < 1 && fallen == 0 ? moved : fallen;
+        }
+    }
+    outcome.note = fmt::format("the thinner one has moved by {:.1e} m in 0.4 s", fallen);
+    return outcome;
+}
+
 /// A block on ground that vibrates: at 0.2 g it stands (it tips from 0.25 g on), at 0.3 g it moves by no more
 /// than the ground does.
 Outcome vibration(SolverType solver, double frequency)
@@ -769,7 +924,10 @@ std::vector<StabilityCase> motionCases()
     {
         add(fmt::format("fall_lengths_{}", text), "an absolute tolerance anywhere shows; so does chaos",
             "change of a falling tower's path, over its lengths", 1e-6, 1e-1,
-            [scale = scale](SolverType solver) { return scaledFall(solver, scale); });
+            [scale = scale](SolverType solver) { return scaledFall(solver, scale, 1); });
+        add(fmt::format("fall_loads_{}", text), "an absolute tolerance anywhere shows; so does chaos",
+            "change of a falling tower's path, over its lengths", 1e-6, 1e-1,
+            [scale = scale](SolverType solver) { return scaledFall(solver, 1, scale); });
     }
     for (const auto& [theta, text] : {std::pair(1.0, "1"), {0.5, "0p5"}})
     {
@@ -817,6 +975,32 @@ std::vector<StabilityCase> motionCases()
             "displacement under 0.8 of the multiplier [m]", 1e-9, 1e-4,
             [blocks](SolverType solver) { return tallTower(solver, blocks); });
     }
+    for (const int slenderness : {1, 10, 100})
+    {
+        add(fmt::format("motion_slenderness_{}", slenderness),
+            "a slender block has moments that dwarf its forces, and tips under next to nothing",
+            "displacement under 0.8 of what tips it [m, rad]", 1e-9, 1e-4,
+            [slenderness](SolverType solver) { return slenderBlock(solver, slenderness); });
+    }
+    for (const int copies : {2, 8})
+    {
+        add(fmt::format("motion_twins_{}", copies),
+            "what one tower does must not depend on others, which share tolerances and iterations",
+            "difference from the path of one falling alone [m, rad]", 1e-7, 1e-3,
+            [copies](SolverType solver) { return twinTowers(solver, copies); });
+    }
+    for (const int bricks : {4, 20})
+    {
+        add(fmt::format("motion_overhang_{}_inside", bricks), "stands by a millionth of the overhang",
+            "displacement, of what falls in as long 1e-7 [m, rad]", 1e-8, 1e-4,
+            [bricks](SolverType solver) { return overhangingBricks(solver, bricks, 1 - 1e-6); });
+        add(fmt::format("motion_overhang_{}_outside", bricks),
+            "falls by a millionth of the overhang, at first as slowly", "0 when it falls", 0, 0,
+            [bricks](SolverType solver) { return overhangingBricks(solver, bricks, 1 + 1e-6); });
+    }
+    add("motion_criticalArch", "a single thrust line fits, touching both faces in turn; thinner, none does",
+        "displacement of the arch that stands by a thousandth of its thickness [m, rad]", 1e-9, 1e-4,
+        criticalArch);
     for (const int frequency : {50, 500})
     {
         add(fmt::format("vibration_{}Hz", frequency),

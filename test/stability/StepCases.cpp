@@ -30,8 +30,11 @@ ConeSolution solve(const Program& program, SolverType solver)
         return solveAugmentedLagrangian(program, {},
                                         {.tolerance = exactTolerance, .maximumIterations = 4000});
     }
+    // As many sweeps as a step of contactDynamics has, where they take no more than a second.
     return solveGaussSeidel(
-        program, {}, {.tolerance = looseTolerance, .maximumIterations = program.points() < 100 ? 300 : 100});
+        program, {},
+        {.tolerance = looseTolerance,
+         .maximumIterations = std::min<int>(SolverChoice().maximumSweeps, 1000000 / program.points())});
 }
 
 /// What a free fall has of energy over the step, twice: what errors are compared with.
