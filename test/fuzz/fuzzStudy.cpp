@@ -1,0 +1,119 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// A sound case in which one file that studies and function objects read is any text: the first character
+/// says which (see SoundCase). Reading it may only be refused with a FatalError.
+#include "SoundCase.h"
+
+#include "core/CommandLine.h"
+#include "core/Time.h"
+#include "functionObjects/LimitAnalysisResults.h"
+#include "io/VtkSeries.h"
+#include "studies/AccuracyCostCase.h"
+#include "studies/CaseRuns.h"
+#include "studies/IncrementalDynamicsCase.h"
+#include "studies/ParameterSearchCase.h"
+
+#include <array>
+#include <cstdint>
+
+namespace
+{
+
+using namespace drystone;
+
+/// A file of the case and what reads it.
+struct StudyFile
+{
+    fuzz::CaseFile file;
+    void (*read)(const std::filesystem::path& caseDirectory) = nullptr;
+};
+
+constexpr const char* heading = "# of the study\n";
+constexpr const char* historyFile = "history.dat";
+constexpr const char* tableFile = "table.dat";
+
+void readIncremental(const std::filesystem::path& caseDirectory)
+{
+    Time time(caseDirectory, ControlDict::required);
+    readIncrementalDynamics(caseDirectory, time);
+}
+
+void readAccuracy(const std::filesystem::path& caseDirectory)
+{
+    readAccuracyStudy(caseDirectory);
+}
+
+void readSearch(const std::filesystem::path& caseDirectory)
+{
+    readParameterSearch(caseDirectory, {});
+}
+
+void readFunctions(const std::filesystem::path& caseDirectory)
+{
+    const Time time(caseDirectory, ControlDict::required);
+    const DynamicCase scene = readDynamicCase(caseDirectory);
+    checkFunctions(time.controlDict(), caseDirectory, scene.assembly);
+}
+
+void readSeries(const std::filesystem::path& caseDirectory)
+{
+    const VtkSeries series(caseDirectory / "VTK", "motion", 0.5);
+}
+
+void readRows(const std::filesystem::path& caseDirectory)
+{
+    readHistory(caseDirectory / historyFile, heading, 3, "fuzz");
+}
+
+void readTable(const std::filesystem::path& caseDirectory)
+{
+    readColumn(caseDirectory / tableFile, "alpha");
+}
+
+constexpr std::array<StudyFile, 7> studyFiles{
+    {{{"system/incrementalDynamicsDict", ""}, readIncremental},
+     {{"system/accuracyCostDict", ""}, readAccuracy},
+     {{"system/parameterSearchDict", ""}, readSearch},
+     {{"system/controlDict", "deltaT 0.01; endTime 1;\n"}, readFunctions},
+     {{"VTK/motion.vtp.series", ""}, readSeries},
+     {{historyFile, ""}, readRows},
+     {{tableFile, ""}, readTable}}};
+
+/// What these readers need beside.
+constexpr std::array<fuzz::CaseFile, 7> otherFiles{
+    {{"constant/assembly/blocks",
+      "dimensions 2; thickness 1; supports { ground { type blocks; blocks (0); } }\n"
+      "outlines ( ((-2 -1) (2 -1) (2 0) (-2 0)) ((0 0) (1 0) (1 1) (0 1)) );\n"},
+     {"constant/g", "value (0 -9.81 0);\n"},
+     {"constant/materialProperties", "density 2000;\n"},
+     {"constant/contactProperties", "friction { type Coulomb; mu 0.6; flowRule associative; }\n"},
+     {"constant/loads", "dead { type gravity; }\nlive { type inertial; direction (1 0 0); }\n"},
+     {"constant/groundMotion", "direction (1 0 0); acceleration { type constant; value 3; }\n"},
+     {"constant/record.csv", "t [s],a [m/s2]\n0,0\n0.1,1\n0.2,-1\n0.3,0\n"}}};
+
+constexpr auto allFiles = []
+{
+    std::array<fuzz::CaseFile, studyFiles.size() + otherFiles.size()> files{};
+    for (std::size_t i = 0; i < files.size(); ++i)
+    {
+        files[i] = i < studyFiles.size() ? studyFiles[i].file : otherFiles[i - studyFiles.size()];
+    }
+    return files;
+}();
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+    static const fuzz::SoundCase sound(allFiles);
+    const auto changed = sound.replaceOne({reinterpret_cast<const char*>(data), size});
+    if (!changed)
+    {
+        return 0;
+    }
+    if (*changed < studyFiles.size())
+    {
+        fuzz::tryReading([&] { studyFiles[*changed].read(sound.path()); });
+    }
+    sound.restore(allFiles[*changed]);
+    return 0;
+}
