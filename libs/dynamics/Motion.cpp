@@ -756,6 +756,7 @@ bool advance(const DynamicCase& scene, Motion& motion, double timeStep)
     residuals.primalResidual = step.certificate.primalResidual;
     residuals.dualResidual = step.certificate.dualResidual;
     residuals.gap = step.certificate.gap;
+    residuals.flowError = step.flowError;
     if (!solved.isSolved)
     {
         return false;

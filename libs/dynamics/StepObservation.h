@@ -54,8 +54,9 @@ struct StepResiduals
     double gap = 0;             ///< relative, of complementarity
     int iterations = 0;
     int factorisations = 0;
-    int programs = 0; ///< cone programs solved for the step: more than one with non-associative friction
-    int retries = 0;  ///< attempts that did not converge before this one
+    int programs = 0;     ///< cone programs solved for the step: more than one with non-associative friction
+    int retries = 0;      ///< attempts that did not converge before this one
+    double flowError = 0; ///< of Coulomb's law: by how much mu |u_t| is missed where a point slides [m]
 };
 
 /// The state at the end of a step. Nothing is owned: the views are valid while an observer is called, not

@@ -82,6 +82,7 @@ struct ThetaStep
     Certificate certificate;      ///< of the last program solved
     double initialResidual =
         0;                  ///< worst figure of the certificate of the guess "no motion, forces as before"
+    double flowError = 0;   ///< by how much mu |u_t| is missed, at the worst of the points that touch [m]
     int iterations = 0;     ///< of all programs together
     int factorisations = 0; ///< likewise; 0 when the guess was the solution
     int programs = 0;       ///< solved
@@ -96,8 +97,9 @@ struct ThetaStep
 /// point slides without opening, which is Coulomb's law. After the first program Newton's method
 /// (CoulombNewton.h) finds that fixed point, most often, and before it, in steady motion, from the forces of
 /// the guess; else Anderson's acceleration goes on from there, until mu |u_t| changes by less than ten times
-/// the tolerance of itself or 1e-12 of `blockSize`; from the fourth program on `contactTolerance` will do,
-/// and of an impact 1% of what it changes. Points that are apart and carry nothing do not count.
+/// the tolerance of itself or 1e-12 of `blockSize`; from the fourth program on 1% of what the step changes
+/// the motion by will do, from the fifteenth 5%, and of an impact 1% from the first: `flowError` says what is
+/// left. Points that are apart and carry nothing do not count.
 ///
 /// The displacements are those that the contact forces give the blocks, to the last digits (y = Mbar^-1 (fbar
 /// - A c)), unless that would spoil the certificate: so no momentum is lost to the tolerance of the solver.

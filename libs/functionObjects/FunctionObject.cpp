@@ -143,12 +143,12 @@ void ResidualsFunction<2>::write(const StepObservation<2>& step)
                       std::vector<std::string>{"Time[s]", "timeStep[s]", "initialResidual[-]",
                                                "primalResidual[-]", "dualResidual[-]", "gap[-]",
                                                "iterations[-]", "factorisations[-]", "programs[-]",
-                                               "retries[-]"},
+                                               "retries[-]", "flowError[m]"},
                       output.precision);
     const StepResiduals& r = step.residuals;
     table->write(std::array{step.time, step.timeStep, r.initialResidual, r.primalResidual, r.dualResidual,
                             r.gap, 1.0 * r.iterations, 1.0 * r.factorisations, 1.0 * r.programs,
-                            1.0 * r.retries});
+                            1.0 * r.retries, r.flowError});
 }
 
 } // namespace drystone

@@ -66,6 +66,11 @@ void printStep(const DynamicCase& scene, const Motion& motion)
     const StepResiduals& residuals = motion.residuals;
     info("{}:  Solving for contact, Initial residual = {:.6g}, Final residual = {:.6g}, No Iterations {}",
          nameOf(scene.solution.solver), residuals.initialResidual, worst(residuals), residuals.iterations);
+    if (residuals.flowError > scene.schemes.contactTolerance * scene.blockSize)
+    {
+        info("Coulomb's law is met to {:.2g} m of dilatancy after {} programs", residuals.flowError,
+             residuals.programs);
+    }
     if (motion.bondsBrokenInStep > 0)
     {
         info("{} bonds broke, {} are broken", motion.bondsBrokenInStep, brokenBonds(scene, motion));

@@ -39,6 +39,7 @@ void visitResiduals(Residuals& residuals, const Visit& visit)
     visit("solverPrimalResidual", residuals.primalResidual);
     visit("solverDualResidual", residuals.dualResidual);
     visit("solverGap", residuals.gap);
+    visit("solverFlowError", residuals.flowError);
     visit("solverIterations", residuals.iterations);
     visit("solverFactorisations", residuals.factorisations);
     visit("solverPrograms", residuals.programs);

@@ -150,8 +150,8 @@ TEST_F(FunctionObjects, ResidualsWriteWhatTheStepCost)
     EXPECT_THAT(
         lines("residuals.dat"),
         ElementsAre("# Time[s]  timeStep[s]  initialResidual[-]  primalResidual[-]  dualResidual[-]  gap[-]  "
-                    "iterations[-]  factorisations[-]  programs[-]  retries[-]",
-                    "0.25  0.25  1  1e-09  2e-09  3e-09  12  13  2  1"));
+                    "iterations[-]  factorisations[-]  programs[-]  retries[-]  flowError[m]",
+                    "0.25  0.25  1  1e-09  2e-09  3e-09  12  13  2  1  0"));
 }
 
 TEST_F(FunctionObjects, ARestartLeavesTheEarlierTablesAlone)
