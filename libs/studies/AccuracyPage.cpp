@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 namespace drystone
@@ -20,8 +21,8 @@ constexpr double leastDrawn = 1e-16;
 /// Pictures with more curves than this show medians alone.
 constexpr std::size_t mostCurvesWithWorst = 8;
 
-/// Fewer problems than this say nothing of solvers.
-constexpr std::size_t leastProblems = 4;
+/// Fewer settings than this, however many their phases, say nothing of solvers.
+constexpr std::size_t leastSettings = 4;
 
 /// Tables of pairs longer than this are cut: the rest is in accuracyCost.csv.
 constexpr std::size_t mostPairs = 24;
@@ -163,19 +164,21 @@ std::string axisName(SweepAxis axis)
                                              : "tolerance";
 }
 
-/// The tolerances at which more than one solver was tried, on problems enough.
+/// The tolerances at which more than one solver was tried, with settings enough.
 std::vector<double> profileTolerances(const SweepResult& sweep)
 {
-    std::set<double, std::greater<>> tolerances;
+    std::map<double, std::set<RunSetting>, std::greater<>> settings;
     for (const AccuracyPoint& point : sweep.points)
     {
-        tolerances.insert(point.setting.tolerance);
+        RunSetting problem = point.setting;
+        problem.solver = SolverType::automatic;
+        settings[point.setting.tolerance].insert(problem);
     }
     std::vector<double> found;
-    for (const double tolerance : tolerances)
+    for (const auto& [tolerance, problems] : settings)
     {
         const std::vector<SolverProfile> profiles = solverProfiles(sweep.points, tolerance);
-        if (!profiles.empty() && profiles.front().problems >= leastProblems)
+        if (problems.size() >= leastSettings && !profiles.empty() && profiles.front().problems > 0)
         {
             found.push_back(tolerance);
         }
