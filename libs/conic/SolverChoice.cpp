@@ -125,11 +125,11 @@ ConeSolution solveAsChosen(const PlaneConeProgram& program, const SolverChoice& 
             return solution;
         }
     }
-    SolverChoice cold = choice;
-    cold.tolerance = canStart ? std::max(choice.tolerance, attainable) : choice.tolerance;
+    SolverChoice within = choice; // of what the interior point reaches
+    within.tolerance = canStart ? std::max(choice.tolerance, attainable) : choice.tolerance;
     const ConeSolution* near = isStarted && !program.hasStrength() ? &start : nullptr;
-    const ConeSolution rough = solveInteriorPoint(program, interiorPointSettings(cold), kept, near);
-    if (finished(rough) && (cold.tolerance == choice.tolerance || !canStart))
+    const ConeSolution rough = solveInteriorPoint(program, interiorPointSettings(within), kept, near);
+    if (finished(rough) && (within.tolerance == choice.tolerance || !canStart))
     {
         return solution;
     }
