@@ -284,7 +284,7 @@ std::vector<StabilityCase> limitAnalysisCases()
     {
         add(fmt::format("static_massRatio_{}", text),
             "rows of the balance differ as the masses do: what is rounding of one is the load of another",
-            ofMultiplier, 1e-6, [ratio] { return towerOutcome(evenTower(5, ratio)); });
+            ofMultiplier, 1e-6, [ratio = ratio] { return towerOutcome(evenTower(5, ratio)); });
     }
     for (const int blocks : {20, 200})
     {
