@@ -157,22 +157,6 @@ double Certificate::worst() const
 }
 
 template<int Rows, int Forces>
-double meanLeverArm(const ConeProgram<Rows, Forces>& program)
-{
-    double forceSum = 0;
-    double momentSum = 0;
-    for (const auto& columns : program.contacts)
-    {
-        for (const auto* part : {&columns.onFirst, &columns.onSecond})
-        {
-            forceSum += part->template topRows<Forces>().squaredNorm();
-            momentSum += part->template bottomRows<Rows - Forces>().squaredNorm();
-        }
-    }
-    return forceSum > 0 && momentSum > 0 ? std::sqrt(momentSum / forceSum) : 1;
-}
-
-template<int Rows, int Forces>
 Certificate certifyOptimal(const ConeProgram<Rows, Forces>& program, const ConeSolution& solution)
 {
     const double lever = meanLeverArm(program);
@@ -246,16 +230,22 @@ Certificate certifyInfeasible(const ConeProgram<Rows, Forces>& program,
     const Eigen::VectorXd opening = -applyTransposed(program, displacementRay);
     const StrengthWork strength = strengthWork(program, opening);
     const double work = program.load.dot(displacementRay) + strength.least;
-    // The share of the load's work that does not cancel: a ray is only as good as f'y is clearly positive.
-    const double share = relative(work, magnitude(program.load, displacementRay) + strength.size);
+    // The share of the load's work that does not cancel: a ray is only as good as f'y is clearly positive,
+    // also beside what the same forces would do on what its openings miss the cone by. Those are known to
+    // rounding at best, even where they come out as zero.
+    const double size = std::max(magnitude(program.load, displacementRay),
+                                 largest<Rows, Forces>(program.load, 1 / lever)
+                                     * largest<Rows, Forces>(displacementRay, lever));
+    const double share = relative(work, size + strength.size);
     Certificate certificate;
     if (!(share > 0) || !std::isfinite(share))
     {
         certificate.gap = infinite;
         return certificate;
     }
-    const double violation = relative(dualConeViolation<Rows, Forces>(program, opening),
-                                      largest<Rows, Forces>(displacementRay, lever));
+    const double violation = std::max(std::numeric_limits<double>::epsilon(),
+                                      relative(dualConeViolation<Rows, Forces>(program, opening),
+                                               largest<Rows, Forces>(displacementRay, lever)));
     double liveWork = 0;
     if (program.hasMultiplier())
     {
@@ -295,8 +285,6 @@ Certificate certify(const ConeProgram<Rows, Forces>& program, const ConeSolution
     return certifyOptimal(program, solution);
 }
 
-template double meanLeverArm(const PlaneConeProgram&);
-template double meanLeverArm(const SpaceConeProgram&);
 template Certificate certifyOptimal(const PlaneConeProgram&, const ConeSolution&);
 template Certificate certifyOptimal(const SpaceConeProgram&, const ConeSolution&);
 template Certificate certifyInfeasible(const PlaneConeProgram&, const Eigen::VectorXd&);

@@ -45,9 +45,4 @@ Certificate certifyUnbounded(const ConeProgram<Rows, Forces>& program, const Eig
 template<int Rows, int Forces>
 Certificate certify(const ConeProgram<Rows, Forces>& program, const ConeSolution& solution);
 
-/// Mean lever arm of the contact points: root mean square of the moment rows of A over that of its force
-/// rows. 1 when there are no points. Makes moments comparable with forces.
-template<int Rows, int Forces>
-double meanLeverArm(const ConeProgram<Rows, Forces>& program);
-
 } // namespace drystone

@@ -2,6 +2,8 @@
 /// Products with the matrices of a cone program, written for clarity: solvers keep their own faster forms.
 #include "conic/ConeProgram.h"
 
+#include <cmath>
+
 namespace drystone
 {
 
@@ -91,6 +93,33 @@ double objective(const ConeProgram<Rows, Forces>& program, const ConeSolution& s
     return program.hasMultiplier() ? value - solution.multiplier : value;
 }
 
+template<int Rows, int Forces>
+double meanLeverArm(const ConeProgram<Rows, Forces>& program)
+{
+    double forceSum = 0;
+    double momentSum = 0;
+    for (const auto& columns : program.contacts)
+    {
+        for (const auto* part : {&columns.onFirst, &columns.onSecond})
+        {
+            forceSum += part->template topRows<Forces>().squaredNorm();
+            momentSum += part->template bottomRows<Rows - Forces>().squaredNorm();
+        }
+    }
+    return forceSum > 0 && momentSum > 0 ? std::sqrt(momentSum / forceSum) : 1;
+}
+
+template<int Rows, int Forces>
+ConeProgram<Rows, Forces> withUnitInertia(ConeProgram<Rows, Forces> program)
+{
+    const double lever = meanLeverArm(program);
+    Eigen::Matrix<double, Rows, 1> inertia;
+    inertia.template head<Forces>().setOnes();
+    inertia.template tail<Rows - Forces>().setConstant(lever * lever);
+    program.inertia.assign(program.bodies, inertia.asDiagonal().toDenseMatrix());
+    return program;
+}
+
 std::string_view nameOf(SolveStatus status)
 {
     switch (status)
@@ -109,6 +138,10 @@ std::string_view nameOf(SolveStatus status)
 
 template double objective(const PlaneConeProgram&, const ConeSolution&);
 template double objective(const SpaceConeProgram&, const ConeSolution&);
+template double meanLeverArm(const PlaneConeProgram&);
+template double meanLeverArm(const SpaceConeProgram&);
+template PlaneConeProgram withUnitInertia(PlaneConeProgram);
+template SpaceConeProgram withUnitInertia(SpaceConeProgram);
 template Eigen::VectorXd applyEquilibrium(const PlaneConeProgram&, const Eigen::VectorXd&);
 template Eigen::VectorXd applyEquilibrium(const SpaceConeProgram&, const Eigen::VectorXd&);
 template Eigen::VectorXd applyTransposed(const PlaneConeProgram&, const Eigen::VectorXd&);

@@ -145,6 +145,16 @@ Eigen::VectorXd applyInertia(const ConeProgram<Rows, Forces>& program, const Eig
 template<int Rows, int Forces>
 double objective(const ConeProgram<Rows, Forces>& program, const ConeSolution& solution);
 
+/// Mean lever arm of the contact points: root mean square of the moment rows of A over that of its force
+/// rows. 1 when there are no points. Makes moments comparable with forces.
+template<int Rows, int Forces>
+double meanLeverArm(const ConeProgram<Rows, Forces>& program);
+
+/// The program with inertia of order one in every row, its masses 1 and radii of gyration the mean lever arm:
+/// how the bodies would start to move (Gauss's principle of least constraint). It always has a solution.
+template<int Rows, int Forces>
+ConeProgram<Rows, Forces> withUnitInertia(ConeProgram<Rows, Forces> program);
+
 /// optimal, infeasible, unbounded or notConverged
 std::string_view nameOf(SolveStatus status);
 

@@ -4,6 +4,7 @@
 #include "conic/AugmentedLagrangian.h"
 #include "conic/Certificate.h"
 #include "conic/RayProgram.h"
+#include "conic/UpperBounds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -696,16 +697,6 @@ bool InteriorPoint::iterate(int mostIterations, int shortStepsAllowed)
     return false;
 }
 
-/// The program with inertia of order one in every row: how the blocks would start to move (Gauss's principle
-/// of least constraint). It always has a solution.
-PlaneConeProgram withUnitInertia(const PlaneConeProgram& program)
-{
-    PlaneConeProgram result = program;
-    const double lever = meanLeverArm(program);
-    result.inertia.assign(program.bodies, Eigen::Vector3d(1, 1, lever * lever).asDiagonal().toDenseMatrix());
-    return result;
-}
-
 /// Solves one program in ray form; `optimal` in its status means that the scaled residuals met the tolerance.
 /// \param near to begin with, or null
 ConeSolution solveOnce(const PlaneConeProgram& program, const InteriorPointSettings& settings,
@@ -818,6 +809,30 @@ void answerExactly(const PlaneConeProgram& program, const PlaneConeProgram& movi
     }
 }
 
+/// Where the interior point has not reached the tolerance: the multiplier by upper bounds, if there is one,
+/// in programs small enough for some hundred factorisations.
+void boundMultiplier(const PlaneConeProgram& program, const InteriorPointSettings& settings,
+                     ConeSolution& solution)
+{
+    constexpr int mostPoints = 5000;
+    if (!program.hasMultiplier() || program.hasInertia() || program.hasStrength() || program.gap.size() > 0
+        || program.points() > mostPoints)
+    {
+        return;
+    }
+    ConeSolution bounded =
+        solveByUpperBounds(program, solution.multiplier, settings.tolerance, settings.maximumIterations);
+    solution.iterations += bounded.iterations;
+    solution.factorisations += bounded.factorisations;
+    if (bounded.status == SolveStatus::optimal)
+    {
+        solution.status = SolveStatus::optimal;
+        solution.multiplier = bounded.multiplier;
+        solution.contactForce = std::move(bounded.contactForce);
+        solution.displacement = std::move(bounded.displacement);
+    }
+}
+
 } // namespace
 
 ConeSolution solveInteriorPoint(const PlaneConeProgram& program, const InteriorPointSettings& settings,
@@ -853,6 +868,7 @@ ConeSolution solveInteriorPoint(const PlaneConeProgram& program, const InteriorP
         if (proved.worst > settings.tolerance)
         {
             solution.status = SolveStatus::notConverged;
+            boundMultiplier(program, settings, solution);
         }
         return std::move(solution);
     }
@@ -917,6 +933,10 @@ ConeSolution solveInteriorPoint(const PlaneConeProgram& program, const InteriorP
     {
         solution.status = SolveStatus::unbounded;
         solution.contactForce = std::move(carried.solution.contactForce);
+    }
+    if (solution.status == SolveStatus::notConverged)
+    {
+        boundMultiplier(program, settings, solution);
     }
     return std::move(solution);
 }

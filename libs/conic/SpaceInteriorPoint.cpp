@@ -459,18 +459,6 @@ bool SpaceInteriorPoint::run(Start from)
     return false;
 }
 
-/// The program with inertia of order one in every row: how the blocks would start to move (Gauss's principle
-/// of least constraint). It always has a solution.
-SpaceConeProgram withUnitInertia(const SpaceConeProgram& program)
-{
-    SpaceConeProgram result = program;
-    const double turning = std::pow(meanLeverArm(program), 2);
-    Eigen::Matrix<double, 6, 1> inertia;
-    inertia << 1, 1, 1, turning, turning, turning;
-    result.inertia.assign(program.bodies, inertia.asDiagonal().toDenseMatrix());
-    return result;
-}
-
 /// Solves one program; `optimal` in its status means that the scaled residuals met the tolerance.
 ConeSolution solveOnce(const SpaceConeProgram& program, const InteriorPointSettings& settings,
                        LiveWork liveWork)

@@ -31,7 +31,6 @@ struct Tally
     double worst = 0;               ///< figure of the judge over its tolerance
     std::vector<unsigned> unsolved; ///< to the default tolerance of 1e-9
     std::vector<unsigned> hopeless; ///< those of them that are not solved to 1e-6 either
-    int slippery = 0;               ///< those of them whose friction of 1e-12 is below rounding of the forces
 };
 
 constexpr double tolerance = 1e-7;
@@ -178,7 +177,6 @@ void judgeSeed(unsigned seed, Tally& tally)
     if (result.status == CollapseStatus::notConverged)
     {
         tally.unsolved.push_back(seed);
-        tally.slippery += structure.mu < 1e-9 ? 1 : 0;
         if (solveLimitAnalysis(program, {.tolerance = 1e-6}).status == CollapseStatus::notConverged)
         {
             tally.hopeless.push_back(seed);
@@ -197,9 +195,8 @@ void print(const Tally& tally)
     }
     fmt::print("compared with GLPK: {}, at most {:.1e} apart; worst figure of the judge {:.1e}\n",
                tally.compared, tally.furthest, tolerance * tally.worst);
-    fmt::print(
-        "limit analysis not solved to 1e-9: {}, {} of them with a friction of 1e-12; not to 1e-6: {}\n",
-        tally.unsolved.size(), tally.slippery, fmt::join(tally.hopeless, " "));
+    fmt::print("limit analysis not solved to 1e-9: {}, not to 1e-6: {}\n", tally.unsolved.size(),
+               fmt::join(tally.hopeless, " "));
     fmt::print("their seeds: {}\n", fmt::join(tally.unsolved, " "));
 }
 
@@ -216,10 +213,9 @@ void judgeSeeds(unsigned first, unsigned count)
         judgeSeed(seed, tally);
     }
     print(tally);
-    // Not to converge is no wrong answer, but it may not become a habit: 0.35% of ten thousand when this was
-    // written, 25 of 35 with a friction of 1e-12, which makes multipliers of that order.
-    EXPECT_LE(tally.unsolved.size(), count / 200 + 1);
-    EXPECT_LE(tally.hopeless.size(), count / 2000 + 1);
+    // Not to converge is no wrong answer, but of ten thousand every one was solved when this was written.
+    EXPECT_LE(tally.unsolved.size(), count / 1000);
+    EXPECT_EQ(tally.hopeless.size(), 0U);
     EXPECT_LE(tally.answers["step not solved"], static_cast<int>(count / 100 + 1));
 }
 
@@ -238,6 +234,17 @@ TEST(RandomAssemblies, WhatHardlyFallsIsToldFromWhatStands)
         judgeSeed(seed, tally);
     }
     EXPECT_EQ(tally.answers["unstable"], 3);
+}
+
+// Programs in which the interior point breaks down, some with a friction of 1e-12: by upper bounds.
+TEST(RandomAssemblies, UpperBoundsFindWhatTheInteriorPointDoesNot)
+{
+    Tally tally;
+    for (const unsigned seed : {1380U, 5751U, 6277U, 7527U, 10413U, 1062U, 1218U, 3652U})
+    {
+        judgeSeed(seed, tally);
+    }
+    EXPECT_EQ(tally.answers["optimal"], 8);
 }
 
 // Displacements of thousands for a unit of work, so that what is left of the balance counts.

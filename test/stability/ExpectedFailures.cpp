@@ -41,8 +41,6 @@ const std::vector<ExpectedFailure>& expectedFailures()
         {"static_keystone_above_1em6", SolverType::interiorPoint,
          "forces of 1.3e6 times the load: the best ray is 6e-8 from balance, and a certificate asks for "
          "1e-9"},
-        {"static_overhang_20_inside", SolverType::interiorPoint,
-         "its multiplier is 2.5e-7: 200 iterations end with a certificate of 1.4e-6"},
         {"cornerOnCorner_Coulomb", SolverType::automatic,
          "the corner rests on the other one exactly and falls for one step, by g dt2, before a line is seen "
          "to close"},

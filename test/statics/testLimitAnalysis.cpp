@@ -3,6 +3,8 @@
 /// conic/Certificate.h from the problem data, not by the solver.
 #include "Structures.h"
 #include "assembly/JointLaws.h"
+#include "conic/Certificate.h"
+#include "conic/UpperBounds.h"
 #include "statics/CrushingHinges.h"
 #include "texture/Arch.h"
 
@@ -451,6 +453,19 @@ TEST(LimitAnalysis, LetsAKeystoneWedgeWithoutBoundWhenFrictionExceedsItsTangent)
         const LimitAnalysis result = solveLimitAnalysis(stone.structure.program(mu, loads));
         EXPECT_EQ(result.status, mu > std::tan(beta) ? CollapseStatus::unbounded : CollapseStatus::optimal);
         expectCertified(result);
+    }
+}
+
+TEST(LimitAnalysis, UpperBoundsFromAnywhereGiveTheSameMultiplier)
+{
+    const Structure structure = standing(paperWalls()[0].bond);
+    const PlaneConeProgram program = structure.program(0.65, structure.weightLoads());
+    for (const double from : {-1.0, 0.0, 0.6, 0.7, 100.0})
+    {
+        const ConeSolution solution = solveByUpperBounds(program, from, 1e-9, 200);
+        EXPECT_EQ(solution.status, SolveStatus::optimal) << "from " << from;
+        EXPECT_NEAR(solution.multiplier, 0.642859, 1e-6) << "from " << from;
+        EXPECT_LE(certifyOptimal(program, solution).worst(), 1e-9) << "from " << from;
     }
 }
 

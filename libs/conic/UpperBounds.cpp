@@ -1,0 +1,58 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+#include "conic/UpperBounds.h"
+
+#include "conic/AugmentedLagrangian.h"
+#include "conic/Certificate.h"
+#include "conic/RayProgram.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace drystone
+{
+
+ConeSolution solveByUpperBounds(const PlaneConeProgram& program, double from, double tolerance,
+                                int maximumIterations)
+{
+    constexpr int mostBounds = 40;
+    const AugmentedLagrangianSettings exact{1e-13, maximumIterations, 1e8, StopWhen::settled};
+    if (!program.hasMultiplier() || program.hasInertia() || program.hasStrength() || program.hasCompliance()
+        || program.gap.size() > 0)
+    {
+        throw std::invalid_argument(
+            "solveByUpperBounds needs a multiplier, and neither inertia, gaps nor strengths");
+    }
+    PlaneConeProgram pushed = withUnitInertia(program);
+    pushed.liveLoad.resize(0);
+    SymbolicAnalysis symbolic;
+    ConeSolution nearest; // of the last program
+    ConeSolution solution;
+    solution.multiplier = std::isfinite(from) ? from : 0;
+    solution.contactForce = Eigen::VectorXd::Zero(2 * program.points());
+    solution.displacement = Eigen::VectorXd::Zero(program.load.size());
+    for (int bound = 0; bound < mostBounds; ++bound)
+    {
+        pushed.load = program.load + solution.multiplier * program.liveLoad;
+        nearest = solveAugmentedLagrangian(pushed, nearest, exact, &symbolic);
+        solution.iterations += nearest.iterations;
+        solution.factorisations += nearest.factorisations;
+        solution.contactForce = nearest.contactForce;
+        if (certifyOptimal(program, solution).worst() <= tolerance)
+        {
+            solution.status = SolveStatus::optimal;
+            break;
+        }
+        const double work = program.liveLoad.dot(nearest.displacement);
+        if (!(work > 0)) // carried, or too low: from further above
+        {
+            solution.multiplier += std::max(1.0, std::abs(solution.multiplier));
+            continue;
+        }
+        solution.displacement = nearest.displacement / work;
+        solution.multiplier = -program.load.dot(solution.displacement);
+    }
+    return solution;
+}
+
+} // namespace drystone
