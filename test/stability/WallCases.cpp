@@ -56,7 +56,7 @@ std::vector<StabilityCase> wallCases()
     const std::string measure = "deepest overlap, over the size of a block";
     return {{"wall_68", hard, measure, 1e-5, 1e-3, motionSolvers(),
              [](SolverType solver) { return collapse(solver, FlowRule::nonAssociative, 8, 12); }},
-            // The paper's flow rule: half an hour. Coulomb's law takes some ten programs a step.
+            // The paper's flow rule, 52 minutes on a busy machine: Coulomb's law would take hours.
             {"wall_25680",
              hard,
              measure,
