@@ -264,6 +264,13 @@ VectorXd takeBounds(RayForm& form)
 
 } // namespace
 
+AugmentedLagrangianSettings exactSettings(int maximumIterations)
+{
+    constexpr double allDigits = 1e-13;
+    constexpr double stiff = 1e8;
+    return {allDigits, maximumIterations, stiff, StopWhen::settled};
+}
+
 ConeSolution solveAugmentedLagrangian(const PlaneConeProgram& program, const ConeSolution& start,
                                       const AugmentedLagrangianSettings& settings, SymbolicAnalysis* kept)
 {

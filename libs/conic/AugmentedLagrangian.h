@@ -26,6 +26,9 @@ struct AugmentedLagrangianSettings
     StopWhen stop = StopWhen::settled;
 };
 
+/// All digits, from whatever start: what proofs ask for where little is out of balance.
+AugmentedLagrangianSettings exactSettings(int maximumIterations);
+
 /// Solves a plane program with inertia (a time step) by the method of multipliers on its dual,
 ///
 ///     minimise  1/2 y' Mbar y - f' y   subject to   B' y <= g,     multipliers s >= 0,    c = R s,

@@ -149,7 +149,7 @@ private:
     double complementarity() const { return rays_.rayCount() ? at_.s.dot(at_.z) / rays_.rayCount() : 0; }
     double objectiveSize() const;
     bool converged();
-    bool isObjectiveReached();
+    bool isObjectiveReached(double tolerance);
     bool diverges() const;
 
     const RayProgram& rays_;
@@ -295,17 +295,17 @@ bool InteriorPoint::converged()
            && residuals_.opening.lpNorm<Eigen::Infinity>() <= tolerance * displacement
            && std::abs(residuals_.work) <= tolerance * std::max(1.0, rays_.liveWork)
            && at_.s.dot(at_.z) <= tolerance * objectiveSize()
-           && (!rays_.hasMultiplier() || isObjectiveReached());
+           && (!rays_.hasMultiplier() || isObjectiveReached(tolerance));
 }
 
 /// What is left of the balance does work on the displacements, and where these are large it keeps the
 /// objectives apart, alpha w and g's - f'y, which the certificate compares. A few more iterations mend that,
 /// or rounding does not let them.
-bool InteriorPoint::isObjectiveReached()
+bool InteriorPoint::isObjectiveReached(double tolerance)
 {
     constexpr int mostWaits = 3;
     const double apart = rays_.liveWork * at_.alpha + rays_.load.dot(at_.y) - rays_.gap.dot(at_.s);
-    return std::abs(apart) <= 0.7 * settings_.tolerance * objectiveSize() || ++waits_ > mostWaits;
+    return std::abs(apart) <= tolerance * objectiveSize() || ++waits_ > mostWaits;
 }
 
 /// Without a solution the iterates run off along a ray; that ray is then found, and proved, by a program of
@@ -788,10 +788,8 @@ Proved solveToCertificate(const PlaneConeProgram& program, InteriorPointSettings
 void answerExactly(const PlaneConeProgram& program, const PlaneConeProgram& moving, const ConeSolution& moved,
                    const InteriorPointSettings& settings, SymbolicAnalysis& symbolic, ConeSolution& solution)
 {
-    constexpr double allDigits = 1e-13;
-    constexpr double stiff = 1e8;
-    ConeSolution exact = solveAugmentedLagrangian(
-        moving, moved, {allDigits, settings.maximumIterations, stiff, StopWhen::settled}, &symbolic);
+    ConeSolution exact =
+        solveAugmentedLagrangian(moving, moved, exactSettings(settings.maximumIterations), &symbolic);
     solution.iterations += exact.iterations;
     solution.factorisations += exact.factorisations;
     if (certifyInfeasible(program, exact.displacement).worst() <= settings.tolerance)
@@ -815,8 +813,7 @@ void boundMultiplier(const PlaneConeProgram& program, const InteriorPointSetting
                      ConeSolution& solution)
 {
     constexpr int mostPoints = 5000;
-    if (!program.hasMultiplier() || program.hasInertia() || program.hasStrength() || program.gap.size() > 0
-        || program.points() > mostPoints)
+    if (!hasUpperBounds(program) || program.points() > mostPoints)
     {
         return;
     }

@@ -12,13 +12,18 @@
 namespace drystone
 {
 
+bool hasUpperBounds(const PlaneConeProgram& program)
+{
+    return program.hasMultiplier() && !program.hasInertia() && !program.hasStrength()
+           && !program.hasCompliance() && program.gap.size() == 0;
+}
+
 ConeSolution solveByUpperBounds(const PlaneConeProgram& program, double from, double tolerance,
                                 int maximumIterations)
 {
     constexpr int mostBounds = 40;
-    const AugmentedLagrangianSettings exact{1e-13, maximumIterations, 1e8, StopWhen::settled};
-    if (!program.hasMultiplier() || program.hasInertia() || program.hasStrength() || program.hasCompliance()
-        || program.gap.size() > 0)
+    const AugmentedLagrangianSettings exact = exactSettings(maximumIterations);
+    if (!hasUpperBounds(program))
     {
         throw std::invalid_argument(
             "solveByUpperBounds needs a multiplier, and neither inertia, gaps nor strengths");

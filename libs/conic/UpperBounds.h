@@ -7,6 +7,9 @@
 namespace drystone
 {
 
+/// Whether a program is of the kind that solveByUpperBounds takes.
+bool hasUpperBounds(const PlaneConeProgram& program);
+
 /// Solves a plane program with a multiplier, and without inertia, gaps or strengths,
 ///
 ///     maximise alpha    subject to    A c = f + alpha L,    |c_t| <= mu c_n,

@@ -98,8 +98,7 @@ private:
 };
 
 /// How the solver did, in residuals.dat: `Time[s] timeStep[s] initialResidual[-] primalResidual[-]
-/// dualResidual[-] gap[-] iterations[-] factorisations[-] programs[-] retries[-]
-/// flowError[m]`.
+/// dualResidual[-] gap[-] iterations[-] factorisations[-] programs[-] retries[-] flowError[m]`.
 template<int Dim>
 class ResidualsFunction final : public FunctionObject<Dim>
 {

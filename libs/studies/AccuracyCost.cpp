@@ -49,6 +49,21 @@ std::vector<PointPair> pairsOf(const std::vector<AccuracyPoint>& points, const A
     return pairs;
 }
 
+/// Pairs of points whose settings differ in one member, which is `value` in the first of them.
+template<class Value>
+std::vector<PointPair> pairsAgainst(const std::vector<AccuracyPoint>& points, Value RunSetting::*member,
+                                    Value value)
+{
+    return pairsOf(
+        points,
+        [member, value](RunSetting setting)
+        {
+            setting.*member = value;
+            return setting;
+        },
+        [member, value](const RunSetting& setting) { return setting.*member == value; });
+}
+
 } // namespace
 
 AccuracyPoint summarise(const RunSetting& setting, const std::vector<Measurement>& runs, double reference,
@@ -201,38 +216,17 @@ std::vector<SolverProfile> solverProfiles(const std::vector<AccuracyPoint>& poin
 
 std::vector<PointPair> flowRulePairs(const std::vector<AccuracyPoint>& points)
 {
-    return pairsOf(
-        points,
-        [](RunSetting setting)
-        {
-            setting.flowRule = FlowRule::associative;
-            return setting;
-        },
-        [](const RunSetting& setting) { return setting.flowRule == FlowRule::associative; });
+    return pairsAgainst(points, &RunSetting::flowRule, FlowRule::associative);
 }
 
 std::vector<PointPair> displacementPairs(const std::vector<AccuracyPoint>& points)
 {
-    return pairsOf(
-        points,
-        [](RunSetting setting)
-        {
-            setting.displacements = Displacements::large;
-            return setting;
-        },
-        [](const RunSetting& setting) { return setting.displacements == Displacements::large; });
+    return pairsAgainst(points, &RunSetting::displacements, Displacements::large);
 }
 
 std::vector<PointPair> formulationPairs(const std::vector<AccuracyPoint>& points)
 {
-    return pairsOf(
-        points,
-        [](RunSetting setting)
-        {
-            setting.formulation = ContactFormulation::points;
-            return setting;
-        },
-        [](const RunSetting& setting) { return setting.formulation == ContactFormulation::points; });
+    return pairsAgainst(points, &RunSetting::formulation, ContactFormulation::points);
 }
 
 std::vector<PointPair> pointsPerJointPairs(const std::vector<AccuracyPoint>& points)

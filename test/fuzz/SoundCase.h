@@ -4,6 +4,8 @@
 
 #include "InputFile.h"
 
+#include <algorithm>
+#include <array>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -16,6 +18,26 @@ struct CaseFile
     std::string_view name;
     std::string_view text; ///< of the sound case; empty: absent
 };
+
+/// A block on the ground under its weight and a push.
+inline constexpr std::array<CaseFile, 5> blockOnGround{
+    {{"constant/assembly/blocks",
+      "dimensions 2; thickness 1; supports { ground { type blocks; blocks (0); } }\n"
+      "outlines ( ((-2 -1) (2 -1) (2 0) (-2 0)) ((0 0) (1 0) (1 1) (0 1)) );\n"},
+     {"constant/g", "value (0 -9.81 0);\n"},
+     {"constant/materialProperties", "density 2000;\n"},
+     {"constant/contactProperties", "friction { type Coulomb; mu 0.6; flowRule associative; }\n"},
+     {"constant/loads", "dead { type gravity; }\nlive { type inertial; direction (1 0 0); }\n"}}};
+
+/// Some files and then others.
+template<std::size_t Some, std::size_t Others>
+constexpr std::array<CaseFile, Some + Others> joined(const std::array<CaseFile, Some>& some,
+                                                     const std::array<CaseFile, Others>& others)
+{
+    std::array<CaseFile, Some + Others> files{};
+    std::copy(others.begin(), others.end(), std::copy(some.begin(), some.end(), files.begin()));
+    return files;
+}
 
 /// The files of a sound case, in a folder of this process.
 class SoundCase

@@ -79,25 +79,18 @@ constexpr std::array<StudyFile, 7> studyFiles{
      {{tableFile, ""}, readTable}}};
 
 /// What these readers need beside.
-constexpr std::array<fuzz::CaseFile, 7> otherFiles{
-    {{"constant/assembly/blocks",
-      "dimensions 2; thickness 1; supports { ground { type blocks; blocks (0); } }\n"
-      "outlines ( ((-2 -1) (2 -1) (2 0) (-2 0)) ((0 0) (1 0) (1 1) (0 1)) );\n"},
-     {"constant/g", "value (0 -9.81 0);\n"},
-     {"constant/materialProperties", "density 2000;\n"},
-     {"constant/contactProperties", "friction { type Coulomb; mu 0.6; flowRule associative; }\n"},
-     {"constant/loads", "dead { type gravity; }\nlive { type inertial; direction (1 0 0); }\n"},
-     {"constant/groundMotion", "direction (1 0 0); acceleration { type constant; value 3; }\n"},
-     {"constant/record.csv", "t [s],a [m/s2]\n0,0\n0.1,1\n0.2,-1\n0.3,0\n"}}};
+constexpr auto otherFiles = fuzz::joined(
+    fuzz::blockOnGround,
+    std::array<fuzz::CaseFile, 2>{
+        {{"constant/groundMotion", "direction (1 0 0); acceleration { type constant; value 3; }\n"},
+         {"constant/record.csv", "t [s],a [m/s2]\n0,0\n0.1,1\n0.2,-1\n0.3,0\n"}}});
 
 constexpr auto allFiles = []
 {
-    std::array<fuzz::CaseFile, studyFiles.size() + otherFiles.size()> files{};
-    for (std::size_t i = 0; i < files.size(); ++i)
-    {
-        files[i] = i < studyFiles.size() ? studyFiles[i].file : otherFiles[i - studyFiles.size()];
-    }
-    return files;
+    std::array<fuzz::CaseFile, studyFiles.size()> read{};
+    std::transform(studyFiles.begin(), studyFiles.end(), read.begin(),
+                   [](const StudyFile& study) { return study.file; });
+    return fuzz::joined(read, otherFiles);
 }();
 
 } // namespace

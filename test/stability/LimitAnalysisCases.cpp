@@ -322,12 +322,7 @@ std::vector<StabilityCase> limitAnalysisCases()
         "at the least thickness a single thrust line fits, touching both faces in turn",
         "least thickness of 27 voussoirs: error, and change by noise of 1e-15 m and by mirroring [m]", 5e-6,
         criticalArch);
-    for (const auto& [angle, text] : {std::pair(0.0, "0"),
-                                      {1e-15, "1em15"},
-                                      {1e-12, "1em12"},
-                                      {1e-9, "1em9"},
-                                      {1e-6, "1em6"},
-                                      {1e-3, "1em3"}})
+    for (const auto& [angle, text] : anglesOutOfParallel)
     {
         add(fmt::format("static_outOfParallel_{}", text),
             "whether two faces touch along their length is a matter of the tolerance",

@@ -641,6 +641,20 @@ Outcome tallTower(SolverType solver, int blocks)
     return outcome;
 }
 
+/// At a share below 1 of what it can carry a structure stands, and what it moves by is the figure; above, it
+/// moves by more than `least` [m].
+void standsOrMoves(Watched& run, Outcome& outcome, double share, double least)
+{
+    if (share < 1)
+    {
+        worsen(outcome, run.largestDisplacement());
+    }
+    else if (run.holds && !(run.largestDisplacement() > least))
+    {
+        run.fails("it stands");
+    }
+}
+
 /// A block that is pushed by 0.8 and by 1.25 of what it tips at: it stands, and it moves.
 Outcome slenderBlock(SolverType solver, double slenderness)
 {
@@ -651,14 +665,7 @@ Outcome slenderBlock(SolverType solver, double slenderness)
         scenes::shake(scene, std::make_shared<ConstantAcceleration>(share / slenderness * g));
         Watched run(scene, outcome);
         run.until(0.2, 2e-3);
-        if (share < 1)
-        {
-            worsen(outcome, run.largestDisplacement());
-        }
-        else if (run.holds && !(run.largestDisplacement() > 1e-4))
-        {
-            run.fails("the block does not tip");
-        }
+        standsOrMoves(run, outcome, share, 1e-4);
     }
     return outcome;
 }
@@ -719,14 +726,7 @@ Outcome overhangingBricks(SolverType solver, int bricks, double share)
     const DynamicCase scene = sceneFor(solver, std::move(assembly));
     Watched run(scene, outcome);
     run.until(0.5, 2e-3);
-    if (share < 1)
-    {
-        worsen(outcome, run.largestDisplacement());
-    }
-    else if (run.holds && !(run.largestDisplacement() > 1e-7))
-    {
-        run.fails("the bricks stand");
-    }
+    standsOrMoves(run, outcome, share, 1e-7);
     return outcome;
 }
 
@@ -940,12 +940,7 @@ std::vector<StabilityCase> motionCases()
         add(fmt::format("gap_{}", text), "whether it touches is a matter of rounding", "displacement [m]",
             1e-9, 1e-4, [gap = gap](SolverType solver) { return nearlyTouching(solver, gap); });
     }
-    for (const auto& [angle, text] : {std::pair(0.0, "0"),
-                                      {1e-15, "1em15"},
-                                      {1e-12, "1em12"},
-                                      {1e-9, "1em9"},
-                                      {1e-6, "1em6"},
-                                      {1e-3, "1em3"}})
+    for (const auto& [angle, text] : anglesOutOfParallel)
     {
         add(fmt::format("outOfParallel_{}", text),
             "one corner touches, or two: the normal must not depend on it",

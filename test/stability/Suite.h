@@ -4,9 +4,11 @@
 
 #include "conic/SolverChoice.h"
 
+#include <array>
 #include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace drystone
@@ -44,6 +46,10 @@ struct StabilityCase
     std::function<Outcome(SolverType)> run;
     Length length = Length::ordinary;
 };
+
+/// By which faces are out of parallel [rad], and how names say so.
+inline constexpr std::array<std::pair<double, const char*>, 6> anglesOutOfParallel{
+    {{0, "0"}, {1e-15, "1em15"}, {1e-12, "1em12"}, {1e-9, "1em9"}, {1e-6, "1em6"}, {1e-3, "1em3"}}};
 
 /// All cases, in the order of the table.
 std::vector<StabilityCase> limitAnalysisCases();
