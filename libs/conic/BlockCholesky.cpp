@@ -1,22 +1,17 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "conic/BlockCholesky.h"
 
-#include <algorithm>
-#include <cmath>
+#include "conic/PivotBlock.h"
 
 namespace drystone
 {
 
 template<int Rows>
-BlockCholesky<Rows>::BlockCholesky(const BlockPattern& matrix)
-    : pattern_(makeFactorPattern(matrix)), place_(matrix.columns(), -1)
+BlockCholesky<Rows>::BlockCholesky(FactorPattern pattern)
+    : pattern_(std::move(pattern)),
+      place_(pattern_.factor.columns(), -1),
+      blocks_(pattern_.factor.row.size(), PaddedBlock::Zero())
 {
-}
-
-template<int Rows>
-void BlockCholesky<Rows>::allocate()
-{
-    blocks_.assign(pattern_.factor.row.size(), PaddedBlock::Zero());
 }
 
 template<int Rows>
@@ -48,44 +43,14 @@ bool BlockCholesky<Rows>::factorise(const BlockPattern& matrix, const Block* val
                 blocks_[place_[row[entry]]].noalias() -= blocks_[entry].lazyProduct(factor);
             }
         }
-        // The diagonal block: its Cholesky factor by hand (the compiler unrolls it), kept as the inverse.
-        Block pivot = blocks_[begin].template topRows<Rows>();
-        Block inverse = Block::Zero();
-        for (int k = 0; k < Rows; ++k)
+        const Block pivot = blocks_[begin].template topRows<Rows>();
+        const std::optional<Block> inverse = inverseFactor<Rows>(pivot);
+        if (!inverse)
         {
-            double diagonal = pivot(k, k);
-            for (int m = 0; m < k; ++m)
-            {
-                diagonal -= pivot(k, m) * pivot(k, m);
-            }
-            if (!(diagonal > 0) || !std::isfinite(diagonal))
-            {
-                return false;
-            }
-            pivot(k, k) = std::sqrt(diagonal);
-            const double scale = 1 / pivot(k, k);
-            for (int i = k + 1; i < Rows; ++i)
-            {
-                double value = pivot(i, k);
-                for (int m = 0; m < k; ++m)
-                {
-                    value -= pivot(i, m) * pivot(k, m);
-                }
-                pivot(i, k) = value * scale;
-            }
-            inverse(k, k) = scale;
-            for (int j = 0; j < k; ++j)
-            {
-                double value = 0;
-                for (int m = j; m < k; ++m)
-                {
-                    value -= pivot(k, m) * inverse(m, j);
-                }
-                inverse(k, j) = value * scale;
-            }
+            return false;
         }
-        blocks_[begin].template topRows<Rows>() = inverse;
-        const Block inverseTransposed = inverse.transpose();
+        blocks_[begin].template topRows<Rows>() = *inverse;
+        const Block inverseTransposed = inverse->transpose();
         for (int entry = begin + 1; entry < end; ++entry)
         {
             const PaddedBlock below = blocks_[entry];

@@ -1,6 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Sparse Cholesky factorisation of matrices made of small dense blocks: the factor for small and middling
-/// systems.
+/// Sparse Cholesky factorisation of matrices made of small dense blocks: the factor for small systems.
 #pragma once
 
 #include "conic/BlockPattern.h"
@@ -13,8 +12,8 @@ namespace drystone
 {
 
 /// S = L L' by columns of blocks, left-looking. All arithmetic is on fixed-size blocks held in registers, so
-/// that it runs several times faster than a scalar sparse code; beyond some thousand bodies a supernodal code
-/// on BLAS wins.
+/// that it runs several times faster than a scalar sparse code; beyond some hundred bodies FrontalCholesky
+/// wins.
 template<int Rows>
 class BlockCholesky
 {
@@ -24,16 +23,10 @@ public:
     using Block = Eigen::Matrix<double, Rows, Rows>;
     using PaddedBlock = Eigen::Matrix<double, paddedRows, Rows>;
 
-    /// Symbolic analysis; nothing is permuted.
-    explicit BlockCholesky(const BlockPattern& matrix);
+    /// \param pattern of the matrix that will be factorised; nothing is permuted
+    explicit BlockCholesky(FactorPattern pattern);
 
-    /// Multiplications of one numeric factorisation.
-    double operations() const { return pattern_.operations(Rows); }
-
-    /// Allocates the factor; needed once before `factorise`.
-    void allocate();
-
-    /// Numeric factorisation of values on the pattern of the analysis. \return false at a pivot that is not
+    /// Numeric factorisation of values on the pattern that was analysed. \return false at a pivot that is not
     /// positive
     bool factorise(const BlockPattern& matrix, const Block* values);
 

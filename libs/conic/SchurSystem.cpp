@@ -1,54 +1,28 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "conic/SchurSystem.h"
 
-#include "conic/BlockCholesky.h"
-
 #include <cholmod.h>
-#include <dlfcn.h>
 
 #include <algorithm>
 #include <numeric>
-#include <optional>
-#include <stdexcept>
 
 namespace drystone
 {
 namespace
 {
 
-/// Multiplications of a factorisation from which CHOLMOD's supernodal code is used. Measured on square walls,
-/// one core, our own block factor against CHOLMOD's: 1.4e7 multiplications (40 units) 3.3 and 5.3 ms, 1.2e8
-/// (80 units) 32 and 32 ms, 4e8 (120 units) 108 and 92 ms, 1e9 (160 units) 285 and 229 ms, 8e9 (320
-/// units) 2.1 and 1.1 s. Solves take the same time with both, but two right sides at once are quicker with
-/// our own.
-constexpr double supernodalOperations = 7e8;
+/// Multiplications of a factorisation from which it is done by fronts. Measured on walls, one core, factor
+/// and solve by blocks, by fronts and by CHOLMOD's supernodal code on OpenBLAS [ms]: 8e4 multiplications
+/// (146 blocks) 0.037 and 0.005, 0.030 and 0.007, 0.27 and 0.02; 1.3e6 (410 blocks) 0.31 and 0.03, 0.25 and
+/// 0.03, 1.1 and 0.07; 1.4e7 (1,620) 3.0 and 0.25, 2.0 and 0.25, 5.9 and 0.4; 1.2e8 (6,440) 25 and 2.5, 15
+/// and 2.2, 30 and 3.4; 1e9 (25,680) 285 and 31, 105 and 13, 180 and 20; 8e9 (102,560) -, 750 and 70, 1,000
+/// and 100. Below, a wall takes ten solves with each factor.
+constexpr double frontalOperations = 5e5;
 
 /// Bodies from which the order is by nested dissection instead of minimum degree. Measured likewise: 3.7
 /// against 4.3 ms at 1,620 blocks and 37 against 39 ms at 6,440 are within the noise of F, the whole solution
 /// at 6,440 takes 3.3 s with minimum degree and 2.9 s with dissection.
 constexpr int dissectionBodies = 3000;
-
-/// CHOLMOD 3 asks OpenMP for four threads whatever the machine, and on one with two cores, or a busy one,
-/// spends most of its time in their barriers (N = 160: 48 s of 190 in the kernel); OpenBLAS does likewise
-/// with the small blocks of these factors. So both work on the thread they are called from: runs in parallel
-/// are the callers' affair, and results do not depend on the number of threads. The libraries are asked by
-/// name, since neither need be the one that CHOLMOD has been linked with.
-void useOneThread()
-{
-    static const bool done = []
-    {
-        if (void* levels = dlsym(RTLD_DEFAULT, "omp_set_max_active_levels"))
-        {
-            reinterpret_cast<void (*)(int)>(levels)(0);
-        }
-        if (void* threads = dlsym(RTLD_DEFAULT, "openblas_set_num_threads"))
-        {
-            reinterpret_cast<void (*)(int)>(threads)(1);
-        }
-        return true;
-    }();
-    static_cast<void>(done);
-}
 
 /// A CHOLMOD workspace that cleans up after itself.
 struct Workspace
@@ -56,7 +30,6 @@ struct Workspace
     cholmod_common common;
     Workspace()
     {
-        useOneThread();
         cholmod_start(&common);
         common.print = 0; // a matrix that is not positive definite is an answer here, not a message
         common.error_handler = nullptr;
@@ -119,91 +92,20 @@ std::vector<int> eliminationOrder(int bodies, const std::vector<Coupling>& coupl
 }
 
 template<int Rows>
-struct SchurSystem<Rows>::Factor
-{
-    std::optional<BlockCholesky<Rows>> blocks;
-
-    // The supernodal factor, when that is the faster one.
-    std::optional<Workspace> workspace;
-    cholmod_sparse* matrix = nullptr;
-    cholmod_factor* factor = nullptr;
-    cholmod_dense* solution = nullptr;
-    cholmod_dense* work[2] = {nullptr, nullptr};
-
-    ~Factor()
-    {
-        if (workspace)
-        {
-            cholmod_free_sparse(&matrix, &workspace->common);
-            cholmod_free_factor(&factor, &workspace->common);
-            cholmod_free_dense(&solution, &workspace->common);
-            cholmod_free_dense(&work[0], &workspace->common);
-            cholmod_free_dense(&work[1], &workspace->common);
-        }
-    }
-};
-
-template<int Rows>
 SchurSystem<Rows>::SchurSystem(int bodies, const std::vector<Coupling>& couplings)
-    : bodies_(bodies), pattern_(makeBlockPattern(bodies, couplings)), factor_(std::make_unique<Factor>())
+    : bodies_(bodies),
+      pattern_(makeBlockPattern(bodies, couplings)),
+      values_(pattern_.row.size(), Block::Zero())
 {
-    values_.assign(pattern_.row.size(), Block::Zero());
-
-    BlockCholesky<Rows> symbolic(pattern_);
-    operations_ = symbolic.operations();
-    if (operations_ < supernodalOperations)
+    FactorPattern factor = makeFactorPattern(pattern_);
+    if (factor.operations(Rows) < frontalOperations)
     {
-        symbolic.allocate();
-        factor_->blocks.emplace(std::move(symbolic));
-        return;
+        small_.emplace(std::move(factor));
     }
-
-    // Scalar lower triangle of the same matrix for CHOLMOD, already in elimination order.
-    cholmod_common& common = factor_->workspace.emplace().common;
-    common.nmethods = 1;
-    common.method[0].ordering = CHOLMOD_NATURAL;
-    common.postorder = 0;
-    common.supernodal = CHOLMOD_SUPERNODAL;
-    const std::size_t size = static_cast<std::size_t>(Rows) * bodies;
-    const std::size_t entries = Rows * Rows * (pattern_.row.size() - bodies)
-                                + static_cast<std::size_t>(Rows * (Rows + 1) / 2) * bodies;
-    factor_->matrix = cholmod_allocate_sparse(size, size, entries, 1, 1, -1, CHOLMOD_REAL, &common);
-    auto* start = static_cast<int*>(factor_->matrix->p);
-    auto* scalarRow = static_cast<int*>(factor_->matrix->i);
-    int position = 0;
-    for (int body = 0; body < bodies; ++body)
+    else
     {
-        for (int column = 0; column < Rows; ++column)
-        {
-            start[Rows * body + column] = position;
-            for (int entry = pattern_.columnStart[body]; entry < pattern_.columnStart[body + 1]; ++entry)
-            {
-                for (int line = entry == pattern_.columnStart[body] ? column : 0; line < Rows; ++line)
-                {
-                    scalarRow[position++] = Rows * pattern_.row[entry] + line;
-                }
-            }
-        }
+        large_.emplace(pattern_, factor.factor);
     }
-    start[size] = position;
-    factor_->factor = cholmod_analyze(factor_->matrix, &common);
-    if (!factor_->factor)
-    {
-        throw std::bad_alloc();
-    }
-}
-
-template<int Rows>
-SchurSystem<Rows>::~SchurSystem() = default;
-template<int Rows>
-SchurSystem<Rows>::SchurSystem(SchurSystem&&) noexcept = default;
-template<int Rows>
-SchurSystem<Rows>& SchurSystem<Rows>::operator=(SchurSystem&&) noexcept = default;
-
-template<int Rows>
-bool SchurSystem<Rows>::supernodal() const
-{
-    return !factor_->blocks.has_value();
 }
 
 template<int Rows>
@@ -218,68 +120,19 @@ void SchurSystem<Rows>::setZero()
 template<int Rows>
 bool SchurSystem<Rows>::factorise()
 {
-    if (factor_->blocks)
-    {
-        return factor_->blocks->factorise(pattern_, values_.data());
-    }
-    cholmod_common& common = factor_->workspace->common;
-    auto* value = static_cast<double*>(factor_->matrix->x);
-    std::size_t position = 0;
-    for (int body = 0; body < bodies_; ++body)
-    {
-        for (int column = 0; column < Rows; ++column)
-        {
-            for (int entry = pattern_.columnStart[body]; entry < pattern_.columnStart[body + 1]; ++entry)
-            {
-                for (int line = entry == pattern_.columnStart[body] ? column : 0; line < Rows; ++line)
-                {
-                    value[position++] = values_[entry](line, column);
-                }
-            }
-        }
-    }
-    cholmod_factorize(factor_->matrix, factor_->factor, &common);
-    if (common.status == CHOLMOD_OUT_OF_MEMORY)
-    {
-        throw std::bad_alloc();
-    }
-    return common.status == CHOLMOD_OK && factor_->factor->minor == factor_->factor->n;
+    return small_ ? small_->factorise(pattern_, values_.data()) : large_->factorise(pattern_, values_.data());
 }
 
 template<int Rows>
 void SchurSystem<Rows>::solve(Eigen::Ref<Eigen::VectorXd> x)
 {
-    if (factor_->blocks)
-    {
-        factor_->blocks->solve(x);
-        return;
-    }
-    cholmod_common& common = factor_->workspace->common;
-    cholmod_dense right;
-    right.nrow = static_cast<std::size_t>(x.size());
-    right.ncol = 1;
-    right.nzmax = right.nrow;
-    right.d = right.nrow;
-    right.x = x.data();
-    right.z = nullptr;
-    right.xtype = CHOLMOD_REAL;
-    right.dtype = CHOLMOD_DOUBLE;
-    cholmod_solve2(CHOLMOD_A, factor_->factor, &right, nullptr, &factor_->solution, nullptr,
-                   &factor_->work[0], &factor_->work[1], &common);
-    const auto* value = static_cast<const double*>(factor_->solution->x);
-    std::copy(value, value + x.size(), x.data());
+    small_ ? small_->solve(x) : large_->solve(x);
 }
 
 template<int Rows>
 void SchurSystem<Rows>::solve(Eigen::Ref<Eigen::VectorXd> one, Eigen::Ref<Eigen::VectorXd> other)
 {
-    if (factor_->blocks)
-    {
-        factor_->blocks->solve(one, other);
-        return;
-    }
-    solve(one);
-    solve(other);
+    small_ ? small_->solve(one, other) : large_->solve(one, other);
 }
 
 template class SchurSystem<3>;

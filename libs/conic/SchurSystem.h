@@ -3,11 +3,12 @@
 /// A_k', one small dense block a body and one a pair of touching bodies.
 #pragma once
 
-#include "conic/BlockPattern.h"
+#include "conic/BlockCholesky.h"
+#include "conic/FrontalCholesky.h"
 
 #include <Eigen/Core>
 
-#include <memory>
+#include <optional>
 #include <vector>
 
 namespace drystone
@@ -21,7 +22,8 @@ std::vector<int> eliminationOrder(int bodies, const std::vector<Coupling>& coupl
 /// then any number of times: setZero, add, factorise, solve. Bodies are expected in elimination order:
 /// nothing is permuted here.
 ///
-/// Memory: the factor; for a wall of N x N bodies about 31 N^2 log2 N blocks. Not thread-safe.
+/// Memory: the factor and at most as much again; for a wall of N x N bodies about 31 N^2 log2 N blocks. Not
+/// thread-safe.
 template<int Rows>
 class SchurSystem
 {
@@ -30,9 +32,6 @@ public:
 
     /// \param couplings pairs (a, b), a != b, of bodies numbered in elimination order
     SchurSystem(int bodies, const std::vector<Coupling>& couplings);
-    ~SchurSystem();
-    SchurSystem(SchurSystem&&) noexcept;
-    SchurSystem& operator=(SchurSystem&&) noexcept;
 
     int bodies() const { return bodies_; }
 
@@ -55,17 +54,12 @@ public:
     /// fetching the factor.
     void solve(Eigen::Ref<Eigen::VectorXd> one, Eigen::Ref<Eigen::VectorXd> other);
 
-    /// Multiplications of one factorisation, and what chose between the block and the supernodal factor.
-    double factorOperations() const { return operations_; }
-    bool supernodal() const;
-
 private:
-    struct Factor;
     int bodies_ = 0;
-    double operations_ = 0;
     BlockPattern pattern_;
     std::vector<Block, Eigen::aligned_allocator<Block>> values_;
-    std::unique_ptr<Factor> factor_;
+    std::optional<BlockCholesky<Rows>> small_;   ///< this factor,
+    std::optional<FrontalCholesky<Rows>> large_; ///< or this one
 };
 
 extern template class SchurSystem<3>;

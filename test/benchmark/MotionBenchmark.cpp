@@ -7,6 +7,7 @@
 /// system of a step has the pattern of that of limit analysis.
 ///
 ///     build/test/MotionBenchmark --benchmark_out=results.csv --benchmark_out_format=csv
+#include "CholmodUnit.h"
 #include "Peers.h"
 #include "Walls.h"
 
@@ -71,9 +72,11 @@ void run(benchmark::State& state, const std::filesystem::path& folder, const Dyn
     double simulated = 0;
     double least = std::numeric_limits<double>::max();
     double unit = std::numeric_limits<double>::max();
+    double cholmodUnit = std::numeric_limits<double>::max();
     for (auto _ : state)
     {
         unit = std::min(unit, unitOfWork(statics));
+        cholmodUnit = std::min(cholmodUnit, cholmodUnitOfWork(statics));
         Time time(folder, ControlDict::required);
         Motion motion = startMotion(scene, stateAtRest(scene.assembly));
         MotionResults results(folder, scene, motion, time, FunctionObjects::none);
@@ -103,6 +106,8 @@ void run(benchmark::State& state, const std::filesystem::path& folder, const Dyn
     state.counters["F[ms]"] = 1e3 * unit;
     state.counters["step[ms]"] = 1e3 * least / stepsOfRun;
     state.counters["step[F]"] = least / stepsOfRun / unit;
+    state.counters["CHOLMOD F[ms]"] = 1e3 * cholmodUnit;
+    state.counters["step[CHOLMOD F]"] = least / stepsOfRun / cholmodUnit;
     state.counters["factorisations/step"] = factorisations / static_cast<double>(steps);
     state.counters["programs/step"] = programs / static_cast<double>(steps);
     std::filesystem::remove_all(folder);

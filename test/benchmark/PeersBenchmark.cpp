@@ -6,6 +6,7 @@
 /// is never bought with accuracy unseen. Who is not installed is left out.
 ///
 ///     build/test/PeersBenchmark --benchmark_out=peers.csv --benchmark_out_format=csv
+#include "CholmodUnit.h"
 #include "Peers.h"
 #include "Walls.h"
 
@@ -92,6 +93,7 @@ void solve(benchmark::State& state)
     const PlaneConeProgram program = problem.make();
     state.SetLabel(problem.name + ": " + peer.name + (peer.law == ContactLaw::Coulomb ? " (Coulomb)" : ""));
     const double unit = unitOfWork(program);
+    const double cholmodUnit = cholmodUnitOfWork(program);
     std::optional<PeerAnswer> answer;
     for (auto _ : state)
     {
@@ -109,6 +111,8 @@ void solve(benchmark::State& state)
     state.counters["solve[ms]"] = 1e3 * answer->seconds;
     state.counters["F[ms]"] = 1e3 * unit;
     state.counters["solve[F]"] = answer->seconds / unit;
+    state.counters["CHOLMOD F[ms]"] = 1e3 * cholmodUnit;
+    state.counters["solve[CHOLMOD F]"] = answer->seconds / cholmodUnit;
 }
 
 void allPairs(benchmark::internal::Benchmark* benchmark)

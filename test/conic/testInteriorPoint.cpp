@@ -2,7 +2,6 @@
 /// The cone program on problems small enough to solve by hand, and the linear algebra under it.
 #include "conic/Certificate.h"
 #include "conic/InteriorPoint.h"
-#include "conic/SchurSystem.h"
 
 #include "Towers.h"
 
@@ -140,55 +139,6 @@ TEST(Certificate, RefusesRaysThatProveNothing)
     EXPECT_FALSE(certifyInfeasible<3>(program, Eigen::Vector3d(0, -1, 0)).worst() < 0.5); // into the ground
     EXPECT_FALSE(certifyInfeasible<3>(program, Eigen::Vector3d(0, 1, 0)).worst() < 1);    // against the load
     EXPECT_FALSE(certifyUnbounded<3>(program, Eigen::Vector4d(1, 1, 1, 1)).worst() < 1e-3);
-}
-
-TEST(SchurSystem, SolvesRandomBlockSystemsWithEitherFactor)
-{
-    std::mt19937 random(7);
-    std::uniform_real_distribution<double> uniform(-1, 1);
-    for (const int bodies : {1, 2, 7, 60})
-    {
-        std::vector<Coupling> couplings;
-        for (int body = 1; body < bodies; ++body)
-        {
-            couplings.push_back({body - 1, body});
-            couplings.push_back({static_cast<int>(random() % body), body});
-        }
-        SchurSystem<3> system(bodies, couplings);
-        Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(3 * bodies, 3 * bodies);
-        system.setZero();
-        for (int body = 0; body < bodies; ++body)
-        {
-            system.diagonal(body).diagonal().setConstant(9);
-            dense.diagonal().segment<3>(3 * body).setConstant(9);
-        }
-        for (const Coupling& pair : couplings)
-        {
-            Eigen::Matrix3d block;
-            for (double& entry : block.reshaped())
-            {
-                entry = uniform(random) / bodies;
-            }
-            system.coupling(system.slot(pair[0], pair[1])) += block;
-            const int late = std::max(pair[0], pair[1]);
-            const int early = std::min(pair[0], pair[1]);
-            dense.block<3, 3>(3 * late, 3 * early) += block;
-            dense.block<3, 3>(3 * early, 3 * late) += block.transpose();
-        }
-        ASSERT_TRUE(system.factorise());
-        Eigen::VectorXd x = Eigen::VectorXd::Random(3 * bodies);
-        const Eigen::VectorXd right = x;
-        system.solve(x);
-        EXPECT_LE((dense * x - right).norm(), 1e-12 * right.norm());
-    }
-}
-
-TEST(SchurSystem, RefusesAMatrixThatIsNotPositiveDefinite)
-{
-    SchurSystem<3> system(1, {});
-    system.setZero();
-    system.diagonal(0).diagonal() << 1, -1, 1;
-    EXPECT_FALSE(system.factorise());
 }
 
 TEST(InteriorPoint, BeginsNearTheSolutionOfTheLastStep)

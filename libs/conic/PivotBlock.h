@@ -1,0 +1,55 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The diagonal blocks of Cholesky factors.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <optional>
+
+namespace drystone
+{
+
+/// Inverse of the Cholesky factor of a small symmetric block, of which the lower triangle is read; nothing
+/// when it is not positive definite. By hand, so that the compiler unrolls it.
+template<int Rows>
+std::optional<Eigen::Matrix<double, Rows, Rows>> inverseFactor(Eigen::Matrix<double, Rows, Rows> pivot)
+{
+    Eigen::Matrix<double, Rows, Rows> inverse = Eigen::Matrix<double, Rows, Rows>::Zero();
+    for (int k = 0; k < Rows; ++k)
+    {
+        double diagonal = pivot(k, k);
+        for (int m = 0; m < k; ++m)
+        {
+            diagonal -= pivot(k, m) * pivot(k, m);
+        }
+        if (!(diagonal > 0) || !std::isfinite(diagonal))
+        {
+            return {};
+        }
+        pivot(k, k) = std::sqrt(diagonal);
+        const double scale = 1 / pivot(k, k);
+        for (int i = k + 1; i < Rows; ++i)
+        {
+            double value = pivot(i, k);
+            for (int m = 0; m < k; ++m)
+            {
+                value -= pivot(i, m) * pivot(k, m);
+            }
+            pivot(i, k) = value * scale;
+        }
+        inverse(k, k) = scale;
+        for (int j = 0; j < k; ++j)
+        {
+            double value = 0;
+            for (int m = j; m < k; ++m)
+            {
+                value -= pivot(k, m) * inverse(m, j);
+            }
+            inverse(k, j) = value * scale;
+        }
+    }
+    return inverse;
+}
+
+} // namespace drystone
