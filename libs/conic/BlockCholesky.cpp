@@ -44,13 +44,13 @@ bool BlockCholesky<Rows>::factorise(const BlockPattern& matrix, const Block* val
             }
         }
         const Block pivot = blocks_[begin].template topRows<Rows>();
-        const std::optional<Block> inverse = inverseFactor<Rows>(pivot);
-        if (!inverse)
+        Block inverse;
+        if (!invertFactor<Rows>(pivot, inverse))
         {
             return false;
         }
-        blocks_[begin].template topRows<Rows>() = *inverse;
-        const Block inverseTransposed = inverse->transpose();
+        blocks_[begin].template topRows<Rows>() = inverse;
+        const Block inverseTransposed = inverse.transpose();
         for (int entry = begin + 1; entry < end; ++entry)
         {
             const PaddedBlock below = blocks_[entry];

@@ -141,6 +141,108 @@ void multiply(const double* a, Index aStride, const double* b, Index bStride, in
     }
 }
 
+/// Columns that a solve takes at once: as many as leave their numbers in registers.
+template<int Sides>
+constexpr int columnsOfSolve = Sides == 1 ? 2 * columnsAtOnce : columnsAtOnce;
+
+/// Forward substitution with some columns of a front: solves for their own rows of each right side and takes
+/// what they do from the rows below. \param block the columns from their diagonal down \param x from the same
+/// row down; up to a register beyond its end is touched
+template<int Columns, int Sides>
+void substituteForward(const double* block, Index stride, int rows, const std::array<double*, Sides>& x)
+{
+    std::array<std::array<double, Columns>, Sides> solved;
+    for (int side = 0; side < Sides; ++side)
+    {
+        double* own = x[side];
+        for (int first = 0; first < Columns; first += columnsAtOnce)
+        {
+            const double* one = block + first * stride;
+            const double* two = one + stride;
+            const double* three = two + stride;
+            const double a = own[first];
+            const double b = own[first + 1];
+            const double c = own[first + 2];
+            own[first] = a * one[first];
+            own[first + 1] = a * one[first + 1] + b * two[first + 1];
+            own[first + 2] = a * one[first + 2] + b * two[first + 2] + c * three[first + 2];
+            for (int row = first + columnsAtOnce; row < Columns; ++row)
+            {
+                own[row] -= one[row] * own[first] + two[row] * own[first + 1] + three[row] * own[first + 2];
+            }
+        }
+        std::copy_n(own, Columns, solved[side].begin());
+    }
+    for (int row = Columns; row < rows; row += lanes)
+    {
+        std::array<Lanes, Columns> values;
+        for (int column = 0; column < Columns; ++column)
+        {
+            values[column] = Eigen::Map<const Lanes>(block + column * stride + row);
+        }
+        for (int side = 0; side < Sides; ++side)
+        {
+            Eigen::Map<Lanes> below(x[side] + row);
+            Lanes sum = below;
+            for (int column = 0; column < Columns; ++column)
+            {
+                sum -= values[column] * solved[side][column];
+            }
+            below = sum;
+        }
+    }
+}
+
+/// Backward substitution: takes from the rows of some columns what those below do, and solves for them.
+/// \param x likewise; zero where it has no rows
+template<int Columns, int Sides>
+void substituteBackward(const double* block, Index stride, int rows, const std::array<double*, Sides>& x)
+{
+    std::array<std::array<Lanes, Columns>, Sides> sum;
+    for (auto& ofSide : sum)
+    {
+        ofSide.fill(Lanes::Zero());
+    }
+    for (int row = Columns; row < rows; row += lanes)
+    {
+        std::array<Lanes, Sides> below;
+        for (int side = 0; side < Sides; ++side)
+        {
+            below[side] = Eigen::Map<const Lanes>(x[side] + row);
+        }
+        for (int column = 0; column < Columns; ++column)
+        {
+            const Lanes values = Eigen::Map<const Lanes>(block + column * stride + row);
+            for (int side = 0; side < Sides; ++side)
+            {
+                sum[side][column] += values * below[side];
+            }
+        }
+    }
+    for (int side = 0; side < Sides; ++side)
+    {
+        double* own = x[side];
+        for (int first = Columns - columnsAtOnce; first >= 0; first -= columnsAtOnce)
+        {
+            const double* one = block + first * stride;
+            const double* two = one + stride;
+            const double* three = two + stride;
+            double a = own[first] - sum[side][first].sum();
+            double b = own[first + 1] - sum[side][first + 1].sum();
+            double c = own[first + 2] - sum[side][first + 2].sum();
+            for (int row = first + columnsAtOnce; row < Columns; ++row)
+            {
+                a -= one[row] * own[row];
+                b -= two[row] * own[row];
+                c -= three[row] * own[row];
+            }
+            own[first] = a * one[first] + b * one[first + 1] + c * one[first + 2];
+            own[first + 1] = b * two[first + 1] + c * two[first + 2];
+            own[first + 2] = c * three[first + 2];
+        }
+    }
+}
+
 /// Bodies whose columns are eliminated together.
 struct Supernode
 {
@@ -430,13 +532,12 @@ bool FrontalCholesky<Rows>::eliminateColumns(const Front& front)
                                        height - column);
             Eigen::Map<Eigen::Matrix3d, 0, Eigen::OuterStride<>> diagonal(block,
                                                                           Eigen::OuterStride<>(height));
-            const std::optional<Eigen::Matrix3d> inverse = inverseFactor<3>(diagonal);
-            if (!inverse)
+            Eigen::Matrix3d scale;
+            if (!invertFactor<3>(diagonal, scale))
             {
                 return false;
             }
-            diagonal = *inverse;
-            const Eigen::Matrix3d& scale = *inverse;
+            diagonal = scale;
             double* one = block;
             double* two = one + height;
             double* three = two + height;
@@ -500,48 +601,46 @@ template<int Rows>
 template<int Sides>
 void FrontalCholesky<Rows>::solveFor(const std::array<double*, Sides>& x)
 {
+    constexpr int atOnce = columnsOfSolve<Sides>;
     // One front's part of each right side, its own rows and those below, one after the other as in the front.
-    work_.assign(static_cast<std::size_t>(Sides) * highest_, 0);
-    std::array<double*, Sides> part;
-    for (int side = 0; side < Sides; ++side)
+    const std::size_t size = highest_ + overhang;
+    work_.assign(Sides * size, 0);
+    const auto part = [&](int row)
     {
-        part[side] = work_.data() + side * Index{highest_};
-    }
+        std::array<double*, Sides> parts;
+        for (int side = 0; side < Sides; ++side)
+        {
+            parts[side] = work_.data() + side * size + row;
+        }
+        return parts;
+    };
     for (const Front& front : fronts_)
     {
         const int width = front.width();
         const int height = front.height();
+        const double* columns = factor_.data() + front.columns;
         for (int side = 0; side < Sides; ++side)
         {
-            std::copy_n(x[side] + Rows * front.firstBody, width, part[side]);
-            std::fill(part[side] + width, part[side] + height, 0.0);
+            double* to = part(0)[side];
+            std::copy_n(x[side] + Rows * front.firstBody, width, to);
+            std::fill(to + width, to + height, 0.0);
         }
-        for (int column = 0; column < width; column += columnsAtOnce)
+        int column = 0;
+        for (; column + atOnce <= width; column += atOnce)
         {
-            const double* one = factor_.data() + front.columns + column * Index{height};
-            const double* two = one + height;
-            const double* three = two + height;
-            std::array<Eigen::Vector3d, Sides> y;
-            for (int side = 0; side < Sides; ++side)
-            {
-                double* own = part[side] + column;
-                y[side] << own[0] * one[column], own[0] * one[column + 1] + own[1] * two[column + 1],
-                    own[0] * one[column + 2] + own[1] * two[column + 2] + own[2] * three[column + 2];
-                std::copy_n(y[side].data(), columnsAtOnce, own);
-            }
-            for (int row = column + columnsAtOnce; row < height; ++row)
-            {
-                for (int side = 0; side < Sides; ++side)
-                {
-                    part[side][row] -=
-                        one[row] * y[side][0] + two[row] * y[side][1] + three[row] * y[side][2];
-                }
-            }
+            substituteForward<atOnce, Sides>(columns + column * Index{height} + column, height,
+                                             height - column, part(column));
+        }
+        for (; column < width; column += columnsAtOnce)
+        {
+            substituteForward<columnsAtOnce, Sides>(columns + column * Index{height} + column, height,
+                                                    height - column, part(column));
         }
         for (int side = 0; side < Sides; ++side)
         {
-            std::copy_n(part[side], width, x[side] + Rows * front.firstBody);
-            const double* from = part[side] + width;
+            const double* from = part(0)[side];
+            std::copy_n(from, width, x[side] + Rows * front.firstBody);
+            from += width;
             for (int row = front.firstRow; row < front.lastRow; ++row, from += Rows)
             {
                 for (int i = 0; i < Rows; ++i)
@@ -555,48 +654,34 @@ void FrontalCholesky<Rows>::solveFor(const std::array<double*, Sides>& x)
     {
         const int width = front->width();
         const int height = front->height();
+        const double* columns = factor_.data() + front->columns;
         for (int side = 0; side < Sides; ++side)
         {
-            std::copy_n(x[side] + Rows * front->firstBody, width, part[side]);
-            double* to = part[side] + width;
+            double* to = part(0)[side];
+            std::copy_n(x[side] + Rows * front->firstBody, width, to);
+            to += width;
             for (int row = front->firstRow; row < front->lastRow; ++row, to += Rows)
             {
                 std::copy_n(x[side] + Rows * rows_[row], Rows, to);
             }
-            std::fill(to, part[side] + height, 0.0);
+            std::fill(to, part(height)[side] + lanes, 0.0);
         }
-        for (int column = width - columnsAtOnce; column >= 0; column -= columnsAtOnce)
+        int column = width;
+        for (; column % atOnce != 0; column -= columnsAtOnce)
         {
-            const double* one = factor_.data() + front->columns + column * Index{height};
-            const double* two = one + height;
-            const double* three = two + height;
-            for (int side = 0; side < Sides; ++side)
-            {
-                const double* values = part[side];
-                std::array<Lanes, columnsAtOnce> sum;
-                sum.fill(Lanes::Zero());
-                int row = column + columnsAtOnce;
-                for (; row + lanes <= height; row += lanes)
-                {
-                    const Lanes value = Eigen::Map<const Lanes>(values + row);
-                    sum[0] += Eigen::Map<const Lanes>(one + row) * value;
-                    sum[1] += Eigen::Map<const Lanes>(two + row) * value;
-                    sum[2] += Eigen::Map<const Lanes>(three + row) * value;
-                }
-                double* own = part[side] + column;
-                Eigen::Vector3d y(own[0] - sum[0].sum(), own[1] - sum[1].sum(), own[2] - sum[2].sum());
-                for (; row < height; ++row)
-                {
-                    y -= Eigen::Vector3d(one[row], two[row], three[row]) * values[row];
-                }
-                own[0] = y[0] * one[column] + y[1] * one[column + 1] + y[2] * one[column + 2];
-                own[1] = y[1] * two[column + 1] + y[2] * two[column + 2];
-                own[2] = y[2] * three[column + 2];
-            }
+            const int first = column - columnsAtOnce;
+            substituteBackward<columnsAtOnce, Sides>(columns + first * Index{height} + first, height,
+                                                     height - first, part(first));
+        }
+        for (; column > 0; column -= atOnce)
+        {
+            const int first = column - atOnce;
+            substituteBackward<atOnce, Sides>(columns + first * Index{height} + first, height, height - first,
+                                              part(first));
         }
         for (int side = 0; side < Sides; ++side)
         {
-            std::copy_n(part[side], width, x[side] + Rows * front->firstBody);
+            std::copy_n(part(0)[side], width, x[side] + Rows * front->firstBody);
         }
     }
 }

@@ -5,17 +5,17 @@
 #include <Eigen/Core>
 
 #include <cmath>
-#include <optional>
 
 namespace drystone
 {
 
-/// Inverse of the Cholesky factor of a small symmetric block, of which the lower triangle is read; nothing
-/// when it is not positive definite. By hand, so that the compiler unrolls it.
+/// Inverse of the Cholesky factor of a small symmetric block. By hand, so that the compiler unrolls it.
+/// \param pivot the block, of which the lower triangle is read \return false when it is not positive definite
 template<int Rows>
-std::optional<Eigen::Matrix<double, Rows, Rows>> inverseFactor(Eigen::Matrix<double, Rows, Rows> pivot)
+[[gnu::always_inline]] inline bool invertFactor(Eigen::Matrix<double, Rows, Rows> pivot,
+                                                Eigen::Matrix<double, Rows, Rows>& inverse)
 {
-    Eigen::Matrix<double, Rows, Rows> inverse = Eigen::Matrix<double, Rows, Rows>::Zero();
+    inverse.setZero();
     for (int k = 0; k < Rows; ++k)
     {
         double diagonal = pivot(k, k);
@@ -25,7 +25,7 @@ std::optional<Eigen::Matrix<double, Rows, Rows>> inverseFactor(Eigen::Matrix<dou
         }
         if (!(diagonal > 0) || !std::isfinite(diagonal))
         {
-            return {};
+            return false;
         }
         pivot(k, k) = std::sqrt(diagonal);
         const double scale = 1 / pivot(k, k);
@@ -49,7 +49,7 @@ std::optional<Eigen::Matrix<double, Rows, Rows>> inverseFactor(Eigen::Matrix<dou
             inverse(k, j) = value * scale;
         }
     }
-    return inverse;
+    return true;
 }
 
 } // namespace drystone

@@ -11,12 +11,19 @@ namespace drystone
 namespace
 {
 
-/// Multiplications of a factorisation from which it is done by fronts. Measured on walls, one core, factor
-/// and solve by blocks, by fronts and by CHOLMOD's supernodal code on OpenBLAS [ms]: 8e4 multiplications
-/// (146 blocks) 0.037 and 0.005, 0.030 and 0.007, 0.27 and 0.02; 1.3e6 (410 blocks) 0.31 and 0.03, 0.25 and
-/// 0.03, 1.1 and 0.07; 1.4e7 (1,620) 3.0 and 0.25, 2.0 and 0.25, 5.9 and 0.4; 1.2e8 (6,440) 25 and 2.5, 15
-/// and 2.2, 30 and 3.4; 1e9 (25,680) 285 and 31, 105 and 13, 180 and 20; 8e9 (102,560) -, 750 and 70, 1,000
-/// and 100. Below, a wall takes ten solves with each factor.
+/// Multiplications of a factorisation from which it is done by fronts. Measured on walls, one core; a
+/// factorisation and a solve, by blocks, by fronts and by CHOLMOD 3 (simplicial first, then supernodal, on
+/// OpenBLAS) [ms]:
+///
+///     blocks  multiplications   by blocks        by fronts       CHOLMOD
+///        146       8e4          0.037 0.005      0.030 0.009     0.14 0.010
+///        410       1.3e6        0.31  0.03       0.27  0.03      1.06 0.07
+///      1,620       1.4e7        3.0   0.23       2.2   0.19      5.9  0.4
+///      6,440       1.2e8        25    2.5        16    2.4       30   3.4
+///     25,680       1e9          285   31         100   13        180  20
+///    102,560       8e9          2,100 -          730   70        1,000 100
+///
+/// A solution takes six to ten solves with each factor.
 constexpr double frontalOperations = 5e5;
 
 /// Bodies from which the order is by nested dissection instead of minimum degree. Measured likewise: 3.7

@@ -76,7 +76,10 @@ std::string joined(const std::vector<std::string>& words)
 
 void printLine(std::string_view line)
 {
-    std::fwrite(line.data(), 1, line.size(), stdout);
+    if (!line.empty()) // its data may be null, which fwrite must not be given
+    {
+        std::fwrite(line.data(), 1, line.size(), stdout);
+    }
     std::fputc('\n', stdout);
 }
 

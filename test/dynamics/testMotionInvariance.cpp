@@ -134,12 +134,14 @@ TEST(Tower, FallsWithoutBlocksEnteringEachOther)
     }
 }
 
+// What rounding differs by, impacts make grow: to 1e-10 m in one build, 8e-9 m in one without fused
+// multiplications and additions (that with sanitizers).
 TEST(Tower, FallsToTheLeftAsToTheRight)
 {
     for (const FlowRule flowRule : {FlowRule::associative, FlowRule::nonAssociative})
     {
         EXPECT_LT(largestDifference(fall({.flowRule = flowRule}, 2), fall({.flowRule = flowRule}, 2, 1, -1)),
-                  1e-9);
+                  1e-7);
     }
 }
 
