@@ -52,6 +52,11 @@ constexpr int columnsAtOnce = 3;
 constexpr int lanes = 4;
 using Lanes = Eigen::Array<double, lanes, 1>;
 
+/// Numbers in a factor from which it is worth rounding: 8 MB, more than caches hold. A solve takes 0.8 ms
+/// instead of 2.4 at 6,440 blocks and 8 instead of 13 at 25,680; their limit analyses 0.78 and 0.95 of the
+/// time.
+constexpr std::size_t roundedFrom = 1'000'000;
+
 /// Tiles may reach so far beyond the end of a matrix, where they find and leave numbers without meaning.
 constexpr std::size_t overhang = 2 * lanes;
 
@@ -145,11 +150,21 @@ void multiply(const double* a, Index aStride, const double* b, Index bStride, in
 template<int Sides>
 constexpr int columnsOfSolve = Sides == 1 ? 2 * columnsAtOnce : columnsAtOnce;
 
+/// Four numbers of the factor, in double precision.
+Lanes lanesOf(const double* values)
+{
+    return Eigen::Map<const Lanes>(values);
+}
+Lanes lanesOf(const float* values)
+{
+    return Eigen::Map<const Eigen::Array<float, lanes, 1>>(values).cast<double>();
+}
+
 /// Forward substitution with some columns of a front: solves for their own rows of each right side and takes
 /// what they do from the rows below. \param block the columns from their diagonal down \param x from the same
 /// row down; up to a register beyond its end is touched
-template<int Columns, int Sides>
-void substituteForward(const double* block, Index stride, int rows, const std::array<double*, Sides>& x)
+template<int Columns, int Sides, class Scalar>
+void substituteForward(const Scalar* block, Index stride, int rows, const std::array<double*, Sides>& x)
 {
     std::array<std::array<double, Columns>, Sides> solved;
     for (int side = 0; side < Sides; ++side)
@@ -157,9 +172,9 @@ void substituteForward(const double* block, Index stride, int rows, const std::a
         double* own = x[side];
         for (int first = 0; first < Columns; first += columnsAtOnce)
         {
-            const double* one = block + first * stride;
-            const double* two = one + stride;
-            const double* three = two + stride;
+            const Scalar* one = block + first * stride;
+            const Scalar* two = one + stride;
+            const Scalar* three = two + stride;
             const double a = own[first];
             const double b = own[first + 1];
             const double c = own[first + 2];
@@ -178,7 +193,7 @@ void substituteForward(const double* block, Index stride, int rows, const std::a
         std::array<Lanes, Columns> values;
         for (int column = 0; column < Columns; ++column)
         {
-            values[column] = Eigen::Map<const Lanes>(block + column * stride + row);
+            values[column] = lanesOf(block + column * stride + row);
         }
         for (int side = 0; side < Sides; ++side)
         {
@@ -195,8 +210,8 @@ void substituteForward(const double* block, Index stride, int rows, const std::a
 
 /// Backward substitution: takes from the rows of some columns what those below do, and solves for them.
 /// \param x likewise; zero where it has no rows
-template<int Columns, int Sides>
-void substituteBackward(const double* block, Index stride, int rows, const std::array<double*, Sides>& x)
+template<int Columns, int Sides, class Scalar>
+void substituteBackward(const Scalar* block, Index stride, int rows, const std::array<double*, Sides>& x)
 {
     std::array<std::array<Lanes, Columns>, Sides> sum;
     for (auto& ofSide : sum)
@@ -212,7 +227,7 @@ void substituteBackward(const double* block, Index stride, int rows, const std::
         }
         for (int column = 0; column < Columns; ++column)
         {
-            const Lanes values = Eigen::Map<const Lanes>(block + column * stride + row);
+            const Lanes values = lanesOf(block + column * stride + row);
             for (int side = 0; side < Sides; ++side)
             {
                 sum[side][column] += values * below[side];
@@ -224,9 +239,9 @@ void substituteBackward(const double* block, Index stride, int rows, const std::
         double* own = x[side];
         for (int first = Columns - columnsAtOnce; first >= 0; first -= columnsAtOnce)
         {
-            const double* one = block + first * stride;
-            const double* two = one + stride;
-            const double* three = two + stride;
+            const Scalar* one = block + first * stride;
+            const Scalar* two = one + stride;
+            const Scalar* three = two + stride;
             double a = own[first] - sum[side][first].sum();
             double b = own[first + 1] - sum[side][first + 1].sum();
             double c = own[first + 2] - sum[side][first + 2].sum();
@@ -583,6 +598,7 @@ void FrontalCholesky<Rows>::updateBelow(const Front& front)
 template<int Rows>
 bool FrontalCholesky<Rows>::factorise(const BlockPattern& matrix, const Block* values)
 {
+    rounded_.clear();
     for (const Front& front : fronts_)
     {
         assembleColumns(front, matrix, values);
@@ -598,8 +614,8 @@ bool FrontalCholesky<Rows>::factorise(const BlockPattern& matrix, const Block* v
 }
 
 template<int Rows>
-template<int Sides>
-void FrontalCholesky<Rows>::solveFor(const std::array<double*, Sides>& x)
+template<int Sides, class Scalar>
+void FrontalCholesky<Rows>::solveFor(const std::array<double*, Sides>& x, const Scalar* factor)
 {
     constexpr int atOnce = columnsOfSolve<Sides>;
     // One front's part of each right side, its own rows and those below, one after the other as in the front.
@@ -618,7 +634,7 @@ void FrontalCholesky<Rows>::solveFor(const std::array<double*, Sides>& x)
     {
         const int width = front.width();
         const int height = front.height();
-        const double* columns = factor_.data() + front.columns;
+        const Scalar* columns = factor + front.columns;
         for (int side = 0; side < Sides; ++side)
         {
             double* to = part(0)[side];
@@ -654,7 +670,7 @@ void FrontalCholesky<Rows>::solveFor(const std::array<double*, Sides>& x)
     {
         const int width = front->width();
         const int height = front->height();
-        const double* columns = factor_.data() + front->columns;
+        const Scalar* columns = factor + front->columns;
         for (int side = 0; side < Sides; ++side)
         {
             double* to = part(0)[side];
@@ -689,13 +705,27 @@ void FrontalCholesky<Rows>::solveFor(const std::array<double*, Sides>& x)
 template<int Rows>
 void FrontalCholesky<Rows>::solve(Eigen::Ref<Eigen::VectorXd> x)
 {
-    solveFor<1>({x.data()});
+    solveFor<1>({x.data()}, factor_.data());
 }
 
 template<int Rows>
 void FrontalCholesky<Rows>::solve(Eigen::Ref<Eigen::VectorXd> one, Eigen::Ref<Eigen::VectorXd> other)
 {
-    solveFor<2>({one.data(), other.data()});
+    solveFor<2>({one.data(), other.data()}, factor_.data());
+}
+
+template<int Rows>
+void FrontalCholesky<Rows>::solveRoughly(Eigen::Ref<Eigen::VectorXd> x)
+{
+    if (factor_.size() < roundedFrom)
+    {
+        return solve(x);
+    }
+    if (rounded_.empty())
+    {
+        rounded_.assign(factor_.begin(), factor_.end());
+    }
+    solveFor<1>({x.data()}, rounded_.data());
 }
 
 template class FrontalCholesky<3>;

@@ -61,6 +61,11 @@ constexpr double largestOfNear = 1e-2;
 /// Complementarity above which a Newton step needs no refinement.
 constexpr double firmComplementarity = 1e-7;
 
+/// Complementarity above which a corrector needs no more than single precision: what little it spoils the
+/// next predictor mends. Walls of 20 to 160 units take as many factorisations as without; with 1e-5 that of
+/// 160 units takes 36 instead of 29, with 1e-7 that of 80 units 29 instead of 26.
+constexpr double roughComplementarity = 1e-4;
+
 /// Complementarity below which cancellation often makes a pivot negative, and what the diagonal is raised by
 /// against it.
 constexpr double cancellingComplementarity = 1e-6;
@@ -432,7 +437,15 @@ void InteriorPoint::correct(const Products& products, Iterate& step)
     step.y.setZero(rays_.load.size());
     addRays(rays_, rayWork2_, step.y);
     step.y = -step.y;
-    solveSchur(step.y);
+    if (mu_ > roughComplementarity && rays_.limits.empty())
+    {
+        system_.solveRoughly(step.y.head(3 * rays_.bodies));
+        ++solves_;
+    }
+    else
+    {
+        solveSchur(step.y);
+    }
     finishStep(0, step);
 }
 

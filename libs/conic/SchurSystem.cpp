@@ -142,6 +142,12 @@ void SchurSystem<Rows>::solve(Eigen::Ref<Eigen::VectorXd> one, Eigen::Ref<Eigen:
     small_ ? small_->solve(one, other) : large_->solve(one, other);
 }
 
+template<int Rows>
+void SchurSystem<Rows>::solveRoughly(Eigen::Ref<Eigen::VectorXd> x)
+{
+    small_ ? small_->solve(x) : large_->solveRoughly(x);
+}
+
 template class SchurSystem<3>;
 template class SchurSystem<6>;
 

@@ -91,7 +91,7 @@ BENCHMARK(squareWall)
     ->Arg(320)
     ->UseManualTime()
     ->Unit(benchmark::kMillisecond)
-    ->MinTime(0.1);
+    ->MinTime(4);
 
 } // namespace
 } // namespace drystone

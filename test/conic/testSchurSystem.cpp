@@ -184,6 +184,33 @@ TEST(SchurSystem, TakesTheFactorThatFitsTheSize)
     }
 }
 
+// Small factors are not rounded, large ones are; a second matrix is not solved with what is left of the
+// first.
+TEST(SchurSystem, SolvesRoughlyToSinglePrecision)
+{
+    std::mt19937 random(12);
+    for (const int bodies : {60, 600})
+    {
+        const TestMatrix<3> matrix(bodies, tangled(bodies, random), random);
+        FrontalCholesky<3> fronts(matrix.pattern, makeFactorPattern(matrix.pattern).factor);
+        for (const double scale : {1.0, 3.0})
+        {
+            std::vector<Eigen::Matrix3d> values = matrix.values;
+            for (Eigen::Matrix3d& block : values)
+            {
+                block *= scale;
+            }
+            ASSERT_TRUE(fronts.factorise(matrix.pattern, values.data()));
+            const Eigen::VectorXd right = Eigen::VectorXd::Random(3 * bodies);
+            Eigen::VectorXd x = right;
+            fronts.solveRoughly(x);
+            const double error = (scale * matrix.dense * x - right).norm() / right.norm();
+            EXPECT_LE(error, 1e-6);
+            EXPECT_EQ(error > 1e-12, bodies == 600);
+        }
+    }
+}
+
 TEST(SchurSystem, NeitherFactorTakesAMatrixThatIsNotPositiveDefinite)
 {
     std::mt19937 random(11);
