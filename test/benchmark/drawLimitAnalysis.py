@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws what LimitAnalysisBenchmark kept: factorisations, and time in units F of one factorisation, over blocks.
+"""Draws what LimitAnalysisBenchmark kept: factorisations, and time in units F of one factorisation, by our own factor and
+by CHOLMOD's, over blocks.
 
     test/benchmark/drawLimitAnalysis.py limitAnalysis.csv limitAnalysis.svg
 """
@@ -9,8 +10,8 @@ import math
 import sys
 
 width, height, margin = 640, 400, 60
-series = {"factorisations": "#1f5f9f", "solve[F]": "#b03a2e"}
-names = {"factorisations": "factorisations", "solve[F]": "time [F]"}
+series = {"factorisations": "#1f5f9f", "solve[F]": "#b03a2e", "solve[CHOLMOD F]": "#d58a2b"}
+names = {"factorisations": "factorisations", "solve[F]": "time [F]", "solve[CHOLMOD F]": "time [CHOLMOD's F]"}
 
 
 def readResults(path):
@@ -60,7 +61,7 @@ def main():
             out.append(f'<circle cx="{x(blocks):.1f}" cy="{y(values[key]):.1f}" r="3.5" fill="{fill}" '
                        f'stroke="{colour}"/>')
         out.append(f'<text x="{margin + 10}" y="{margin + 4 + 18 * index}" fill="{colour}">{names[key]}</text>')
-    out.append(f'<text x="{margin + 10}" y="{margin + 40}">open: the paper\'s walls, filled: square walls</text>')
+    out.append(f'<text x="{margin + 10}" y="{margin + 58}">open: the paper\'s walls, filled: square walls</text>')
     out.append("</svg>")
     with open(sys.argv[2], "w") as file:
         file.write("\n".join(out) + "\n")

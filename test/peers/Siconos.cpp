@@ -10,8 +10,6 @@
 
 #include <Eigen/Cholesky>
 
-#include <cstdlib>
-
 namespace drystone
 {
 namespace
@@ -94,8 +92,7 @@ std::optional<PeerAnswer> solveStep(const ConeProgram<Rows, Forces>& program, co
     PeerAnswer answer;
     answer.seconds = cpuSeconds() - start;
     answer.solution.iterations = options->iparam[SICONOS_IPARAM_ITER_DONE];
-    solver_options_delete(options); // what they hold
-    std::free(options);
+    solver_options_delete(options);
     matrix->matrix0 = nullptr; // ours
     NM_free(matrix);
     answer.solution.contactForce = force * reaction;
