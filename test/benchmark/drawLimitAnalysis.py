@@ -60,8 +60,8 @@ def main():
             fill = colour if name == "squareWall" else "white"
             out.append(f'<circle cx="{x(blocks):.1f}" cy="{y(values[key]):.1f}" r="3.5" fill="{fill}" '
                        f'stroke="{colour}"/>')
-        out.append(f'<text x="{margin + 10}" y="{margin + 4 + 18 * index}" fill="{colour}">{names[key]}</text>')
-    out.append(f'<text x="{margin + 10}" y="{margin + 58}">open: the paper\'s walls, filled: square walls</text>')
+        out.append(f'<text x="{margin + 10}" y="{height - margin - 68 + 18 * index}" fill="{colour}">{names[key]}</text>')
+    out.append(f'<text x="{margin + 10}" y="{height - margin - 14}">open: the paper\'s walls, filled: square walls</text>')
     out.append("</svg>")
     with open(sys.argv[2], "w") as file:
         file.write("\n".join(out) + "\n")
