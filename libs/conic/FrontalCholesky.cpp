@@ -363,11 +363,10 @@ private:
 
 template<int Rows>
 FrontalCholesky<Rows>::FrontalCholesky(const BlockPattern& matrix, const BlockPattern& factor)
-    : bodies_(matrix.columns())
 {
     static_assert(Rows % columnsAtOnce == 0);
     useOneThread();
-    std::vector<int> frontOf(bodies_);
+    std::vector<int> frontOf(matrix.columns());
     std::size_t size = 0;
     for (const Supernode& supernode : supernodes(factor, Rows))
     {
@@ -388,7 +387,7 @@ FrontalCholesky<Rows>::FrontalCholesky(const BlockPattern& matrix, const BlockPa
     }
     factor_.assign(size + overhang, 0);
 
-    std::vector<int> place(bodies_);
+    std::vector<int> place(matrix.columns());
     inParent_.resize(rows_.size());
     inFront_.resize(matrix.row.size());
     for (std::size_t index = 0; index < fronts_.size(); ++index)
@@ -396,8 +395,7 @@ FrontalCholesky<Rows>::FrontalCholesky(const BlockPattern& matrix, const BlockPa
         Front& front = fronts_[index];
         if (front.lastRow > front.firstRow)
         {
-            front.parent = frontOf[rows_[front.firstRow]];
-            fronts_[front.parent].children.push_back(static_cast<int>(index));
+            fronts_[frontOf[rows_[front.firstRow]]].children.push_back(static_cast<int>(index));
         }
         for (int body = front.firstBody; body < front.lastBody; ++body)
         {
@@ -429,10 +427,7 @@ void FrontalCholesky<Rows>::placeUpdates()
 {
     Pool pool;
     const auto sizeOf = [](const Front& front)
-    {
-        return front.below() == 0 ? 0
-                                  : static_cast<std::size_t>(front.updateStride()) * front.below() + overhang;
-    };
+    { return static_cast<std::size_t>(front.updateStride()) * front.below() + overhang; };
     for (Front& front : fronts_)
     {
         if (front.below() > 0)
@@ -467,11 +462,15 @@ void FrontalCholesky<Rows>::assembleColumns(const Front& front, const BlockPatte
 
 /// Adds those parts of the children's U that belong into the columns of the front, or into its own U.
 template<int Rows>
-template<typename FrontalCholesky<Rows>::Into into>
-void FrontalCholesky<Rows>::addUpdates(const Front& front)
+void FrontalCholesky<Rows>::addUpdates(const Front& front, Into into)
 {
     const int ownBodies = front.lastBody - front.firstBody;
-    const Index stride = into == Into::columns ? front.height() : front.updateStride();
+    const bool isIntoColumns = into == Into::columns;
+    const Index stride = isIntoColumns ? front.height() : front.updateStride();
+    double* values = (isIntoColumns ? factor_ : updates_).data();
+    // Where in `values` the first row and column of the front are, or would be if U had them too.
+    const Index corner = isIntoColumns ? static_cast<Index>(front.columns)
+                                       : static_cast<Index>(front.update) - (stride + 1) * Rows * ownBodies;
     for (const int index : front.children)
     {
         const Front& child = fronts_[index];
@@ -487,29 +486,27 @@ void FrontalCholesky<Rows>::addUpdates(const Front& front)
             }
             runs_.back().end = body + 1;
         }
+        // Places ascend: those among the front's columns come first.
+        const int split = static_cast<int>(std::lower_bound(place, place + bodies, ownBodies) - place);
+        const int end = isIntoColumns ? split : bodies;
         std::size_t first = 0;
-        for (int body = 0; body < bodies; ++body)
+        for (int body = isIntoColumns ? 0 : split; body < end; ++body)
         {
-            first += body == runs_[first].end ? 1 : 0;
-            const int column = into == Into::columns ? place[body] : place[body] - ownBodies;
-            if ((place[body] < ownBodies) != (into == Into::columns))
+            while (body >= runs_[first].end)
             {
-                continue;
+                ++first;
             }
             for (int part = 0; part < Rows; ++part)
             {
                 const double* from = update + (Rows * body + part) * Index{child.updateStride()};
-                double* to = into == Into::columns ? factor_.data() + front.columns
-                                                   : updates_.data() + front.update - Index{Rows} * ownBodies;
-                to += (Rows * column + part) * stride;
+                const Index to = corner + (Rows * place[body] + part) * stride;
                 int row = Rows * body;
                 for (std::size_t run = first; run < runs_.size(); ++run)
                 {
-                    const int end = Rows * runs_[run].end;
-                    double* shifted = to + Rows * runs_[run].shift;
-                    for (; row < end; ++row)
+                    const int endOfRun = Rows * runs_[run].end;
+                    for (Index shifted = to + Rows * runs_[run].shift; row < endOfRun; ++row)
                     {
-                        shifted[row] += from[row];
+                        values[shifted + row] += from[row];
                     }
                 }
             }
@@ -602,13 +599,13 @@ bool FrontalCholesky<Rows>::factorise(const BlockPattern& matrix, const Block* v
     for (const Front& front : fronts_)
     {
         assembleColumns(front, matrix, values);
-        addUpdates<Into::columns>(front);
+        addUpdates(front, Into::columns);
         if (!eliminateColumns(front))
         {
             return false;
         }
         updateBelow(front);
-        addUpdates<Into::update>(front);
+        addUpdates(front, Into::update);
     }
     return true;
 }

@@ -46,11 +46,10 @@ public:
 private:
     struct Front
     {
-        int firstBody = 0; ///< of its columns
-        int lastBody = 0;  ///< one past
-        int firstRow = 0;  ///< of its rows below the columns, in `rows_`
-        int lastRow = 0;   ///< one past
-        int parent = -1;
+        int firstBody = 0;       ///< of its columns
+        int lastBody = 0;        ///< one past
+        int firstRow = 0;        ///< of its rows below the columns, in `rows_`
+        int lastRow = 0;         ///< one past
         std::size_t columns = 0; ///< where L11 and L21 are in `factor_`
         std::size_t update = 0;  ///< where U is in `updates_`, until the parent has taken it
         std::vector<int> children;
@@ -78,8 +77,7 @@ private:
 
     void placeUpdates();
     void assembleColumns(const Front& front, const BlockPattern& matrix, const Block* values);
-    template<Into into>
-    void addUpdates(const Front& front);
+    void addUpdates(const Front& front, Into into);
     bool eliminateColumns(const Front& front);
     void updateBelow(const Front& front);
     template<int Sides, class Scalar>
@@ -94,7 +92,6 @@ private:
     std::vector<double> updates_;
     std::vector<Run> runs_;    ///< work of `addUpdates`
     std::vector<double> work_; ///< of solves: one front's part of each right side
-    int bodies_ = 0;
     int highest_ = 0;
 };
 
