@@ -185,9 +185,9 @@ bool AugmentedLagrangian::minimise()
         computeGradient();
         const double now = gradient_.lpNorm<Eigen::Infinity>();
         // A step with the same factor is a refinement; where it gains nothing any more, rounding is all that
-        // is left.
+        // is left: what was estimated, or some times as much.
         const bool isRefined = factorisations_ == factorisationsBefore && now > 0.5 * before;
-        if (now <= enough || (isRefined && now <= settings_.tolerance))
+        if (now <= enough || (isRefined && now <= std::max(settings_.tolerance, 32 * rounding_)))
         {
             return true;
         }
