@@ -36,6 +36,7 @@ ConeSolution solveByUpperBounds(const PlaneConeProgram& program, double from, do
     solution.multiplier = std::isfinite(from) ? from : 0;
     solution.contactForce = Eigen::VectorXd::Zero(2 * program.points());
     solution.displacement = Eigen::VectorXd::Zero(program.load.size());
+    double further = 1;
     for (int bound = 0; bound < mostBounds; ++bound)
     {
         pushed.load = program.load + solution.multiplier * program.liveLoad;
@@ -49,9 +50,10 @@ ConeSolution solveByUpperBounds(const PlaneConeProgram& program, double from, do
             break;
         }
         const double work = program.liveLoad.dot(nearest.displacement);
-        if (!(work > 0)) // carried, or too low: from further above
+        if (!(work > 0)) // carried, or too low: from further above, and not from where it was before
         {
-            solution.multiplier += std::max(1.0, std::abs(solution.multiplier));
+            solution.multiplier += further * std::max(1.0, std::abs(solution.multiplier));
+            further /= 2;
             continue;
         }
         solution.displacement = nearest.displacement / work;

@@ -213,7 +213,7 @@ void judgeSeeds(unsigned first, unsigned count)
         judgeSeed(seed, tally);
     }
     print(tally);
-    // Not to converge is no wrong answer, but of ten thousand every one was solved when this was written.
+    // Not to converge is no wrong answer, but of ten thousand one was not solved, or none, by the processor.
     EXPECT_LE(tally.unsolved.size(), count / 1000);
     EXPECT_EQ(tally.hopeless.size(), 0U);
     EXPECT_LE(tally.answers["step not solved"], static_cast<int>(count / 100 + 1));
@@ -236,15 +236,16 @@ TEST(RandomAssemblies, WhatHardlyFallsIsToldFromWhatStands)
     EXPECT_EQ(tally.answers["unstable"], 3);
 }
 
-// Programs in which the interior point breaks down, some with a friction of 1e-12: by upper bounds.
+// Programs in which the interior point breaks down, some with a friction of 1e-12: by upper bounds. One may
+// be missed, since that hangs on rounding: 1380 is without fused operations, none with AVX2 or AVX-512.
 TEST(RandomAssemblies, UpperBoundsFindWhatTheInteriorPointDoesNot)
 {
     Tally tally;
-    for (const unsigned seed : {1380U, 5751U, 6277U, 7527U, 10413U, 1062U, 1218U, 3652U})
+    for (const unsigned seed : {1380U, 5751U, 6277U, 7527U, 10413U, 1062U, 1218U, 3652U, 5526U})
     {
         judgeSeed(seed, tally);
     }
-    EXPECT_EQ(tally.answers["optimal"], 8);
+    EXPECT_GE(tally.answers["optimal"], 8);
 }
 
 // Displacements of thousands for a unit of work, so that what is left of the balance counts.
