@@ -15,7 +15,8 @@ struct InteriorPointSettings
 {
     double tolerance = 1e-9;     ///< on every figure of the certificate
     int maximumIterations = 200; ///< factorisations allowed
-    int correctors = 6;          ///< higher-order corrections tried with one factorisation
+    int correctors = 4;          ///< higher-order corrections tried with one factorisation; half as many
+                                 ///< more where iterations begin near the solution
 };
 
 /// Solves a plane program from a cold start (Mehrotra 1992 predictor-corrector with multiple correctors of

@@ -107,7 +107,9 @@ TEST_P(PaperWall, MovesByCoulombsLawJustAbove)
         {
             ASSERT_TRUE(advance(scene, motion, timeStep)) << "share " << share << " step " << step;
         }
-        EXPECT_GT(largestDisplacement(motion), 1e-7) << "share " << share;
+        // Wall 1 moves least, by 7e-8 to 12e-8 m: a step ends when Coulomb's law is met to a part of what it
+        // changes. By the associative law it moves by 5e-10 m.
+        EXPECT_GT(largestDisplacement(motion), 3e-8) << "share " << share;
     }
 }
 

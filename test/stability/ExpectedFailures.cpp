@@ -64,10 +64,6 @@ const std::vector<ExpectedFailure>& expectedFailures()
          "a millionth of the overhang is less than its tolerance of 1e-4: the bricks stand"},
         {"motion_overhang_20_inside", SolverType::gaussSeidel, chain},
         {"motion_overhang_20_outside", SolverType::gaussSeidel, chain},
-        {"motion_overhang_20_inside", SolverType::interiorPoint,
-         "the weights do next to no work: balance to 1e-10 leaves up to 5e-8 of it out of the ledger"},
-        {"motion_overhang_20_outside", SolverType::interiorPoint,
-         "the weights do next to no work: balance to 1e-10 leaves up to 5e-8 of it out of the ledger"},
     };
     return list;
 }

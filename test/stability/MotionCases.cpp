@@ -41,6 +41,7 @@ struct Watched
     Outcome& outcome;
     double deepest; ///< overlap allowed [m]
     bool holds = true;
+    double largestImbalance = 1e-9; ///< of energy allowed, relative
 
     Watched(const DynamicCase& watched, DynamicState start, Outcome& result)
         : scene(watched),
@@ -83,7 +84,7 @@ struct Watched
         {
             return fails("NaN");
         }
-        if (!(scenes::relativeImbalance(motion.energy) < 1e-9))
+        if (!(scenes::relativeImbalance(motion.energy) < largestImbalance))
         {
             return fails(
                 fmt::format("energy out of balance by {:.1e}", scenes::relativeImbalance(motion.energy)));
@@ -725,6 +726,12 @@ Outcome overhangingBricks(SolverType solver, int bricks, double share)
     }
     const DynamicCase scene = sceneFor(solver, std::move(assembly));
     Watched run(scene, outcome);
+    if (solver == SolverType::interiorPoint)
+    {
+        // The weights do next to no work: balance to 1e-10 leaves up to 1e-7 of it out of the ledger, by how
+        // the processor rounds.
+        run.largestImbalance = 1e-6;
+    }
     run.until(0.5, 2e-3);
     standsOrMoves(run, outcome, share, 1e-7);
     return outcome;
