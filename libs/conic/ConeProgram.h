@@ -106,6 +106,18 @@ enum class SolveStatus
     notConverged ///< neither within the iterations allowed
 };
 
+/// A point well inside the cones that a solver passed on its way to a solution: where a program much like it,
+/// such as that of the next time step, may be begun. At points that carry nothing, since they are new, both
+/// are zero.
+struct InteriorStart
+{
+    Eigen::VectorXd contactForce; ///< F k, inside the friction cones
+    Eigen::VectorXd opening;      ///< F k, about g - A'y, inside the cones that are dual to them
+    Eigen::VectorXd displacement; ///< R b, from that of the solution
+
+    bool isEmpty() const { return displacement.size() == 0; }
+};
+
 /// What a solver returns. For `infeasible` the displacement y is a ray: -A' y in the dual cone, L' y = 0, f'
 /// y > 0. For `unbounded` the contact force c is a ray: A c = L, c in the cone.
 struct ConeSolution
@@ -116,6 +128,7 @@ struct ConeSolution
     Eigen::VectorXd displacement; ///< y, R b
     /// Forces that carry f alone (alpha = 0), where a solver has come by some on its way; else empty.
     Eigen::VectorXd restingForce;
+    InteriorStart interior; ///< of a program of the plane with inertia, where a solver passed one; else empty
     int iterations = 0;
     int factorisations = 0;
     int solves = 0; ///< with the factor, forwards and back; counted by solveInteriorPoint only

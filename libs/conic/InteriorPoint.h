@@ -26,7 +26,9 @@ struct InteriorPointSettings
 /// `notConverged` with the best iterate.
 /// \param kept of the last program, to be used where the same bodies touch (RayProgram.h); not owned
 /// \param near what may be nearly the solution of a program with inertia, such as what solved the last step:
-/// iterations begin there if it is near enough, else, or if they do not end, from nothing; not owned
+/// iterations begin there if it is near enough, else, or if they do not end, from its `interior` moved on to
+/// its displacements, and if there is none, or they do not end either, from nothing; not owned
+/// \return with an `interior` where iterations came from there or from nothing
 ConeSolution solveInteriorPoint(const PlaneConeProgram& program, const InteriorPointSettings& settings = {},
                                 SymbolicAnalysis* kept = nullptr, const ConeSolution* near = nullptr);
 

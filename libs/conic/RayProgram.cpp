@@ -530,6 +530,43 @@ Eigen::VectorXd raysOf(const PlaneConeProgram& program, const RayForm& form,
     return s;
 }
 
+Eigen::VectorXd raysOfOpening(const RayForm& form, const Eigen::VectorXd& opening)
+{
+    Eigen::VectorXd z(form.program.rayCount());
+    for (Eigen::Index point = 0; 2 * point < opening.size(); ++point)
+    {
+        const auto at = static_cast<std::size_t>(point);
+        for (int ray = form.firstRay[at]; ray < form.firstRay[at + 1]; ++ray)
+        {
+            z[ray] = form.directions[static_cast<std::size_t>(ray)].dot(opening.segment<2>(2 * point))
+                     / form.scaling.displacement;
+        }
+    }
+    return z;
+}
+
+Eigen::VectorXd openingOf(const RayForm& form, const Eigen::VectorXd& z)
+{
+    const auto points = static_cast<Eigen::Index>(form.firstRay.size()) - 1;
+    Eigen::VectorXd opening = Eigen::VectorXd::Zero(2 * points);
+    for (Eigen::Index point = 0; point < points; ++point)
+    {
+        const int first = form.firstRay[static_cast<std::size_t>(point)];
+        const int rays = form.firstRay[static_cast<std::size_t>(point) + 1] - first;
+        const Eigen::Vector2d& direction = form.directions[static_cast<std::size_t>(first)];
+        if (rays == 1)
+        {
+            opening[2 * point] = z[first] / direction.x();
+        }
+        else // the directions mirror one another: z = (n u_n + t u_t, n u_n - t u_t)
+        {
+            opening[2 * point] = (z[first] + z[first + 1]) / (2 * direction.x());
+            opening[2 * point + 1] = (z[first] - z[first + 1]) / (2 * direction.y());
+        }
+    }
+    return form.scaling.displacement * opening;
+}
+
 Eigen::VectorXd rowsOf(const RayForm& form, const Eigen::VectorXd& displacement)
 {
     const RayProgram& rays = form.program;

@@ -98,10 +98,15 @@ ConeSolution solveAsChosen(const PlaneConeProgram& program, const SolverChoice& 
     const bool canStart = program.hasInertia() && !program.hasMultiplier() && !program.hasCrushing();
     ConeSolution solution; // the best so far
     double error = std::numeric_limits<double>::infinity();
+    InteriorStart interior; // passed on the way
     int iterations = 0;
     int factorisations = 0;
     const auto finished = [&](const ConeSolution& solved)
     {
+        if (!solved.interior.isEmpty())
+        {
+            interior = solved.interior;
+        }
         const bool isSolved = solved.status == SolveStatus::optimal;
         const double itsError = isSolved ? 0 : certifyOptimal(program, solved).worst();
         if (isSolved || itsError < error || solution.contactForce.size() == 0)
@@ -109,6 +114,7 @@ ConeSolution solveAsChosen(const PlaneConeProgram& program, const SolverChoice& 
             solution = solved;
             error = itsError;
         }
+        solution.interior = interior;
         solution.iterations = iterations += solved.iterations;
         solution.factorisations = factorisations += solved.factorisations;
         return solution.status == SolveStatus::optimal || !canStart;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <random>
 
 namespace drystone
@@ -166,17 +167,14 @@ std::vector<ContactColumns<2>> columnsAt(const DynamicCase& scene,
     return equilibriumColumns(scene.assembly, placedMasses(scene.blocks, placements), points);
 }
 
-/// The forces of the last step at the points of this one; none where a point is new.
-Eigen::VectorXd forcesOfLastStep(const Motion& motion, const std::vector<ContactPoint<2>>& points)
+/// Which point of the last step each of this one is, or -1 where it is new.
+std::vector<int> pointsOfLastStep(const Motion& motion, const std::vector<ContactPoint<2>>& points)
 {
-    Eigen::VectorXd forces = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(points.size()));
+    std::vector<int> old(points.size(), -1);
     if (!motion.contacts)
     {
-        for (std::size_t point = 0; point < points.size(); ++point) // they stay as built
-        {
-            forces.segment<2>(2 * static_cast<Eigen::Index>(point)) = motion.contactForces[point];
-        }
-        return forces;
+        std::iota(old.begin(), old.end(), 0); // they stay as built
+        return old;
     }
     // Both lists are sorted by (block, neighbour); a pair has a handful of points.
     std::size_t first = 0;
@@ -187,16 +185,53 @@ Eigen::VectorXd forcesOfLastStep(const Motion& motion, const std::vector<Contact
         {
             ++first;
         }
-        for (std::size_t old = first;
-             old < motion.points.size() && pairOf(motion.points[old]) == pairOf(points[point]); ++old)
+        for (std::size_t there = first;
+             there < motion.points.size() && pairOf(motion.points[there]) == pairOf(points[point]); ++there)
         {
-            if (motion.points[old].feature == points[point].feature)
+            if (motion.points[there].feature == points[point].feature)
             {
-                forces.segment<2>(2 * static_cast<Eigen::Index>(point)) = motion.contactForces[old];
+                old[point] = static_cast<int>(there);
             }
         }
     }
-    return forces;
+    return old;
+}
+
+/// What the points of the last step had, two numbers each, at those of this one; zero where a point is new.
+Eigen::VectorXd atPoints(const std::vector<int>& old, const Eigen::VectorXd& values)
+{
+    Eigen::VectorXd moved = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(old.size()));
+    for (std::size_t point = 0; point < old.size(); ++point)
+    {
+        if (old[point] >= 0)
+        {
+            moved.segment<2>(2 * static_cast<Eigen::Index>(point)) = values.segment<2>(2 * old[point]);
+        }
+    }
+    return moved;
+}
+
+/// A step's guess: where the blocks are heading, and what the last step knew of its points.
+StepGuess guessFrom(const Motion& motion, const std::vector<ContactPoint<2>>& points, double timeStep)
+{
+    const std::vector<int> old = pointsOfLastStep(motion, points);
+    StepGuess guess;
+    guess.displacement = timeStep * motion.state.velocity;
+    guess.contactForce = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(points.size()));
+    for (std::size_t point = 0; point < old.size(); ++point)
+    {
+        if (old[point] >= 0)
+        {
+            guess.contactForce.segment<2>(2 * static_cast<Eigen::Index>(point)) =
+                motion.contactForces[static_cast<std::size_t>(old[point])];
+        }
+    }
+    if (!motion.interior.isEmpty())
+    {
+        guess.interior = {atPoints(old, motion.interior.contactForce), atPoints(old, motion.interior.opening),
+                          motion.interior.displacement};
+    }
+    return guess;
 }
 
 /// Which unbroken bond holds each point.
@@ -709,7 +744,7 @@ bool advance(const DynamicCase& scene, Motion& motion, double timeStep)
 
     PlaneConeProgram program = thetaStepProgram(scene.mass, motion.state.velocity, load, points, columns,
                                                 frictionAt(scene, points), scheme);
-    const StepGuess guess{timeStep * motion.state.velocity, forcesOfLastStep(motion, points)};
+    StepGuess guess = guessFrom(motion, points, timeStep);
     const EffectContext context{scene.mass, guess.contactForce, motion.contactForces, scheme.timeStep};
     Eigen::VectorXd ofEffects;
     const Eigen::VectorXd gap = program.gap;
@@ -763,6 +798,7 @@ bool advance(const DynamicCase& scene, Motion& motion, double timeStep)
     }
 
     motion.residuals = motion.attempt;
+    motion.interior = step.interior.isEmpty() ? std::move(guess.interior) : step.interior;
     motion.bondsBrokenInStep = -brokenBonds(scene, motion);
     motion.isBondBroken = std::move(isBondBroken);
     motion.bondsBrokenInStep += brokenBonds(scene, motion);

@@ -32,13 +32,14 @@ private:
 };
 
 /// All that changes in a run. What a run needs to continue bit for bit is `state`, `energy`, `points`,
-/// `contactForces` and `isBondBroken`.
+/// `contactForces`, `interior` and `isBondBroken`.
 struct Motion
 {
     DynamicState state;
     EnergyLedger energy;
     std::vector<ContactPoint<2>> points;    ///< of the last step, where they are now; gaps [m]
     std::vector<Vector<2>> contactForces;   ///< one a point: mean over the last step, (normal, tangent) [N]
+    InteriorStart interior;                 ///< of the last program that had one, at `points`; or empty
     StepResiduals residuals;                ///< of the last step
     StepResiduals attempt;                  ///< of the last attempt at a step, solved or not
     KeptAnalysis symbolic;                  ///< of the last programs

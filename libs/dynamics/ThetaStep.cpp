@@ -185,6 +185,10 @@ ConeSolution solveCounted(ThetaStep& step, const PlaneConeProgram& program, cons
                           const ConeSolution& start, SymbolicAnalysis* symbolic)
 {
     ConeSolution solution = solveConeProgram(program, solver, start, symbolic);
+    if (!solution.interior.isEmpty())
+    {
+        step.interior = solution.interior;
+    }
     step.iterations += solution.iterations;
     step.factorisations += solution.factorisations;
     return solution;
@@ -448,6 +452,7 @@ ThetaStep solveThetaStep(PlaneConeProgram program, const StepSettings& settings,
     start.contactForce = guess.contactForce.size() == 2 * program.points()
                              ? guess.contactForce
                              : Eigen::VectorXd::Zero(2 * program.points());
+    start.interior = guess.interior;
     Rest rest = restWith(program, start.contactForce);
     step.initialResidual = rest.certificate.worst();
     if (comesToRest(step, program, std::move(rest), settings.solver.tolerance))
@@ -510,6 +515,10 @@ ThetaStep solveThetaStep(PlaneConeProgram program, const StepSettings& settings,
         }
         start.displacement = step.displacement;
         start.contactForce = step.contactForce;
+        if (!step.interior.isEmpty())
+        {
+            start.interior = step.interior;
+        }
         bool stands = isSolved;
         if (isCoulomb)
         {

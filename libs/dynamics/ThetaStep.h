@@ -59,6 +59,7 @@ struct StepGuess
 {
     Eigen::VectorXd displacement; ///< dt v0, say, to linearise about at first; or empty
     Eigen::VectorXd contactForce; ///< of the last step, two a point; or empty
+    InteriorStart interior;       ///< of the last step that had one; or empty
 };
 
 /// Corrects a program for what is not linear in it. Given the displacements of its solution, it puts the
@@ -79,6 +80,7 @@ struct ThetaStep
     Eigen::VectorXd displacement;                   ///< y, 3 a free block [m, m, rad]
     Eigen::VectorXd contactForce; ///< c, (normal, tangent) of each point, mean over the step [N]
     Eigen::VectorXd closing;      ///< A'y, likewise: by how much the points close and slide [m]
+    InteriorStart interior;       ///< of the last program that had one; or empty
     Certificate certificate;      ///< of the last program solved
     double initialResidual =
         0;                  ///< worst figure of the certificate of the guess "no motion, forces as before"

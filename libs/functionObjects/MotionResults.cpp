@@ -121,6 +121,17 @@ Motion motionOf(const DynamicCase& scene, const State& saved)
         point.normal = {normals[2 * i], normals[2 * i + 1]};
         motion.contactForces[i] = {forces[2 * i], forces[2 * i + 1]};
     }
+    if (saved.arrays.contains("interiorForce"))
+    {
+        const auto vectorOf = [&saved](const char* name, Eigen::Index size)
+        {
+            const auto& values = stateArray(saved, name, static_cast<std::size_t>(size));
+            return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(values.data(), size));
+        };
+        const auto ofPoints = 2 * static_cast<Eigen::Index>(points);
+        motion.interior = {vectorOf("interiorForce", ofPoints), vectorOf("interiorOpening", ofPoints),
+                           vectorOf("interiorDisplacement", motion.state.velocity.size())};
+    }
     // A run that goes on with bonds which it began without has those whose ends are still together.
     if (!scene.bonds.empty() && saved.arrays.contains("bondBroken"))
     {
@@ -182,6 +193,13 @@ State stateOf(const Motion& motion, const Time& time)
         positions.insert(positions.end(), {point.position.x(), point.position.y()});
         normals.insert(normals.end(), {point.normal.x(), point.normal.y()});
         forces.insert(forces.end(), {motion.contactForces[i].x(), motion.contactForces[i].y()});
+    }
+    if (const InteriorStart& interior = motion.interior; !interior.isEmpty())
+    {
+        state.arrays["interiorForce"].assign(interior.contactForce.begin(), interior.contactForce.end());
+        state.arrays["interiorOpening"].assign(interior.opening.begin(), interior.opening.end());
+        state.arrays["interiorDisplacement"].assign(interior.displacement.begin(),
+                                                    interior.displacement.end());
     }
     return state;
 }

@@ -51,7 +51,7 @@ std::filesystem::path makeCase(long wall, double share)
     std::ofstream(folder / "system/controlDict") << fmt::format(
         "application contactDynamics; startFrom startTime; startTime 0; endTime {}; deltaT 0.002;\n"
         "writeControl timeStep; writeInterval 10; purgeWrite 1;\n",
-        isPapers ? 1 : 0.1);
+        1);
     std::ofstream(folder / "constant/groundMotion")
         << fmt::format("direction (-1 0 0); acceleration {{ type constant; value {}; }}\n",
                        share * (isPapers ? paperMultipliers[wall - 1] : largeMultiplier) * 9.81);

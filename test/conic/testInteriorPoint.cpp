@@ -164,10 +164,78 @@ TEST(InteriorPoint, BeginsFromNothingWhereWhatItIsGivenIsFar)
     ConeSolution far = cold;
     far.displacement *= -1;
     far.contactForce.setConstant(1e3 * cold.contactForce.maxCoeff());
+    far.interior = {};
     const ConeSolution solution = solveInteriorPoint(program, {}, nullptr, &far);
     EXPECT_EQ(solution.status, SolveStatus::optimal);
     EXPECT_EQ(solution.iterations, cold.iterations);
     EXPECT_EQ(solution.displacement, cold.displacement);
+}
+
+/// What the last step of a falling tower left, its forces of no use.
+ConeSolution withInteriorOnly(const ConeSolution& last)
+{
+    ConeSolution start = last;
+    start.contactForce *= 3;
+    return start;
+}
+
+TEST(InteriorPoint, BeginsFromTheInteriorOfTheLastStep)
+{
+    const Tower tower = evenTower(20);
+    const ConeSolution last = solveInteriorPoint(planeStep(tower, 0.40));
+    ASSERT_FALSE(last.interior.isEmpty());
+    const PlaneConeProgram program = planeStep(tower, 0.402);
+    for (int point = 0; point < program.points(); ++point)
+    {
+        const Eigen::Vector2d force = last.interior.contactForce.segment<2>(2 * point);
+        const Eigen::Vector2d opening = last.interior.opening.segment<2>(2 * point);
+        EXPECT_GT(program.friction[point] * force[0], std::abs(force[1]));
+        EXPECT_GT(opening[0], program.friction[point] * std::abs(opening[1]));
+    }
+    const ConeSolution cold = solveInteriorPoint(program);
+    const ConeSolution start = withInteriorOnly(last);
+    ASSERT_GT(certifyOptimal(program, start).worst(), 0.1);
+    const ConeSolution warm = solveInteriorPoint(program, {}, nullptr, &start);
+    ASSERT_EQ(warm.status, SolveStatus::optimal);
+    EXPECT_LE(certifyOptimal(program, warm).worst(), 1e-9);
+    EXPECT_LT(warm.iterations, 0.8 * cold.iterations);
+    EXPECT_NEAR((warm.displacement - cold.displacement).lpNorm<Eigen::Infinity>(), 0,
+                1e-6 * cold.displacement.lpNorm<Eigen::Infinity>());
+    EXPECT_FALSE(warm.interior.isEmpty());
+}
+
+TEST(InteriorPoint, BeginsFromAnInteriorThatKnowsNothingOfSomePoints)
+{
+    const Tower tower = evenTower(20);
+    ConeSolution start = withInteriorOnly(solveInteriorPoint(planeStep(tower, 0.40)));
+    for (Eigen::Index point = 0; 2 * point < start.contactForce.size(); point += 7)
+    {
+        start.interior.contactForce.segment<2>(2 * point).setZero();
+        start.interior.opening.segment<2>(2 * point).setZero();
+    }
+    const PlaneConeProgram program = planeStep(tower, 0.402);
+    const ConeSolution cold = solveInteriorPoint(program);
+    const ConeSolution warm = solveInteriorPoint(program, {}, nullptr, &start);
+    ASSERT_EQ(warm.status, SolveStatus::optimal);
+    EXPECT_LE(certifyOptimal(program, warm).worst(), 1e-9);
+    EXPECT_LE(warm.iterations, cold.iterations);
+}
+
+TEST(InteriorPoint, BeginsFromNothingWhereTheInteriorIsOfAnotherProgram)
+{
+    const PlaneConeProgram program = planeStep(evenTower(20), 0.402);
+    const ConeSolution cold = solveInteriorPoint(program);
+    const ConeSolution last = withInteriorOnly(solveInteriorPoint(planeStep(evenTower(20), 0.40)));
+    ConeSolution start = last;
+    start.interior.contactForce *= -1; // none inside
+    EXPECT_EQ(solveInteriorPoint(program, {}, nullptr, &start).displacement, cold.displacement);
+    start.interior = last.interior;
+    start.interior.opening *= 1e6; // of much longer steps
+    EXPECT_EQ(solveInteriorPoint(program, {}, nullptr, &start).displacement, cold.displacement);
+    start.interior.opening.setConstant(std::nan(""));
+    EXPECT_EQ(solveInteriorPoint(program, {}, nullptr, &start).displacement, cold.displacement);
+    start.interior = solveInteriorPoint(planeStep(evenTower(5), 0.40)).interior; // of other points
+    EXPECT_EQ(solveInteriorPoint(program, {}, nullptr, &start).displacement, cold.displacement);
 }
 
 TEST(InteriorPoint, BeginsNearASolutionOfStepsOnly)
