@@ -54,7 +54,7 @@ public:
     /// fetching the factor.
     void solve(Eigen::Ref<Eigen::VectorXd> one, Eigen::Ref<Eigen::VectorXd> other);
     /// Solves in place as well as a factor in single precision does, which takes half the time in systems of
-    /// some thousand bodies; smaller ones are solved as by `solve`.
+    /// some thousand bodies; smaller and larger ones are solved as by `solve`.
     void solveRoughly(Eigen::Ref<Eigen::VectorXd> x);
 
 private:

@@ -2,8 +2,8 @@
 /// One simulated second of the paper's walls in steps of 0.002 s, on a ground that accelerates at 0.8 and 1.1
 /// times the collapse multiplier: CPU time a simulated second (the paper: 80 to 214 s), factorisations and
 /// cone programs a step, and the share of the run that writing adds when it comes every ten steps. Then the
-/// same with small displacements and steps certified to 1e-6 (all six walls, nothing written; 50 steps of a
-/// wall of 80 x 80 units), and Coulomb's law. The unit of work F is that of LimitAnalysisBenchmark: the Schur
+/// same with small displacements and steps certified to 1e-6 (all six walls and one of 80 x 80 units, nothing
+/// written), and Coulomb's law. The unit of work F is that of LimitAnalysisBenchmark: the Schur
 /// system of a step has the pattern of that of limit analysis.
 ///
 ///     build/test/MotionBenchmark --benchmark_out=results.csv --benchmark_out_format=csv
