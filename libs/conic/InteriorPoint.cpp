@@ -246,10 +246,22 @@ double stepToBoundary(const VectorXd& x, const VectorXd& dx)
     return 1 / std::max(steepest, 1 / farthest);
 }
 
-/// Collects how each ray limits a step dx + w c, as far as it does for a w from `least` to 1.
-void collectBlocking(const VectorXd& x, const VectorXd& dx, const VectorXd& c, double least,
-                     std::vector<Line>& lines)
+/// Collects how rays limit a step dx + w c for a w from `least` to 1: those that may do so more than others.
+/// \param floor the steepest line is nowhere below it: 1 / farthest, or what an earlier call returned for the
+/// same lines \return the same with these
+double collectBlocking(const VectorXd& x, const VectorXd& dx, const VectorXd& c, double least, double floor,
+                       std::vector<Line>& lines)
 {
+    const auto add = [&](double offset, double slope)
+    {
+        const double one = offset + slope;
+        const double other = offset + least * slope;
+        if (std::max(one, other) > floor)
+        {
+            lines.push_back({offset, slope});
+            floor = std::max(floor, std::min(one, other));
+        }
+    };
     constexpr int lanes = 4; // looked at together: few rays block
     using Lanes = Eigen::Array<double, lanes, 1>;
     Eigen::Index ray = 0;
@@ -258,24 +270,19 @@ void collectBlocking(const VectorXd& x, const VectorXd& dx, const VectorXd& c, d
         const Lanes slope = -c.segment<lanes>(ray).array();
         const Lanes offset = -dx.segment<lanes>(ray).array();
         const Lanes most = (offset + slope).max(offset + least * slope);
-        if ((farthest * most - x.segment<lanes>(ray).array()).maxCoeff() > 0)
+        if ((most - floor * x.segment<lanes>(ray).array()).maxCoeff() > 0)
         {
             for (int lane = 0; lane < lanes; ++lane)
             {
-                if (farthest * most[lane] > x[ray + lane])
-                {
-                    lines.push_back({offset[lane] / x[ray + lane], slope[lane] / x[ray + lane]});
-                }
+                add(offset[lane] / x[ray + lane], slope[lane] / x[ray + lane]);
             }
         }
     }
     for (; ray < x.size(); ++ray)
     {
-        if (farthest * std::max(-dx[ray] - c[ray], -dx[ray] - least * c[ray]) > x[ray])
-        {
-            lines.push_back({-dx[ray] / x[ray], -c[ray] / x[ray]});
-        }
+        add(-dx[ray] / x[ray], -c[ray] / x[ray]);
     }
+    return floor;
 }
 
 /// How much of a correction is added to a step, and how far the sum may go.
@@ -577,19 +584,19 @@ void InteriorPoint::measureSteps(const Iterate& step)
 bool InteriorPoint::addCorrection(double least, double largestLoss, Iterate& step)
 {
     blocking_.clear();
-    collectBlocking(at_.s, step.s, correction_.s, least, blocking_);
+    const double floor = collectBlocking(at_.s, step.s, correction_.s, least, 1 / farthest, blocking_);
     Weight forces;
     Weight openings;
     if (rays_.hasInertia())
     {
-        collectBlocking(at_.z, step.z, correction_.z, least, blocking_);
+        collectBlocking(at_.z, step.z, correction_.z, least, floor, blocking_);
         forces = openings = bestWeight(blocking_, least);
     }
     else
     {
         forces = bestWeight(blocking_, least);
         blocking_.clear();
-        collectBlocking(at_.z, step.z, correction_.z, least, blocking_);
+        collectBlocking(at_.z, step.z, correction_.z, least, 1 / farthest, blocking_);
         openings = bestWeight(blocking_, least);
     }
     if (forces.step < largestLoss * std::min(1.0, primal_)
