@@ -134,6 +134,14 @@ constexpr Centring narrow{.partOfCube = 1,
 
 constexpr double fullCorrection = 0.9; ///< a correction gets at least this weight when steps are long
 
+/// Whether an iterate that is passed well inside the cones is kept. Iterations that begin near the solution
+/// pass none.
+enum class Passed
+{
+    kept,
+    left
+};
+
 /// What the live load does on the displacements: one unit (a mechanism), or nothing (a ray).
 enum class LiveWork
 {
@@ -189,6 +197,7 @@ public:
     int solves() const { return solves_; }
 
 private:
+    void begin(double rayCompliance, Passed passed);
     bool start(Start from);
     bool iterate(const Centring& centring, int mostIterations, int shortStepsAllowed);
     void computeResiduals();
@@ -234,6 +243,7 @@ private:
     double dual_ = 0;     ///< likewise its openings
     Iterate correction_;
     Iterate interior_;
+    Passed passed_ = Passed::left;
     std::vector<Line> blocking_;
     VectorXd rayWork_, rayWork2_, trialRays_, rowWork_, remainder_;
 };
@@ -613,6 +623,16 @@ bool InteriorPoint::addCorrection(double least, double largestLoss, Iterate& ste
     return true;
 }
 
+void InteriorPoint::begin(double rayCompliance, Passed passed)
+{
+    compliance_ = rayCompliance;
+    passed_ = passed;
+    interior_ = {};
+    mu_ = 1;
+    rounding_ = 0;
+    waits_ = 0;
+}
+
 /// Mehrotra's start: the least forces that balance the load, and the least openings that are compatible, both
 /// pushed inside their cones by as much as they lie outside and then apart until neither is out of proportion
 /// to the other.
@@ -623,10 +643,7 @@ bool InteriorPoint::start(Start from)
     at_.z = VectorXd::Ones(rays);
     at_.y = VectorXd::Zero(rays_.load.size());
     at_.alpha = 0;
-    compliance_ = from == Start::leastSquares ? compliance : 0;
-    mu_ = 1;
-    rounding_ = 0;
-    waits_ = 0;
+    begin(from == Start::leastSquares ? compliance : 0, Passed::kept);
     if (rays == 0 || from == Start::unit)
     {
         return true;
@@ -692,9 +709,7 @@ bool InteriorPoint::runFrom(const VectorXd& s, const VectorXd& y, double error)
     const Eigen::ArrayXd larger = 0.5 * (sum + difference.abs());
     at_.s = (difference > 0).select(larger, mu / larger); // without cancellation
     at_.z = mu / at_.s.array();
-    compliance_ = 0;
-    mu_ = 1;
-    rounding_ = 0;
+    begin(0, Passed::left);
     return iterate(narrow, std::min(mostFromNear, settings_.maximumIterations), mostShortSteps);
 }
 
@@ -737,16 +752,13 @@ bool InteriorPoint::runFrom(Iterate interior, const VectorXd& heading)
             at_.s[ray] = mu / at_.z[ray];
         }
     }
-    compliance_ = 0;
-    mu_ = 1;
-    rounding_ = 0;
+    begin(0, Passed::kept);
     return iterate(wide, std::min(mostFromInterior, settings_.maximumIterations), mostShortStepsFromInterior);
 }
 
 bool InteriorPoint::iterate(const Centring& centring, int mostIterations, int shortStepsAllowed)
 {
     Iterate step;
-    interior_ = {};
     for (iterations_ = 0; iterations_ <= mostIterations; ++iterations_)
     {
         computeResiduals();
@@ -755,7 +767,8 @@ bool InteriorPoint::iterate(const Centring& centring, int mostIterations, int sh
         {
             return false;
         }
-        if (rays_.hasInertia() && interior_.s.size() == 0 && mu <= complementarityOfInterior)
+        if (passed_ == Passed::kept && rays_.hasInertia() && interior_.s.size() == 0
+            && mu <= complementarityOfInterior)
         {
             interior_ = at_;
         }
@@ -854,7 +867,6 @@ ConeSolution solveOnce(const PlaneConeProgram& program, const InteriorPointSetti
     // The least forces of a time step say little: they leave inertia out. Wall 6 collapsing: 20.6
     // factorisations a step from `unit`, 33.2 from `leastSquares`, which fails in one step of seventeen.
     bool converged = false;
-    bool isFromNear = false;
     int before = 0; // iterations of starts that failed
     if (near)
     {
@@ -862,8 +874,7 @@ ConeSolution solveOnce(const PlaneConeProgram& program, const InteriorPointSetti
         const VectorXd heading = rowsOf(form, near->displacement);
         if (error <= nearEnough)
         {
-            isFromNear = converged =
-                solver.runFrom(raysOf(program, form, near->contactForce), heading, error);
+            converged = solver.runFrom(raysOf(program, form, near->contactForce), heading, error);
             before += converged ? 0 : solver.iterations();
         }
         if (!converged && near->interior.contactForce.size() == 2 * program.points())
@@ -882,7 +893,7 @@ ConeSolution solveOnce(const PlaneConeProgram& program, const InteriorPointSetti
     {
         solution.restingForce = fromRays(program, form, solver.resting(), at.y, 0).contactForce;
     }
-    if (converged && !isFromNear && !program.hasStrength() && solver.interior().s.size() > 0)
+    if (converged && !program.hasStrength() && solver.interior().s.size() > 0)
     {
         solution.interior = interiorStart(program, form, solver.interior(), at.y);
     }

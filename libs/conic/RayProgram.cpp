@@ -334,18 +334,7 @@ void updateRayForm(RayForm& form, const PlaneConeProgram& program)
         }
     }
 
-    rays.gap = Eigen::VectorXd::Zero(rays.rayCount());
-    if (program.gap.size() > 0)
-    {
-        for (int point = 0; point < program.points(); ++point)
-        {
-            for (int ray = form.firstRay[point]; ray < form.firstRay[point + 1]; ++ray)
-            {
-                rays.gap[ray] =
-                    form.directions[ray].dot(program.gap.segment<2>(2 * point)) / scaling.displacement;
-            }
-        }
-    }
+    rays.gap = raysOfOpening(form, program.gap);
 }
 
 void applyRaysTransposed(const RayProgram& program, const Eigen::VectorXd& y, Eigen::VectorXd& out)
@@ -532,7 +521,7 @@ Eigen::VectorXd raysOf(const PlaneConeProgram& program, const RayForm& form,
 
 Eigen::VectorXd raysOfOpening(const RayForm& form, const Eigen::VectorXd& opening)
 {
-    Eigen::VectorXd z(form.program.rayCount());
+    Eigen::VectorXd z = Eigen::VectorXd::Zero(form.program.rayCount());
     for (Eigen::Index point = 0; 2 * point < opening.size(); ++point)
     {
         const auto at = static_cast<std::size_t>(point);

@@ -139,10 +139,12 @@ void solveWithLimits(const RayProgram& program, const Eigen::VectorXd& d, SchurS
 Eigen::VectorXd raysOf(const PlaneConeProgram& program, const RayForm& form,
                        const Eigen::VectorXd& contactForce);
 
-/// What the rays of a program without strength open, z = R'u. \param opening u, F k
+/// Openings of the rays for those of the points, z = R'u, slacks zero. \param opening u, F k, or empty for
+/// zero
 Eigen::VectorXd raysOfOpening(const RayForm& form, const Eigen::VectorXd& opening);
 
-/// The opposite of raysOfOpening; a point without friction opens along its normal. \return F k
+/// The opposite of raysOfOpening for a program without strength; a point without friction opens along its
+/// normal. \return F k
 Eigen::VectorXd openingOf(const RayForm& form, const Eigen::VectorXd& z);
 
 /// Displacements in the units and the order of a ray form. \param displacement 3 b \return y, ground at rest

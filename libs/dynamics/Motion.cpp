@@ -198,38 +198,35 @@ std::vector<int> pointsOfLastStep(const Motion& motion, const std::vector<Contac
 }
 
 /// What the points of the last step had, two numbers each, at those of this one; zero where a point is new.
-Eigen::VectorXd atPoints(const std::vector<int>& old, const Eigen::VectorXd& values)
+/// \param valueOf a point of the last step
+template<typename ValueOf>
+Eigen::VectorXd atPoints(const std::vector<int>& old, const ValueOf& valueOf)
 {
-    Eigen::VectorXd moved = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(old.size()));
+    Eigen::VectorXd values = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(old.size()));
     for (std::size_t point = 0; point < old.size(); ++point)
     {
         if (old[point] >= 0)
         {
-            moved.segment<2>(2 * static_cast<Eigen::Index>(point)) = values.segment<2>(2 * old[point]);
+            values.segment<2>(2 * static_cast<Eigen::Index>(point)) = valueOf(old[point]);
         }
     }
-    return moved;
+    return values;
 }
 
 /// A step's guess: where the blocks are heading, and what the last step knew of its points.
 StepGuess guessFrom(const Motion& motion, const std::vector<ContactPoint<2>>& points, double timeStep)
 {
     const std::vector<int> old = pointsOfLastStep(motion, points);
+    const auto of = [](const Eigen::VectorXd& values)
+    { return [&values](int point) { return values.segment<2>(2 * point); }; };
     StepGuess guess;
     guess.displacement = timeStep * motion.state.velocity;
-    guess.contactForce = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(points.size()));
-    for (std::size_t point = 0; point < old.size(); ++point)
+    guess.contactForce =
+        atPoints(old, [&](int point) { return motion.contactForces[static_cast<std::size_t>(point)]; });
+    if (const InteriorStart& interior = motion.interior; !interior.isEmpty())
     {
-        if (old[point] >= 0)
-        {
-            guess.contactForce.segment<2>(2 * static_cast<Eigen::Index>(point)) =
-                motion.contactForces[static_cast<std::size_t>(old[point])];
-        }
-    }
-    if (!motion.interior.isEmpty())
-    {
-        guess.interior = {atPoints(old, motion.interior.contactForce), atPoints(old, motion.interior.opening),
-                          motion.interior.displacement};
+        guess.interior = {atPoints(old, of(interior.contactForce)), atPoints(old, of(interior.opening)),
+                          interior.displacement};
     }
     return guess;
 }
@@ -744,7 +741,7 @@ bool advance(const DynamicCase& scene, Motion& motion, double timeStep)
 
     PlaneConeProgram program = thetaStepProgram(scene.mass, motion.state.velocity, load, points, columns,
                                                 frictionAt(scene, points), scheme);
-    StepGuess guess = guessFrom(motion, points, timeStep);
+    const StepGuess guess = guessFrom(motion, points, timeStep);
     const EffectContext context{scene.mass, guess.contactForce, motion.contactForces, scheme.timeStep};
     Eigen::VectorXd ofEffects;
     const Eigen::VectorXd gap = program.gap;
@@ -798,7 +795,7 @@ bool advance(const DynamicCase& scene, Motion& motion, double timeStep)
     }
 
     motion.residuals = motion.attempt;
-    motion.interior = step.interior.isEmpty() ? std::move(guess.interior) : step.interior;
+    motion.interior = std::move(solved.step.interior);
     motion.bondsBrokenInStep = -brokenBonds(scene, motion);
     motion.isBondBroken = std::move(isBondBroken);
     motion.bondsBrokenInStep += brokenBonds(scene, motion);

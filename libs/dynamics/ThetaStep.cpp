@@ -440,6 +440,7 @@ ThetaStep solveThetaStep(PlaneConeProgram program, const StepSettings& settings,
                          const Relinearisation& relinearise, SymbolicAnalysis* symbolic)
 {
     ThetaStep step;
+    step.interior = guess.interior;
     if (program.points() == 0)
     {
         step.displacement = displacementUnder(program, program.load); // free flight
@@ -452,7 +453,6 @@ ThetaStep solveThetaStep(PlaneConeProgram program, const StepSettings& settings,
     start.contactForce = guess.contactForce.size() == 2 * program.points()
                              ? guess.contactForce
                              : Eigen::VectorXd::Zero(2 * program.points());
-    start.interior = guess.interior;
     Rest rest = restWith(program, start.contactForce);
     step.initialResidual = rest.certificate.worst();
     if (comesToRest(step, program, std::move(rest), settings.solver.tolerance))
@@ -460,6 +460,7 @@ ThetaStep solveThetaStep(PlaneConeProgram program, const StepSettings& settings,
         return step;
     }
 
+    start.interior = step.interior;
     if (start.contactForce.lpNorm<Eigen::Infinity>() > 0)
     {
         // Where the forces of the last step would take the blocks: in steady motion that is nearly the
@@ -515,10 +516,7 @@ ThetaStep solveThetaStep(PlaneConeProgram program, const StepSettings& settings,
         }
         start.displacement = step.displacement;
         start.contactForce = step.contactForce;
-        if (!step.interior.isEmpty())
-        {
-            start.interior = step.interior;
-        }
+        start.interior = step.interior;
         bool stands = isSolved;
         if (isCoulomb)
         {

@@ -80,7 +80,7 @@ struct ThetaStep
     Eigen::VectorXd displacement;                   ///< y, 3 a free block [m, m, rad]
     Eigen::VectorXd contactForce; ///< c, (normal, tangent) of each point, mean over the step [N]
     Eigen::VectorXd closing;      ///< A'y, likewise: by how much the points close and slide [m]
-    InteriorStart interior;       ///< of the last program that had one; or empty
+    InteriorStart interior;       ///< of the last program that had one, else the guess's
     Certificate certificate;      ///< of the last program solved
     double initialResidual =
         0;                  ///< worst figure of the certificate of the guess "no motion, forces as before"

@@ -48,10 +48,9 @@ std::filesystem::path makeCase(long wall, double share)
         std::filesystem::copy(source / "constant" / file, folder / "constant" / file);
     }
     std::filesystem::create_directories(folder / "system");
-    std::ofstream(folder / "system/controlDict") << fmt::format(
-        "application contactDynamics; startFrom startTime; startTime 0; endTime {}; deltaT 0.002;\n"
-        "writeControl timeStep; writeInterval 10; purgeWrite 1;\n",
-        1);
+    std::ofstream(folder / "system/controlDict")
+        << "application contactDynamics; startFrom startTime; startTime 0; endTime 1; deltaT 0.002;\n"
+           "writeControl timeStep; writeInterval 10; purgeWrite 1;\n";
     std::ofstream(folder / "constant/groundMotion")
         << fmt::format("direction (-1 0 0); acceleration {{ type constant; value {}; }}\n",
                        share * (isPapers ? paperMultipliers[wall - 1] : largeMultiplier) * 9.81);
