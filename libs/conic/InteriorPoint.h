@@ -15,8 +15,7 @@ struct InteriorPointSettings
 {
     double tolerance = 1e-9;     ///< on every figure of the certificate
     int maximumIterations = 200; ///< factorisations allowed
-    int correctors = 4;          ///< higher-order corrections tried with one factorisation; half as many
-                                 ///< more where iterations begin near the solution
+    int correctors = 8;          ///< higher-order corrections tried with one factorisation
 };
 
 /// Solves a plane program from a cold start (Mehrotra 1992 predictor-corrector with multiple correctors of

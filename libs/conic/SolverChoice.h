@@ -55,7 +55,7 @@ struct SolverChoice
     SolverType solver = SolverType::automatic;
     double tolerance = 1e-9;     ///< on every figure of the certificate
     int maximumIterations = 200; ///< of each solver
-    int correctors = 4;          ///< of interiorPoint
+    int correctors = 8;          ///< of interiorPoint
     int maximumSweeps = 10000;   ///< of gaussSeidel, which needs many and cheap ones
     WriteProgram writeProgram = WriteProgram::never;
     SolveObserver observer =
