@@ -105,7 +105,10 @@ SchurSystem<Rows>::SchurSystem(int bodies, const std::vector<Coupling>& coupling
       values_(pattern_.row.size(), Block::Zero())
 {
     FactorPattern factor = makeFactorPattern(pattern_);
-    if (factor.operations(Rows) < frontalOperations)
+    const double operations = factor.operations(Rows);
+    const double numbers = static_cast<double>(Rows * Rows * factor.factor.row.size());
+    factorisationOverSolve_ = operations / (2 * numbers);
+    if (operations < frontalOperations)
     {
         small_.emplace(std::move(factor));
     }

@@ -35,6 +35,9 @@ public:
 
     int bodies() const { return bodies_; }
 
+    /// Multiplications of a factorisation over those of a solve.
+    double factorisationOverSolve() const { return factorisationOverSolve_; }
+
     /// Where the block of a pair is kept, for `coupling`. \throws std::out_of_range for a pair not in the
     /// pattern
     int slot(int first, int second) const { return pattern_.slot(first, second); }
@@ -59,6 +62,7 @@ public:
 
 private:
     int bodies_ = 0;
+    double factorisationOverSolve_ = 0;
     BlockPattern pattern_;
     std::vector<Block, Eigen::aligned_allocator<Block>> values_;
     std::optional<BlockCholesky<Rows>> small_;   ///< this factor,
