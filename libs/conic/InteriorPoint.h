@@ -16,7 +16,7 @@ struct InteriorPointSettings
     double tolerance = 1e-9;     ///< on every figure of the certificate
     int maximumIterations = 200; ///< factorisations allowed
     int correctors = 8;          ///< higher-order corrections tried with one factorisation; half of them
-                                 ///< where it is cheap beside its solves
+                                 ///< where it is cheap beside its solves, and in space
 };
 
 /// Solves a plane program from a cold start (Mehrotra 1992 predictor-corrector with multiple correctors of
