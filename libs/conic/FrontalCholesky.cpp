@@ -58,8 +58,8 @@ using Lanes = Eigen::Array<double, lanes, 1>;
 constexpr std::size_t roundedFrom = 1'000'000;
 
 /// Numbers in a factor up to which it may be rounded: what that leaves of the balance grows with it. Limit
-/// analyses of 102,560 blocks with a friction of 0.65 and 1 or 2% more or less take 31 to 38 factorisations
-/// without, 36 to 40 with it, and one takes 246 with 10 correctors, 27 without.
+/// analyses of 102,560 blocks with a friction of 0.65 and 1 or 2% more or less took 31 to 38 factorisations
+/// without, 36 to 40 with it, and one took 246 with 10 correctors, 27 without (now 24 without).
 constexpr std::size_t roundedUpTo = 10'000'000;
 
 /// Tiles may reach so far beyond the end of a matrix, where they find and leave numbers without meaning.

@@ -51,7 +51,7 @@ enum class Start
 /// a step instead of 14 to 16; with 0.01 to 1 times e^2 within 10%. On walls of 80 units that begin to fall,
 /// where e is 0.04 to 0.2, no complementarity was found from which the iterations end: short steps tell,
 /// after 4 to 17 factorisations. From such solutions what the last step passed on its way is the better
-/// start (below): with 0.01 instead of 0.03 walls of 20 and 40 units that fall take 14.7 and 14.3
+/// start (below): with 0.01 instead of 0.03 walls of 20 and 40 units that fell took 14.7 and 14.3
 /// factorisations a step instead of 15.3 and 16.9, and those of the paper as many.
 constexpr double nearEnough = 0.01;
 constexpr int mostFromNear = 30;
@@ -63,8 +63,9 @@ constexpr double largestOfNear = 1e-2;
 
 /// The first iterate with a complementarity of at most this is kept for the next program: near enough to the
 /// end to save iterations, and far enough from it that what has changed since leaves it inside its cones.
-/// Steps of walls of 20, 40 and 80 units that fall take 21, 23 and 26 factorisations from nothing, and 15, 14
-/// and 20 from there; with 1e-3 and 1e-1 instead of 1e-2 walls of 40 units take 2 and 7% more.
+/// Steps of walls of 20, 40 and 80 units that fall take 18, 19 and 18 factorisations from nothing, and 14, 15
+/// and 13 from there; with 1e-1 instead of 1e-2 the first two take 4 and 11% more, with 3e-4 the last two 14
+/// and 17% more.
 constexpr double complementarityOfInterior = 1e-2;
 constexpr int mostFromInterior = 60;
 constexpr int mostShortStepsFromInterior = 6;
@@ -76,8 +77,8 @@ constexpr double largestOpening = 10; // times what was kept
 constexpr double firmComplementarity = 1e-7;
 
 /// Complementarity above which a corrector needs no more than single precision: what little it spoils the
-/// next predictor mends. Walls of 20 to 160 units take as many factorisations as without; with 1e-5 that of
-/// 160 units takes 36 instead of 29, with 1e-7 that of 80 units 29 instead of 26.
+/// next predictor mends. Walls of 40 to 80 units take as many factorisations as without. With 1e-6 those of
+/// 80 units take 19.4 instead of 17.2, and steps of one that falls 13.8 instead of 12.2.
 constexpr double roughComplementarity = 1e-4;
 
 /// Complementarity below which cancellation often makes a pivot negative, and what the diagonal is raised by
