@@ -8,6 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sstream>
+#include <string>
+#include <unistd.h>
 
 namespace drystone
 {
@@ -101,7 +103,8 @@ TEST(DictionaryEdit, RemovingTakesTheEntryAndItsLine)
 
 TEST(DictionaryEdit, PointsBetweenKeywordsAreSlashesWhereNoNameHasThem)
 {
-    const std::filesystem::path file = std::filesystem::temp_directory_path() / "drystone-edit-points";
+    const std::filesystem::path file =
+        std::filesystem::temp_directory_path() / ("drystone-edit-points-" + std::to_string(::getpid()));
     const auto edited = [&](const std::string& path, EntryEdit edit)
     {
         writeWholeFile(file, "a.b 1;\ns { c 1; }\n");
