@@ -18,7 +18,8 @@ namespace
 /// bounces end, and a structure at rest has no impacts.
 constexpr double slowImpact = 1e-6;
 
-/// A point belongs to the impact when it carries more than this share of the largest contact force.
+/// A point belongs to the impact when it carries more than this share of the largest contact force, and is
+/// closed when the step ends.
 constexpr double carriesForce = 1e-9;
 
 /// Collisions in a row within one step; what is still closing then is stopped by the step itself.
@@ -394,23 +395,68 @@ Relinearisation movingContactGeometry(const DynamicCase& scene, const Motion& mo
     };
 }
 
-/// Points that the step closes and that were closing when it began. \param closing velocity of the points
-/// [m/s], two a point
+/// Of any block, that of its turning about as far from its mass centre as blocks are large [m].
+double farthestMotion(const Eigen::VectorXd& displacement, double blockSize)
+{
+    double farthest = 0;
+    for (Eigen::Index row = 0; row < displacement.size(); row += 3)
+    {
+        farthest = std::max({farthest, displacement.segment<2>(row).lpNorm<Eigen::Infinity>(),
+                             blockSize * std::abs(displacement[row + 2])});
+    }
+    return farthest;
+}
+
+/// Whether the points are closed where the step takes the blocks. Solutions are right to a tolerance, and
+/// some solvers end inside the cones, where a point that stays wide apart carries force too, a little. Of
+/// force and opening, which the exact solution never has both, the smaller part is then the error: force as a
+/// share of the largest one, opening as a share of the farthest motion.
+/// \param program of the step as it was first made; that of the places where the step ends is made of it
+std::vector<char> closedPoints(PlaneConeProgram program, const ThetaStep& step, const StepSettings& settings,
+                               const Relinearisation& relinearise)
+{
+    if (relinearise)
+    {
+        relinearise(step.displacement, step.contactForce, program);
+    }
+    const Eigen::VectorXd opening = program.gap - applyTransposed(program, step.displacement);
+    const double largestForce = step.contactForce.lpNorm<Eigen::Infinity>();
+    const double farthest = farthestMotion(step.displacement, settings.blockSize);
+    const double error = settings.contactTolerance + step.flowError;
+    std::vector<char> isClosed(static_cast<std::size_t>(program.points()));
+    for (std::size_t point = 0; point < isClosed.size(); ++point)
+    {
+        const auto row = 2 * static_cast<Eigen::Index>(point);
+        // Where points slide, the associative law opens them by mu |u_t|, and they press nevertheless.
+        const double byFlow = settings.flowRule == FlowRule::associative
+                                  ? program.friction[point] * std::abs(opening[row + 1])
+                                  : 0;
+        const double apart = opening[row] - byFlow;
+        isClosed[point] = apart <= error || apart * largestForce <= step.contactForce[row] * farthest;
+    }
+    return isClosed;
+}
+
+/// Points that the step closes and that were closing when it began. \param program as it was first made
+/// \param closing velocity of the points [m/s], two a point
 std::vector<std::size_t> collidingPoints(const PlaneConeProgram& program, const ThetaStep& step,
-                                         const Eigen::VectorXd& closing, double slowest)
+                                         const Eigen::VectorXd& closing, double slowest,
+                                         const StepSettings& settings, const Relinearisation& relinearise)
 {
     const double force = carriesForce * step.contactForce.lpNorm<Eigen::Infinity>();
-    std::vector<std::size_t> carrying;
-    bool collide = false;
-    for (int point = 0; point < program.points(); ++point)
+    const auto carries = [&](std::size_t point)
+    { return step.contactForce[2 * static_cast<Eigen::Index>(point)] > force; };
+    const auto collides = [&](std::size_t point)
+    { return carries(point) && closing[2 * static_cast<Eigen::Index>(point)] > slowest; };
+    std::vector<std::size_t> points(static_cast<std::size_t>(program.points()));
+    std::iota(points.begin(), points.end(), 0);
+    if (std::none_of(points.begin(), points.end(), collides))
     {
-        if (step.contactForce[2 * point] > force)
-        {
-            carrying.push_back(static_cast<std::size_t>(point));
-            collide = collide || closing[2 * point] > slowest;
-        }
+        return {};
     }
-    return collide ? carrying : std::vector<std::size_t>();
+    const std::vector<char> isClosed = closedPoints(program, step, settings, relinearise);
+    std::erase_if(points, [&](std::size_t point) { return !carries(point) || !isClosed[point]; });
+    return std::any_of(points.begin(), points.end(), collides) ? points : std::vector<std::size_t>();
 }
 
 /// Velocities after an impact at some points: M (v+ - v-) = -A P, u_n+ >= -e u_n- where u_n- closes, with
@@ -527,7 +573,8 @@ StepSolution solveWithImpacts(const StepProblem& problem, PlaneConeProgram progr
         {
             slowest = std::max(slowest, closing[2 * static_cast<Eigen::Index>(point)]);
         }
-        auto colliding = collidingPoints(program, step, closing, slowest);
+        auto colliding =
+            collidingPoints(program, step, closing, slowest, problem.settings, problem.relinearise);
         if (colliding.empty())
         {
             break;
@@ -577,12 +624,7 @@ int breakBonds(const StepProblem& problem, const ThetaStep& step, PlaneConeProgr
         relinearise(step.displacement, step.contactForce, there);
     }
     const Eigen::VectorXd opening = there.gap - applyTransposed(there, step.displacement);
-    double farthest = 0;
-    for (Eigen::Index row = 0; row < step.displacement.size(); row += 3)
-    {
-        farthest = std::max({farthest, step.displacement.segment<2>(row).lpNorm<Eigen::Infinity>(),
-                             scene.blockSize * std::abs(step.displacement[row + 2])});
-    }
+    const double farthest = farthestMotion(step.displacement, scene.blockSize);
     // What a solver leaves of forces out of balance moves the blocks as well: the gap of its certificate is
     // of second order in them.
     const double leftover =

@@ -23,6 +23,7 @@ struct Settings
     FlowRule flowRule = FlowRule::nonAssociative;
     double restitution = 0;
     double tolerance = 1e-11;
+    SolverType solver = SolverType::automatic;
     Vector<2> gravity{0, -g};
     double density = 1800;
 };
@@ -99,6 +100,7 @@ inline DynamicCase sceneOf(Assembly<2> assembly, const Settings& settings)
     }
     scene.schemes.timeIntegration.theta = settings.theta;
     scene.solution.tolerance = settings.tolerance;
+    scene.solution.solver = settings.solver;
     return scene;
 }
 

@@ -136,6 +136,29 @@ TEST(Rocking, PeriodOfFreeRockingIsThatOfHousnersEquation)
     }
 }
 
+/// A solver that ends inside the cones leaves some force at points that are far apart. They do not collide.
+TEST(Rocking, NoCornerIsHitThatOnlyASolverPressesOn)
+{
+    const double exact = rockingPeriod({width, height, g}, slenderness / 2);
+    for (const SolverType solver : {SolverType::interiorPoint, SolverType::augmentedLagrangian})
+    {
+        for (const double tolerance : {1e-4, 1e-6, 1e-8})
+        {
+            for (const double timeStep : {0.01, 0.002})
+            {
+                EXPECT_NEAR(period({.theta = 0.5,
+                                    .mu = 1,
+                                    .flowRule = FlowRule::associative,
+                                    .tolerance = tolerance,
+                                    .solver = solver},
+                                   timeStep),
+                            exact, 2e-3 * exact)
+                    << nameOf(solver) << ", tolerance " << tolerance << ", step " << timeStep;
+            }
+        }
+    }
+}
+
 /// Slope of the logarithm of the error of the period over that of the step, by least squares.
 double orderOfConvergence(double theta, const std::vector<double>& timeSteps)
 {
