@@ -3,6 +3,7 @@
 
 #include "conic/AugmentedLagrangian.h"
 #include "conic/Certificate.h"
+#include "conic/Divergence.h"
 #include "conic/RayProgram.h"
 #include "conic/UpperBounds.h"
 
@@ -57,6 +58,13 @@ constexpr double nearEnough = 0.01;
 constexpr int mostFromNear = 30;
 constexpr int mostShortSteps = 3;
 constexpr double shortStep = 0.2;
+
+/// What a certificate misses its tolerance by, at most, for further iterations to be worth a try.
+constexpr double hopeless = 1e4;
+/// They then aim at a tenth of it, and at a tenth of that; each takes one or two.
+constexpr int mostFurther = 2;
+constexpr int mostToGoOn = 10;
+
 constexpr double complementarityOfNear = 0.1; // times e^2, and within these:
 constexpr double leastOfNear = 1e-6;
 constexpr double largestOfNear = 1e-2;
@@ -148,13 +156,6 @@ enum class Passed
     left
 };
 
-/// What the live load does on the displacements: one unit (a mechanism), or nothing (a ray).
-enum class LiveWork
-{
-    unit,
-    none
-};
-
 /// What is left of the optimality conditions.
 struct Residuals
 {
@@ -177,8 +178,9 @@ constexpr double farthest = 1.02;
 class InteriorPoint
 {
 public:
-    InteriorPoint(const RayProgram& rays, SchurSystem<3>& system, const InteriorPointSettings& settings)
-        : rays_(rays), system_(system), settings_(settings)
+    InteriorPoint(const RayProgram& rays, SchurSystem<3>& system, const InteriorPointSettings& settings,
+                  Sought sought)
+        : rays_(rays), system_(system), settings_(settings), sought_(sought)
     {
     }
 
@@ -192,9 +194,16 @@ public:
     /// solution; rays without force or opening are new \param heading about the y to come
     bool runFrom(Iterate interior, const VectorXd& heading);
 
+    /// Iterates further, to another tolerance. \return whether it was met; otherwise the iterate is what it
+    /// was
+    bool goOn(double tolerance);
+
     /// Forces that balance f alone, found on the way; empty when none were.
     const VectorXd& resting() const { return resting_; }
     const Iterate& iterate() const { return at_; }
+
+    /// Whether the last iterations ended with displacements that show that nothing balances the loads.
+    bool falls() const { return falls_; }
 
     /// An iterate well inside the cones that was passed on the way, or with empty vectors where none was.
     const Iterate& interior() const { return interior_; }
@@ -206,6 +215,7 @@ private:
     void begin(double rayCompliance, Passed passed);
     bool start(Start from);
     bool iterate(const Centring& centring, int mostIterations, int shortStepsAllowed);
+    bool iterateOn(const Centring& centring, int mostIterations, int shortStepsAllowed);
     void computeResiduals();
     bool factorise();
     void tryResting();
@@ -227,10 +237,12 @@ private:
     bool converged();
     bool isObjectiveReached(double tolerance);
     bool diverges() const;
+    bool isFalling(double error) const;
 
     const RayProgram& rays_;
     SchurSystem<3>& system_;
     InteriorPointSettings settings_;
+    Sought sought_;
     Iterate at_;
     Residuals residuals_;
     VectorXd flexibility_;     ///< 1 / (z + rho s)
@@ -243,6 +255,7 @@ private:
     int iterations_ = 0;
     int factorisations_ = 0;
     int solves_ = 0;
+    bool falls_ = false;
     int waits_ = 0;       ///< iterations that objectives which differ have been given to meet
     double rounding_ = 0; ///< share that the diagonal of the Schur system is raised by
     double primal_ = 0;   ///< how far the forces of the step in hand may go, at most `farthest`
@@ -393,6 +406,11 @@ bool InteriorPoint::converged()
         return residuals_.balance.lpNorm<Eigen::Infinity>()
                <= tolerance; // any forces will do: y = 0 completes them
     }
+    if (sought_ == Sought::fall && at_.s.dot(at_.z) <= complementarityOfFall * objectiveSize()
+        && isFalling(0.1 * settings_.tolerance))
+    {
+        return true;
+    }
     const double displacement =
         std::max({at_.y.lpNorm<Eigen::Infinity>(), rays_.gap.lpNorm<Eigen::Infinity>(),
                   rays_.hasInertia() ? 1.0 : 0.0});
@@ -418,9 +436,18 @@ bool InteriorPoint::isObjectiveReached(double tolerance)
 /// its own.
 bool InteriorPoint::diverges() const
 {
-    constexpr double far = 1e13;
-    return std::abs(at_.alpha) > far || at_.y.lpNorm<Eigen::Infinity>() > far
-           || at_.s.lpNorm<Eigen::Infinity>() > far * std::max(1.0, std::abs(at_.alpha));
+    return runsOff(iterations_, at_.y.lpNorm<Eigen::Infinity>(), at_.s.lpNorm<Eigen::Infinity>(),
+                   residuals_.balance.lpNorm<Eigen::Infinity>(), at_.alpha, rays_.hasInertia());
+}
+
+bool InteriorPoint::isFalling(double error) const
+{
+    double closing = 0; // what is above B'y, by z
+    if (rays_.rayCount() > 0)
+    {
+        closing = std::max(0.0, (rays_.gap - residuals_.opening).maxCoeff());
+    }
+    return isFall(rays_.load, rays_.liveLoad, at_.y, closing, rays_.liveWork - residuals_.work, error);
 }
 
 bool InteriorPoint::factorise()
@@ -783,17 +810,38 @@ bool InteriorPoint::runFrom(Iterate interior, const VectorXd& heading)
     return iterate(wide, std::min(mostFromInterior, settings_.maximumIterations), mostShortStepsFromInterior);
 }
 
+bool InteriorPoint::goOn(double tolerance)
+{
+    const Iterate reached = at_;
+    const int mostIterations = iterations_ + mostToGoOn;
+    settings_.tolerance = tolerance;
+    waits_ = 0;
+    const bool isMet = iterateOn(narrow, mostIterations, mostShortSteps);
+    if (!isMet)
+    {
+        at_ = reached;
+    }
+    return isMet;
+}
+
 bool InteriorPoint::iterate(const Centring& centring, int mostIterations, int shortStepsAllowed)
+{
+    iterations_ = 0;
+    return iterateOn(centring, mostIterations, shortStepsAllowed);
+}
+
+bool InteriorPoint::iterateOn(const Centring& centring, int mostIterations, int shortStepsAllowed)
 {
     const int correctors = system_.factorisationOverSolve() < dearFactorisation
                                ? (settings_.correctors + 1) / 2
                                : settings_.correctors;
     Iterate step;
-    for (iterations_ = 0; iterations_ <= mostIterations; ++iterations_)
+    for (; iterations_ <= mostIterations; ++iterations_)
     {
         computeResiduals();
         const double mu = mu_ = complementarity();
-        if (!std::isfinite(mu) || diverges())
+        falls_ = !rays_.hasInertia() && isFalling(possibleFall);
+        if (!std::isfinite(mu) || falls_ || diverges())
         {
             return false;
         }
@@ -883,18 +931,28 @@ Iterate interiorRays(const PlaneConeProgram& program, const RayForm& form, const
             rowsOf(form, start.displacement), 0};
 }
 
+/// A solution and the worst figure of what proves it.
+struct Proved
+{
+    ConeSolution solution;
+    double worst = std::numeric_limits<double>::infinity();
+};
+
 /// Solves one program in ray form; `optimal` in its status means that the scaled residuals met the tolerance.
-/// \param near to begin with, or null
-ConeSolution solveOnce(const PlaneConeProgram& program, const InteriorPointSettings& settings,
-                       LiveWork liveWork, SymbolicAnalysis& symbolic, const ConeSolution* near = nullptr)
+/// What these promise, the certificate may miss by a little (others are the largest of its terms): then the
+/// iterations go on, to ten times as well. \param worst figure of the certificate of a solution \param near
+/// to begin with, or null
+template<class Worst>
+Proved solveOnce(const PlaneConeProgram& program, const InteriorPointSettings& settings, Sought sought,
+                 SymbolicAnalysis& symbolic, const Worst& worst, const ConeSolution* near = nullptr)
 {
     RayForm form = makeRayForm(program, symbolic);
-    if (liveWork == LiveWork::none)
+    if (sought != Sought::solution)
     {
         form.program.liveWork = 0;
     }
     SchurSystem<3>& system = schurSystem(form, symbolic);
-    InteriorPoint solver(form.program, system, settings);
+    InteriorPoint solver(form.program, system, settings, sought);
     // The least forces of a time step say little: they leave inertia out. Wall 6 collapsing: 20.6
     // factorisations a step from `unit`, 33.2 from `leastSquares`, which fails in one step of seventeen.
     bool converged = false;
@@ -917,53 +975,60 @@ ConeSolution solveOnce(const PlaneConeProgram& program, const InteriorPointSetti
     converged =
         converged
         || (program.hasInertia() ? solver.run(Start::unit, wide) || solver.run(Start::leastSquares, narrow)
-                                 : solver.run(Start::leastSquares, wide) || solver.run(Start::unit, narrow));
-    const Iterate& at = solver.iterate();
-    ConeSolution solution = fromRays(program, form, at.s, at.y, at.alpha);
+                                 : solver.run(Start::leastSquares, wide)
+                                       || (!solver.falls() && solver.run(Start::unit, narrow)));
+    const auto solutionNow = [&]
+    {
+        const Iterate& at = solver.iterate();
+        return fromRays(program, form, at.s, at.y, at.alpha);
+    };
+    Proved proved;
+    proved.solution = solutionNow();
+    proved.worst = worst(proved.solution);
+    double tolerance = settings.tolerance;
+    for (int further = 0; converged && further < mostFurther && proved.worst > settings.tolerance
+                          && proved.worst <= hopeless * settings.tolerance;
+         ++further)
+    {
+        tolerance /= 10;
+        if (!solver.goOn(tolerance))
+        {
+            break; // beyond what rounding allows
+        }
+        proved.solution = solutionNow();
+        proved.worst = worst(proved.solution);
+    }
+    ConeSolution& solution = proved.solution;
     if (solver.resting().size() > 0)
     {
-        solution.restingForce = fromRays(program, form, solver.resting(), at.y, 0).contactForce;
+        solution.restingForce = fromRays(program, form, solver.resting(), solver.iterate().y, 0).contactForce;
     }
     if (converged && !program.hasStrength() && solver.interior().s.size() > 0)
     {
-        solution.interior = interiorStart(program, form, solver.interior(), at.y);
+        solution.interior = interiorStart(program, form, solver.interior(), solver.iterate().y);
     }
     solution.iterations = before + solver.iterations();
     solution.factorisations = solver.factorisations();
     solution.solves = solver.solves();
     solution.status = converged ? SolveStatus::optimal : SolveStatus::notConverged;
-    return solution;
+    return proved;
 }
 
-/// A solution and the worst figure of what proves it.
-struct Proved
-{
-    ConeSolution solution;
-    double worst = std::numeric_limits<double>::infinity();
-};
-
-/// As solveOnce, to a certificate: what the scaled residuals promise, the certificate may miss by a little
-/// (others are the largest of its terms), and what proves nothing at one tolerance may do so at a tighter
-/// one. Then it is solved again, ten times as well, where that is not hopeless. \param worst figure of the
-/// certificate of a solution \return the last solution, with all the work counted
+/// As solveOnce, and where what it found does not prove enough again from the start, to tighter tolerances:
+/// what proves nothing at one may do so at another. \return the last solution, with all the work counted
 template<class Worst>
-Proved solveToCertificate(const PlaneConeProgram& program, InteriorPointSettings settings, LiveWork liveWork,
+Proved solveToCertificate(const PlaneConeProgram& program, InteriorPointSettings settings, Sought sought,
                           SymbolicAnalysis& symbolic, const Worst& worst, const ConeSolution* near = nullptr)
 {
     constexpr int attempts = 3;
-    constexpr double hopeless = 1e4; // times the tolerance
     const double tolerance = settings.tolerance;
-    Proved proved;
-    proved.solution = solveOnce(program, settings, liveWork, symbolic, near);
-    proved.worst = worst(proved.solution);
+    Proved proved = solveOnce(program, settings, sought, symbolic, worst, near);
     for (int attempt = 1; attempt < attempts && proved.solution.status == SolveStatus::optimal
                           && proved.worst > tolerance && proved.worst <= hopeless * tolerance;
          ++attempt)
     {
         settings.tolerance /= 10;
-        Proved better;
-        better.solution = solveOnce(program, settings, liveWork, symbolic);
-        better.worst = worst(better.solution);
+        Proved better = solveOnce(program, settings, sought, symbolic, worst);
         for (int ConeSolution::*work :
              {&ConeSolution::iterations, &ConeSolution::factorisations, &ConeSolution::solves})
         {
@@ -1047,7 +1112,7 @@ ConeSolution solveInteriorPoint(const PlaneConeProgram& program, const InteriorP
     // Any forces that balance the load will do: y = 0 completes them.
     const bool isBalanceAlone = !program.hasMultiplier() && !program.hasInertia() && program.gap.size() == 0;
     Proved proved = solveToCertificate(
-        program, settings, LiveWork::unit, symbolic,
+        program, settings, Sought::solution, symbolic,
         [&](ConeSolution& found)
         {
             if (isBalanceAlone)
@@ -1077,7 +1142,7 @@ ConeSolution solveInteriorPoint(const PlaneConeProgram& program, const InteriorP
     // 0.
     const PlaneConeProgram moving = withUnitInertia(program);
     const Proved moved = solveToCertificate(
-        moving, settings, LiveWork::none, symbolic,
+        moving, settings, Sought::fall, symbolic,
         [&](const ConeSolution& found) { return certifyInfeasible(program, found.displacement).worst(); });
     solution.factorisations += moved.solution.factorisations;
     solution.solves += moved.solution.solves;
@@ -1110,7 +1175,7 @@ ConeSolution solveInteriorPoint(const PlaneConeProgram& program, const InteriorP
         }
     }
     Proved carried =
-        solveToCertificate(live, settings, LiveWork::none, symbolic,
+        solveToCertificate(live, settings, Sought::carried, symbolic,
                            [&](ConeSolution& found)
                            {
                                for (int point = 0; program.hasStrength() && point < program.points(); ++point)

@@ -1,6 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// The interior-point solver for contact points of space, where friction cones are round.
 #include "conic/Certificate.h"
+#include "conic/Divergence.h"
 #include "conic/InteriorPoint.h"
 #include "conic/SecondOrderCone.h"
 #include "conic/SpaceForm.h"
@@ -41,13 +42,6 @@ enum class Start
     unit          ///< all forces and openings e, no compliance
 };
 
-/// What the live load does on the displacements: one unit (a mechanism), or nothing (a ray).
-enum class LiveWork
-{
-    unit,
-    none
-};
-
 /// What is left of the optimality conditions.
 struct Residuals
 {
@@ -59,10 +53,12 @@ struct Residuals
 class SpaceInteriorPoint
 {
 public:
-    SpaceInteriorPoint(const SpaceForm& form, SchurSystem<6>& system, const InteriorPointSettings& settings)
+    SpaceInteriorPoint(const SpaceForm& form, SchurSystem<6>& system, const InteriorPointSettings& settings,
+                       Sought sought)
         : form_(form),
           system_(system),
           settings_(settings),
+          sought_(sought),
           scaling_(form.points.size()),
           d_(form.points.size())
     {
@@ -72,6 +68,9 @@ public:
     bool run(Start from);
 
     const Iterate& iterate() const { return at_; }
+
+    /// Whether the last iterations ended with displacements that show that nothing balances the loads.
+    bool falls() const { return falls_; }
     int iterations() const { return iterations_; }
     int factorisations() const { return factorisations_; }
     int solves() const { return solves_; }
@@ -89,10 +88,12 @@ private:
     double objectiveSize() const;
     bool converged() const;
     bool diverges() const;
+    bool isFalling(double error) const;
 
     const SpaceForm& form_;
     SchurSystem<6>& system_;
     InteriorPointSettings settings_;
+    Sought sought_;
     Iterate at_;
     Residuals residuals_;
     std::vector<NesterovToddScaling> scaling_;
@@ -101,6 +102,7 @@ private:
     double liveStiffness_ = 0;    ///< L' S^-1 L
     double compliance_ = 0;
     double mu_ = 0; ///< complementarity of the iterate
+    bool falls_ = false;
     int iterations_ = 0;
     int factorisations_ = 0;
     int solves_ = 0;
@@ -149,6 +151,11 @@ bool SpaceInteriorPoint::converged() const
     {
         return balance <= tolerance; // any forces will do: y = 0 completes them
     }
+    if (sought_ == Sought::fall && at_.s.dot(at_.z) <= complementarityOfFall * objectiveSize()
+        && isFalling(0.1 * settings_.tolerance))
+    {
+        return true;
+    }
     const double displacement =
         std::max({at_.y.lpNorm<Eigen::Infinity>(), form_.gap.lpNorm<Eigen::Infinity>(),
                   form_.hasInertia() ? 1.0 : 0.0});
@@ -161,9 +168,20 @@ bool SpaceInteriorPoint::converged() const
 /// Without a solution the iterates run off along a ray, which a program of its own then proves.
 bool SpaceInteriorPoint::diverges() const
 {
-    constexpr double far = 1e13;
-    return std::abs(at_.alpha) > far || at_.y.lpNorm<Eigen::Infinity>() > far
-           || at_.s.lpNorm<Eigen::Infinity>() > far * std::max(1.0, std::abs(at_.alpha));
+    return runsOff(iterations_, at_.y.lpNorm<Eigen::Infinity>(), at_.s.lpNorm<Eigen::Infinity>(),
+                   residuals_.balance.lpNorm<Eigen::Infinity>(), at_.alpha, form_.hasInertia());
+}
+
+bool SpaceInteriorPoint::isFalling(double error) const
+{
+    // -B'y = z + r - g misses the cones by no more than r - g does.
+    double closing = 0;
+    for (Eigen::Index row = 0; row < at_.s.size(); row += 3)
+    {
+        const Eigen::Vector3d beside = residuals_.opening.segment<3>(row) - form_.gap.segment<3>(row);
+        closing = std::max(closing, beside.tail<2>().norm() - beside[0]);
+    }
+    return isFall(form_.load, form_.liveLoad, at_.y, closing, form_.liveWork - residuals_.work, error);
 }
 
 bool SpaceInteriorPoint::factorise()
@@ -386,7 +404,8 @@ bool SpaceInteriorPoint::run(Start from)
     {
         computeResiduals();
         const double mu = mu_ = complementarity();
-        if (!std::isfinite(mu) || diverges())
+        falls_ = !form_.hasInertia() && isFalling(possibleFall);
+        if (!std::isfinite(mu) || falls_ || diverges())
         {
             return false;
         }
@@ -462,18 +481,18 @@ bool SpaceInteriorPoint::run(Start from)
 }
 
 /// Solves one program; `optimal` in its status means that the scaled residuals met the tolerance.
-ConeSolution solveOnce(const SpaceConeProgram& program, const InteriorPointSettings& settings,
-                       LiveWork liveWork)
+ConeSolution solveOnce(const SpaceConeProgram& program, const InteriorPointSettings& settings, Sought sought)
 {
     SpaceForm form = makeSpaceForm(program);
-    if (liveWork == LiveWork::none)
+    if (sought != Sought::solution)
     {
         form.liveWork = 0;
     }
     SchurSystem<6> system = makeSchurSystem(form);
-    SpaceInteriorPoint solver(form, system, settings);
+    SpaceInteriorPoint solver(form, system, settings, sought);
     const bool converged = program.hasInertia() ? solver.run(Start::unit) || solver.run(Start::leastSquares)
-                                                : solver.run(Start::leastSquares) || solver.run(Start::unit);
+                                                : solver.run(Start::leastSquares)
+                                                      || (!solver.falls() && solver.run(Start::unit));
     const Iterate& at = solver.iterate();
     ConeSolution solution = fromCones(program, form, at.s, at.y, at.alpha);
     solution.iterations = solver.iterations();
@@ -487,7 +506,7 @@ ConeSolution solveOnce(const SpaceConeProgram& program, const InteriorPointSetti
 
 ConeSolution solveInteriorPoint(const SpaceConeProgram& program, const InteriorPointSettings& settings)
 {
-    ConeSolution solution = solveOnce(program, settings, LiveWork::unit);
+    ConeSolution solution = solveOnce(program, settings, Sought::solution);
     if (solution.status == SolveStatus::optimal)
     {
         if (!program.hasMultiplier() && !program.hasInertia() && program.gap.size() == 0)
@@ -508,7 +527,7 @@ ConeSolution solveInteriorPoint(const SpaceConeProgram& program, const InteriorP
     // Least r with r + A c = f + alpha L: where it does not vanish, y = Mbar^-1 r proves that nothing
     // balances f, since the optimality conditions are -A'y in the dual cone, L'y = 0 and f'y = r' Mbar^-1 r >
     // 0.
-    const ConeSolution moved = solveOnce(withUnitInertia(program), settings, LiveWork::none);
+    const ConeSolution moved = solveOnce(withUnitInertia(program), settings, Sought::fall);
     solution.factorisations += moved.factorisations;
     solution.solves += moved.solves;
     if (certifyInfeasible(program, moved.displacement).worst() <= settings.tolerance)
@@ -526,7 +545,7 @@ ConeSolution solveInteriorPoint(const SpaceConeProgram& program, const InteriorP
     live.load = program.liveLoad;
     live.liveLoad.resize(0);
     live.gap.resize(0);
-    const ConeSolution carried = solveOnce(live, settings, LiveWork::none);
+    const ConeSolution carried = solveOnce(live, settings, Sought::carried);
     solution.factorisations += carried.factorisations;
     solution.solves += carried.solves;
     if (certifyUnbounded(program, carried.contactForce).worst() <= settings.tolerance)

@@ -8,6 +8,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Dense>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <random>
@@ -80,6 +81,39 @@ TEST(InteriorPoint, ProvesThatABlockInTheAirCannotBeHeld)
     const ConeSolution solution = solveInteriorPoint(program);
     ASSERT_EQ(solution.status, SolveStatus::infeasible);
     EXPECT_GT(program.load.dot(solution.displacement), 0);
+}
+
+/// With the push that it carries times `share` as a dead load.
+template<class Program>
+Program pushedTower(Program program, double share)
+{
+    program.load += share * solveInteriorPoint(program).multiplier * program.liveLoad;
+    program.liveLoad.resize(0);
+    return program;
+}
+
+template<class Program>
+void expectProofOfFallByFewFactorisations(const Program& program)
+{
+    const ConeSolution solution = solveInteriorPoint(program);
+    ASSERT_EQ(solution.status, SolveStatus::infeasible);
+    EXPECT_LE(certify(program, solution).worst(), 1e-9);
+    EXPECT_LE(solution.factorisations, 40);
+}
+
+/// Iterates run off slowly, for the proximal term holds them: until all iterations were used up, of both
+/// starts, some 400.
+TEST(InteriorPoint, ProvesThatATowerFallsAboutAsSoonAsThatItStands)
+{
+    for (const double share : {1.001, 1.5, 10.0})
+    {
+        for (const int boxes : {2, 10, 50})
+        {
+            SCOPED_TRACE(fmt::format("{} boxes, {} times what they carry", boxes, share));
+            expectProofOfFallByFewFactorisations(pushedTower(planeLimitAnalysis(evenTower(boxes)), share));
+            expectProofOfFallByFewFactorisations(pushedTower(spaceLimitAnalysis(evenTower(boxes)), share));
+        }
+    }
 }
 
 TEST(InteriorPoint, ProvesThatPressingNeverBreaks)

@@ -1,0 +1,66 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// What iterates of the interior points, in the plane and in space, show where a program has no solution.
+#pragma once
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+
+namespace drystone
+{
+
+/// What a program is solved for.
+enum class Sought
+{
+    solution, ///< the live load does one unit of work on the displacements: a mechanism
+    fall,   ///< displacements that prove that nothing balances the loads; the live load does no work on them
+    carried ///< forces that carry the live load alone, which prove that there is no largest multiplier
+};
+
+/// Displacements on which the loads fall, but for this share of what they do there, end iterations: another
+/// program proves that nothing balances the loads. Forces ten million times as large as these might.
+constexpr double possibleFall = 1e-7;
+
+/// Of the program that proves it: the complementarity, relative, at which its displacements are those of its
+/// solution to a thousandth, in the metric of its inertia. They show how the structure falls; that it does is
+/// proved to the tolerance.
+constexpr double complementarityOfFall = 1e-6;
+
+/// Whether displacements close nothing, B'y <= 0, while the live load does no work on them and the others do,
+/// f'y > 0. Then no forces balance these, since f'y = (B s)'y = s'(B'y) <= 0 for any.
+/// \param liveLoad may be empty \param closing what B'y misses the cones by, or more \param liveWork L'y
+/// \param error allowed to the first two, relative, as a share of the third's
+inline bool isFall(const Eigen::VectorXd& load, const Eigen::VectorXd& liveLoad,
+                   const Eigen::VectorXd& displacement, double closing, double liveWork, double error)
+{
+    const double work = load.dot(displacement);
+    if (!(work > 0))
+    {
+        return false;
+    }
+    const double size = displacement.lpNorm<Eigen::Infinity>();
+    const double share =
+        work / std::max(load.cwiseProduct(displacement).lpNorm<1>(), load.lpNorm<Eigen::Infinity>() * size);
+    const double missed =
+        std::max(closing, liveLoad.size() > 0 ? std::abs(liveWork) / liveLoad.lpNorm<1>() : 0.0) / size;
+    return missed <= error * share;
+}
+
+/// Whether iterates run off along a ray. Displacements do so slowly, for the proximal term of the Schur
+/// system holds them: where after many iterations they are large and the balance is not near, more show no
+/// more. \param displacement, force and balance: largest of the displacements, the forces and what is left of
+/// the balance, scaled \param multiplier alpha \param hasInertia then displacements are bounded
+inline bool runsOff(int iterations, double displacement, double force, double balance, double multiplier,
+                    bool hasInertia)
+{
+    constexpr double far = 1e13;
+    constexpr int many = 30;
+    constexpr double large = 1e6;
+    constexpr double near = 1e-3;
+    const double loads = std::max(1.0, std::abs(multiplier));
+    const bool isLost = !hasInertia && iterations >= many && displacement > large && balance > near * loads;
+    return isLost || std::abs(multiplier) > far || displacement > far || force > far * loads;
+}
+
+} // namespace drystone
