@@ -58,13 +58,6 @@ constexpr double nearEnough = 0.01;
 constexpr int mostFromNear = 30;
 constexpr int mostShortSteps = 3;
 constexpr double shortStep = 0.2;
-
-/// What a certificate misses its tolerance by, at most, for further iterations to be worth a try.
-constexpr double hopeless = 1e4;
-/// They then aim at a tenth of it, and at a tenth of that; each takes one or two.
-constexpr int mostFurther = 2;
-constexpr int mostToGoOn = 10;
-
 constexpr double complementarityOfNear = 0.1; // times e^2, and within these:
 constexpr double leastOfNear = 1e-6;
 constexpr double largestOfNear = 1e-2;
@@ -194,10 +187,6 @@ public:
     /// solution; rays without force or opening are new \param heading about the y to come
     bool runFrom(Iterate interior, const VectorXd& heading);
 
-    /// Iterates further, to another tolerance. \return whether it was met; otherwise the iterate is what it
-    /// was
-    bool goOn(double tolerance);
-
     /// Forces that balance f alone, found on the way; empty when none were.
     const VectorXd& resting() const { return resting_; }
     const Iterate& iterate() const { return at_; }
@@ -215,7 +204,6 @@ private:
     void begin(double rayCompliance, Passed passed);
     bool start(Start from);
     bool iterate(const Centring& centring, int mostIterations, int shortStepsAllowed);
-    bool iterateOn(const Centring& centring, int mostIterations, int shortStepsAllowed);
     void computeResiduals();
     bool factorise();
     void tryResting();
@@ -810,33 +798,13 @@ bool InteriorPoint::runFrom(Iterate interior, const VectorXd& heading)
     return iterate(wide, std::min(mostFromInterior, settings_.maximumIterations), mostShortStepsFromInterior);
 }
 
-bool InteriorPoint::goOn(double tolerance)
-{
-    const Iterate reached = at_;
-    const int mostIterations = iterations_ + mostToGoOn;
-    settings_.tolerance = tolerance;
-    waits_ = 0;
-    const bool isMet = iterateOn(narrow, mostIterations, mostShortSteps);
-    if (!isMet)
-    {
-        at_ = reached;
-    }
-    return isMet;
-}
-
 bool InteriorPoint::iterate(const Centring& centring, int mostIterations, int shortStepsAllowed)
-{
-    iterations_ = 0;
-    return iterateOn(centring, mostIterations, shortStepsAllowed);
-}
-
-bool InteriorPoint::iterateOn(const Centring& centring, int mostIterations, int shortStepsAllowed)
 {
     const int correctors = system_.factorisationOverSolve() < dearFactorisation
                                ? (settings_.correctors + 1) / 2
                                : settings_.correctors;
     Iterate step;
-    for (; iterations_ <= mostIterations; ++iterations_)
+    for (iterations_ = 0; iterations_ <= mostIterations; ++iterations_)
     {
         computeResiduals();
         const double mu = mu_ = complementarity();
@@ -931,20 +899,10 @@ Iterate interiorRays(const PlaneConeProgram& program, const RayForm& form, const
             rowsOf(form, start.displacement), 0};
 }
 
-/// A solution and the worst figure of what proves it.
-struct Proved
-{
-    ConeSolution solution;
-    double worst = std::numeric_limits<double>::infinity();
-};
-
 /// Solves one program in ray form; `optimal` in its status means that the scaled residuals met the tolerance.
-/// What these promise, the certificate may miss by a little (others are the largest of its terms): then the
-/// iterations go on, to ten times as well. \param worst figure of the certificate of a solution \param near
-/// to begin with, or null
-template<class Worst>
-Proved solveOnce(const PlaneConeProgram& program, const InteriorPointSettings& settings, Sought sought,
-                 SymbolicAnalysis& symbolic, const Worst& worst, const ConeSolution* near = nullptr)
+/// \param near to begin with, or null
+ConeSolution solveOnce(const PlaneConeProgram& program, const InteriorPointSettings& settings, Sought sought,
+                       SymbolicAnalysis& symbolic, const ConeSolution* near = nullptr)
 {
     RayForm form = makeRayForm(program, symbolic);
     if (sought != Sought::solution)
@@ -977,58 +935,52 @@ Proved solveOnce(const PlaneConeProgram& program, const InteriorPointSettings& s
         || (program.hasInertia() ? solver.run(Start::unit, wide) || solver.run(Start::leastSquares, narrow)
                                  : solver.run(Start::leastSquares, wide)
                                        || (!solver.falls() && solver.run(Start::unit, narrow)));
-    const auto solutionNow = [&]
-    {
-        const Iterate& at = solver.iterate();
-        return fromRays(program, form, at.s, at.y, at.alpha);
-    };
-    Proved proved;
-    proved.solution = solutionNow();
-    proved.worst = worst(proved.solution);
-    double tolerance = settings.tolerance;
-    for (int further = 0; converged && further < mostFurther && proved.worst > settings.tolerance
-                          && proved.worst <= hopeless * settings.tolerance;
-         ++further)
-    {
-        tolerance /= 10;
-        if (!solver.goOn(tolerance))
-        {
-            break; // beyond what rounding allows
-        }
-        proved.solution = solutionNow();
-        proved.worst = worst(proved.solution);
-    }
-    ConeSolution& solution = proved.solution;
+    const Iterate& at = solver.iterate();
+    ConeSolution solution = fromRays(program, form, at.s, at.y, at.alpha);
     if (solver.resting().size() > 0)
     {
-        solution.restingForce = fromRays(program, form, solver.resting(), solver.iterate().y, 0).contactForce;
+        solution.restingForce = fromRays(program, form, solver.resting(), at.y, 0).contactForce;
     }
     if (converged && !program.hasStrength() && solver.interior().s.size() > 0)
     {
-        solution.interior = interiorStart(program, form, solver.interior(), solver.iterate().y);
+        solution.interior = interiorStart(program, form, solver.interior(), at.y);
     }
     solution.iterations = before + solver.iterations();
     solution.factorisations = solver.factorisations();
     solution.solves = solver.solves();
     solution.status = converged ? SolveStatus::optimal : SolveStatus::notConverged;
-    return proved;
+    return solution;
 }
 
-/// As solveOnce, and where what it found does not prove enough again from the start, to tighter tolerances:
-/// what proves nothing at one may do so at another. \return the last solution, with all the work counted
+/// A solution and the worst figure of what proves it.
+struct Proved
+{
+    ConeSolution solution;
+    double worst = std::numeric_limits<double>::infinity();
+};
+
+/// As solveOnce, to a certificate: what the scaled residuals promise, the certificate may miss by a little
+/// (others are the largest of its terms), and what proves nothing at one tolerance may do so at a tighter
+/// one. Then it is solved again, ten times as well, where that is not hopeless. \param worst figure of the
+/// certificate of a solution \return the last solution, with all the work counted
 template<class Worst>
 Proved solveToCertificate(const PlaneConeProgram& program, InteriorPointSettings settings, Sought sought,
                           SymbolicAnalysis& symbolic, const Worst& worst, const ConeSolution* near = nullptr)
 {
     constexpr int attempts = 3;
+    constexpr double hopeless = 1e4; // times the tolerance
     const double tolerance = settings.tolerance;
-    Proved proved = solveOnce(program, settings, sought, symbolic, worst, near);
+    Proved proved;
+    proved.solution = solveOnce(program, settings, sought, symbolic, near);
+    proved.worst = worst(proved.solution);
     for (int attempt = 1; attempt < attempts && proved.solution.status == SolveStatus::optimal
                           && proved.worst > tolerance && proved.worst <= hopeless * tolerance;
          ++attempt)
     {
         settings.tolerance /= 10;
-        Proved better = solveOnce(program, settings, sought, symbolic, worst);
+        Proved better;
+        better.solution = solveOnce(program, settings, sought, symbolic);
+        better.worst = worst(better.solution);
         for (int ConeSolution::*work :
              {&ConeSolution::iterations, &ConeSolution::factorisations, &ConeSolution::solves})
         {

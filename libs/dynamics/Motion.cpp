@@ -407,19 +407,26 @@ double farthestMotion(const Eigen::VectorXd& displacement, double blockSize)
     return farthest;
 }
 
-/// Whether the points are closed where the step takes the blocks. Solutions are right to a tolerance, and
-/// some solvers end inside the cones, where a point that stays wide apart carries force too, a little. Of
-/// force and opening, which the exact solution never has both, the smaller part is then the error: force as a
-/// share of the largest one, opening as a share of the farthest motion.
-/// \param program of the step as it was first made; that of the places where the step ends is made of it
-std::vector<char> closedPoints(PlaneConeProgram program, const ThetaStep& step, const StepSettings& settings,
-                               const Relinearisation& relinearise)
+/// Gaps, and minus the slips, where the step takes the blocks [m]. \param program of the step as it was first
+/// made; that of the places where the step ends is made of it
+Eigen::VectorXd openingAtEnd(PlaneConeProgram program, const ThetaStep& step,
+                             const Relinearisation& relinearise)
 {
     if (relinearise)
     {
         relinearise(step.displacement, step.contactForce, program);
     }
-    const Eigen::VectorXd opening = program.gap - applyTransposed(program, step.displacement);
+    return program.gap - applyTransposed(program, step.displacement);
+}
+
+/// Whether the points are closed where the step takes the blocks. Solutions are right to a tolerance, and
+/// some solvers end inside the cones, where a point that stays wide apart carries force too, a little. Of
+/// force and opening, which the exact solution never has both, the smaller part is then the error: force as a
+/// share of the largest one, opening as a share of the farthest motion. \param program as it was first made
+std::vector<char> closedPoints(const PlaneConeProgram& program, const ThetaStep& step,
+                               const StepSettings& settings, const Relinearisation& relinearise)
+{
+    const Eigen::VectorXd opening = openingAtEnd(program, step, relinearise);
     const double largestForce = step.contactForce.lpNorm<Eigen::Infinity>();
     const double farthest = farthestMotion(step.displacement, settings.blockSize);
     const double error = settings.contactTolerance + step.flowError;
@@ -616,14 +623,8 @@ int breakBonds(const StepProblem& problem, const ThetaStep& step, PlaneConeProgr
                std::vector<int>& bondOfPoint, std::vector<char>& isBroken)
 {
     const DynamicCase& scene = problem.scene;
-    const Relinearisation& relinearise = problem.relinearise;
     const StepSettings& settings = problem.settings;
-    PlaneConeProgram there = program; // as the blocks are where the step takes them
-    if (relinearise)
-    {
-        relinearise(step.displacement, step.contactForce, there);
-    }
-    const Eigen::VectorXd opening = there.gap - applyTransposed(there, step.displacement);
+    const Eigen::VectorXd opening = openingAtEnd(program, step, problem.relinearise);
     const double farthest = farthestMotion(step.displacement, scene.blockSize);
     // What a solver leaves of forces out of balance moves the blocks as well: the gap of its certificate is
     // of second order in them.
