@@ -65,10 +65,12 @@ bool isKeyed(const Statement& statement)
     return statement.kind == Statement::Kind::entry || statement.kind == Statement::Kind::dictionary;
 }
 
-/// All statements of a path, in the order of the text.
+/// All statements of a path that count, in the order of the text: those of a sub-dictionary that a value of
+/// the same name replaces further down do not.
 void find(const std::vector<Statement>& statements, const std::vector<std::string>& keywords,
           std::size_t level, std::vector<const Statement*>& found)
 {
+    const std::size_t foundBefore = found.size();
     for (const Statement& statement : statements)
     {
         if (!isKeyed(statement) || statement.keyword.text != keywords[level])
@@ -77,6 +79,8 @@ void find(const std::vector<Statement>& statements, const std::vector<std::strin
             found.push_back(&statement);
         else if (statement.kind == Statement::Kind::dictionary)
             find(statement.body, keywords, level + 1, found);
+        else
+            found.resize(foundBefore);
     }
 }
 
@@ -147,6 +151,22 @@ std::string indentationAt(const std::string& text, std::size_t place)
     const std::size_t begin = lineBegin == std::string::npos ? 0 : lineBegin + 1;
     const std::size_t end = std::min(text.find_first_not_of(" \t", begin), text.size());
     return text.substr(begin, end - begin);
+}
+
+/// Where the line ends, its `\n` included, on which nothing but comments stands from a place on. A comment of
+/// several lines belongs to the line it begins on: what is added after that line must not be part of it.
+std::size_t lineEndAfterComments(const std::string& text, std::size_t place)
+{
+    while (place < text.size() && text[place] != '\n')
+    {
+        if (text.compare(place, 2, "/*") == 0)
+            place = text.find("*/", place + 2) + 2; // the text has been parsed: its comments are closed
+        else if (text.compare(place, 2, "//") == 0)
+            place = std::min(text.find('\n', place), text.size());
+        else
+            ++place;
+    }
+    return place == text.size() ? place : place + 1;
 }
 
 /// A point may be in a keyword, alpha.water, or stand between two, limitAnalysis.tolerance: the latter when
@@ -222,9 +242,9 @@ std::string withEntrySet(const std::string& text, const std::filesystem::path& f
     if (keywords.size() == 1)
     {
         // After the last statement, before what comments may close the file.
-        std::size_t end = edited.statements.empty() ? text.size() : edited.statements.back().end;
-        const std::size_t lineEnd = text.find('\n', end);
-        end = lineEnd == std::string::npos ? text.size() : lineEnd + 1;
+        const std::size_t end = edited.statements.empty()
+                                    ? text.size()
+                                    : lineEndAfterComments(text, edited.statements.back().end);
         std::string result = text;
         return result.insert(end, fmt::format("{}{}", end > 0 && text[end - 1] != '\n' ? "\n" : "",
                                               entryText(keywords.back(), newValue, "")));

@@ -88,6 +88,23 @@ TEST(DictionaryEdit, AnAbsentEntryIsAddedWhereItBelongs)
     EXPECT_THROW(withEntrySet(text, "file", "nowhere/new", "1"), FatalIOError);
 }
 
+TEST(DictionaryEdit, AnEntryIsNotAddedToACommentThatFollowsTheLastOne)
+{
+    EXPECT_EQ(withEntrySet("a 1; /* a note\n of two lines */\n", "file", "b", "2"),
+              "a 1; /* a note\n of two lines */\nb               2;\n");
+    EXPECT_EQ(withEntrySet("a 1; /* one */ /* two\n*/ // three /*\n// four\n", "file", "b", "2"),
+              "a 1; /* one */ /* two\n*/ // three /*\nb               2;\n// four\n");
+    EXPECT_EQ(withEntrySet("a 1; /* a\n */", "file", "b", "2"), "a 1; /* a\n */\nb               2;\n");
+}
+
+TEST(DictionaryEdit, ASubDictionaryThatAValueReplacesIsNotEdited)
+{
+    EXPECT_THROW(withEntrySet("s { a 1; }\ns 2;\n", "file", "s/a", "3"), FatalIOError);
+    EXPECT_THROW(withEntrySet("s { a 1; }\ns 2;\n", "file", "s/b", "3"), FatalIOError);
+    EXPECT_EQ(withEntrySet("s { a 1; }\ns 2;\ns { b 3; }\n", "file", "s/a", "4"),
+              "s { a 1; }\ns 2;\ns { b 3; a 4; }\n");
+}
+
 TEST(DictionaryEdit, RemovingTakesTheEntryAndItsLine)
 {
     const auto removed = [](const std::string& path)
