@@ -67,24 +67,37 @@ bool isKeyed(const Statement& statement)
 
 /// All statements of a path that count, in the order of the text: those of a sub-dictionary that a value of
 /// the same name replaces further down do not.
-void find(const std::vector<Statement>& statements, const std::vector<std::string>& keywords,
-          std::size_t level, std::vector<const Statement*>& found)
+/// \param level of the path that `statements` are at
+std::vector<const Statement*> find(const std::vector<Statement>& statements,
+                                   const std::vector<std::string>& keywords, std::size_t level = 0)
 {
-    const std::size_t foundBefore = found.size();
-    for (const Statement& statement : statements)
+    // A sub-dictionary that is given twice is one, with both bodies.
+    std::vector<const std::vector<Statement>*> bodies{&statements};
+    for (;; ++level)
     {
-        if (!isKeyed(statement) || statement.keyword.text != keywords[level])
-            continue;
+        std::vector<const Statement*> found;
+        std::vector<const std::vector<Statement>*> inner;
+        for (const std::vector<Statement>* body : bodies)
+        {
+            for (const Statement& statement : *body)
+            {
+                if (!isKeyed(statement) || statement.keyword.text != keywords[level])
+                    continue;
+                found.push_back(&statement);
+                if (statement.kind == Statement::Kind::dictionary)
+                    inner.push_back(&statement.body);
+                else
+                    inner.clear();
+            }
+        }
         if (level + 1 == keywords.size())
-            found.push_back(&statement);
-        else if (statement.kind == Statement::Kind::dictionary)
-            find(statement.body, keywords, level + 1, found);
-        else
-            found.resize(foundBefore);
+            return found;
+        bodies = std::move(inner);
     }
 }
 
-/// Which statement of a path is in a branch of a condition, so that changing it may change nothing.
+/// Which statement of a path, or which value in place of one of its sub-dictionaries, is in a branch of a
+/// condition, so that changing the entry may change nothing.
 const Statement* findInCondition(const std::vector<Statement>& statements,
                                  const std::vector<std::string>& keywords, std::size_t level)
 {
@@ -92,12 +105,15 @@ const Statement* findInCondition(const std::vector<Statement>& statements,
     {
         if (statement.kind == Statement::Kind::condition)
         {
-            std::vector<const Statement*> found;
             for (const auto* branch : {&statement.body, &statement.otherwise})
             {
-                find(*branch, keywords, level, found);
-                if (!found.empty())
-                    return found.front();
+                for (auto end = keywords.begin() + level + 1; end <= keywords.end(); ++end)
+                {
+                    const std::vector<const Statement*> found = find(*branch, {keywords.begin(), end}, level);
+                    if (!found.empty()
+                        && (end == keywords.end() || found.back()->kind == Statement::Kind::entry))
+                        return found.back();
+                }
                 if (const Statement* deeper = findInCondition(*branch, keywords, level))
                     return deeper;
             }
@@ -220,7 +236,12 @@ std::string replaced(const std::string& text, const Statement& statement, const 
     }
     if (isDictionaryText(value))
         end = statement.end;
-    return result.replace(begin, end - begin, fmt::format("{}{}", needsBlank(begin) ? " " : "", value));
+    // A comment or byte order mark that followed a `)` would become part of a word.
+    const bool standsApart = end == text.size() || text[end] == ';'
+                             || std::isspace(static_cast<unsigned char>(text[end])) != 0
+                             || isDictionaryText(value);
+    return result.replace(begin, end - begin,
+                          fmt::format("{}{}{}", needsBlank(begin) ? " " : "", value, standsApart ? "" : " "));
 }
 
 } // namespace
@@ -234,8 +255,7 @@ std::string withEntrySet(const std::string& text, const std::filesystem::path& f
         throw FatalError("The entry to be set has no name.");
     const std::string newValue = checkedValue(value, path);
     refuseConditions(edited, keywords, path);
-    std::vector<const Statement*> found;
-    find(edited.statements, keywords, 0, found);
+    const std::vector<const Statement*> found = find(edited.statements, keywords);
     if (!found.empty())
         return replaced(text, *found.back(), newValue); // of several, the last one counts
 
@@ -250,8 +270,8 @@ std::string withEntrySet(const std::string& text, const std::filesystem::path& f
                                               entryText(keywords.back(), newValue, "")));
     }
 
-    std::vector<const Statement*> parents;
-    find(edited.statements, {keywords.begin(), keywords.end() - 1}, 0, parents);
+    const std::vector<const Statement*> parents =
+        find(edited.statements, {keywords.begin(), keywords.end() - 1});
     if (parents.empty() || parents.back()->kind != Statement::Kind::dictionary)
         throw FatalIOError(fmt::format("There is no sub-dictionary {} to add {} to. Add it first.",
                                        fmt::join(keywords.begin(), keywords.end() - 1, "/"), keywords.back()),
@@ -286,8 +306,7 @@ std::string withEntryRemoved(const std::string& text, const std::filesystem::pat
     if (keywords.empty())
         throw FatalError("The entry to be removed has no name.");
     refuseConditions(edited, keywords, path);
-    std::vector<const Statement*> found;
-    find(edited.statements, keywords, 0, found);
+    const std::vector<const Statement*> found = find(edited.statements, keywords);
     std::string result = text;
     for (auto statement = found.rbegin(); statement != found.rend(); ++statement)
     {

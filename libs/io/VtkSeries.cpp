@@ -103,8 +103,10 @@ std::vector<VtkSeries::Frame> VtkSeries::readList() const
                 "This line does not name a frame and its time in the way that Drystone writes them. "
                 "To start a new series, remove the file.",
                 {listFile().string(), "", number});
-        // A frame that somebody removed to save room is not missed.
-        if (std::filesystem::exists(folder_ / *name))
+        // A frame that somebody removed to save room is not missed, nor one that no file can have the name
+        // of.
+        std::error_code unknown;
+        if (std::filesystem::exists(folder_ / *name, unknown))
             frames.push_back({std::string(*name), value});
     }
     std::stable_sort(frames.begin(), frames.end(),

@@ -284,9 +284,10 @@ ParameterSearch readParameterSearch(const fs::path& caseDirectory, const Command
                                              "It says which entries to vary and what to look for; "
                                              "etc/annotated/system/parameterSearchDict is one to copy."));
     search.settings = readOptions<ParameterSearchSettings>(search.dictionary);
+    std::error_code unknown; // a name that no file can have is not that of one
     for (const std::string& directory : search.settings.cases)
     {
-        if (!fs::is_directory(caseDirectory / directory))
+        if (!fs::is_directory(caseDirectory / directory, unknown))
         {
             throw FatalIOError(
                 fmt::format("There is no directory {} in this case: name one that is.", directory),
@@ -297,7 +298,7 @@ ParameterSearch readParameterSearch(const fs::path& caseDirectory, const Command
     {
         const Dictionary& own = search.dictionary.subDict("variables").subDict(name);
         const fs::path file = (caseDirectory / variable.file).lexically_normal();
-        if (!fs::is_regular_file(file))
+        if (!fs::is_regular_file(file, unknown))
         {
             throw FatalIOError(
                 fmt::format("There is no file {} in this case: name one of its dictionaries.", variable.file),

@@ -433,6 +433,7 @@ brokenInputs = [
     inSearch("unknownEntry", "friction/mu", "friction/mo", r"cannot be varied", r"mu"),
     inSearch("entryIsNoNumber", "friction/mu", "friction/type", r"cannot be varied", r"number"),
     inSearch("noFile", "constant/contactProperties", "constant/contactPropertis", r"There is no file"),
+    inSearch("longFileName", "constant/contactProperties", "x" * 300, r"There is no file x+ in this case"),
     inSearch("fileOutside", "constant/contactProperties", "../contactProperties", r"within the case"),
     inSearch("emptyBounds", "(0.3 1)", "(1 0.3)", r"lower one first"),
     inSearch("startOutside", "bounds (0.3 1);", "bounds (0.3 1); start 2;@@", r"outside the bounds"),

@@ -103,6 +103,8 @@ TEST(DictionaryEdit, ASubDictionaryThatAValueReplacesIsNotEdited)
     EXPECT_THROW(withEntrySet("s { a 1; }\ns 2;\n", "file", "s/b", "3"), FatalIOError);
     EXPECT_EQ(withEntrySet("s { a 1; }\ns 2;\ns { b 3; }\n", "file", "s/a", "4"),
               "s { a 1; }\ns 2;\ns { b 3; a 4; }\n");
+    EXPECT_THROW(withEntrySet("r { s { a 1; } }\nr { s 2; }\n", "file", "r/s/a", "3"), FatalIOError)
+        << "r is one dictionary, given in two pieces";
 }
 
 TEST(DictionaryEdit, RemovingTakesTheEntryAndItsLine)
@@ -145,6 +147,7 @@ TEST(DictionaryEdit, WhatIsNotOneValueIsRefused)
     EXPECT_THROW(withEntrySet("a {", "file", "a", "1"), FatalIOError);
     EXPECT_THROW(withEntrySet("#if $x\na 1;\n#endif\n", "file", "a", "2"), FatalIOError);
     EXPECT_THROW(withEntrySet("b { #ifeq $x 1\na 1;\n#endif\n}", "file", "b/a", "2"), FatalIOError);
+    EXPECT_THROW(withEntrySet("b { a 1; }\n#if $x\nb 1;\n#endif\n", "file", "b/a", "2"), FatalIOError);
 }
 
 TEST(DictionaryEdit, ADirectiveWithoutArgumentIsRefusedForItWouldTakeAnEntryThatIsAdded)
@@ -152,6 +155,13 @@ TEST(DictionaryEdit, ADirectiveWithoutArgumentIsRefusedForItWouldTakeAnEntryThat
     EXPECT_THROW(withEntrySet("#calc", "file", "a", "1"), FatalIOError);
     EXPECT_THROW(withEntrySet("b { #include }", "file", "b/a", "1"), FatalIOError);
     EXPECT_THROW(withEntryRemoved("a 1;\n#remove", "file", "a"), FatalIOError);
+}
+
+TEST(DictionaryEdit, AValueStaysApartFromWhatFollowsIt)
+{
+    EXPECT_EQ(withEntrySet("a (1 2)/* kept */;\n", "file", "a", "b"), "a b /* kept */;\n");
+    EXPECT_EQ(withEntrySet("a (1 2)\xEF\xBB\xBF;\n", "file", "a", "2"), "a 2 \xEF\xBB\xBF;\n");
+    EXPECT_EQ(withEntrySet("s { a (1 2); }\n", "file", "s/a", "2"), "s { a 2; }\n");
 }
 
 TEST(DictionaryEdit, ADictionaryThatFollowsItsKeyCloselyBecomesAValueApartFromIt)

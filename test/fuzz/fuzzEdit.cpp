@@ -37,7 +37,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                 const std::string set = withEntrySet(text, "fuzz", path, "42");
                 const Dictionary edited = Dictionary::readString(set, "fuzz", Expansion::none);
                 const Entry* entry = edited.findPath(path);
-                if (entry == nullptr || entry->as<int>() != 42)
+                if (entry == nullptr || entry->isDictionary() || entry->valueText() != "42")
                 {
                     std::abort();
                 }

@@ -369,6 +369,14 @@ TEST(VtkSeries, FramesThatWereRemovedByHandAreNotListedAgain)
     EXPECT_THAT(content(series.listFile()), testing::Not(HasSubstr("blocks_000001")));
 }
 
+TEST(VtkSeries, AFrameThatNoFileCanHaveTheNameOfIsNotListed)
+{
+    const ScratchFolder folder;
+    std::ofstream(folder.path() / "blocks.vtp.series")
+        << "{ \"name\" : \"" << std::string(300, 'x') << "\", \"time\" : 0 },\n";
+    EXPECT_THAT(VtkSeries(folder.path(), "blocks", 1).times(), testing::IsEmpty());
+}
+
 TEST(VtkSeries, AListOfSomebodyElseIsRefusedWithItsLine)
 {
     const ScratchFolder folder;
