@@ -120,6 +120,13 @@ ConeProgram<Rows, Forces> withUnitInertia(ConeProgram<Rows, Forces> program)
     return program;
 }
 
+void addWork(ConeSolution& whole, const ConeSolution& part)
+{
+    whole.iterations += part.iterations;
+    whole.factorisations += part.factorisations;
+    whole.solves += part.solves;
+}
+
 std::string_view nameOf(SolveStatus status)
 {
     switch (status)

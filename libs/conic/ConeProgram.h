@@ -134,6 +134,10 @@ struct ConeSolution
     int solves = 0; ///< with the factor, forwards and back; counted by solveInteriorPoint only
 };
 
+/// Adds the iterations, factorisations and solves of one solution to another's, which it is part of the work
+/// for.
+void addWork(ConeSolution& whole, const ConeSolution& part);
+
 /// A c: generalised forces that contact forces balance. \param contactForce F k \return R b
 template<int Rows, int Forces>
 Eigen::VectorXd applyEquilibrium(const ConeProgram<Rows, Forces>& program,

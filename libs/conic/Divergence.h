@@ -2,6 +2,8 @@
 /// What iterates of the interior points, in the plane and in space, show where a program has no solution.
 #pragma once
 
+#include "conic/ConeProgram.h"
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -14,9 +16,20 @@ namespace drystone
 enum class Sought
 {
     solution, ///< the live load does one unit of work on the displacements: a mechanism
+    farther,  ///< likewise, where a large multiplier is no reason to ask whether there is a largest one
     fall,   ///< displacements that prove that nothing balances the loads; the live load does no work on them
     carried ///< forces that carry the live load alone, which prove that there is no largest multiplier
 };
+
+/// Multiplier, of loads that are of the same size, that ends iterations for a `solution`: other programs show
+/// whether there is a largest one. Where there is none each iteration makes it hundreds of times as large.
+/// Where there is, it is mostly that of a strength, and forces so large are not balanced to the tolerance in
+/// units of the load.
+constexpr double possiblyUnlimited = 1e4;
+
+/// Multiplier, likewise, at which the loads are to be balanced where any that is larger is carried, too: the
+/// tolerance is then still one of the dead load.
+constexpr double largeMultiplier = 100;
 
 /// Displacements on which the loads fall, but for this share of what they do there, end iterations: another
 /// program proves that nothing balances the loads. Forces ten million times as large as these might.
@@ -61,6 +74,19 @@ inline bool runsOff(int iterations, double displacement, double force, double ba
     const double loads = std::max(1.0, std::abs(multiplier));
     const bool isLost = !hasInertia && iterations >= many && displacement > large && balance > near * loads;
     return isLost || std::abs(multiplier) > far || displacement > far || force > far * loads;
+}
+
+/// The balance of a program's loads alone at a large multiplier. Where there are forces for it, and others
+/// that carry the live load alone, there is no largest multiplier.
+template<int Rows, int Forces>
+ConeProgram<Rows, Forces> atLargeMultiplier(ConeProgram<Rows, Forces> program)
+{
+    const double share =
+        program.load.template lpNorm<Eigen::Infinity>() / program.liveLoad.template lpNorm<Eigen::Infinity>();
+    program.load += largeMultiplier * share * program.liveLoad;
+    program.liveLoad.resize(0);
+    program.gap.resize(0);
+    return program;
 }
 
 } // namespace drystone

@@ -194,6 +194,9 @@ public:
     /// Whether the last iterations ended with displacements that show that nothing balances the loads.
     bool falls() const { return falls_; }
 
+    /// Whether they ended with a multiplier so large that there may be no largest one.
+    bool grows() const { return grows_; }
+
     /// An iterate well inside the cones that was passed on the way, or with empty vectors where none was.
     const Iterate& interior() const { return interior_; }
     int iterations() const { return iterations_; }
@@ -210,7 +213,8 @@ private:
     /// Forces of later iterates are too near the surface of their cones.
     bool isRestingSought() const
     {
-        return rays_.hasMultiplier() && rays_.rayCount() > 0 && resting_.size() == 0 && iterations_ <= 1;
+        return rays_.hasMultiplier() && rays_.rayCount() > 0 && resting_.size() == 0 && iterations_ <= 1
+               && sought_ == Sought::solution;
     }
     void predict(Iterate& step);
     template<typename Products>
@@ -244,6 +248,7 @@ private:
     int factorisations_ = 0;
     int solves_ = 0;
     bool falls_ = false;
+    bool grows_ = false;
     int waits_ = 0;       ///< iterations that objectives which differ have been given to meet
     double rounding_ = 0; ///< share that the diagonal of the Schur system is raised by
     double primal_ = 0;   ///< how far the forces of the step in hand may go, at most `farthest`
@@ -809,7 +814,8 @@ bool InteriorPoint::iterate(const Centring& centring, int mostIterations, int sh
         computeResiduals();
         const double mu = mu_ = complementarity();
         falls_ = !rays_.hasInertia() && isFalling(possibleFall);
-        if (!std::isfinite(mu) || falls_ || diverges())
+        grows_ = sought_ == Sought::solution && at_.alpha > possiblyUnlimited;
+        if (!std::isfinite(mu) || falls_ || grows_ || diverges())
         {
             return false;
         }
@@ -899,18 +905,26 @@ Iterate interiorRays(const PlaneConeProgram& program, const RayForm& form, const
             rowsOf(form, start.displacement), 0};
 }
 
-/// Solves one program in ray form; `optimal` in its status means that the scaled residuals met the tolerance.
+/// What a program is solved for, and about which multiplier, where that is large.
+struct Aim
+{
+    Sought sought;
+    double multiplier = 0;
+};
+
+/// Solves one program in ray form; `optimal` in its status means that the scaled residuals met the tolerance,
+/// `unbounded` that there may be no largest multiplier.
 /// \param near to begin with, or null
-ConeSolution solveOnce(const PlaneConeProgram& program, const InteriorPointSettings& settings, Sought sought,
+ConeSolution solveOnce(const PlaneConeProgram& program, const InteriorPointSettings& settings, const Aim& aim,
                        SymbolicAnalysis& symbolic, const ConeSolution* near = nullptr)
 {
-    RayForm form = makeRayForm(program, symbolic);
-    if (sought != Sought::solution)
+    RayForm form = makeRayForm(program, symbolic, aim.multiplier);
+    if (aim.sought == Sought::fall || aim.sought == Sought::carried)
     {
         form.program.liveWork = 0;
     }
     SchurSystem<3>& system = schurSystem(form, symbolic);
-    InteriorPoint solver(form.program, system, settings, sought);
+    InteriorPoint solver(form.program, system, settings, aim.sought);
     // The least forces of a time step say little: they leave inertia out. Wall 6 collapsing: 20.6
     // factorisations a step from `unit`, 33.2 from `leastSquares`, which fails in one step of seventeen.
     bool converged = false;
@@ -930,11 +944,11 @@ ConeSolution solveOnce(const PlaneConeProgram& program, const InteriorPointSetti
             before += converged ? 0 : solver.iterations();
         }
     }
-    converged =
-        converged
-        || (program.hasInertia() ? solver.run(Start::unit, wide) || solver.run(Start::leastSquares, narrow)
-                                 : solver.run(Start::leastSquares, wide)
-                                       || (!solver.falls() && solver.run(Start::unit, narrow)));
+    converged = converged
+                || (program.hasInertia()
+                        ? solver.run(Start::unit, wide) || solver.run(Start::leastSquares, narrow)
+                        : solver.run(Start::leastSquares, wide)
+                              || (!solver.falls() && !solver.grows() && solver.run(Start::unit, narrow)));
     const Iterate& at = solver.iterate();
     ConeSolution solution = fromRays(program, form, at.s, at.y, at.alpha);
     if (solver.resting().size() > 0)
@@ -948,7 +962,9 @@ ConeSolution solveOnce(const PlaneConeProgram& program, const InteriorPointSetti
     solution.iterations = before + solver.iterations();
     solution.factorisations = solver.factorisations();
     solution.solves = solver.solves();
-    solution.status = converged ? SolveStatus::optimal : SolveStatus::notConverged;
+    solution.status = converged        ? SolveStatus::optimal
+                      : solver.grows() ? SolveStatus::unbounded
+                                       : SolveStatus::notConverged;
     return solution;
 }
 
@@ -964,14 +980,14 @@ struct Proved
 /// one. Then it is solved again, ten times as well, where that is not hopeless. \param worst figure of the
 /// certificate of a solution \return the last solution, with all the work counted
 template<class Worst>
-Proved solveToCertificate(const PlaneConeProgram& program, InteriorPointSettings settings, Sought sought,
+Proved solveToCertificate(const PlaneConeProgram& program, InteriorPointSettings settings, const Aim& aim,
                           SymbolicAnalysis& symbolic, const Worst& worst, const ConeSolution* near = nullptr)
 {
     constexpr int attempts = 3;
     constexpr double hopeless = 1e4; // times the tolerance
     const double tolerance = settings.tolerance;
     Proved proved;
-    proved.solution = solveOnce(program, settings, sought, symbolic, near);
+    proved.solution = solveOnce(program, settings, aim, symbolic, near);
     proved.worst = worst(proved.solution);
     for (int attempt = 1; attempt < attempts && proved.solution.status == SolveStatus::optimal
                           && proved.worst > tolerance && proved.worst <= hopeless * tolerance;
@@ -979,17 +995,14 @@ Proved solveToCertificate(const PlaneConeProgram& program, InteriorPointSettings
     {
         settings.tolerance /= 10;
         Proved better;
-        better.solution = solveOnce(program, settings, sought, symbolic);
+        better.solution = solveOnce(program, settings, aim, symbolic);
         better.worst = worst(better.solution);
-        for (int ConeSolution::*work :
-             {&ConeSolution::iterations, &ConeSolution::factorisations, &ConeSolution::solves})
-        {
-            proved.solution.*work = better.solution.*work += proved.solution.*work;
-        }
         if (better.solution.status != SolveStatus::optimal && better.worst > tolerance)
         {
+            addWork(proved.solution, better.solution);
             break; // beyond what rounding allows
         }
+        addWork(better.solution, proved.solution);
         proved = std::move(better);
         proved.solution.status = SolveStatus::optimal;
     }
@@ -1005,8 +1018,7 @@ void answerExactly(const PlaneConeProgram& program, const PlaneConeProgram& movi
 {
     ConeSolution exact =
         solveAugmentedLagrangian(moving, moved, exactSettings(settings.maximumIterations), &symbolic);
-    solution.iterations += exact.iterations;
-    solution.factorisations += exact.factorisations;
+    addWork(solution, exact);
     if (certifyInfeasible(program, exact.displacement).worst() <= settings.tolerance)
     {
         solution.status = SolveStatus::infeasible;
@@ -1034,8 +1046,7 @@ void boundMultiplier(const PlaneConeProgram& program, const InteriorPointSetting
     }
     ConeSolution bounded =
         solveByUpperBounds(program, solution.multiplier, settings.tolerance, settings.maximumIterations);
-    solution.iterations += bounded.iterations;
-    solution.factorisations += bounded.factorisations;
+    addWork(solution, bounded);
     if (bounded.status == SolveStatus::optimal)
     {
         solution.status = SolveStatus::optimal;
@@ -1043,6 +1054,62 @@ void boundMultiplier(const PlaneConeProgram& program, const InteriorPointSetting
         solution.contactForce = std::move(bounded.contactForce);
         solution.displacement = std::move(bounded.displacement);
     }
+}
+
+/// Forces that carry the live load alone are the ray; they grow without limit where crushing sets none.
+/// \param solution gets the work, and the ray and its status where there is one \return whether there is
+bool proveUnbounded(const PlaneConeProgram& program, const InteriorPointSettings& settings,
+                    SymbolicAnalysis& symbolic, ConeSolution& solution)
+{
+    PlaneConeProgram live = program;
+    live.load = program.liveLoad;
+    live.liveLoad.resize(0);
+    live.gap.resize(0);
+    live.strength.clear();
+    for (int point = 0; program.hasStrength() && point < program.points(); ++point)
+    {
+        if (program.strength[point].isBounded())
+        {
+            live.contacts[point].onFirst.setZero();
+            live.contacts[point].onSecond.setZero();
+        }
+    }
+    Proved carried =
+        solveToCertificate(live, settings, {Sought::carried}, symbolic,
+                           [&](ConeSolution& found)
+                           {
+                               for (int point = 0; program.hasStrength() && point < program.points(); ++point)
+                               {
+                                   if (program.strength[point].isBounded())
+                                   {
+                                       found.contactForce.segment<2>(2 * point).setZero();
+                                   }
+                               }
+                               return certifyUnbounded(program, found.contactForce).worst();
+                           });
+    addWork(solution, carried.solution);
+    if (!(carried.worst <= settings.tolerance))
+    {
+        return false;
+    }
+    solution.status = SolveStatus::unbounded;
+    solution.contactForce = std::move(carried.solution.contactForce);
+    return true;
+}
+
+/// Whether forces balance the loads at a large multiplier. \param solution gets the work
+bool isLargeMultiplierCarried(const PlaneConeProgram& program, const InteriorPointSettings& settings,
+                              SymbolicAnalysis& symbolic, ConeSolution& solution)
+{
+    const PlaneConeProgram loaded = atLargeMultiplier(program);
+    const Proved balanced = solveToCertificate(loaded, settings, {Sought::solution}, symbolic,
+                                               [&](ConeSolution& found)
+                                               {
+                                                   found.displacement.setZero();
+                                                   return certifyOptimal(loaded, found).worst();
+                                               });
+    addWork(solution, balanced.solution);
+    return balanced.worst <= settings.tolerance;
 }
 
 } // namespace
@@ -1063,17 +1130,43 @@ ConeSolution solveInteriorPoint(const PlaneConeProgram& program, const InteriorP
     }
     // Any forces that balance the load will do: y = 0 completes them.
     const bool isBalanceAlone = !program.hasMultiplier() && !program.hasInertia() && program.gap.size() == 0;
-    Proved proved = solveToCertificate(
-        program, settings, Sought::solution, symbolic,
-        [&](ConeSolution& found)
-        {
-            if (isBalanceAlone)
+    const auto solveFor = [&](const Aim& aim)
+    {
+        return solveToCertificate(
+            program, settings, aim, symbolic,
+            [&](ConeSolution& found)
             {
-                found.displacement.setZero();
+                if (isBalanceAlone)
+                {
+                    found.displacement.setZero();
+                }
+                return certifyOptimal(program, found).worst();
+            },
+            near);
+    };
+    Proved proved = solveFor({Sought::solution});
+    if (proved.solution.status == SolveStatus::unbounded)
+    {
+        ConeSolution& growing = proved.solution;
+        if (isLargeMultiplierCarried(program, settings, symbolic, growing)
+            && proveUnbounded(program, settings, symbolic, growing))
+        {
+            return std::move(growing);
+        }
+        // First in units of what breaks a point, then as iterates only passed such a multiplier.
+        const std::vector<double> expected =
+            program.hasStrength() ? std::vector<double>{growing.multiplier, 0} : std::vector<double>{0};
+        for (const double multiplier : expected)
+        {
+            Proved farther = solveFor({Sought::farther, multiplier});
+            addWork(farther.solution, proved.solution);
+            proved = std::move(farther);
+            if (proved.worst <= settings.tolerance)
+            {
+                break;
             }
-            return certifyOptimal(program, found).worst();
-        },
-        near);
+        }
+    }
     ConeSolution& solution = proved.solution;
     if (solution.status == SolveStatus::optimal)
     {
@@ -1094,10 +1187,9 @@ ConeSolution solveInteriorPoint(const PlaneConeProgram& program, const InteriorP
     // 0.
     const PlaneConeProgram moving = withUnitInertia(program);
     const Proved moved = solveToCertificate(
-        moving, settings, Sought::fall, symbolic,
+        moving, settings, {Sought::fall}, symbolic,
         [&](const ConeSolution& found) { return certifyInfeasible(program, found.displacement).worst(); });
-    solution.factorisations += moved.solution.factorisations;
-    solution.solves += moved.solution.solves;
+    addWork(solution, moved.solution);
     if (moved.worst <= settings.tolerance)
     {
         solution.status = SolveStatus::infeasible;
@@ -1112,40 +1204,7 @@ ConeSolution solveInteriorPoint(const PlaneConeProgram& program, const InteriorP
     {
         return std::move(solution);
     }
-    // Forces that carry the live load alone are the ray; they grow without limit where crushing sets none.
-    PlaneConeProgram live = program;
-    live.load = program.liveLoad;
-    live.liveLoad.resize(0);
-    live.gap.resize(0);
-    live.strength.clear();
-    for (int point = 0; program.hasStrength() && point < program.points(); ++point)
-    {
-        if (program.strength[point].isBounded())
-        {
-            live.contacts[point].onFirst.setZero();
-            live.contacts[point].onSecond.setZero();
-        }
-    }
-    Proved carried =
-        solveToCertificate(live, settings, Sought::carried, symbolic,
-                           [&](ConeSolution& found)
-                           {
-                               for (int point = 0; program.hasStrength() && point < program.points(); ++point)
-                               {
-                                   if (program.strength[point].isBounded())
-                                   {
-                                       found.contactForce.segment<2>(2 * point).setZero();
-                                   }
-                               }
-                               return certifyUnbounded(program, found.contactForce).worst();
-                           });
-    solution.factorisations += carried.solution.factorisations;
-    solution.solves += carried.solution.solves;
-    if (carried.worst <= settings.tolerance)
-    {
-        solution.status = SolveStatus::unbounded;
-        solution.contactForce = std::move(carried.solution.contactForce);
-    }
+    proveUnbounded(program, settings, symbolic, solution);
     if (solution.status == SolveStatus::notConverged)
     {
         boundMultiplier(program, settings, solution);

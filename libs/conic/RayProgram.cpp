@@ -197,7 +197,7 @@ void assembleRays(const RayProgram& program, const Eigen::VectorXd& d, double de
 
 } // namespace
 
-RayForm makeRayForm(const PlaneConeProgram& program, SymbolicAnalysis& symbolic)
+RayForm makeRayForm(const PlaneConeProgram& program, SymbolicAnalysis& symbolic, double multiplier)
 {
     RayForm form;
     RayProgram& rays = form.program;
@@ -267,7 +267,7 @@ RayForm makeRayForm(const PlaneConeProgram& program, SymbolicAnalysis& symbolic)
     {
         rays.inertia.assign(rays.bodies, RayProgram::Inertia::Zero());
     }
-    updateRayForm(form, program);
+    updateRayForm(form, program, multiplier);
     return form;
 }
 
@@ -285,11 +285,24 @@ SchurSystem<3>& schurSystem(RayForm& form, SymbolicAnalysis& symbolic)
     return system;
 }
 
-void updateRayForm(RayForm& form, const PlaneConeProgram& program)
+void updateRayForm(RayForm& form, const PlaneConeProgram& program, double multiplier)
 {
     RayProgram& rays = form.program;
     RayScaling& scaling = form.scaling;
+    scaling.liveLoad = 1;
+    rays.liveLoad.resize(0);
+    if (program.hasMultiplier())
+    {
+        rays.liveLoad = scaledLoad(form, program.liveLoad, scaling.liveLoad);
+        rays.liveWork = powerOfTwo(rays.liveLoad.lpNorm<1>());
+    }
     rays.load = scaledLoad(form, program.load, scaling.load);
+    if (multiplier * scaling.liveLoad > scaling.load)
+    {
+        const double expected = powerOfTwo(multiplier * scaling.liveLoad);
+        rays.load *= scaling.load / expected;
+        scaling.load = expected;
+    }
     if (program.hasStrength())
     {
         // The scale is that of the load itself, which residuals are compared with: where strengths are large
@@ -306,13 +319,6 @@ void updateRayForm(RayForm& form, const PlaneConeProgram& program)
             at.factor = at.component / scale;
             rays.load[rays.row(limit)] = bound / scale;
         }
-    }
-    scaling.liveLoad = 1;
-    rays.liveLoad.resize(0);
-    if (program.hasMultiplier())
-    {
-        rays.liveLoad = scaledLoad(form, program.liveLoad, scaling.liveLoad);
-        rays.liveWork = powerOfTwo(rays.liveLoad.lpNorm<1>());
     }
 
     // y~ = y / displacement turns L'y = 1 into L~'y~ = w (limit analysis), and Mbar into M~ = Mbar

@@ -109,15 +109,17 @@ struct SymbolicAnalysis
 };
 
 /// Structure and numbers of the ray form of a program. \param symbolic brought up to date but for its system
+/// \param multiplier that is expected, where it is large: forces are scaled by what it makes of the live load
 /// \throws std::invalid_argument when the forces of a contact on its two bodies are not opposite
-RayForm makeRayForm(const PlaneConeProgram& program, SymbolicAnalysis& symbolic);
+RayForm makeRayForm(const PlaneConeProgram& program, SymbolicAnalysis& symbolic, double multiplier = 0);
 
 /// The Schur system with the pattern of a ray form, its numbers those of who used it last; tells each group
 /// where its block is. \param symbolic that makeRayForm was called with
 SchurSystem<3>& schurSystem(RayForm& form, SymbolicAnalysis& symbolic);
 
 /// Refreshes `load`, `liveLoad` and `gap` (and their scaling) of a ray form whose contacts and inertia stand.
-void updateRayForm(RayForm& form, const PlaneConeProgram& program);
+/// \param multiplier likewise
+void updateRayForm(RayForm& form, const PlaneConeProgram& program, double multiplier = 0);
 
 /// out = B' y. \param y 3 (bodies + 1) + limits, ground zero \param out one entry a ray
 void applyRaysTransposed(const RayProgram& program, const Eigen::VectorXd& y, Eigen::VectorXd& out);

@@ -71,6 +71,9 @@ public:
 
     /// Whether the last iterations ended with displacements that show that nothing balances the loads.
     bool falls() const { return falls_; }
+
+    /// Whether they ended with a multiplier so large that there may be no largest one.
+    bool grows() const { return grows_; }
     int iterations() const { return iterations_; }
     int factorisations() const { return factorisations_; }
     int solves() const { return solves_; }
@@ -103,6 +106,7 @@ private:
     double compliance_ = 0;
     double mu_ = 0; ///< complementarity of the iterate
     bool falls_ = false;
+    bool grows_ = false;
     int iterations_ = 0;
     int factorisations_ = 0;
     int solves_ = 0;
@@ -405,7 +409,8 @@ bool SpaceInteriorPoint::run(Start from)
         computeResiduals();
         const double mu = mu_ = complementarity();
         falls_ = !form_.hasInertia() && isFalling(possibleFall);
-        if (!std::isfinite(mu) || falls_ || diverges())
+        grows_ = sought_ == Sought::solution && at_.alpha > possiblyUnlimited;
+        if (!std::isfinite(mu) || falls_ || grows_ || diverges())
         {
             return false;
         }
@@ -480,26 +485,61 @@ bool SpaceInteriorPoint::run(Start from)
     return false;
 }
 
-/// Solves one program; `optimal` in its status means that the scaled residuals met the tolerance.
+/// Solves one program; `optimal` in its status means that the scaled residuals met the tolerance, `unbounded`
+/// that there may be no largest multiplier.
 ConeSolution solveOnce(const SpaceConeProgram& program, const InteriorPointSettings& settings, Sought sought)
 {
     SpaceForm form = makeSpaceForm(program);
-    if (sought != Sought::solution)
+    if (sought == Sought::fall || sought == Sought::carried)
     {
         form.liveWork = 0;
     }
     SchurSystem<6> system = makeSchurSystem(form);
     SpaceInteriorPoint solver(form, system, settings, sought);
-    const bool converged = program.hasInertia() ? solver.run(Start::unit) || solver.run(Start::leastSquares)
-                                                : solver.run(Start::leastSquares)
-                                                      || (!solver.falls() && solver.run(Start::unit));
+    const bool converged = program.hasInertia()
+                               ? solver.run(Start::unit) || solver.run(Start::leastSquares)
+                               : solver.run(Start::leastSquares)
+                                     || (!solver.falls() && !solver.grows() && solver.run(Start::unit));
     const Iterate& at = solver.iterate();
     ConeSolution solution = fromCones(program, form, at.s, at.y, at.alpha);
     solution.iterations = solver.iterations();
     solution.factorisations = solver.factorisations();
     solution.solves = solver.solves();
-    solution.status = converged ? SolveStatus::optimal : SolveStatus::notConverged;
+    solution.status = converged        ? SolveStatus::optimal
+                      : solver.grows() ? SolveStatus::unbounded
+                                       : SolveStatus::notConverged;
     return solution;
+}
+
+/// Forces that carry the live load alone are the ray. \param solution gets the work, and the ray and its
+/// status where there is one \return whether there is
+bool proveUnbounded(const SpaceConeProgram& program, const InteriorPointSettings& settings,
+                    ConeSolution& solution)
+{
+    SpaceConeProgram live = program;
+    live.load = program.liveLoad;
+    live.liveLoad.resize(0);
+    live.gap.resize(0);
+    const ConeSolution carried = solveOnce(live, settings, Sought::carried);
+    addWork(solution, carried);
+    if (!(certifyUnbounded(program, carried.contactForce).worst() <= settings.tolerance))
+    {
+        return false;
+    }
+    solution.status = SolveStatus::unbounded;
+    solution.contactForce = carried.contactForce;
+    return true;
+}
+
+/// Whether forces balance the loads at a large multiplier. \param solution gets the work
+bool isLargeMultiplierCarried(const SpaceConeProgram& program, const InteriorPointSettings& settings,
+                              ConeSolution& solution)
+{
+    const SpaceConeProgram loaded = atLargeMultiplier(program);
+    ConeSolution balanced = solveOnce(loaded, settings, Sought::solution);
+    addWork(solution, balanced);
+    balanced.displacement.setZero();
+    return certifyOptimal(loaded, balanced).worst() <= settings.tolerance;
 }
 
 } // namespace
@@ -507,6 +547,17 @@ ConeSolution solveOnce(const SpaceConeProgram& program, const InteriorPointSetti
 ConeSolution solveInteriorPoint(const SpaceConeProgram& program, const InteriorPointSettings& settings)
 {
     ConeSolution solution = solveOnce(program, settings, Sought::solution);
+    if (solution.status == SolveStatus::unbounded)
+    {
+        if (isLargeMultiplierCarried(program, settings, solution)
+            && proveUnbounded(program, settings, solution))
+        {
+            return solution;
+        }
+        ConeSolution farther = solveOnce(program, settings, Sought::farther);
+        addWork(farther, solution);
+        solution = std::move(farther);
+    }
     if (solution.status == SolveStatus::optimal)
     {
         if (!program.hasMultiplier() && !program.hasInertia() && program.gap.size() == 0)
@@ -528,8 +579,7 @@ ConeSolution solveInteriorPoint(const SpaceConeProgram& program, const InteriorP
     // balances f, since the optimality conditions are -A'y in the dual cone, L'y = 0 and f'y = r' Mbar^-1 r >
     // 0.
     const ConeSolution moved = solveOnce(withUnitInertia(program), settings, Sought::fall);
-    solution.factorisations += moved.factorisations;
-    solution.solves += moved.solves;
+    addWork(solution, moved);
     if (certifyInfeasible(program, moved.displacement).worst() <= settings.tolerance)
     {
         solution.status = SolveStatus::infeasible;
@@ -540,19 +590,7 @@ ConeSolution solveInteriorPoint(const SpaceConeProgram& program, const InteriorP
     {
         return solution;
     }
-    // Forces that carry the live load alone are the ray.
-    SpaceConeProgram live = program;
-    live.load = program.liveLoad;
-    live.liveLoad.resize(0);
-    live.gap.resize(0);
-    const ConeSolution carried = solveOnce(live, settings, Sought::carried);
-    solution.factorisations += carried.factorisations;
-    solution.solves += carried.solves;
-    if (certifyUnbounded(program, carried.contactForce).worst() <= settings.tolerance)
-    {
-        solution.status = SolveStatus::unbounded;
-        solution.contactForce = carried.contactForce;
-    }
+    proveUnbounded(program, settings, solution);
     return solution;
 }
 

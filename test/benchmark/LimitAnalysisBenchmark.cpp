@@ -119,14 +119,16 @@ BENCHMARK(squareWall)
     ->Unit(benchmark::kMillisecond)
     ->MinTime(4);
 
-/// A wall of the paper, 1 to 6, or a square one.
-void wallThatFalls(benchmark::State& state)
+/// The limit analysis of a wall of the paper, 1 to 6, or of a square one.
+PlaneConeProgram pushedWall(const benchmark::State& state)
 {
     const auto number = static_cast<int>(state.range(0));
-    PlaneConeProgram program =
-        limitAnalysisOf(number <= 6 ? drystone::paperWall(number) : drystone::squareWall(number));
-    program.load += 1.5 * solveLimitAnalysis(program, {}).alpha * program.liveLoad;
-    program.liveLoad.resize(0);
+    return limitAnalysisOf(number <= 6 ? drystone::paperWall(number) : drystone::squareWall(number));
+}
+
+/// That a program has no solution.
+void prove(benchmark::State& state, const PlaneConeProgram& program, SolveStatus status)
+{
     measure(state, program,
             [&]() -> Outcome
             {
@@ -136,17 +138,34 @@ void wallThatFalls(benchmark::State& state)
                         found.factorisations,
                         found.solves,
                         certify(program, found).worst(),
-                        found.status == SolveStatus::infeasible};
+                        found.status == status};
             });
 }
-BENCHMARK(wallThatFalls)
-    ->DenseRange(1, 6)
-    ->Arg(20)
-    ->Arg(40)
-    ->Arg(80)
-    ->UseManualTime()
-    ->Unit(benchmark::kMillisecond)
-    ->MinTime(1);
+
+/// Pushed by half more than it carries.
+void wallThatFalls(benchmark::State& state)
+{
+    PlaneConeProgram program = pushedWall(state);
+    program.load += 1.5 * solveLimitAnalysis(program, {}).alpha * program.liveLoad;
+    program.liveLoad.resize(0);
+    prove(state, program, SolveStatus::infeasible);
+}
+
+/// Pressed down, with a tenth of that from the side.
+void wallWithoutLimit(benchmark::State& state)
+{
+    PlaneConeProgram program = pushedWall(state);
+    program.liveLoad = program.load + 0.1 * program.liveLoad;
+    prove(state, program, SolveStatus::unbounded);
+}
+
+void walls(benchmark::internal::Benchmark* benchmark)
+{
+    benchmark->DenseRange(1, 6)->Arg(20)->Arg(40)->Arg(80)->UseManualTime()->Unit(benchmark::kMillisecond);
+    benchmark->MinTime(1);
+}
+BENCHMARK(wallThatFalls)->Apply(walls);
+BENCHMARK(wallWithoutLimit)->Apply(walls);
 
 } // namespace
 } // namespace drystone

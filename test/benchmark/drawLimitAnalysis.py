@@ -20,7 +20,8 @@ def readResults(path):
         lines = file.read().splitlines()
     start = next(i for i, line in enumerate(lines) if line.startswith("name,"))
     return [(row["name"].split("/")[0], float(row["blocks"]), {key: float(row[key]) for key in series})
-            for row in csv.DictReader(lines[start:]) if row["blocks"] and not row["name"].startswith("wallThatFalls")]
+            for row in csv.DictReader(lines[start:])
+            if row["blocks"] and row["name"].startswith(("paperWall", "squareWall"))]
 
 
 def decades(values):

@@ -125,6 +125,61 @@ TEST(InteriorPoint, ProvesThatPressingNeverBreaks)
     EXPECT_NEAR(solution.contactForce[0] + solution.contactForce[2], 1, 1e-9);
 }
 
+template<class Program>
+void expectProofOfNoLimitByFewFactorisations(const Program& program)
+{
+    const ConeSolution solution = solveInteriorPoint(program);
+    ASSERT_EQ(solution.status, SolveStatus::unbounded);
+    EXPECT_LE(certify(program, solution).worst(), 1e-9);
+    EXPECT_LE(solution.factorisations, 25);
+}
+
+/// That nothing falls was sought before, and each program begun twice: 40 to 60 factorisations.
+TEST(InteriorPoint, ProvesThatATowerCarriesAnyWeightAboutAsSoonAsThatItStands)
+{
+    for (const int boxes : {2, 10, 50})
+    {
+        SCOPED_TRACE(fmt::format("{} boxes", boxes));
+        const auto pressed = [](auto program, double push)
+        {
+            program.liveLoad = program.load + push * program.liveLoad;
+            return program;
+        };
+        for (const double push : {0.0, 0.2 / boxes})
+        {
+            expectProofOfNoLimitByFewFactorisations(pressed(planeLimitAnalysis(evenTower(boxes)), push));
+            expectProofOfNoLimitByFewFactorisations(pressed(spaceLimitAnalysis(evenTower(boxes)), push));
+        }
+        // What falls by itself may stand under more weight.
+        const auto steadied = [](auto program)
+        {
+            const auto weight = program.load;
+            program = pushedTower(program, 1.5);
+            program.liveLoad = weight;
+            return program;
+        };
+        expectProofOfNoLimitByFewFactorisations(steadied(planeLimitAnalysis(evenTower(boxes))));
+        expectProofOfNoLimitByFewFactorisations(steadied(spaceLimitAnalysis(evenTower(boxes))));
+    }
+}
+
+TEST(InteriorPoint, DoesNotTakeForALimitThatItHasNoneWhereSomethingFalls)
+{
+    PlaneConeProgram program = planeLimitAnalysis(evenTower(3));
+    program.liveLoad = program.load; // carried, whatever happens to another body
+    program.bodies += 1;
+    program.load.conservativeResize(12);
+    program.liveLoad.conservativeResize(12);
+    program.liveLoad.tail<3>().setZero();
+    for (const double weight : {1.0, 1e-3, 1e-6})
+    {
+        program.load.tail<3>() = Eigen::Vector3d(0, -weight * program.load.lpNorm<Eigen::Infinity>(), 0);
+        const ConeSolution solution = solveInteriorPoint(program);
+        ASSERT_EQ(solution.status, SolveStatus::infeasible) << weight;
+        EXPECT_LT(solution.displacement[10], 0) << weight;
+    }
+}
+
 TEST(InteriorPoint, NamesABodyThatNothingTouches)
 {
     PlaneConeProgram program = standingBlock(0.65, 1);

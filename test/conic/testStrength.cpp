@@ -5,6 +5,7 @@
 #include "conic/GaussSeidel.h"
 #include "conic/InteriorPoint.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -131,6 +132,32 @@ TEST(Strength, BoundsALoadThatPressesTheBlockDown)
         strength.crushing = infinite;
     }
     EXPECT_EQ(solveInteriorPoint(program).status, SolveStatus::unbounded);
+}
+
+/// A small stone is crushed by thousands of times its weight. In units of that the forces were not balanced
+/// to the tolerance, from some ten thousand times on.
+TEST(Strength, OfManyTimesTheWeightIsReached)
+{
+    for (const double times : {1e3, 1e4, 3e4, 1e5, 3e5, 1e6, 1e7})
+    {
+        for (const double tolerance : {1e-8, 1e-9, 1e-10})
+        {
+            SCOPED_TRACE(fmt::format("{} times, to {}", times, tolerance));
+            PlaneConeProgram program = standingBlock(1, 0.5, {.crushing = 3 * times});
+            program.liveLoad = Eigen::Vector3d(0, -1, 0);
+            const ConeSolution crushed = solveInteriorPoint(program, {.tolerance = tolerance});
+            EXPECT_EQ(crushed.status, SolveStatus::optimal);
+            EXPECT_LE(certify(program, crushed).worst(), tolerance);
+            EXPECT_NEAR(crushed.multiplier, 6 * times - 2, 2 * tolerance * 6 * times);
+
+            // Held by its weight alone, before cohesion is asked for: h = 0.1, so that it overturns.
+            const PlaneConeProgram glued = standingBlock(0.1, 0.5, {.cohesion = times});
+            const ConeSolution turned = solveInteriorPoint(glued, {.tolerance = tolerance});
+            EXPECT_EQ(turned.status, SolveStatus::optimal);
+            EXPECT_LE(certify(glued, turned).worst(), tolerance);
+            EXPECT_NEAR(turned.multiplier, 20, 100 * tolerance);
+        }
+    }
 }
 
 TEST(Strength, HoldsAHangingBlockUpToItsTension)
