@@ -21,9 +21,10 @@ struct InteriorPointSettings
 
 /// Solves a plane program from a cold start (Mehrotra 1992 predictor-corrector with multiple correctors of
 /// Gondzio 1996, weighted as by Colombo & Gondzio 2008, proximal regularisation of the Schur system with
-/// iterative refinement). The solution's status is `optimal`, `infeasible` or `unbounded` only when the
-/// certificate of Certificate.h, computed from the problem data, meets the tolerance; otherwise
-/// `notConverged` with the best iterate.
+/// iterative refinement; a balance that rounding loses near the optimum is mended by a factorisation of its
+/// own). The solution's status is `optimal`, `infeasible` or `unbounded` only when the certificate of
+/// Certificate.h, computed from the problem data, meets the tolerance; otherwise `notConverged` with the best
+/// iterate.
 /// \param kept of the last program, to be used where the same bodies touch (RayProgram.h); not owned
 /// \param near what may be nearly the solution of a program with inertia, such as what solved the last step:
 /// iterations begin there if it is near enough, else, or if they do not end, from its `interior` moved on to
