@@ -4,9 +4,13 @@
 
 #include "core/Error.h"
 
+#include <cerrno>
+#include <fcntl.h>
 #include <filesystem>
 #include <fstream>
+#include <string>
 #include <string_view>
+#include <sys/file.h>
 #include <unistd.h>
 
 namespace drystone::fuzz
@@ -16,14 +20,7 @@ namespace drystone::fuzz
 class Folder
 {
 public:
-    /// In memory, where there is such a place.
-    Folder()
-        : path((std::filesystem::is_directory("/dev/shm") ? std::filesystem::path("/dev/shm")
-                                                          : std::filesystem::temp_directory_path())
-               / ("drystoneFuzz." + std::to_string(::getpid())))
-    {
-        std::filesystem::create_directories(path);
-    }
+    Folder() : path(make()) {}
     ~Folder()
     {
         std::error_code ignored;
@@ -33,6 +30,34 @@ public:
     Folder& operator=(const Folder&) = delete;
 
     const std::filesystem::path path;
+
+private:
+    /// In memory, where there is such a place. Named by the target, not by the process: libFuzzer takes words
+    /// for its inputs from what is compared, and a seed is to give the same ones each time.
+    static std::filesystem::path make()
+    {
+        const std::filesystem::path room = std::filesystem::is_directory("/dev/shm")
+                                               ? std::filesystem::path("/dev/shm")
+                                               : std::filesystem::temp_directory_path();
+        const std::string name = std::string("drystoneFuzz.") + program_invocation_short_name + ".";
+        // Another process of the same target has locked its folder; what one left that was killed is taken
+        // over.
+        for (int number = 0;; ++number)
+        {
+            const std::filesystem::path folder = room / (name + std::to_string(number));
+            std::filesystem::create_directory(folder);
+            const int opened = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+            if (opened >= 0 && ::flock(opened, LOCK_EX | LOCK_NB) == 0)
+            {
+                for (const auto& left : std::filesystem::directory_iterator(folder))
+                {
+                    std::filesystem::remove_all(left);
+                }
+                return folder; // locked as long as the process lives
+            }
+            ::close(opened);
+        }
+    }
 };
 
 inline void write(const std::filesystem::path& file, std::string_view text)
