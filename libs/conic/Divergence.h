@@ -76,6 +76,16 @@ inline bool runsOff(int iterations, double displacement, double force, double ba
     return isLost || std::abs(multiplier) > far || displacement > far || force > far * loads;
 }
 
+/// The balance of a program's live load alone.
+template<int Rows, int Forces>
+ConeProgram<Rows, Forces> liveLoadAlone(ConeProgram<Rows, Forces> program)
+{
+    program.load = program.liveLoad;
+    program.liveLoad.resize(0);
+    program.gap.resize(0);
+    return program;
+}
+
 /// The balance of a program's loads alone at a large multiplier. Where there are forces for it, and others
 /// that carry the live load alone, there is no largest multiplier.
 template<int Rows, int Forces>

@@ -237,6 +237,7 @@ private:
     void solveSchur(VectorXd& x);
     void solveSchur(VectorXd& one, VectorXd& other);
     void solveSchurRoughly(VectorXd& x);
+    double takeLiveWork(VectorXd& y) const;
     double complementarity() const { return rays_.rayCount() ? at_.s.dot(at_.z) / rays_.rayCount() : 0; }
     double objectiveSize() const;
     bool converged();
@@ -464,23 +465,15 @@ bool InteriorPoint::mendBalance()
     {
         return false;
     }
-    if (rays_.hasMultiplier())
-    {
-        liveSolution_ = rays_.liveLoad;
-        solveSchur(liveSolution_);
-        liveStiffness_ = rays_.liveLoad.dot(liveSolution_);
-    }
+    liveSolution_ = rays_.liveLoad;
+    solveSchur(liveSolution_);
+    liveStiffness_ = rays_.liveLoad.dot(liveSolution_);
     const double enough = 0.1 * settings_.tolerance * forceSize();
     for (int pass = 0; pass < passesOfMend && residuals_.balance.lpNorm<Eigen::Infinity>() > enough; ++pass)
     {
         remainder_ = residuals_.balance;
         solveSchur(remainder_);
-        if (rays_.hasMultiplier())
-        {
-            const double change = -rays_.liveLoad.dot(remainder_) / liveStiffness_;
-            remainder_ += change * liveSolution_;
-            at_.alpha += change;
-        }
+        at_.alpha += takeLiveWork(remainder_);
         applyRaysTransposed(rays_, remainder_, rayWork2_);
         at_.s = (at_.s + d_.cwiseProduct(rayWork2_)).cwiseMax(0.1 * at_.s);
         computeResiduals();
@@ -585,6 +578,15 @@ void InteriorPoint::solveSchur(VectorXd& x)
         solveWithLimits(rays_, d_, system_, x);
     }
     ++solves_;
+}
+
+/// Moves displacements that balance loads to where the live load does no work on them. \return the change of
+/// its multiplier that does so
+double InteriorPoint::takeLiveWork(VectorXd& y) const
+{
+    const double change = -rays_.liveLoad.dot(y) / liveStiffness_;
+    y += change * liveSolution_;
+    return change;
 }
 
 void InteriorPoint::solveSchurRoughly(VectorXd& x)
@@ -700,9 +702,7 @@ void InteriorPoint::finishStep(double reduction, Iterate& step)
         solveSchur(remainder_);
         if (rays_.hasMultiplier())
         {
-            const double change = -rays_.liveLoad.dot(remainder_) / liveStiffness_;
-            remainder_ += change * liveSolution_;
-            step.alpha += change;
+            step.alpha += takeLiveWork(remainder_);
         }
         step.y += remainder_;
         applyRaysTransposed(rays_, remainder_, trialRays_);
@@ -1149,10 +1149,7 @@ void boundMultiplier(const PlaneConeProgram& program, const InteriorPointSetting
 bool proveUnbounded(const PlaneConeProgram& program, const InteriorPointSettings& settings,
                     SymbolicAnalysis& symbolic, ConeSolution& solution)
 {
-    PlaneConeProgram live = program;
-    live.load = program.liveLoad;
-    live.liveLoad.resize(0);
-    live.gap.resize(0);
+    PlaneConeProgram live = liveLoadAlone(program);
     live.strength.clear();
     for (int point = 0; program.hasStrength() && point < program.points(); ++point)
     {

@@ -516,11 +516,7 @@ ConeSolution solveOnce(const SpaceConeProgram& program, const InteriorPointSetti
 bool proveUnbounded(const SpaceConeProgram& program, const InteriorPointSettings& settings,
                     ConeSolution& solution)
 {
-    SpaceConeProgram live = program;
-    live.load = program.liveLoad;
-    live.liveLoad.resize(0);
-    live.gap.resize(0);
-    const ConeSolution carried = solveOnce(live, settings, Sought::carried);
+    const ConeSolution carried = solveOnce(liveLoadAlone(program), settings, Sought::carried);
     addWork(solution, carried);
     if (!(certifyUnbounded(program, carried.contactForce).worst() <= settings.tolerance))
     {

@@ -41,8 +41,7 @@ ConeSolution solveByUpperBounds(const PlaneConeProgram& program, double from, do
     {
         pushed.load = program.load + solution.multiplier * program.liveLoad;
         nearest = solveAugmentedLagrangian(pushed, nearest, exact, &symbolic);
-        solution.iterations += nearest.iterations;
-        solution.factorisations += nearest.factorisations;
+        addWork(solution, nearest);
         solution.contactForce = nearest.contactForce;
         if (certifyOptimal(program, solution).worst() <= tolerance)
         {
