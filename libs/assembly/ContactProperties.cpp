@@ -41,7 +41,10 @@ void declare(Options& options, CoulombFriction& friction)
 
 void declare(Options& options, Restitution& restitution)
 {
-    options.required("normal", restitution.normal, "parting over closing velocity of an impact")
+    options
+        .required("normal", restitution.normal,
+                  "parting over closing velocity of an impact; less of it, as the log says, in impacts where "
+                  "together with friction all of it would create energy")
         .unit("-")
         .atLeast(0)
         .atMost(1)

@@ -2,6 +2,7 @@
 #include "dynamics/Motion.h"
 
 #include "conic/RayProgram.h"
+#include "dynamics/Impact.h"
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -466,57 +467,6 @@ std::vector<std::size_t> collidingPoints(const PlaneConeProgram& program, const 
     return std::any_of(points.begin(), points.end(), collides) ? points : std::vector<std::size_t>();
 }
 
-/// Velocities after an impact at some points: M (v+ - v-) = -A P, u_n+ >= -e u_n- where u_n- closes, with
-/// friction. That is a step of theta 1 without loads whose gaps are dt e u_n-.
-///
-/// Friction is Coulomb's, whatever the flow rule of the steps. In a step the associative law opens a joint by
-/// mu |u_t| dt, which the next step takes into account as a gap and which vanishes with dt; in an impact it
-/// would throw the blocks apart at mu |u_t|, however short the step: other physics.
-/// \param bySupports see closingBySupports; may be empty
-ThetaStep collide(const DynamicCase& scene, const PlaneConeProgram& program,
-                  const std::vector<std::size_t>& colliding, const Eigen::VectorXd& velocity,
-                  const Eigen::VectorXd& bySupports, const StepSettings& settings, double timeStep)
-{
-    PlaneConeProgram impact;
-    impact.bodies = program.bodies;
-    const Eigen::VectorXd inertia = scene.mass / (timeStep * timeStep);
-    for (int body = 0; body < program.bodies; ++body)
-    {
-        impact.inertia.push_back(inertia.segment<3>(3 * body).asDiagonal());
-    }
-    impact.load = timeStep * inertia.cwiseProduct(velocity);
-    Eigen::VectorXd closing = applyTransposed(program, velocity);
-    if (bySupports.size() > 0)
-    {
-        closing += bySupports / timeStep;
-    }
-    impact.gap = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(colliding.size()));
-    for (std::size_t i = 0; i < colliding.size(); ++i)
-    {
-        impact.contacts.push_back(program.contacts[colliding[i]]);
-        impact.friction.push_back(program.friction[colliding[i]]);
-        const double closingVelocity = closing[2 * static_cast<Eigen::Index>(colliding[i])];
-        impact.gap[2 * static_cast<Eigen::Index>(i)] =
-            -timeStep * scene.restitution() * std::max(closingVelocity, 0.0);
-        if (bySupports.size() > 0)
-        {
-            impact.gap.segment<2>(2 * static_cast<Eigen::Index>(i)) -=
-                bySupports.segment<2>(2 * static_cast<Eigen::Index>(colliding[i]));
-        }
-    }
-    StepSettings instant = settings;
-    instant.kind = StepKind::impact;
-    instant.flowRule = FlowRule::nonAssociative;
-    return solveThetaStep(std::move(impact), instant);
-}
-
-/// What an impact takes from the kinetic energy: P' (u+ + u-)/2 with the impulses P = dt c.
-double impactLoss(const DynamicCase& scene, const Eigen::VectorXd& before, const Eigen::VectorXd& after)
-{
-    // The impulses are M (v- - v+): exact, so this is the same number.
-    return kineticEnergy(scene, before) - kineticEnergy(scene, after);
-}
-
 /// What the solution of a step asks for beside its program. Nothing is owned.
 struct StepProblem
 {
@@ -536,9 +486,10 @@ struct StepSolution
 {
     ThetaStep step;
     bool isSolved = false;
-    Eigen::VectorXd velocity;  ///< that the step starts from: after the impacts
-    double lostInImpacts = 0;  ///< [J]
-    double workOfSupports = 0; ///< in impacts [J]
+    Eigen::VectorXd velocity;    ///< that the step starts from: after the impacts
+    double lostInImpacts = 0;    ///< [J]
+    double workOfSupports = 0;   ///< in impacts [J]
+    double restitutionShare = 1; ///< the least of the impacts, see Impact
 };
 
 /// The step, and where it asks for impacts these first and the step again from the velocities after them.
@@ -550,12 +501,11 @@ StepSolution solveWithImpacts(const StepProblem& problem, PlaneConeProgram progr
     const double timeStep = problem.timeStep;
     const double theta = scene.schemes.timeIntegration.theta;
     SymbolicAnalysis* symbolic = problem.motion.symbolic.get();
-    const auto count = [&work](const ThetaStep& solved)
+    const auto count = [&work](const auto& solved)
     {
         work.iterations += solved.iterations;
         work.factorisations += solved.factorisations;
         work.programs += solved.programs;
-        return solved.status == SolveStatus::optimal;
     };
 
     StepSolution solution;
@@ -563,8 +513,13 @@ StepSolution solveWithImpacts(const StepProblem& problem, PlaneConeProgram progr
     velocity = problem.motion.state.velocity;
     ThetaStep& step = solution.step;
     StepGuess guess = problem.guess;
-    step = solveThetaStep(program, problem.settings, guess, problem.relinearise, symbolic);
-    solution.isSolved = count(step);
+    const auto solve = [&]
+    {
+        step = solveThetaStep(program, problem.settings, guess, problem.relinearise, symbolic);
+        count(step);
+        solution.isSolved = step.status == SolveStatus::optimal;
+    };
+    solve();
     const bool hasImpacts = (scene.restitution() > 0 || theta < 1) && !program.hasCompliance();
     // Nor do points that an impact has just stopped, or thrown back, to its tolerance.
     double slowest = slowImpact * problem.acceleration * timeStep;
@@ -592,27 +547,21 @@ StepSolution solveWithImpacts(const StepProblem& problem, PlaneConeProgram progr
         {
             setColumns(before, columnsAt(scene, problem.motion.state.placements, problem.points));
         }
-        const ThetaStep impact =
-            collide(scene, before, colliding, velocity, bySupports, problem.settings, timeStep);
-        solution.isSolved = count(impact);
+        Impact impact =
+            collide({scene.mass, velocity, before, colliding, bySupports, scene.restitution(), timeStep},
+                    problem.settings);
+        count(impact);
+        solution.isSolved = impact.isSolved;
         if (solution.isSolved)
         {
-            const Eigen::VectorXd after = impact.displacement / timeStep;
-            solution.lostInImpacts += impactLoss(scene, velocity, after);
-            for (std::size_t i = 0; bySupports.size() > 0 && i < colliding.size(); ++i)
-            {
-                const double byImpulses =
-                    impact.contactForce.segment<2>(2 * static_cast<Eigen::Index>(i))
-                        .dot(bySupports.segment<2>(2 * static_cast<Eigen::Index>(colliding[i])));
-                solution.workOfSupports += byImpulses;
-                solution.lostInImpacts += byImpulses;
-            }
-            velocity = after;
+            solution.lostInImpacts += impact.energyLoss;
+            solution.workOfSupports += impact.workOfSupports;
+            solution.restitutionShare = std::min(solution.restitutionShare, impact.restitutionShare);
+            velocity = std::move(impact.velocity);
             program.load = problem.load + scene.mass.cwiseProduct(velocity) / (theta * timeStep);
             guess.displacement = timeStep * velocity;
             collided = std::move(colliding);
-            step = solveThetaStep(program, problem.settings, guess, problem.relinearise, symbolic);
-            solution.isSolved = count(step);
+            solve();
         }
     }
     return solution;
@@ -860,6 +809,7 @@ bool advance(const DynamicCase& scene, Motion& motion, double timeStep)
         effect->account(context, step, energy);
     }
     motion.energy.impactLoss += solved.lostInImpacts;
+    motion.restitutionShare = solved.restitutionShare;
     double takenAlong = 0;
     if (scene.contact.deletion)
     {

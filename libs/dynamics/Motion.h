@@ -48,6 +48,7 @@ struct Motion
                                     ///< box, at rest where it left it. Follows from `state`
     std::vector<char> isBondBroken; ///< one of each of the case's bonds, with what never was one
     int bondsBrokenInStep = 0;      ///< in the last step
+    double restitutionShare = 1;    ///< in the last step the least of its impacts, see Impact
 };
 
 /// How many bonds are broken that once held [-].
@@ -65,7 +66,7 @@ Motion startMotion(const DynamicCase& scene, DynamicState state);
 /// 2. the theta step as a cone program, its gaps right to second order; bonds that would give way in it break
 ///    and it is solved again without them (JointBonds.h);
 /// 3. impacts, where restitution or a theta below 1 asks for them: points that the step closes, and that were
-///    closing when it began, collide first. M (v+ - v-) = -A P with u_n+ >= -e u_n-, wherever in the step
+///    closing when it began, collide first (Impact.h: no impact creates energy), wherever in the step
 ///    they would have met; then the step is repeated from v+. Without restitution and with theta 1 the
 ///    program itself is the plastic impact;
 /// 4. blocks moved by finite rotations, and the ledger of energy kept;

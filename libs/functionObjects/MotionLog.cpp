@@ -75,6 +75,12 @@ void printStep(const DynamicCase& scene, const Motion& motion)
     {
         info("{} bonds broke, {} are broken", motion.bondsBrokenInStep, brokenBonds(scene, motion));
     }
+    constexpr double shown = 0.9995; // with less of a difference three digits show none
+    if (motion.restitutionShare < shown)
+    {
+        info("Restitution: {:.3g} instead of {:g} in an impact, where friction and more would create energy",
+             motion.restitutionShare * scene.restitution(), scene.restitution());
+    }
     if (residuals.retries > 0)
     {
         info("The step was shortened {} times to be solved", residuals.retries);

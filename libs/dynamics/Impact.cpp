@@ -1,0 +1,366 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+// Here and not in the steps: the law of an instant knows no time integration.
+#include "dynamics/Impact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace drystone
+{
+namespace
+{
+
+/// Where Newton's law creates energy: programs solved for the restitution that does not.
+constexpr int mostRefinements = 6;
+
+/// They end when energy leaves undecided no more than this part of the restitution.
+constexpr double restitutionKnown = 1e-3;
+
+/// A gain that is rounding of the kinetic energy, as a share of it.
+constexpr double roundingOfEnergy = 8 * std::numeric_limits<double>::epsilon();
+
+/// Points and bodies of blocks that meet each other, numbered.
+struct Groups
+{
+    std::vector<int> ofBody;  ///< -1: meets nothing
+    std::vector<int> ofPoint; ///< one a point that meets
+    int count = 0;
+};
+
+Groups groupsOf(const ImpactProblem& problem)
+{
+    const PlaneConeProgram& program = problem.program;
+    std::vector<int> parent(static_cast<std::size_t>(program.bodies));
+    std::iota(parent.begin(), parent.end(), 0);
+    const auto rootOf = [&parent](int body)
+    {
+        while (parent[static_cast<std::size_t>(body)] != body)
+        {
+            body = parent[static_cast<std::size_t>(body)] =
+                parent[static_cast<std::size_t>(parent[static_cast<std::size_t>(body)])];
+        }
+        return body;
+    };
+    for (const std::size_t point : problem.meeting)
+    {
+        const auto& contact = program.contacts[point];
+        if (contact.first >= 0 && contact.second >= 0)
+        {
+            parent[static_cast<std::size_t>(rootOf(contact.first))] = rootOf(contact.second);
+        }
+    }
+    Groups groups;
+    groups.ofBody.assign(parent.size(), -1);
+    std::vector<int> ofRoot(parent.size(), -1);
+    const auto groupOf = [&](int body)
+    {
+        int& group = ofRoot[static_cast<std::size_t>(rootOf(body))];
+        group = group < 0 ? groups.count++ : group;
+        return groups.ofBody[static_cast<std::size_t>(body)] = group;
+    };
+    for (const std::size_t point : problem.meeting)
+    {
+        const auto& contact = program.contacts[point];
+        int group = -1;
+        for (const int body : {contact.first, contact.second})
+        {
+            group = body >= 0 ? groupOf(body) : group;
+        }
+        groups.ofPoint.push_back(group >= 0 ? group : groups.count++);
+    }
+    return groups;
+}
+
+/// A way for the impact to go.
+struct Outcome
+{
+    Eigen::VectorXd velocity; ///< v+
+    Eigen::VectorXd force;    ///< impulses over the time step [N]
+    Eigen::VectorXd share;    ///< k of each group
+    Eigen::VectorXd gain;     ///< energy created in each group [J]
+};
+
+/// Closing velocities of all points of the program.
+Eigen::VectorXd closingVelocity(const ImpactProblem& problem)
+{
+    Eigen::VectorXd closing = applyTransposed(problem.program, problem.velocity);
+    if (problem.closingBySupports.size() > 0)
+    {
+        closing += problem.closingBySupports / problem.timeStep;
+    }
+    return closing;
+}
+
+/// What each group's kinetic energy grows by beyond the work of the supports [J].
+Eigen::VectorXd gainOf(const ImpactProblem& problem, const Groups& groups, const Eigen::VectorXd& velocity,
+                       const Eigen::VectorXd& force)
+{
+    Eigen::VectorXd gain = Eigen::VectorXd::Zero(groups.count);
+    for (std::size_t body = 0; body < groups.ofBody.size(); ++body)
+    {
+        if (groups.ofBody[body] >= 0)
+        {
+            const auto row = 3 * static_cast<Eigen::Index>(body);
+            const Eigen::Vector3d before = problem.velocity.segment<3>(row);
+            const Eigen::Vector3d after = velocity.segment<3>(row);
+            gain[groups.ofBody[body]] +=
+                0.5 * problem.mass.segment<3>(row).cwiseProduct(after - before).dot(after + before);
+        }
+    }
+    for (std::size_t i = 0; problem.closingBySupports.size() > 0 && i < problem.meeting.size(); ++i)
+    {
+        gain[groups.ofPoint[i]] -=
+            force.segment<2>(2 * static_cast<Eigen::Index>(i))
+                .dot(problem.closingBySupports.segment<2>(2 * static_cast<Eigen::Index>(problem.meeting[i])));
+    }
+    return gain;
+}
+
+/// The program of the impact: a step of theta 1 without loads whose gaps are -dt k e u_n-.
+PlaneConeProgram impactProgram(const ImpactProblem& problem, const Groups& groups,
+                               const Eigen::VectorXd& closing, const Eigen::VectorXd& share)
+{
+    const PlaneConeProgram& program = problem.program;
+    const double timeStep = problem.timeStep;
+    PlaneConeProgram impact;
+    impact.bodies = program.bodies;
+    const Eigen::VectorXd inertia = problem.mass / (timeStep * timeStep);
+    for (int body = 0; body < program.bodies; ++body)
+    {
+        impact.inertia.push_back(inertia.segment<3>(3 * body).asDiagonal());
+    }
+    impact.load = timeStep * inertia.cwiseProduct(problem.velocity);
+    impact.gap = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(problem.meeting.size()));
+    for (std::size_t i = 0; i < problem.meeting.size(); ++i)
+    {
+        const std::size_t point = problem.meeting[i];
+        impact.contacts.push_back(program.contacts[point]);
+        impact.friction.push_back(program.friction[point]);
+        const auto row = 2 * static_cast<Eigen::Index>(i);
+        const auto there = 2 * static_cast<Eigen::Index>(point);
+        const double restitution = share[groups.ofPoint[i]] * problem.restitution;
+        impact.gap[row] = -timeStep * restitution * std::max(closing[there], 0.0);
+        if (problem.closingBySupports.size() > 0)
+        {
+            impact.gap.segment<2>(row) -= problem.closingBySupports.segment<2>(there);
+        }
+    }
+    return impact;
+}
+
+/// Where along the segment from 0, which creates no energy, to 1, which does, none is created any more: the
+/// root of low + slope s + curvature s^2, low <= 0.
+double rootOfGain(double low, double slope, double curvature)
+{
+    const double radicand = std::max(slope * slope - 4 * curvature * low, 0.0);
+    const double root = slope > 0 ? -2 * low / (slope + std::sqrt(radicand))
+                                  : (std::sqrt(radicand) - slope) / (2 * curvature);
+    return std::isfinite(root) ? std::clamp(root, 0.0, 1.0) : 0;
+}
+
+/// Of each group the last point of the segment from `low` to `high` that creates no energy.
+Eigen::VectorXd rootsBetween(const ImpactProblem& problem, const Groups& groups, const Outcome& low,
+                             const Outcome& high)
+{
+    Eigen::VectorXd curvature = Eigen::VectorXd::Zero(groups.count);
+    for (std::size_t body = 0; body < groups.ofBody.size(); ++body)
+    {
+        if (groups.ofBody[body] >= 0)
+        {
+            const auto row = 3 * static_cast<Eigen::Index>(body);
+            const Eigen::Vector3d change = high.velocity.segment<3>(row) - low.velocity.segment<3>(row);
+            curvature[groups.ofBody[body]] += 0.5 * problem.mass.segment<3>(row).dot(change.cwiseAbs2());
+        }
+    }
+    Eigen::VectorXd roots(groups.count);
+    for (int group = 0; group < groups.count; ++group)
+    {
+        const double slope = high.gain[group] - low.gain[group] - curvature[group];
+        roots[group] =
+            high.gain[group] <= 0 ? 1 : rootOfGain(std::min(low.gain[group], 0.0), slope, curvature[group]);
+    }
+    return roots;
+}
+
+/// Takes over what another outcome has for some groups.
+void takeGroups(Outcome& outcome, const Outcome& other, const Groups& groups, const std::vector<char>& which)
+{
+    for (std::size_t body = 0; body < groups.ofBody.size(); ++body)
+    {
+        if (groups.ofBody[body] >= 0 && which[static_cast<std::size_t>(groups.ofBody[body])])
+        {
+            const auto row = 3 * static_cast<Eigen::Index>(body);
+            outcome.velocity.segment<3>(row) = other.velocity.segment<3>(row);
+        }
+    }
+    for (std::size_t i = 0; i < groups.ofPoint.size(); ++i)
+    {
+        if (which[static_cast<std::size_t>(groups.ofPoint[i])])
+        {
+            const auto row = 2 * static_cast<Eigen::Index>(i);
+            outcome.force.segment<2>(row) = other.force.segment<2>(row);
+        }
+    }
+    for (int group = 0; group < groups.count; ++group)
+    {
+        if (which[static_cast<std::size_t>(group)])
+        {
+            outcome.share[group] = other.share[group];
+            outcome.gain[group] = other.gain[group];
+        }
+    }
+}
+
+/// The outcome at a part of the way from one to another, another part for each group.
+Outcome between(const ImpactProblem& problem, const Groups& groups, const Outcome& low, const Outcome& high,
+                const Eigen::VectorXd& part)
+{
+    Outcome outcome = low;
+    for (std::size_t body = 0; body < groups.ofBody.size(); ++body)
+    {
+        if (groups.ofBody[body] >= 0)
+        {
+            const auto row = 3 * static_cast<Eigen::Index>(body);
+            outcome.velocity.segment<3>(row) +=
+                part[groups.ofBody[body]] * (high.velocity.segment<3>(row) - low.velocity.segment<3>(row));
+        }
+    }
+    for (std::size_t i = 0; i < groups.ofPoint.size(); ++i)
+    {
+        const auto row = 2 * static_cast<Eigen::Index>(i);
+        outcome.force.segment<2>(row) +=
+            part[groups.ofPoint[i]] * (high.force.segment<2>(row) - low.force.segment<2>(row));
+    }
+    outcome.share += part.cwiseProduct(high.share - low.share);
+    outcome.gain = gainOf(problem, groups, outcome.velocity, outcome.force);
+    return outcome;
+}
+
+} // namespace
+
+Impact collide(const ImpactProblem& problem, const StepSettings& settings)
+{
+    const Groups groups = groupsOf(problem);
+    const Eigen::VectorXd closing = closingVelocity(problem);
+    Eigen::VectorXd energy = Eigen::VectorXd::Zero(groups.count); // kinetic, before
+    for (std::size_t body = 0; body < groups.ofBody.size(); ++body)
+    {
+        if (groups.ofBody[body] >= 0)
+        {
+            const auto row = 3 * static_cast<Eigen::Index>(body);
+            energy[groups.ofBody[body]] +=
+                0.5 * problem.mass.segment<3>(row).dot(problem.velocity.segment<3>(row).cwiseAbs2());
+        }
+    }
+
+    Impact impact;
+    StepSettings instant = settings;
+    instant.kind = StepKind::impact;
+    const auto solve = [&](const Eigen::VectorXd& share, FlowRule flowRule, Outcome& outcome)
+    {
+        instant.flowRule = flowRule;
+        const ThetaStep step = solveThetaStep(impactProgram(problem, groups, closing, share), instant);
+        impact.iterations += step.iterations;
+        impact.factorisations += step.factorisations;
+        impact.programs += step.programs;
+        if (step.status != SolveStatus::optimal)
+        {
+            return false;
+        }
+        outcome = {step.displacement / problem.timeStep, step.contactForce, share, {}};
+        outcome.gain = gainOf(problem, groups, outcome.velocity, outcome.force);
+        return true;
+    };
+    const auto whichGain = [&](const Outcome& outcome)
+    {
+        std::vector<char> which(static_cast<std::size_t>(groups.count));
+        for (int group = 0; group < groups.count; ++group)
+        {
+            which[static_cast<std::size_t>(group)] = outcome.gain[group] > roundingOfEnergy * energy[group];
+        }
+        return which;
+    };
+    const auto isAny = [](const std::vector<char>& which)
+    { return std::find(which.begin(), which.end(), true) != which.end(); };
+    const Eigen::VectorXd all = Eigen::VectorXd::Ones(groups.count);
+
+    Outcome chosen;
+    if (!solve(all, FlowRule::nonAssociative, chosen))
+    {
+        return impact;
+    }
+    std::vector<char> gains = whichGain(chosen);
+    if (isAny(gains))
+    {
+        // What creates no energy for sure: no impulse, and with the tolerance of the solver most often k = 0
+        // with Coulomb's law, or with the associative one, which is a projection.
+        Outcome low{problem.velocity,
+                    Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(groups.ofPoint.size())),
+                    Eigen::VectorXd::Zero(groups.count), Eigen::VectorXd::Zero(groups.count)};
+        std::vector<char> missing = gains;
+        for (const FlowRule flowRule : {FlowRule::nonAssociative, FlowRule::associative})
+        {
+            const bool isKnown = flowRule == FlowRule::nonAssociative && problem.restitution == 0;
+            Outcome plastic;
+            if (!isKnown && isAny(missing) && solve(Eigen::VectorXd::Zero(groups.count), flowRule, plastic))
+            {
+                const std::vector<char> plasticGains = whichGain(plastic);
+                std::vector<char> taken = missing;
+                for (std::size_t group = 0; group < taken.size(); ++group)
+                {
+                    taken[group] = missing[group] && !plasticGains[group];
+                    missing[group] = missing[group] && plasticGains[group];
+                }
+                takeGroups(low, plastic, groups, taken);
+            }
+        }
+        Outcome high = chosen;
+        std::vector<char> others = gains;
+        for (char& isOther : others)
+        {
+            isOther = !isOther;
+        }
+        takeGroups(low, chosen, groups, others);
+        Eigen::VectorXd roots = rootsBetween(problem, groups, low, high);
+        for (int round = 0; round < mostRefinements; ++round)
+        {
+            const Eigen::VectorXd share = low.share + roots.cwiseProduct(high.share - low.share);
+            const double undecided = (high.share - low.share)
+                                         .cwiseProduct(roots.cwiseProduct(all - roots))
+                                         .lpNorm<Eigen::Infinity>();
+            Outcome trial;
+            if (undecided <= restitutionKnown || !solve(share, FlowRule::nonAssociative, trial))
+            {
+                break;
+            }
+            const std::vector<char> trialGains = whichGain(trial);
+            std::vector<char> lower = gains;
+            std::vector<char> higher = gains;
+            for (std::size_t group = 0; group < gains.size(); ++group)
+            {
+                lower[group] = gains[group] && !trialGains[group];
+                higher[group] = gains[group] && trialGains[group];
+            }
+            takeGroups(low, trial, groups, lower);
+            takeGroups(high, trial, groups, higher);
+            roots = rootsBetween(problem, groups, low, high);
+        }
+        chosen = between(problem, groups, low, high, roots);
+    }
+
+    impact.isSolved = true;
+    impact.velocity = std::move(chosen.velocity);
+    impact.impulse = problem.timeStep * chosen.force;
+    impact.restitutionShare = problem.restitution > 0 ? chosen.share.minCoeff() : 1;
+    impact.energyLoss = -chosen.gain.sum();
+    for (std::size_t i = 0; problem.closingBySupports.size() > 0 && i < problem.meeting.size(); ++i)
+    {
+        impact.workOfSupports +=
+            chosen.force.segment<2>(2 * static_cast<Eigen::Index>(i))
+                .dot(problem.closingBySupports.segment<2>(2 * static_cast<Eigen::Index>(problem.meeting[i])));
+    }
+    return impact;
+}
+
+} // namespace drystone
