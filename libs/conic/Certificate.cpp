@@ -13,7 +13,9 @@ namespace
 {
 
 /// The gap of a multiplier is relative to the multiplier itself, but for one so small that the live load is
-/// below this share of the dead load: an alpha of exactly zero is an answer too.
+/// below this share of the dead load: an alpha of exactly zero is an answer too. So is work on gaps, such as
+/// the reaction of a support that sinks and need not carry anything, below this share of what the loads do
+/// on the largest gap.
 constexpr double smallMultiplier = 1e-3;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -193,9 +195,11 @@ Certificate certifyOptimal(const ConeProgram<Rows, Forces>& program, const ConeS
     {
         const Eigen::VectorXd gap = gapUnder(program, c);
         z += gap;
-        displacementScale = std::max(displacementScale, gap.size() > 0 ? gap.cwiseAbs().maxCoeff() : 0);
+        const double largestGap = gap.size() > 0 ? gap.cwiseAbs().maxCoeff() : 0;
+        displacementScale = std::max(displacementScale, largestGap);
         difference += gap.dot(c);
-        differenceScale = std::max(differenceScale, magnitude(gap, c));
+        differenceScale =
+            std::max({differenceScale, magnitude(gap, c), smallMultiplier * forceScale * largestGap});
     }
     if (program.hasInertia())
     {

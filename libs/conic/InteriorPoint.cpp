@@ -407,7 +407,11 @@ double InteriorPoint::objectiveSize() const
         return std::max(rays_.liveWork * std::max(1e-3, std::abs(at_.alpha)),
                         std::abs(rays_.load.dot(at_.y)));
     }
-    return rays_.hasInertia() ? std::max(1.0, rays_.load.cwiseProduct(at_.y).lpNorm<1>()) : 1.0;
+    if (rays_.hasInertia())
+    {
+        return std::max(1.0, rays_.load.cwiseProduct(at_.y).lpNorm<1>());
+    }
+    return std::max(1e-3 * rays_.gap.lpNorm<Eigen::Infinity>(), std::abs(rays_.load.dot(at_.y)));
 }
 
 bool InteriorPoint::converged()

@@ -24,16 +24,17 @@ namespace drystone
 namespace
 {
 
-std::string statusText(CollapseStatus status)
+std::string statusText(const LimitAnalysisCase& structure, const LimitAnalysis& result)
 {
-    switch (status)
+    switch (result.status)
     {
     case CollapseStatus::optimal:
         return "optimal";
     case CollapseStatus::unstable:
         return "unstable (the blocks cannot carry the dead load: the mechanism is written)";
     case CollapseStatus::unbounded:
-        return "unbounded (no load of this direction makes it collapse)";
+        return structure.movement ? "unbounded (no force moves the support in this direction)"
+                                  : "unbounded (no load of this direction makes it collapse)";
     case CollapseStatus::notConverged:
         break;
     }
@@ -42,16 +43,18 @@ std::string statusText(CollapseStatus status)
 }
 
 /// What the picture says of the answer.
-std::string caption(const LimitAnalysis& result)
+std::string caption(const LimitAnalysisCase& structure, const LimitAnalysis& result)
 {
     switch (result.status)
     {
     case CollapseStatus::optimal:
-        return fmt::format("alpha = {:.6f}", result.alpha);
+        return structure.movement ? fmt::format("base reaction {:.6g} N", result.alpha)
+                                  : fmt::format("alpha = {:.6f}", result.alpha);
     case CollapseStatus::unstable:
         return "unstable under its dead load";
     case CollapseStatus::unbounded:
-        return "no live load of this direction makes it collapse";
+        return structure.movement ? "no force moves the support in this direction"
+                                  : "no live load of this direction makes it collapse";
     case CollapseStatus::notConverged:
         break;
     }
@@ -81,7 +84,11 @@ std::string tableText(const LimitAnalysisCase& structure, const std::vector<Limi
         "# alpha[-] status[-] blocks[-] contactPoints[-] variables[-] iterations[-] primalResidual[-] "
         "dualResidual[-] gap[-] cpuTime[s]\n";
     for (const LimitAnalysis& result : results)
-        text += fmt::format("{:.12g} {} {} {} {} {} {:.3e} {:.3e} {:.3e} {:.6g}\n", tabledAlpha(result),
+        text += fmt::format("{:.12g} {} {} {} {} {} {:.3e} {:.3e} {:.3e} {:.6g}\n",
+                            // The least reaction of a support has no lower bound.
+                            structure.movement && result.status == CollapseStatus::unbounded
+                                ? -tabledAlpha(result)
+                                : tabledAlpha(result),
                             static_cast<int>(result.status), structure.freeBlocks, structure.points.size(),
                             result.variables, result.iterations, result.certificate.primalResidual,
                             result.certificate.dualResidual, result.certificate.gap, cpuTime);
@@ -206,7 +213,7 @@ void printLimitAnalysis(const LimitAnalysisCase& structure, const std::vector<Li
                  "converged); associative: {:.6f}",
                  range.lowest, range.highest, range.converged, range.starts, range.associative);
         }
-        info("Status: {}", statusText(result.status));
+        info("Status: {}", statusText(structure, result));
         const Certificate& certificate = result.certificate;
         info(
             "Certificate: primal residual = {:.3e}, dual residual = {:.3e}, gap = {:.3e}, No Iterations {}\n",
@@ -318,10 +325,7 @@ void writeAnswer(const std::filesystem::path& caseDirectory, const LimitAnalysis
 
     MechanismPicture picture;
     picture.title = std::filesystem::absolute(caseDirectory).lexically_normal().filename().string();
-    picture.subtitle = fmt::format("{}, {} blocks, {} contact points",
-                                   structure.movement && result.status == CollapseStatus::optimal
-                                       ? fmt::format("base reaction {:.6g} N", result.alpha)
-                                       : caption(result),
+    picture.subtitle = fmt::format("{}, {} blocks, {} contact points", caption(structure, result),
                                    structure.freeBlocks, structure.points.size());
     writeMechanismPicture(file("mechanism", ".svg"), assembly,
                           mechanismPlacements(assembly, rates, 0.5 * meanBlockSize(assembly)), picture);

@@ -20,7 +20,11 @@ Eigen::VectorXd settlementGaps(const Assembly<2>& assembly, const std::vector<Co
 ///
 /// where y is the mechanism by which the blocks follow a unit movement.
 /// \param program with `gap` from settlementGaps and without live load
-/// \return alpha: R [N]; mechanism: y, for a unit movement; `unstable` as in solveLimitAnalysis
+///
+/// Where the rest stands without the support R is 0, proved by forces that leave it out and by y. Where the
+/// support is locked in, any force can push it against its neighbours and R has no lower bound: `unbounded`.
+/// \return alpha: R [N]; mechanism: y, for a unit movement; `unstable` as in solveLimitAnalysis; of
+/// `unbounded` the contact forces of a unit push
 LimitAnalysis solveSettlement(const PlaneConeProgram& program, const InteriorPointSettings& settings = {});
 
 } // namespace drystone

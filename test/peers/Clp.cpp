@@ -25,9 +25,9 @@ std::string mpsText(const LinearProgram& linear)
     text += "COLUMNS\n";
     for (std::size_t column = 0; column < linear.columns.size(); ++column)
     {
-        if (column + 1 == linear.columns.size())
+        if (linear.costs[column] != 0)
         {
-            fmt::format_to(out, " C{} COST -1\n", column);
+            fmt::format_to(out, " C{} COST {}\n", column, linear.costs[column]);
         }
         for (const LinearProgram::Entry& entry : linear.columns[column])
         {
@@ -42,7 +42,11 @@ std::string mpsText(const LinearProgram& linear)
             fmt::format_to(out, " RHS R{} {}\n", row, linear.right[static_cast<std::size_t>(row)]);
         }
     }
-    fmt::format_to(out, "BOUNDS\n FR BND C{}\nENDATA\n", linear.columns.size() - 1);
+    if (linear.hasMultiplier)
+    {
+        fmt::format_to(out, "BOUNDS\n FR BND C{}\n", linear.columns.size() - 1);
+    }
+    text += "ENDATA\n";
     return text;
 }
 

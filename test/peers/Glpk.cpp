@@ -38,9 +38,10 @@ std::optional<PeerAnswer> solve(const AnyConeProgram& any, double tolerance)
             values.push_back(entry.value);
         }
         glp_set_mat_col(problem, column + 1, static_cast<int>(rows.size()) - 1, rows.data(), values.data());
-        glp_set_col_bnds(problem, column + 1, column + 1 < count ? GLP_LO : GLP_FR, 0, 0);
+        const bool isMultiplier = linear.hasMultiplier && column + 1 == count;
+        glp_set_col_bnds(problem, column + 1, isMultiplier ? GLP_FR : GLP_LO, 0, 0);
+        glp_set_obj_coef(problem, column + 1, linear.costs[static_cast<std::size_t>(column)]);
     }
-    glp_set_obj_coef(problem, count, -1);
     glp_smcp settings;
     glp_init_smcp(&settings);
     settings.msg_lev = GLP_MSG_OFF;

@@ -8,6 +8,7 @@ LinearProgram linearProgram(const PlaneConeProgram& program)
 {
     LinearProgram linear;
     linear.rows = 3 * program.bodies;
+    linear.hasMultiplier = program.hasMultiplier();
     linear.scale = std::max(1e-300, program.load.lpNorm<Eigen::Infinity>());
     for (int point = 0; point < program.points(); ++point)
     {
@@ -30,18 +31,23 @@ LinearProgram linearProgram(const PlaneConeProgram& program)
                 }
             }
             linear.columns.push_back(std::move(column));
+            linear.costs.push_back(program.gap.size() > 0 ? edge.dot(program.gap.segment<2>(2 * point)) : 0);
         }
     }
     std::vector<LinearProgram::Entry> alpha;
     for (int row = 0; row < linear.rows; ++row)
     {
-        if (program.liveLoad[row] != 0)
+        if (program.hasMultiplier() && program.liveLoad[row] != 0)
         {
             alpha.push_back({row, -program.liveLoad[row] / linear.scale});
         }
         linear.right.push_back(program.load[row] / linear.scale);
     }
-    linear.columns.push_back(std::move(alpha));
+    if (program.hasMultiplier())
+    {
+        linear.columns.push_back(std::move(alpha));
+        linear.costs.push_back(-1);
+    }
     return linear;
 }
 
@@ -57,17 +63,20 @@ ConeSolution solutionOf(const PlaneConeProgram& program, const LinearProgram& li
         solution.contactForce[2 * point] = linear.scale * (columns[first] + columns[first + 1]);
         solution.contactForce[2 * point + 1] = linear.scale * mu * (columns[first] - columns[first + 1]);
     }
-    solution.multiplier = columns.back();
-    // Rows are over `scale`: L' y = 1 with L, not with L / scale.
-    solution.displacement = Eigen::Map<const Eigen::VectorXd>(y.data(), linear.rows) / linear.scale;
+    solution.displacement = Eigen::Map<const Eigen::VectorXd>(y.data(), linear.rows);
+    if (linear.hasMultiplier)
+    {
+        solution.multiplier = columns.back();
+        solution.displacement /= linear.scale; // rows are over `scale`: L' y = 1 with L, not with L / scale
+    }
     return solution;
 }
 
 const PlaneConeProgram* asLinear(const AnyConeProgram& program)
 {
     const auto* plane = std::get_if<PlaneConeProgram>(&program);
-    return plane && plane->hasMultiplier() && !plane->hasInertia() && !plane->hasStrength()
-                   && plane->gap.size() == 0
+    return plane && plane->hasMultiplier() != (plane->gap.size() > 0) && !plane->hasInertia()
+                   && !plane->hasStrength()
                ? plane
                : nullptr;
 }

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Plane limit analysis as a linear program in the standard form that simplex codes take.
+/// Plane limit analysis and settlement as linear programs in the standard form that simplex codes take.
 #pragma once
 
 #include "Peers.h"
@@ -8,8 +8,9 @@ namespace drystone
 {
 
 /// maximise alpha over s >= 0 and alpha subject to B s - alpha L = f, where the columns of B are the two
-/// edges of each friction cone, A (1, mu) and A (1, -mu). Loads are over the largest entry of f, so that
-/// absolute tolerances mean something; the multipliers of the rows are y, as they are.
+/// edges of each friction cone, A (1, mu) and A (1, -mu); of a settlement, minimise g's subject to B s = f.
+/// Loads are over the largest entry of f, so that absolute tolerances mean something; the multipliers of the
+/// rows are y, as they are.
 struct LinearProgram
 {
     struct Entry
@@ -18,7 +19,9 @@ struct LinearProgram
         double value;
     };
     int rows = 0;
-    std::vector<std::vector<Entry>> columns; ///< two a contact point, then that of alpha
+    std::vector<std::vector<Entry>> columns; ///< two a contact point, then that of alpha, if there is one
+    std::vector<double> costs;               ///< of the columns: what is minimised
+    bool hasMultiplier = true;               ///< the last column is alpha, of any sign
     std::vector<double> right;               ///< f / scale
     double scale = 1;
 };
@@ -29,7 +32,7 @@ LinearProgram linearProgram(const PlaneConeProgram& program);
 ConeSolution solutionOf(const PlaneConeProgram& program, const LinearProgram& linear,
                         const std::vector<double>& columns, const std::vector<double>& y);
 
-/// Whether a program is one that a simplex code can solve: plane limit analysis with cones.
+/// Whether a program is one that a simplex code can solve: plane limit analysis or settlement with cones.
 const PlaneConeProgram* asLinear(const AnyConeProgram& program);
 
 } // namespace drystone

@@ -37,10 +37,10 @@ struct Peer
     std::function<std::optional<PeerAnswer>(const AnyConeProgram& program, double tolerance)> solve;
 };
 
-/// GLPK's simplex method on plane limit analysis, through its library. Nothing when it is not installed; the
-/// same holds for those below.
+/// GLPK's simplex method on plane limit analysis and settlement, through its library. Nothing when it is not
+/// installed; the same holds for those below.
 std::optional<Peer> glpk();
-/// Clp's dual simplex method on plane limit analysis, as a program of its own through files.
+/// Clp's dual simplex method on the same, as a program of its own through files.
 std::optional<Peer> clp();
 /// CVXOPT's cone solver on all programs, as a program of its own through files.
 std::optional<Peer> cvxopt();

@@ -97,7 +97,28 @@ public:
 
     double lever() const { return lever_; }
 
+    /// Of a support that moves: what it carries against its movement [N].
+    double reaction(const Eigen::VectorXd& forces) const
+    {
+        double sum = 0;
+        for (std::size_t i = 0; i < structure_.points.size(); ++i)
+        {
+            const ContactPoint<2>& point = structure_.points[i];
+            const Vector<2> force = forces[at(i)] * point.normal + forces[at(i) + 1] * tangent(point);
+            const double along = force.dot(structure_.loads.movement->direction);
+            sum += isMoving(point.block) ? along : isMoving(point.neighbour) ? -along : 0;
+        }
+        return sum;
+    }
+
 private:
+    bool isMoving(int block) const
+    {
+        return structure_.loads.movement
+               && structure_.assembly.blocks[static_cast<std::size_t>(block)].support
+                      == structure_.loads.movement->support;
+    }
+
     static Eigen::Index at(std::size_t point) { return 2 * static_cast<Eigen::Index>(point); }
 
     void press(int block, const Vector<2>& force, const Vector<2>& position, Eigen::VectorXd& sum) const
@@ -116,7 +137,7 @@ private:
         const int row = 3 * structure_.free[static_cast<std::size_t>(block)];
         if (row < 0)
         {
-            return Vector<2>::Zero();
+            return isMoving(block) ? structure_.loads.movement->direction : Vector<2>(0, 0);
         }
         const Vector<2> arm = position - structure_.blocks[static_cast<std::size_t>(block)].centroid;
         return motion.segment<2>(row) + motion[row + 2] * Vector<2>(-arm.y(), arm.x());

@@ -3,6 +3,7 @@
 
 #include "texture/Arch.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -166,6 +167,80 @@ Assembly<2> arch(Random& random)
     return makeAssembly(shape);
 }
 
+/// Size, masses and contact points of an assembly.
+void finish(RandomAssembly& made, Random& random)
+{
+    made.size = std::pow(10, std::round(random.between(-3, 3))); // of lengths
+    for (Block<2>& block : made.assembly.blocks)
+    {
+        for (Vector<2>& corner : block.outline)
+        {
+            corner *= made.size;
+        }
+    }
+    made.blocks = blockMasses(made.assembly);
+    made.free = freeIndices(made.assembly);
+    const double density = std::pow(10, random.between(-2, 4));
+    for (const BlockMass<2>& block : made.blocks)
+    {
+        made.masses.push_back(density * block.volume * (random.happens(0.1) ? 1e3 : 1));
+    }
+    made.points = findContactPoints(made.assembly);
+}
+
+/// A slab on pads at any places, with blocks on it.
+Assembly<2> slab(Random& random)
+{
+    Assembly<2> assembly;
+    const int pads = 2 + random.upTo(3);
+    for (int pad = 0; pad < pads; ++pad)
+    {
+        const double middle = (pad + random.between(0.2, 0.8)) * 2 / pads;
+        const double half = random.between(0.02, 0.2) * 2 / pads;
+        assembly.blocks.push_back(rectangle(middle - half, -1, middle + half, 0, pad));
+        assembly.supports.push_back({"pad", "blocks"});
+    }
+    assembly.blocks.push_back(rectangle(0, 0, 2, random.between(0.1, 0.5)));
+    const double top = assembly.blocks.back().outline[2].y();
+    for (double left = random.between(0, 1); left < 1.5 && random.happens(0.7);)
+    {
+        const double right = left + random.between(0.1, 0.4);
+        assembly.blocks.push_back(rectangle(left, top, right, top + random.between(0.1, 2)));
+        left = right + random.between(0, 0.3);
+    }
+    return assembly;
+}
+
+/// Cuts a slab of ground in two or three, each a support of its own, under the free blocks: anywhere, or just
+/// below a corner or the middle of one.
+void cutGround(Assembly<2>& assembly, Random& random)
+{
+    const auto cut = [&]
+    {
+        const int count = static_cast<int>(assembly.blocks.size());
+        const Polygon& outline =
+            assembly.blocks[static_cast<std::size_t>(1 + random.upTo(count - 2))].outline;
+        const double left = outline[0].x(), right = outline[1].x();
+        const double places[] = {left, right, (left + right) / 2};
+        return random.happens(0.5) ? places[random.upTo(2)] : left + (right - left) * random.between(0, 1);
+    };
+    std::vector<double> cuts{-50, cut(), 50};
+    if (random.happens(0.5))
+    {
+        cuts.push_back(cut());
+    }
+    std::sort(cuts.begin(), cuts.end());
+    cuts.erase(std::unique(cuts.begin(), cuts.end(), [](double a, double b) { return b - a < 1e-3; }),
+               cuts.end());
+    assembly.supports.clear();
+    assembly.blocks.erase(assembly.blocks.begin());
+    for (std::size_t piece = 0; piece + 1 < cuts.size(); ++piece)
+    {
+        assembly.blocks.push_back(rectangle(cuts[piece], -1, cuts[piece + 1], 0, static_cast<int>(piece)));
+        assembly.supports.push_back({"piece", "blocks"});
+    }
+}
+
 } // namespace
 
 RandomAssembly randomAssembly(unsigned seed)
@@ -194,22 +269,7 @@ RandomAssembly randomAssembly(unsigned seed)
     const double special[] = {0, 1e-12, 1.5, 3};
     made.mu = random.happens(0.15) ? special[random.upTo(3)] : random.between(0.05, 1);
 
-    made.size = std::pow(10, std::round(random.between(-3, 3))); // of lengths
-    for (Block<2>& block : made.assembly.blocks)
-    {
-        for (Vector<2>& corner : block.outline)
-        {
-            corner *= made.size;
-        }
-    }
-    made.blocks = blockMasses(made.assembly);
-    made.free = freeIndices(made.assembly);
-    const double density = std::pow(10, random.between(-2, 4));
-    for (const BlockMass<2>& block : made.blocks)
-    {
-        made.masses.push_back(density * block.volume * (random.happens(0.1) ? 1e3 : 1));
-    }
-    made.points = findContactPoints(made.assembly);
+    finish(made, random);
 
     const Vector<2> gravity(0, -9.81);
     made.loads.dead = gravityLoad(made.assembly, made.masses, gravity);
@@ -235,6 +295,53 @@ RandomAssembly randomAssembly(unsigned seed)
         made.loads.live =
             pointLoad(made.assembly, block, at, made.loads.dead.lpNorm<Eigen::Infinity>() * direction);
     }
+    return made;
+}
+
+RandomAssembly randomSettlement(unsigned seed)
+{
+    Random random(seed);
+    RandomAssembly made;
+    switch (random.upTo(3))
+    {
+    case 0:
+        made.family = "stack";
+        made.assembly = stack(random);
+        cutGround(made.assembly, random);
+        break;
+    case 1:
+        made.family = "courses";
+        made.assembly = courses(random);
+        cutGround(made.assembly, random);
+        break;
+    case 2:
+        made.family = "arch";
+        made.assembly = arch(random);
+        break;
+    default:
+        made.family = "slab";
+        made.assembly = slab(random);
+        break;
+    }
+    made.mu = random.happens(0.1) ? 0 : random.between(0.05, 1.5);
+    finish(made, random);
+    made.loads.dead = gravityLoad(made.assembly, made.masses, {0, -9.81});
+    const double angle = random.between(0, 2 * std::numbers::pi);
+    std::vector<int> touching; // the supports that bear blocks
+    for (const ContactPoint<2>& point : made.points)
+    {
+        for (const int block : {point.block, point.neighbour})
+        {
+            if (const int support = made.assembly.blocks[static_cast<std::size_t>(block)].support;
+                support >= 0)
+            {
+                touching.push_back(support);
+            }
+        }
+    }
+    made.loads.movement = SupportMovement{
+        touching[static_cast<std::size_t>(random.upTo(static_cast<int>(touching.size()) - 1))],
+        random.happens(0.6) ? Vector<2>(0, -1) : Vector<2>(std::cos(angle), std::sin(angle))};
     return made;
 }
 

@@ -29,4 +29,8 @@ struct RandomAssembly
 /// The same on all machines: it draws from std::mt19937_64 alone.
 RandomAssembly randomAssembly(unsigned seed);
 
+/// Structures of the same families, their ground cut into pieces, and slabs on pads; one support moves, most
+/// often down, and often it need not carry anything, or just so.
+RandomAssembly randomSettlement(unsigned seed);
+
 } // namespace drystone
