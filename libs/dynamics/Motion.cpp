@@ -490,6 +490,7 @@ struct StepSolution
     double lostInImpacts = 0;    ///< [J]
     double workOfSupports = 0;   ///< in impacts [J]
     double restitutionShare = 1; ///< the least of the impacts, see Impact
+    Eigen::VectorXd impulse;     ///< of all impacts, two a point [N s]; empty: there were none
 };
 
 /// The step, and where it asks for impacts these first and the step again from the velocities after them.
@@ -558,6 +559,15 @@ StepSolution solveWithImpacts(const StepProblem& problem, PlaneConeProgram progr
             solution.workOfSupports += impact.workOfSupports;
             solution.restitutionShare = std::min(solution.restitutionShare, impact.restitutionShare);
             velocity = std::move(impact.velocity);
+            if (solution.impulse.size() == 0)
+            {
+                solution.impulse = Eigen::VectorXd::Zero(2 * program.points());
+            }
+            for (std::size_t i = 0; i < colliding.size(); ++i)
+            {
+                solution.impulse.segment<2>(2 * static_cast<Eigen::Index>(colliding[i])) +=
+                    impact.impulse.segment<2>(2 * static_cast<Eigen::Index>(i));
+            }
             program.load = problem.load + scene.mass.cwiseProduct(velocity) / (theta * timeStep);
             guess.displacement = timeStep * velocity;
             collided = std::move(colliding);
@@ -835,6 +845,15 @@ bool advance(const DynamicCase& scene, Motion& motion, double timeStep)
             motion.points[i].gap -= step.closing[row] + (bySupports.size() > 0 ? bySupports[row] : 0);
         }
     }
+    motion.meanForces.clear();
+    if (solved.impulse.size() > 0)
+    {
+        motion.meanForces = motion.contactForces;
+        for (std::size_t i = 0; i < motion.points.size(); ++i)
+        {
+            motion.meanForces[i] += solved.impulse.segment<2>(2 * static_cast<Eigen::Index>(i)) / timeStep;
+        }
+    }
     return true;
 }
 
@@ -892,6 +911,11 @@ std::vector<Strength> strengthsOf(const DynamicCase& scene, const Motion& motion
                : strengthsOf(scene.bonds, bondsAt(scene, motion, motion.isBondBroken, motion.points));
 }
 
+const std::vector<Vector<2>>& meanContactForces(const Motion& motion)
+{
+    return motion.meanForces.empty() ? motion.contactForces : motion.meanForces;
+}
+
 StepObservation<2> observe(const DynamicCase& scene, const Motion& motion, const Time& time,
                            ObservedLists& lists)
 {
@@ -915,7 +939,7 @@ StepObservation<2> observe(const DynamicCase& scene, const Motion& motion, const
     seen.placements = motion.state.placements;
     seen.velocities = lists.velocities;
     seen.contactPoints = motion.points;
-    seen.contactForces = motion.contactForces;
+    seen.contactForces = meanContactForces(motion);
     seen.frictionCoefficients = lists.friction;
     seen.cohesions = lists.cohesion;
     seen.energy = motion.energy;

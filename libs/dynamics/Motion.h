@@ -32,17 +32,19 @@ private:
 };
 
 /// All that changes in a run. What a run needs to continue bit for bit is `state`, `energy`, `points`,
-/// `contactForces`, `interior` and `isBondBroken`.
+/// `contactForces`, `meanForces`, `interior` and `isBondBroken`.
 struct Motion
 {
     DynamicState state;
     EnergyLedger energy;
-    std::vector<ContactPoint<2>> points;    ///< of the last step, where they are now; gaps [m]
-    std::vector<Vector<2>> contactForces;   ///< one a point: mean over the last step, (normal, tangent) [N]
-    InteriorStart interior;                 ///< of the last program that had one, at `points`; or empty
-    StepResiduals residuals;                ///< of the last step
-    StepResiduals attempt;                  ///< of the last attempt at a step, solved or not
-    KeptAnalysis symbolic;                  ///< of the last programs
+    std::vector<ContactPoint<2>> points;  ///< of the last step, where they are now; gaps [m]
+    std::vector<Vector<2>> contactForces; ///< one a point, (normal, tangent) [N]: where the next step starts
+    std::vector<Vector<2>> meanForces;    ///< likewise, mean over the last step, with the impulses of its
+                                          ///< impacts; empty where that is the same
+    InteriorStart interior;               ///< of the last program that had one, at `points`; or empty
+    StepResiduals residuals;              ///< of the last step
+    StepResiduals attempt;                ///< of the last attempt at a step, solved or not
+    KeptAnalysis symbolic;                ///< of the last programs
     std::optional<MovingContacts> contacts; ///< empty with smallDisplacements: the points stay as built
     std::vector<char> isDeleted;    ///< one a block, where the case has a `deletion`: it is outside the
                                     ///< box, at rest where it left it. Follows from `state`
@@ -80,6 +82,10 @@ bool advance(const DynamicCase& scene, Motion& motion, double timeStep);
 /// With adjustTimeStep the next step is chosen such that no block moves by more than maxDisplacement.
 /// \return whether it was solved; otherwise the time is that of the start of the step again
 bool advance(const DynamicCase& scene, Motion& motion, Time& time);
+
+/// One a contact point: mean over the last step, impulses of its impacts included, (normal, tangent) [N].
+/// Together with the loads they change the momenta of the blocks by what the step does.
+const std::vector<Vector<2>>& meanContactForces(const Motion& motion);
 
 /// What observers see and a motion does not keep.
 struct ObservedLists

@@ -73,7 +73,8 @@ struct StepObservation
     std::span<const BlockVelocity<Dim>> velocities; ///< one a block, fixed ones too
 
     std::span<const ContactPoint<Dim>> contactPoints; ///< where they are now
-    std::span<const Vector<Dim>> contactForces;   ///< one a point: mean over the step, (normal, tangent) [N]
+    std::span<const Vector<Dim>> contactForces;   ///< one a point: mean over the step with the impulses of
+                                                  ///< its impacts, (normal, tangent) [N]
     std::span<const double> frictionCoefficients; ///< one a point
     std::span<const double> cohesions;            ///< shear beside friction [N], likewise; or empty: none
 

@@ -72,7 +72,10 @@ enum class ContactPointTable
     all
 };
 
-/// What the contact points carry.
+/// What the contact points carry. Forces are means over the step; what impacts change at an instant, plastic
+/// ones and those with restitution, is in them as impulse over the length of the step. So reactions times
+/// steps add up to what gravity and all other loads do not explain of the momentum, and while blocks hit each
+/// other the largest forces grow as steps get shorter.
 ///
 /// contactForces.dat: `Time[s] points[-] open[-] sticking[-] sliding[-] largestNormalForce[N]
 /// largestShearForce[N]`, and for each support its reaction, which is the force on the structure and its

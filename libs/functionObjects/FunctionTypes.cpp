@@ -122,7 +122,9 @@ const Registry<FunctionPlan<2>>& functionTypes()
          model<FunctionPlan<2>, BlockMotionSettings>("blockMotion", "placement and velocity of some blocks",
                                                      planBlockMotion),
          model<FunctionPlan<2>, ContactForcesSettings>(
-             "contactForces", "contact points and reactions of supports", planContactForces),
+             "contactForces",
+             "contact points and reactions of supports, means over the step with the impulses of impacts",
+             planContactForces),
          model<FunctionPlan<2>, PlainSettings>("residuals", "how the solver did",
                                                planPlain<ResidualsFunction<2>>)}};
     return registry;

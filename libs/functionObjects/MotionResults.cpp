@@ -121,6 +121,14 @@ Motion motionOf(const DynamicCase& scene, const State& saved)
         point.normal = {normals[2 * i], normals[2 * i + 1]};
         motion.contactForces[i] = {forces[2 * i], forces[2 * i + 1]};
     }
+    if (saved.arrays.contains("contactForceMean")) // else the same
+    {
+        const auto& means = stateArray(saved, "contactForceMean", 2 * points);
+        for (std::size_t i = 0; i < points; ++i)
+        {
+            motion.meanForces.emplace_back(means[2 * i], means[2 * i + 1]);
+        }
+    }
     if (saved.arrays.contains("interiorForce"))
     {
         const auto vectorOf = [&saved](const char* name, Eigen::Index size)
@@ -193,6 +201,11 @@ State stateOf(const Motion& motion, const Time& time)
         positions.insert(positions.end(), {point.position.x(), point.position.y()});
         normals.insert(normals.end(), {point.normal.x(), point.normal.y()});
         forces.insert(forces.end(), {motion.contactForces[i].x(), motion.contactForces[i].y()});
+    }
+    for (const Vector<2>& mean : motion.meanForces)
+    {
+        auto& means = state.arrays["contactForceMean"];
+        means.insert(means.end(), {mean.x(), mean.y()});
     }
     if (const InteriorStart& interior = motion.interior; !interior.isEmpty())
     {
@@ -314,6 +327,7 @@ void MotionResults::writeFrames()
     }
     blocks_.write(time_.value(), blockFrame(scene_.assembly, motion_.state.placements, std::move(fields)));
     const std::vector<double> friction = frictionAt(scene_, motion_.points);
+    const std::vector<Vector<2>>& forces = meanContactForces(motion_);
     std::vector<double> cohesion;
     std::vector<Field> pointFields;
     if (!scene_.bonds.empty())
@@ -326,9 +340,9 @@ void MotionResults::writeFrames()
         }
         pointFields.push_back(std::move(isHeld));
     }
-    contacts_.write(time_.value(), contactFrame(motion_.points, motion_.contactForces,
-                                                contactStates(motion_.contactForces, friction, cohesion),
-                                                std::move(pointFields)));
+    contacts_.write(time_.value(),
+                    contactFrame(motion_.points, forces, contactStates(forces, friction, cohesion),
+                                 std::move(pointFields)));
 }
 
 void MotionResults::writeFirstFrames()

@@ -278,6 +278,78 @@ class RunControl(CaseTest):
             self.assertEqual([row[0] for row in after], ["0.2", "0.4", "0.6"])
             self.assertEqual([row for row in during if row[0] in ("0.2", "0.4", "0.6")], after)
 
+    def bouncing(self, name, theta, restitution, motion, **changes):
+        """One block, 1.2 x 0.5 m of 2000 kg/m3, thrown on ground."""
+        case = self.copy(name, endTime="1.2", deltaT="0.004", writeInterval="0.4", writePrecision="17",
+                         functions="{ blockMotion { blocks (1); writePrecision 17; } "
+                                   "contactForces { points yes; writePrecision 17; } }", **changes)
+        self.write(case, "system/blockTextureDict", header % "blockTextureDict" + """
+dimensions 2;
+texture
+{
+    type polygons;
+    thickness 1;
+    blocks ( ((-9 -0.5) (9 -0.5) (9 0) (-9 0)) ((0 0) (1.2 0) (1.2 0.5) (0 0.5)) );
+}
+supports { ground { type blocks; blocks (0); } }
+""")
+        subprocess.run([os.path.join(applications, "blockTexture"), "-case", case], check=True, capture_output=True)
+        self.write(case, "constant/materialProperties", header % "materialProperties" + "density 2000;\n")
+        self.write(case, "constant/contactProperties", header % "contactProperties" +
+                   "friction { type Coulomb; mu 0.5; flowRule nonAssociative; }\n"
+                   f"restitution {{ normal {restitution}; }}\n")
+        self.write(case, "system/schemes", header % "schemes" + f"timeIntegration {{ type theta; theta {theta}; }}\n")
+        self.write(case, "0/motion", header % "motion" + motion)
+        os.remove(os.path.join(case, "constant/groundMotion"))
+        return case
+
+    def testReactionsAndGravityExplainTheMomentumOfABlockThatBounces(self):
+        mass, gravity, step = 1.2 * 0.5 * 2000, 9.81, 0.004
+        for theta in (1, 0.5):
+            for restitution in (0, 0.5, 0.8, 1):
+                for name, motion in (("flat", "1 { displacement (0 0.2); }"),
+                                     ("thrown", "1 { displacement (0 0.5); rotation 0.4; velocity (-2 -1); "
+                                                "angularVelocity 3; }")):
+                    case = self.bouncing(f"momentum.{theta}.{restitution}.{name}", theta, restitution, motion)
+                    self.run_(case)
+                    velocity = [0, 0] if name == "flat" else [-2, -1]
+                    worst = impulse = 0
+                    moved = self.rows(case, "blockMotion/0/block1.dat")
+                    carried = self.rows(case, "contactForces/0/contactForces.dat")
+                    self.assertEqual(len(moved), len(carried))
+                    for block, reaction in zip(moved, carried):
+                        self.assertEqual(block[0], reaction[0])
+                        for axis, weight in ((0, 0), (1, mass * gravity)):
+                            after = float(block[4 + axis])
+                            given = float(reaction[7 + axis]) * step
+                            impulse += abs(given)
+                            worst = max(worst, abs(mass * (after - velocity[axis]) - given + weight * step))
+                            velocity[axis] = after
+                    self.assertGreater(impulse, mass * gravity * 0.5)  # it has met the ground
+                    self.assertLess(worst, 1e-9 * impulse, case)
+
+    def testABounceInPartsEndsInTheSameBytesAndPostProcessGivesItsReactions(self):
+        motion = "1 { displacement (0 0.2); }"
+        once = self.bouncing("bounce", 0.5, 0.5, motion)
+        self.run_(once)
+        # Parted where a step has just thrown it back.
+        hardest = max(self.rows(once, "contactForces/0/contactForces.dat"), key=lambda row: float(row[8]))
+        instant = f"{float(hardest[0]):g}"
+        whole, parts = (self.bouncing(name, 0.5, 0.5, motion) for name in ("bounce.whole", "bounce.parts"))
+        for case, end in ((whole, "1.2"), (parts, instant)):
+            self.control(case, endTime=end, deltaT="0.004", writeInterval=instant,
+                         functions="{ contactForces {} }")
+            self.run_(case)
+        self.assertIn(b"contactForceMean", self.state(parts, instant))
+        self.control(parts, endTime="1.2", deltaT="0.004", writeInterval=instant)
+        self.run_(parts)
+        last = self.times(whole)[-1]
+        self.assertEqual(self.state(parts, last), self.state(whole, last))
+        self.run_(whole, "-postProcess")
+        during = self.rows(whole, "contactForces/0/contactForces.dat")
+        after = self.rows(whole, f"contactForces/{instant}/contactForces.dat")
+        self.assertEqual([row for row in during if row[0] == instant], after[:1])
+
     @staticmethod
     def rows(case, table):
         with open(os.path.join(case, "postProcessing", table), encoding="utf-8") as file:
