@@ -1,5 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// A tree of bounding boxes, built anew for each search.
+/// The search itself: a tree of bounding boxes, built anew for each call, which needs nothing but
+/// coordinates.
 #include "geometry/BroadPhase.h"
 
 #include <algorithm>

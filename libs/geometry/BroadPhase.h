@@ -1,5 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// The broad phase: which axis-aligned boxes meet, without looking at all pairs.
+/// The broad phase, pure geometry that contact search, checks and textures share: which axis-aligned boxes
+/// meet, without comparing all pairs.
 #pragma once
 
 #include "geometry/Polygon.h"
@@ -10,7 +11,7 @@
 namespace drystone
 {
 
-/// Axis-aligned box round a block. The default is empty: it meets nothing, and extending it by a point gives
+/// Axis-aligned box around a block. The default is empty: it meets nothing, and extending it by a point gives
 /// that point.
 struct BoundingBox
 {
@@ -18,7 +19,7 @@ struct BoundingBox
     Vector<2> upper = Vector<2>::Constant(-1e300); ///< [m]
 };
 
-/// The least box that holds every vertex.
+/// The smallest box that contains every vertex.
 BoundingBox boundingBox(const Polygon& polygon);
 
 /// The box with every side moved outwards by `distance` [m].
@@ -41,8 +42,8 @@ inline bool contains(const BoundingBox& outer, const BoundingBox& inner)
            && inner.upper.x() <= outer.upper.x() && inner.upper.y() <= outer.upper.y();
 }
 
-/// All pairs (i, j), i < j, of boxes that meet, sorted. Goes through a tree of boxes split at the median, so
-/// the time is of order (n log n + pairs) for boxes of any mixture of sizes. Empty boxes meet nothing.
+/// All pairs (i, j), i < j, of boxes that meet, sorted. Searches a tree of boxes split at the median, so the
+/// time is of order (n log n + pairs) for boxes of any mixture of sizes. Empty boxes meet nothing.
 std::vector<std::pair<int, int>> findMeetingPairs(const std::vector<BoundingBox>& boxes);
 
 } // namespace drystone

@@ -1,5 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Area, moments and the straight edges of a simple polygon.
+/// Area, moments and the straight edges of a simple polygon: properties of the outline alone, whatever block
+/// it belongs to.
 #include "geometry/Polygon.h"
 
 #include <algorithm>
@@ -61,10 +62,10 @@ Polygon withoutStraightVertices(const Polygon& polygon, double tolerance)
             start = i;
         }
     }
-    // A run from `anchor` may go on to a vertex as long as one chord passes within the tolerance of every
-    // vertex between: seen from the anchor, a vertex at distance d leaves directions within asin(tolerance/d)
-    // of its own. The sleeve [low, high] is their intersection (angles from the run's first edge), so each
-    // vertex is met once.
+    // A run from `anchor` may be extended to a vertex as long as one chord passes within the tolerance of
+    // every vertex between: seen from the anchor, a vertex at distance d admits directions within
+    // asin(tolerance/d) of its own. The interval [low, high] is their intersection (angles from the first
+    // edge of the run), so each vertex is visited once.
     Polygon kept{polygon[start]};
     Vector<2> anchor = polygon[start];
     Vector<2> reference = Vector<2>::Zero();

@@ -1,5 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Shape of polygons: self-intersection, triangles, overlaps, distances.
+/// Shape of polygons: self-intersection, triangulation, overlaps, distances, without reference to blocks or
+/// materials.
 #include "geometry/PolygonShape.h"
 
 #include "geometry/BroadPhase.h"
@@ -25,7 +26,7 @@ bool isInTriangle(const Vector<2>& point, const Vector<2>& a, const Vector<2>& b
     return turn(a, b, point) >= 0 && turn(b, c, point) >= 0 && turn(c, a, point) >= 0;
 }
 
-/// What is left of a convex polygon on the left of the line through `from` and `to` (Sutherland and Hodgman,
+/// The part of a convex polygon on the left of the line through `from` and `to` (Sutherland and Hodgman,
 /// 1974).
 void clip(Polygon& polygon, const Vector<2>& from, const Vector<2>& to, Polygon& scratch)
 {
@@ -179,7 +180,7 @@ std::string outlineFault(const Polygon& polygon)
                    + " in the same place";
         }
     }
-    // Flat, not: of area 0, which a bow tie has as well and deserves another message.
+    // Flat means of area 0; a bow tie has none either, and needs another message.
     const Vector<2> origin = polygon.front();
     const Vector<2> farthest = *std::max_element(polygon.begin(), polygon.end(),
                                                  [&](const Vector<2>& a, const Vector<2>& b)
@@ -222,7 +223,7 @@ std::vector<std::array<Vector<2>, 3>> triangulate(const Polygon& polygon)
     {
         const std::size_t size = left.size();
         std::size_t ear = size;
-        std::size_t bluntest = 0; // taken when rounding hides every ear
+        std::size_t bluntest = 0; // used when rounding hides every ear
         double largestTurn = -std::numeric_limits<double>::infinity();
         for (std::size_t step = 0; step < size && ear == size; ++step)
         {

@@ -1,5 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Questions about the shape of simple polygons and how two of them lie: what the checks of an assembly ask.
+/// Shape of simple polygons and position of two of them relative to each other: the geometry behind the
+/// checks of an assembly.
 #pragma once
 
 #include "geometry/Polygon.h"
@@ -18,7 +19,7 @@ namespace drystone
 /// first.
 std::optional<std::pair<int, int>> findSelfIntersection(const Polygon& polygon, double tolerance);
 
-/// What keeps an outline from being a block, in words that go on from "outline 3 ": too few corners, a
+/// What keeps an outline from being a block, as a predicate that continues "outline 3 ": too few corners, a
 /// coordinate that is not finite, corners that coincide, edges that cross or touch (closer than 1e-10 of its
 /// extent), no area. Empty when it is a simple polygon, in either orientation.
 std::string outlineFault(const Polygon& polygon);
@@ -26,8 +27,8 @@ std::string outlineFault(const Polygon& polygon);
 /// Whether no corner of a simple counter-clockwise polygon turns right. Straight corners count as convex.
 bool isConvex(const Polygon& polygon);
 
-/// Corners (counter-clockwise) of triangles that together make up a simple counter-clockwise polygon, by
-/// clipping ears: time of order n^2.
+/// Corners (counter-clockwise) of triangles that together make up a simple counter-clockwise polygon, by ear
+/// clipping: time of order n^2.
 std::vector<std::array<Vector<2>, 3>> triangulate(const Polygon& polygon);
 
 /// Area common to two simple counter-clockwise polygons [m2], convex or not. Correct to rounding relative to
@@ -41,7 +42,7 @@ double distance(const Vector<2>& from1, const Vector<2>& to1, const Vector<2>& f
 /// Distance from a point to the outline [m]: negative inside the polygon, positive outside.
 double signedDistance(const Polygon& polygon, const Vector<2>& point);
 
-/// Figures that tell a sound block from a sliver.
+/// Figures that distinguish a sound block from a sliver.
 struct ShapeQuality
 {
     double compactness = 0;   ///< 4 pi area / perimeter^2: 1 for a circle, 0.785 for a square

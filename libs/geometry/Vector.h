@@ -1,5 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Vectors of the space a structure stands in, and how a rigid body moves in it.
+/// Vectors of the space a structure stands in, and the rows of a rigid body in it: the types that every other
+/// library shares.
 #pragma once
 
 #include <Eigen/Core>

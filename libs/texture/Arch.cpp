@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Generator of arches.
+/// Makes the blocks of the texture `arch` from its settings.
 #include "texture/Arch.h"
 
 #include "texture/Limits.h"
@@ -90,7 +90,8 @@ Assembly<2> makeAssembly(const Arch& arch, Abutments abutments)
     {
         return assembly;
     }
-    // Inwards the face stops before the centre of the circle, where it would meet the other abutment's.
+    // On the inner side the face ends before the centre of the circle, where it would meet the face of the
+    // other abutment.
     const double margin = std::min(arch.thickness, inner / 2);
     const Vector<2>& radius = directions.back();
     const Vector<2> away = -arch.thickness * perpendicular(radius); // along the circle, out of the arch

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Generator of courses.
+/// Makes the blocks of the texture `courses` from its settings.
 #include "texture/Courses.h"
 
 #include <fmt/format.h>

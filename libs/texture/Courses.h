@@ -1,5 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Courses given block by block: coursed rubble, quoins, anything built in layers of one height.
+/// The texture `courses`, given block by block: coursed rubble, quoins, anything built in layers of equal
+/// height.
 #pragma once
 
 #include "assembly/Assembly.h"

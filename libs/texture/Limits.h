@@ -1,11 +1,11 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// How much a texture may ask for.
+/// The largest structure that a texture generates, one limit for all of them.
 #pragma once
 
 namespace drystone
 {
 
-/// More blocks than this are taken for a slip of the pen, before memory runs out.
+/// More blocks than this are taken for a typing error, before memory is exhausted.
 inline constexpr int mostBlocks = 10'000'000;
 
 } // namespace drystone

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Generator of blocks given by their corners.
+/// Makes the blocks of the texture `polygons` from its settings.
 #include "texture/Polygons.h"
 
 namespace drystone

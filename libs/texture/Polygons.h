@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Blocks of any shape, corner by corner.
+/// The texture `polygons`: blocks of any shape, given by their corners.
 #pragma once
 
 #include "assembly/Assembly.h"

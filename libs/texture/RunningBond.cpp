@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Generator of running bonds.
+/// Makes the blocks of the texture `runningBond` from its settings.
 #include "texture/RunningBond.h"
 
 #include "texture/Limits.h"
@@ -22,7 +22,7 @@ struct Interval
     double to;
 };
 
-/// What is left of `piece` beside the interval `hole`.
+/// The parts of `piece` outside the interval `hole`.
 void subtract(std::vector<Interval>& pieces, const Interval& hole)
 {
     std::vector<Interval> left;
@@ -130,8 +130,8 @@ Assembly<2> makeAssembly(const RunningBond& bond)
                 holes.push_back({opening.from.x(), opening.to.x()});
             }
         }
-        // Joints stand at k + 1/2 or k units: exact in binary, so courses two apart have the very same
-        // corners.
+        // Joints lie at k + 1/2 or k units, which binary numbers represent exactly, so that courses two apart
+        // have identical corners.
         double from = 0;
         for (int k = 0; from < bond.length; ++k)
         {

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Running bond: courses of equal blocks, shifted by half a block from one course to the next.
+/// The texture `runningBond`: courses of equal blocks, shifted by half a block from one course to the next.
 #pragma once
 
 #include "assembly/Assembly.h"
@@ -42,7 +42,7 @@ struct RunningBond
     double length = 5;          ///< of the wall [units]
     int courses = 6;
     FirstCourse firstCourse = FirstCourse::half;
-    std::vector<Opening> openings; ///< blocks inside one vanish, those crossing a jamb are cut there
+    std::vector<Opening> openings; ///< blocks inside one are removed, those crossing a jamb are cut there
 };
 
 void declare(Options& options, RunningBond& bond);

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Makers of supports.
+/// Makes the supports of a blockTextureDict, the ground included, once the texture has made its blocks.
 #include "texture/Supports.h"
 
 #include "geometry/BroadPhase.h"
@@ -16,7 +16,7 @@ namespace drystone
 namespace
 {
 
-/// Box round all blocks.
+/// Box around all blocks.
 BoundingBox boxOf(const Assembly<2>& assembly)
 {
     BoundingBox box;
@@ -29,8 +29,8 @@ BoundingBox boxOf(const Assembly<2>& assembly)
     return box;
 }
 
-/// Refuses a structure that the ground would cut into.
-void refuseBlocksUnderGround(const Assembly<2>& assembly, const SourceLocation& place)
+/// Rejects a structure that the ground would cut into.
+void rejectBlocksUnderGround(const Assembly<2>& assembly, const SourceLocation& place)
 {
     const BoundingBox box = boxOf(assembly);
     const double tolerance = 1e-9 * (box.upper - box.lower).maxCoeff();
@@ -80,7 +80,7 @@ SupportMaker makeGround(const Ground& ground, const Dictionary& dictionary)
                                place);
         }
         removeAbutmentsUnderGround(assembly);
-        refuseBlocksUnderGround(assembly, place);
+        rejectBlocksUnderGround(assembly, place);
         Ground inMetres = ground;
         const BoundingBox box = boxOf(assembly);
         if (ground.segment)

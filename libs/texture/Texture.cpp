@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// The lists of textures and supports, and the making of a structure.
+/// The registries of textures and supports, and the structure made from a whole blockTextureDict.
 #include "texture/Texture.h"
 
 #include "texture/Arch.h"

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// system/blockTextureDict: the textures and supports to choose from, and the structure they make.
+/// system/blockTextureDict: the available textures and supports, and the structure they make.
 #pragma once
 
 #include "assembly/Assembly.h"
@@ -13,11 +13,11 @@
 namespace drystone
 {
 
-/// What a texture makes.
+/// The result of a texture.
 struct Texture
 {
     Assembly<2> assembly; ///< with supports of its own if it has any: an arch's abutments
-    double unit = 1;      ///< what lengths in units refer to: that of a full block [m], or 1 m
+    double unit = 1;      ///< the length of one unit: that of a full block [m], or 1 m
 };
 
 /// The textures that `texture { type ...; }` chooses from.
@@ -33,7 +33,7 @@ struct BlockTexture
 
 void declare(Options& options, BlockTexture& blockTexture);
 
-/// The structure that a dictionary describes, supports and all. \throws FatalIOError for whatever is wrong in
+/// The structure that a dictionary describes, including its supports. \throws FatalIOError for any fault in
 /// it, an empty texture included, before anything is made
 Assembly<2> makeStructure(const Dictionary& dictionary);
 

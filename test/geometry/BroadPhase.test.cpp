@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// The broad phase finds exactly the pairs that looking at all of them finds.
+/// The broad phase finds exactly the pairs that a comparison of all pairs finds.
 #include "geometry/BroadPhase.h"
 
 #include <gtest/gtest.h>

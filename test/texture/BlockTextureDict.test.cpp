@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// system/blockTextureDict: structures from dictionaries, and every fault with its line.
+/// system/blockTextureDict: structures from dictionaries, and each fault reported with its line.
 #include "assembly/ContactPoint.h"
 #include "texture/Texture.h"
 
@@ -87,7 +87,7 @@ TEST(BlockTextureDict, AnArchBringsItsAbutmentsUnlessAGroundTakesTheirPlace)
     EXPECT_EQ(onGround.supports.size(), 1U);
     EXPECT_EQ(findContactPoints(onGround).size(), 56U);
     EXPECT_THAT(report(arch + "angle 200; } supports { ground { type ground; } }"), HasSubstr("below y = 0"));
-    // Fixed blocks of its own may come on top.
+    // Fixed blocks of the texture may be added.
     EXPECT_EQ(structure(arch + "} supports { middle { type blocks; blocks (13); } }").supports.size(), 3U);
 }
 

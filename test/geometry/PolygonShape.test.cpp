@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Shape questions: simple outlines, triangles, overlaps.
+/// Shape of polygons: simple outlines, triangulation, overlaps.
 #include "geometry/PolygonShape.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ Polygon turned(Polygon polygon, double angle, const Vector<2>& shift)
     return polygon;
 }
 
-/// A star-shaped polygon: simple by its making, mostly concave.
+/// A star-shaped polygon: simple by construction, mostly concave.
 Polygon randomStar(std::mt19937& random, int corners)
 {
     std::uniform_real_distribution<double> radius(0.3, 1);
@@ -47,7 +47,7 @@ TEST(PolygonShape, SimpleOutlinesDoNotIntersectThemselves)
 {
     EXPECT_FALSE(findSelfIntersection(letterL, 1e-9));
     EXPECT_FALSE(
-        findSelfIntersection({{0, 0}, {0.5, 0}, {1, 0}, {0, 1}}, 1e-9)); // a straight corner is no fold
+        findSelfIntersection({{0, 0}, {0.5, 0}, {1, 0}, {0, 1}}, 1e-9)); // a straight corner is not a fold
     std::mt19937 random(1);
     EXPECT_FALSE(findSelfIntersection(randomStar(random, 300), 1e-9));
 }
@@ -154,7 +154,7 @@ TEST(PolygonShape, EachFaultOfAnOutlineIsNamed)
     EXPECT_EQ(outlineFault({{0, 0}, {1, 1}, {2, 2}}), "has no area");
     EXPECT_EQ(outlineFault({{0, 0}, {2, 1}, {1, 0}, {0, 3}}),
               "crosses or touches itself: the edge from corner 0 to 1 meets the one from corner 2 to 3");
-    // Far from the origin a block is as good as near it.
+    // Far from the origin a block has the same properties as near it.
     EXPECT_EQ(outlineFault({{1e6, 1e6}, {1e6 + 1e-3, 1e6}, {1e6 + 1e-3, 1e6 + 1e-3}}), "");
 }
 

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// The annotated dictionaries in etc/ can be used as they stand.
+/// The annotated dictionaries in etc/ can be used unchanged.
 #include "assembly/ContactProperties.h"
 #include "assembly/Loads.h"
 #include "assembly/Materials.h"

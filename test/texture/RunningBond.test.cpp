@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// The walls of the paper, counted.
+/// The walls of the paper: numbers of blocks and contact points.
 #include "texture/RunningBond.h"
 #include "assembly/ContactPoint.h"
 #include "texture/Supports.h"
@@ -21,8 +21,8 @@ struct Wall
     int points;
 };
 
-/// Table 1 of Portioli, Cascini & Landolfo (COMPDYN 2017); points: the paper's less the 28 a window that face
-/// no block.
+/// Table 1 of Portioli, Cascini & Landolfo (COMPDYN 2017); points: those of the paper less 28 per window that
+/// face no block.
 std::vector<Wall> paperWalls()
 {
     const Vector<2> unit(0.4, 0.175);
