@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Blocks and contacts as cells with fields.
+/// Turns blocks and contacts into cells with fields, so that VtkFile knows nothing of masonry.
 #include "io/Frames.h"
 
 #include "core/Error.h"
@@ -24,23 +24,29 @@ Field emptyField(std::string name, int components, std::size_t cells, FieldType 
     return field;
 }
 
-/// From one value a block to one value a cell.
+/// Expands one value per block to one value per cell.
 void spread(Field& field, const std::vector<std::size_t>& blockOfCell, std::size_t blocks)
 {
     const auto components = static_cast<std::size_t>(field.components);
     if (field.values.size() != blocks * components)
+    {
         throw FatalError(fmt::format("Field {} of a .vtp file has {} values in {} components for {} blocks.",
                                      field.name, field.values.size(), field.components, blocks));
+    }
     std::vector<double> values;
     values.reserve(blockOfCell.size() * components);
     for (const std::size_t block : blockOfCell)
+    {
         for (std::size_t c = 0; c < components; ++c)
+        {
             values.push_back(field.values[block * components + c]);
+        }
+    }
     field.values = std::move(values);
 }
 
-/// How far the ground is shown, in x [m]: it reaches out far enough to catch whatever falls, and shown whole
-/// it would leave little room in the window for the structure.
+/// The extent of the ground that is shown, in x [m]: it is wide enough to catch falling blocks, and shown
+/// whole it would leave little room in the window for the structure.
 struct GroundView
 {
     double lower = std::numeric_limits<double>::max();
@@ -52,7 +58,7 @@ bool isGround(const Assembly<2>& assembly, const Block<2>& block)
     return block.support >= 0 && assembly.supports[static_cast<std::size_t>(block.support)].type == "ground";
 }
 
-/// \param placed outlines where the blocks are now
+/// \param placed outlines of the blocks at present
 GroundView groundView(const Assembly<2>& assembly, const std::vector<Polygon>& placed)
 {
     GroundView view;
@@ -61,8 +67,11 @@ GroundView groundView(const Assembly<2>& assembly, const std::vector<Polygon>& p
     for (std::size_t i = 0; i < placed.size(); ++i)
     {
         if (isGround(assembly, assembly.blocks[i]))
+        {
             continue;
+        }
         for (const Polygon& outline : {assembly.blocks[i].outline, placed[i]})
+        {
             for (const Vector<2>& vertex : outline)
             {
                 view.lower = std::min(view.lower, vertex.x());
@@ -70,9 +79,12 @@ GroundView groundView(const Assembly<2>& assembly, const std::vector<Polygon>& p
                 bottom = std::min(bottom, vertex.y());
                 top = std::max(top, vertex.y());
             }
+        }
     }
     if (view.lower > view.upper) // nothing but ground
+    {
         return {std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max()};
+    }
     const double margin = 0.25 * std::max(view.upper - view.lower, top - bottom);
     return {view.lower - margin, view.upper + margin};
 }
@@ -87,8 +99,12 @@ bool isCoveredByFan(const Polygon& outline, std::size_t first)
 {
     const std::size_t count = outline.size();
     for (std::size_t k = 1; k + 1 < count; ++k)
+    {
         if (turn(outline[first], outline[(first + k) % count], outline[(first + k + 1) % count]) < 0)
+        {
             return false;
+        }
+    }
     return true;
 }
 
@@ -100,7 +116,9 @@ bool isEar(const Polygon& outline, std::size_t i)
     const Vector<2>& b = outline[i];
     const Vector<2>& c = outline[(i + 1) % count];
     if (!(turn(a, b, c) > 0))
+    {
         return false;
+    }
     return std::none_of(outline.begin(), outline.end(),
                         [&](const Vector<2>& p) {
                             return p != a && p != b && p != c && turn(a, b, p) >= 0 && turn(b, c, p) >= 0
@@ -108,24 +126,28 @@ bool isEar(const Polygon& outline, std::size_t i)
                         });
 }
 
-/// Cuts an outline into polygons that viewers fill properly: they paint a fan of triangles round the first
-/// corner. Most blocks, concave ones too, have a corner that sees all of them, and need only be begun there.
-/// The others are cut into triangles, ear by ear.
+/// Cuts an outline into polygons that viewers fill correctly: they paint a fan of triangles around the first
+/// corner. Most blocks, including concave ones, have a corner from which all of it is visible, and need only
+/// start there. The others are cut into triangles by ear clipping.
 std::vector<Polygon> fans(Polygon outline)
 {
     for (std::size_t first = 0; first < outline.size(); ++first)
+    {
         if (isCoveredByFan(outline, first))
         {
             std::rotate(outline.begin(), outline.begin() + static_cast<std::ptrdiff_t>(first), outline.end());
             return {outline};
         }
+    }
     std::vector<Polygon> pieces;
     while (outline.size() > 3)
     {
         std::size_t ear = 0;
         while (ear + 1 < outline.size()
                && !isEar(outline, ear)) // an outline that crosses itself may have none
+        {
             ++ear;
+        }
         const std::size_t count = outline.size();
         pieces.push_back({outline[(ear + count - 1) % count], outline[ear], outline[(ear + 1) % count]});
         outline.erase(outline.begin() + static_cast<std::ptrdiff_t>(ear));
@@ -141,7 +163,9 @@ PolyData blockFrame(const Assembly<2>& assembly, const std::vector<Placement<2>>
 {
     const std::size_t count = assembly.blocks.size();
     if (!placements.empty() && placements.size() != count)
+    {
         throw FatalError(fmt::format("{} placements were given for {} blocks.", placements.size(), count));
+    }
 
     Field blockId = emptyField("blockId", 1, count, FieldType::integer);
     Field support = emptyField("support", 1, count, FieldType::integer);
@@ -153,15 +177,21 @@ PolyData blockFrame(const Assembly<2>& assembly, const std::vector<Placement<2>>
     std::vector<Polygon> placed;
     placed.reserve(count);
     for (std::size_t i = 0; i < count; ++i)
+    {
         placed.push_back(placements.empty() ? assembly.blocks[i].outline
                                             : placedOutline(assembly.blocks[i], placements[i]));
+    }
     const GroundView shown = groundView(assembly, placed);
     for (std::size_t i = 0; i < count; ++i)
     {
         const Placement<2> placement = placements.empty() ? Placement<2>{} : placements[i];
         if (isGround(assembly, assembly.blocks[i]))
+        {
             for (Vector<2>& vertex : placed[i])
+            {
                 vertex.x() = std::clamp(vertex.x(), shown.lower, shown.upper);
+            }
+        }
         for (const Polygon& piece : fans(placed[i]))
         {
             data.cellSizes.push_back(static_cast<int>(piece.size()));
@@ -177,8 +207,12 @@ PolyData blockFrame(const Assembly<2>& assembly, const std::vector<Placement<2>>
     data.fields = {std::move(blockId), std::move(support), std::move(displacement), std::move(rotation)};
     std::move(fields.begin(), fields.end(), std::back_inserter(data.fields));
     if (blockOfCell.size() != count)
+    {
         for (Field& field : data.fields)
+        {
             spread(field, blockOfCell, count);
+        }
+    }
     return data;
 }
 
@@ -187,8 +221,10 @@ PolyData contactFrame(const std::vector<ContactPoint<2>>& points, const std::vec
 {
     const std::size_t count = points.size();
     if (forces.size() != count || states.size() != count)
+    {
         throw FatalError(fmt::format("{} contact forces and {} states were given for {} contact points.",
                                      forces.size(), states.size(), count));
+    }
 
     PolyData data;
     data.kind = CellKind::point;

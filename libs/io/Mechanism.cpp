@@ -1,5 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Mechanisms: a mechanism has a shape and no size, so its size is chosen for the eye.
+/// Scales mechanisms for display: a mechanism has a shape but no magnitude, so the magnitude is a matter of
+/// presentation.
 #include "io/Mechanism.h"
 
 #include "assembly/Facing.h"
@@ -20,10 +21,14 @@ namespace
 void checkShape(const Assembly<2>& assembly, const Eigen::Matrix3Xd& rates)
 {
     if (rates.cols() != static_cast<Eigen::Index>(assembly.blocks.size()))
+    {
         throw FatalError(fmt::format("Displacement rates of {} blocks were given for {} blocks.",
                                      rates.cols(), assembly.blocks.size()));
+    }
     if (!rates.allFinite())
+    {
         throw FatalError("A displacement rate of the mechanism is not a finite number.");
+    }
 }
 
 } // namespace
@@ -34,12 +39,18 @@ Eigen::Matrix3Xd ratesOfAllBlocks(const Assembly<2>& assembly, const Eigen::Vect
     const auto freeBlocks =
         std::count_if(freeIndex.begin(), freeIndex.end(), [](int index) { return index >= 0; });
     if (freeRates.size() != 3 * freeBlocks)
+    {
         throw FatalError(fmt::format("{} displacement rates were given for {} free blocks.", freeRates.size(),
                                      freeBlocks));
+    }
     Eigen::Matrix3Xd rates = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(freeIndex.size()));
     for (std::size_t i = 0; i < freeIndex.size(); ++i)
+    {
         if (freeIndex[i] >= 0)
+        {
             rates.col(static_cast<Eigen::Index>(i)) = freeRates.segment<3>(3 * freeIndex[i]);
+        }
+    }
     return rates;
 }
 
@@ -52,8 +63,10 @@ double largestDisplacement(const Assembly<2>& assembly, const Eigen::Matrix3Xd& 
         const auto rate = rates.col(static_cast<Eigen::Index>(i));
         const Vector<2> centroid = areaProperties(assembly.blocks[i].outline).centroid;
         for (const Vector<2>& vertex : assembly.blocks[i].outline)
+        {
             largest =
                 std::max(largest, (rate.head<2>() + rate.z() * perpendicular(vertex - centroid)).norm());
+        }
     }
     return largest;
 }

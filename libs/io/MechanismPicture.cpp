@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Lays out the structure on the page and paints it from back to front.
+/// Lays out the structure on the page and paints it from back to front, with SVG as the only dependency.
 #include "io/MechanismPicture.h"
 
 #include "assembly/Facing.h"
@@ -37,12 +37,14 @@ struct View
     Polygon operator()(Polygon outline) const
     {
         for (Vector<2>& vertex : outline)
+        {
             vertex = (*this)(vertex);
+        }
         return outline;
     }
 };
 
-/// From unfired to fired clay, darker the further a block moved: 0 to 1.
+/// Fill colour from light to dark clay, darker with increasing displacement: 0 to 1.
 std::string clay(double value)
 {
     constexpr std::array<std::array<double, 3>, 4> stops{
@@ -52,11 +54,13 @@ std::string clay(double value)
     const double part = position - static_cast<double>(below);
     std::array<int, 3> colour{};
     for (std::size_t i = 0; i < 3; ++i)
+    {
         colour[i] = static_cast<int>(std::lround((1 - part) * stops[below][i] + part * stops[below + 1][i]));
+    }
     return fmt::format("#{:02x}{:02x}{:02x}", colour[0], colour[1], colour[2]);
 }
 
-/// How far each block moved, as the mean over its corners [m].
+/// The displacement of each block, as the mean over its corners [m].
 std::vector<double> meanDisplacements(const Assembly<2>& assembly,
                                       const std::vector<Placement<2>>& placements)
 {
@@ -67,14 +71,15 @@ std::vector<double> meanDisplacements(const Assembly<2>& assembly,
         const Polygon after = placedOutline(assembly.blocks[i], placements[i]);
         double sum = 0;
         for (std::size_t k = 0; k < before.size(); ++k)
+        {
             sum += (after[k] - before[k]).norm();
+        }
         result.push_back(before.empty() ? 0 : sum / static_cast<double>(before.size()));
     }
     return result;
 }
 
-/// What the picture has to show [m]. Ground may reach far down and to the sides: it does not widen the
-/// picture.
+/// The area to be shown [m]. Ground may extend far down and to the sides: it does not enlarge the picture.
 Box shownArea(const Assembly<2>& assembly, const std::vector<Placement<2>>& placements, double blockSize)
 {
     Box free;
@@ -86,23 +91,33 @@ Box shownArea(const Assembly<2>& assembly, const std::vector<Placement<2>>& plac
             block.support >= 0 && assembly.supports[static_cast<std::size_t>(block.support)].type == "ground";
         Box& box = isGround ? fixed : free;
         for (const Vector<2>& vertex : block.outline)
+        {
             box.extend(vertex);
+        }
         for (const Vector<2>& vertex : placedOutline(block, placements[i]))
+        {
             box.extend(vertex);
+        }
     }
     if (free.isEmpty())
+    {
         free = fixed;
+    }
     if (free.isEmpty())
+    {
         free = Box(Vector<2>::Zero(), Vector<2>::Ones());
+    }
     Box area(free.min() - Vector<2>::Constant(0.6 * blockSize),
              free.max() + Vector<2>::Constant(0.6 * blockSize));
     if (!(area.sizes().minCoeff() > 0))
+    {
         area = Box(area.min() - Vector<2>::Constant(0.5), area.max() + Vector<2>::Constant(0.5));
+    }
     return area;
 }
 
-/// Edges of the structure as built that only one block has: its outline and those of its openings. Edges are
-/// compared by what their line covers, for blocks of a bond share edges only in parts.
+/// Edges of the structure as built that belong to one block only: its outline and those of its openings.
+/// Edges are compared by the line they cover, because blocks of a masonry bond share only parts of edges.
 struct Piece
 {
     Vector<2> from;
@@ -122,7 +137,9 @@ std::vector<Piece> outlinePieces(const Assembly<2>& assembly, double tolerance)
     for (const Block<2>& block : assembly.blocks)
     {
         if (block.support >= 0)
+        {
             continue;
+        }
         for (std::size_t i = 0; i < block.outline.size(); ++i)
         {
             const Vector<2>& from = block.outline[i];
@@ -132,12 +149,16 @@ std::vector<Piece> outlinePieces(const Assembly<2>& assembly, double tolerance)
     }
     std::vector<std::size_t> byLeftEnd(edges.size());
     for (std::size_t i = 0; i < edges.size(); ++i)
+    {
         byLeftEnd[i] = i;
+    }
     std::sort(byLeftEnd.begin(), byLeftEnd.end(),
               [&](std::size_t a, std::size_t b) { return edges[a].lower.x() < edges[b].lower.x(); });
     double widest = 0;
     for (const Edge& edge : edges)
+    {
         widest = std::max(widest, edge.upper.x() - edge.lower.x());
+    }
 
     std::vector<Piece> pieces;
     for (const Edge& edge : edges)
@@ -145,7 +166,9 @@ std::vector<Piece> outlinePieces(const Assembly<2>& assembly, double tolerance)
         const Vector<2> along = edge.to - edge.from;
         const double length = along.norm();
         if (length <= tolerance)
+        {
             continue;
+        }
         // Intervals of this edge, as fractions, that lie on an edge of another block.
         std::vector<std::pair<double, double>> covered;
         const auto first =
@@ -156,12 +179,16 @@ std::vector<Piece> outlinePieces(const Assembly<2>& assembly, double tolerance)
         {
             const Edge& other = edges[*it];
             if (other.lower.y() > edge.upper.y() + tolerance || other.upper.y() < edge.lower.y() - tolerance
-                || along.dot(other.to - other.from) >= 0) // neighbours run the other way
+                || along.dot(other.to - other.from) >= 0) // neighbours run in the opposite direction
+            {
                 continue;
+            }
             const auto distance = [&](const Vector<2>& p)
             { return std::abs(cross(along, p - edge.from)) / length; };
             if (distance(other.from) > tolerance || distance(other.to) > tolerance)
+            {
                 continue;
+            }
             covered.emplace_back(along.dot(other.to - edge.from) / (length * length),
                                  along.dot(other.from - edge.from) / (length * length));
         }
@@ -170,7 +197,9 @@ std::vector<Piece> outlinePieces(const Assembly<2>& assembly, double tolerance)
         const auto add = [&](double end)
         {
             if ((end - position) * length > tolerance)
+            {
                 pieces.push_back({edge.from + position * along, edge.from + end * along});
+            }
         };
         for (const auto& [begin, end] : covered)
         {
@@ -184,14 +213,20 @@ std::vector<Piece> outlinePieces(const Assembly<2>& assembly, double tolerance)
 
 void paintFixedBlocks(SvgDrawing& drawing, const Assembly<2>& assembly, const View& view)
 {
-    // The hatch is one strip behind all of them: seams between ground segments mean nothing to the reader.
+    // The hatch is one strip behind all of them, because the joints between ground segments have no meaning.
     for (const Block<2>& block : assembly.blocks)
+    {
         if (block.support >= 0)
+        {
             drawing.polygon(view(block.outline), {.fill = "url(#fixed)"});
+        }
+    }
     for (const Block<2>& block : assembly.blocks)
     {
         if (block.support < 0)
+        {
             continue;
+        }
         if (assembly.supports[static_cast<std::size_t>(block.support)].type != "ground")
         {
             drawing.polygon(view(block.outline), {.stroke = "#333333", .strokeWidth = 1.2});
@@ -200,13 +235,17 @@ void paintFixedBlocks(SvgDrawing& drawing, const Assembly<2>& assembly, const Vi
         // Of the ground only the surface is drawn: the edges on top.
         double top = block.outline.empty() ? 0 : block.outline.front().y();
         for (const Vector<2>& vertex : block.outline)
+        {
             top = std::max(top, vertex.y());
+        }
         for (std::size_t i = 0; i < block.outline.size(); ++i)
         {
             const Vector<2>& from = block.outline[i];
             const Vector<2>& to = block.outline[(i + 1) % block.outline.size()];
             if (from.y() == top && to.y() == top)
+            {
                 drawing.line(view(from), view(to), {.stroke = "#333333", .strokeWidth = 1.6});
+            }
         }
     }
 }
@@ -216,12 +255,16 @@ void paintThrust(SvgDrawing& drawing, const std::vector<JointForce>& thrust, con
 {
     double largest = 0;
     for (const JointForce& joint : thrust)
+    {
         largest = std::max(largest, joint.force.norm());
+    }
     for (const JointForce& joint : thrust)
     {
         const double share = joint.force.norm() / largest;
         if (!(share > 1e-3))
+        {
             continue;
+        }
         const Vector<2> half = 0.55 * blockSize * std::sqrt(share) * joint.force.normalized();
         drawing.line(view(joint.centre - half), view(joint.centre + half),
                      {.stroke = "#1b4f8f", .strokeWidth = 0.8 + 3.2 * std::sqrt(share), .opacity = 0.85});
@@ -234,8 +277,10 @@ std::vector<JointForce> jointForces(const std::vector<ContactPoint<2>>& points,
                                     const std::vector<Vector<2>>& forces)
 {
     if (forces.size() != points.size())
+    {
         throw FatalError(
             fmt::format("{} forces were given for {} contact points.", forces.size(), points.size()));
+    }
     std::vector<JointForce> joints;
     for (std::size_t begin = 0; begin < points.size();)
     {
@@ -262,8 +307,10 @@ std::string mechanismSvg(const Assembly<2>& assembly, const std::vector<Placemen
                          const MechanismPicture& picture)
 {
     if (placements.size() != assembly.blocks.size())
+    {
         throw FatalError(fmt::format("{} placements were given for {} blocks.", placements.size(),
                                      assembly.blocks.size()));
+    }
 
     const double blockSize = meanBlockSize(assembly);
     View view;
@@ -278,10 +325,14 @@ std::string mechanismSvg(const Assembly<2>& assembly, const std::vector<Placemen
     SvgDrawing drawing(picture.width, head + room.y() + legend);
 
     if (!picture.title.empty())
+    {
         drawing.text({picture.width / 2, 28}, picture.title,
                      {.size = 17, .anchor = TextAnchor::middle, .weight = "bold"});
+    }
     if (!picture.subtitle.empty())
+    {
         drawing.text({picture.width / 2, 50}, picture.subtitle, {.size = 14, .anchor = TextAnchor::middle});
+    }
 
     const std::vector<double> moved = meanDisplacements(assembly, placements);
     const double furthest = moved.empty() ? 0 : *std::max_element(moved.begin(), moved.end());
@@ -289,15 +340,23 @@ std::string mechanismSvg(const Assembly<2>& assembly, const std::vector<Placemen
     drawing.beginClip("view", view.corner, room.x(), room.y());
     paintFixedBlocks(drawing, assembly, view);
     for (std::size_t i = 0; i < assembly.blocks.size(); ++i)
+    {
         if (assembly.blocks[i].support < 0)
+        {
             drawing.polygon(view(placedOutline(assembly.blocks[i], placements[i])),
                             {.fill = clay(furthest > 0 ? moved[i] / furthest : 0),
                              .stroke = "#3b2a22",
                              .strokeWidth = 0.9});
+        }
+    }
     if (furthest > 0)
+    {
         for (const Piece& piece : outlinePieces(assembly, 1e-6 * blockSize))
+        {
             drawing.line(view(piece.from), view(piece.to),
                          {.stroke = "#222222", .strokeWidth = 1, .dash = "5 4"});
+        }
+    }
     paintThrust(drawing, picture.thrust, view, blockSize);
     drawing.endClip();
 
@@ -310,7 +369,9 @@ std::string mechanismSvg(const Assembly<2>& assembly, const std::vector<Placemen
         x += textWidth("at rest", 12) + 6;
         constexpr int steps = 24;
         for (int i = 0; i < steps; ++i)
+        {
             drawing.rectangle({x + 5 * i, y}, 5.2, 13, {.fill = clay(static_cast<double>(i) / (steps - 1))});
+        }
         drawing.rectangle({x, y}, 5 * steps, 13, {.stroke = "#3b2a22", .strokeWidth = 0.8});
         x += 5 * steps + 8;
         drawing.text({x, y + 11}, "moves most", small);

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// A structure and how it moves, as a picture (SVG) for papers and web pages.
+/// A structure and its motion as a picture (SVG) for papers and web pages, where ParaView is not at hand.
 #pragma once
 
 #include "assembly/ContactPoint.h"
@@ -11,7 +11,7 @@
 namespace drystone
 {
 
-/// The contact forces of one joint put together.
+/// The resultant contact force of one joint.
 struct JointForce
 {
     Vector<2> centre = Vector<2>::Zero(); ///< centre of pressure [m]
@@ -29,15 +29,14 @@ struct MechanismPicture
     std::string title = "";    ///< for instance "masonryPanels/wall1"
     std::string subtitle = ""; ///< for instance "alpha = 0.642859, 33 blocks, 174 contact points"
     double width = 640;        ///< [px]; the height follows from the structure, up to 1.4 times the width
-    /// Drawn where the joints are as built, as strokes whose length and width grow with the force; none when
-    /// empty.
+    /// Drawn at the joints as built, as strokes whose length and width grow with the force; none when empty.
     std::vector<JointForce> thrust = {};
 };
 
-/// The displaced blocks, shaded by how far they moved, over the dashed outline of the structure as built;
+/// The displaced blocks, shaded by their displacement, over the dashed outline of the structure as built;
 /// fixed blocks are hatched. Text of an SVG file.
 ///
-/// \param placements one a block
+/// \param placements one per block
 std::string mechanismSvg(const Assembly<2>& assembly, const std::vector<Placement<2>>& placements,
                          const MechanismPicture& picture);
 

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Axes, ticks, curves and a legend.
+/// Axes, ticks, curves and legend, laid out on SVG without a plotting library.
 #include "io/Plot.h"
 
 #include "core/Error.h"
@@ -19,8 +19,8 @@ namespace drystone
 namespace
 {
 
-/// Okabe and Ito's colours, told apart by colour-blind readers too; without the yellow, which is too light
-/// for lines.
+/// The palette of Okabe and Ito, distinguishable with colour vision deficiency; without its yellow, which is
+/// too light for lines.
 constexpr std::array palette{"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#444444"};
 constexpr std::array markers{CurveMarker::circle, CurveMarker::square, CurveMarker::diamond,
                              CurveMarker::triangle};
@@ -37,7 +37,7 @@ struct Range
     double upper;
     AxisScale scale;
 
-    /// Where on the axis, from 0 to 1.
+    /// Position on the axis, from 0 to 1.
     double part(double value) const
     {
         return (toScale(value, scale) - toScale(lower, scale))
@@ -48,12 +48,16 @@ struct Range
 void checkValue(double value, const PlotAxis& axis, const std::string& owner, std::size_t index)
 {
     if (!std::isfinite(value))
+    {
         throw FatalError(
             fmt::format("Point {} of {} in a plot has a value that is not finite.", index, owner));
+    }
     if (axis.scale == AxisScale::logarithmic && value <= 0)
+    {
         throw FatalError(
             fmt::format("Point {} of {} in a plot is {}: a logarithmic axis ({}) shows positive values only.",
                         index, owner, value, axis.label));
+    }
 }
 
 void check(const Plot& plot)
@@ -62,8 +66,10 @@ void check(const Plot& plot)
     {
         const std::string owner = "the curve '" + curve.name + "'";
         if (curve.x.size() != curve.y.size())
+        {
             throw FatalError(
                 fmt::format("{} in a plot has {} x and {} y values.", owner, curve.x.size(), curve.y.size()));
+        }
         for (std::size_t i = 0; i < curve.x.size(); ++i)
         {
             checkValue(curve.x[i], plot.x, owner, i);
@@ -71,8 +77,10 @@ void check(const Plot& plot)
         }
     }
     for (const PlotReference& reference : plot.references)
+    {
         checkValue(reference.value, reference.direction == ReferenceDirection::horizontal ? plot.y : plot.x,
                    "the reference '" + reference.name + "'", 0);
+    }
 }
 
 double tickStep(double span)
@@ -80,13 +88,17 @@ double tickStep(double span)
     const double raw = span / 7;
     const double power = std::pow(10, std::floor(std::log10(raw)));
     for (const double factor : {1.0, 2.0, 5.0})
+    {
         if (raw <= factor * power * 1.001)
+        {
             return factor * power;
+        }
+    }
     return 10 * power;
 }
 
-/// From the data, with a little air; a linear axis that comes near zero begins there, a logarithmic one ends
-/// at ticks.
+/// From the data, with a margin; a linear axis that comes near zero begins there, a logarithmic one ends at
+/// ticks.
 Range chooseRange(const PlotAxis& axis, const std::vector<double>& values)
 {
     double lower = std::numeric_limits<double>::max();
@@ -119,21 +131,31 @@ Range chooseRange(const PlotAxis& axis, const std::vector<double>& values)
     else
     {
         if (lower > 0 && lower < 0.4 * upper)
+        {
             lower = 0;
+        }
         double span = upper - lower;
         const bool isFlat = !(span > 1e-12 * std::max(std::abs(lower), std::abs(upper)));
         if (isFlat)
+        {
             span = upper == 0 ? 10 : 10 * std::abs(upper);
+        }
         if (lower != 0 || isFlat)
+        {
             lower -= 0.05 * span;
+        }
         if (upper != 0 || isFlat)
+        {
             upper += 0.05 * span;
+        }
     }
     const Range range{axis.lower.value_or(lower), axis.upper.value_or(upper), axis.scale};
     if (!std::isfinite(range.lower) || !std::isfinite(range.upper) || !(range.lower < range.upper)
         || (logarithmic && range.lower <= 0))
+    {
         throw FatalError(fmt::format("The axis '{}' of a plot cannot run from {} to {}.", axis.label,
                                      range.lower, range.upper));
+    }
     return range;
 }
 
@@ -143,7 +165,9 @@ std::string tickLabel(double value, AxisScale scale)
     const double magnitude = std::abs(value);
     if (value == 0 || (magnitude >= 0.00999 && magnitude < 1e4)
         || (scale == AxisScale::linear && magnitude >= 0.000999 && magnitude < 1e6))
+    {
         return fmt::format("{:.6g}", value);
+    }
     constexpr std::array digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
     const int exponent = static_cast<int>(std::floor(std::log10(magnitude) + 1e-9));
     const double mantissa = value / std::pow(10, exponent);
@@ -151,9 +175,13 @@ std::string tickLabel(double value, AxisScale scale)
     label = label == "1" ? "" : label == "-1" ? "-" : label + "·";
     label += "10";
     if (exponent < 0)
+    {
         label += "⁻";
+    }
     for (const char digit : std::to_string(std::abs(exponent)))
+    {
         label += digits[static_cast<std::size_t>(digit - '0')];
+    }
     return label;
 }
 
@@ -164,7 +192,9 @@ void paintMarker(SvgDrawing& drawing, const Vector<2>& at, CurveMarker marker, c
     {
         std::vector<Vector<2>> moved;
         for (const Vector<2>& corner : corners)
+        {
             moved.push_back(at + corner);
+        }
         drawing.polygon(moved, style);
     };
     switch (marker)
@@ -188,7 +218,7 @@ std::string dash(CurveLine line)
     return line == CurveLine::dashed ? "7 4" : line == CurveLine::dotted ? "2 3" : "";
 }
 
-/// A curve with its looks settled.
+/// A curve with its colour, line and marker chosen.
 struct Look
 {
     std::string colour;
@@ -202,9 +232,11 @@ std::vector<Look> looks(const Plot& plot)
     {
         const PlotCurve& curve = plot.curves[i];
         Look look{curve.colour.empty() ? curveColour(i) : curve.colour, curve.marker};
-        if (look.marker == CurveMarker::automatic) // a marker at each of very many points is a smear
+        if (look.marker == CurveMarker::automatic) // markers at very many points are illegible
+        {
             look.marker = curve.x.size() > 60 && curve.line != CurveLine::none ? CurveMarker::none
                                                                                : markers[i % markers.size()];
+        }
         result.push_back(look);
     }
     return result;
@@ -217,7 +249,7 @@ struct Frame
 
     Vector<2> operator()(double px, double py) const
     {
-        // Values far outside of a chosen axis end just outside of the frame, where they are cut.
+        // Values far outside a given range end just outside the frame, where they are clipped.
         return {left + width * std::clamp(x.part(px), -9.0, 10.0),
                 top + height * (1 - std::clamp(y.part(py), -9.0, 10.0))};
     }
@@ -233,12 +265,20 @@ void paintAxes(SvgDrawing& drawing, const Plot& plot, const Frame& frame, const 
     const auto minor = [&](const Range& range, const auto& paint)
     {
         if (range.scale != AxisScale::logarithmic || std::log10(range.upper / range.lower) > 8)
+        {
             return;
+        }
         for (double power = std::pow(10, std::floor(std::log10(range.lower))); power < range.upper;
              power *= 10)
+        {
             for (int factor = 2; factor < 10; ++factor)
+            {
                 if (factor * power > range.lower && factor * power < range.upper)
+                {
                     paint(factor * power);
+                }
+            }
+        }
     };
     minor(frame.x,
           [&](double value)
@@ -283,7 +323,9 @@ std::vector<double> axisTicks(double lower, double upper, AxisScale scale)
     {
         const double step = tickStep(upper - lower);
         for (double i = std::ceil(lower / step - 1e-9); i <= upper / step + 1e-9; ++i)
+        {
             ticks.push_back(i == 0 ? 0 : i * step);
+        }
         return ticks;
     }
     const double decades = std::log10(upper / lower);
@@ -292,12 +334,20 @@ std::vector<double> axisTicks(double lower, double upper, AxisScale scale)
     { return value >= lower * (1 - 1e-9) && value <= upper * (1 + 1e-9); };
     for (double exponent = std::floor(std::log10(lower)); exponent <= std::ceil(std::log10(upper));
          ++exponent)
+    {
         for (const double factor : {1.0, 2.0, 5.0})
+        {
             if ((factor == 1 ? std::fmod(exponent, every) == 0 : decades < 2)
                 && inside(factor * std::pow(10, exponent)))
+            {
                 ticks.push_back(factor * std::pow(10, exponent));
+            }
+        }
+    }
     if (ticks.size() < 2) // less than a factor of two: as a linear axis
+    {
         return axisTicks(lower, upper, AxisScale::linear);
+    }
     return ticks;
 }
 
@@ -317,20 +367,30 @@ std::string plotSvg(const Plot& plot)
         allY.insert(allY.end(), curve.y.begin(), curve.y.end());
     }
     for (const PlotReference& reference : plot.references)
+    {
         (reference.direction == ReferenceDirection::horizontal ? allY : allX).push_back(reference.value);
+    }
 
     Frame frame{0, 0, 0, 0, chooseRange(plot.x, allX), chooseRange(plot.y, allY)};
     const std::vector<double> xTicks = axisTicks(frame.x.lower, frame.x.upper, frame.x.scale);
     const std::vector<double> yTicks = axisTicks(frame.y.lower, frame.y.upper, frame.y.scale);
     double yLabelRoom = 0;
     for (const double value : yTicks)
+    {
         yLabelRoom = std::max(yLabelRoom, textWidth(tickLabel(value, frame.y.scale), 12.5));
+    }
     double legendRoom = 0;
     for (const PlotCurve& curve : plot.curves)
+    {
         if (!curve.name.empty())
+        {
             legendRoom = std::max(legendRoom, 58 + textWidth(curve.name, 12.5));
+        }
+    }
     for (const PlotReference& reference : plot.references)
+    {
         legendRoom = std::max(legendRoom, 58 + textWidth(reference.name, 12.5));
+    }
 
     frame.left = 44 + yLabelRoom;
     frame.top = 22 + (plot.title.empty() ? 0 : 26) + (plot.subtitle.empty() ? 0 : 20);
@@ -340,10 +400,14 @@ std::string plotSvg(const Plot& plot)
                        frame.top + frame.height + 60);
 
     if (!plot.title.empty())
+    {
         drawing.text({frame.left, 30}, plot.title, {.size = 16, .weight = "bold"});
+    }
     if (!plot.subtitle.empty())
+    {
         drawing.text({frame.left, plot.title.empty() ? 24 : 50}, plot.subtitle,
                      {.size = 12.5, .fill = "#555555"});
+    }
     paintAxes(drawing, plot, frame, xTicks, yTicks, yLabelRoom);
 
     const std::vector<Look> look = looks(plot);
@@ -352,20 +416,30 @@ std::string plotSvg(const Plot& plot)
     {
         const SvgStyle style{.stroke = "#222222", .strokeWidth = 1.3, .dash = "3 3"};
         if (reference.direction == ReferenceDirection::horizontal)
+        {
             drawing.line(frame(frame.x.lower, reference.value), frame(frame.x.upper, reference.value), style);
+        }
         else
+        {
             drawing.line(frame(reference.value, frame.y.lower), frame(reference.value, frame.y.upper), style);
+        }
     }
     for (std::size_t i = 0; i < plot.curves.size(); ++i)
     {
         const PlotCurve& curve = plot.curves[i];
         std::vector<Vector<2>> path;
         for (std::size_t k = 0; k < curve.x.size(); ++k)
+        {
             path.push_back(frame(curve.x[k], curve.y[k]));
+        }
         if (curve.line != CurveLine::none && path.size() > 1)
+        {
             drawing.polyline(path, {.stroke = look[i].colour, .strokeWidth = 1.9, .dash = dash(curve.line)});
+        }
         for (const Vector<2>& at : path)
+        {
             paintMarker(drawing, at, look[i].marker, look[i].colour);
+        }
     }
     drawing.endClip();
 
@@ -375,10 +449,14 @@ std::string plotSvg(const Plot& plot)
     {
         const PlotCurve& curve = plot.curves[i];
         if (curve.name.empty())
+        {
             continue;
+        }
         if (curve.line != CurveLine::none)
+        {
             drawing.line({x, y}, {x + 28, y},
                          {.stroke = look[i].colour, .strokeWidth = 1.9, .dash = dash(curve.line)});
+        }
         paintMarker(drawing, {x + 14, y}, look[i].marker, look[i].colour);
         drawing.text({x + 36, y + 4.4}, curve.name, {.size = 12.5});
         y += 20;
@@ -386,10 +464,14 @@ std::string plotSvg(const Plot& plot)
     for (const PlotReference& reference : plot.references)
     {
         if (reference.direction == ReferenceDirection::horizontal)
+        {
             drawing.line({x, y}, {x + 28, y}, {.stroke = "#222222", .strokeWidth = 1.3, .dash = "3 3"});
+        }
         else
+        {
             drawing.line({x + 14, y - 8}, {x + 14, y + 8},
                          {.stroke = "#222222", .strokeWidth = 1.3, .dash = "3 3"});
+        }
         drawing.text({x + 36, y + 4.4}, reference.name, {.size = 12.5});
         y += 20;
     }

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Curves over an axis, as a picture (SVG): what studies and benchmarks show their results with.
+/// Curves over an axis as a picture (SVG), the common output of studies and benchmarks.
 #pragma once
 
 #include <filesystem>
@@ -34,7 +34,7 @@ enum class CurveLine
 
 enum class CurveMarker
 {
-    automatic, ///< another one for each curve
+    automatic, ///< a different one for each curve
     none,
     circle,
     square,
@@ -49,7 +49,7 @@ struct PlotCurve
     std::vector<double> y;
     CurveLine line = CurveLine::solid;
     CurveMarker marker = CurveMarker::automatic;
-    std::string colour; ///< CSS colour; another one for each curve when empty
+    std::string colour; ///< CSS colour; a different one for each curve when empty
 };
 
 enum class ReferenceDirection
@@ -69,7 +69,7 @@ struct PlotReference
 struct Plot
 {
     std::string title;
-    std::string subtitle; ///< for what a reader must know to trust the figure: machine, tolerance, repeats
+    std::string subtitle; ///< conditions of the measurement: machine, tolerance, repeats
     PlotAxis x;
     PlotAxis y;
     std::vector<PlotCurve> curves;
@@ -82,12 +82,12 @@ struct Plot
 /// ten (and, over less than two and a half decades, 2 and 5 times them) for a logarithmic one.
 std::vector<double> axisTicks(double lower, double upper, AxisScale scale);
 
-/// The colour of a curve that names none, by its place among the curves.
+/// The colour of a curve without a colour of its own, by its index.
 std::string curveColour(std::size_t index);
 
-/// Text of an SVG file. The legend stands beside the plot, so that it never covers data.
-/// \throws FatalError when x and y of a curve differ in number, a value is not finite, or a
-/// logarithmic axis is to show a value that is not positive; the message names the curve and the point
+/// Text of an SVG file. The legend is placed outside the axes, so that it never covers data.
+/// \throws FatalError when x and y of a curve differ in number, a value is not finite, or a logarithmic axis
+/// is to show a value that is not positive; the message names the curve and the point
 std::string plotSvg(const Plot& plot);
 
 /// The same as a file, written whole or not at all.

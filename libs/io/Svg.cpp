@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// SVG elements as text.
+/// Writes SVG elements as text.
 #include "io/Svg.h"
 
 #include "core/Error.h"
@@ -20,12 +20,14 @@ namespace
 std::string pixels(double value)
 {
     if (!std::isfinite(value))
+    {
         throw FatalError("A coordinate of a picture is not a finite number.");
+    }
     const double rounded = std::round(value * 100) / 100;
     return fmt::format("{}", rounded == 0 ? 0.0 : rounded); // not "-0"
 }
 
-/// Text with the characters that XML keeps for itself replaced.
+/// Text with the characters reserved by XML replaced.
 std::string escaped(std::string_view text)
 {
     std::string result;
@@ -47,7 +49,9 @@ std::string escaped(std::string_view text)
             break;
         default: // XML 1.0 has no other control characters than these
             if (static_cast<unsigned char>(c) >= 0x20 || c == '\t' || c == '\n')
+            {
                 result += c;
+            }
         }
     }
     return result;
@@ -55,64 +59,72 @@ std::string escaped(std::string_view text)
 
 } // namespace
 
-SvgDrawing::SvgDrawing(double width, double height) : width_(width), height_(height)
+SvgDrawing::SvgDrawing(double width, double height) : pageWidth(width), pageHeight(height)
 {
     rectangle({0, 0}, width, height, {.fill = "#ffffff"});
 }
 
 void SvgDrawing::points(const std::vector<Vector<2>>& points)
 {
-    body_ += " points=\"";
+    body += " points=\"";
     for (std::size_t i = 0; i < points.size(); ++i)
-        fmt::format_to(std::back_inserter(body_), "{}{},{}", i == 0 ? "" : " ", pixels(points[i].x()),
+    {
+        fmt::format_to(std::back_inserter(body), "{}{},{}", i == 0 ? "" : " ", pixels(points[i].x()),
                        pixels(points[i].y()));
-    body_ += '"';
+    }
+    body += '"';
 }
 
 void SvgDrawing::paint(const SvgStyle& style)
 {
-    fmt::format_to(std::back_inserter(body_), " fill=\"{}\"", escaped(style.fill));
+    fmt::format_to(std::back_inserter(body), " fill=\"{}\"", escaped(style.fill));
     if (style.stroke != "none")
-        fmt::format_to(std::back_inserter(body_), " stroke=\"{}\" stroke-width=\"{}\"", escaped(style.stroke),
+    {
+        fmt::format_to(std::back_inserter(body), " stroke=\"{}\" stroke-width=\"{}\"", escaped(style.stroke),
                        pixels(style.strokeWidth));
+    }
     if (!style.dash.empty())
-        fmt::format_to(std::back_inserter(body_), " stroke-dasharray=\"{}\"", escaped(style.dash));
+    {
+        fmt::format_to(std::back_inserter(body), " stroke-dasharray=\"{}\"", escaped(style.dash));
+    }
     if (style.opacity < 1)
-        fmt::format_to(std::back_inserter(body_), " opacity=\"{}\"", pixels(style.opacity));
-    body_ += "/>\n";
+    {
+        fmt::format_to(std::back_inserter(body), " opacity=\"{}\"", pixels(style.opacity));
+    }
+    body += "/>\n";
 }
 
 void SvgDrawing::polygon(const std::vector<Vector<2>>& outline, const SvgStyle& style)
 {
-    body_ += "<polygon";
+    body += "<polygon";
     points(outline);
     paint(style);
 }
 
 void SvgDrawing::polyline(const std::vector<Vector<2>>& path, const SvgStyle& style)
 {
-    body_ += "<polyline stroke-linejoin=\"round\"";
+    body += "<polyline stroke-linejoin=\"round\"";
     points(path);
     paint(style);
 }
 
 void SvgDrawing::line(const Vector<2>& from, const Vector<2>& to, const SvgStyle& style)
 {
-    fmt::format_to(std::back_inserter(body_), "<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"",
+    fmt::format_to(std::back_inserter(body), "<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"",
                    pixels(from.x()), pixels(from.y()), pixels(to.x()), pixels(to.y()));
     paint(style);
 }
 
 void SvgDrawing::rectangle(const Vector<2>& corner, double width, double height, const SvgStyle& style)
 {
-    fmt::format_to(std::back_inserter(body_), "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"",
+    fmt::format_to(std::back_inserter(body), "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"",
                    pixels(corner.x()), pixels(corner.y()), pixels(width), pixels(height));
     paint(style);
 }
 
 void SvgDrawing::circle(const Vector<2>& centre, double radius, const SvgStyle& style)
 {
-    fmt::format_to(std::back_inserter(body_), "<circle cx=\"{}\" cy=\"{}\" r=\"{}\"", pixels(centre.x()),
+    fmt::format_to(std::back_inserter(body), "<circle cx=\"{}\" cy=\"{}\" r=\"{}\"", pixels(centre.x()),
                    pixels(centre.y()), pixels(radius));
     paint(style);
 }
@@ -122,21 +134,25 @@ void SvgDrawing::text(const Vector<2>& at, std::string_view content, const SvgTe
     const char* anchor = style.anchor == TextAnchor::start    ? "start"
                          : style.anchor == TextAnchor::middle ? "middle"
                                                               : "end";
-    fmt::format_to(std::back_inserter(body_),
+    fmt::format_to(std::back_inserter(body),
                    "<text x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"{}\" fill=\"{}\"", pixels(at.x()),
                    pixels(at.y()), pixels(style.size), anchor, escaped(style.fill));
     if (!style.weight.empty())
-        fmt::format_to(std::back_inserter(body_), " font-weight=\"{}\"", escaped(style.weight));
+    {
+        fmt::format_to(std::back_inserter(body), " font-weight=\"{}\"", escaped(style.weight));
+    }
     if (style.rotation != 0)
-        fmt::format_to(std::back_inserter(body_), " transform=\"rotate({} {} {})\"", pixels(style.rotation),
+    {
+        fmt::format_to(std::back_inserter(body), " transform=\"rotate({} {} {})\"", pixels(style.rotation),
                        pixels(at.x()), pixels(at.y()));
-    fmt::format_to(std::back_inserter(body_), ">{}</text>\n", escaped(content));
+    }
+    fmt::format_to(std::back_inserter(body), ">{}</text>\n", escaped(content));
 }
 
 void SvgDrawing::defineHatch(std::string_view name, std::string_view colour, double spacing)
 {
     fmt::format_to(
-        std::back_inserter(body_),
+        std::back_inserter(body),
         "<defs><pattern id=\"{0}\" width=\"{1}\" height=\"{1}\" patternUnits=\"userSpaceOnUse\" "
         "patternTransform=\"rotate(45)\"><line x1=\"0\" y1=\"0\" x2=\"0\" y2=\"{1}\" stroke=\"{2}\" "
         "stroke-width=\"1.6\"/></pattern></defs>\n",
@@ -146,7 +162,7 @@ void SvgDrawing::defineHatch(std::string_view name, std::string_view colour, dou
 void SvgDrawing::beginClip(std::string_view name, const Vector<2>& corner, double width, double height)
 {
     fmt::format_to(
-        std::back_inserter(body_),
+        std::back_inserter(body),
         "<clipPath id=\"{0}\"><rect x=\"{1}\" y=\"{2}\" width=\"{3}\" height=\"{4}\"/></clipPath>\n"
         "<g clip-path=\"url(#{0})\">\n",
         escaped(name), pixels(corner.x()), pixels(corner.y()), pixels(width), pixels(height));
@@ -154,7 +170,7 @@ void SvgDrawing::beginClip(std::string_view name, const Vector<2>& corner, doubl
 
 void SvgDrawing::endClip()
 {
-    body_ += "</g>\n";
+    body += "</g>\n";
 }
 
 std::string SvgDrawing::document() const
@@ -163,12 +179,12 @@ std::string SvgDrawing::document() const
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
         "font-family=\"Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans', sans-serif\">\n{2}</svg>\n",
-        pixels(width_), pixels(height_), body_);
+        pixels(pageWidth), pixels(pageHeight), body);
 }
 
 double textWidth(std::string_view content, double size)
 {
-    // Bytes that continue a UTF-8 character take no room of their own.
+    // Continuation bytes of a UTF-8 character have no width of their own.
     const auto characters =
         std::count_if(content.begin(), content.end(), [](char c) { return (c & 0xC0) != 0x80; });
     return 0.56 * size * static_cast<double>(characters);

@@ -1,5 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// A small writer of SVG: shapes and text in pixels, y downwards, as SVG has it.
+/// A small SVG writer, the common base of pictures and plots: shapes and text in pixels, y downwards as in
+/// SVG.
 #pragma once
 
 #include "geometry/Polygon.h"
@@ -37,8 +38,8 @@ struct SvgText
     std::string weight = ""; ///< `bold`, or normal when empty
 };
 
-/// Shapes gathered in drawing order. Coordinates are rounded to 0.01 px. Every function throws
-/// FatalError on a coordinate that is not finite, so that no unreadable picture is written.
+/// Shapes collected in drawing order. Coordinates are rounded to 0.01 px. Every function throws FatalError on
+/// a coordinate that is not finite, so that no unreadable picture is written.
 class SvgDrawing
 {
 public:
@@ -51,9 +52,9 @@ public:
     void circle(const Vector<2>& centre, double radius, const SvgStyle& style);
     void text(const Vector<2>& at, std::string_view content, const SvgText& style);
 
-    /// Defines a fill of parallel slanted strokes, to be used as fill `url(#name)`.
+    /// Defines a fill of parallel slanted strokes, used as fill `url(#name)`.
     void defineHatch(std::string_view name, std::string_view colour, double spacing);
-    /// Shapes between begin and end are cut at the rectangle.
+    /// Shapes between begin and end are clipped at the rectangle.
     void beginClip(std::string_view name, const Vector<2>& corner, double width, double height);
     void endClip();
 
@@ -64,12 +65,13 @@ private:
     void points(const std::vector<Vector<2>>& points);
     void paint(const SvgStyle& style);
 
-    double width_;
-    double height_;
-    std::string body_;
+    double pageWidth;
+    double pageHeight;
+    std::string body;
 };
 
-/// About how wide a text is in a sans-serif font [px]; generous, for it is used to keep texts apart.
+/// Approximate width of a text in a sans-serif font [px], rather too large, because it is used to keep texts
+/// apart.
 double textWidth(std::string_view content, double size);
 
 } // namespace drystone

@@ -1,7 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Writing and reading of states. A state holds one number or list an entry and no more of the dictionary
-/// grammar, so that it is read here in one pass: the grammar has no binary lists, and a state of a large wall
-/// has a million numbers.
+/// Writes and reads states. A state consists of entries with one number or one list, a subset of the
+/// dictionary grammar, and is read here in one pass: the grammar has no binary lists, and the state of a
+/// large wall has a million numbers.
 #include "io/TimeDirectory.h"
 
 #include "core/Error.h"
@@ -29,29 +29,37 @@ namespace
 
 static_assert(std::endian::native == std::endian::little, "the header of a binary state says LSB");
 
-/// Reads a state from its text; knows the line it is at.
+/// Reads a state from its text and keeps track of the line.
 class StateReader
 {
 public:
-    StateReader(const fs::path& file, std::string_view text) : file_(file), text_(text) {}
+    StateReader(const fs::path& path, std::string_view content) : file(path), text(content) {}
 
     State read()
     {
         State state;
-        state.file = file_;
+        state.file = file;
         bool binary = false;
-        for (skip(); at_ < text_.size(); skip())
+        for (skip(); at < text.size(); skip())
         {
             const std::string name(word());
             skip();
             if (name == "FoamFile")
+            {
                 binary = header();
+            }
             else if (next("List<scalar>"))
+            {
                 state.arrays[name] = list(binary);
+            }
             else
+            {
                 value(state, name);
+            }
             if (name != "FoamFile")
+            {
                 expect(';');
+            }
         }
         return state;
     }
@@ -59,72 +67,91 @@ public:
 private:
     [[noreturn]] void fail(const std::string& what) const
     {
-        const auto line =
-            1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(at_), '\n');
+        const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
         throw FatalIOError(
             what
                 + "\n\nThe run cannot continue from this state: remove the time directory to start "
                   "from an earlier one.",
-            {file_.string(), "", static_cast<int>(line)});
+            {file.string(), "", static_cast<int>(line)});
     }
 
     void skip()
     {
-        while (at_ < text_.size())
+        while (at < text.size())
         {
-            if (std::isspace(static_cast<unsigned char>(text_[at_])) != 0)
-                ++at_;
-            else if (text_.substr(at_, 2) == "//")
-                at_ = std::min(text_.find('\n', at_), text_.size());
-            else if (text_.substr(at_, 2) == "/*")
+            if (std::isspace(static_cast<unsigned char>(text[at])) != 0)
             {
-                const auto end = text_.find("*/", at_ + 2);
-                if (end == text_.npos)
+                ++at;
+            }
+            else if (text.substr(at, 2) == "//")
+            {
+                at = std::min(text.find('\n', at), text.size());
+            }
+            else if (text.substr(at, 2) == "/*")
+            {
+                const auto end = text.find("*/", at + 2);
+                if (end == text.npos)
+                {
                     fail("A comment does not end.");
-                at_ = end + 2;
+                }
+                at = end + 2;
             }
             else
+            {
                 return;
+            }
         }
     }
 
     bool next(std::string_view token)
     {
-        if (text_.substr(at_, token.size()) != token)
+        if (text.substr(at, token.size()) != token)
+        {
             return false;
-        at_ += token.size();
+        }
+        at += token.size();
         return true;
     }
 
     void expect(char c)
     {
         skip();
-        if (at_ >= text_.size())
+        if (at >= text.size())
+        {
             fail(fmt::format("The file ends where '{}' was expected.", c));
-        if (text_[at_] != c)
+        }
+        if (text[at] != c)
+        {
             fail(fmt::format("Expected '{}'.", c));
-        ++at_;
+        }
+        ++at;
     }
 
     std::string_view word()
     {
-        const std::size_t begin = at_;
-        while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_])) == 0
-               && std::string_view(";(){}").find(text_[at_]) == std::string_view::npos)
-            ++at_;
-        if (at_ == begin)
+        const std::size_t begin = at;
+        while (at < text.size() && std::isspace(static_cast<unsigned char>(text[at])) == 0
+               && std::string_view(";(){}").find(text[at]) == std::string_view::npos)
+        {
+            ++at;
+        }
+        if (at == begin)
+        {
             fail("Expected the name of an entry.");
-        return text_.substr(begin, at_ - begin);
+        }
+        return text.substr(begin, at - begin);
     }
 
     double number()
     {
         skip();
         double result = 0;
-        const auto [end, error] = std::from_chars(text_.data() + at_, text_.data() + text_.size(), result);
+        const auto [end, error] = std::from_chars(text.data() + at, text.data() + text.size(), result);
         if (error != std::errc() || !std::isfinite(result))
+        {
             fail("Expected a finite number.");
-        at_ = static_cast<std::size_t>(end - text_.data());
+        }
+        at = static_cast<std::size_t>(end - text.data());
         return result;
     }
 
@@ -132,10 +159,12 @@ private:
     {
         skip();
         std::size_t result = 0;
-        const auto [end, error] = std::from_chars(text_.data() + at_, text_.data() + text_.size(), result);
-        if (error != std::errc() || result > text_.size())
+        const auto [end, error] = std::from_chars(text.data() + at, text.data() + text.size(), result);
+        if (error != std::errc() || result > text.size())
+        {
             fail("Expected the size of a list.");
-        at_ = static_cast<std::size_t>(end - text_.data());
+        }
+        at = static_cast<std::size_t>(end - text.data());
         return result;
     }
 
@@ -146,51 +175,69 @@ private:
         if (binary)
         {
             const std::size_t bytes = values.size() * sizeof(double);
-            if (text_.size() - at_ < bytes)
+            if (text.size() - at < bytes)
+            {
                 fail(fmt::format("The file ends within a list of {} numbers.", values.size()));
+            }
             if (bytes > 0)
-                std::memcpy(values.data(), text_.data() + at_, bytes);
+            {
+                std::memcpy(values.data(), text.data() + at, bytes);
+            }
             if (!std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); }))
+            {
                 fail("A list holds a value that is not a finite number.");
-            at_ += bytes;
+            }
+            at += bytes;
         }
         else
+        {
             for (double& value : values)
+            {
                 value = number();
+            }
+        }
         expect(')');
         return values;
     }
 
-    /// `0.5` or `2(0.5 0.6)`: a list is told from a number by its parenthesis.
+    /// `0.5` or `2(0.5 0.6)`: a list is distinguished from a number by its parenthesis.
     void value(State& state, const std::string& name)
     {
-        const std::size_t end = text_.find_first_of(";(", at_);
-        if (end != text_.npos && text_[end] == '(')
+        const std::size_t end = text.find_first_of(";(", at);
+        if (end != text.npos && text[end] == '(')
+        {
             state.arrays[name] = list(false);
+        }
         else
+        {
             state.scalars[name] = number();
+        }
     }
 
     /// True when the format is binary.
     bool header()
     {
-        const std::size_t end = text_.find('}', at_);
-        if (end == text_.npos)
+        const std::size_t end = text.find('}', at);
+        if (end == text.npos)
+        {
             fail("The header FoamFile does not end.");
-        const std::string_view entries = text_.substr(at_, end - at_);
-        at_ = end + 1;
-        const std::size_t format = entries.find("format");
+        }
+        const std::string_view entries = text.substr(at, end - at);
+        at = end + 1;
+        const std::size_t entry = entries.find("format");
         const bool binary =
-            format != entries.npos
-            && entries.substr(format, entries.find(';', format) - format).find("binary") != entries.npos;
+            entry != entries.npos
+            && entries.substr(entry, entries.find(';', entry) - entry).find("binary") != entries.npos;
         if (binary && entries.find("LSB;label=32;scalar=64") == entries.npos)
+        {
             fail("This binary state comes from a machine with another byte order.");
+        }
         return binary;
     }
 
-    const fs::path& file_;
-    std::string_view text_;
-    std::size_t at_ = 0;
+    const fs::path& file;
+    std::string_view text;
+    std::size_t at = 0;
 };
 
 fs::path stateFile(const fs::path& caseDirectory, const std::string& timeName)
@@ -204,9 +251,11 @@ double stateScalar(const State& state, const std::string& name)
 {
     const auto found = state.scalars.find(name);
     if (found == state.scalars.end())
+    {
         throw FatalIOError(
             fmt::format("The state has no entry {}; it was written by another version or application.", name),
             {state.file.string(), "", 0});
+    }
     return found->second;
 }
 
@@ -214,15 +263,19 @@ const std::vector<double>& stateArray(const State& state, const std::string& nam
 {
     const auto found = state.arrays.find(name);
     if (found == state.arrays.end())
+    {
         throw FatalIOError(
             fmt::format("The state has no list {}; it was written by another version or application.", name),
             {state.file.string(), "", 0});
+    }
     if (found->second.size() != size)
+    {
         throw FatalIOError(
             fmt::format("The list {} of the state has {} values where this case needs {}. Did the "
                         "blocks change since it was written?",
                         name, found->second.size(), size),
             {state.file.string(), "", 0});
+    }
     return found->second;
 }
 
@@ -231,7 +284,9 @@ std::string stateText(const State& state, WriteFormat format)
     const auto check = [](const std::string& name, double value)
     {
         if (!std::isfinite(value))
+        {
             throw FatalError(fmt::format("{} of the state to be written is not a finite number.", name));
+        }
     };
     std::string text;
     const auto out = std::back_inserter(text);
@@ -240,7 +295,7 @@ std::string stateText(const State& state, WriteFormat format)
                    "    object      state;\n}}\n\n",
                    format == WriteFormat::ascii ? "ascii" : "binary",
                    format == WriteFormat::ascii ? "" : "    arch        \"LSB;label=32;scalar=64\";\n");
-    // fmt gives the fewest digits that read back as the same number: never more than 17.
+    // fmt writes the fewest digits that read back as the same number: at most 17.
     for (const auto& [name, value] : state.scalars)
     {
         check(name, value);
@@ -249,7 +304,9 @@ std::string stateText(const State& state, WriteFormat format)
     for (const auto& [name, values] : state.arrays)
     {
         for (const double value : values)
+        {
             check(name, value);
+        }
         if (format == WriteFormat::binary)
         {
             fmt::format_to(out, "\n{} List<scalar> {}(", name, values.size());
@@ -259,7 +316,9 @@ std::string stateText(const State& state, WriteFormat format)
         {
             fmt::format_to(out, "\n{} {}\n(\n", name, values.size());
             for (const double value : values)
+            {
                 fmt::format_to(out, "{}\n", value);
+            }
         }
         text += ");\n";
     }
@@ -272,7 +331,9 @@ void writeState(const fs::path& caseDirectory, const std::string& timeName, cons
     const std::string text = stateText(state, format);
     std::error_code failure;
     if (fs::exists(caseDirectory / timeName, failure))
+    {
         return writeWholeFile(stateFile(caseDirectory, timeName), text);
+    }
 
     const std::string temporary = fmt::format(".{}.{}.tmp", timeName, ::getpid());
     writeWholeFile(stateFile(caseDirectory, temporary), text);
@@ -290,36 +351,42 @@ State readState(const fs::path& file)
 {
     std::error_code error;
     std::ifstream stream;
-    if (fs::is_regular_file(file, error)) // a pipe would let us wait for ever
+    if (fs::is_regular_file(file, error)) // reading from a pipe could block for ever
+    {
         stream.open(file, std::ios::binary);
+    }
     if (!stream.is_open())
+    {
         throw FatalError(fmt::format(
             "Cannot read the state {}: there is no such file, or it may not be read.", file.string()));
+    }
     const std::string text{std::istreambuf_iterator<char>(stream), {}};
     return StateReader(file, text).read();
 }
 
-StateWriter::StateWriter(fs::path caseDirectory, WriteFormat format, int purgeWrite)
-    : caseDirectory_(std::move(caseDirectory)),
-      format_(format),
-      purgeWrite_(static_cast<std::size_t>(std::max(0, purgeWrite)))
+StateWriter::StateWriter(fs::path directory, WriteFormat writeFormat, int statesToKeep)
+    : caseDirectory(std::move(directory)),
+      format(writeFormat),
+      purgeWrite(static_cast<std::size_t>(std::max(0, statesToKeep)))
 {
 }
 
 void StateWriter::write(const std::string& timeName, const State& state)
 {
     std::error_code failure;
-    const bool isNew = !fs::exists(caseDirectory_ / timeName, failure);
-    writeState(caseDirectory_, timeName, state, format_);
+    const bool isNew = !fs::exists(caseDirectory / timeName, failure);
+    writeState(caseDirectory, timeName, state, format);
     if (isNew)
-        written_.push_back(timeName);
-    while (purgeWrite_ > 0 && written_.size() > purgeWrite_)
     {
-        // Out of sight first: a run that is killed now leaves no time directory without its state.
-        const fs::path doomed = caseDirectory_ / fmt::format(".{}.{}.purged", written_.front(), ::getpid());
-        fs::rename(caseDirectory_ / written_.front(), doomed, failure);
-        fs::remove_all(failure ? caseDirectory_ / written_.front() : doomed, failure);
-        written_.pop_front();
+        written.push_back(timeName);
+    }
+    while (purgeWrite > 0 && written.size() > purgeWrite)
+    {
+        // Renamed first, so that a run that is killed here leaves no time directory without its state.
+        const fs::path doomed = caseDirectory / fmt::format(".{}.{}.purged", written.front(), ::getpid());
+        fs::rename(caseDirectory / written.front(), doomed, failure);
+        fs::remove_all(failure ? caseDirectory / written.front() : doomed, failure);
+        written.pop_front();
     }
 }
 

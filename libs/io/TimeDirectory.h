@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Time directories of a case: the state from which a run continues bit for bit.
+/// Time directories of a case, the file format of states: a run continues from one bit for bit.
 #pragma once
 
 #include "core/Case.h"
@@ -15,7 +15,7 @@
 namespace drystone
 {
 
-/// Named numbers and arrays of numbers; what they mean is their owner's affair.
+/// Named numbers and arrays of numbers; their meaning is known to the library that makes them.
 struct State
 {
     std::map<std::string, double> scalars;
@@ -39,7 +39,7 @@ const std::vector<double>& stateArray(const State& state, const std::string& nam
 std::string stateText(const State& state, WriteFormat format);
 
 /// Writes `<case>/<time name>/state`, whole or not at all: a new time directory appears under its name with
-/// the state already in it; other files of a directory that exists are left alone.
+/// the state already in it; other files of an existing directory are left unchanged.
 ///
 /// \throws FatalError as writeWholeFile
 void writeState(const std::filesystem::path& caseDirectory, const std::string& timeName, const State& state,
@@ -47,25 +47,25 @@ void writeState(const std::filesystem::path& caseDirectory, const std::string& t
 
 /// Reads a state of either format.
 ///
-/// \throws FatalError with file and line on what is not a state, or ends too early
+/// \throws FatalError with file and line if the file is not a state, or is truncated
 State readState(const std::filesystem::path& file);
 
 /// Writes the states of one run and keeps only the last ones of them.
 class StateWriter
 {
 public:
-    /// \param purgeWrite number of time directories to keep of those that this object writes; 0 keeps all
-    StateWriter(std::filesystem::path caseDirectory, WriteFormat format, int purgeWrite);
+    /// \param statesToKeep number of time directories to keep of those that this object writes; 0 keeps all
+    StateWriter(std::filesystem::path directory, WriteFormat writeFormat, int statesToKeep);
 
-    /// Writes the state, then removes the oldest directory that this object wrote if there are now too many.
-    /// A directory that was there before is never removed.
+    /// Writes the state, then removes the oldest directory that this object wrote if there are too many. A
+    /// directory that existed before is never removed.
     void write(const std::string& timeName, const State& state);
 
 private:
-    std::filesystem::path caseDirectory_;
-    WriteFormat format_;
-    std::size_t purgeWrite_;
-    std::deque<std::string> written_;
+    std::filesystem::path caseDirectory;
+    WriteFormat format;
+    std::size_t purgeWrite;
+    std::deque<std::string> written;
 };
 
 } // namespace drystone

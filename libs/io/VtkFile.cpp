@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// The only file that sees VTK.
+/// The only file that includes VTK: writes .vtp files.
 #include "io/VtkFile.h"
 
 #include "core/Error.h"
@@ -30,9 +30,9 @@ namespace drystone
 namespace
 {
 
-/// zlib's format by libdeflate. A frame consists of a dozen small arrays, and zlib sets up and clears 256 kB
-/// for each: three quarters of the time of a frame. libdeflate keeps its memory and is faster besides. VTK's
-/// reader is told the name of the base class, and reads the result with zlib.
+/// zlib's format by libdeflate. A frame consists of many small arrays, and zlib allocates and clears its
+/// memory for each, which dominates the time of a frame; libdeflate keeps its memory. VTK's reader is given
+/// the name of the base class, and reads the result with zlib.
 class Deflate final : public vtkZLibDataCompressor
 {
 public:
@@ -40,28 +40,27 @@ public:
 
     std::size_t GetMaximumCompressionSpace(std::size_t size) override
     {
-        return libdeflate_zlib_compress_bound(compressor_, size);
+        return libdeflate_zlib_compress_bound(compressor, size);
     }
 
 protected:
     std::size_t CompressBuffer(const unsigned char* in, std::size_t size, unsigned char* out,
                                std::size_t room) override
     {
-        return libdeflate_zlib_compress(compressor_, in, size, out, room);
+        return libdeflate_zlib_compress(compressor, in, size, out, room);
     }
 
 private:
-    // Digits of computed results hardly compress: level 6 takes twice the time of level 1 for 3% smaller
-    // files.
-    Deflate() : compressor_(libdeflate_alloc_compressor(1)) {}
-    ~Deflate() override { libdeflate_free_compressor(compressor_); }
+    // Digits of computed results are hardly compressible: higher levels cost time without smaller files.
+    Deflate() : compressor(libdeflate_alloc_compressor(1)) {}
+    ~Deflate() override { libdeflate_free_compressor(compressor); }
 
-    libdeflate_compressor* compressor_;
+    libdeflate_compressor* compressor;
 };
 
-/// An array that finds its range (VTK writes it into the file) by a plain loop. VTK's own way goes through
-/// its thread pools even on one thread, and opens a system file for each array: as long as compressing the
-/// array.
+/// An array that determines its range (VTK writes it into the file) by a plain loop. VTK's own method uses
+/// its thread pools even on one thread and opens a system file for each array, which takes as long as the
+/// compression.
 template<typename Base>
 class PlainRange final : public Base
 {
@@ -88,7 +87,9 @@ protected:
             {
                 size = 0;
                 for (int c = 0; c < components; ++c)
+                {
                     size += static_cast<double>(value[c]) * static_cast<double>(value[c]);
+                }
                 size = std::sqrt(size);
             }
             range[0] = std::min(range[0], size);
@@ -104,36 +105,50 @@ void check(const PolyData& data)
     {
         points = 0;
         for (const int size : data.cellSizes)
+        {
             points += static_cast<std::size_t>(size);
+        }
     }
     if (points != data.points.size())
+    {
         throw FatalError(fmt::format("A .vtp file got {} points for polygons with {} vertices.",
                                      data.points.size(), points));
+    }
     for (std::size_t i = 0; i < data.points.size(); ++i)
+    {
         if (!data.points[i].allFinite())
+        {
             throw FatalError(fmt::format(
                 "The position of point {} to be written to a .vtp file is not a finite number.", i));
+        }
+    }
 
     const std::size_t cells = cellCount(data);
     for (const Field& field : data.fields)
     {
         const auto components = static_cast<std::size_t>(field.components);
         if (field.components < 1 || field.components > 3 || field.values.size() != cells * components)
+        {
             throw FatalError(
                 fmt::format("Field {} of a .vtp file has {} values in {} components for {} cells.",
                             field.name, field.values.size(), field.components, cells));
+        }
         for (std::size_t i = 0; i < field.values.size(); ++i)
         {
             const double value = field.values[i];
             if (!std::isfinite(value))
+            {
                 throw FatalError(
                     fmt::format("{} of cell {} to be written to a .vtp file is not a finite number.",
                                 field.name, i / components));
+            }
             if (field.type == FieldType::integer
                 && (value != std::floor(value) || std::abs(value) > std::numeric_limits<int>::max()))
+            {
                 throw FatalError(
                     fmt::format("{} of cell {} to be written to a .vtp file is {}, not a whole number.",
                                 field.name, i / components, value));
+            }
         }
     }
 }
@@ -152,9 +167,13 @@ vtkSmartPointer<vtkDataArray> array(const Field& field)
     for (vtkIdType i = 0; i < tuples; ++i)
     {
         for (int c = 0; c < field.components; ++c)
+        {
             *out++ = static_cast<typename Array::ValueType>(*in++);
+        }
         if (components != field.components)
+        {
             *out++ = 0;
+        }
     }
     return result;
 }
@@ -170,10 +189,14 @@ vtkSmartPointer<vtkCellArray> cells(const PolyData& data)
     int end = 0;
     offsets->SetValue(0, 0);
     for (vtkIdType i = 0; i < count; ++i)
+    {
         offsets->SetValue(
             i + 1, end += data.kind == CellKind::point ? 1 : data.cellSizes[static_cast<std::size_t>(i)]);
+    }
     for (vtkIdType i = 0; i < connectivity->GetNumberOfValues(); ++i)
+    {
         connectivity->SetValue(i, static_cast<vtkTypeInt32>(i));
+    }
     vtkNew<vtkCellArray> result;
     result->SetData(offsets, connectivity);
     return result;
@@ -222,9 +245,13 @@ std::string vtpBytes(const PolyData& data)
                                                           : array<vtkDoubleArray>(field));
         // What ParaView shows first when it opens the file.
         if (field.components == 1 && fields->GetScalars() == nullptr)
+        {
             fields->SetActiveScalars(field.name.c_str());
+        }
         if (field.components > 1 && fields->GetVectors() == nullptr)
+        {
             fields->SetActiveVectors(field.name.c_str());
+        }
     }
 
     vtkNew<vtkXMLPolyDataWriter> writer;
@@ -236,7 +263,9 @@ std::string vtpBytes(const PolyData& data)
     writer->SetHeaderTypeToUInt32();
     writer->WriteToOutputStringOn();
     if (writer->Write() == 0)
-        throw FatalError("VTK could not put together a .vtp file.");
+    {
+        throw FatalError("VTK could not generate a .vtp file.");
+    }
     return writer->GetOutputString();
 }
 

@@ -1,5 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// What one .vtp file shows, as plain data, and how it becomes the bytes of the file.
+/// The contents of one .vtp file as plain data, and its bytes: the interface that hides VTK from everything
+/// else.
 #pragma once
 
 #include "geometry/Vector.h"
@@ -44,7 +45,8 @@ struct PolyData
 std::size_t cellCount(const PolyData& data);
 
 /// The bytes of a .vtp file: VTK's XML, raw appended, compressed in zlib's format. Coordinates are written in
-/// single precision (they are looked at), fields in double (they are also computed with).
+/// single precision, since they are only displayed, fields in double precision, since they are also used in
+/// computations.
 ///
 /// \throws FatalError when a value is not finite, a field has not one value a cell, or sizes do not
 /// add up; the message names the field and the cell

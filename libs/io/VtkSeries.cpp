@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// The list of a series is ParaView's JSON, one frame a line:
+/// Writes the list of a series, ParaView's JSON with one frame per line, so that it can be appended to:
 ///
 ///     {
 ///       "file-series-version" : "1.0",
@@ -40,17 +40,21 @@ std::string listLine(std::string_view file, double time)
     return fmt::format("    {{ \"name\" : \"{}\", \"time\" : {} }}", file, time);
 }
 
-/// What stands between two texts, or nothing when they are not both there.
+/// The text between two others, or nothing when they are not both found.
 std::optional<std::string_view> between(std::string_view line, std::string_view before,
                                         std::string_view after)
 {
     const auto start = line.find(before);
     if (start == line.npos)
+    {
         return {};
+    }
     line.remove_prefix(start + before.size());
     const auto end = line.find(after);
     if (end == line.npos)
+    {
         return {};
+    }
     return line.substr(0, end);
 }
 
@@ -62,130 +66,151 @@ bool sameTime(double a, double b)
 
 } // namespace
 
-VtkSeries::VtkSeries(std::filesystem::path folder, std::string name, double startTime)
-    : folder_(std::move(folder)), name_(std::move(name)), frames_(readList())
+VtkSeries::VtkSeries(std::filesystem::path seriesFolder, std::string seriesName, double startTime)
+    : folder(std::move(seriesFolder)), name(std::move(seriesName)), frames(readList())
 {
-    const auto later = std::find_if(frames_.begin(), frames_.end(),
+    const auto later = std::find_if(frames.begin(), frames.end(),
                                     [&](const Frame& frame)
                                     { return frame.time > startTime && !sameTime(frame.time, startTime); });
-    cutFrom(static_cast<std::size_t>(later - frames_.begin()));
+    cutFrom(static_cast<std::size_t>(later - frames.begin()));
 }
 
 std::filesystem::path VtkSeries::listFile() const
 {
-    return folder_ / (name_ + ".vtp.series");
+    return folder / (name + ".vtp.series");
 }
 
 std::vector<double> VtkSeries::times() const
 {
     std::vector<double> result;
-    for (const Frame& frame : frames_)
+    for (const Frame& frame : frames)
+    {
         result.push_back(frame.time);
+    }
     return result;
 }
 
 std::vector<VtkSeries::Frame> VtkSeries::readList() const
 {
-    std::vector<Frame> frames;
-    std::ifstream file(listFile());
+    std::vector<Frame> listed;
+    std::ifstream list(listFile());
     std::string line;
-    for (int number = 1; std::getline(file, line); ++number)
+    for (int number = 1; std::getline(list, line); ++number)
     {
         if (line.find("\"name\"") == line.npos)
+        {
             continue;
-        const auto name = between(line, "\"name\" : \"", "\"");
+        }
+        const auto file = between(line, "\"name\" : \"", "\"");
         const auto time = between(line, "\"time\" : ", " }");
         double value = 0;
-        if (!name || !time || name->find('/') != name->npos
+        if (!file || !time || file->find('/') != file->npos
             || std::from_chars(time->data(), time->data() + time->size(), value).ec != std::errc()
             || !std::isfinite(value))
+        {
             throw FatalIOError(
                 "This line does not name a frame and its time in the way that Drystone writes them. "
                 "To start a new series, remove the file.",
                 {listFile().string(), "", number});
-        // A frame that somebody removed to save room is not missed, nor one that no file can have the name
-        // of.
+        }
+        // A frame that was removed to save space is skipped, and so is a name that no file can have.
         std::error_code unknown;
-        if (std::filesystem::exists(folder_ / *name, unknown))
-            frames.push_back({std::string(*name), value});
+        if (std::filesystem::exists(folder / *file, unknown))
+        {
+            listed.push_back({std::string(*file), value});
+        }
     }
-    std::stable_sort(frames.begin(), frames.end(),
+    std::stable_sort(listed.begin(), listed.end(),
                      [](const Frame& a, const Frame& b) { return a.time < b.time; });
-    return frames;
+    return listed;
 }
 
 void VtkSeries::cutFrom(std::size_t first)
 {
-    if (first >= frames_.size())
+    if (first >= frames.size())
+    {
         return;
-    const std::vector<Frame> removed(frames_.begin() + static_cast<std::ptrdiff_t>(first), frames_.end());
-    frames_.resize(first);
-    // First the list, then the files: the list never names what is not there.
+    }
+    const std::vector<Frame> removed(frames.begin() + static_cast<std::ptrdiff_t>(first), frames.end());
+    frames.resize(first);
+    // First the list, then the files, so that the list never names a file that does not exist.
     writeList();
     for (const Frame& frame : removed)
     {
         std::error_code ignored; // a file that cannot be removed is overwritten or left over, but not listed
-        std::filesystem::remove(folder_ / frame.file, ignored);
+        std::filesystem::remove(folder / frame.file, ignored);
     }
 }
 
 void VtkSeries::write(double time, const PolyData& data)
 {
     if (!std::isfinite(time))
+    {
         throw FatalError(
             fmt::format("The time of a frame of {} is not a finite number.", listFile().string()));
-    const std::string bytes = vtpBytes(data); // before anything is touched: it may refuse
+    }
+    const std::string bytes = vtpBytes(data); // before anything is changed: it may throw
 
     const auto first =
-        std::find_if(frames_.begin(), frames_.end(),
+        std::find_if(frames.begin(), frames.end(),
                      [&](const Frame& frame) { return frame.time > time || sameTime(frame.time, time); });
-    cutFrom(static_cast<std::size_t>(first - frames_.begin()));
+    cutFrom(static_cast<std::size_t>(first - frames.begin()));
 
-    // Numbered on from the last frame, which need not be the count: frames may have been removed by hand.
+    // Numbered from the last frame, not from the count, since frames may have been removed by hand.
     std::size_t number = 0;
-    if (!frames_.empty())
+    if (!frames.empty())
     {
-        const std::string& last = frames_.back().file;
-        const std::size_t digits = name_.size() + 1;
+        const std::string& last = frames.back().file;
+        const std::size_t digits = name.size() + 1;
         if (last.size() > digits)
+        {
             std::from_chars(last.data() + digits, last.data() + last.size(), number);
+        }
         ++number;
     }
-    const Frame frame{fmt::format("{}_{:06}.vtp", name_, number), time};
-    writeWholeFile(folder_ / frame.file, bytes);
-    frames_.push_back(frame);
+    const Frame frame{fmt::format("{}_{:06}.vtp", name, number), time};
+    writeWholeFile(folder / frame.file, bytes);
+    frames.push_back(frame);
     appendToList(frame);
 }
 
 void VtkSeries::writeList()
 {
     std::string text(listHead);
-    for (std::size_t i = 0; i < frames_.size(); ++i)
-        text += (i == 0 ? "" : ",\n") + listLine(frames_[i].file, frames_[i].time);
+    for (std::size_t i = 0; i < frames.size(); ++i)
+    {
+        text += (i == 0 ? "" : ",\n") + listLine(frames[i].file, frames[i].time);
+    }
     text += listTail;
     writeWholeFile(listFile(), text);
-    listSize_ = text.size();
+    listSize = text.size();
 }
 
-/// Replaces the tail of the list by one more line and the tail, in one system call of some hundred bytes.
-/// Writing the list anew for every frame would cost as much as the frame does (a rename over an existing file
-/// makes the file system allocate at once), and more with each frame.
+/// Replaces the end of the list by one more line and the end, in one system call of some hundred bytes.
+/// Writing the whole list for every frame would cost as much as the frame itself (a rename over an existing
+/// file makes the file system allocate immediately), and more with each frame.
 void VtkSeries::appendToList(const Frame& frame)
 {
     std::error_code unknown;
-    if (listSize_ == 0 || frames_.size() < 2 || std::filesystem::file_size(listFile(), unknown) != listSize_
+    if (listSize == 0 || frames.size() < 2 || std::filesystem::file_size(listFile(), unknown) != listSize
         || unknown)
+    {
         return writeList();
+    }
     const std::string text = ",\n" + listLine(frame.file, frame.time) + std::string(listTail);
-    const std::size_t at = listSize_ - listTail.size();
+    const std::size_t at = listSize - listTail.size();
     const int descriptor = ::open(listFile().c_str(), O_WRONLY | O_CLOEXEC);
     const auto written =
         descriptor < 0 ? -1 : ::pwrite(descriptor, text.data(), text.size(), static_cast<off_t>(at));
     if (descriptor >= 0)
+    {
         ::close(descriptor);
+    }
     if (written != static_cast<ssize_t>(text.size()))
-        return writeList(); // which says what is wrong, or mends it
-    listSize_ = at + text.size();
+    {
+        return writeList(); // which reports the error, or repairs the list
+    }
+    listSize = at + text.size();
 }
 
 } // namespace drystone

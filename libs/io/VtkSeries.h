@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Series of .vtp files that ParaView plays as an animation.
+/// Series of .vtp files that ParaView plays as an animation, valid at any moment of a run.
 #pragma once
 
 #include "io/VtkFile.h"
@@ -12,10 +12,10 @@ namespace drystone
 {
 
 /// Writes `<folder>/<name>.vtp.series`, the list of frames and their times, and `<folder>/<name>_000000.vtp`
-/// and so on, one file a frame. The list names complete files only, at any moment: ParaView may open a
-/// running case.
+/// and so on, one file per frame. The list names complete files only, at any moment, because ParaView may
+/// open a running case.
 ///
-/// One object writes one series; a second object on the same series must not be used at the same time.
+/// One object writes one series; no second object may be used on the same series at the same time.
 class VtkSeries
 {
 public:
@@ -24,10 +24,10 @@ public:
     /// first frame unless frames had to be removed.
     ///
     /// \throws FatalError when the list there was not written by Drystone, or cannot be written
-    VtkSeries(std::filesystem::path folder, std::string name, double startTime);
+    VtkSeries(std::filesystem::path seriesFolder, std::string seriesName, double startTime);
 
-    /// Adds a frame at a time [s]. A frame of this time or later ones, if present, give way to it.
-    /// \throws FatalError as vtpBytes and writeWholeFile; the list then stands as it was
+    /// Adds a frame at a time [s]. Frames of this time or later, if present, are replaced by it.
+    /// \throws FatalError as vtpBytes and writeWholeFile; the list is then unchanged
     void write(double time, const PolyData& data);
 
     /// Times of the frames in the list, ascending [s].
@@ -48,10 +48,10 @@ private:
     void writeList();
     void appendToList(const Frame& frame);
 
-    std::filesystem::path folder_;
-    std::string name_;
-    std::vector<Frame> frames_;
-    std::size_t listSize_ = 0; ///< bytes of the list file as we wrote it; 0 when it is not known
+    std::filesystem::path folder;
+    std::string name;
+    std::vector<Frame> frames;
+    std::size_t listSize = 0; ///< bytes of the list file as we wrote it; 0 when it is not known
 };
 
 } // namespace drystone

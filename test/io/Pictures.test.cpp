@@ -1,6 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Pictures: well-formed, complete and refusing what cannot be drawn. With DRYSTONE_KEEP_PICTURES=<folder> in
-/// the environment the pictures are left there to be looked at.
+/// Pictures: well-formed, complete, and an error for what cannot be drawn. With
+/// DRYSTONE_KEEP_PICTURES=<folder> in the environment the pictures are kept there for inspection.
 #include "Scene.h"
 #include "assembly/Facing.h"
 #include "core/Error.h"
@@ -42,14 +42,18 @@ std::size_t count(const std::string& text, const std::string& what)
 {
     std::size_t result = 0;
     for (auto at = text.find(what); at != text.npos; at = text.find(what, at + what.size()))
+    {
         ++result;
+    }
     return result;
 }
 
 void keep(const std::string& name, const std::string& text)
 {
     if (const char* folder = std::getenv("DRYSTONE_KEEP_PICTURES"))
+    {
         std::ofstream(std::filesystem::path(folder) / name) << text;
+    }
 }
 
 TEST(Svg, IsWellFormedWhateverTheTextSays)
@@ -81,12 +85,14 @@ TEST(MechanismPicture, ShowsEveryFreeBlockTheBuiltOutlineAndTheGround)
     ASSERT_TRUE(parsed(svg));
     std::size_t freeBlocks = 0;
     for (const Block<2>& block : wall.blocks)
+    {
         freeBlocks += block.support < 0 ? 1 : 0;
+    }
     EXPECT_EQ(count(svg, "<polygon"), wall.blocks.size());
     EXPECT_EQ(count(svg, "url(#fixed)"), wall.blocks.size() - freeBlocks);
     EXPECT_THAT(svg, HasSubstr("alpha = 0.642859"));
-    // The outline as built is the four sides, in pieces of a block each, and none of the joints within: 6
-    // blocks below (two are halves), 5 above, 6 on either side; and one stroke in the legend.
+    // The outline as built consists of the four sides, in pieces of one block each, and none of the joints
+    // within: 6 blocks below (two are halves), 5 above, 6 on either side; and one stroke in the legend.
     EXPECT_EQ(count(svg, "stroke-dasharray=\"5 4\""), 6u + 5u + 2 * 6u + 1u);
 }
 
@@ -126,8 +132,10 @@ TEST(MechanismPicture, DrawsAnArchWithItsThrust)
             {isFree ? Vector<2>(0.05 * std::sin(pi * from), -0.05 * std::sin(pi * from)) : Vector<2>(0, 0),
              0});
         if (i >= 0)
+        {
             thrust.push_back({at(0.98 + 0.05 * std::cos(4 * pi * from), from),
                               Vector<2>(0.3, 0.5 - from).normalized() * (0.5 + std::abs(0.5 - from))});
+        }
     }
     MechanismPicture picture{.title = "arch", .subtitle = "P/W = 0.22696"};
     picture.thrust = thrust;

@@ -14,30 +14,30 @@
 namespace drystone::test
 {
 
-/// A folder that is there as long as the object is.
+/// A folder that exists as long as the object.
 class ScratchFolder
 {
 public:
     ScratchFolder()
-        : path_(std::filesystem::temp_directory_path()
-                / ("drystone-io-" + std::to_string(::getpid()) + "-" + std::to_string(count_++)))
+        : folder(std::filesystem::temp_directory_path()
+                 / ("drystone-io-" + std::to_string(::getpid()) + "-" + std::to_string(count++)))
     {
-        std::filesystem::create_directories(path_);
+        std::filesystem::create_directories(folder);
     }
     ~ScratchFolder()
     {
         std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
+        std::filesystem::remove_all(folder, ignored);
     }
     ScratchFolder(const ScratchFolder&) = delete;
     ScratchFolder& operator=(const ScratchFolder&) = delete;
 
-    std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-    const std::filesystem::path& path() const { return path_; }
+    std::filesystem::path operator/(const std::string& name) const { return folder / name; }
+    const std::filesystem::path& path() const { return folder; }
 
 private:
-    inline static std::atomic<int> count_ = 0;
-    std::filesystem::path path_;
+    inline static std::atomic<int> count = 0;
+    std::filesystem::path folder;
 };
 
 inline std::string content(const std::filesystem::path& file)
@@ -69,7 +69,9 @@ inline Assembly<2> wall(int length, int courses)
     Assembly<2> assembly;
     assembly.supports.push_back({"ground", "ground"});
     for (int i = -1; i <= 2 * length; ++i)
+    {
         assembly.blocks.push_back({rectangle(0.2 * i, -0.175, 0.2 * (i + 1), 0), 1, 0});
+    }
     for (int course = 0; course < courses; ++course)
     {
         const double y = 0.175 * course;
@@ -87,7 +89,8 @@ inline Assembly<2> wall(int length, int courses)
     return assembly;
 }
 
-/// A wall's right part above a stepped line turning about its toe: what a panel does under a horizontal load.
+/// The part of a wall to the right of a stepped line, rotating about its toe: the mechanism of a panel under
+/// a horizontal load.
 inline Eigen::Matrix3Xd turningRates(const Assembly<2>& assembly, double length)
 {
     Eigen::Matrix3Xd rates = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(assembly.blocks.size()));
@@ -96,7 +99,9 @@ inline Eigen::Matrix3Xd turningRates(const Assembly<2>& assembly, double length)
         const Vector<2> centroid = areaProperties(assembly.blocks[i].outline).centroid;
         const Vector<2> toe(length, 0);
         if (assembly.blocks[i].support >= 0 || centroid.y() < 0.9 * (length - centroid.x()) - 0.3)
+        {
             continue;
+        }
         const Vector<2> arm = centroid - toe;
         rates.col(static_cast<Eigen::Index>(i)) << 0.1 * arm.y(), -0.1 * arm.x(), -0.1;
     }

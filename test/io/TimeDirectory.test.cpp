@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// States: the same bits back, whole or not at all.
+/// States: read back bit for bit, whole or not at all.
 #include "Scene.h"
 #include "core/Dictionary.h"
 #include "core/Error.h"
@@ -44,7 +44,9 @@ std::vector<std::uint64_t> bits(const std::vector<double>& values)
 {
     std::vector<std::uint64_t> result;
     for (const double value : values)
+    {
         result.push_back(std::bit_cast<std::uint64_t>(value));
+    }
     return result;
 }
 
@@ -60,7 +62,9 @@ std::vector<double> hardNumbers()
     {
         const double value = std::bit_cast<double>(random());
         if (std::isfinite(value))
+        {
             values.push_back(value);
+        }
     }
     return values;
 }
@@ -83,7 +87,9 @@ TEST_P(EveryFormat, GivesTheSameBitsBack)
     EXPECT_EQ(back.scalars, state.scalars);
     ASSERT_EQ(back.arrays.size(), 3u);
     for (const auto& [name, values] : state.arrays)
+    {
         EXPECT_EQ(bits(stateArray(back, name, values.size())), bits(values)) << name;
+    }
 }
 
 TEST_P(EveryFormat, CutAnywhereIsRefusedOrComplete)
@@ -94,13 +100,13 @@ TEST_P(EveryFormat, CutAnywhereIsRefusedOrComplete)
     state.arrays["b"] = {1, 2, 3};
     const std::string text = stateText(state, GetParam());
     int refused = 0;
-    for (std::size_t size = 0; size + 1 < text.size(); ++size) // the last line end is not missed
+    for (std::size_t size = 0; size + 1 < text.size(); ++size) // the last line end is not required
     {
         std::ofstream(folder / "state", std::ios::binary) << text.substr(0, size);
         try
         {
             const State back = readState(folder / "state");
-            // Cut between entries: what is missing is then missed by name.
+            // Cut between entries: the missing entry is reported by name.
             EXPECT_LT(back.scalars.size() + back.arrays.size(), 2u) << size;
         }
         catch (const FatalError& error)
@@ -125,13 +131,19 @@ TEST_P(EveryFormat, DamagedIsRefusedOrReadButNeverCrashes)
     {
         std::string damaged = text;
         for (int k = 0; k < 3; ++k)
+        {
             damaged[random() % damaged.size()] = static_cast<char>(random());
+        }
         std::ofstream(folder / "state", std::ios::binary) << damaged;
         try
         {
             for (const auto& [name, values] : readState(folder / "state").arrays)
+            {
                 for (const double value : values)
+                {
                     EXPECT_TRUE(std::isfinite(value)) << name;
+                }
+            }
         }
         catch (const FatalError&)
         {
@@ -230,11 +242,15 @@ TEST(TimeDirectory, TimesAreListedInOrderAndOtherFoldersLeftOut)
     const ScratchFolder folder;
     for (const char* name :
          {"0", "10", "2", "0.5", "1e-05", "constant", "system", "VTK", "0.orig", "-1", ".3.77.tmp"})
+    {
         std::filesystem::create_directory(folder / name);
+    }
     std::ofstream(folder / "3") << "a file";
     std::vector<std::string> names;
     for (const TimeDirectory& directory : timeDirectories(folder.path()))
+    {
         names.push_back(directory.name);
+    }
     EXPECT_THAT(names, ElementsAre("-1", "0", "1e-05", "0.5", "2", "10"));
     EXPECT_TRUE(timeDirectories(folder / "absent").empty());
 }
@@ -261,13 +277,19 @@ TEST(TimeDirectory, PurgeKeepsTheLastOnesOfThisRunAndAllOfOthers)
     writeState(folder.path(), "0.5", state, WriteFormat::ascii);
     StateWriter writer(folder.path(), WriteFormat::binary, 2);
     for (const char* name : {"0.5", "1", "1.5", "2", "2.5"})
+    {
         writer.write(name, state);
+    }
     std::vector<std::string> names;
     for (const TimeDirectory& directory : timeDirectories(folder.path()))
+    {
         names.push_back(directory.name);
+    }
     EXPECT_THAT(names, ElementsAre("0", "0.5", "2", "2.5"));
     for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+    {
         EXPECT_NE(entry.path().filename().string().front(), '.');
+    }
 }
 
 TEST(TimeDirectory, ACaseThatCannotBeWrittenIsNamed)

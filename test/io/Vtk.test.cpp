@@ -104,12 +104,14 @@ TEST(Vtp, ABlockTurnsAboutItsCentroidAsARigidBody)
     EXPECT_NEAR((turned[2] - Vector<2>(11.5, 8.5)).norm(), 0, 1e-14);
 }
 
-/// Area of what a viewer paints for cell i: a fan of triangles, of which none may be turned over.
+/// Area painted by a viewer for cell i: a fan of triangles, none of which may be turned over.
 double paintedArea(const PolyData& data, std::size_t cell)
 {
     std::size_t first = 0;
     for (std::size_t i = 0; i < cell; ++i)
+    {
         first += static_cast<std::size_t>(data.cellSizes[i]);
+    }
     double area = 0;
     for (std::size_t k = 1; k + 1 < static_cast<std::size_t>(data.cellSizes[cell]); ++k)
     {
@@ -134,7 +136,9 @@ TEST(Vtp, ConcaveBlocksArePaintedAsTheyAre)
     };
     Field area{"area", 1, {}, FieldType::real};
     for (const Block<2>& block : assembly.blocks)
+    {
         area.values.push_back(areaProperties(block.outline).area);
+    }
     std::vector<Placement<2>> placements(assembly.blocks.size());
     placements[2].rotation = 1;
     const PolyData data = blockFrame(assembly, placements, {area});
@@ -151,7 +155,9 @@ TEST(Vtp, ConcaveBlocksArePaintedAsTheyAre)
         EXPECT_EQ(data.fields.back().values[cell], area.values[block]);
     }
     for (std::size_t i = 0; i < painted.size(); ++i)
+    {
         EXPECT_NEAR(painted[i], area.values[i], 1e-14) << "block " << i;
+    }
     EXPECT_THAT(cells, ElementsAre(1, 1, 6, 1, 1)); // triangles only where they are needed
     EXPECT_NO_THROW(vtpBytes(data));
 }
@@ -169,10 +175,12 @@ TEST(Vtp, GroundIsShownAsFarAsTheStructureReaches)
         std::vector<Placement<2>> placements(assembly.blocks.size());
         placements[0].translation.x() = displacement;
         const PolyData data = blockFrame(assembly, placements);
-        EXPECT_EQ(data.cellSizes.size(), assembly.blocks.size()); // also those out of view: cell = block
+        EXPECT_EQ(data.cellSizes.size(), assembly.blocks.size()); // also those out of view: one cell per block
         std::pair range{0.0, 0.0};
         for (const Vector<2>& point : data.points)
+        {
             range = {std::min(range.first, point.x()), std::max(range.second, point.x())};
+        }
         return range;
     };
     EXPECT_EQ(xRange(0), std::pair(-1.0, 3.0));
@@ -229,12 +237,16 @@ TEST(Vtp, ManyBlocksSurviveTheCompressorsBlocks)
     const Assembly<2> wall = test::wall(100, 200);
     std::vector<Placement<2>> placements(wall.blocks.size());
     for (std::size_t i = 0; i < placements.size(); ++i)
+    {
         placements[i].translation.x() = std::sin(static_cast<double>(i));
+    }
     writeVtp(folder / "blocks.vtp", blockFrame(wall, placements));
     const auto data = readBack(folder / "blocks.vtp");
     vtkDataArray* displacement = data->GetCellData()->GetArray("displacement");
     for (std::size_t i = 0; i < placements.size(); ++i)
+    {
         ASSERT_EQ(displacement->GetTuple3(static_cast<vtkIdType>(i))[0], placements[i].translation.x());
+    }
 }
 
 TEST(Vtp, ValuesThatAreNotFiniteAreRefusedByName)
@@ -273,7 +285,9 @@ TEST(Vtp, AFolderThatCannotBeWrittenIsNamedWithTheReason)
     EXPECT_THAT(messageOf([&] { writeAssembly(folder / "taken.vtp", test::wall(2, 2)); }),
                 HasSubstr("Is a directory"));
     for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+    {
         EXPECT_NE(entry.path().extension(), ".tmp");
+    }
 }
 
 TEST(WholeFile, AsksBeforehandWhetherAFolderCanBeWritten)
@@ -320,9 +334,11 @@ TEST(VtkSeries, ARestartReplacesFramesFromItsTimeOn)
     {
         VtkSeries series(folder.path(), "blocks", 0);
         for (int frame = 0; frame <= 5; ++frame)
+        {
             series.write(frame, blockFrame(wall));
+        }
     }
-    VtkSeries series(folder.path(), "blocks", 3); // as when the run was killed after writing its state at 3
+    VtkSeries series(folder.path(), "blocks", 3); // as after a run that was killed after writing its state at 3
     EXPECT_THAT(series.times(), ElementsAre(0, 1, 2, 3));
     EXPECT_FALSE(std::filesystem::exists(folder / "blocks_000004.vtp"));
     EXPECT_THAT(content(series.listFile()), testing::Not(HasSubstr("blocks_000004")));
@@ -343,7 +359,9 @@ TEST(VtkSeries, ANewRunFromZeroLeavesNoFrameOfTheOldOne)
     {
         VtkSeries series(folder.path(), "blocks", 0);
         for (int frame = 0; frame < 4; ++frame)
+        {
             series.write(frame, blockFrame(wall));
+        }
     }
     VtkSeries series(folder.path(), "blocks", 0);
     series.write(0, blockFrame(wall));
@@ -359,7 +377,9 @@ TEST(VtkSeries, FramesThatWereRemovedByHandAreNotListedAgain)
     {
         VtkSeries series(folder.path(), "blocks", 0);
         for (int frame = 0; frame < 4; ++frame)
+        {
             series.write(frame, blockFrame(wall));
+        }
     }
     std::filesystem::remove(folder / "blocks_000001.vtp");
     VtkSeries series(folder.path(), "blocks", 3);
@@ -392,7 +412,9 @@ TEST(VtkSeries, ADamagedListIsRefusedOrReadButNeverCrashes)
     {
         VtkSeries series(folder.path(), "blocks", 0);
         for (int frame = 0; frame < 3; ++frame)
+        {
             series.write(frame, blockFrame(wall));
+        }
     }
     const std::string list = content(folder / "blocks.vtp.series");
     std::mt19937 random(7);
@@ -401,12 +423,16 @@ TEST(VtkSeries, ADamagedListIsRefusedOrReadButNeverCrashes)
     {
         std::string damaged = list;
         for (int k = 0; k < 3; ++k)
+        {
             damaged[random() % damaged.size()] = static_cast<char>(random());
+        }
         std::ofstream(folder / "blocks.vtp.series") << damaged;
         try
         {
             for (const double time : VtkSeries(folder.path(), "blocks", 1e9).times())
+            {
                 EXPECT_TRUE(std::isfinite(time));
+            }
         }
         catch (const FatalError&)
         {
@@ -494,8 +520,8 @@ TEST(Mechanism, RatesOfFreeBlocksGoToTheirBlocks)
     EXPECT_THROW(ratesOfAllBlocks(assembly, Eigen::VectorXd::Zero(9)), FatalError);
 }
 
-// A fast run steps 146 blocks in about 1 ms and writes every ten steps: 2 ms a frame would be a fifth of it.
-// The limit here is loose, for slow and busy machines; the figure is printed.
+// The limit is loose, for slow and busy machines; the measured time is printed
+// (test/benchmark/results/TUNING.md).
 TEST(VtkSeries, AFrameOf146BlocksAnd702ContactsTakesNoLongerThanAStepOrTwo)
 {
     const ScratchFolder folder;
