@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Writes the tables under postProcessing/ so that no row is ever incomplete on disk.
 #include "functionObjects/ColumnFile.h"
 
 #include "core/Error.h"
@@ -28,21 +29,29 @@ ColumnFile::ColumnFile(const std::filesystem::path& path, const std::vector<std:
     std::error_code error;
     std::filesystem::create_directories(file.parent_path(), error);
     if (error)
+    {
         refuse(file.parent_path(), error.value());
+    }
     stream.reset(std::fopen(file.c_str(), "w"));
     if (!stream)
+    {
         refuse(file, errno);
+    }
     put(fmt::format("# {}\n", fmt::join(columns, "  ")));
 }
 
 void ColumnFile::write(std::span<const double> values)
 {
     if (values.size() != columnCount)
+    {
         throw std::logic_error(
             fmt::format("{} values for the {} columns of {}", values.size(), columnCount, file.string()));
+    }
     std::string line;
     for (const double value : values)
+    {
         line += fmt::format("{}{:.{}g}", line.empty() ? "" : "  ", value, precision);
+    }
     put(line + "\n");
 }
 
@@ -51,7 +60,9 @@ void ColumnFile::put(const std::string& line)
     // a row is shorter than the stream's buffer or not, it leaves in one call of fwrite and is flushed
     if (std::fwrite(line.data(), 1, line.size(), stream.get()) != line.size()
         || std::fflush(stream.get()) != 0)
+    {
         refuse(file, errno);
+    }
 }
 
 std::filesystem::path postProcessingFolder(const std::filesystem::path& caseDirectory,

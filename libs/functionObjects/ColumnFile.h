@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// The tables of numbers under postProcessing/.
+/// The tables of numbers under postProcessing/, common to all function objects.
 #pragma once
 
 #include <cstdio>
@@ -12,20 +12,20 @@
 namespace drystone
 {
 
-/// A table of text, one column a scalar: a heading `# Time[s]  kinetic[J]  potential[J]` and rows of numbers
-/// that a plotting program reads as they are. Each row is handed to the system whole, as soon as it is
-/// written, so that a run can be watched and one that is killed leaves no half row.
+/// A text table with one column per scalar: a heading `# Time[s]  kinetic[J]  potential[J]` and rows of
+/// numbers that plotting programs read directly. Each row is written by a single system call as soon as it is
+/// complete, so that a run can be observed and an interrupted one leaves no partial row.
 class ColumnFile
 {
 public:
-    /// Begin the file, in place of one that was there; folders missing on the way are made.
+    /// Starts the file and replaces an existing one; missing folders are created.
     /// \param columns with their units, without blanks: `Time[s]`
     /// \param digits significant ones
     /// \throws FatalError naming the file and the system's reason
     ColumnFile(const std::filesystem::path& path, const std::vector<std::string>& columns, int digits = 12);
 
-    /// Add a row.
-    /// \param values one a column
+    /// Adds a row.
+    /// \param values one per column
     /// \throws FatalError naming the file and the system's reason, such as a full disk
     void write(std::span<const double> values);
 
@@ -43,8 +43,8 @@ private:
     void put(const std::string& line);
 };
 
-/// postProcessing/<function>/<startTime>/ of a case. The start time is a run's own, so that a run that
-/// continues an earlier one leaves the earlier tables alone.
+/// postProcessing/<function>/<startTime>/ of a case. The start time is that of the run, so that a run that
+/// continues an earlier one leaves its tables unchanged.
 std::filesystem::path postProcessingFolder(const std::filesystem::path& caseDirectory,
                                            const std::string& function, const std::string& startTime);
 

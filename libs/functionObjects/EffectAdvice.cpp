@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Computes the advice of `-dry-run` by limit analyses of the scene, and words it.
 #include "functionObjects/EffectAdvice.h"
 
 #include "statics/LimitAnalysis.h"
@@ -16,11 +17,11 @@ namespace
 {
 
 constexpr double border = 0.05;
-constexpr std::size_t mostPoints = 100000; // beyond, the advice would take longer than some runs
+constexpr std::size_t mostPoints = 100000; // above this the advice could take longer than a run
 constexpr double solverTolerance = 1e-8;
 constexpr double demandTolerance = 1e-4; // of mu, relative
 constexpr double leastFriction = 1e-4;
-constexpr std::array unlimitedFrictions{100.0, 30.0, 10.0}; // the first that the solver can cope with
+constexpr std::array unlimitedFrictions{100.0, 30.0, 10.0}; // the first that the solver solves is used
 
 /// The structure under loads of the ground that grow in one direction.
 struct Statics
@@ -28,7 +29,7 @@ struct Statics
     PlaneConeProgram program;
     InteriorPointSettings settings;
 
-    /// The largest multiple of a load that is carried; 0 when the dead load is not.
+    /// The largest feasible multiple of a load; 0 when the dead load is infeasible.
     double capacity(const Eigen::VectorXd& load, double mu)
     {
         std::fill(program.friction.begin(), program.friction.end(), mu);
@@ -86,18 +87,31 @@ bool isAtRest(const DynamicState& state)
 std::string reasonAgainst(const DynamicCase& scene, const DynamicState& start, std::size_t points)
 {
     if (!isAtRest(start))
+    {
         return "the blocks do not start at rest as built";
+    }
     if (!scene.supportMotions.empty())
+    {
         return "supports move";
+    }
     if (scene.contact.elasticity)
-        return "elastic joints amplify the motion of the ground, which criteria of rigid blocks do not see";
+    {
+        return "elastic joints amplify the motion of the ground, which the criteria for rigid blocks do not "
+               "include";
+    }
     if (!scene.bonds.empty() || !scene.jointFriction.empty())
-        return "joints have cohesion, tension or friction of their own, which the criteria do not see; "
+    {
+        return "joints have cohesion, tension or friction of their own, which the criteria do not include; "
                "limitAnalysis does";
+    }
     if (points > mostPoints)
+    {
         return fmt::format("more than {} contact points", mostPoints);
+    }
     if (scene.groundMotion.components.size() > 4)
+    {
         return "the ground moves along more than four directions";
+    }
     return "";
 }
 
@@ -106,7 +120,9 @@ std::string reasonAgainst(const DynamicCase& scene, const DynamicState& start, s
 Margin margin(double demand, double available)
 {
     if (std::abs(demand - available) <= border * available)
-        return Margin::nearBorder;
+    {
+        return Margin::nearLimit;
+    }
     return demand < available ? Margin::below : Margin::above;
 }
 
@@ -117,7 +133,9 @@ EffectAdvice adviseEffects(const DynamicCase& scene, const DynamicState& start)
     advice.reason = reasonAgainst(scene, start, points.size());
     advice.isAssessed = advice.reason.empty();
     if (!advice.isAssessed)
+    {
         return advice;
+    }
     advice.mu = scene.contact.friction ? scene.contact.friction->mu : 0;
 
     Statics statics;
@@ -130,7 +148,9 @@ EffectAdvice adviseEffects(const DynamicCase& scene, const DynamicState& start)
     {
         Eigen::VectorXd load = Eigen::VectorXd::Zero(scene.mass.size());
         for (Eigen::Index row = 0; row < load.size(); row += 3)
+        {
             load.segment<2>(row) = -scene.mass[row] * acceleration;
+        }
         return load;
     };
 
@@ -139,7 +159,7 @@ EffectAdvice adviseEffects(const DynamicCase& scene, const DynamicState& start)
     {
         const Eigen::VectorXd load = loadOf(corner);
         const double capacity = statics.capacity(load, advice.mu);
-        if (!(capacity >= advice.capacity)) // nor where there is no answer
+        if (!(capacity >= advice.capacity)) // also where there is no answer
         {
             advice.capacity = capacity;
             advice.peak = corner.norm();
@@ -153,8 +173,10 @@ EffectAdvice adviseEffects(const DynamicCase& scene, const DynamicState& start)
             enough = unlimitedFrictions[i];
             unlimited = statics.capacity(load, enough);
         }
-        if (unlimited == 0) // no friction whatever keeps the blocks at rest
+        if (unlimited == 0) // no friction keeps the blocks at rest
+        {
             continue;
+        }
         if (std::isnan(unlimited))
         {
             advice.frictionDemand = unlimited;
@@ -185,11 +207,15 @@ EffectAdvice adviseEffects(const DynamicCase& scene, const DynamicState& start)
 
 std::string adviceText(const DynamicCase& scene, const EffectAdvice& advice)
 {
-    std::string text = "Advice by closed criteria of rigid blocks; nothing is switched on or off:\n";
+    std::string text = "Advice by closed-form criteria for rigid blocks (no setting is changed):\n";
     if (!advice.isAssessed)
+    {
         return text + fmt::format("    none: {}.\n", advice.reason);
+    }
     if (advice.capacity == 0)
+    {
         return text + "    The blocks cannot carry their dead load: they move by themselves.\n";
+    }
 
     std::string warnings;
     const double gravity = scene.gravity.norm();
@@ -198,35 +224,49 @@ std::string adviceText(const DynamicCase& scene, const EffectAdvice& advice)
                                   ? "no multiple of it moves the blocks"
                                   : fmt::format("alpha = {:.6g}", advice.capacity * peak);
     if (advice.peak == 0)
+    {
         text += "    The ground is still and the blocks carry their dead load: they stay at rest, and "
                 "limitAnalysis suffices.\n";
+    }
     else if (advice.capacity > 1)
+    {
         text += fmt::format("    Peak a/g = {:.6g} is below what the blocks carry at rest ({}): "
                             "limitAnalysis suffices.\n",
                             peak, alpha);
+    }
     else
+    {
         text +=
             fmt::format("    Peak a/g = {:.6g} exceeds what the blocks carry at rest ({}): they may move, "
-                        "which takes contactDynamics.\n",
+                        "which requires contactDynamics.\n",
                         peak, alpha);
-    if (advice.peak > 0 && margin(1, advice.capacity) == Margin::nearBorder)
-        warnings += "    Warning: the peak is within 5% of that border. Tolerances, small gaps and the flow "
-                    "rule decide there: do not rely on either side.\n";
+    }
+    if (advice.peak > 0 && margin(1, advice.capacity) == Margin::nearLimit)
+    {
+        warnings += "    Warning: the peak is within 5% of that limit. Tolerances, small gaps and the flow "
+                    "rule decide there: do not rely on either answer.\n";
+    }
     if (scene.flowRule() == FlowRule::nonAssociative && advice.peak > 0 && advice.capacity > 1)
+    {
         warnings += "    With `flowRule nonAssociative;` blocks may move below alpha as well: limitAnalysis "
                     "with that flow rule gives the range.\n";
+    }
 
     if (std::isnan(advice.frictionDemand))
+    {
         return text
                + "    The friction demand is not known: limit analysis without sliding did not converge.\n"
                + warnings;
+    }
     const bool slides = advice.frictionDemand >= advice.mu;
     text += fmt::format("    Friction demand {:.4g} is {} mu = {:.6g}: {}.\n", advice.frictionDemand,
                         slides ? "not below" : "below", advice.mu,
                         slides ? "joints slide, and the flow rule matters"
                                : "no joint slides before blocks rock");
-    if (advice.frictionDemand > 0 && margin(advice.frictionDemand, advice.mu) == Margin::nearBorder)
+    if (advice.frictionDemand > 0 && margin(advice.frictionDemand, advice.mu) == Margin::nearLimit)
+    {
         warnings += "    Warning: the friction demand is within 5% of mu.\n";
+    }
     return text + warnings;
 }
 

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Runs the function objects of a case at their own intervals.
 #include "functionObjects/FunctionList.h"
 
 #include <algorithm>
@@ -15,19 +16,27 @@ FunctionList<2>::FunctionList(const Dictionary& dictionary, const std::filesyste
     for (const Entry& entry : dictionary.entries())
     {
         if (!entry.isDictionary() && entry.isUsed()) // a value that others refer to as a macro
+        {
             continue;
+        }
         const std::string& name = entry.keyword();
         if (entry.isPattern() || name.find('/') != std::string::npos)
+        {
             throw FatalIOError("The name of a function is that of its folder: a word, not \"" + name + "\".",
                                entry.location());
+        }
         Dictionary own = entry.dictionary();
         if (!own.found("type"))
+        {
             own.set("type", name);
+        }
         Function function;
         function.name = name;
         function.plan = functionTypes().select(own);
         if (!function.plan.enabled)
+        {
             continue;
+        }
         function.control = OutputControl(function.plan.control, begin, startTime);
         function.object = function.plan.make(
             {postProcessingFolder(caseDirectory, name, startName), function.plan.writePrecision}, assembly);
@@ -40,13 +49,15 @@ void FunctionList<2>::write(const StepObservation<2>& step, const TimePoint& now
 {
     for (Function& function : functions)
     {
-        const bool due = function.control.due(now); // counts, and so is asked at every step
+        const bool due = function.control.due(now); // counts steps, and so is called at every step
         // the end of a step may miss the limit by rounding
         const double small = 1e-9 * now.deltaT;
         const bool early = function.plan.timeStart && now.value < *function.plan.timeStart - small;
         const bool late = function.plan.timeEnd && now.value > *function.plan.timeEnd + small;
         if (due && !early && !late)
+        {
             function.object->write(step);
+        }
     }
 }
 
@@ -54,7 +65,9 @@ template<>
 void FunctionList<2>::writeAlways(const StepObservation<2>& step)
 {
     for (Function& function : functions)
+    {
         function.object->write(step);
+    }
 }
 
 template<>
@@ -62,7 +75,9 @@ double FunctionList<2>::timeToNextWrite(double time, double deltaT) const
 {
     double next = std::numeric_limits<double>::infinity();
     for (const Function& function : functions)
+    {
         next = std::min(next, function.control.timeToNextWrite(time, deltaT));
+    }
     return next;
 }
 
@@ -71,7 +86,9 @@ std::vector<std::string> FunctionList<2>::names() const
 {
     std::vector<std::string> result;
     for (const Function& function : functions)
+    {
         result.push_back(function.name);
+    }
     return result;
 }
 

@@ -1,9 +1,9 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// The `functions` of controlDict: what is written when.
+/// The `functions` of controlDict: which tables are written, and when.
 ///
 ///     functions
 ///     {
-///         energy { writeInterval 10; }                       // the type is the name when it is not said
+///         energy { writeInterval 10; }                       // the type is the name unless it is given
 ///         crown  { type blockMotion; blocks (7); writeControl runTime; writeInterval 0.05; }
 ///     }
 #pragma once
@@ -21,17 +21,17 @@
 namespace drystone
 {
 
-/// A function object as the dictionary asks for it; not yet made.
+/// A function object as specified in the dictionary; not yet constructed.
 template<int Dim>
 struct FunctionPlan
 {
     bool enabled = true;
-    OutputSettings control;          ///< when to write; each step when the dictionary does not say it
+    OutputSettings control;          ///< when to write; each step unless the dictionary gives it
     std::optional<double> timeStart; ///< not before [s]
     std::optional<double> timeEnd;   ///< not after [s]
     int writePrecision = 12;         ///< significant digits
 
-    /// \throws FatalIOError when the function asks for what the assembly does not have
+    /// \throws FatalIOError when the function requests what the assembly does not have
     std::function<std::unique_ptr<FunctionObject<Dim>>(FunctionOutput, const Assembly<Dim>&)> make;
 };
 
@@ -46,7 +46,7 @@ public:
     /// None: `-noFunctionObjects`, or a case without functions.
     FunctionList() = default;
 
-    /// Read and check all functions; nothing is written yet.
+    /// Reads and checks all functions; nothing is written yet.
     /// \param functions     the sub-dictionary of controlDict
     /// \param caseDirectory postProcessing/ is made in it
     /// \param startName     name of the time at which this run starts or continues
@@ -57,11 +57,11 @@ public:
                  const std::string& startName, const TimePoint& begin, double startTime,
                  const Assembly<Dim>& assembly);
 
-    /// Let each function write that is due. To be called once a step, in order.
+    /// Lets each function write that is due. To be called once per step, in order.
     /// \throws FatalError when a table cannot be written
     void write(const StepObservation<Dim>& step, const TimePoint& now);
 
-    /// Let every function write, due or not.
+    /// Lets every function write, due or not.
     void writeAlways(const StepObservation<Dim>& step);
 
     /// How long until the next instant of a function with adjustableRunTime; infinite when there is none [s].

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Fills the tables of the function objects from the observation of a step.
 #include "functionObjects/FunctionObject.h"
 
 #include "assembly/ContactState.h"
@@ -16,11 +17,13 @@ template<>
 void EnergyFunction<2>::write(const StepObservation<2>& step)
 {
     if (!table)
+    {
         table.emplace(output.folder / "energy.dat",
                       std::vector<std::string>{"Time[s]", "kinetic[J]", "potential[J]", "externalWork[J]",
                                                "frictionLoss[J]", "impactLoss[J]", "algorithmicLoss[J]",
                                                "imbalance[J]", "elastic[J]", "dampingLoss[J]"},
                       output.precision);
+    }
     const EnergyLedger& energy = step.energy;
     table->write(std::array{step.time, energy.kinetic, energy.potential, energy.externalWork,
                             energy.frictionLoss, energy.impactLoss, energy.algorithmicLoss, imbalance(energy),
@@ -31,11 +34,15 @@ template<>
 void BlockMotionFunction<2>::write(const StepObservation<2>& step)
 {
     if (tables.empty())
+    {
         for (const int block : blocks)
+        {
             tables.emplace_back(output.folder / fmt::format("block{}.dat", block),
                                 std::vector<std::string>{"Time[s]", "ux[m]", "uy[m]", "rz[rad]", "vx[m/s]",
                                                          "vy[m/s]", "wz[rad/s]"},
                                 output.precision);
+        }
+    }
     for (std::size_t i = 0; i < blocks.size(); ++i)
     {
         const auto block = static_cast<std::size_t>(blocks[i]);
@@ -71,7 +78,9 @@ std::vector<Reaction> supportReactions(const StepObservation<2>& step)
         const int own = supportOf(point.block);
         // two blocks of supports press on each other, not on the structure
         if ((under < 0) == (own < 0))
+        {
             continue;
+        }
         Reaction& reaction = reactions[static_cast<std::size_t>(std::max(under, own))];
         const Vector<2> force = own < 0 ? onBlock : Vector<2>(-onBlock);
         reaction.force += force;
@@ -95,14 +104,20 @@ void ContactForcesFunction<2>::write(const StepObservation<2>& step)
                                          "largestNormalForce[N]",
                                          "largestShearForce[N]"};
         for (const Support& support : step.assembly->supports)
+        {
             for (const char* component : {".x[N]", ".y[N]", ".moment[Nm]"})
+            {
                 columns.push_back(support.name + component);
+            }
+        }
         table.emplace(output.folder / "contactForces.dat", columns, output.precision);
         if (listing == ContactPointTable::all)
+        {
             points.emplace(output.folder / "points.dat",
                            std::vector<std::string>{"Time[s]", "block[-]", "neighbour[-]", "x[m]", "y[m]",
                                                     "gap[m]", "normalForce[N]", "shearForce[N]", "state[-]"},
                            output.precision);
+        }
     }
 
     double largestNormal = 0;
@@ -122,8 +137,10 @@ void ContactForcesFunction<2>::write(const StepObservation<2>& step)
         const auto state = static_cast<int>(states[i]);
         ++counts[static_cast<std::size_t>(state)];
         if (points)
+        {
             points->write(std::array{step.time, 1.0 * point.block, 1.0 * point.neighbour, point.position.x(),
                                      point.position.y(), point.gap, force.x(), force.y(), 1.0 * state});
+        }
     }
 
     std::vector<double> row{step.time,       static_cast<double>(step.contactPoints.size()),
@@ -131,7 +148,9 @@ void ContactForcesFunction<2>::write(const StepObservation<2>& step)
                             1.0 * counts[2], largestNormal,
                             largestShear};
     for (const Reaction& reaction : supportReactions(step))
+    {
         row.insert(row.end(), {reaction.force.x(), reaction.force.y(), reaction.moment});
+    }
     table->write(row);
 }
 
@@ -139,12 +158,14 @@ template<>
 void ResidualsFunction<2>::write(const StepObservation<2>& step)
 {
     if (!table)
+    {
         table.emplace(output.folder / "residuals.dat",
                       std::vector<std::string>{"Time[s]", "timeStep[s]", "initialResidual[-]",
                                                "primalResidual[-]", "dualResidual[-]", "gap[-]",
                                                "iterations[-]", "factorisations[-]", "programs[-]",
                                                "retries[-]", "flowError[m]"},
                       output.precision);
+    }
     const StepResiduals& r = step.residuals;
     table->write(std::array{step.time, step.timeStep, r.initialResidual, r.primalResidual, r.dualResidual,
                             r.gap, 1.0 * r.iterations, 1.0 * r.factorisations, 1.0 * r.programs,

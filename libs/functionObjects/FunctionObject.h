@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Function objects: what a user asks to be written beside the animation, in the `functions` of controlDict.
+/// Function objects: the tables that `functions` of controlDict requests in addition to the animation.
 #pragma once
 
 #include "dynamics/StepObservation.h"
@@ -11,14 +11,14 @@
 namespace drystone
 {
 
-/// Writes tables about the steps it is shown. Nothing is on the disk before the first call of `write`.
+/// Writes tables about the steps it is given. Nothing is on disk before the first call of `write`.
 template<int Dim>
 class FunctionObject
 {
 public:
     virtual ~FunctionObject() = default;
 
-    /// Add what belongs to this step.
+    /// Adds the rows of this step.
     /// \throws FatalError when a table cannot be written
     virtual void write(const StepObservation<Dim>& step) = 0;
 };
@@ -45,9 +45,9 @@ private:
     std::optional<ColumnFile> table;
 };
 
-/// Displacement of the mass centre and rotation of some blocks, relative to as built and to the moving
-/// ground, and their velocities; one table a block, block<i>.dat: `Time[s] ux[m] uy[m] rz[rad] vx[m/s]
-/// vy[m/s] wz[rad/s]`.
+/// Displacement of the mass centre and rotation of selected blocks, relative to the structure as built and to
+/// the moving ground, and their velocities; one table per block, block<i>.dat: `Time[s] ux[m] uy[m] rz[rad]
+/// vx[m/s] vy[m/s] wz[rad/s]`.
 template<int Dim>
 class BlockMotionFunction final : public FunctionObject<Dim>
 {
@@ -62,26 +62,26 @@ public:
 private:
     FunctionOutput output;
     std::vector<int> blocks;
-    std::vector<ColumnFile> tables; ///< one a block
+    std::vector<ColumnFile> tables; ///< one per block
 };
 
-/// Whether contactForces lists each contact point.
+/// Whether contactForces also lists each contact point.
 enum class ContactPointTable
 {
     none,
     all
 };
 
-/// What the contact points carry. Forces are means over the step; what impacts change at an instant, plastic
-/// ones and those with restitution, is in them as impulse over the length of the step. So reactions times
-/// steps add up to what gravity and all other loads do not explain of the momentum, and while blocks hit each
-/// other the largest forces grow as steps get shorter.
+/// The forces at the contact points. Forces are means over the step; impacts, plastic ones and those with
+/// restitution, contribute their impulse divided by the length of the step. The sum of reactions times steps
+/// is therefore the change of momentum that gravity and all other loads do not cause, and during impacts the
+/// largest forces grow as steps become shorter.
 ///
 /// contactForces.dat: `Time[s] points[-] open[-] sticking[-] sliding[-] largestNormalForce[N]
 /// largestShearForce[N]`, and for each support its reaction, which is the force on the structure and its
 /// moment about the origin, positive counter-clockwise: `ground.x[N] ground.y[N] ground.moment[Nm]`.
 ///
-/// points.dat, when asked for, has a row for each point and time: `Time[s] block[-] neighbour[-] x[m] y[m]
+/// points.dat, when requested, has a row for each point and time: `Time[s] block[-] neighbour[-] x[m] y[m]
 /// gap[m] normalForce[N] shearForce[N] state[-]` (0 open, 1 sticking, 2 sliding).
 template<int Dim>
 class ContactForcesFunction final : public FunctionObject<Dim>
@@ -100,7 +100,7 @@ private:
     std::optional<ColumnFile> points;
 };
 
-/// How the solver did, in residuals.dat: `Time[s] timeStep[s] initialResidual[-] primalResidual[-]
+/// Convergence of the solver, in residuals.dat: `Time[s] timeStep[s] initialResidual[-] primalResidual[-]
 /// dualResidual[-] gap[-] iterations[-] factorisations[-] programs[-] retries[-] flowError[m]`.
 template<int Dim>
 class ResidualsFunction final : public FunctionObject<Dim>

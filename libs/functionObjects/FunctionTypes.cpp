@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// What `functions` of controlDict can say: the list of function objects, and the settings of each.
+/// The registry of function objects, with the settings of each: what `functions` of controlDict can contain.
 #include "functionObjects/FunctionList.h"
 
 #include <fmt/format.h>
@@ -15,14 +15,14 @@ void declareCommon(Options& options, FunctionPlan<2>& plan)
 {
     options.optional("enabled", plan.enabled, "whether the function is carried out");
     declare(options, plan.control);
-    options.optional("timeStart", plan.timeStart, "from when on it writes").unit("s");
-    options.optional("timeEnd", plan.timeEnd, "until when it writes").unit("s");
+    options.optional("timeStart", plan.timeStart, "time from which it writes").unit("s");
+    options.optional("timeEnd", plan.timeEnd, "time until which it writes").unit("s");
     options.optional("writePrecision", plan.writePrecision, "significant digits of its tables")
         .atLeast(1)
         .atMost(17);
 }
 
-/// Of a function that has no keys of its own.
+/// Settings of a function without keys of its own.
 struct PlainSettings
 {
     FunctionPlan<2> plan;
@@ -80,12 +80,18 @@ FunctionPlan<2> planBlockMotion(BlockMotionSettings settings, const Dictionary& 
         const int count = static_cast<int>(assembly.blocks.size());
         std::vector<int> blocks = selection.indices;
         for (int block = 0; selection.all && block < count; ++block)
+        {
             blocks.push_back(block);
+        }
         for (const int block : blocks)
+        {
             if (block < 0 || block >= count)
+            {
                 throw FatalIOError(
                     fmt::format("There is no block {}: the assembly has blocks 0 to {}.", block, count - 1),
                     location);
+            }
+        }
         return std::make_unique<BlockMotionFunction<2>>(std::move(output), std::move(blocks));
     };
     return settings.plan;
@@ -117,7 +123,7 @@ const Registry<FunctionPlan<2>>& functionTypes()
 {
     static const Registry<FunctionPlan<2>> registry{
         "function",
-        {model<FunctionPlan<2>, PlainSettings>("energy", "the energy ledger and what it leaves unexplained",
+        {model<FunctionPlan<2>, PlainSettings>("energy", "the energy ledger and its imbalance",
                                                planPlain<EnergyFunction<2>>),
          model<FunctionPlan<2>, BlockMotionSettings>("blockMotion", "placement and velocity of some blocks",
                                                      planBlockMotion),
@@ -125,7 +131,7 @@ const Registry<FunctionPlan<2>>& functionTypes()
              "contactForces",
              "contact points and reactions of supports, means over the step with the impulses of impacts",
              planContactForces),
-         model<FunctionPlan<2>, PlainSettings>("residuals", "how the solver did",
+         model<FunctionPlan<2>, PlainSettings>("residuals", "convergence of the solver",
                                                planPlain<ResidualsFunction<2>>)}};
     return registry;
 }

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Prints and writes the results of limit analysis.
 #include "functionObjects/LimitAnalysisResults.h"
 
 #include "assembly/ContactState.h"
@@ -42,7 +43,7 @@ std::string statusText(const LimitAnalysisCase& structure, const LimitAnalysis& 
            "system/solution/limitAnalysis";
 }
 
-/// What the picture says of the answer.
+/// The status in the caption of the picture.
 std::string caption(const LimitAnalysisCase& structure, const LimitAnalysis& result)
 {
     switch (result.status)
@@ -61,7 +62,7 @@ std::string caption(const LimitAnalysisCase& structure, const LimitAnalysis& res
     return "not converged";
 }
 
-/// The column alpha[-]: a number where there is one to have.
+/// The column alpha[-]: a number where there is one.
 double tabledAlpha(const LimitAnalysis& result)
 {
     switch (result.status)
@@ -84,6 +85,7 @@ std::string tableText(const LimitAnalysisCase& structure, const std::vector<Limi
         "# alpha[-] status[-] blocks[-] contactPoints[-] variables[-] iterations[-] primalResidual[-] "
         "dualResidual[-] gap[-] cpuTime[s]\n";
     for (const LimitAnalysis& result : results)
+    {
         text += fmt::format("{:.12g} {} {} {} {} {} {:.3e} {:.3e} {:.3e} {:.6g}\n",
                             // The least reaction of a support has no lower bound.
                             structure.movement && result.status == CollapseStatus::unbounded
@@ -92,14 +94,18 @@ std::string tableText(const LimitAnalysisCase& structure, const std::vector<Limi
                             static_cast<int>(result.status), structure.freeBlocks, structure.points.size(),
                             result.variables, result.iterations, result.certificate.primalResidual,
                             result.certificate.dualResidual, result.certificate.gap, cpuTime);
-    return text;
+    }
+}
+return text;
 }
 
 std::vector<double> cohesionsOf(const PlaneConeProgram& program)
 {
     std::vector<double> cohesions;
     for (const Strength& strength : program.strength)
+    {
         cohesions.push_back(strength.cohesion);
+    }
     return cohesions;
 }
 
@@ -110,7 +116,9 @@ std::string thrustText(const std::vector<ContactPoint<2>>& points, const std::ve
 {
     double largest = 0;
     for (const Vector<2>& force : forces)
+    {
         largest = std::max(largest, force.norm());
+    }
     std::string text =
         "# x[m] y[m] normalForce[N] shearForce[N] moment[Nm] eccentricity[m] block[-] neighbour[-]\n";
     for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end)
@@ -125,9 +133,13 @@ std::string thrustText(const std::vector<ContactPoint<2>>& points, const std::ve
         middle /= static_cast<double>(end - begin);
         double moment = 0;
         for (std::size_t i = begin; i < end; ++i)
+        {
             moment += forces[i].x() * tangent(points[i]).dot(points[i].position - middle);
+        }
         if (force.norm() <= 1e-6 * largest)
+        {
             continue;
+        }
         const double eccentricity = force.x() != 0 ? moment / force.x() : 0;
         const Vector<2> pressure = middle + eccentricity * tangent(points[begin]);
         text += fmt::format("{:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {} {}\n", pressure.x(), pressure.y(),
@@ -150,8 +162,8 @@ std::string coulombText(const CoulombRange& range)
 void printLimitAnalysisCase(const LimitAnalysisCase& structure)
 {
     ContactProperties atRest = structure.contact;
-    atRest.restitution.reset(); // nothing hits anything,
-    atRest.elasticity.reset();  // and a collapse is not a matter of stiffness
+    atRest.restitution.reset(); // there are no impacts,
+    atRest.elasticity.reset();  // and collapse does not depend on stiffness
     atRest.damping.reset();
     atRest.deletion.reset();
     auto [simulated, absent] = effectNames(atRest);
@@ -165,7 +177,7 @@ void printLimitAnalysisCase(const LimitAnalysisCase& structure)
 namespace
 {
 
-/// The combination that is nearest to collapse.
+/// The combination nearest to collapse.
 void printGoverning(const std::vector<LimitAnalysis>& results)
 {
     const auto demand = [](const LimitAnalysis& result)
@@ -173,12 +185,16 @@ void printGoverning(const std::vector<LimitAnalysis>& results)
     const auto least = std::min_element(results.begin(), results.end(),
                                         [&](const auto& a, const auto& b) { return demand(a) < demand(b); });
     if (least->status == CollapseStatus::unstable)
+    {
         info("Governing combination: {}, unstable under its dead load\n", least->combination);
+    }
     else
+    {
         info("Governing combination: {}, alpha = {:.9g}\n", least->combination, tabledAlpha(*least));
+    }
 }
 
-/// What the files of each answer have in their names: the combination, and `Negative` for the negative end.
+/// The suffix of the file names of each answer: the combination, and `Negative` for the negative end.
 std::vector<std::string> suffixes(const std::vector<LimitAnalysis>& results)
 {
     std::vector<std::string> names;
@@ -198,18 +214,22 @@ void printLimitAnalysis(const LimitAnalysisCase& structure, const std::vector<Li
     for (const LimitAnalysis& result : results)
     {
         if (!result.combination.empty())
+        {
             info("Combination {}", result.combination);
+        }
         if (result.status == CollapseStatus::optimal)
         {
             if (structure.movement)
+            {
                 info("Base reaction of {} against its movement = {:.9g} N",
                      structure.assembly.supports[structure.movement->support].name, result.alpha);
+            }
             info("Collapse load multiplier alpha = {:.9g}", result.alpha);
         }
         if (result.coulomb)
         {
             const CoulombRange& range = *result.coulomb;
-            info("Coulomb's law: lowest of the collapses met, alpha {:.6f} to {:.6f} ({} of {} starts "
+            info("Coulomb's law: lowest of the collapses found, alpha {:.6f} to {:.6f} ({} of {} starts "
                  "converged); associative: {:.6f}",
                  range.lowest, range.highest, range.converged, range.starts, range.associative);
         }
@@ -220,11 +240,15 @@ void printLimitAnalysis(const LimitAnalysisCase& structure, const std::vector<Li
             certificate.primalResidual, certificate.dualResidual, certificate.gap, result.iterations);
     }
     if (!structure.combinations.empty())
+    {
         printGoverning(results);
+    }
     else if (results.size() == 2 && results[0].status != CollapseStatus::unstable)
+    {
         info("Range of load multipliers: {:.9g} to {:.9g}\n",
              results[1].status == CollapseStatus::unbounded ? -tabledAlpha(results[1]) : results[1].alpha,
              tabledAlpha(results[0]));
+    }
 }
 
 std::filesystem::path limitAnalysisTable(const std::filesystem::path& caseDirectory)
@@ -237,21 +261,28 @@ void checkFunctions(const Dictionary& controlDict, const std::filesystem::path& 
 {
     const Entry* functions = controlDict.find("functions");
     if (!functions)
+    {
         return;
+    }
     const FunctionList<2> list(functions->dictionary(), caseDirectory, "0", {}, 0, assembly);
     if (!list.names().empty())
-        info("Functions of system/controlDict are for time stepping, and not run here: {}\n",
+    {
+        info("Functions of system/controlDict apply to time stepping and are not run here: {}\n",
              fmt::join(list.names(), " "));
+    }
 }
 
 void confirmResults(const std::filesystem::path& caseDirectory)
 {
     const std::filesystem::path table = limitAnalysisTable(caseDirectory);
     if (!std::filesystem::exists(table))
+    {
         throw FatalError(fmt::format("There are no results to process: {} is missing.\n\nRun limitAnalysis "
                                      "without -postProcess first.",
                                      table.string()));
-    info("All results are written as limitAnalysis runs, {} among them: nothing is left to process.\n",
+    }
+    info("limitAnalysis writes all its results when it runs, {} among them: nothing remains to be "
+         "processed.\n",
          table.string());
 }
 
@@ -273,7 +304,9 @@ void writeLimitAnalysisProgram(const std::filesystem::path& caseDirectory, const
     const WriteProgram when = structure.solution.writeProgram;
     if (when == WriteProgram::always
         || (when == WriteProgram::unsolved && result.status == CollapseStatus::notConverged))
+    {
         writeProgram(limitAnalysisTable(caseDirectory).parent_path() / "coneProgram", structure.program);
+    }
 }
 
 namespace
@@ -294,7 +327,7 @@ PolyData thrustFrame(const std::vector<JointForce>& joints)
     return data;
 }
 
-/// Mechanism, forces and thrust of one answer. \param suffix of the files' names
+/// Writes mechanism, forces and thrust of one answer. \param suffix of the file names
 void writeAnswer(const std::filesystem::path& caseDirectory, const LimitAnalysisCase& structure,
                  const LimitAnalysis& result, const std::string& suffix)
 {
@@ -304,11 +337,13 @@ void writeAnswer(const std::filesystem::path& caseDirectory, const LimitAnalysis
     Eigen::Matrix3Xd rates = ratesOfAllBlocks(assembly, result.mechanism);
     if (structure.movement && result.status == CollapseStatus::optimal)
     {
-        // The mechanism belongs to a unit movement of the support.
+        // The mechanism corresponds to a unit movement of the support.
         for (std::size_t block = 0; block < assembly.blocks.size(); ++block)
         {
             if (assembly.blocks[block].support == structure.movement->support)
+            {
                 rates.col(static_cast<Eigen::Index>(block)).head<2>() = structure.movement->direction;
+            }
         }
     }
     VtkSeries blocks(caseDirectory / "VTK", "blocks" + suffix, 0);
@@ -333,7 +368,9 @@ void writeAnswer(const std::filesystem::path& caseDirectory, const LimitAnalysis
     writeMechanismPicture(file("thrust", ".svg"), assembly, std::vector<Placement<2>>(assembly.blocks.size()),
                           picture);
     if (result.coulomb)
+    {
         writeWholeFile(file("coulomb", ".dat"), coulombText(*result.coulomb));
+    }
 }
 
 } // namespace
@@ -343,13 +380,17 @@ void writeLimitAnalysisResults(const std::filesystem::path& caseDirectory, const
 {
     const std::vector<std::string> names = suffixes(results);
     for (std::size_t i = 0; i < results.size(); ++i)
+    {
         writeAnswer(caseDirectory, structure, results[i], names[i]);
+    }
     if (!structure.combinations.empty())
     {
         std::string text = "# combination alpha[-] status[-]\n";
         for (const LimitAnalysis& result : results)
+        {
             text += fmt::format("{} {:.12g} {}\n", result.combination, tabledAlpha(result),
                                 static_cast<int>(result.status));
+        }
         writeWholeFile(limitAnalysisTable(caseDirectory).replace_filename("combinations.dat"), text);
     }
     writeWholeFile(limitAnalysisTable(caseDirectory), tableText(structure, results, cpuTime));
@@ -363,11 +404,11 @@ std::string endText(PushoverEnd end)
     switch (end)
     {
     case PushoverEnd::overturned:
-        return "alpha has come down to zero: the structure overturns by itself";
+        return "alpha has decreased to zero: the structure overturns by itself";
     case PushoverEnd::falling:
-        return "blocks have lost their hold: the structure falls by itself";
+        return "blocks have lost their support: the structure collapses by itself";
     case PushoverEnd::stepsUsedUp:
-        return "maximumSteps are used up, the structure still stands";
+        return "maximumSteps has been reached, and the structure still stands";
     case PushoverEnd::unbounded:
         return "no live load of this direction makes it move";
     case PushoverEnd::unstable:
@@ -375,7 +416,7 @@ std::string endText(PushoverEnd end)
     case PushoverEnd::notConverged:
         break;
     }
-    return "not converged: the curve ends before its end. Try another step";
+    return "not converged: the curve is incomplete. Try another step";
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// What limit analysis tells its user, and what it leaves in a case: the table, the animation and the picture
-/// of the mechanism, the contact forces.
+/// Results of limit analysis for the user: the log, the table, the animation and picture of the mechanism,
+/// the contact forces. It combines statics with output, which statics does not see.
 #pragma once
 
 #include "statics/LimitAnalysisCase.h"
@@ -19,51 +19,53 @@ void printLimitAnalysis(const LimitAnalysisCase& structure, const std::vector<Li
 /// postProcessing/limitAnalysis/0/limitAnalysis.dat
 std::filesystem::path limitAnalysisTable(const std::filesystem::path& caseDirectory);
 
-/// Checks the functions of controlDict and says that they are not run: they follow motion, which limit
-/// analysis has none of.
-/// \throws FatalIOError for what is wrong with them
+/// Checks the functions of controlDict and reports that they are not run: they follow motion, which limit
+/// analysis does not have.
+/// \throws FatalIOError for faults in them
 void checkFunctions(const Dictionary& controlDict, const std::filesystem::path& caseDirectory,
                     const Assembly<2>& assembly);
 
-/// For `-postProcess`: the solver has written all that there is to write of its results.
+/// For `-postProcess`: the solver has already written all its results.
 /// \throws FatalError when there are no results
 void confirmResults(const std::filesystem::path& caseDirectory);
 
-/// Asks, before anything is computed, whether the folders of the results can be written.
+/// Checks, before anything is computed, whether the folders of the results can be written.
 /// \throws FatalError naming the one that cannot
 void requireWritableResults(const std::filesystem::path& caseDirectory);
 
-/// Removes the table of an earlier run: after a run that did not converge nobody shall take its multiplier
+/// Removes the table of an earlier run, so that after a run that did not converge its multiplier is not taken
 /// for an answer.
 void removeLimitAnalysisTable(const std::filesystem::path& caseDirectory);
 
-/// The cone program as postProcessing/limitAnalysis/0/coneProgram, when `writeProgram` of system/solution
-/// asks for it.
+/// Writes the cone program as postProcessing/limitAnalysis/0/coneProgram, when `writeProgram` of
+/// system/solution requests it.
 void writeLimitAnalysisProgram(const std::filesystem::path& caseDirectory, const LimitAnalysisCase& structure,
                                const LimitAnalysis& result);
 
 /// Writes
 /// - postProcessing/limitAnalysis/0/limitAnalysis.dat, a row of figures; alpha is `inf` for unbounded and
-///   `nan` for unstable;
-/// - postProcessing/limitAnalysis/0/coulomb.dat for the non-associative flow rule: the range of what was met;
+/// `nan` for unstable;
+/// - postProcessing/limitAnalysis/0/coulomb.dat for the non-associative flow rule: the range of collapses
+/// found;
 /// - postProcessing/limitAnalysis/0/mechanism.svg, the mechanism over the structure as built;
 /// - postProcessing/limitAnalysis/0/thrust.dat and thrust.svg: stress resultants and centre of pressure of
-///   each joint that carries a load, the line of thrust;
+/// each joint that carries a load, the line of thrust;
 /// - VTK/blocks.vtp.series, the mechanism growing from the structure as built, with displacement rates;
-/// - VTK/contacts.vtp.series, contact forces at collapse, gap and state.
+/// - VTK/contacts.vtp.series, contact forces at collapse, gap and state;
 /// - VTK/thrust.vtp.series, the line of thrust: centres of pressure with the force of the joint.
 ///
-/// A second answer, of the negative end of the range, has a second row, and files with `Negative` in their
+/// A second answer, for the negative end of the range, has a second row, and files with `Negative` in their
 /// names. With combinations of loads each has its row and `_<name>` in the names of its files;
-/// combinations.dat lists names, multipliers and statuses. \param cpuTime of the solution [s] \throws
-/// FatalError naming what cannot be written
+/// combinations.dat lists names, multipliers and statuses.
+/// \param cpuTime of the solution [s] \throws FatalError naming what cannot be written
 void writeLimitAnalysisResults(const std::filesystem::path& caseDirectory, const LimitAnalysisCase& structure,
                                const std::vector<LimitAnalysis>& results, double cpuTime);
 
 /// Follows the capacity curve of a case and writes
 /// - postProcessing/limitAnalysis/0/capacity.dat, a row for each position, and capacity.svg;
 /// - VTK/pushover.vtp.series, the blocks in at most about 100 of the positions, displacement as time.
-/// Prints how it ends. \return whether it has an end: not where the solver failed
+///
+/// Prints how it ends. \return whether the curve is complete: false where the solver failed
 bool runPushover(const std::filesystem::path& caseDirectory, const LimitAnalysisCase& structure);
 
 } // namespace drystone

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Words the log of contactDynamics.
 #include "functionObjects/MotionLog.h"
 
 #include "core/Log.h"
@@ -68,7 +69,7 @@ void printStep(const DynamicCase& scene, const Motion& motion)
          nameOf(scene.solution.solver), residuals.initialResidual, worst(residuals), residuals.iterations);
     if (residuals.flowError > scene.schemes.contactTolerance * scene.blockSize)
     {
-        info("Coulomb's law is met to {:.2g} m of dilatancy after {} programs", residuals.flowError,
+        info("Coulomb's law is satisfied to {:.2g} m of dilatancy after {} programs", residuals.flowError,
              residuals.programs);
     }
     if (motion.bondsBrokenInStep > 0)
@@ -93,7 +94,7 @@ std::string unsolvedStep(const DynamicCase& scene, const Motion& motion, const T
         "The step at time {} was not solved to tolerance {:g}, nor when it was made shorter {} times "
         "(residual "
         "{:.3g}). The state at its start has been written. Raise tolerance or {} in "
-        "system/solution/contactDynamics, or begin from there with a smaller deltaT.",
+        "system/solution/contactDynamics, or restart from it with a smaller deltaT.",
         time.name(), scene.solution.tolerance, motion.attempt.retries, worst(motion.attempt),
         scene.solution.solver == SolverType::gaussSeidel ? "maximumSweeps, or choose another solver,"
                                                          : "maximumIterations");

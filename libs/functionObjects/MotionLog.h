@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// What the log says of a run through time.
+/// The log of a run through time: its scene before the first step, each step, and a failure with its remedy.
 #pragma once
 
 #include "dynamics/Motion.h"
@@ -17,7 +17,7 @@ void printScene(const DynamicCase& scene, const Motion& motion, const Time& time
 /// `interiorPoint:  Solving for contact, Initial residual = .., Final residual = .., No Iterations ..`
 void printStep(const DynamicCase& scene, const Motion& motion);
 
-/// Why a run ends here, and what may mend it.
+/// Why a run ends here, and what may repair it.
 std::string unsolvedStep(const DynamicCase& scene, const Motion& motion, const Time& time);
 
 } // namespace drystone

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Writes and reads the states, frames and tables of a run through time.
 #include "functionObjects/MotionResults.h"
 
 #include "assembly/ContactState.h"
@@ -16,7 +17,7 @@ namespace drystone
 namespace
 {
 
-/// The scalars of the ledger by the names they have in a state.
+/// The scalars of the ledger with their names in a state.
 template<class Ledger, class Visit>
 void visitLedger(Ledger& energy, const Visit& visit)
 {
@@ -31,7 +32,7 @@ void visitLedger(Ledger& energy, const Visit& visit)
     visit("energyDampingLoss", energy.dampingLoss);
 }
 
-/// How the step that led to a state was solved, likewise.
+/// The solver's residuals of the step that led to a state, likewise.
 template<class Residuals, class Visit>
 void visitResiduals(Residuals& residuals, const Visit& visit)
 {
@@ -46,7 +47,7 @@ void visitResiduals(Residuals& residuals, const Visit& visit)
     visit("solverRetries", residuals.retries);
 }
 
-/// The whole numbers that say which corner meets which edge, of one point.
+/// The integers that identify corner and edge of one contact point.
 constexpr std::size_t featureNumbers = 5;
 
 FunctionList<2> readFunctions(const std::filesystem::path& caseDirectory, const DynamicCase& scene,
@@ -61,7 +62,7 @@ FunctionList<2> readFunctions(const std::filesystem::path& caseDirectory, const 
             scene.assembly};
 }
 
-/// The time that a state was written at.
+/// The time at which a state was written.
 TimeState timeOf(const State& saved)
 {
     TimeState time;
@@ -74,7 +75,7 @@ TimeState timeOf(const State& saved)
     return time;
 }
 
-/// The motion that a run has left in a state.
+/// The motion stored in a state.
 Motion motionOf(const DynamicCase& scene, const State& saved)
 {
     DynamicState state = stateAtRest(scene.assembly);
@@ -140,7 +141,7 @@ Motion motionOf(const DynamicCase& scene, const State& saved)
         motion.interior = {vectorOf("interiorForce", ofPoints), vectorOf("interiorOpening", ofPoints),
                            vectorOf("interiorDisplacement", motion.state.velocity.size())};
     }
-    // A run that goes on with bonds which it began without has those whose ends are still together.
+    // A run that continues with bonds which it began without has those whose ends are still together.
     if (!scene.bonds.empty() && saved.arrays.contains("bondBroken"))
     {
         const auto& broken = stateArray(saved, "bondBroken", scene.bonds.size());
@@ -254,7 +255,7 @@ void postProcess(const std::filesystem::path& caseDirectory, const DynamicCase& 
     }
     if (states.empty())
     {
-        throw FatalError("There are no results to look at: no time directory of this case has a state. Run "
+        throw FatalError("There are no results to process: no time directory of this case has a state. Run "
                          "contactDynamics without -postProcess first.");
     }
     const Dictionary functions =
@@ -274,28 +275,28 @@ void postProcess(const std::filesystem::path& caseDirectory, const DynamicCase& 
     }
 }
 
-MotionResults::MotionResults(std::filesystem::path caseDirectory, const DynamicCase& scene,
-                             const Motion& motion, Time& time, FunctionObjects functionObjects)
-    : caseDirectory_(std::move(caseDirectory)),
-      scene_(scene),
-      motion_(motion),
-      time_(time),
-      functions_(readFunctions(caseDirectory_, scene, time, functionObjects)),
-      states_(caseDirectory_, time.controls().writeFormat, time.controls().purgeWrite),
-      blocks_(caseDirectory_ / "VTK", "blocks", time.startValue()),
-      contacts_(caseDirectory_ / "VTK", "contacts", time.startValue())
+MotionResults::MotionResults(std::filesystem::path directory, const DynamicCase& dynamicCase,
+                             const Motion& currentMotion, Time& runTime, FunctionObjects functionObjects)
+    : caseDirectory(std::move(directory)),
+      scene(dynamicCase),
+      motion(currentMotion),
+      time(runTime),
+      functionList(readFunctions(caseDirectory, scene, time, functionObjects)),
+      states(caseDirectory, time.controls().writeFormat, time.controls().purgeWrite),
+      blocks(caseDirectory / "VTK", "blocks", time.startValue()),
+      contacts(caseDirectory / "VTK", "contacts", time.startValue())
 {
-    requireWritable(caseDirectory_);
-    requireWritable(caseDirectory_ / "VTK");
-    time_.stopAlsoAt([this](double value, double deltaT)
-                     { return functions_.timeToNextWrite(value, deltaT); });
+    requireWritable(caseDirectory);
+    requireWritable(caseDirectory / "VTK");
+    time.stopAlsoAt([this](double value, double deltaT)
+                    { return functionList.timeToNextWrite(value, deltaT); });
 }
 
 void MotionResults::write()
 {
     ObservedLists lists;
-    functions_.write(observe(scene_, motion_, time_, lists), time_.point());
-    if (time_.isWriteTime())
+    functionList.write(observe(scene, motion, time, lists), time.point());
+    if (time.isWriteTime())
     {
         writeNow();
     }
@@ -303,7 +304,7 @@ void MotionResults::write()
 
 void MotionResults::writeNow()
 {
-    states_.write(time_.name(), stateOf(motion_, time_));
+    states.write(time.name(), stateOf(motion, time));
     writeFrames();
 }
 
@@ -311,43 +312,42 @@ void MotionResults::writeFrames()
 {
     std::vector<double> velocities;
     std::vector<double> angular;
-    for (const int free : scene_.free)
+    for (const int free : scene.free)
     {
-        const Eigen::Vector3d velocity = free >= 0
-                                             ? Eigen::Vector3d(motion_.state.velocity.segment<3>(3 * free))
-                                             : Eigen::Vector3d::Zero();
+        const Eigen::Vector3d velocity =
+            free >= 0 ? Eigen::Vector3d(motion.state.velocity.segment<3>(3 * free)) : Eigen::Vector3d::Zero();
         velocities.insert(velocities.end(), {velocity.x(), velocity.y()});
         angular.push_back(velocity.z());
     }
     std::vector<Field> fields{{"velocity", 2, std::move(velocities)},
                               {"angularVelocity", 1, std::move(angular)}};
-    if (scene_.contact.deletion)
+    if (scene.contact.deletion)
     {
-        fields.push_back({"deleted", 1, {motion_.isDeleted.begin(), motion_.isDeleted.end()}});
+        fields.push_back({"deleted", 1, {motion.isDeleted.begin(), motion.isDeleted.end()}});
     }
-    blocks_.write(time_.value(), blockFrame(scene_.assembly, motion_.state.placements, std::move(fields)));
-    const std::vector<double> friction = frictionAt(scene_, motion_.points);
-    const std::vector<Vector<2>>& forces = meanContactForces(motion_);
+    blocks.write(time.value(), blockFrame(scene.assembly, motion.state.placements, std::move(fields)));
+    const std::vector<double> friction = frictionAt(scene, motion.points);
+    const std::vector<Vector<2>>& forces = meanContactForces(motion);
     std::vector<double> cohesion;
     std::vector<Field> pointFields;
-    if (!scene_.bonds.empty())
+    if (!scene.bonds.empty())
     {
         Field isHeld{"bonded", 1, {}, FieldType::integer};
-        for (const Strength& strength : strengthsOf(scene_, motion_))
+        for (const Strength& strength : strengthsOf(scene, motion))
         {
             cohesion.push_back(strength.cohesion);
             isHeld.values.push_back(strength.cohesion > 0 || strength.tension > 0);
         }
         pointFields.push_back(std::move(isHeld));
     }
-    contacts_.write(time_.value(),
-                    contactFrame(motion_.points, forces, contactStates(forces, friction, cohesion),
-                                 std::move(pointFields)));
+    contacts.write(time.value(),
+                   contactFrame(motion.points, forces, contactStates(forces, friction, cohesion),
+                                std::move(pointFields)));
 }
 
 void MotionResults::writeFirstFrames()
 {
-    if (blocks_.times().empty() || blocks_.times().back() < time_.value())
+    if (blocks.times().empty() || blocks.times().back() < time.value())
     {
         writeFrames();
     }

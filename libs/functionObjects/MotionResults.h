@@ -1,5 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// What time stepping leaves in a case: time directories, the animation, and the tables of the functions.
+/// Results of time stepping in a case: time directories, the animation, and the tables of the functions. It
+/// combines dynamics with output, which dynamics does not see.
 #pragma once
 
 #include "dynamics/Motion.h"
@@ -12,41 +13,40 @@
 namespace drystone
 {
 
-/// The motion at the time a run starts from. `<time>/state`, which a run has written, is continued bit for
+/// The motion at the time a run starts from. `<time>/state`, written by an earlier run, is continued bit for
 /// bit; without one, `<time>/motion`, or the structure as built at rest.
 /// \throws FatalError when a run is to continue at a time that has no state, or the state is of another
 /// structure
 Motion startOrContinue(const std::filesystem::path& caseDirectory, const DynamicCase& scene, Time& time);
 
-/// The state that `startOrContinue` continues.
+/// The state that `startOrContinue` continues from.
 State stateOf(const Motion& motion, const Time& time);
 
-/// `-postProcess`: the functions of controlDict carried out on each state that runs have left in the case, in
-/// order of time, into postProcessing/<function>/<first time>/. \throws FatalError when there is no state
+/// `-postProcess`: runs the functions of controlDict on each state stored in the case, in order of time, into
+/// postProcessing/<function>/<first time>/. \throws FatalError when there is no state
 void postProcess(const std::filesystem::path& caseDirectory, const DynamicCase& scene, const Time& time);
 
 /// Lets the solver write its cone programs as postProcessing/contactDynamics/<time>/coneProgram, when
 /// `writeProgram` of system/solution asks for it. \param time of the run; must outlive the scene
 void writePrograms(DynamicCase& scene, const std::filesystem::path& caseDirectory, const Time& time);
 
-/// Whether the functions of controlDict are carried out.
+/// Whether the functions of controlDict are run.
 enum class FunctionObjects
 {
     asInControlDict,
     none
 };
 
-/// Writes the results of one run. Keeps references to the scene, the motion and the time of the run, and has
-/// the time end adjusted steps where its functions want to write: so it must not be moved, and must live as
-/// long as the time steps.
+/// Writes the results of one run. Holds references to the scene, the motion and the time of the run, and
+/// makes the time end adjusted steps where its functions write: it must therefore not be moved, and must live
+/// as long as the time steps.
 class MotionResults
 {
 public:
     /// Checks the functions and the folders; writes nothing yet.
-    /// \throws FatalIOError for what is wrong with the functions, FatalError for a folder that cannot be
-    /// written
-    MotionResults(std::filesystem::path caseDirectory, const DynamicCase& scene, const Motion& motion,
-                  Time& time, FunctionObjects functionObjects);
+    /// \throws FatalIOError for faults in the functions, FatalError for a folder that cannot be written
+    MotionResults(std::filesystem::path directory, const DynamicCase& dynamicCase,
+                  const Motion& currentMotion, Time& runTime, FunctionObjects functionObjects);
     MotionResults(const MotionResults&) = delete;
     MotionResults& operator=(const MotionResults&) = delete;
 
@@ -57,22 +57,22 @@ public:
     /// directory and a frame of VTK/blocks.vtp.series and VTK/contacts.vtp.series.
     void write();
 
-    /// Time directory and frames of now, due or not: before a run gives up.
+    /// Writes time directory and frames at the present time, due or not: before a run is abandoned.
     void writeNow();
 
-    const FunctionList<2>& functions() const { return functions_; }
+    const FunctionList<2>& functions() const { return functionList; }
 
 private:
     void writeFrames();
 
-    std::filesystem::path caseDirectory_;
-    const DynamicCase& scene_;
-    const Motion& motion_;
-    Time& time_;
-    FunctionList<2> functions_;
-    StateWriter states_;
-    VtkSeries blocks_;
-    VtkSeries contacts_;
+    std::filesystem::path caseDirectory;
+    const DynamicCase& scene;
+    const Motion& motion;
+    Time& time;
+    FunctionList<2> functionList;
+    StateWriter states;
+    VtkSeries blocks;
+    VtkSeries contacts;
 };
 
 } // namespace drystone

@@ -28,9 +28,13 @@ DynamicCase shakenBlock(double mu, double horizontal, double vertical = 0)
         scene.groundMotion.components.push_back(component);
     };
     if (horizontal != 0)
+    {
         add(Eigen::Vector3d::UnitX(), horizontal);
+    }
     if (vertical != 0)
+    {
         add(Eigen::Vector3d::UnitY(), vertical);
+    }
     return scene;
 }
 
@@ -86,8 +90,8 @@ TEST(EffectAdvice, WarnsWithinFivePercentOfABorderAndNotBeyond)
     EXPECT_FALSE(contains(text(0.6, 0.27), "Warning")) << text(0.6, 0.27);
     EXPECT_TRUE(contains(text(0.26, 0.4), "Warning: the friction demand")) << text(0.26, 0.4);
     EXPECT_EQ(margin(0.94, 1), Margin::below);
-    EXPECT_EQ(margin(0.96, 1), Margin::nearBorder);
-    EXPECT_EQ(margin(1.04, 1), Margin::nearBorder);
+    EXPECT_EQ(margin(0.96, 1), Margin::nearLimit);
+    EXPECT_EQ(margin(1.04, 1), Margin::nearLimit);
     EXPECT_EQ(margin(1.06, 1), Margin::above);
 }
 

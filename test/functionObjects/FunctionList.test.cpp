@@ -75,8 +75,12 @@ protected:
         std::ifstream stream(folder / "postProcessing" / file);
         std::vector<double> result;
         for (std::string line; std::getline(stream, line);)
+        {
             if (line.front() != '#')
+            {
                 result.push_back(std::stod(line));
+            }
+        }
         return result;
     }
 };

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The tables of function objects against observations with known values.
 #include "core/Error.h"
 #include "functionObjects/FunctionObject.h"
 
@@ -76,7 +77,9 @@ protected:
         std::ifstream stream(folder / file);
         std::vector<std::string> result;
         for (std::string line; std::getline(stream, line);)
+        {
             result.push_back(line);
+        }
         return result;
     }
 };
@@ -182,6 +185,8 @@ TEST_F(FunctionObjects, ARowOfAnotherWidthIsRefused)
 TEST(ColumnFile, ReportsAFullDisk)
 {
     if (!std::filesystem::exists("/dev/full"))
+    {
         GTEST_SKIP() << "this system has no /dev/full";
+    }
     EXPECT_THROW(ColumnFile("/dev/full", {"Time[s]"}), FatalError);
 }

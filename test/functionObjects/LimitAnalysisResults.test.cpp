@@ -60,7 +60,9 @@ protected:
                         "primalResidual[-] dualResidual[-] gap[-] cpuTime[s]");
         std::vector<double> values;
         for (std::string word; stream >> word;)
+        {
             values.push_back(std::strtod(word.c_str(), nullptr)); // reads inf and nan, unlike >>
+        }
         return values;
     }
 
@@ -80,7 +82,9 @@ TEST_F(LimitAnalysisResults, OfACollapseHaveTheMultiplier)
     EXPECT_EQ(values[9], 0.5);
     for (const char* file : {"postProcessing/limitAnalysis/0/mechanism.svg", "VTK/blocks.vtp.series",
                              "VTK/contacts.vtp.series", "VTK/thrust.vtp.series"})
+    {
         EXPECT_TRUE(fs::exists(directory / file)) << file;
+    }
 
     removeLimitAnalysisTable(directory);
     EXPECT_FALSE(fs::exists(limitAnalysisTable(directory)));
@@ -105,7 +109,9 @@ TEST_F(LimitAnalysisResults, OfCombinationsOfLoadsHaveARowEach)
     EXPECT_EQ(row().size(), 30U);
     for (const char* file : {"combinations.dat", "mechanism_bare.svg", "mechanism_full.svg",
                              "mechanism_fullNegative.svg", "thrust_full.dat"})
+    {
         EXPECT_TRUE(fs::exists(limitAnalysisTable(directory).replace_filename(file))) << file;
+    }
 }
 
 TEST_F(LimitAnalysisResults, OfContactBySurfacesAreCertifiedInStressResultants)
