@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Statistics of measured runs, without any reference to how they were made.
 #include "studies/AccuracyCost.h"
 
 #include <algorithm>
@@ -25,7 +26,7 @@ double median(std::vector<double> values)
     return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
 }
 
-/// The points that `alike` makes the same, those of `first` with those of `second`.
+/// The pairs of points that `alike` makes equal, those of `first` with those of `second`.
 template<class Alike, class IsFirst>
 std::vector<PointPair> pairsOf(const std::vector<AccuracyPoint>& points, const Alike& alike,
                                const IsFirst& isFirst)

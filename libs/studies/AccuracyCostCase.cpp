@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Reads, runs and records a study in its case directory.
 #include "studies/AccuracyCostCase.h"
 
 #include "core/Case.h"
@@ -25,8 +26,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* applicationName = "accuracyCost";
 
-/// Refuses keys that mean nothing for a quantity.
-void refuseKeys(const Dictionary& dictionary, QuantityKind kind)
+/// Rejects keys without meaning for a quantity.
+void rejectKeys(const Dictionary& dictionary, QuantityKind kind)
 {
     const std::vector<std::string> meaningless =
         kind == QuantityKind::motion
@@ -46,7 +47,7 @@ void refuseKeys(const Dictionary& dictionary, QuantityKind kind)
     }
 }
 
-/// Refuses what the case cannot be computed with.
+/// Rejects settings that the case cannot be computed with.
 void requirePossible(const AccuracyCase& study, QuantityKind kind, const RunSetting& setting,
                      const Dictionary& dictionary)
 {
@@ -104,7 +105,8 @@ RunSetting finestSetting(const ReferencePlan& plan, RunSetting setting)
     return setting;
 }
 
-/// What the rows of a history depend on: the case, the quantities without their references, the machine.
+/// Everything that the rows of a history depend on: the case, the quantities without their references, the
+/// machine.
 std::string historyHeading(const fs::path& caseDirectory, const Dictionary& dictionary)
 {
     std::uint64_t ofCase = 0;
@@ -136,8 +138,8 @@ std::string historyHeading(const fs::path& caseDirectory, const Dictionary& dict
 }
 constexpr std::size_t historyNumbers = 17;
 
-/// When as many first runs of a setting are all not solved, neither will be the others: a solver that fails
-/// takes long to do so.
+/// When the first runs of a setting are not solved, this many of them, the others are not tried: a solver
+/// that fails takes a long time to do so.
 constexpr int runsUntilGivenUp = 3;
 
 /// Runs of one setting.
@@ -156,7 +158,7 @@ RunPlan planOf(const AccuracyStudy& study, std::size_t quantity, const RunSettin
     return {quantity, setting, study.quantities[quantity].kind == QuantityKind::motion ? phases : repeats};
 }
 
-/// The runs that a reference takes: of a motion with four times, twice and once the step.
+/// The runs of a reference: of a motion with four times, twice and once the step.
 std::vector<RunPlan> referencePlans(const AccuracyStudy& study, std::size_t index)
 {
     const StudyQuantity& quantity = study.quantities[index];
@@ -189,18 +191,19 @@ std::vector<RunPlan> sweepPlans(const AccuracyStudy& study, std::size_t index)
     return plans;
 }
 
-/// About how long a plan takes, in steps of a motion; limit analyses count as some tens.
+/// Approximate work of a plan, in steps of a motion; limit analyses count as some tens.
 double workOf(const AccuracyStudy& study, const RunPlan& plan)
 {
     const double time = study.scene.endTime - study.scene.start.time;
     return plan.runs * (plan.setting.deltaT > 0 ? time / plan.setting.deltaT : 30);
 }
 
-/// Makes runs, shows how far they are, and keeps them.
+/// Carries out runs, shows their progress, and keeps them.
 class Worker
 {
 public:
-    Worker(const AccuracyStudy& study, AccuracyRuns& runs) : study_(study), runs_(runs)
+    Worker(const AccuracyStudy& accuracyStudy, AccuracyRuns& knownRuns)
+        : study(accuracyStudy), runs(knownRuns)
     {
         for (std::size_t quantity = 0; quantity < study.quantities.size(); ++quantity)
         {
@@ -215,59 +218,59 @@ public:
     /// The runs of a plan; nothing when a signal has come.
     std::optional<std::vector<Measurement>> carryOut(const RunPlan& plan)
     {
-        std::vector<Measurement> runs;
+        std::vector<Measurement> made;
         bool isNew = false;
         for (int index = 0; index < plan.runs; ++index)
         {
-            if (index == runsUntilGivenUp && isUnsolved(runs))
+            if (index == runsUntilGivenUp && isUnsolved(made))
             {
-                done_ += isNew ? workOf(study_, plan) * (plan.runs - index) / plan.runs : 0;
+                done += isNew ? workOf(study, plan) * (plan.runs - index) / plan.runs : 0;
                 break;
             }
             const RunKey key = plan.key(index);
-            const Measurement* known = runs_.find(key);
+            const Measurement* known = runs.find(key);
             if (known)
             {
-                runs.push_back(*known);
+                made.push_back(*known);
                 continue;
             }
             if (stopSignal() != 0)
             {
-                runs_.write();
+                runs.write();
                 return {};
             }
-            const StudyQuantity& quantity = study_.quantities[plan.quantity];
+            const StudyQuantity& quantity = study.quantities[plan.quantity];
             const double start = clockTime();
-            const Measurement run = quantity.quantity.measure(study_.scene, plan.setting, key.phase);
+            const Measurement run = quantity.quantity.measure(study.scene, plan.setting, key.phase);
             if (run.end == RunEnd::interrupted)
             {
-                runs_.write();
+                runs.write();
                 return {};
             }
             isNew = true;
-            runs_.add(key, run);
-            runs.push_back(run);
-            done_ += workOf(study_, plan) / plan.runs;
-            spent_ += clockTime() - start;
-            progress_.update(work_ > 0 ? done_ / work_ : 1, quantity.name);
+            runs.add(key, run);
+            made.push_back(run);
+            done += workOf(study, plan) / plan.runs;
+            spent += clockTime() - start;
+            progress.update(work > 0 ? done / work : 1, quantity.name);
         }
         if (isNew)
         {
-            runs_.write();
+            runs.write();
         }
-        return runs;
+        return made;
     }
 
     /// `12 s left`
     std::string timeLeft() const
     {
-        return done_ > 0 ? durationText(spent_ * std::max(work_ - done_, 0.0) / done_) + " left" : "known";
+        return done > 0 ? durationText(spent * std::max(work - done, 0.0) / done) + " left" : "known";
     }
 
 private:
-    static bool isUnsolved(const std::vector<Measurement>& runs)
+    static bool isUnsolved(const std::vector<Measurement>& made)
     {
-        return std::all_of(runs.begin(), runs.end(),
+        return std::all_of(made.begin(), made.end(),
                            [](const Measurement& run) { return run.end == RunEnd::unsolved; });
     }
 
@@ -278,21 +281,21 @@ private:
         {
             for (int index = 0; index < plan.runs; ++index)
             {
-                if (!runs_.find(plan.key(index)) && counted_.insert(plan.key(index)).second)
+                if (!runs.find(plan.key(index)) && counted.insert(plan.key(index)).second)
                 {
-                    work_ += workOf(study_, plan) / plan.runs;
+                    work += workOf(study, plan) / plan.runs;
                 }
             }
         }
     }
 
-    const AccuracyStudy& study_;
-    AccuracyRuns& runs_;
-    std::set<RunKey> counted_;
-    Progress progress_;
-    double work_ = 0; ///< to be done by this call
-    double done_ = 0;
-    double spent_ = 0; ///< [s]
+    const AccuracyStudy& study;
+    AccuracyRuns& runs;
+    std::set<RunKey> counted;
+    Progress progress;
+    double work = 0; ///< to be done by this call
+    double done = 0;
+    double spent = 0; ///< [s]
 };
 
 /// The reference of a quantity; nothing when a signal has come.
@@ -370,7 +373,7 @@ double housnerValue(const AccuracyCase& scene, const Quantity& quantity, const S
 {
     if (!quantity.housner)
     {
-        throw FatalIOError("Housner's equation does not say this quantity: take `finest` or `value`.",
+        throw FatalIOError("Housner's equation does not give this quantity: use `finest` or `value`.",
                            location);
     }
     try
@@ -408,7 +411,7 @@ AccuracyStudy readAccuracyStudy(const fs::path& caseDirectory)
 {
     const Dictionary dictionary =
         Dictionary::readFile(requireCaseFile(caseDirectory, "system/accuracyCostDict",
-                                             "It says what to measure and over which settings; "
+                                             "It specifies what to measure and over which settings; "
                                              "etc/annotated/system/accuracyCostDict is one to copy."));
     const auto settings = readOptions<AccuracySettings>(dictionary);
     const Dictionary& sweeps = dictionary.subDict("sweeps");
@@ -479,7 +482,7 @@ AccuracyStudy readAccuracyStudy(const fs::path& caseDirectory)
         }
         if (plan.reference.kind == ReferencePlan::Kind::finest)
         {
-            refuseKeys(reference, plan.kind);
+            rejectKeys(reference, plan.kind);
             const RunSetting finest = finestSetting(plan.reference, study.quantities.back().ofCase);
             if (!isMotion)
             {
@@ -505,7 +508,7 @@ AccuracyStudy readAccuracyStudy(const fs::path& caseDirectory)
                                own.locationOf("quantity"));
         }
         study.quantityOfSweep.push_back(static_cast<std::size_t>(quantity - study.quantities.begin()));
-        refuseKeys(own, quantity->kind);
+        rejectKeys(own, quantity->kind);
         if (sweep.along && (*sweep.along == SweepAxis::deltaT || *sweep.along == SweepAxis::pointsPerJoint)
             && (*sweep.along == SweepAxis::deltaT) != (quantity->kind == QuantityKind::motion))
         {
@@ -549,10 +552,10 @@ void printAccuracyStudy(const AccuracyStudy& study)
     printLine();
 }
 
-AccuracyRuns::AccuracyRuns(const AccuracyStudy& study)
-    : study_(study), file_(accuracyFolder(study.scene.caseDirectory) / "history.dat")
+AccuracyRuns::AccuracyRuns(const AccuracyStudy& accuracyStudy)
+    : study(accuracyStudy), file(accuracyFolder(study.scene.caseDirectory) / "history.dat")
 {
-    for (const std::vector<double>& row : readHistory(file_, study.heading, historyNumbers, applicationName))
+    for (const std::vector<double>& row : readHistory(file, study.heading, historyNumbers, applicationName))
     {
         const auto whole = [&row](std::size_t column) { return static_cast<int>(row[column]); };
         RunKey key{static_cast<std::size_t>(row[0]),
@@ -569,25 +572,25 @@ AccuracyRuns::AccuracyRuns(const AccuracyStudy& study)
 
 const Measurement* AccuracyRuns::find(const RunKey& key) const
 {
-    const auto found = runs_.find(key);
-    return found == runs_.end() ? nullptr : &found->second;
+    const auto found = runs.find(key);
+    return found == runs.end() ? nullptr : &found->second;
 }
 
 void AccuracyRuns::add(const RunKey& key, const Measurement& run)
 {
-    if (runs_.emplace(key, run).second)
+    if (runs.emplace(key, run).second)
     {
-        order_.push_back(key);
+        order.push_back(key);
     }
 }
 
 void AccuracyRuns::write() const
 {
-    std::string text = study_.heading;
-    for (const RunKey& key : order_)
+    std::string text = study.heading;
+    for (const RunKey& key : order)
     {
         const RunSetting& setting = key.setting;
-        const Measurement& run = runs_.at(key);
+        const Measurement& run = runs.at(key);
         // The fewest digits that read back as the same number.
         text += fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}\n", key.quantity,
                             setting.deltaT, setting.theta, int(setting.flowRule), int(setting.solver),
@@ -595,7 +598,7 @@ void AccuracyRuns::write() const
                             int(setting.formulation), key.phase.index, key.phase.count, run.value, run.hover,
                             run.steps, run.cpuTime, run.worstResidual, int(run.end));
     }
-    writeWholeFile(file_, text);
+    writeWholeFile(file, text);
 }
 
 AccuracyResults carryOut(const AccuracyStudy& study, AccuracyRuns& runs)
@@ -652,7 +655,7 @@ AccuracyResults carryOut(const AccuracyStudy& study, AccuracyRuns& runs)
                      : fmt::format("{} of {} runs FAILED{}", point.failed, point.runs,
                                    point.runs < point.planned ? ", no more tried" : ""),
                  point.cpuTime, number + 1, plans.size(), worker.timeLeft());
-            std::fflush(stdout); // a study takes long: whoever reads its log is to see how far it is
+            std::fflush(stdout); // a study takes long: its log must show the progress
             result.points.push_back(point);
         }
         results.sweeps.push_back(std::move(result));

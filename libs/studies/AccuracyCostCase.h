@@ -1,11 +1,11 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// accuracyCost in a case directory: what it reads, runs, says and leaves behind.
+/// accuracyCost in a case directory: its input, its runs, its log and its files.
 ///
 /// postProcessing/accuracyCost/0/
-///     history.dat              a row for each run; a study that is begun again makes none of them anew
-///     accuracyCost.csv         a row for each setting: errors beside CPU time
+///     history.dat              a row for each run; a study that is restarted repeats none of them
+///     accuracyCost.csv         a row for each setting: errors and CPU time
 ///     accuracyCost.md          the page with all tables and pictures
-///     <sweep>.svg              error over CPU time, tolerance, or points a joint
+///     <sweep>.svg              error over CPU time, tolerance, or points per joint
 ///     <sweep>Solvers<tolerance>.svg    profiles of the solvers of a sweep
 #pragma once
 
@@ -18,7 +18,7 @@
 namespace drystone
 {
 
-/// One run: of which quantity, with what, at which phase.
+/// One run: its quantity, setting and phase.
 struct RunKey
 {
     std::size_t quantity = 0;
@@ -28,7 +28,7 @@ struct RunKey
     friend auto operator<=>(const RunKey&, const RunKey&) = default;
 };
 
-/// A quantity with all that is known of it.
+/// A quantity with its reference and units.
 struct StudyQuantity
 {
     std::string name;
@@ -36,7 +36,7 @@ struct StudyQuantity
     Quantity quantity;
     ReferencePlan reference;
     RunSetting ofCase;  ///< how the case itself is computed
-    double housner = 0; ///< with that reference, what it says
+    double housner = 0; ///< the value of that reference, where it is used
 };
 
 /// A study that has been read and checked.
@@ -46,51 +46,51 @@ struct AccuracyStudy
     std::vector<StudyQuantity> quantities;
     std::vector<Named<Sweep>> sweeps;
     std::vector<std::size_t> quantityOfSweep;
-    std::string heading; ///< of the history: what its rows depend on
+    std::string heading; ///< of the history: everything that its rows depend on
 };
 
-/// Reads system/accuracyCostDict and, as its quantities need them, what contactDynamics and limitAnalysis
-/// read. \throws FatalIOError or FatalError for the first thing that is wrong
+/// Reads system/accuracyCostDict and, as far as its quantities need them, the input of contactDynamics and
+/// limitAnalysis. \throws FatalIOError or FatalError for the first fault found
 AccuracyStudy readAccuracyStudy(const std::filesystem::path& caseDirectory);
 
 /// Before the first run: quantities, references, sweeps.
 void printAccuracyStudy(const AccuracyStudy& study);
 
-/// All runs that have been made.
+/// All completed runs.
 class AccuracyRuns
 {
 public:
-    /// Reads what an earlier call has left; writes nothing yet. \throws FatalError when that is of another
+    /// Reads the runs of an earlier call; writes nothing yet. \throws FatalError when they belong to another
     /// study
-    explicit AccuracyRuns(const AccuracyStudy& study);
+    explicit AccuracyRuns(const AccuracyStudy& accuracyStudy);
 
     const Measurement* find(const RunKey& key) const;
     void add(const RunKey& key, const Measurement& run);
-    std::size_t size() const { return order_.size(); }
-    /// Puts all on the disk.
+    std::size_t size() const { return order.size(); }
+    /// Writes all runs to disk.
     void write() const;
 
 private:
-    const AccuracyStudy& study_;
-    std::filesystem::path file_;
-    std::map<RunKey, Measurement> runs_;
-    std::vector<RunKey> order_;
+    const AccuracyStudy& study;
+    std::filesystem::path file;
+    std::map<RunKey, Measurement> runs;
+    std::vector<RunKey> order;
 };
 
-/// What the page tells.
+/// The contents of the page.
 struct AccuracyResults
 {
-    std::vector<Reference> references; ///< one a quantity
+    std::vector<Reference> references; ///< one per quantity
     std::vector<double> unitsOfWork;   ///< F of each quantity [s]
-    std::vector<SweepResult> sweeps;   ///< those that are done
+    std::vector<SweepResult> sweeps;   ///< completed ones
     bool isInterrupted = false;
 };
 
-/// Makes the runs that are not known, one at a time so that CPU times are comparable, and prints a line for
-/// each setting. What is done is on the disk after each setting, and when a signal ends the study.
+/// Carries out the runs that are not known, one at a time so that CPU times are comparable, and prints a line
+/// for each setting. Completed runs are written after each setting, and when a signal ends the study.
 AccuracyResults carryOut(const AccuracyStudy& study, AccuracyRuns& runs);
 
-/// What the log says at the end: cheapest settings.
+/// The end of the log: cheapest settings.
 void printAccuracyResults(const AccuracyStudy& study, const AccuracyResults& results);
 
 /// Table, page and pictures. \throws FatalError naming what cannot be written

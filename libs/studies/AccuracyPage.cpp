@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Words and draws the results of accuracyCost.
 #include "studies/AccuracyPage.h"
 
 #include "io/Plot.h"
@@ -15,16 +16,16 @@ namespace drystone
 namespace
 {
 
-/// Errors of nothing are drawn here, for the axis is logarithmic.
+/// Errors of zero are drawn here, because the axis is logarithmic.
 constexpr double leastDrawn = 1e-16;
 
-/// Pictures with more curves than this show medians alone.
+/// Pictures with more curves than this show medians only.
 constexpr std::size_t mostCurvesWithWorst = 8;
 
-/// Fewer settings than this, however many their phases, say nothing of solvers.
+/// With fewer settings than this, however many their phases, solvers cannot be compared.
 constexpr std::size_t leastSettings = 4;
 
-/// Tables of pairs longer than this are cut: the rest is in accuracyCost.csv.
+/// Tables of pairs longer than this are truncated: the rest is in accuracyCost.csv.
 constexpr std::size_t mostPairs = 24;
 
 template<class Enumeration>
@@ -40,7 +41,7 @@ std::string wordOf(Enumeration value)
     return {};
 }
 
-/// What of a setting is told. The others are the same for all points, or mean nothing.
+/// The keys of a setting that are shown. The others are the same for all points, or have no meaning.
 struct ShownKeys
 {
     bool deltaT = true;
@@ -50,7 +51,7 @@ struct ShownKeys
     bool tolerance = true;
     bool pointsPerJoint = true;
     bool displacements = true;
-    bool formulation = false; ///< told where they differ alone
+    bool formulation = false; ///< shown only where they differ
 };
 
 std::string textOf(const RunSetting& setting, const ShownKeys& shown)
@@ -164,7 +165,7 @@ std::string axisName(SweepAxis axis)
                                              : "tolerance";
 }
 
-/// The tolerances at which more than one solver was tried, with settings enough.
+/// The tolerances with more than one solver and enough settings.
 std::vector<double> profileTolerances(const SweepResult& sweep)
 {
     std::map<double, std::set<RunSetting>, std::greater<>> settings;
@@ -319,7 +320,7 @@ std::string sweepSection(const AccuracyStudy& study, const AccuracyResults& resu
     std::string text = fmt::format("## Sweep `{}`: {}\n\n", sweep.name, quantity.quantity.summary);
     text += always.empty() ? "" : fmt::format("All of them: {}. ", always);
     text += isMotion
-                ? fmt::format("Each row: {} runs, whose first steps differ so that impacts fall at as many "
+                ? fmt::format("Each row: {} runs, whose first steps differ so that impacts occur at as many "
                               "phases of a step; CPU times are medians over them.\n\n",
                               plan.phases)
                 : fmt::format("CPU times are medians of {} repeats.\n\n", plan.repeats);
@@ -345,9 +346,9 @@ std::string sweepSection(const AccuracyStudy& study, const AccuracyResults& resu
     }
     if (sweep.axis == SweepAxis::tolerance)
     {
-        text += "\nThe knee is the loosest tolerance from which on no error is above twice that of the "
-                "tightest, or above what the reference is uncertain by: a tighter one costs time and gains "
-                "nothing.\n\n";
+        text += "\nThe knee is the largest tolerance from which on no error is above twice that of the "
+                "smallest, or above the uncertainty of the reference: a smaller one costs time without "
+                "gain.\n\n";
         for (const auto& curve : curvesOf(sweep))
         {
             const std::string name = textOf(curve.front().setting, shown);
@@ -462,7 +463,7 @@ std::vector<CheapestRow> cheapestRows(const AccuracyStudy& study, const Accuracy
         }
         if (study.quantities[quantity].kind == QuantityKind::motion)
         {
-            // What a few phases say is not to be set beside what many do.
+            // Settings with few phases are not compared with settings with many.
             int most = 0;
             for (const AccuracyPoint& point : points)
             {
@@ -530,7 +531,7 @@ std::string accuracyPage(const AccuracyStudy& study, const AccuracyResults& resu
                     "relative to the reference; CPU times are in seconds and in units of F, one "
                     "assembly, factorisation and solve of the Schur matrix of the case.\n\n",
                     processorName());
-    text += "| quantity | what | reference | where it comes from | F [s] |\n|---|---|---:|---|---:|\n";
+    text += "| quantity | what | reference | source | F [s] |\n|---|---|---:|---|---:|\n";
     for (std::size_t index = 0; index < study.quantities.size(); ++index)
     {
         const StudyQuantity& quantity = study.quantities[index];
@@ -541,10 +542,9 @@ std::string accuracyPage(const AccuracyStudy& study, const AccuracyResults& resu
                         reference.uncertainty > 0 ? fmt::format(" ± {:.1g}", reference.uncertainty) : "",
                         reference.text, results.unitsOfWork[index]);
     }
-    text += "\n## Cheapest settings\n\nOf all that were tried, that of least CPU time whose error is not "
-            "above the "
-            "level: for half of the phases (median), and for all of them (worst). Of a motion those "
-            "settings count that were tried at the largest number of phases.\n\n"
+    text += "\n## Cheapest settings\n\nThe setting of least CPU time, of all that were tried, whose error is "
+            "not above the level: for half of the phases (median), and for all of them (worst). For "
+            "motions only settings with the largest number of phases are considered.\n\n"
             "| quantity | error | of the phases | setting | its error | CPU [s] | CPU/F |\n"
             "|---|---:|---|---|---:|---:|---:|\n";
     for (const CheapestRow& row : cheapestRows(study, results))

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// The page that accuracyCost writes, with its table and its pictures.
+/// The page, table and pictures of accuracyCost: presentation, separate from measurement and evaluation.
 #pragma once
 
 #include "studies/AccuracyCostCase.h"
@@ -14,13 +14,13 @@ namespace drystone
 /// `deltaT 0.01, theta 1, nonAssociative, automatic, tolerance 1e-09, large`.
 std::string settingText(const RunSetting& setting, QuantityKind kind);
 
-/// The same of what differs between some settings alone; `all` where nothing does.
+/// The same with only the keys that differ between some settings; `all` where nothing does.
 std::string settingText(const RunSetting& setting, const std::vector<RunSetting>& among);
 
 /// `0.1%`
 std::string percentText(double level);
 
-/// What reaches a level of error at least cost.
+/// The cheapest setting that reaches a level of error.
 struct CheapestRow
 {
     std::size_t quantity = 0;
@@ -29,8 +29,8 @@ struct CheapestRow
     std::optional<AccuracyPoint> point; ///< nothing when none of the settings does
 };
 
-/// For each quantity 5%, 1% and 0.1%, over all its sweeps; of motions by the median and by the worst phase,
-/// of settings that were tried at the largest number of phases.
+/// For each quantity 5%, 1% and 0.1%, over all its sweeps; for motions by the median and by the worst phase,
+/// of the settings with the largest number of phases.
 std::vector<CheapestRow> cheapestRows(const AccuracyStudy& study, const AccuracyResults& results);
 
 /// accuracyCost.csv: a row for each setting of each sweep.

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Measures the figures of accuracyCost in runs of statics and dynamics.
 #include "studies/AccuracyQuantity.h"
 
 #include "conic/UnitOfWork.h"
@@ -18,7 +19,7 @@ namespace drystone
 namespace
 {
 
-/// Times that a step which is not solved is tried again, half as long.
+/// How often a step that is not solved is repeated with half its length.
 constexpr int mostHalvings = 10;
 
 constexpr double notKnown = std::numeric_limits<double>::quiet_NaN();
@@ -74,9 +75,9 @@ void declare(Options& options, FinestSettings& settings)
     options.optional("phases", plan.phases, "of motion; their median counts").atLeast(1).atMost(1000);
 }
 
-// What all motions have in common
+// Common to all motions
 
-/// The block that a quantity is about. \throws FatalIOError for one that there is not, or that is fixed
+/// The block that a quantity refers to. \throws FatalIOError for one that does not exist, or is fixed
 std::size_t freeBlock(const Assembly<2>& assembly, int block, const SourceLocation& location)
 {
     const int count = static_cast<int>(assembly.blocks.size());
@@ -95,8 +96,8 @@ std::size_t freeBlock(const Assembly<2>& assembly, int block, const SourceLocati
     return index;
 }
 
-/// The largest gap at a point that carries force [m]: a hundredth of the largest force or load, since solvers
-/// that end inside the cones leave some, within their tolerance, at points wide apart.
+/// The largest gap at a point that carries force [m]: at least a hundredth of the largest force or load,
+/// since solvers that end inside the cones leave small forces, within their tolerance, at points far apart.
 double hoverOf(const DynamicCase& scene, const Motion& motion)
 {
     constexpr double carriesForce = 1e-2;
@@ -157,33 +158,33 @@ void declare(Options& options, ReturnTime& settings)
     options.required("reference", settings.reference, referenceTypes(), "what the figure is compared with");
 }
 
-/// Watches a block come back upright. Between two steps the instant is found from the state before: impacts
-/// change what comes after.
+/// Detects when a block returns to upright. Between two steps the instant is extrapolated from the state
+/// before, because impacts change the state after.
 class ReturnWatch
 {
 public:
-    ReturnWatch(std::size_t block, Eigen::Index row) : block_(block), row_(row) {}
+    ReturnWatch(std::size_t watchedBlock, Eigen::Index rotationRow) : block(watchedBlock), row(rotationRow) {}
 
     void observe(const Motion& motion, double timeStep)
     {
-        const double rotation = motion.state.placements[block_].rotation;
-        const double velocity = motion.state.velocity[row_];
-        if (side_ != 0 && side_ * rotation <= upright)
+        const double rotationNow = motion.state.placements[block].rotation;
+        const double velocityNow = motion.state.velocity[row];
+        if (side != 0 && side * rotationNow <= upright)
         {
-            returns_.push_back(time_ + timeToUpright(timeStep));
-            side_ = 0;
+            returnTimes.push_back(time + timeToUpright(timeStep));
+            side = 0;
         }
-        if (side_ == 0 && std::abs(rotation) > upright)
+        if (side == 0 && std::abs(rotationNow) > upright)
         {
-            side_ = std::copysign(1.0, rotation);
-            timeStep = 0; // what has been an impact is no acceleration
+            side = std::copysign(1.0, rotationNow);
+            timeStep = 0; // the change of velocity by an impact is no acceleration
         }
-        acceleration_ = timeStep > 0 ? (velocity - velocity_) / timeStep : 0;
-        time_ = motion.state.time;
-        rotation_ = rotation;
-        velocity_ = velocity;
+        acceleration = timeStep > 0 ? (velocityNow - velocity) / timeStep : 0;
+        time = motion.state.time;
+        rotation = rotationNow;
+        velocity = velocityNow;
     }
-    const std::vector<double>& returns() const { return returns_; }
+    const std::vector<double>& returns() const { return returnTimes; }
 
 private:
     static constexpr double upright = 1e-9; ///< [rad]
@@ -191,21 +192,21 @@ private:
     /// The root of r + w t + a t^2/2 = 0 within the step.
     double timeToUpright(double timeStep) const
     {
-        const double closing = -side_ * velocity_;
-        const double turn = side_ * rotation_;
-        const double root = std::sqrt(std::max(closing * closing + 2 * -side_ * acceleration_ * turn, 0.0));
-        const double time = closing + root > 0 ? 2 * turn / (closing + root) : timeStep;
-        return std::clamp(time, 0.0, timeStep);
+        const double closing = -side * velocity;
+        const double turn = side * rotation;
+        const double root = std::sqrt(std::max(closing * closing + 2 * -side * acceleration * turn, 0.0));
+        const double untilUpright = closing + root > 0 ? 2 * turn / (closing + root) : timeStep;
+        return std::clamp(untilUpright, 0.0, timeStep);
     }
 
-    std::size_t block_;
-    Eigen::Index row_;
-    double side_ = 0; ///< on which the block leans; 0 while it is upright
-    double time_ = 0;
-    double rotation_ = 0;
-    double velocity_ = 0;
-    double acceleration_ = 0;
-    std::vector<double> returns_;
+    std::size_t block;
+    Eigen::Index row;
+    double side = 0; ///< on which the block leans; 0 while it is upright
+    double time = 0;
+    double rotation = 0;
+    double velocity = 0;
+    double acceleration = 0;
+    std::vector<double> returnTimes;
 };
 
 QuantityPlan makeReturnTime(const ReturnTime& settings, const Dictionary& dictionary)
@@ -435,25 +436,25 @@ Measurement measureThreshold(const AccuracyCase& study, const RunSetting& settin
     return sum;
 }
 
-/// The motion of a ground along x, times a factor.
+/// The motion of the ground along x, times a factor.
 class ScaledMotion final : public GroundAcceleration
 {
 public:
-    ScaledMotion(std::shared_ptr<const GroundAcceleration> motion, double factor)
-        : motion_(std::move(motion)), factor_(factor)
+    ScaledMotion(std::shared_ptr<const GroundAcceleration> unscaled, double scale)
+        : motion(std::move(unscaled)), factor(scale)
     {
     }
-    double at(double time) const override { return factor_ * motion_->at(time); }
-    double integral(double from, double to) const override { return factor_ * motion_->integral(from, to); }
-    std::vector<double> kinks() const override { return motion_->kinks(); }
-    double peak() const override { return std::abs(factor_) * motion_->peak(); }
+    double at(double time) const override { return factor * motion->at(time); }
+    double integral(double from, double to) const override { return factor * motion->integral(from, to); }
+    std::vector<double> kinks() const override { return motion->kinks(); }
+    double peak() const override { return std::abs(factor) * motion->peak(); }
 
 private:
-    std::shared_ptr<const GroundAcceleration> motion_;
-    double factor_;
+    std::shared_ptr<const GroundAcceleration> motion;
+    double factor;
 };
 
-/// By Housner's equation, between the lowest and the highest intensity that the plan begins with.
+/// By Housner's equation, between the lowest and the highest intensity of the plan.
 double housnerThreshold(const AccuracyCase& study, const IntensityPlan& plan, const Criterion& criterion,
                         double unit)
 {
@@ -710,7 +711,7 @@ Measurement stepThrough(const DynamicCase& scene, const AccuracyCase& study, con
         }
         const bool isLast = study.endTime - motion.state.time <= stepLength * (1 + 1e-9);
         const double stepEnd = isLast ? study.endTime : motion.state.time + stepLength;
-        // As contactDynamics does it, a step that is not solved is made in parts.
+        // As in contactDynamics, a step that is not solved is divided.
         double part = stepEnd - motion.state.time;
         int halvings = 0;
         while (goesOn && motion.state.time < stepEnd && halvings <= mostHalvings)

@@ -1,8 +1,8 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Figures of a case whose errors accuracyCost measures, and what they are compared with.
+/// Figures of a case whose errors accuracyCost measures, and their references.
 ///
-/// Periods, distances, energies, thresholds and multipliers: what the equations determine. The path of a
-/// structure that rocks for long is not among them, for it depends on rounding.
+/// Periods, distances, energies, thresholds and multipliers, which the equations determine. The path of a
+/// structure that rocks for a long time is not among them, because it depends on rounding.
 #pragma once
 
 #include "core/Registry.h"
@@ -23,7 +23,7 @@ namespace drystone
 enum class Displacements
 {
     large, ///< contacts move with the blocks
-    small  ///< they stay as built
+    small  ///< contacts remain as built
 };
 inline std::array<std::pair<std::string_view, Displacements>, 2> namesOf(Displacements)
 {
@@ -36,7 +36,7 @@ enum class QuantityKind
     limitAnalysis ///< of collapse, as limitAnalysis finds it
 };
 
-/// How a case is computed. What does not apply to a kind of quantity is 0 (or the first of its words).
+/// How a case is computed. Settings that do not apply to a kind of quantity are 0 (or the first enumerator).
 struct RunSetting
 {
     double deltaT = 0; ///< [s]
@@ -51,8 +51,8 @@ struct RunSetting
     friend auto operator<=>(const RunSetting&, const RunSetting&) = default;
 };
 
-/// Where in a step the motion begins: the first step is only a part of one, so that impacts fall at other
-/// phases of the steps.
+/// The phase of the steps at which the motion begins: the first step is shortened, so that impacts occur at
+/// different phases of the steps.
 struct StepPhase
 {
     int index = 0;
@@ -66,11 +66,11 @@ enum class RunEnd
 {
     done,
     unsolved, ///< a step, or the program, was not solved to the tolerance
-    missing,  ///< the run has no such figure: the block did not come back before endTime
+    missing,  ///< the run has no such figure: the block did not return before endTime
     interrupted
 };
 
-/// What came of one run.
+/// The result of one run.
 struct Measurement
 {
     double value = 0;         ///< nan unless done
@@ -81,36 +81,36 @@ struct Measurement
     RunEnd end = RunEnd::done;
 };
 
-/// The structure that is computed, read once; no run changes it.
+/// The structure to be computed, read once; no run changes it.
 struct AccuracyCase
 {
     std::filesystem::path caseDirectory;
     std::optional<DynamicCase> scene; ///< where a quantity is one of motion
     DynamicState start;
     double endTime = 0;                          ///< [s]
-    std::map<int, LimitAnalysisCase> structures; ///< by points a joint, 0: as the case says
+    std::map<int, LimitAnalysisCase> structures; ///< by points per joint, 0: as specified in the case
 };
 
-/// What a figure ought to be.
+/// The value that a figure is compared with.
 struct Reference
 {
     double value = 0;
-    double uncertainty = 0; ///< what is known of the error of the reference itself
+    double uncertainty = 0; ///< estimated error of the reference itself
     std::string text;       ///< where it comes from, for the page
 };
 
-/// A figure that is ready to be measured.
+/// A figure ready to be measured.
 struct Quantity
 {
     std::string summary; ///< `time at which block 1 is upright again for the 3rd time`
     std::string unit;
-    /// One run. A function of its arguments but for `cpuTime` and signals.
+    /// One run. Depends only on its arguments, except for `cpuTime` and signals.
     std::function<Measurement(const AccuracyCase&, const RunSetting&, const StepPhase&)> measure;
-    /// The figure from Housner's equation; empty where that does not say it.
+    /// The figure from Housner's equation; empty where that does not give it.
     std::function<double(const AccuracyCase&)> housner = {};
 };
 
-/// What `reference { type ...; }` asks for.
+/// The contents of `reference { type ...; }`.
 struct ReferencePlan
 {
     enum class Kind
@@ -122,7 +122,7 @@ struct ReferencePlan
     Kind kind = Kind::finest;
     double value = 0;
     std::string source;
-    // of the finest run; what is absent is the case's own
+    // of the finest run; absent: the value of the case
     std::optional<double> deltaT;
     std::optional<double> theta;
     std::optional<FlowRule> flowRule;
@@ -141,27 +141,27 @@ struct QuantityPlan
 {
     QuantityKind kind = QuantityKind::motion;
     ReferencePlan reference;
-    /// \throws FatalIOError for a block that there is not, or that is fixed
+    /// \throws FatalIOError for a block that does not exist, or is fixed
     std::function<Quantity(const AccuracyCase&)> make;
 };
 
 /// All types: returnTime, displacement, energy, threshold, multiplier.
 const Registry<QuantityPlan>& quantityTypes();
 
-/// The block of a case that Housner's equation is about: one free rectangle on a fixed ground, rebound by the
-/// impact alone, with the rotation it starts from.
+/// The block of a case to which Housner's equation applies: one free rectangle on a fixed ground, whose only
+/// rebound is that of the impact, with its initial rotation.
 struct HousnerCase
 {
     RockingBlock block;
     RockingState start;
     int index = 0; ///< of the block
 };
-/// \throws FatalError saying what of the case is not as Housner's equation has it
+/// \throws FatalError naming the property of the case that does not agree with Housner's equation
 HousnerCase housnerCase(const AccuracyCase& study);
 
-/// Steps a case with a setting, and shows each state.
+/// Steps a case with a setting, and reports each state.
 /// \param observe called before the first step with a step of 0, and after each one; false ends the run
-/// \return how the run ended, with its costs; `value` is left at 0
+/// \return how the run ended, with its costs; `value` remains 0
 using MotionObserver = std::function<bool(const Motion& motion, double timeStep)>;
 Measurement stepThrough(const DynamicCase& scene, const AccuracyCase& study, const RunSetting& setting,
                         const StepPhase& phase, const MotionObserver& observe);
@@ -169,7 +169,7 @@ Measurement stepThrough(const DynamicCase& scene, const AccuracyCase& study, con
 /// The scene of a case with a setting in place of its own.
 DynamicCase sceneWith(const AccuracyCase& study, const RunSetting& setting);
 
-/// F: CPU time of one assembly, factorisation and solve of the Schur matrix of the case, that of its first
+/// F: CPU time of one assembly, factorisation and solution of the Schur matrix of the case, that of its first
 /// step or of its collapse [s].
 double unitOfWork(const AccuracyCase& study, const RunSetting& setting, QuantityKind kind);
 

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Declares the keys of system/accuracyCostDict and expands its sweeps.
 #include "studies/AccuracySettings.h"
 
 #include "core/Error.h"
@@ -13,7 +14,7 @@ namespace drystone
 namespace
 {
 
-/// The list, or what the case has.
+/// The list, or the value of the case.
 template<class Value>
 std::vector<Value> valuesOf(const std::vector<Value>& list, const Value& ofCase)
 {
@@ -44,7 +45,9 @@ bool isFileName(const std::string& name)
 void declare(Options& options, Sweep& sweep)
 {
     options.required("quantity", sweep.quantity, "one of the names under `quantities`").example("return");
-    options.optional("deltaT", sweep.deltaT, "steps of a motion; absent, as all lists below: the case's own")
+    options
+        .optional("deltaT", sweep.deltaT,
+                  "steps of a motion; absent, here and in all lists below: the value of the case")
         .unit("s")
         .above(0)
         .example("(0.02 0.01 0.005)");
@@ -71,12 +74,12 @@ void declare(Options& options, Sweep& sweep)
         .example("(points surface)");
     options
         .optional("along", sweep.along,
-                  "what the points of one curve differ by; absent: the first of deltaT, tolerance and "
+                  "the setting that varies along one curve; absent: the first of deltaT, tolerance and "
                   "pointsPerJoint that has several values")
         .example("deltaT");
     options
         .optional("phases", sweep.phases,
-                  "runs of a motion for each setting, each with another first step, so that impacts fall at "
+                  "runs of a motion for each setting, each with another first step, so that impacts occur at "
                   "all phases of a step")
         .atLeast(1)
         .atMost(1000);
@@ -99,15 +102,15 @@ void declare(Options& options, AccuracySettings& settings)
 {
     options
         .required("quantities", settings.quantities, quantityTypes(),
-                  "figures of the case whose errors are measured; names of yours")
+                  "figures of the case whose errors are measured; any names")
         .example("return");
     options
         .required("sweeps", settings.sweeps,
-                  "all combinations of the lists that each gives; names of yours, which name files too")
+                  "all combinations of the lists in each; any names, also used for files")
         .example("schemes");
     options.check(
         "quantities", [&settings]
-        { return settings.quantities.empty() ? "There is no quantity to be measured: name one." : ""; });
+        { return settings.quantities.empty() ? "There is no quantity to be measured: add one." : ""; });
     options.check("sweeps",
                   [&settings]() -> std::string
                   {
@@ -185,16 +188,32 @@ std::vector<RunSetting> settingsOf(const Sweep& sweep, const RunSetting& ofCase)
 {
     std::vector<RunSetting> settings;
     for (const double theta : valuesOf(sweep.theta, ofCase.theta))
+    {
         for (const FlowRule flowRule : valuesOf(sweep.flowRule, ofCase.flowRule))
+        {
             for (const SolverType solver : valuesOf(sweep.solver, ofCase.solver))
+            {
                 for (const Displacements displacements : valuesOf(sweep.displacements, ofCase.displacements))
+                {
                     for (const ContactFormulation formulation :
                          valuesOf(sweep.formulation, ofCase.formulation))
+                    {
                         for (const int points : valuesOf(sweep.pointsPerJoint, ofCase.pointsPerJoint))
+                        {
                             for (const double tolerance : valuesOf(sweep.tolerance, ofCase.tolerance))
+                            {
                                 for (const double deltaT : valuesOf(sweep.deltaT, ofCase.deltaT))
+                                {
                                     settings.push_back({deltaT, theta, flowRule, solver, tolerance, points,
                                                         displacements, formulation});
+                                }
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
     return settings;
 }
 

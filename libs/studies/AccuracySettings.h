@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// What accuracyCost measures and over which settings: system/accuracyCostDict.
+/// The settings of accuracyCost: quantities and sweeps of system/accuracyCostDict.
 ///
 ///     quantities
 ///     {
@@ -20,7 +20,7 @@
 namespace drystone
 {
 
-/// What the points of one curve differ by.
+/// The setting that varies along one curve.
 enum class SweepAxis
 {
     deltaT,
@@ -34,7 +34,7 @@ inline std::array<std::pair<std::string_view, SweepAxis>, 3> namesOf(SweepAxis)
              {"pointsPerJoint", SweepAxis::pointsPerJoint}}};
 }
 
-/// All combinations of some settings. A list that is empty holds what the case itself has.
+/// All combinations of some settings. An empty list stands for the value of the case.
 struct Sweep
 {
     std::string quantity;
@@ -60,7 +60,7 @@ struct AccuracySettings
 };
 void declare(Options& options, AccuracySettings& settings);
 
-/// All settings of a sweep. \param ofCase what a list that is empty stands for
+/// All settings of a sweep. \param ofCase the setting of the case, for empty lists
 std::vector<RunSetting> settingsOf(const Sweep& sweep, const RunSetting& ofCase);
 
 /// What the points of a curve of this sweep differ by.

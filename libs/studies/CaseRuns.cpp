@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The operating system's part of a study: files, processes and signals.
 #include "studies/CaseRuns.h"
 
 #include "core/Case.h"
@@ -103,7 +104,7 @@ std::string lastLines(const fs::path& file, std::size_t count)
     return fmt::format("{}", fmt::join(lines, "\n"));
 }
 
-/// This program's own directory: the other applications are beside it.
+/// The directory of this program, which also contains the other applications.
 fs::path applicationFolder()
 {
     return fs::read_symlink("/proc/self/exe").parent_path();
@@ -164,9 +165,9 @@ std::vector<std::vector<double>> readHistory(const fs::path& file, const std::st
     const std::string text = contentOf(file);
     if (!text.starts_with(heading))
     {
-        throw FatalError(fmt::format("{} is of another {}: the files of the case, or what is asked for, were "
-                                     "others than now, so that it cannot be continued. Remove "
-                                     "postProcessing/{} to begin anew.",
+        throw FatalError(fmt::format("{} belongs to another {}: the files of the case, or the settings, were "
+                                     "different from now, so that it cannot be continued. Remove "
+                                     "postProcessing/{} to start again.",
                                      file.string(), study, study));
     }
     std::istringstream lines(text.substr(heading.size()));
@@ -189,7 +190,7 @@ std::vector<std::vector<double>> readHistory(const fs::path& file, const std::st
             || line.find_first_not_of(" \t", static_cast<std::size_t>(at - line.c_str())) != line.npos)
         {
             throw FatalIOError(fmt::format("A row of the history has {} numbers and not something else.\n\n"
-                                           "Remove the row, or postProcessing/{} to begin anew.",
+                                           "Remove the row, or postProcessing/{} to start again.",
                                            numbers, study),
                                {file.string(), "", lineNumber});
         }
@@ -204,8 +205,9 @@ ApplicationRun runInCase(const std::string& application, const fs::path& caseDir
     const std::string program = (applicationFolder() / application).string();
     if (::access(program.c_str(), X_OK) != 0)
     {
-        throw FatalError(fmt::format("The application {} is not where the others are: {}. Build all of them.",
-                                     application, program));
+        throw FatalError(
+            fmt::format("The application {} was not found with the others: {}. Build all of them.",
+                        application, program));
     }
     const std::string log = (caseDirectory / ("log." + application)).string();
     const std::string errors = log + ".errors";
@@ -224,7 +226,7 @@ ApplicationRun runInCase(const std::string& application, const fs::path& caseDir
     }
     if (child == 0)
     {
-        // Between fork and exec only what a signal handler may do.
+        // Between fork and exec only functions that are safe in signal handlers may be called.
         const int output = ::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
         const int complaints = ::open(errors.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
         const int input = ::open("/dev/null", O_RDONLY);

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The registry of criteria and their measures of a motion.
 #include "studies/Criterion.h"
 
 #include "assembly/Facing.h"
@@ -13,7 +14,7 @@ namespace drystone
 namespace
 {
 
-/// The blocks that a criterion looks at: the one that is named, or all that are free.
+/// The blocks that a criterion monitors: the one that is named, or all free ones.
 std::vector<int> watchedBlocks(const Assembly<2>& assembly, std::optional<int> block,
                                const SourceLocation& location)
 {
@@ -34,8 +35,8 @@ std::vector<int> watchedBlocks(const Assembly<2>& assembly, std::optional<int> b
     }
     if (blocks.empty())
     {
-        throw FatalIOError(block ? fmt::format("Block {} is fixed and never moves: name a free one, or leave "
-                                               "`block` away to watch all.",
+        throw FatalIOError(block ? fmt::format("Block {} is fixed and never moves: name a free one, or omit "
+                                               "`block` to monitor all.",
                                                *block)
                                  : "The structure has no free block: nothing can move.",
                            location);
@@ -43,7 +44,7 @@ std::vector<int> watchedBlocks(const Assembly<2>& assembly, std::optional<int> b
     return blocks;
 }
 
-/// The largest of a figure over some blocks; figure(block, start placement, placement now).
+/// The largest value of a figure over some blocks; figure(block, placement at start, placement now).
 template<class Figure>
 auto largestOver(std::vector<int> blocks, Figure figure)
 {

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Runs the motions of an incremental analysis on several threads.
 #include "studies/IncrementalDynamics.h"
 
 #include "core/Signals.h"
@@ -23,14 +24,14 @@ double threadCpuTime()
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// A run that is to be made.
+/// A run to be carried out.
 struct Job
 {
     std::size_t motion = 0;
     double intensity = 0;
 };
 
-/// Makes the runs, several at a time, and reports each as soon as all before it are done.
+/// Carries out the runs, several at a time, and reports each as soon as all before it are complete.
 std::vector<IncrementalRun> runAll(const IncrementalDynamics& study, const std::vector<Job>& jobs,
                                    const RunReport& report)
 {
@@ -124,7 +125,7 @@ void declare(Options& options, IncrementalDynamicsSettings& settings)
                      "peak accelerations of the ground that are tried");
     options.required("criterion", settings.criterion, criterionTypes(), "when a run has gone too far");
     options.optional("records", settings.records,
-                     "instead of constant/groundMotion: one analysis for each; each has a name of yours");
+                     "instead of constant/groundMotion: one analysis for each; any names");
     options.check("records",
                   [&settings]() -> std::string
                   {
@@ -137,7 +138,7 @@ void declare(Options& options, IncrementalDynamicsSettings& settings)
                       }
                       return "";
                   });
-    options.optional("jobs", settings.jobs, "runs at a time; absent: as many as there are cores")
+    options.optional("jobs", settings.jobs, "concurrent runs; absent: the number of cores")
         .atLeast(1)
         .atMost(1024)
         .example("2");

@@ -19,7 +19,7 @@
 namespace drystone
 {
 
-/// A record of a multi-record analysis. The intensity is its peak, whatever that is in the file.
+/// A record of a multi-record analysis. The intensity is its peak, whatever the peak in the file.
 struct StudyRecord
 {
     std::array<double, 3> direction{1, 0, 0}; ///< of any length but zero
@@ -33,12 +33,12 @@ struct IncrementalDynamicsSettings
     IntensityPlan intensity;
     CriterionMaker criterion;
     std::vector<Named<StudyRecord>> records; ///< empty: constant/groundMotion is the one motion
-    std::optional<int> jobs;                 ///< runs at a time; absent: as many as there are cores
-    bool stopWhenMet = true;                 ///< a run ends when its verdict is known
+    std::optional<int> jobs;                 ///< concurrent runs; absent: the number of cores
+    bool stopWhenMet = true;                 ///< a run ends as soon as its verdict is known
 };
 void declare(Options& options, IncrementalDynamicsSettings& settings);
 
-/// One motion of the ground that runs are made with.
+/// One ground motion of the study.
 struct StudyMotion
 {
     std::string name; ///< of the record; incrementalDynamics for constant/groundMotion
@@ -46,11 +46,11 @@ struct StudyMotion
     double peak = 0; ///< as read, of the strongest component [m/s2], positive
 };
 
-/// All that an incremental analysis is made of; the same for all its runs.
+/// All data of an incremental analysis, the same for all its runs.
 struct IncrementalDynamics
 {
-    DynamicCase scene; ///< groundMotion and groundFactor are each run's own
-    Motion start;      ///< each run begins with a copy
+    DynamicCase scene; ///< groundMotion and groundFactor are set for each run
+    Motion start;      ///< each run starts from a copy
     TimeControls controls;
     TimeState startTime;
     double gravity = 0; ///< of constant/g [m/s2]
@@ -62,14 +62,14 @@ struct IncrementalDynamics
 
     /// An intensity of 1 in its unit [m/s2].
     double unitAcceleration() const { return intensity.unit == IntensityUnit::g ? gravity : 1; }
-    /// By what the motion of the ground is multiplied so that its peak is the intensity [-].
+    /// The factor on the ground motion for which its peak is the intensity [-].
     double factor(const StudyMotion& motion, double value) const
     {
         return value * unitAcceleration() / motion.peak;
     }
 };
 
-/// What came of one run.
+/// The result of one run.
 struct IncrementalRun
 {
     double intensity = 0; ///< in the unit of the plan
@@ -82,22 +82,23 @@ struct IncrementalRun
     double cpuTime = 0;       ///< [s]
 };
 
-/// One run from the start at an intensity. A pure function of its arguments but for `cpuTime` and a signal
-/// that asks the program to stop.
+/// One run from the start at an intensity. A pure function of its arguments except for `cpuTime` and a signal
+/// that requests the program to stop.
 IncrementalRun runAt(const IncrementalDynamics& study, const StudyMotion& motion, double intensity);
 
 /// Runs of one motion of the ground, by increasing intensity.
 using IncrementalCurve = std::vector<IncrementalRun>;
 
-/// Called for each run that is done, in an order that does not depend on the number of threads, from one
-/// thread at a time. \param motion index into IncrementalDynamics::motions
+/// Called for each completed run, in an order that does not depend on the number of threads, from one thread
+/// at a time. \param motion index into IncrementalDynamics::motions
 using RunReport = std::function<void(std::size_t motion, const IncrementalRun& run)>;
 
-/// All runs, `jobs` at a time. The result does not depend on `jobs`. After a signal no further run begins.
-/// \return a curve for each motion of the ground
+/// All runs, `jobs` at a time. The result does not depend on `jobs`. After a signal no further run is
+/// started.
+/// \return one curve for each ground motion
 std::vector<IncrementalCurve> carryOut(const IncrementalDynamics& study, const RunReport& report = {});
 
-/// What the verdicts say. \param curve not empty
+/// The conclusion from the verdicts. \param curve not empty
 LeastIntensity leastIntensity(const IncrementalCurve& curve);
 
 /// 0; 2 when a run did not converge; 128 + signal (130 for Ctrl-C) when one was interrupted.

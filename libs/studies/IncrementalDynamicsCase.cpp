@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Reads, prints and writes an incremental analysis.
 #include "studies/IncrementalDynamicsCase.h"
 
 #include "core/Case.h"
@@ -19,7 +20,7 @@ namespace
 
 constexpr const char* applicationName = "incrementalDynamics";
 
-/// The motions of the ground, each with a peak that can be scaled.
+/// The ground motions, each with a peak that can be scaled.
 std::vector<StudyMotion> studyMotions(const std::filesystem::path& caseDirectory, const GroundMotion& ofCase,
                                       const IncrementalDynamicsSettings& settings)
 {
@@ -67,7 +68,7 @@ const char* textOf(Verdict verdict)
     return "was interrupted";
 }
 
-/// Runs that a signal has cut short say nothing.
+/// Runs interrupted by a signal have no verdict.
 IncrementalCurve finishedRuns(const IncrementalCurve& curve)
 {
     IncrementalCurve finished;
@@ -131,7 +132,7 @@ IncrementalDynamics readIncrementalDynamics(const std::filesystem::path& caseDir
 {
     const Dictionary dictionary = Dictionary::readFile(
         requireCaseFile(caseDirectory, "system/incrementalDynamicsDict",
-                        "It says which accelerations to try and when a run has gone too far; "
+                        "It specifies which accelerations to try and when a run counts as failed; "
                         "etc/annotated/system/incrementalDynamicsDict is one to copy."));
     const auto settings = readOptions<IncrementalDynamicsSettings>(dictionary);
     if (time.controls().stopAt != StopAt::endTime)

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// An incremental analysis in a case directory: what it reads, says and leaves behind.
+/// An incremental analysis in a case directory: its input, its log and its files.
 #pragma once
 
 #include "studies/IncrementalDynamics.h"
@@ -10,16 +10,16 @@
 namespace drystone
 {
 
-/// Reads what contactDynamics reads (the solver's settings too: system/solution/contactDynamics), the state
-/// that it would start from, and system/incrementalDynamicsDict.
+/// Reads the input of contactDynamics (including the solver's settings: system/solution/contactDynamics), the
+/// state that it would start from, and system/incrementalDynamicsDict.
 /// \param time of this case, its controlDict required
-/// \throws FatalIOError or FatalError for the first thing that is wrong
+/// \throws FatalIOError or FatalError for the first fault found
 IncrementalDynamics readIncrementalDynamics(const std::filesystem::path& caseDirectory, Time& time);
 
 /// Before the first run: effects, motions of the ground, criterion, jobs.
 void printStudy(const IncrementalDynamics& study);
 
-/// One line for a run that is done.
+/// One line for a completed run.
 void printRun(const IncrementalDynamics& study, std::size_t motion, const IncrementalRun& run);
 
 /// `Least acceleration that meets the criterion a_g = 0.643 g`, or why there is none; for each motion.

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The registry of intensity plans, and the conclusion from their trials.
 #include "studies/Intensity.h"
 
 #include <fmt/format.h>
@@ -11,10 +12,10 @@ namespace drystone
 namespace
 {
 
-/// Beyond this many runs a dictionary says something else than its author means.
+/// More runs than this are taken for a mistake in the dictionary.
 constexpr int mostIntensities = 100000;
 
-/// How many steps lead from one intensity to another, rounded up; a rest that small is rounding.
+/// Number of steps from one intensity to another, rounded up; a very small remainder is rounding.
 long stepsBetween(double from, double to, double step)
 {
     return std::lround(std::ceil((to - from) / step - 1e-6));
@@ -22,7 +23,7 @@ long stepsBetween(double from, double to, double step)
 
 void declareUnit(Options& options, IntensityUnit& unit)
 {
-    options.optional("unit", unit, "of the intensities; g is gravity as constant/g has it");
+    options.optional("unit", unit, "of the intensities; g is the gravity of constant/g");
 }
 
 std::string faultOfRange(double lowest, double highest, double step, const char* names)
@@ -97,8 +98,8 @@ void declare(Options& options, BisectionSettings& settings)
         { return faultOfRange(settings.low, settings.high, settings.tolerance, "low, high and tolerance"); });
 }
 
-/// Halves the bracket on the grid low + i tolerance: the answer is the one that `step` finds, where the
-/// verdict changes only once.
+/// Halves the bracket on the grid low + i tolerance: the answer is the one that `step` finds if the verdict
+/// changes only once.
 IntensityPlan planBisection(const BisectionSettings& settings)
 {
     const auto at = [settings](long i) { return settings.low + static_cast<double>(i) * settings.tolerance; };
@@ -129,7 +130,7 @@ IntensityPlan planBisection(const BisectionSettings& settings)
                     }
                     else
                     {
-                        return {}; // which half to go on with is not known
+                        return {}; // the half to be searched next is unknown
                     }
                 }
                 if (lowestMeets || !highestMeets || above - below <= 1)
@@ -157,7 +158,7 @@ void declare(Options& options, ListSettings& settings)
                       std::sort(sorted.begin(), sorted.end());
                       return sorted.empty() ? "The list of intensities is empty."
                              : std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()
-                                 ? "An intensity stands twice in the list."
+                                 ? "An intensity occurs twice in the list."
                                  : "";
                   });
 }

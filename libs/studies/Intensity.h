@@ -5,7 +5,7 @@
 ///     intensity { type bisection; unit g; low 0.2; high 0.5; tolerance 0.001; }
 ///     intensity { type list; unit m/s2; values (1 2 5); }
 ///
-/// The intensity is the peak acceleration of the ground: the motion is scaled such that it has this peak.
+/// The intensity is the peak acceleration of the ground: the motion is scaled to have this peak.
 #pragma once
 
 #include "core/Registry.h"
@@ -19,7 +19,7 @@ namespace drystone
 
 enum class IntensityUnit
 {
-    g, ///< gravity as constant/g has it, so that a block slides at mu and a wall moves at its multiplier
+    g, ///< gravity of constant/g, so that a block slides at mu and a wall moves at its multiplier
        ///< alpha
     metresPerSecondSquared
 };
@@ -36,33 +36,34 @@ std::string_view nameOf(IntensityUnit unit);
 enum class Verdict
 {
     stands,       ///< the end time was reached within the limit of the criterion
-    meets,        ///< the quantity of the criterion went beyond its limit
-    notConverged, ///< a step could not be solved: neither of the two is known
+    meets,        ///< the quantity of the criterion exceeded its limit
+    notConverged, ///< a step could not be solved: the verdict is unknown
     interrupted   ///< by a signal
 };
 
-/// A run that is done.
+/// A completed run.
 struct Trial
 {
     double intensity = 0; ///< in the unit of the plan
     Verdict verdict = Verdict::stands;
 };
 
-/// In which order intensities are tried.
+/// The order in which intensities are tried.
 struct IntensityPlan
 {
     IntensityUnit unit = IntensityUnit::g;
 
-    /// What to try next. It depends on nothing but its argument, so that the number of threads does not
-    /// matter. \param trials all so far, in any order \return intensities of runs that may go at the same
-    /// time; empty at the end
+    /// The intensities to try next. Depends only on its argument, so that the number of threads has no
+    /// influence.
+    /// \param trials all so far, in any order
+    /// \return intensities of runs that may be concurrent; empty at the end
     std::function<std::vector<double>(const std::vector<Trial>& trials)> next;
 };
 
 /// All types: step, bisection, list.
 const Registry<IntensityPlan>& intensityTypes();
 
-/// What a set of runs says of the least intensity that meets the criterion.
+/// The conclusion from a set of runs about the least intensity that meets the criterion.
 struct LeastIntensity
 {
     enum class Kind

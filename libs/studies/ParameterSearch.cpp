@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// The settings of a search, and the search itself by NLopt.
+/// Declares the settings of a search, and runs it by NLopt, which only this file includes.
 #include "studies/ParameterSearch.h"
 
 #include "core/Expression.h"
@@ -43,7 +43,7 @@ constexpr const char* insideTheCase =
 /// Empty when an expression of these names can be evaluated.
 std::string expressionFault(const std::string& expression, const ParameterSearchSettings& settings)
 {
-    // Some value that no expression is likely to be undefined at.
+    // A value at which hardly any expression is undefined.
     const std::vector<double> variables(settings.variables.size(), 0.5123);
     const std::vector<double> results(settings.results.size(), 0.4321);
     try
@@ -54,7 +54,7 @@ std::string expressionFault(const std::string& expression, const ParameterSearch
     {
         if (std::string_view(error.what()).find("finite") != std::string_view::npos)
         {
-            return {}; // at the point tried here; it may be somewhere else
+            return {}; // undefined at this point; it may be defined elsewhere
         }
         std::string names;
         for (const auto& [name, variable] : settings.variables)
@@ -67,7 +67,7 @@ std::string expressionFault(const std::string& expression, const ParameterSearch
         }
         std::string reason = error.what();
         reason.erase(reason.find_last_not_of('.') + 1);
-        return fmt::format("`{}` is no arithmetic of variables and results: {}.\n\nVariables and results:{}",
+        return fmt::format("`{}` is not arithmetic of variables and results: {}.\n\nVariables and results:{}",
                            expression, reason, names);
     }
     return {};
@@ -89,11 +89,11 @@ std::string nameFault(const std::string& name, std::set<std::string>& names)
     try
     {
         evaluateExpression(name, {});
-        return fmt::format("The name {} has a meaning in arithmetic already: choose another one.", name);
+        return fmt::format("The name {} already has a meaning in arithmetic: choose another one.", name);
     }
     catch (const std::invalid_argument&)
     {
-        return {}; // nobody knows it, as it should be
+        return {}; // an unknown name is what is needed
     }
 }
 
@@ -101,7 +101,7 @@ nlopt_algorithm algorithmOf(SearchAlgorithm algorithm, bool hasConstraints)
 {
     switch (algorithm)
     {
-    case SearchAlgorithm::bisection: // is not NLopt's
+    case SearchAlgorithm::bisection: // is our own
         break;
     case SearchAlgorithm::DIRECT:
         return hasConstraints ? NLOPT_GN_ORIG_DIRECT : NLOPT_GN_DIRECT;
@@ -136,8 +136,8 @@ bool isBetter(const Evaluation& one, const Evaluation& other, double sign)
     return sign * one.objective < sign * other.objective;
 }
 
-/// What NLopt's callbacks need. NLopt sees variables from 0 to 1 over their bounds, so that one tolerance
-/// fits all.
+/// The data of NLopt's callbacks. NLopt sees variables from 0 to 1 over their bounds, so that one tolerance
+/// suits all.
 struct Problem
 {
     const ParameterSearchSettings& settings;
@@ -153,7 +153,7 @@ struct Problem
         for (std::size_t i = 0; i < settings.variables.size(); ++i)
         {
             const auto& [low, high] = settings.variables[i].second.bounds;
-            // The bounds themselves are met exactly.
+            // The bounds themselves are exact.
             variables.push_back(scaled[i] == 1 ? high : low + scaled[i] * (high - low));
         }
         return variables;
@@ -171,7 +171,7 @@ struct Problem
     {
         if (isInterrupted || error)
         {
-            return {}; // some algorithms ask on for a while
+            return {}; // some algorithms request further points for a while
         }
         try
         {
@@ -222,8 +222,8 @@ double missOf(unsigned, const double* scaled, double*, void* data)
                  : std::numeric_limits<double>::infinity();
 }
 
-/// Halves the range between a point that meets the constraints and one that does not and has the better
-/// objective, beginning with the bounds.
+/// Halves the range between a feasible point and an infeasible one with the better objective, beginning with
+/// the bounds.
 SearchEnd bisect(const SearchStage& stage, Problem& problem)
 {
     const double sign = problem.settings.objective.sign();
@@ -339,7 +339,7 @@ SearchEnd carryOut(const SearchStage& stage, Problem& problem, std::vector<doubl
 
     double least = 0;
     const nlopt_result result = nlopt_optimize(optimiser.get(), scaled.data(), &least);
-    // Where a local algorithm ended, which need not be the best point it came to.
+    // The end point of a local algorithm, which need not be the best point it visited.
     const bool isChecked = !isGlobal(stage.algorithm) && !settings.constraints.empty();
     const auto last = isChecked ? problem.at(scaled.data()) : std::nullopt;
     problem.optimiser = nullptr;
@@ -359,7 +359,7 @@ SearchEnd carryOut(const SearchStage& stage, Problem& problem, std::vector<doubl
     case NLOPT_STOPVAL_REACHED:
     case NLOPT_FTOL_REACHED:
     case NLOPT_XTOL_REACHED:
-    // Steps have become as small as rounding: nothing is left to be gained.
+    // Steps have become as small as rounding: no improvement is possible.
     case NLOPT_ROUNDOFF_LIMITED:
         return last && last->violation > problem.best->violation ? SearchEnd::astray : SearchEnd::converged;
     default:
@@ -401,7 +401,7 @@ void declare(Options& options, SearchVariable& variable)
         .example("\"system/blockTextureDict\"");
     options.required("entry", variable.entry, "keywords with slashes between; its value is a number")
         .example("\"texture/thickness\"");
-    options.required("bounds", variable.bounds, "least and largest value tried").example("(0.05 0.3)");
+    options.required("bounds", variable.bounds, "smallest and largest value tried").example("(0.05 0.3)");
     options.optional("start", variable.start, "where local algorithms begin; absent: the value in the file")
         .example("0.15");
     options
@@ -414,7 +414,7 @@ void declare(Options& options, SearchVariable& variable)
                   {
                       return variable.bounds[0] < variable.bounds[1]
                                  ? ""
-                                 : "There is nothing between these bounds: give the lower one first.";
+                                 : "The range between these bounds is empty: give the lower one first.";
                   });
     options.check("start",
                   [&variable]
@@ -429,14 +429,14 @@ void declare(Options& options, SearchVariable& variable)
 
 void declare(Options& options, SearchResult& result)
 {
-    options.required("table", result.table, "a table that the applications leave in the case directory")
+    options.required("table", result.table, "a table that the applications write in the case directory")
         .example("\"postProcessing/limitAnalysis/0/limitAnalysis.dat\"");
     options.required("column", result.column, "name of its column, with or without the unit")
         .example("alpha");
-    options.optional("take", result.take, "which number of the column");
+    options.optional("take", result.take, "which number of the column is used");
     options
         .optional("otherwise", result.otherwise,
-                  "taken where there is no finite number: the structure does not stand, or an application "
+                  "used where there is no finite number: the structure does not stand, or an application "
                   "failed; absent: that ends the search")
         .example("-0.1");
     options.check("table", [&result] { return isInside(result.table) ? "" : insideTheCase; });
@@ -444,7 +444,7 @@ void declare(Options& options, SearchResult& result)
 
 void declare(Options& options, SearchObjective& objective)
 {
-    options.required("goal", objective.goal, "whether the value is to be least or largest")
+    options.required("goal", objective.goal, "whether the value is minimised or maximised")
         .example("minimise");
     options.required("value", objective.value, "arithmetic of variables and results").example("thickness");
 }
@@ -494,18 +494,18 @@ void declare(Options& options, ParameterSearchSettings& settings)
         .oneOf({"blockTexture", "checkBlocks", "limitAnalysis", "contactDynamics", "incrementalDynamics"})
         .example("(blockTexture limitAnalysis)");
     options.optional("cases", settings.cases, "in which directories of the case they are run");
-    options.required("variables", settings.variables, "entries that are searched for; names of yours")
+    options.required("variables", settings.variables, "entries that are varied; any names")
         .example("thickness");
-    options.required("results", settings.results, "numbers that the applications leave; names of yours")
+    options.required("results", settings.results, "numbers in tables of the applications; any names")
         .example("alpha");
-    options.required("objective", settings.objective, "what is to be least or largest");
-    options.optional("constraints", settings.constraints, "what has to hold; names of yours")
+    options.required("objective", settings.objective, "the value to be minimised or maximised");
+    options.optional("constraints", settings.constraints, "conditions that have to hold; any names")
         .example("stands");
     options.required("search", settings.search, "algorithms, each beginning with the best point so far")
         .example("( { algorithm DIRECT_L; maximumEvaluations 40; } { algorithm BOBYQA; } )");
     options.optional("seed", settings.seed, "of random numbers").atLeast(0);
     options.check("applications", [&settings]
-                  { return settings.applications.empty() ? "Nothing is run: name applications." : ""; });
+                  { return settings.applications.empty() ? "Nothing is run: give applications." : ""; });
     options.check("cases",
                   [&settings]
                   {
@@ -525,7 +525,7 @@ void declare(Options& options, ParameterSearchSettings& settings)
                               return fault;
                           }
                       }
-                      return names.empty() ? "There is nothing to vary." : "";
+                      return names.empty() ? "There is no variable." : "";
                   });
     options.check("results",
                   [&settings]() -> std::string
@@ -562,14 +562,14 @@ void declare(Options& options, ParameterSearchSettings& settings)
                   {
                       if (settings.search.empty())
                       {
-                          return "Name an algorithm at least.";
+                          return "Give at least one algorithm.";
                       }
                       for (const SearchStage& stage : settings.search)
                       {
                           const bool isBisection = stage.algorithm == SearchAlgorithm::bisection;
                           if (isBisection && (settings.variables.size() != 1 || settings.constraints.empty()))
                           {
-                              return "bisection looks for where constraints end to hold, along one variable: "
+                              return "bisection finds where constraints cease to hold, along one variable: "
                                      "give it constraints, and one variable.";
                           }
                           if (!settings.constraints.empty() && !takesConstraints(stage.algorithm))
@@ -640,7 +640,7 @@ SearchOutcome searchBest(const ParameterSearchSettings& settings, const std::vec
         ++evaluations;
         return evaluator(variables);
     };
-    // NLopt asks for objective and constraints of a point one after the other.
+    // NLopt requests objective and constraints of a point one after the other.
     std::optional<Evaluation> last;
     const Evaluator remembering = [&](const std::vector<double>& variables)
     {

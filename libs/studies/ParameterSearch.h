@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Least or largest value of a result of a case over some of its entries: system/parameterSearchDict.
+/// Smallest or largest value of a result of a case over some of its entries: system/parameterSearchDict.
 ///
 ///     applications (blockTexture limitAnalysis);      // run one after the other in a copy of the case
 ///     variables
@@ -26,25 +26,25 @@
 namespace drystone
 {
 
-/// An entry of a dictionary of the case that is searched for. It must be a number.
+/// An entry of a dictionary of the case that is varied. It must be a number.
 struct SearchVariable
 {
     std::string file;  ///< in the case directory
     std::string entry; ///< keywords with slashes between
     std::array<double, 2> bounds{0, 0};
-    std::optional<double> start; ///< absent: what the case has, or the nearer bound
+    std::optional<double> start; ///< absent: the value of the case, or the nearer bound
     double firstStep = 0.25;     ///< of local algorithms [width of the bounds]
 };
 void declare(Options& options, SearchVariable& variable);
 
-/// Which of the numbers of a column is meant.
+/// Which number of a column is used.
 enum class Take
 {
     last,
     first,
     minimum,
     maximum,
-    largest, ///< the one that is farthest from zero, without its sign
+    largest, ///< the one farthest from zero, without its sign
     mean,
 };
 inline std::array<std::pair<std::string_view, Take>, 6> namesOf(Take)
@@ -57,7 +57,7 @@ inline std::array<std::pair<std::string_view, Take>, 6> namesOf(Take)
              {"mean", Take::mean}}};
 }
 
-/// A number that the applications leave in a table.
+/// A number in a table of the applications.
 struct SearchResult
 {
     std::string table;  ///< in the case directory
@@ -77,7 +77,7 @@ inline std::array<std::pair<std::string_view, SearchGoal>, 2> namesOf(SearchGoal
     return {{{"minimise", SearchGoal::minimise}, {"maximise", SearchGoal::maximise}}};
 }
 
-/// What is to be least or largest: arithmetic of variables and results.
+/// The value to be minimised or maximised: arithmetic of variables and results.
 struct SearchObjective
 {
     SearchGoal goal = SearchGoal::minimise;
@@ -87,7 +87,7 @@ struct SearchObjective
 };
 void declare(Options& options, SearchObjective& objective);
 
-/// What has to hold: arithmetic of variables and results, within limits.
+/// A condition: arithmetic of variables and results, within limits.
 struct SearchConstraint
 {
     std::string value;
@@ -98,10 +98,10 @@ struct SearchConstraint
 void declare(Options& options, SearchConstraint& constraint);
 
 /// Algorithms of NLopt, by NLopt's names without the first two letters, and one of our own. The global ones
-/// search all of the bounds; the local ones start from the best point known.
+/// search the whole range; the local ones start from the best point known.
 enum class SearchAlgorithm
 {
-    bisection,  ///< of one variable: the end of the range in which constraints hold, however they fail beyond
+    bisection,  ///< of one variable: the end of the range in which constraints hold
     DIRECT,     ///< divides the bounds into boxes; global
     DIRECT_L,   ///< the same, nearer to the best box; global
     CRS2_LM,    ///< random population with local mutation; global
@@ -109,7 +109,7 @@ enum class SearchAlgorithm
     ESCH,       ///< evolution; global
     BOBYQA,     ///< quadratic models; local
     COBYLA,     ///< linear models, with constraints; local
-    SBPLX,      ///< simplex on subspaces, for what is not smooth; local
+    SBPLX,      ///< simplex on subspaces, for functions that are not smooth; local
     NELDERMEAD, ///< simplex; local
     PRAXIS      ///< principal axes; local
 };
@@ -158,14 +158,14 @@ struct ParameterSearchSettings
 };
 void declare(Options& options, ParameterSearchSettings& settings);
 
-/// A point of the search and what was found there.
+/// A point of the search and its results.
 struct Evaluation
 {
     std::vector<double> variables;
     std::vector<double> results;
-    double objective = 0;            ///< as it is asked for, not turned round
+    double objective = 0;            ///< as specified, without change of sign
     std::vector<double> constraints; ///< values
-    double violation = 0;            ///< largest miss of a limit beyond its tolerance; 0: all hold
+    double violation = 0;            ///< largest violation of a limit beyond its tolerance; 0: all hold
 };
 
 /// The value of an expression of variables and results. \throws std::invalid_argument
@@ -181,25 +181,25 @@ Evaluation evaluate(const ParameterSearchSettings& settings, std::vector<double>
 enum class SearchEnd
 {
     converged,   ///< the last algorithm met its tolerance, or the value to stop at
-    astray,      ///< it met it at a point that misses constraints, although one is known that does not
-    evaluations, ///< the last algorithm made all evaluations that it may
-    failed,      ///< NLopt gave up
+    astray,      ///< it met it at an infeasible point, although a feasible one is known
+    evaluations, ///< the last algorithm used all its evaluations
+    failed,      ///< NLopt failed
     interrupted  ///< by a signal
 };
 
-/// What came of a search.
+/// The result of a search.
 struct SearchOutcome
 {
     SearchEnd end = SearchEnd::failed;
-    std::optional<Evaluation> best; ///< of those that meet the constraints, or else the one nearest to that
+    std::optional<Evaluation> best; ///< of the feasible ones, or else the one with the smallest violation
     std::vector<std::pair<SearchAlgorithm, int>> stages; ///< and how many evaluations each took
 };
 
-/// Gives the evaluation at a point, computed or known; empty when the search is to stop now.
+/// Returns the evaluation at a point, computed or known; empty when the search is to stop.
 using Evaluator = std::function<std::optional<Evaluation>(const std::vector<double>& variables)>;
 
-/// Carries out the algorithms one after the other. The points they ask for depend on nothing but the settings
-/// and the values at points before: a search that is begun again asks for the same points.
+/// Runs the algorithms one after the other. The points they request depend only on the settings and the
+/// values at earlier points: a search that is repeated requests the same points.
 /// \throws whatever `evaluator` throws
 SearchOutcome searchBest(const ParameterSearchSettings& settings, const std::vector<double>& start,
                          const Evaluator& evaluator);

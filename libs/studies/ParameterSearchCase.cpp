@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Evaluates, records and reports the points of a search by running applications in a copy of the case.
 #include "studies/ParameterSearchCase.h"
 
 #include "core/Case.h"
@@ -51,7 +52,7 @@ std::string pointText(const ParameterSearchSettings& settings, const std::vector
     return text;
 }
 
-/// What the points of a history depend on.
+/// Everything that the points of a history depend on.
 std::string historyHeading(const ParameterSearch& search)
 {
     const ParameterSearchSettings& settings = search.settings;
@@ -106,7 +107,7 @@ double taken(const std::vector<double>& values, Take take)
                                    : std::max(std::abs(*least), std::abs(*most));
 }
 
-/// Says why there is no number, and what may be done.
+/// Reports why there is no number, and how to continue.
 [[noreturn]] void failResult(const ParameterSearch& search, std::size_t index,
                              const std::vector<double>& variables, const std::string& reason)
 {
@@ -140,7 +141,7 @@ std::vector<double> completed(const ParameterSearch& search, const std::vector<d
     return results;
 }
 
-/// What the applications did at a point.
+/// The outcome of the applications at a point.
 struct PointRun
 {
     std::vector<double> results; ///< nan where there is none
@@ -181,7 +182,7 @@ PointRun runPoint(const ParameterSearch& search, const std::vector<double>& vari
                     done.status, directory == "." ? "" : directory + "/", application);
                 run.failureStatus = done.status;
                 run.lastWords = done.lastWords;
-                // A table that an earlier application has left may be from before the failure.
+                // A table of an earlier application may be from before the failure.
                 break;
             }
         }
@@ -205,12 +206,11 @@ PointRun runPoint(const ParameterSearch& search, const std::vector<double>& vari
         }
         if (!column && run.failure.empty())
         {
-            throw FatalIOError(
-                fmt::format(
-                    "The applications have left no table {}.\n\nDo they write it, and does a function "
-                    "of controlDict? Their files are in {}.",
-                    result.table, folder.string()),
-                search.dictionary.subDict("results").subDict(name).locationOf("table"));
+            throw FatalIOError(fmt::format("The applications have not written the table {}.\n\nDo they write "
+                                           "it, and does a function "
+                                           "of controlDict? Their files are in {}.",
+                                           result.table, folder.string()),
+                               search.dictionary.subDict("results").subDict(name).locationOf("table"));
         }
         run.results.push_back(column ? taken(*column, result.take) : std::nan(""));
     }
@@ -243,12 +243,12 @@ std::string outcomeText(const ParameterSearchSettings& settings, const Evaluatio
         text += fmt::format("  {} = {:.9g}", settings.results[i].first, found.results[i]);
     }
     return text
-           + fmt::format("  objective = {:.9g}{}", found.objective,
-                         found.violation > 0 ? fmt::format("  misses a constraint by {:.3g}", found.violation)
-                                             : "");
+           + fmt::format(
+               "  objective = {:.9g}{}", found.objective,
+               found.violation > 0 ? fmt::format("  violates a constraint by {:.3g}", found.violation) : "");
 }
 
-/// Whether the search is over without having found what it was to find.
+/// Whether the search has ended without finding what it was to find.
 bool isShort(const SearchOutcome& outcome)
 {
     return outcome.end == SearchEnd::failed || outcome.end == SearchEnd::astray
@@ -262,11 +262,11 @@ const char* statusText(const SearchOutcome& outcome)
     case SearchEnd::converged:
         return "converged";
     case SearchEnd::astray:
-        return "not converged: the last algorithm ended at a point that misses the constraints";
+        return "not converged: the last algorithm ended at a point that violates the constraints";
     case SearchEnd::evaluations:
         return isShort(outcome) ? "not converged: raise maximumEvaluations" : "all evaluations made";
     case SearchEnd::failed:
-        return "not converged: the last algorithm gave up";
+        return "not converged: the last algorithm failed";
     case SearchEnd::interrupted:
         break;
     }
@@ -281,10 +281,10 @@ ParameterSearch readParameterSearch(const fs::path& caseDirectory, const Command
     search.caseDirectory = caseDirectory;
     search.dictionary =
         Dictionary::readFile(requireCaseFile(caseDirectory, "system/parameterSearchDict",
-                                             "It says which entries to vary and what to look for; "
+                                             "It specifies which entries to vary and what to find; "
                                              "etc/annotated/system/parameterSearchDict is one to copy."));
     search.settings = readOptions<ParameterSearchSettings>(search.dictionary);
-    std::error_code unknown; // a name that no file can have is not that of one
+    std::error_code unknown; // a name that no file can have is not a file
     for (const std::string& directory : search.settings.cases)
     {
         if (!fs::is_directory(caseDirectory / directory, unknown))
@@ -333,41 +333,40 @@ ParameterSearch readParameterSearch(const fs::path& caseDirectory, const Command
     return search;
 }
 
-SearchHistory::SearchHistory(const ParameterSearch& search)
-    : search_(search), file_(resultsFolder(search.caseDirectory) / "history.dat")
+SearchHistory::SearchHistory(const ParameterSearch& parameterSearch)
+    : search(parameterSearch), file(resultsFolder(search.caseDirectory) / "history.dat")
 {
     const std::size_t numbers = search.settings.variables.size() + search.settings.results.size() + 2;
-    for (const std::vector<double>& row :
-         readHistory(file_, historyHeading(search), numbers, applicationName))
+    for (const std::vector<double>& row : readHistory(file, historyHeading(search), numbers, applicationName))
     {
         const auto variables = static_cast<std::ptrdiff_t>(search.settings.variables.size());
         SearchRecord record{{row.begin(), row.begin() + variables},
                             {row.begin() + variables, row.end() - 2},
                             static_cast<int>(row.end()[-2]),
                             row.back()};
-        places_[record.variables] = records_.size();
-        records_.push_back(std::move(record));
+        places[record.variables] = knownRecords.size();
+        knownRecords.push_back(std::move(record));
     }
 }
 
 const SearchRecord* SearchHistory::find(const std::vector<double>& variables) const
 {
-    const auto found = places_.find(variables);
-    return found == places_.end() ? nullptr : &records_[found->second];
+    const auto found = places.find(variables);
+    return found == places.end() ? nullptr : &knownRecords[found->second];
 }
 
 void SearchHistory::add(SearchRecord record)
 {
-    places_[record.variables] = records_.size();
-    records_.push_back(std::move(record));
-    std::string text = historyHeading(search_);
-    for (const SearchRecord& known : records_)
+    places[record.variables] = knownRecords.size();
+    knownRecords.push_back(std::move(record));
+    std::string text = historyHeading(search);
+    for (const SearchRecord& known : knownRecords)
     {
         // The fewest digits that read back as the same number.
         text += fmt::format("{}  {}  {}  {:.3g}\n", fmt::join(known.variables, "  "),
                             fmt::join(known.results, "  "), known.exitStatus, known.cpuTime);
     }
-    writeWholeFile(file_, text);
+    writeWholeFile(file, text);
 }
 
 void printSearch(const ParameterSearch& search, const SearchHistory& history)
@@ -436,9 +435,9 @@ SearchOutcome carryOut(const ParameterSearch& search, SearchHistory& history)
         };
         if (const SearchRecord* known = history.find(variables))
         {
-            const Evaluation found = evaluate(
-                settings, variables,
-                completed(search, variables, known->results, "So it says in the history of the search."));
+            const Evaluation found =
+                evaluate(settings, variables,
+                         completed(search, variables, known->results, "The history of the search has none."));
             report(found, "  (known)");
             return found;
         }
@@ -489,7 +488,7 @@ void printOutcome(const ParameterSearch& search, const SearchHistory& history, c
     }
     if (outcome.best->violation > 0)
     {
-        info("No point that was tried meets the constraints; the nearest one misses them by {:.6g}:",
+        info("No point that was tried meets the constraints; the nearest one violates them by {:.6g}:",
              outcome.best->violation);
     }
     else
@@ -519,7 +518,7 @@ void printOutcome(const ParameterSearch& search, const SearchHistory& history, c
                                       [](const SearchRecord& record) { return record.exitStatus != 0; });
     if (failed > 0)
     {
-        info("At {} of {} points an application failed, and `otherwise` was taken: see exitStatus in "
+        info("At {} of {} points an application failed, and `otherwise` was used: see exitStatus in "
              "history.dat",
              failed, history.records().size());
     }
@@ -562,7 +561,7 @@ void writeOutcome(const ParameterSearch& search, const SearchHistory& history, c
         fmt::format("{:.9g} at {}", outcome.best->objective, pointText(settings, outcome.best->variables));
     plot.y.label = settings.objective.value;
     PlotCurve met{"evaluations", {}, {}, CurveLine::none, CurveMarker::circle, {}};
-    PlotCurve missed{"miss a constraint", {}, {}, CurveLine::none, CurveMarker::diamond, {}};
+    PlotCurve missed{"violate a constraint", {}, {}, CurveLine::none, CurveMarker::diamond, {}};
     const bool overVariable = settings.variables.size() == 1;
     plot.x.label = overVariable ? settings.variables.front().first : "evaluation";
     for (std::size_t i = 0; i < history.records().size(); ++i)

@@ -1,11 +1,11 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// A search in a case directory: what it reads, runs, says and leaves behind.
+/// A search in a case directory: its input, its runs, its log and its files.
 ///
 /// parameterSearch/evaluation   the copy of the case in which the applications run
 /// parameterSearch/best         that of the best point so far, with its results
 /// postProcessing/parameterSearch/0/
-///     history.dat              a row for each point; a search that is begun again computes none of them anew
-///     best.dat                 the row of the best one, and how many were tried
+///     history.dat              a row for each point; a search that is restarted repeats none of them
+///     best.dat                 the row of the best one, and the number of points
 ///     parameterSearch.svg      the objective over the evaluations, or over the variable when there is one
 #pragma once
 
@@ -23,18 +23,18 @@ struct ParameterSearch
 {
     std::filesystem::path caseDirectory;
     ParameterSearchSettings settings;
-    Dictionary dictionary;     ///< system/parameterSearchDict, for the places of messages
+    Dictionary dictionary;     ///< system/parameterSearchDict, for the location in messages
     std::vector<double> start; ///< of the variables
     std::uint64_t caseFingerprint = 0;
     std::vector<std::string> options; ///< for the applications
 };
 
 /// Reads system/parameterSearchDict and looks up the entries that it names.
-/// \throws FatalIOError for what is wrong with it, or with a dictionary that has an entry to be varied
+/// \throws FatalIOError for faults in it, or in a dictionary with an entry to be varied
 ParameterSearch readParameterSearch(const std::filesystem::path& caseDirectory,
                                     const CommandLine& commandLine);
 
-/// One point that was computed.
+/// One computed point.
 struct SearchRecord
 {
     std::vector<double> variables;
@@ -43,23 +43,23 @@ struct SearchRecord
     double cpuTime = 0;          ///< [s]
 };
 
-/// The points that are known, on the disk after each of them.
+/// The known points, written to disk after each of them.
 class SearchHistory
 {
 public:
-    /// Reads what an earlier search of the case has left; nothing is written yet.
+    /// Reads the points of an earlier search of the case; nothing is written yet.
     /// \throws FatalError when it is a history of other variables, results, applications or files than now
-    explicit SearchHistory(const ParameterSearch& search);
+    explicit SearchHistory(const ParameterSearch& parameterSearch);
 
     const SearchRecord* find(const std::vector<double>& variables) const;
     void add(SearchRecord record);
-    const std::vector<SearchRecord>& records() const { return records_; }
+    const std::vector<SearchRecord>& records() const { return knownRecords; }
 
 private:
-    const ParameterSearch& search_;
-    std::filesystem::path file_;
-    std::vector<SearchRecord> records_;
-    std::map<std::vector<double>, std::size_t> places_;
+    const ParameterSearch& search;
+    std::filesystem::path file;
+    std::vector<SearchRecord> knownRecords;
+    std::map<std::vector<double>, std::size_t> places;
 };
 
 /// Before the first evaluation: variables, results, objective, constraints, algorithms.
@@ -69,7 +69,7 @@ void printSearch(const ParameterSearch& search, const SearchHistory& history);
 /// \throws FatalError or FatalIOError when a point cannot be evaluated
 SearchOutcome carryOut(const ParameterSearch& search, SearchHistory& history);
 
-/// The best point, and how sure it is.
+/// The best point, and how reliable it is.
 void printOutcome(const ParameterSearch& search, const SearchHistory& history, const SearchOutcome& outcome);
 
 /// best.dat and parameterSearch.svg.

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Integrates the reference solutions between events.
 #include "studies/References.h"
 
 #include "dynamics/EventIntegration.h"
@@ -55,7 +56,9 @@ double firstTimeAbove(const GroundAcceleration& ground, double level, double fro
             const double time =
                 std::min(start + (stop - start) * (part + 1) / parts, std::nextafter(stop, start));
             if (part == 0 && std::abs(ground.at(before)) > level)
+            {
                 return before;
+            }
             if (std::abs(ground.at(time)) > level)
             {
                 double low = before;
@@ -119,7 +122,9 @@ RockingHistory rockingMotion(const RockingBlock& block, const GroundAcceleration
     const auto certain = [&]
     {
         if (state.time < still || std::abs(ground.at(state.time)) > 0)
+        {
             return RockingVerdict::rocks;
+        }
         // kinetic energy over m g R: w^2/(2 p^2); potential: cos(alpha - |theta|), 1 at the crest
         const double w = state.angularVelocity / p;
         const double energy = 0.5 * w * w + std::cos(alpha - std::abs(state.rotation));
@@ -130,15 +135,21 @@ RockingHistory rockingMotion(const RockingBlock& block, const GroundAcceleration
     while (state.time < run.endTime)
     {
         while (kink < kinks.size() && kinks[kink] <= state.time)
+        {
             ++kink;
+        }
         for (; sample < run.sampleTimes.size() && run.sampleTimes[sample] <= state.time; ++sample)
+        {
             history.samples.push_back({run.sampleTimes[sample], state.rotation, state.angularVelocity});
+        }
 
         if (run.untilVerdict && sample == run.sampleTimes.size())
         {
             history.verdict = certain();
             if (history.verdict != RockingVerdict::rocks)
+            {
                 break;
+            }
         }
         if (resting)
         {
@@ -147,7 +158,9 @@ RockingHistory rockingMotion(const RockingBlock& block, const GroundAcceleration
                                    : run.endTime;
             state = {firstTimeAbove(ground, uplift, state.time, end), 0, 0};
             if (state.time >= end)
+            {
                 continue;
+            }
             resting = false;
             side = std::copysign(1.0, ground.at(state.time));
             continue;
@@ -158,16 +171,22 @@ RockingHistory rockingMotion(const RockingBlock& block, const GroundAcceleration
         pieceEnd = toKink ? kinks[kink] : run.endTime;
         double end = pieceEnd;
         if (sample < run.sampleTimes.size())
+        {
             end = std::min(end, run.sampleTimes[sample]);
-        // before the ground is still the verdict is not certain; after, look at it every second or so
+        }
+        // Before the ground is still the verdict is not certain; afterwards it is checked about every second.
         if (run.untilVerdict)
+        {
             end = std::min(end, state.time + 1);
+        }
         const EventOutcome outcome =
             integrateToEvent(problem, state.time, {state.rotation, state.angularVelocity}, end);
         const double passed = outcome.time - state.time;
         state = {outcome.time, outcome.state[0], outcome.state[1]};
         if (!outcome.happened)
+        {
             continue;
+        }
         if (side * state.rotation > alpha)
         {
             history.verdict = RockingVerdict::overturns;
@@ -185,10 +204,16 @@ RockingHistory rockingMotion(const RockingBlock& block, const GroundAcceleration
         }
     }
     if (history.verdict == RockingVerdict::rocks)
+    {
         history.verdict = certain();
+    }
     if (history.verdict != RockingVerdict::overturns)
+    {
         for (; sample < run.sampleTimes.size() && run.sampleTimes[sample] <= state.time; ++sample)
+        {
             history.samples.push_back({run.sampleTimes[sample], state.rotation, state.angularVelocity});
+        }
+    }
     history.last = state;
     return history;
 }
@@ -196,7 +221,9 @@ RockingHistory rockingMotion(const RockingBlock& block, const GroundAcceleration
 double rockingPeriod(const RockingBlock& block, double rotation)
 {
     if (!(rotation > 0 && rotation < block.slenderness()))
+    {
         throw std::domain_error("a block rocks freely from a rotation between zero and its slenderness");
+    }
     RockingRun run;
     run.start.rotation = rotation;
     run.untilVerdict = false;
@@ -221,7 +248,9 @@ overturningThreshold(const RockingBlock& block,
     { return rockingMotion(block, *ground(amplitude), {}).verdict == RockingVerdict::overturns; };
     const bool lowOverturns = overturns(low);
     if (overturns(high) == lowOverturns)
+    {
         throw std::domain_error("the verdict on the block is the same at both amplitudes");
+    }
     while (high - low > 1e-9 * high)
     {
         const double middle = 0.5 * (low + high);
@@ -242,7 +271,9 @@ double newmarkPulseDistance(double amplitude, double duration, double frictionCo
     //     (A - mu g) T^2/2 + ((A - mu g) T)^2/(2 mu g)
     const double resistance = frictionCoefficient * gravity;
     if (amplitude <= resistance)
+    {
         return 0;
+    }
     return amplitude * (amplitude - resistance) * duration * duration / (2 * resistance);
 }
 
@@ -276,7 +307,9 @@ std::vector<SlidingState> slidingMotion(const GroundAcceleration& ground, double
         {
             state.time = firstTimeAbove(ground, strength, state.time, target);
             if (state.time < target)
+            {
                 side = -std::copysign(1.0, ground.at(state.time));
+            }
             continue;
         }
         const auto next = std::upper_bound(kinks.begin(), kinks.end(), state.time);
@@ -296,7 +329,9 @@ std::vector<SlidingState> slidingMotion(const GroundAcceleration& ground, double
 double bouncingTime(double height, double restitution, double gravity)
 {
     if (!(restitution >= 0 && restitution < 1))
+    {
         throw std::domain_error("a restitution from which a bounce comes to rest is at least 0 and below 1");
+    }
     // the fall, and then hops that last 2 e, 2 e^2, 2 e^3 ... falls
     return std::sqrt(2 * height / gravity) * (1 + restitution) / (1 - restitution);
 }
@@ -304,7 +339,9 @@ double bouncingTime(double height, double restitution, double gravity)
 double bouncingHeight(double height, double restitution, double time, double gravity)
 {
     if (time >= bouncingTime(height, restitution, gravity))
+    {
         return 0;
+    }
     // as if thrown up at -fall: each hop is shorter than the one before by the restitution
     double fall = std::sqrt(2 * height / gravity);
     double since = time + fall;

@@ -1,6 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Solutions of single-block problems that do not come from Drystone's own time stepping: closed forms, and
-/// Housner's equation integrated to the last digits. Errors of the time stepping are measured against these.
+/// Solutions of single-block problems that are independent of Drystone's own time stepping: closed forms, and
+/// Housner's equation integrated to the last digits. Errors of the time stepping are measured against them.
 #pragma once
 
 #include "dynamics/GroundAcceleration.h"
@@ -24,7 +24,7 @@ struct RockingBlock
     double restitution() const; ///< angular velocity after an impact over that before: 1 - 3/2 sin^2 alpha
 };
 
-/// Rotation is positive counter-clockwise: the block stands on its left corner then.
+/// Rotation is positive counter-clockwise: the block then stands on its left corner.
 struct RockingState
 {
     double time = 0;            ///< [s]
@@ -48,7 +48,7 @@ enum class RockingVerdict
 
 struct RockingHistory
 {
-    std::vector<RockingState> samples; ///< one a time asked for, unless the block overturned before
+    std::vector<RockingState> samples; ///< one per requested time, unless the block overturned before
     std::vector<RockingImpact> impacts;
     double largestRotation = 0; ///< absolute value, over the integration steps and impacts [rad]
     RockingState last;
@@ -81,8 +81,9 @@ double rockingPeriod(const RockingBlock& block, double rotation);
 double rockingPeriodLinearised(const RockingBlock& block, double rotation);
 
 /// The amplitude between `low` and `high` at which the verdict on a block changes, by bisection to a relative
-/// 1e-9. \param ground  makes the motion of the ground from its amplitude \throws std::domain_error when the
-/// verdicts on the two are the same
+/// 1e-9.
+/// \param ground  makes the ground motion of an amplitude
+/// \throws std::domain_error when the verdicts on the two are the same
 double
 overturningThreshold(const RockingBlock& block,
                      const std::function<std::unique_ptr<GroundAcceleration>(double amplitude)>& ground,
@@ -91,8 +92,8 @@ overturningThreshold(const RockingBlock& block,
 /// Distance in which a sliding block stops: v^2/(2 mu g) [m].
 double slidingDistance(double velocity, double frictionCoefficient, double gravity = 9.81);
 
-/// Distance by which a block stays behind a base that accelerates by `amplitude` for `duration` and then
-/// keeps its velocity (Newmark 1965): A (A - mu g) T^2/(2 mu g), or 0 when A <= mu g [m].
+/// Distance by which a block lags behind a base that accelerates by `amplitude` for `duration` and then keeps
+/// its velocity (Newmark 1965): A (A - mu g) T^2/(2 mu g), or 0 when A <= mu g [m].
 double newmarkPulseDistance(double amplitude, double duration, double frictionCoefficient,
                             double gravity = 9.81);
 
@@ -107,12 +108,12 @@ struct SlidingState
 /// Motion of a block that starts at rest on a moving ground and slides, without rocking, when |a| > mu g:
 ///     v' = -a - mu g sgn(v).
 /// Integrated between the kinks of `ground`; stops are events.
-/// \return the states at the times asked for
+/// \return the states at the requested times
 /// \param sampleTimes increasing, none negative [s]
 std::vector<SlidingState> slidingMotion(const GroundAcceleration& ground, double frictionCoefficient,
                                         const std::vector<double>& sampleTimes, double gravity = 9.81);
 
-/// When a point dropped from a height has come to rest: sqrt(2 h/g) (1 + e)/(1 - e) [s].
+/// The time at which a point dropped from a height has come to rest: sqrt(2 h/g) (1 + e)/(1 - e) [s].
 /// \throws std::domain_error unless 0 <= restitution < 1
 double bouncingTime(double height, double restitution, double gravity = 9.81);
 

@@ -126,7 +126,7 @@ TEST(ParameterSearch, ABowlInOneVariableIsWithinReachOfAllLocalAlgorithms)
 TEST(ParameterSearch, TheBestPointMeetsTheConstraints)
 {
     // The least distance from the origin of x + y >= 1 is at (0.5, 0.5).
-    for (const char* search_ :
+    for (const char* searchText :
          {"{ algorithm COBYLA; tolerance 1e-9; }",
           "{ algorithm DIRECT_L; maximumEvaluations 300; } { algorithm COBYLA; tolerance 1e-9; }",
           "{ algorithm ISRES; maximumEvaluations 4000; } { algorithm COBYLA; tolerance 1e-9; }"})
@@ -134,7 +134,7 @@ TEST(ParameterSearch, TheBestPointMeetsTheConstraints)
         const auto settings = settingsOf(fmt::format(
             "objective {{ goal minimise; value f; }} constraints {{ far {{ value \"x + y\"; atLeast 1; }} "
             "left {{ value x; atMost 0.5; }} }} search ( {} );",
-            search_));
+            searchText));
         const SearchOutcome outcome =
             search(settings, [](const std::vector<double>& at) { return at[0] * at[0] + at[1] * at[1]; });
         EXPECT_EQ(outcome.end, SearchEnd::converged);

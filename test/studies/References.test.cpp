@@ -89,7 +89,9 @@ TEST(RockingBlock, MirroredMotionIsMirrored)
     EXPECT_GT(right.samples[0].rotation,
               0.01); // the ground goes right, the block tips left: counter-clockwise
     for (std::size_t i = 0; i < 4; ++i)
+    {
         EXPECT_EQ(right.samples[i].rotation, -left.samples[i].rotation);
+    }
 }
 
 TEST(RockingBlock, FreeRockingLosesTheSameShareInEachImpactAndEnds)
@@ -102,8 +104,10 @@ TEST(RockingBlock, FreeRockingLosesTheSameShareInEachImpactAndEnds)
     ASSERT_GT(history.impacts.size(), 100u);
     const double speed = std::abs(history.impacts[0].velocityBefore);
     for (std::size_t i = 0; i < 30; ++i)
+    {
         EXPECT_NEAR(std::abs(history.impacts[i].velocityBefore) / speed, std::pow(slender.restitution(), i),
                     1e-9);
+    }
     EXPECT_EQ(history.last.rotation, 0);
     EXPECT_EQ(history.last.angularVelocity, 0);
     EXPECT_EQ(history.last.time, 60);
@@ -151,9 +155,13 @@ TEST(SlidingBlock, SlidesBothWaysUnderASineAndComesToRest)
     EXPECT_LT(std::abs(there[0].velocity), sine.integral(0, 0.3));
     const auto back = slidingMotion(SinePulse({-0.6 * g, 2, 0}, 8), 0.3, {0.3, 0.5, 5});
     for (std::size_t i = 0; i < 3; ++i)
+    {
         EXPECT_EQ(back[i].displacement, -there[i].displacement);
+    }
     for (const double mu : {0.6, 0.61})
+    {
         EXPECT_EQ(slidingMotion(sine, mu, {5})[0].displacement, 0);
+    }
 }
 
 TEST(BouncingBlock, HeightIsContinuousAndEachTopIsLowerByTheSquareOfTheRestitution)
