@@ -21,7 +21,7 @@ void warnOfOverlaps(const Assembly<2>& assembly, const Dictionary& dictionary)
     {
         printWarning(
             fmt::format("Blocks {} and {} overlap by {:.6g} m2, {:.3g} of the smaller one. Blocks may touch, "
-                        "but not share space; checkBlocks lists all overlaps.",
+                        "but not overlap; checkBlocks lists all overlaps.",
                         overlap->block, overlap->neighbour, overlap->area, overlap->fraction),
             dictionary.locationOf("texture"));
     }

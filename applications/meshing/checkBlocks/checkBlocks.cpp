@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// checkBlocks: tells whether the blocks of a case are fit to be computed with.
+/// checkBlocks: reports whether the blocks of a case are suitable for computation.
 #include "assembly/AssemblyChecks.h"
 #include "assembly/AssemblyFile.h"
 #include "core/CommandLine.h"

@@ -24,15 +24,21 @@ int run(const CommandLine& commandLine)
 {
     printBanner(commandLine);
     const std::filesystem::path& directory = commandLine.caseDirectory;
-    const Time time(directory); // nothing moves, but a fault in controlDict is one here too
+    const Time time(directory); // nothing moves, but a fault in controlDict is reported here too
     LimitAnalysisCase structure = readLimitAnalysisCase(directory);
     if (!commandLine.noFunctionObjects)
+    {
         checkFunctions(time.controlDict(), directory, structure.assembly);
+    }
     printLimitAnalysisCase(structure);
     if (commandLine.postProcess)
+    {
         confirmResults(directory);
+    }
     else
+    {
         requireWritableResults(directory);
+    }
     if (!commandLine.dryRun && !commandLine.postProcess)
     {
         const double start = cpuTime();
@@ -47,7 +53,9 @@ int run(const CommandLine& commandLine)
         }
         writeLimitAnalysisResults(directory, structure, results, used);
         if (structure.pushover && !runPushover(directory, structure))
+        {
             return 2;
+        }
     }
     printExecutionTime();
     printEnd();

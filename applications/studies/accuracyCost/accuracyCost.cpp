@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// accuracyCost: what accuracy costs in time: the error of a figure against a reference, beside CPU time,
+/// accuracyCost: the CPU time of accuracy: errors of figures against a reference and the CPU time they take,
 /// over steps, schemes, flow rules, solvers, tolerances and contact points.
 #include "core/CommandLine.h"
 #include "core/Error.h"
@@ -17,9 +17,8 @@ int run(const CommandLine& commandLine)
     printBanner(commandLine);
     if (commandLine.postProcess)
     {
-        throw FatalError(
-            "accuracyCost writes its tables when it runs: leave -postProcess away. Called again, "
-            "it writes them anew from the runs that are known.");
+        throw FatalError("accuracyCost writes its tables when it runs: omit -postProcess. Called again, "
+                         "it writes them again from the known runs.");
     }
     const AccuracyStudy study = readAccuracyStudy(commandLine.caseDirectory);
     printAccuracyStudy(study);
@@ -46,8 +45,8 @@ int main(int argc, char* argv[])
     ApplicationDescription description;
     description.name = "accuracyCost";
     description.summary =
-        "Computes figures of a case with many settings: their errors against a reference beside CPU time, as "
-        "table, pictures and a page. Started again, it goes on where it was stopped.";
+        "Computes figures of a case with many settings: their errors against a reference and CPU times, as "
+        "table, pictures and a page. Started again, it continues where it was stopped.";
     description.kind = ApplicationKind::solver;
     description.details = []
     { return fmt::format("system/accuracyCostDict:\n{}", helpText(describeOptions<AccuracySettings>())); };

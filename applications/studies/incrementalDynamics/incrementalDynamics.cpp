@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// incrementalDynamics: repeats the motion of contactDynamics over a growing acceleration of the ground, for
+/// incrementalDynamics: repeats the motion of contactDynamics over a growing ground acceleration and finds
 /// the least one that meets a criterion; with several records an incremental dynamic analysis.
 #include "core/CommandLine.h"
 #include "core/Error.h"
@@ -18,7 +18,7 @@ int run(const CommandLine& commandLine)
     printBanner(commandLine);
     if (commandLine.postProcess)
     {
-        throw FatalError("incrementalDynamics writes its tables when it runs: leave -postProcess away.");
+        throw FatalError("incrementalDynamics writes its tables when it runs: omit -postProcess.");
     }
     Time time(commandLine.caseDirectory, ControlDict::required);
     const IncrementalDynamics study = readIncrementalDynamics(commandLine.caseDirectory, time);
@@ -50,7 +50,7 @@ int main(int argc, char* argv[])
     ApplicationDescription description;
     description.name = "incrementalDynamics";
     description.summary =
-        "Repeats the motion that contactDynamics computes over a growing acceleration of the ground: the "
+        "Repeats the motion that contactDynamics computes over a growing ground acceleration and finds the "
         "least one that meets a criterion, as log, table and picture. The runs use all cores.";
     description.kind = ApplicationKind::solver;
     description.details = []

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// parameterSearch: the values of some entries of a case at which a result is least or largest.
+/// parameterSearch: the values of selected entries of a case for which a result is least or largest.
 #include "core/CommandLine.h"
 #include "core/Error.h"
 #include "core/Log.h"
@@ -16,7 +16,7 @@ int run(const CommandLine& commandLine)
     printBanner(commandLine);
     if (commandLine.postProcess)
     {
-        throw FatalError("parameterSearch writes its tables when it runs: leave -postProcess away.");
+        throw FatalError("parameterSearch writes its tables when it runs: omit -postProcess.");
     }
     const ParameterSearch search = readParameterSearch(commandLine.caseDirectory, commandLine);
     SearchHistory history(search);
@@ -45,7 +45,7 @@ int main(int argc, char* argv[])
     description.summary =
         "Varies entries of a case until a result is least or largest, within constraints: runs applications "
         "in "
-        "copies of the case and lets algorithms of NLopt choose the points. Started again, it goes on.";
+        "copies of the case and lets algorithms of NLopt choose the points. Started again, it continues.";
     description.kind = ApplicationKind::solver;
     description.details = []
     {

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// caseDictionary: prints entries of a dictionary, or edits one and leaves everything else as it is.
+/// caseDictionary: prints entries of a dictionary, or edits one and leaves the rest of the file unchanged.
 #include "core/CommandLine.h"
 #include "core/Dictionary.h"
 #include "core/DictionaryEdit.h"
@@ -24,17 +24,24 @@ int run(const CommandLine& commandLine)
     for (const auto& [option, itsEdit] : edits)
     {
         if (!commandLine.has(option))
+        {
             continue;
+        }
         if (edit || path.empty())
-            throw FatalError(
-                "One of -set, -add and -remove goes with -entry, which names what is to be edited.");
+        {
+            throw FatalError("-set, -add and -remove need -entry, which names the entry to be edited.");
+        }
         edit = itsEdit;
         value = *commandLine.get(option);
     }
     if (edit)
+    {
         editFile(file, path, *edit, value);
+    }
     if (edit == EntryEdit::remove)
+    {
         return 0;
+    }
 
     const bool asWritten = edit || commandLine.has("disableFunctionEntries");
     const Dictionary dictionary = Dictionary::readFile(file, asWritten ? Expansion::none : Expansion::all);
@@ -42,16 +49,26 @@ int run(const CommandLine& commandLine)
     if (commandLine.has("keywords"))
     {
         for (const Entry& inner : (entry ? entry->dictionary() : dictionary).entries())
+        {
             fmt::print("{}\n", inner.keywordText());
+        }
     }
     else if (!entry)
+    {
         fmt::print("{}", toText(dictionary));
+    }
     else if (!commandLine.has("value"))
+    {
         fmt::print("{}", toText(*entry));
+    }
     else if (entry->isDictionary())
+    {
         fmt::print("{{\n{}}}\n", toText(entry->dictionary(), 4));
+    }
     else
+    {
         fmt::print("{}\n", entry->valueText());
+    }
     return 0;
 }
 
@@ -62,17 +79,17 @@ int main(int argc, char* argv[])
     ApplicationDescription description;
     description.name = "caseDictionary";
     description.summary =
-        "Prints what a dictionary says, macros and directives carried out, or edits one entry of it\n"
-        "and leaves comments and layout as they are.";
+        "Prints the contents of a dictionary, macros and directives expanded, or edits one entry of it\n"
+        "and keeps comments and layout.";
     description.arguments = {{"DICTIONARY", "", "the file, relative to the case directory"}};
     description.options = {
         {"entry", "a/b", "the entry (default: all)"},
         {"value", "", "print only the value"},
         {"keywords", "", "print only the keywords"},
-        {"expand", "", "print with macros and directives carried out (which is the default)"},
+        {"expand", "", "print with macros and directives expanded (the default)"},
         {"disableFunctionEntries", "", "print macros and directives as they are written"},
-        {"set", "VALUE", "give the entry this value; an entry that is not there is added"},
-        {"add", "VALUE", "add the entry with this value; one that is there stays as it is"},
+        {"set", "VALUE", "give the entry this value; a missing entry is added"},
+        {"add", "VALUE", "add the entry with this value; an existing one is left unchanged"},
         {"remove", "", "remove the entry"},
     };
     return runApplication(argc, argv, description, run);

@@ -1,6 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// solveProgram: solves a cone program that limitAnalysis, contactDynamics or anyone else has written as a
-/// file, and prints status, objective and certificate.
+/// solveProgram: solves a cone program stored in a file by limitAnalysis, contactDynamics or another program,
+/// and prints status, objective and certificate.
 #include "conic/Certificate.h"
 #include "conic/ProgramFile.h"
 #include "core/CommandLine.h"
@@ -18,7 +18,9 @@ SolverChoice choiceOf(const CommandLine& commandLine)
     for (const char* key : {"solver", "tolerance", "maximumIterations", "maximumSweeps"})
     {
         if (const auto value = commandLine.get(key))
+        {
             text += fmt::format("{} {};\n", key, *value);
+        }
     }
     return readOptions<SolverChoice>(Dictionary::readString(text, "command line"));
 }
@@ -27,9 +29,11 @@ template<int Rows, int Forces>
 int solve(const ConeProgram<Rows, Forces>& program, const SolverChoice& choice)
 {
     if (solvesMotionOnly(choice.solver) && (!program.hasInertia() || program.hasMultiplier()))
+    {
         throw FatalError(
             nameOf(choice.solver)
             + " solves programs with inertia and without live load only. Use -solver interiorPoint.");
+    }
     info("Bodies: {} in {}, contact points: {}, inertia: {}, multiplier: {}\nSolver: {}, tolerance {:g}\n",
          program.bodies, Forces == 2 ? "the plane" : "space", program.points(),
          program.hasInertia() ? "yes" : "no", program.hasMultiplier() ? "yes" : "no", nameOf(choice.solver),
@@ -38,7 +42,9 @@ int solve(const ConeProgram<Rows, Forces>& program, const SolverChoice& choice)
     const Certificate certificate = certify(program, solution);
     info("Status: {}", nameOf(solution.status));
     if (solution.status == SolveStatus::optimal)
+    {
         info("Objective = {:.12g}", objective(program, solution));
+    }
     info("Certificate: primal residual = {:.3e}, dual residual = {:.3e}, gap = {:.3e}, No Iterations {}\n",
          certificate.primalResidual, certificate.dualResidual, certificate.gap, solution.iterations);
     printExecutionTime();
@@ -61,7 +67,8 @@ int main(int argc, char* argv[])
     ApplicationDescription description;
     description.name = "solveProgram";
     description.summary =
-        "Solves a cone program kept in a file, as `writeProgram always;` in system/solution leaves them in\n"
+        "Solves a cone program stored in a file, as `writeProgram always;` in system/solution writes them "
+        "to\n"
         "postProcessing/, and prints status, objective (1/2 r'Mbar^-1 r + g'c - alpha) and certificate.";
     description.arguments = {{"PROGRAM", "", "the file, relative to the case directory"}};
     description.options = {
