@@ -1,5 +1,5 @@
 # Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-"""What the tests of whole applications share: cases in a temporary folder, on which an application is run."""
+"""Common to the tests of whole applications: cases in a temporary folder, in which an application is run."""
 import os
 import subprocess
 import sys

@@ -46,7 +46,9 @@ Example example(const std::string& file, const std::string& doc, const std::vect
 {
     std::vector<OptionDescription> options = describeOptions<Settings>();
     for (OptionDescription& option : options)
+    {
         option.given = std::find(given.begin(), given.end(), option.key) != given.end();
+    }
     return {file, annotatedDictionary(std::filesystem::path(file).filename().string(), doc, options),
             [](const Dictionary& dictionary) { readOptions<Settings>(dictionary); }};
 }
@@ -175,11 +177,17 @@ int main(int count, char** arguments)
         {
             const std::string mode = count == 3 ? arguments[1] : "";
             if (mode == "--check")
+            {
                 return check(arguments[2]);
+            }
             if (mode != "--write")
+            {
                 throw FatalError("Usage: annotatedDictionaries --write|--check DIR");
+            }
             for (const Example& wanted : examples())
+            {
                 writeWholeFile(std::filesystem::path(arguments[2]) / wanted.file, wanted.text);
+            }
             return 0;
         });
 }

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// What comes before any solving: dictionaries, blocks, contact points.
+/// The work before any solution: dictionaries, blocks, contact points.
 #include "assembly/AssemblyFile.h"
 #include "assembly/ContactPoint.h"
 #include "texture/Texture.h"
@@ -27,7 +27,9 @@ void makeBlocks(benchmark::State& state)
     const Dictionary dictionary = squareWall(state.range(0));
     std::size_t blocks = 0;
     for (auto _ : state)
+    {
         benchmark::DoNotOptimize(blocks = makeStructure(dictionary).blocks.size());
+    }
     state.counters["blocks"] = static_cast<double>(blocks);
 }
 BENCHMARK(makeBlocks)->Arg(20)->Arg(80)->Arg(320)->Unit(benchmark::kMillisecond);
@@ -37,7 +39,9 @@ void findContacts(benchmark::State& state)
     const Assembly<2> assembly = makeStructure(squareWall(state.range(0)));
     std::size_t points = 0;
     for (auto _ : state)
+    {
         benchmark::DoNotOptimize(points = findContactPoints(assembly).size());
+    }
     state.counters["points"] = static_cast<double>(points);
 }
 BENCHMARK(findContacts)->Arg(20)->Arg(80)->Arg(320)->Unit(benchmark::kMillisecond);
@@ -46,7 +50,9 @@ void readBlocks(benchmark::State& state)
 {
     const std::string text = assemblyText(makeStructure(squareWall(state.range(0))));
     for (auto _ : state)
+    {
         benchmark::DoNotOptimize(Dictionary::readString(text).entries().size());
+    }
     state.SetBytesProcessed(state.iterations() * static_cast<long>(text.size()));
 }
 BENCHMARK(readBlocks)->Arg(20)->Arg(80)->Arg(320)->Unit(benchmark::kMillisecond);

@@ -1,7 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Box2D, a game engine, on walls of the paper: one second in steps of 0.002 s, pushed by a share of the
-/// collapse multiplier. At 0.8 alpha a wall stands: what its blocks move by, `moved[mm]`, is the engine's
-/// error. Drystone's own figures for the same are MotionBenchmark's.
+/// Box2D, a game engine, on walls of the paper: one second in steps of 0.002 s, loaded by a fraction of the
+/// collapse multiplier. At 0.8 alpha a wall stands: the displacement of its blocks, `moved[mm]`, is the error
+/// of the engine. The corresponding figures of Drystone are those of MotionBenchmark.
 ///
 ///     build/test/Box2dBenchmark --benchmark_out=box2d.csv --benchmark_out_format=csv
 #include "Peers.h"

@@ -1,8 +1,8 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// What each effect costs: CPU time of 0.2 s of motion of the paper's wall 1, in steps of 0.002 s, that
-/// nothing but gravity and a push of 1.1 times its multiplier acts on (`none`: frictionless, rigid, undamped,
-/// the push as a force), then with each effect alone beside friction, and with all that go together. What an
-/// effect costs where it is absent is in results/README.md: it takes a second build.
+/// The cost of each effect: CPU time of 0.2 s of motion of the paper's wall 1, in steps of 0.002 s, under
+/// gravity and a load of 1.1 times its multiplier only (`none`: frictionless, rigid, undamped, the load as a
+/// force), then with each effect in addition to friction, and with all that can be combined. The cost of an
+/// effect where it is absent is in results/README.md, because it requires a second build.
 ///
 ///     build/test/EffectsBenchmark --benchmark_out=effects.csv --benchmark_out_format=csv
 #include "Peers.h"
@@ -22,7 +22,7 @@ constexpr double multiplier = 0.642859;
 constexpr double timeStep = 0.002;
 constexpr int steps = 100;
 
-/// The wall under its weight and a push to the left, without any effect.
+/// The wall under its weight and a load to the left, without any effect.
 DynamicCase wall()
 {
     DynamicCase scene;
@@ -55,7 +55,7 @@ void restitution(DynamicCase& scene)
     scene.contact.restitution = Restitution{0.3};
 }
 
-/// Weaker than the push asks for: some bonds break at once.
+/// Weaker than the load requires: some bonds break immediately.
 void cohesion(DynamicCase& scene)
 {
     friction(scene);
@@ -101,7 +101,7 @@ void supportMotion(DynamicCase& scene)
         {0, {1, 0}, tabulatedAcceleration({0, 1}, {0, 0.5}, Interpolation::linear, OutOfBounds::zero)}};
 }
 
-/// Restitution and cohesion go without elasticity only.
+/// Restitution and cohesion cannot be combined with elasticity.
 void all(DynamicCase& scene)
 {
     groundMotion(scene);

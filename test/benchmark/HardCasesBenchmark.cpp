@@ -1,7 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Where each solver stops being honest: steps of towers with mass ratios of 1 to 1e8, frictions of 0 to 3, 5
-/// to 200 blocks, faces with 2 to 300 points a side, in the plane and in space. The label of a row is the
-/// case and whether the solver reached the tolerance (1e-8 of the two exact solvers, 1e-4 of Gauss-Seidel).
+/// The limits of each solver: steps of towers with mass ratios of 1 to 1e8, frictions of 0 to 3, 5 to 200
+/// blocks, faces with 2 to 300 points per side, in the plane and in space. The label of a row is the case and
+/// whether the solver reached the tolerance (1e-8 for the two exact solvers, 1e-4 for Gauss-Seidel).
 ///
 ///     build/test/HardCasesBenchmark --benchmark_out=hardCases.csv --benchmark_out_format=csv
 #include "HardCases.h"
@@ -18,7 +18,7 @@ namespace drystone
 namespace
 {
 
-/// Sweeps times contact points that Gauss-Seidel is given: about a second.
+/// Sweeps times contact points available to Gauss-Seidel: about a second.
 constexpr double mostPointVisits = 4e6;
 
 const std::vector<HardCase>& cases()

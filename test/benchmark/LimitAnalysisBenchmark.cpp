@@ -1,8 +1,8 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Limit analysis in units of its own work: F is the time of one assembly, factorisation and solve of the
-/// same Schur matrix, taken in the same run, with our own factor and with CHOLMOD's. All are minima over the
-/// repetitions: a loaded machine makes every figure larger, never smaller. Then the same of walls that are
-/// pushed by half more than they carry: the proof that they fall.
+/// Limit analysis in units of its own work: F is the time of one assembly, factorisation and solution of the
+/// same Schur matrix, measured in the same run, with our own factor and with that of CHOLMOD. All are minima
+/// over the repetitions, since a loaded machine makes every figure larger, never smaller. Then the same for
+/// walls under 1.5 times the feasible load: the proof that they are unstable.
 ///
 ///     build/test/LimitAnalysisBenchmark --benchmark_out=results.csv --benchmark_out_format=csv
 #include "CholmodUnit.h"
@@ -41,7 +41,7 @@ double peakMemory()
     return kilobytes / 1e6;
 }
 
-/// What a solution was, and took.
+/// A solution and its cost.
 struct Outcome
 {
     double alpha = 0;
@@ -126,7 +126,7 @@ PlaneConeProgram pushedWall(const benchmark::State& state)
     return limitAnalysisOf(number <= 6 ? drystone::paperWall(number) : drystone::squareWall(number));
 }
 
-/// That a program has no solution.
+/// The proof that a program has no solution.
 void prove(benchmark::State& state, const PlaneConeProgram& program, SolveStatus status)
 {
     measure(state, program,
@@ -142,7 +142,7 @@ void prove(benchmark::State& state, const PlaneConeProgram& program, SolveStatus
             });
 }
 
-/// Pushed by half more than it carries.
+/// Loaded by 1.5 times the feasible load.
 void wallThatFalls(benchmark::State& state)
 {
     PlaneConeProgram program = pushedWall(state);
@@ -151,7 +151,7 @@ void wallThatFalls(benchmark::State& state)
     prove(state, program, SolveStatus::infeasible);
 }
 
-/// Pressed down, with a tenth of that from the side.
+/// Loaded downwards, with a tenth of that from the side.
 void wallWithoutLimit(benchmark::State& state)
 {
     PlaneConeProgram program = pushedWall(state);

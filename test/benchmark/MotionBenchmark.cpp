@@ -1,10 +1,10 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// One simulated second of the paper's walls in steps of 0.002 s, on a ground that accelerates at 0.8 and 1.1
-/// times the collapse multiplier: CPU time a simulated second (the paper: 80 to 214 s), factorisations and
-/// cone programs a step, and the share of the run that writing adds when it comes every ten steps. Then the
-/// same with small displacements and steps certified to 1e-6 (all six walls and one of 80 x 80 units, nothing
-/// written), and Coulomb's law. The unit of work F is that of LimitAnalysisBenchmark: the Schur
-/// system of a step has the pattern of that of limit analysis.
+/// times the collapse multiplier: CPU time per simulated second (the paper: 80 to 214 s), factorisations and
+/// cone programs per step, and the fraction of the run that writing adds every ten steps. Then the same with
+/// small displacements and steps certified to 1e-6 (all six walls and one of 80 x 80 units, nothing written),
+/// and Coulomb's law. The unit of work F is that of LimitAnalysisBenchmark: the Schur system of a step has
+/// the pattern of that of limit analysis.
 ///
 ///     build/test/MotionBenchmark --benchmark_out=results.csv --benchmark_out_format=csv
 #include "CholmodUnit.h"
@@ -59,7 +59,7 @@ std::filesystem::path makeCase(long wall, double share)
     return folder;
 }
 
-/// Runs a scene and reports what a step took. \param writes whether the application's results are written
+/// Runs a scene and reports the cost of a step. \param writes whether the application's results are written
 void run(benchmark::State& state, const std::filesystem::path& folder, const DynamicCase& scene, bool writes)
 {
     keepFreedMemory(); // as applications do

@@ -1,5 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Time to find the contact points of a wall in motion, per step: neighbour list standing, and built anew.
+/// Time to find the contact points of a wall in motion, per step: with a kept neighbour list, and with a new
+/// one.
 #include "assembly/MovingContacts.h"
 #include "texture/RunningBond.h"
 #include "texture/Supports.h"
@@ -48,7 +49,7 @@ Assembly<2> wall(std::int64_t size)
     return size == 6 ? wallSix() : squareWall(static_cast<int>(size));
 }
 
-/// Free blocks shaken and turned by up to `size` [m, rad].
+/// Free blocks displaced and rotated at random by up to `size` [m, rad].
 std::vector<Placement<2>> shaken(const Assembly<2>& assembly, double size)
 {
     std::vector<Placement<2>> placements(assembly.blocks.size());

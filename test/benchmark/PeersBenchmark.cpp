@@ -1,9 +1,9 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Our solvers and other people's on the same problems: limit analysis of the six walls and of square ones,
+/// Our solvers and those of others on the same problems: limit analysis of the six walls and of square ones,
 /// and the first step of wall 1 and wall 6. Times are CPU times of the solvers alone, in ms and in units of
-/// F, one assembly, factorisation and solve of the same Schur matrix in the same run (Clp's hold its reading
-/// of the file, for it is a program of its own). The certificate beside them is ours for all, so that speed
-/// is never bought with accuracy unseen. Who is not installed is left out.
+/// F, one assembly, factorisation and solution of the same Schur matrix in the same run (those of Clp include
+/// reading the file, because it is a separate program). The certificate is ours for all, so that speed at the
+/// expense of accuracy is visible. Solvers that are not installed are omitted.
 ///
 ///     build/test/PeersBenchmark --benchmark_out=peers.csv --benchmark_out_format=csv
 #include "CholmodUnit.h"

@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
 # Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-"""Broken inputs: what a user gets to see, and that nothing is left behind.
+"""Broken inputs: the message to the user, and that the case is unchanged.
 
 brokenInputs.py --list                      prints `application name` of each
-brokenInputs.py BIN SCRATCH NAME            tries one; exit status 1 when the application does not do as it should
+brokenInputs.py BIN SCRATCH NAME            tries one; exit status 1 when the application does not behave as required
 
-Each broken input is a good case with one fault. The application has to end with exit status 1 within seconds, to say on
-standard error what is wrong, where (file and line) and how to mend it, in the form
+Each broken input is a good case with one fault. The application has to end with exit status 1 within seconds, to report
+on standard error the fault, its location (file and line) and its remedy, in the form
 
     --> DRYSTONE FATAL IO ERROR:
-    <what is wrong, and how to mend it>
+    <the fault, and its remedy>
 
     file: <file>/<entry> at line <line>.
 
@@ -70,7 +70,7 @@ MARK = "@@"  # stands in a replacement where the message has to point, and is no
 
 @dataclasses.dataclass
 class Broken:
-    """A fault and what has to be said of it."""
+    """A fault and the required message."""
     application: str
     name: str
     file: str = ""      # the faulty one; where the message has to point
@@ -262,7 +262,7 @@ brokenInputs = [
     inPolygons("flatPolygon", "((0 1) (1 1) (1 2) (0 2))", "((0 1) (1 1) (2 1))", r"(?i)area|line|corner|flat",
                lines=(6, 9)),
     inPolygons("supportOfNoBlock", "type ground;", "type blocks; blocks (0 12);", r"12"),
-    # Where it is to be written to: a file stands in the way, which stops root too.
+    # The output: a file in place of a folder, which stops root too.
     inTexture("unwritableDirectory", "", "", r"(?i)constant.*(directory|written|write)", content=None, lines=(0,),
               files={f: REMOVE for f in goodCase if f.startswith("constant")} | {"constant": "in the way\n"}, where="-"),
     # The command line.
@@ -285,7 +285,7 @@ brokenInputs = [
            files={dictionary: polygons.replace("((0 1) (1 1) (1 2) (0 2))", "((0 3) (1 3) (1 4) (0 4))")}),
     Broken("checkBlocks", "noAssembly", says=(r"constant/assembly", r"blockTexture"), where="-"),
     Broken("limitAnalysis", "noAssembly", says=(r"constant/assembly", r"blockTexture"), where="-"),
-    # What an analysis reads.
+    # The input of an analysis.
     inAnalysis("negativeFriction", "constant/contactProperties", "0.65", "-0.65", r"mu"),
     inAnalysis("frictionInPascal", "constant/contactProperties", "mu 0.65", "mu [1 -1 -2 0 0 0 0] 0.65",
                r"dimension|\[1 -1 -2 0 0 0 0\]"),
@@ -468,7 +468,7 @@ def write(case, files):
 
 
 def prepare(case, broken, binaries):
-    """Lays out the good case, runs what comes before, puts the fault in; returns the lines that may be named."""
+    """Makes the good case, runs the preceding applications, inserts the fault; returns the lines that may be named."""
     if case.exists():
         shutil.rmtree(case)
     case.mkdir(parents=True)
@@ -512,7 +512,7 @@ def snapshot(case):
 
 
 def judge(broken, lines, status, output, errors):
-    """Everything in which the application did not do as it should."""
+    """Everything in which the application did not behave as required."""
     faults = []
     if status != 1:
         faults.append(f"exit status {status}, not 1")
@@ -528,9 +528,9 @@ def judge(broken, lines, status, output, errors):
     for expression in broken.says:
         if not re.search(expression, message, re.DOTALL):
             faults.append(f"the message does not hold {expression}")
-    # A single sentence tells what is wrong, but not how to mend it.
+    # A single sentence reports the fault, but not its remedy.
     if not re.search(r"[.?:;,]\s+\S", message):
-        faults.append("the message does not tell how to mend it")
+        faults.append("the message does not say how to repair it")
     where = broken.where or broken.file
     if where != "-":
         if not place or where not in file:
@@ -573,7 +573,7 @@ def main():
     binaries, scratch, name = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]), sys.argv[3]
     os.environ.pop("DISPLAY", None)
     if name == "goodCase":
-        # What is broken below is good as it stands: or else the faults would not be what is found.
+        # The case without its fault must be good: otherwise the fault is not what is reported.
         case = scratch / name
         _, fault = prepare(case, Broken("", name), binaries)
         applications = [(a,) for a in ("blockTexture", "checkBlocks", "limitAnalysis") if (binaries / a).exists()]

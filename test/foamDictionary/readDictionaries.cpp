@@ -22,7 +22,9 @@ int main(int count, char** arguments)
             const auto dictionary = drystone::Dictionary::readFile(file, expansion);
             std::cout << "@@ read " << file << "\n";
             if (options.count("print") > 0)
+            {
                 std::cout << toText(dictionary);
+            }
         }
         catch (const drystone::FatalError& error)
         {

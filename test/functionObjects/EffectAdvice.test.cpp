@@ -1,7 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Advice before a run: closed criteria against blocks whose answers are known.
-#include "../dynamics/Scenes.h"
 #include "functionObjects/EffectAdvice.h"
+#include "../dynamics/Scenes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// The tables of function objects against observations with known values.
-#include "core/Error.h"
 #include "functionObjects/FunctionObject.h"
+#include "core/Error.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

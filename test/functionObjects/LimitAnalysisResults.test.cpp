@@ -1,9 +1,9 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// What limit analysis leaves in a case, for each of its three answers.
+#include "functionObjects/LimitAnalysisResults.h"
 #include "assembly/AssemblyFile.h"
 #include "core/Error.h"
 #include "core/WholeFile.h"
-#include "functionObjects/LimitAnalysisResults.h"
 #include "statics/SurfaceContact.h"
 
 #include <fmt/format.h>

@@ -29,7 +29,9 @@ void visit(const Dictionary& dictionary)
     for (const Entry& entry : dictionary.entries())
     {
         if (dictionary.find(entry.keyword()) == nullptr)
+        {
             std::abort();
+        }
         if (entry.isDictionary())
         {
             visit(entry.dictionary());
@@ -61,13 +63,17 @@ void readWith(std::string_view text, Expansion expansion)
     }
     visit(dictionary);
     if (expansion == Expansion::none)
+    {
         return;
+    }
     const std::string printed = toText(dictionary);
     try
     {
         const std::string again = toText(Dictionary::readString(printed, "printed", Expansion::all));
         if (again == printed)
+        {
             return;
+        }
         std::fprintf(stderr, "printed:\n%s\nprinted again:\n%s\n", printed.c_str(), again.c_str());
     }
     catch (const FatalError& error)

@@ -1,9 +1,9 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// States: read back bit for bit, whole or not at all.
+#include "io/TimeDirectory.h"
 #include "Scene.h"
 #include "core/Dictionary.h"
 #include "core/Error.h"
-#include "io/TimeDirectory.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

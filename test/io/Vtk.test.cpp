@@ -175,7 +175,8 @@ TEST(Vtp, GroundIsShownAsFarAsTheStructureReaches)
         std::vector<Placement<2>> placements(assembly.blocks.size());
         placements[0].translation.x() = displacement;
         const PolyData data = blockFrame(assembly, placements);
-        EXPECT_EQ(data.cellSizes.size(), assembly.blocks.size()); // also those out of view: one cell per block
+        EXPECT_EQ(data.cellSizes.size(),
+                  assembly.blocks.size()); // also those out of view: one cell per block
         std::pair range{0.0, 0.0};
         for (const Vector<2>& point : data.points)
         {
@@ -338,7 +339,8 @@ TEST(VtkSeries, ARestartReplacesFramesFromItsTimeOn)
             series.write(frame, blockFrame(wall));
         }
     }
-    VtkSeries series(folder.path(), "blocks", 3); // as after a run that was killed after writing its state at 3
+    VtkSeries series(folder.path(), "blocks",
+                     3); // as after a run that was killed after writing its state at 3
     EXPECT_THAT(series.times(), ElementsAre(0, 1, 2, 3));
     EXPECT_FALSE(std::filesystem::exists(folder / "blocks_000004.vtp"));
     EXPECT_THAT(content(series.listFile()), testing::Not(HasSubstr("blocks_000004")));

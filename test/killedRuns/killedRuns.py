@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-"""contactDynamics killed (kill -9) at random times and started again: what was written is whole and right, at most
-the steps since the last write are lost, and the end is that of a run which nobody killed, bit for bit.
+"""contactDynamics killed (kill -9) at random times and started again: the files are complete and correct, at most the
+steps since the last write are lost, and the end is that of an uninterrupted run, bit for bit.
 
 killedRuns.py BIN RUNS [SEED]
 """
@@ -73,7 +73,7 @@ def lastTime(log):
 
 
 def energies(case):
-    """Rows of energy.dat over all starts, the later start counting where they overlap."""
+    """Rows of energy.dat over all starts, the later start taking precedence where they overlap."""
     rows = {}
     folder = os.path.join(case, "postProcessing/energy")
     for start in sorted(os.listdir(folder), key=float):

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-"""Checks which room includes which: the arrows of CONTRIBUTING.md, and one user for each third-party library.
+"""Checks which library includes which: the arrows of CONTRIBUTING.md, and one user for each third-party library.
 
 checkLayers.py [ROOT]        prints each forbidden #include as file:line, exit status 1 when there is one
 checkLayers.py --self-test   plants violations in a scratch tree and demands that each is found
@@ -10,7 +10,7 @@ import re
 import sys
 import tempfile
 
-# What each room may include, itself apart. Sorted from the ground up; a room only ever sees rooms below it.
+# What each library may include besides itself. Sorted from the bottom up; a library only sees those below it.
 below = {
     "core": "",
     "geometry": "core",
@@ -23,9 +23,9 @@ below = {
     "functionObjects": "core geometry assembly conic statics dynamics io",
     "studies": "core geometry texture assembly conic statics dynamics io functionObjects",
 }
-allRooms = set(below)
+allLibraries = set(below)
 
-# Third-party headers by the pattern of their name. Each belongs to one room; Eigen and fmt are everyone's.
+# Third-party headers by the pattern of their name. Each belongs to one library; Eigen and fmt may be used by all.
 thirdParty = {
     "Eigen": r"(unsupported/)?Eigen/",
     "fmt": r"fmt/",
@@ -39,19 +39,18 @@ thirdParty = {
     "BLAS and LAPACK": r"(cblas|lapacke?|openblas)",
     "zlib": r"zlib\.h",
     "libdeflate": r"libdeflate\.h",
-    "libdeflate": r"libdeflate\.h",
     "OpenMP": r"omp\.h",
 }
 everyones = {"Eigen", "fmt", "OpenMP"}
 
-# What C, C++ and POSIX offer: names without an ending, and these.
+# Headers of C, C++ and POSIX: names without an ending, and these.
 system = re.compile(r"[a-z_]+$|(sys|netinet|arpa)/[a-z]+\.h$|"
                     r"(unistd|fcntl|signal|dirent|limits|malloc|pthread|sched|pwd|poll|termios|dlfcn|fenv)\.h$")
 include = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
 
 def sourceFiles(root):
-    """Every source file of libs/ and applications/ with the room it belongs to."""
+    """Every source file of libs/ and applications/ with the library it belongs to."""
     for path in sorted(root.glob("libs/*/**/*")) + sorted(root.glob("applications/*/*/**/*")):
         if path.suffix in (".h", ".cpp"):
             parts = path.relative_to(root).parts
@@ -61,13 +60,13 @@ def sourceFiles(root):
 def violations(root):
     """Each forbidden include as a line `file:line: what is wrong`."""
     found = []
-    usersOf = {}  # third-party library: {room: first place}
-    for path, room in sourceFiles(root):
+    usersOf = {}  # third-party library: {owner: first place}
+    for path, owner in sourceFiles(root):
         name = path.relative_to(root)
-        if room != "applications" and room not in allRooms:
-            found.append(f"{name}:1: libs/{room} is a room that test/layers/checkLayers.py does not know")
+        if owner != "applications" and owner not in allLibraries:
+            found.append(f"{name}:1: libs/{owner} is a library that test/layers/checkLayers.py does not know")
             continue
-        allowed = allRooms if room == "applications" else set(below[room].split()) | {room}
+        allowed = allLibraries if owner == "applications" else set(below[owner].split()) | {owner}
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), start=1):
             match = include.match(line)
             if not match:
@@ -77,14 +76,14 @@ def violations(root):
             if match.group(1) == '"':
                 target = header.split("/")[0]
                 if "/" not in header:
-                    # A file beside this one: only an application has its own.
-                    if room != "applications" or not (path.parent / header).exists():
-                        found.append(f'{place}: "{header}" is to be included with its room, as "{room}/{header}"')
+                    # A file in the same folder: only applications have their own.
+                    if owner != "applications" or not (path.parent / header).exists():
+                        found.append(f'{place}: "{header}" is to be included with its library, as "{owner}/{header}"')
                 elif not (root / "libs" / header).exists():
                     found.append(f'{place}: there is no libs/{header}')
                 elif target not in allowed:
-                    found.append(f"{place}: {room} may not see {target}" +
-                                 (f" (only {' '.join(sorted(allowed - {room}))})" if allowed - {room} else ""))
+                    found.append(f"{place}: {owner} may not see {target}" +
+                                 (f" (only {' '.join(sorted(allowed - {owner}))})" if allowed - {owner} else ""))
                 continue
             library = next((key for key, pattern in thirdParty.items() if re.match(pattern, header)), None)
             if library is None:
@@ -93,15 +92,15 @@ def violations(root):
                 continue
             if library in everyones:
                 continue
-            usersOf.setdefault(library, {}).setdefault(room, place)
+            usersOf.setdefault(library, {}).setdefault(owner, place)
             if path.suffix == ".h":
                 found.append(f"{place}: {library} in a header: whoever includes it would see {library} too")
-    for library, rooms in usersOf.items():
-        if "applications" in rooms:
-            found.append(f"{rooms['applications']}: an application may not use {library} itself")
-        if len(rooms) > 1:
-            found.append(f"{library} is to be used by one room only, but is by {' and '.join(rooms)}: " +
-                         " ".join(rooms.values()))
+    for library, users in usersOf.items():
+        if "applications" in users:
+            found.append(f"{users['applications']}: an application may not use {library} itself")
+        if len(users) > 1:
+            found.append(f"{library} is to be used by one library only, but is by {' and '.join(users)}: " +
+                         " ".join(users.values()))
     return found
 
 
@@ -122,12 +121,12 @@ def selfTest():
         ("libs/conic/Program.h", '#include "geometry/Polygon.h"'): "conic may not see geometry",
         ("libs/statics/LimitAnalysis.h", '  # include "dynamics/Step.h"'): "statics may not see dynamics",
         ("libs/dynamics/Step.h", '#include "statics/LimitAnalysis.h"'): "dynamics may not see statics",
-        ("libs/geometry/Clip.cpp", "#include <vtkPolygon.h>"): "VTK is to be used by one room only",
+        ("libs/geometry/Clip.cpp", "#include <vtkPolygon.h>"): "VTK is to be used by one library only",
         ("libs/core/Error.h", "#include <CLI/CLI.hpp>"): "CLI11 in a header",
         ("libs/core/Error.cpp", "#include <boost/geometry.hpp>"): "does not know",
         ("libs/core/Error.cpp", '#include "Error.h"'): 'as "core/Error.h"',
         ("libs/core/Error.cpp", '#include "core/Eror.h"'): "there is no libs/core/Eror.h",
-        ("libs/masonry/Wall.h", "#include <vector>"): "is a room that",
+        ("libs/masonry/Wall.h", "#include <vector>"): "is a library that test",
         ("applications/solvers/limitAnalysis/limitAnalysis.cpp", "#include <nlopt.h>"): "an application may not use",
     }
 

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Measures F with CHOLMOD, on one thread.
 #include "CholmodUnit.h"
 
 #include "conic/RayProgram.h"
@@ -20,7 +21,7 @@ namespace
 class Cholmod
 {
 public:
-    Cholmod(const BlockPattern& pattern) : size_(3 * static_cast<std::size_t>(pattern.columns()))
+    Cholmod(const BlockPattern& pattern) : size(3 * static_cast<std::size_t>(pattern.columns()))
     {
         if (void* threads = dlsym(RTLD_DEFAULT, "openblas_set_num_threads"))
         {
@@ -30,25 +31,24 @@ public:
         {
             reinterpret_cast<void (*)(int)>(levels)(0);
         }
-        cholmod_start(&common_);
+        cholmod_start(&common);
         constexpr int bodiesForDissection = 3000;
-        common_.nmethods = 1;
-        common_.method[0].ordering = pattern.columns() < bodiesForDissection ? CHOLMOD_AMD : CHOLMOD_METIS;
-        common_.supernodal = CHOLMOD_AUTO;
+        common.nmethods = 1;
+        common.method[0].ordering = pattern.columns() < bodiesForDissection ? CHOLMOD_AMD : CHOLMOD_METIS;
+        common.supernodal = CHOLMOD_AUTO;
         const std::size_t blocks = pattern.row.size() - pattern.columns();
-        matrix_ =
-            cholmod_allocate_sparse(size_, size_, 9 * blocks + 2 * size_, 1, 1, -1, CHOLMOD_REAL, &common_);
-        right_ = cholmod_ones(size_, 1, CHOLMOD_REAL, &common_);
+        matrix = cholmod_allocate_sparse(size, size, 9 * blocks + 2 * size, 1, 1, -1, CHOLMOD_REAL, &common);
+        right = cholmod_ones(size, 1, CHOLMOD_REAL, &common);
     }
     ~Cholmod()
     {
-        cholmod_free_sparse(&matrix_, &common_);
-        cholmod_free_factor(&factor_, &common_);
-        for (cholmod_dense** vector : {&right_, &solution_, &work_[0], &work_[1]})
+        cholmod_free_sparse(&matrix, &common);
+        cholmod_free_factor(&factor, &common);
+        for (cholmod_dense** vector : {&right, &solution, &work[0], &work[1]})
         {
-            cholmod_free_dense(vector, &common_);
+            cholmod_free_dense(vector, &common);
         }
-        cholmod_finish(&common_);
+        cholmod_finish(&common);
     }
     Cholmod(const Cholmod&) = delete;
     Cholmod& operator=(const Cholmod&) = delete;
@@ -56,9 +56,9 @@ public:
     /// The lower triangle of S, column by column.
     void setMatrix(const BlockPattern& pattern, SchurSystem<3>& system)
     {
-        auto* start = static_cast<int*>(matrix_->p);
-        auto* row = static_cast<int*>(matrix_->i);
-        auto* value = static_cast<double*>(matrix_->x);
+        auto* start = static_cast<int*>(matrix->p);
+        auto* row = static_cast<int*>(matrix->i);
+        auto* value = static_cast<double*>(matrix->x);
         int position = 0;
         for (int body = 0; body < pattern.columns(); ++body)
         {
@@ -78,36 +78,35 @@ public:
                 }
             }
         }
-        start[size_] = position;
+        start[size] = position;
     }
 
     void factorise()
     {
-        if (!factor_)
+        if (!factor)
         {
-            factor_ = cholmod_analyze(matrix_, &common_);
+            factor = cholmod_analyze(matrix, &common);
         }
-        cholmod_factorize(matrix_, factor_, &common_);
+        cholmod_factorize(matrix, factor, &common);
     }
 
     void solve()
     {
-        cholmod_solve2(CHOLMOD_A, factor_, right_, nullptr, &solution_, nullptr, &work_[0], &work_[1],
-                       &common_);
-        if (common_.status != CHOLMOD_OK)
+        cholmod_solve2(CHOLMOD_A, factor, right, nullptr, &solution, nullptr, &work[0], &work[1], &common);
+        if (common.status != CHOLMOD_OK)
         {
             throw std::runtime_error("CHOLMOD has not solved a Schur system");
         }
     }
 
 private:
-    std::size_t size_;
-    cholmod_common common_;
-    cholmod_sparse* matrix_ = nullptr;
-    cholmod_factor* factor_ = nullptr;
-    cholmod_dense* right_ = nullptr;
-    cholmod_dense* solution_ = nullptr;
-    cholmod_dense* work_[2] = {nullptr, nullptr};
+    std::size_t size;
+    cholmod_common common;
+    cholmod_sparse* matrix = nullptr;
+    cholmod_factor* factor = nullptr;
+    cholmod_dense* right = nullptr;
+    cholmod_dense* solution = nullptr;
+    cholmod_dense* work[2] = {nullptr, nullptr};
 };
 
 } // namespace

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// F as CHOLMOD does it: a unit of work that stays what it is when our own factor becomes quicker.
+/// F by CHOLMOD: a unit of work that does not change when our own factorisation becomes faster.
 #pragma once
 
 #include "conic/ConeProgram.h"

@@ -1,5 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Clp is under a licence that ours cannot be linked with: it runs beside, on an MPS file.
+/// Clp has a licence with which it cannot be linked to Drystone: it runs as a separate program, on an MPS
+/// file.
 #include "LinearProgram.h"
 #include "Subprocess.h"
 

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// CVXOPT, run in Python on a program file.
 #include "Peers.h"
 #include "Subprocess.h"
 

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// GLPK, linked where it is installed.
 #include "LinearProgram.h"
 
 #if __has_include(<glpk.h>)

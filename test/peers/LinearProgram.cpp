@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Limit analysis in the form that the linear programming solvers share.
 #include "LinearProgram.h"
 
 namespace drystone

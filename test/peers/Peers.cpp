@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The list of installed solvers, and their measurement by our certificate.
 #include "Peers.h"
 
 #include <ctime>

@@ -1,6 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Other people's solvers on our cone programs, where they are installed: oracles for the tests and peers for
-/// the benchmarks. Whatever they answer is measured by our certificate, so that all are held to one accuracy.
+/// Solvers of others on our cone programs, where they are installed: oracles for the tests and a comparison
+/// for the benchmarks. Their answers are measured by our certificate, so that the accuracy is the same for
+/// all.
 #pragma once
 
 #include "conic/Certificate.h"

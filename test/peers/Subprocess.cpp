@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Runs a program and measures its CPU time.
 #include "Subprocess.h"
 
 #include <sys/resource.h>

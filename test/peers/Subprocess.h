@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Programs run beside a test.
+/// Programs run as separate processes of a test.
 #pragma once
 
 #include <filesystem>

@@ -1,6 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// The walls that solvers are compared on: the six of the paper, and square ones. Header only: whoever
-/// includes it links texture, statics and dynamics.
+/// The walls on which solvers are compared: the six of the paper, and square ones. Header only: targets that
+/// include it link texture, statics and dynamics.
 #pragma once
 
 #include "assembly/Loads.h"

@@ -1,7 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Which intensities are tried, and what a set of verdicts says.
-#include "core/Error.h"
 #include "studies/Intensity.h"
+#include "core/Error.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

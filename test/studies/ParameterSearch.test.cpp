@@ -1,8 +1,8 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// The search itself, on functions in place of cases.
+#include "studies/ParameterSearch.h"
 #include "core/Error.h"
 #include "studies/CaseRuns.h"
-#include "studies/ParameterSearch.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

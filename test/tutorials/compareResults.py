@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-"""Compares the results of a tutorial with what is expected of them: compareResults.py CASE EXPECTED
+"""Compares the results of a tutorial with the expected ones: compareResults.py CASE EXPECTED
 
 A line of EXPECTED is one of
 
