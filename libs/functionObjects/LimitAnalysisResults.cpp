@@ -95,8 +95,7 @@ std::string tableText(const LimitAnalysisCase& structure, const std::vector<Limi
                             result.variables, result.iterations, result.certificate.primalResidual,
                             result.certificate.dualResidual, result.certificate.gap, cpuTime);
     }
-}
-return text;
+    return text;
 }
 
 std::vector<double> cohesionsOf(const PlaneConeProgram& program)

@@ -27,7 +27,7 @@ State stateOf(const Motion& motion, const Time& time);
 void postProcess(const std::filesystem::path& caseDirectory, const DynamicCase& scene, const Time& time);
 
 /// Lets the solver write its cone programs as postProcessing/contactDynamics/<time>/coneProgram, when
-/// `writeProgram` of system/solution asks for it. \param time of the run; must outlive the scene
+/// `writeProgram` of system/solution requests it. \param time of the run; must outlive the scene
 void writePrograms(DynamicCase& scene, const std::filesystem::path& caseDirectory, const Time& time);
 
 /// Whether the functions of controlDict are run.

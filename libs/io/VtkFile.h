@@ -30,7 +30,7 @@ struct Field
 enum class CellKind
 {
     polygon, ///< a polygon with its own vertices; fields are cell data
-    point,   ///< a single point; fields are point data, as ParaView's glyphs want them
+    point,   ///< a single point; fields are point data, as ParaView's glyphs require
 };
 
 /// Cells in the plane z = 0, each with its own points.

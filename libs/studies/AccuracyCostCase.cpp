@@ -668,7 +668,7 @@ void printAccuracyResults(const AccuracyStudy& study, const AccuracyResults& res
 {
     if (results.isInterrupted)
     {
-        info("Stopped before the end of the study; started again, it goes on from here");
+        info("Stopped before the end of the study; started again, it continues from here");
         return;
     }
     for (const CheapestRow& row : cheapestRows(study, results))

@@ -52,7 +52,7 @@ struct Sweep
 };
 void declare(Options& options, Sweep& sweep);
 
-/// The dictionary as it is written.
+/// The contents of the dictionary.
 struct AccuracySettings
 {
     std::vector<Named<QuantityPlan>> quantities;

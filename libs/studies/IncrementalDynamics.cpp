@@ -143,7 +143,7 @@ void declare(Options& options, IncrementalDynamicsSettings& settings)
         .atMost(1024)
         .example("2");
     options.optional("stopWhenMet", settings.stopWhenMet,
-                     "a run ends as soon as it meets the criterion; no: it goes on to endTime, for the "
+                     "a run ends as soon as it meets the criterion; no: it continues to endTime, for the "
                      "largest figure over the whole motion");
 }
 

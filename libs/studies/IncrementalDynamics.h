@@ -27,7 +27,7 @@ struct StudyRecord
 };
 void declare(Options& options, StudyRecord& record);
 
-/// The dictionary as it is written.
+/// The contents of the dictionary.
 struct IncrementalDynamicsSettings
 {
     IntensityPlan intensity;

@@ -144,7 +144,7 @@ struct SearchStage
 };
 void declare(Options& options, SearchStage& stage);
 
-/// The dictionary as it is written.
+/// The contents of the dictionary.
 struct ParameterSearchSettings
 {
     std::vector<std::string> applications;

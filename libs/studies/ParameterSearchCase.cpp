@@ -115,7 +115,7 @@ double taken(const std::vector<double>& values, Take take)
     throw FatalIOError(
         fmt::format(
             "There is no finite number for the result {} at {}.\n{}\n\nThe files of this point are in "
-            "{}. A search that may come to such points needs a value to go on with: `otherwise` in "
+            "{}. A search that may reach such points needs a value to continue with: `otherwise` in "
             "this result.",
             name, pointText(search.settings, variables), reason,
             (search.caseDirectory / "parameterSearch/evaluation").string()),
@@ -480,7 +480,7 @@ void printOutcome(const ParameterSearch& search, const SearchHistory& history, c
     printLine();
     if (outcome.end == SearchEnd::interrupted)
     {
-        info("Stopped before the end of the search; started again, it goes on from here");
+        info("Stopped before the end of the search; started again, it continues from here");
     }
     if (!outcome.best)
     {

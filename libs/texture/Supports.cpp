@@ -144,7 +144,7 @@ void declare(Options& options, Ground& ground)
         .example("0.2");
     options
         .optional("margin", ground.margin,
-                  "by how far the ground goes on past each end, in units; three times the structure's size "
+                  "by how far the ground extends past each end, in units; three times the structure's size "
                   "if absent")
         .atLeast(0)
         .example("10");

@@ -105,7 +105,7 @@ class AccuracyCost(CaseTest):
                 process.send_signal(sent)
                 output, errors = process.communicate(timeout=60)
             self.assertEqual(process.returncode, status, output + errors)
-            self.assertIn("goes on from here", output)
+            self.assertIn("continues from here", output)
             known = self.runs(case)
             self.assertLess(len(known), len(self.runs(whole)))
             self.assertIn(f"{len(known)} runs are known", self.run_(case).stdout)

@@ -64,7 +64,7 @@ def expectWrittenAsIn(reference, case, what):
         folder = os.path.join(case, instant)
         for name in os.listdir(folder):
             if not filecmp.cmp(os.path.join(folder, name), os.path.join(reference, instant, name), shallow=False):
-                sys.exit(f"{what}: {instant}/{name} is not that of the run which nobody killed")
+                sys.exit(f"{what}: {instant}/{name} is not that of the uninterrupted run")
 
 
 def lastTime(log):

@@ -94,7 +94,7 @@ def violations(root):
                 continue
             usersOf.setdefault(library, {}).setdefault(owner, place)
             if path.suffix == ".h":
-                found.append(f"{place}: {library} in a header: whoever includes it would see {library} too")
+                found.append(f"{place}: {library} in a header: files that include it would see {library} too")
     for library, users in usersOf.items():
         if "applications" in users:
             found.append(f"{users['applications']}: an application may not use {library} itself")

@@ -75,7 +75,7 @@ class ParameterSearch(CaseTest):
                     break
             output, errors = process.communicate(timeout=60)
             self.assertEqual(process.returncode, status, output + errors)
-            self.assertIn("goes on from here", output)
+            self.assertIn("continues from here", output)
             known = self.rows(case)
             self.assertLess(len(known), len(self.rows(whole)))
             done = self.run_(case)

@@ -33,7 +33,7 @@ struct Peer
 {
     std::string name;
     ContactLaw law = ContactLaw::associative;
-    /// \param tolerance asked of the peer, in its own terms
+    /// \param tolerance of the peer, in its own terms
     /// \return nothing when the program is not of the kind that the peer solves
     std::function<std::optional<PeerAnswer>(const AnyConeProgram& program, double tolerance)> solve;
 };

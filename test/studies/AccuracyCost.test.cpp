@@ -241,7 +241,7 @@ TEST(AccuracyCost, ProfilesOfSolversAreThoseOfDolanAndMore)
     add(0.1, augmentedLagrangian, 1);
     add(0.2, interiorPoint, 3);
     add(0.2, augmentedLagrangian, 1, 1);
-    add(0.3, interiorPoint, 1, 1); // nobody solves it
+    add(0.3, interiorPoint, 1, 1); // no solver solves it
     add(0.3, augmentedLagrangian, 1, 1);
     const std::vector<SolverProfile> profiles = solverProfiles(points, 1e-4);
     ASSERT_EQ(profiles.size(), 2u);
