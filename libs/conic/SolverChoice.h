@@ -57,6 +57,8 @@ struct SolverChoice
     int maximumIterations = 200; ///< of each solver
     int correctors = 8;          ///< of interiorPoint
     int maximumSweeps = 10000;   ///< of gaussSeidel, which needs many and cheap ones
+    int maximumFactorisations =
+        5000; ///< of one step in time, all its programs and attempts (dynamics/StepWork.h)
     WriteProgram writeProgram = WriteProgram::never;
     SolveObserver observer =
         {}; ///< called by solveConeProgram; no key: applications set it, or leave it empty

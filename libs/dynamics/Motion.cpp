@@ -471,7 +471,7 @@ std::vector<std::size_t> collidingPoints(const PlaneConeProgram& program, const 
 struct StepProblem
 {
     const DynamicCase& scene;
-    Motion& motion; ///< its symbolic analysis alone is changed
+    Motion& motion; ///< its symbolic analysis and its count of work alone are changed
     const std::vector<ContactPoint<2>>& points;
     const Eigen::VectorXd& load;
     const Eigen::VectorXd& bySupports; ///< see closingBySupports
@@ -502,8 +502,11 @@ StepSolution solveWithImpacts(const StepProblem& problem, PlaneConeProgram progr
     const double timeStep = problem.timeStep;
     const double theta = scene.schemes.timeIntegration.theta;
     SymbolicAnalysis* symbolic = problem.motion.symbolic.get();
-    const auto count = [&work](const auto& solved)
+    StepWork& whole = problem.motion.work;
+    whole.mostPoints = std::max(whole.mostPoints, program.points());
+    const auto count = [&work, &whole, &program](const auto& solved)
     {
+        whole.done += workOf(solved.iterations, solved.factorisations, program.points(), program.bodies);
         work.iterations += solved.iterations;
         work.factorisations += solved.factorisations;
         work.programs += solved.programs;
@@ -694,14 +697,19 @@ Motion startMotion(const DynamicCase& scene, DynamicState state)
     return motion;
 }
 
-bool advance(const DynamicCase& scene, Motion& motion, double timeStep)
+namespace
 {
+
+bool attemptStep(const DynamicCase& scene, Motion& motion, double timeStep)
+{
+    motion.work.beginAttempt();
     const ThetaScheme scheme{scene.schemes.timeIntegration.theta, timeStep};
     StepSettings settings;
     settings.flowRule = scene.flowRule();
     settings.blockSize = scene.blockSize;
     settings.contactTolerance = scene.schemes.contactTolerance * scene.blockSize;
     settings.solver = scene.solution;
+    settings.work = &motion.work;
 
     const double start = motion.state.time;
     Eigen::VectorXd load =
@@ -857,12 +865,28 @@ bool advance(const DynamicCase& scene, Motion& motion, double timeStep)
     return true;
 }
 
+StepWork allowedWork(const DynamicCase& scene)
+{
+    StepWork work;
+    work.most = scene.solution.maximumFactorisations;
+    return work;
+}
+
+} // namespace
+
+bool advance(const DynamicCase& scene, Motion& motion, double timeStep)
+{
+    motion.work = allowedWork(scene);
+    return attemptStep(scene, motion, timeStep);
+}
+
 bool advance(const DynamicCase& scene, Motion& motion, Time& time)
 {
+    motion.work = allowedWork(scene);
     double timeStep = time.deltaT();
     for (int retries = 0;; ++retries)
     {
-        const bool isSolved = advance(scene, motion, timeStep);
+        const bool isSolved = attemptStep(scene, motion, timeStep);
         motion.attempt.retries = retries;
         if (isSolved)
         {
@@ -870,7 +894,7 @@ bool advance(const DynamicCase& scene, Motion& motion, Time& time)
             motion.state.time = time.value(); // the sum of the steps may differ from it in the last digit
             break;
         }
-        if (retries == mostHalvings)
+        if (retries == mostHalvings || motion.work.isUsedUp())
         {
             time.abandonStep();
             return false;

@@ -44,6 +44,7 @@ struct Motion
     InteriorStart interior;               ///< of the last program that had one, at `points`; or empty
     StepResiduals residuals;              ///< of the last step
     StepResiduals attempt;                ///< of the last attempt at a step, solved or not
+    StepWork work;                        ///< of the last step, all attempts together
     KeptAnalysis symbolic;                ///< of the last programs
     std::optional<MovingContacts> contacts; ///< empty with smallDisplacements: the points stay as built
     std::vector<char> isDeleted;    ///< one a block, where the case has a `deletion`: it is outside the
@@ -75,12 +76,13 @@ Motion startMotion(const DynamicCase& scene, DynamicState state);
 /// 5. with `deletion`, blocks whose mass centre is outside the box stopped there for good: they touch nothing
 ///    and feel no load. The kinetic energy that they take with them counts as external work, negative.
 ///
-/// \return whether the step was solved; otherwise nothing but `attempt` has changed
+/// \return whether the step was solved; otherwise nothing but `attempt` and `work` has changed
 bool advance(const DynamicCase& scene, Motion& motion, double timeStep);
 
-/// The step that ends at time.value(). One that is not solved is tried again half as long, up to ten times.
-/// With adjustTimeStep the next step is chosen such that no block moves by more than maxDisplacement.
-/// \return whether it was solved; otherwise the time is that of the start of the step again
+/// The step that ends at time.value(). One that is not solved is tried again half as long, up to ten times
+/// and as long as `maximumFactorisations` allow for. With adjustTimeStep the next step is chosen such that no
+/// block moves by more than maxDisplacement. \return whether it was solved; otherwise the time is that of the
+/// start of the step again
 bool advance(const DynamicCase& scene, Motion& motion, Time& time);
 
 /// One a contact point: mean over the last step, impulses of its impacts included, (normal, tangent) [N].

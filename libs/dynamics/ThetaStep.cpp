@@ -402,6 +402,15 @@ bool goesOnFromLastStep(ThetaStep& step, const PlaneConeProgram& program, const 
            && !mayRest(program, program.load - applyEquilibrium(program, step.contactForce));
 }
 
+/// Whether another program would go beyond the work allowed.
+bool isWorkUsedUp(const StepSettings& settings, const ThetaStep& step, const PlaneConeProgram& program)
+{
+    return settings.work
+           && settings.work->done
+                      + workOf(step.iterations, step.factorisations, program.points(), program.bodies)
+                  > settings.work->mostOfAttempt;
+}
+
 } // namespace
 
 void setColumns(PlaneConeProgram& program, const std::vector<ContactColumns<2>>& columns)
@@ -564,7 +573,7 @@ ThetaStep solveThetaStep(PlaneConeProgram program, const StepSettings& settings,
             }
             return step;
         }
-        if (step.programs == maximumPrograms)
+        if (step.programs == maximumPrograms || isWorkUsedUp(settings, step, program))
         {
             step.status = SolveStatus::notConverged;
             return step;

@@ -7,6 +7,7 @@
 #include "conic/Certificate.h"
 #include "conic/SolverChoice.h"
 #include "dynamics/DynamicState.h"
+#include "dynamics/StepWork.h"
 
 #include <functional>
 
@@ -52,6 +53,7 @@ struct StepSettings
     double blockSize = 1;        ///< mean, what lengths are compared with [m]
     double contactTolerance = 0; ///< error allowed in the gaps at the end of the step [m]
     SolverChoice solver;
+    const StepWork* work = nullptr; ///< done so far, and the most allowed; not owned; null: no bound
 };
 
 /// Where a step may end, for a start.
@@ -106,7 +108,7 @@ struct ThetaStep
 /// The displacements are those that the contact forces give the blocks, to the last digits (y = Mbar^-1 (fbar
 /// - A c)), unless that would spoil the certificate: so no momentum is lost to the tolerance of the solver.
 /// \param symbolic kept from step to step (RayProgram.h), or null; not owned
-/// \return status `notConverged` after 60 programs, or when the solver fails
+/// \return status `notConverged` after 60 programs or when the work is used up, or when the solver fails
 ThetaStep solveThetaStep(PlaneConeProgram program, const StepSettings& settings, const StepGuess& guess = {},
                          const Relinearisation& relinearise = {}, SymbolicAnalysis* symbolic = nullptr);
 

@@ -88,8 +88,49 @@ void printStep(const DynamicCase& scene, const Motion& motion)
     }
 }
 
+namespace
+{
+
+/// By how far the velocities now and the loads would take the block that is fastest in one step [m].
+double farthestInOneStep(const DynamicCase& scene, const Motion& motion, const Time& time)
+{
+    const double timeStep = time.controls().deltaT;
+    const Eigen::VectorXd load =
+        loadUnder(scene, meanGroundAcceleration(scene.groundMotion, time.value(), time.value() + timeStep));
+    double farthest = 0;
+    for (Eigen::Index row = 0; row < load.size(); row += 3)
+    {
+        const Vector<2> displacement =
+            timeStep
+            * (motion.state.velocity.segment<2>(row) + timeStep / scene.mass[row] * load.segment<2>(row));
+        farthest = std::max(farthest, displacement.norm());
+    }
+    return farthest;
+}
+
+std::string stepWithoutEnd(const DynamicCase& scene, const Motion& motion, const Time& time)
+{
+    const double farthest = farthestInOneStep(scene, motion, time);
+    return fmt::format(
+        "The step after time {} takes more than the maximumFactorisations of {} that a step may have "
+        "({} shorter attempts, up to {} contact points of {} blocks).\n\n"
+        "In a step of {:g} s the fastest block moves by {:.3g} m, {:.3g} times the mean block size. The "
+        "state "
+        "at its start has been written: begin from there with a smaller deltaT, so that blocks move by a "
+        "small "
+        "part of their size in a step, or raise maximumFactorisations in system/solution/contactDynamics.",
+        time.name(), scene.solution.maximumFactorisations, motion.work.attempts - 1, motion.work.mostPoints,
+        scene.mass.size() / 3, time.controls().deltaT, farthest, farthest / scene.blockSize);
+}
+
+} // namespace
+
 std::string unsolvedStep(const DynamicCase& scene, const Motion& motion, const Time& time)
 {
+    if (motion.work.isUsedUp())
+    {
+        return stepWithoutEnd(scene, motion, time);
+    }
     return fmt::format(
         "The step at time {} was not solved to tolerance {:g}, nor when it was made shorter {} times "
         "(residual "

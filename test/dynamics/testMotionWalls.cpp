@@ -186,5 +186,32 @@ TEST(FallingWall, CoulombsLawIsMetOrMissedByLittleInEveryStep)
 
 INSTANTIATE_TEST_SUITE_P(OfThePaper, PaperWall, testing::Range(1, 7));
 
+/// Blocks that fly 7 m in a step of theirs, where the gaps of 40,000 points are anything but linear: 25 steps
+/// took more than two minutes, most of them in attempts that came to nothing.
+TEST(WallUnderAnAbsurdAcceleration, IsSolvedOrGivenUpWithinTheWorkAllowed)
+{
+    DynamicCase scene = wall(6, 1e6 / (multipliers[5] * scenes::g),
+                             {.mu = 0.65, .flowRule = FlowRule::associative, .tolerance = 1e-9});
+    scene.solution.maximumFactorisations = 1000; // a fifth of the default, so that it is soon shown
+    Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+    TimeControls controls;
+    controls.deltaT = timeStep;
+    controls.endTime = 25 * timeStep;
+    Time time(controls, {0, timeStep});
+    bool isSolved = true;
+    double before = 0;
+    while (isSolved && time.loop())
+    {
+        before = motion.state.time;
+        isSolved = advance(scene, motion, time);
+        // The program that crosses the border is brought to its end.
+        EXPECT_LE(motion.work.done, 3 * motion.work.most) << "at " << before << " s";
+    }
+    EXPECT_FALSE(isSolved);
+    EXPECT_TRUE(motion.work.isUsedUp());
+    EXPECT_EQ(motion.state.time, before);
+    EXPECT_EQ(time.value(), before);
+}
+
 } // namespace
 } // namespace drystone

@@ -157,6 +157,24 @@ class RunControl(CaseTest):
         self.assertEqual(self.times(case), self.times(once))
         self.assertEqual(self.state(case), self.state(once))
 
+    def testAStepThatTakesTooMuchWorkEndsTheRunWithTheStateItBeganFrom(self):
+        once = self.copy("affordable")
+        self.run_(once)
+        case = self.copy("expensive")
+        with open(os.path.join(case, "system/solution"), encoding="utf-8") as file:
+            good = file.read()
+        self.write(case, "system/solution", header % "solution" + "contactDynamics { maximumFactorisations 1; }\n")
+        done = self.run_(case, status=2)
+        self.assertIn("maximumFactorisations of 1 ", done.stderr)
+        self.assertIn("smaller deltaT", done.stderr)
+        self.assertIn("system/solution/contactDynamics", done.stderr)
+        last = self.times(case)[-1]
+        self.assertIn(f"after time {last} ", done.stderr)
+        self.assertLess(float(last), 0.6)
+        self.write(case, "system/solution", good)
+        self.run_(case)
+        self.assertEqual(self.state(case), self.state(once))
+
     def testGaussSeidelSolvesToALooseToleranceAndSaysWhereItDoesNot(self):
         exact = self.copy("exact")
         self.run_(exact)
