@@ -2,6 +2,7 @@
 /// Reading of command lines: OpenFOAM's `-option value`, given to CLI11 as the `--option=value` it knows.
 #include "core/CommandLine.h"
 
+#include "core/CaseLock.h"
 #include "core/Error.h"
 
 #include <CLI/CLI.hpp>
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 
 #if __has_include(<malloc.h>)
 #include <malloc.h>
@@ -259,6 +261,9 @@ int runCommandLine(int argc, const char* const* argv, const ApplicationDescripti
         throw FatalError(fmt::format("There is no case directory {}.\n\nName one with -case DIR, or run "
                                      "{} inside of one.",
                                      commandLine.caseDirectory.string(), description.name));
+    std::optional<CaseLock> lock;
+    if (description.kind != ApplicationKind::utility && !commandLine.dryRun)
+        lock.emplace(commandLine.caseDirectory, description.name);
     return program(commandLine);
 }
 

@@ -118,6 +118,55 @@ std::string rangeText(double lowest, bool lowestAllowed, double highest, bool hi
     return text;
 }
 
+/// Faults of one dictionary, reported together.
+class Faults
+{
+public:
+    template<typename Reading>
+    void collectFrom(const Reading& reading)
+    {
+        if (isFull())
+            return;
+        try
+        {
+            reading();
+        }
+        catch (const FatalIOError& fault)
+        {
+            faults_.push_back(fault);
+        }
+    }
+    bool isEmpty() const { return faults_.empty(); }
+    bool isFull() const { return faults_.size() >= most; }
+
+    /// Whether a key that is not known is said to be likely this one: it is then not missing as well.
+    bool suggest(const std::string& key) const
+    {
+        return std::any_of(faults_.begin(), faults_.end(),
+                           [&](const FatalIOError& fault) {
+                               return std::string_view(fault.what()).find("Did you mean " + key + "?")
+                                      != std::string_view::npos;
+                           });
+    }
+
+    /// One error with all the messages, each but the last followed by its place, which is in the text. With
+    /// one fault it is that fault.
+    void report() const
+    {
+        if (faults_.empty())
+            return;
+        std::string text;
+        for (std::size_t i = 0; i + 1 < faults_.size(); ++i)
+            text += fmt::format("{}\n\n{}\n\n", faults_[i].what(), describe(faults_[i].location()));
+        throw FatalIOError(text + faults_.back().what(), faults_.back().location(),
+                           faults_.front().exitStatus());
+    }
+
+private:
+    static constexpr std::size_t most = 20; ///< more than a user reads
+    std::vector<FatalIOError> faults_;
+};
+
 std::string withUnit(const OptionDescription& option)
 {
     return option.unit.empty() ? "" : fmt::format(" [{}]", option.unit);
@@ -256,6 +305,7 @@ bool Options::isDeclared(const std::string& key) const
 void Options::refuseUnknownKeys(const Dictionary& dictionary) const
 {
     const bool isRoot = dictionary.location().entry.empty();
+    Faults faults;
     for (const Entry& entry : dictionary.entries())
     {
         // What a macro stands for has been read; and every file may have a header.
@@ -271,17 +321,28 @@ void Options::refuseUnknownKeys(const Dictionary& dictionary) const
         if (ownNamesOption() && entry.isDictionary())
             continue;
         if (entry.keyword().starts_with("#list"))
-            throw FatalIOError(
-                "There is a list without a keyword, which nothing reads. Write `keyword ( ... );`.",
-                entry.location());
+        {
+            faults.collectFrom(
+                [&]
+                {
+                    throw FatalIOError(
+                        "There is a list without a keyword, which nothing reads. Write `keyword ( ... );`.",
+                        entry.location());
+                });
+            continue;
+        }
+        if (faults.isFull())
+            break;
         std::vector<std::string> keys;
         for (const Option& option : options)
         {
             if (option.about.form != Form::ownNames)
                 keys.push_back(option.about.key);
         }
-        throw FatalIOError(unknownWordMessage("key", entry.keyword(), keys), entry.location());
+        faults.collectFrom(
+            [&] { throw FatalIOError(unknownWordMessage("key", entry.keyword(), keys), entry.location()); });
     }
+    faults.report();
 }
 
 std::vector<std::string> Options::typesOf(const Option& option)
@@ -297,7 +358,8 @@ std::vector<std::string> Options::typesOf(const Option& option)
 
 void Options::readFrom(const Dictionary& dictionary) const
 {
-    refuseUnknownKeys(dictionary);
+    Faults faults;
+    faults.collectFrom([&] { refuseUnknownKeys(dictionary); });
     for (const Option& option : options)
     {
         const OptionDescription& about = option.about;
@@ -309,13 +371,13 @@ void Options::readFrom(const Dictionary& dictionary) const
             {
                 const bool isHeader = dictionary.location().entry.empty() && entry.keyword() == "FoamFile";
                 if (!isHeader && !isDeclared(entry.keyword()) && entry.isDictionary() && !entry.isUsed())
-                    option.readEntry(entry);
+                    faults.collectFrom([&] { option.readEntry(entry); });
             }
             continue;
         }
         if (const Entry* entry = dictionary.find(about.key))
-            option.readEntry(*entry);
-        else if (about.presence == Presence::required)
+            faults.collectFrom([&] { option.readEntry(*entry); });
+        else if (about.presence == Presence::required && !faults.suggest(about.key))
         {
             std::string message = fmt::format(
                 "The {} {} is missing: {}{}.",
@@ -326,9 +388,10 @@ void Options::readFrom(const Dictionary& dictionary) const
             else if (const std::vector<std::string> types = typesOf(option); !types.empty())
                 message += fmt::format(" Write `{} {{ type ...; }}` with one of the types {}.", about.key,
                                        fmt::join(types, " "));
-            throw FatalIOError(message, dictionary.location());
+            faults.collectFrom([&] { throw FatalIOError(message, dictionary.location()); });
         }
     }
+    faults.report(); // rules are about values that are known
     for (const Rule& rule : rules)
     {
         const std::string fault = rule.fault();

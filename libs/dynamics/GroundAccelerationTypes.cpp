@@ -187,20 +187,45 @@ GroundMotion::Component tableComponent(const TableSettings& settings, const Sour
     return component;
 }
 
+/// Says where a file is named that does not exist. \param location of the entry with its name
+void requireFile(const std::string& name, const std::filesystem::path& caseDirectory,
+                 const SourceLocation& location)
+{
+    const std::filesystem::path file = inCase(name, caseDirectory);
+    std::error_code ignored;
+    if (!std::filesystem::exists(file, ignored))
+    {
+        throw FatalIOError(
+            fmt::format("There is no file {}.\n\nCheck the name, which is relative to the case "
+                        "directory {}.",
+                        name, caseDirectory.string()),
+            location);
+    }
+}
+
 AccelerationMaker makeTable(const TableSettings& settings, const Dictionary& dictionary)
 {
-    const SourceLocation location = dictionary.locationOf("values");
+    const SourceLocation location = dictionary.locationOf(settings.file.empty() ? "values" : "file");
     // values are wrong or right without the case's folder: say so at once
     if (settings.file.empty())
         tableComponent(settings, location, "");
     return [settings, location](const std::filesystem::path& caseDirectory)
-    { return tableComponent(settings, location, caseDirectory); };
+    {
+        if (!settings.file.empty())
+        {
+            requireFile(settings.file, caseDirectory, location);
+        }
+        return tableComponent(settings, location, caseDirectory);
+    };
 }
 
-AccelerationMaker makeRecord(const RecordMotion& settings)
+AccelerationMaker makeRecord(const RecordMotion& settings, const Dictionary& dictionary)
 {
-    return [settings](const std::filesystem::path& caseDirectory)
-    { return recordComponent(settings, caseDirectory); };
+    return [settings, location = dictionary.locationOf("file")](const std::filesystem::path& caseDirectory)
+    {
+        requireFile(settings.file, caseDirectory, location);
+        return recordComponent(settings, caseDirectory);
+    };
 }
 
 GroundMotion::Component preparedRecord(const RecordMotion& motion, const std::filesystem::path& file)

@@ -2,6 +2,8 @@
 /// Prints and writes the results of limit analysis.
 #include "functionObjects/LimitAnalysisResults.h"
 
+#include "functionObjects/EarlierResults.h"
+
 #include "assembly/ContactState.h"
 #include "assembly/Facing.h"
 #include "conic/ProgramFile.h"
@@ -291,10 +293,25 @@ void requireWritableResults(const std::filesystem::path& caseDirectory)
     requireWritable(caseDirectory / "VTK");
 }
 
+namespace
+{
+
+void reportRemoved(const std::vector<std::string>& names)
+{
+    if (!names.empty())
+    {
+        info("Removed with what belongs to them, of an earlier run with other loads: {}\n",
+             fmt::join(names, " "));
+    }
+}
+
+} // namespace
+
 void removeLimitAnalysisTable(const std::filesystem::path& caseDirectory)
 {
     std::error_code ignored;
     std::filesystem::remove(limitAnalysisTable(caseDirectory), ignored);
+    reportRemoved(removeEarlierResults(caseDirectory, {}));
 }
 
 void writeLimitAnalysisProgram(const std::filesystem::path& caseDirectory, const LimitAnalysisCase& structure,
@@ -378,6 +395,7 @@ void writeLimitAnalysisResults(const std::filesystem::path& caseDirectory, const
                                const std::vector<LimitAnalysis>& results, double cpuTime)
 {
     const std::vector<std::string> names = suffixes(results);
+    reportRemoved(removeEarlierResults(caseDirectory, names));
     for (std::size_t i = 0; i < results.size(); ++i)
     {
         writeAnswer(caseDirectory, structure, results[i], names[i]);

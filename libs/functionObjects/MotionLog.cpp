@@ -5,6 +5,7 @@
 #include "core/Log.h"
 
 #include <algorithm>
+#include <cstdio>
 
 namespace drystone
 {
@@ -124,6 +125,33 @@ std::string stepWithoutEnd(const DynamicCase& scene, const Motion& motion, const
 }
 
 } // namespace
+
+void printStopOrEnd(const Time& time)
+{
+    const StopAt stopAt = time.controls().stopAt;
+    if (time.exitStatus() != 0)
+    {
+        info("Stopped at {} s by a signal, state kept: `startFrom latestTime;` continues from there.\n",
+             time.name());
+    }
+    else if (stopAt == StopAt::noWriteNow)
+    {
+        info(
+            "Stopped at {} s, as stopAt noWriteNow of system/controlDict requests: this state is not kept.\n",
+            time.name());
+    }
+    else if (stopAt != StopAt::endTime)
+    {
+        info("Stopped at {} s, as stopAt {} of system/controlDict requests, state kept: "
+             "`startFrom latestTime;` continues from there.\n",
+             time.name(), stopAt == StopAt::writeNow ? "writeNow" : "nextWrite");
+    }
+    else
+    {
+        printEnd();
+    }
+    std::fflush(stdout);
+}
 
 std::string unsolvedStep(const DynamicCase& scene, const Motion& motion, const Time& time)
 {

@@ -17,6 +17,9 @@ void printScene(const DynamicCase& scene, const Motion& motion, const Time& time
 /// `interiorPoint:  Solving for contact, Initial residual = .., Final residual = .., No Iterations ..`
 void printStep(const DynamicCase& scene, const Motion& motion);
 
+/// `End`, or where a run was stopped before its end and whether its state is kept.
+void printStopOrEnd(const Time& time);
+
 /// Why a run ends here, and what may repair it.
 std::string unsolvedStep(const DynamicCase& scene, const Motion& motion, const Time& time);
 

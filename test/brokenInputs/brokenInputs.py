@@ -235,6 +235,12 @@ brokenInputs = [
               r"Valid texture types: arch courses polygons runningBond"),
     inTexture("missingType", "    type        runningBond;\n", "", r"type", lines=(2, 3)),
     inTexture("unknownKey", "length      5;", "lenght      5;", r"lenght", r"Did you mean length\?"),
+    inTexture("severalFaults", "length      5;", "lenght      5;\n    colour red;", r"Did you mean length\?",
+              lines=(8,)),  # of the last one
+    Broken("contactDynamics", "missingRecord", "constant/groundMotion", before=built, lines=(5,),
+           files={"constant/groundMotion": "direction (1 0 0);\nacceleration\n{\n    type record;\n"
+                                           '    file "constant/nowhere.AT2";\n}\n'},
+           says=(r"nowhere\.AT2",)),
     inTexture("unknownKeyOutside", "supports", "suports", r"suports", r"Did you mean supports\?"),
     inTexture("missingKey", "    unit        (0.4 0.175);\n", "", r"unit", lines=(2, 3)),
     inTexture("wordForANumber", "6;", "six;", r"six", r"courses"),

@@ -157,6 +157,30 @@ TEST(Options, AnUnknownTypeIsReportedAsTheContractHasIt)
               "DRYSTONE exiting\n");
 }
 
+TEST(Options, AllFaultsOfADictionaryAreReportedEachWithItsPlace)
+{
+    using testing::HasSubstr;
+    const std::string report =
+        reportOf("texture { type runningBond;\ncolour red;\ncourse 6; unit (0.4\n-1);\n"
+                 "firstCourse quarter; }");
+    const std::string expected[] = {"--> DRYSTONE FATAL IO ERROR:\nUnknown key colour.",
+                                    "texture/colour at line 2.",
+                                    "Unknown key course. Did you mean courses?",
+                                    "texture/course at line 3.",
+                                    "unit = -1 [m] is out of range: it must be above 0.",
+                                    "texture/unit at line 4.",
+                                    "Unknown firstCourse quarter.",
+                                    "texture/firstCourse at line 5.\n\nDRYSTONE exiting"};
+    std::size_t from = 0;
+    for (const std::string& part : expected)
+    {
+        const std::size_t at = report.find(part, from);
+        ASSERT_NE(at, std::string::npos) << part << "\nin\n" << report;
+        from = at;
+    }
+    EXPECT_EQ(report.find("is missing"), std::string::npos) << "courses is misspelt, not missing\n" << report;
+}
+
 TEST(Options, FaultsAreNamedWithTheirPlaceAndRepair)
 {
     using testing::HasSubstr;

@@ -177,6 +177,42 @@ TEST_F(LimitAnalysisResults, OfAStructureThatFallsByItselfHaveNoMultiplier)
     EXPECT_EQ(row()[1], 1);
 }
 
+TEST_F(LimitAnalysisResults, OfOtherLoadsAreRemovedAndNothingElse)
+{
+    const fs::path folder = limitAnalysisTable(directory).parent_path();
+    for (const char* earlier :
+         {"mechanism_wind.svg", "thrust_wind.svg", "thrust_wind.dat", "mechanismNegative.svg"})
+    {
+        writeWholeFile(folder / earlier, "of an earlier run");
+    }
+    for (const char* earlier : {"blocks_wind.vtp.series", "blocks_wind_000000.vtp", "thrust_wind.vtp.series"})
+    {
+        writeWholeFile(directory / "VTK" / earlier, "of an earlier run");
+    }
+    const fs::path others[] = {folder / "notes_wind.svg", folder / "mechanisms.svg",
+                               directory / "VTK/blocks_windows_000000.vtp"};
+    for (const fs::path& other : others)
+    {
+        writeWholeFile(other, "of the user");
+    }
+    solve("type inertial; direction (1 0 0);");
+    for (const char* earlier :
+         {"mechanism_wind.svg", "thrust_wind.svg", "thrust_wind.dat", "mechanismNegative.svg"})
+    {
+        EXPECT_FALSE(fs::exists(folder / earlier)) << earlier;
+    }
+    for (const char* earlier : {"blocks_wind.vtp.series", "blocks_wind_000000.vtp", "thrust_wind.vtp.series"})
+    {
+        EXPECT_FALSE(fs::exists(directory / "VTK" / earlier)) << earlier;
+    }
+    for (const fs::path& other : others)
+    {
+        EXPECT_TRUE(fs::exists(other)) << other;
+    }
+    EXPECT_TRUE(fs::exists(folder / "mechanism.svg"));
+    EXPECT_TRUE(fs::exists(directory / "VTK/blocks.vtp.series"));
+}
+
 } // namespace
 
 } // namespace drystone

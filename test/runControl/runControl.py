@@ -129,13 +129,32 @@ class RunControl(CaseTest):
             if line.startswith("Time = 0.1"):
                 process.send_signal(signal.SIGINT)
                 break
-        process.communicate(timeout=120)
+        rest, _ = process.communicate(timeout=120)
         self.assertEqual(process.returncode, 130)
         times = self.times(case)
+        self.assertIn(f"Stopped at {times[-1]} s by a signal, state kept", rest)
+        self.assertNotIn("\nEnd\n", rest)
         self.assertLess(float(times[-1]), 4)
         self.assertGreaterEqual(float(times[-1]), 0.1)
         self.run_(case)
         self.assertEqual(self.state(case, "4"), self.state(once, "4"))
+
+    def testTwoRunsInOneCaseAreRefusedUntilTheFirstHasEnded(self):
+        case = self.copy("locked", endTime="4", deltaT="0.0005", writeInterval="4")
+        first = subprocess.Popen([os.path.join(applications, "contactDynamics"), "-case", case],
+                                 stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+        for line in first.stdout:
+            if line.startswith("Time = "):
+                break
+        done = self.run_(case, status=1)
+        self.assertIn("Another run is at work", done.stderr)
+        if os.path.exists("/proc/locks") and f" {first.pid} " in self.read("/proc", "locks"):
+            self.assertIn(f"(process {first.pid})", done.stderr)
+        self.run_(case, "-dry-run")
+        first.kill()
+        first.communicate(timeout=60)
+        self.control(case, endTime="0.01")
+        self.run_(case)
 
     def testAStepThatIsNotSolvedEndsTheRunWithTheStateItBeganFrom(self):
         once = self.copy("solved")

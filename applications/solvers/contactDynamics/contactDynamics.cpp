@@ -56,7 +56,7 @@ int run(const CommandLine& commandLine)
         progress.update(time.progress());
     }
     progress.clear();
-    printEnd();
+    printStopOrEnd(time);
     return time.exitStatus();
 }
 
