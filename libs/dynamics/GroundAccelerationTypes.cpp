@@ -195,11 +195,10 @@ void requireFile(const std::string& name, const std::filesystem::path& caseDirec
     std::error_code ignored;
     if (!std::filesystem::exists(file, ignored))
     {
-        throw FatalIOError(
-            fmt::format("There is no file {}.\n\nCheck the name, which is relative to the case "
-                        "directory {}.",
-                        name, caseDirectory.string()),
-            location);
+        throw FatalIOError(fmt::format("There is no file {}.\n\nCheck the name: it is relative to the case "
+                                       "directory.",
+                                       file.string()),
+                           location);
     }
 }
 
