@@ -3,7 +3,9 @@
 #include "assembly/AssemblyFile.h"
 
 #include "assembly/AssemblyChecks.h"
+#include "assembly/AssemblyOrigin.h"
 #include "assembly/Outlines.h"
+#include "assembly/Plausibility.h"
 #include "core/Case.h"
 #include "core/Dictionary.h"
 
@@ -110,7 +112,9 @@ Assembly<2> readAssembly(const std::filesystem::path& caseDirectory)
     {
         readSupport(entry, assembly);
     }
-    refuseUnused(dictionary, {"dimensions", "thickness", "supports", "outlines"});
+    compareWithOrigin(dictionary, caseDirectory);
+    refuseUnused(dictionary, {"builtFrom", "dimensions", "thickness", "supports", "outlines"});
+    questionSizes(assembly, dictionary.locationOf("outlines"));
     return assembly;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "assembly/Assembly.h"
+#include "core/Fingerprint.h"
 
 #include <filesystem>
 #include <string>
@@ -16,10 +17,12 @@ std::filesystem::path assemblyFile(const std::filesystem::path& caseDirectory);
 /// The text of the file: a FoamFile header, `dimensions`, `thickness` [m] (one number, or a list with one for
 /// each block), `supports` with the indices of the blocks that each of them fixes, and `outlines`, one
 /// polygon [m] a line in the order of Assembly::blocks. Numbers are the shortest that read back as the same
-/// bits.
-std::string assemblyText(const Assembly<2>& assembly);
+/// bits. \param builtFrom the dictionary that it was built from (AssemblyOrigin.h); none: the file does not
+/// say it
+std::string assemblyText(const Assembly<2>& assembly, const std::vector<InputFile>& builtFrom = {});
 
-/// Reads the assembly of a case. Outlines may be in either orientation and are turned counter-clockwise.
+/// Reads the assembly of a case, and warns when the dictionary that it was built from has changed, or sizes
+/// are improbable. Outlines may be in either orientation and are turned counter-clockwise.
 /// \throws Error with file and line when the file is missing or no dictionary, a key is missing or unknown,
 /// dimensions are not 2, there is no block, a number is not finite, an outline has fewer than three corners,
 /// no area, or crosses or touches itself, a thickness is not positive, a support fixes a block that does not

@@ -2,6 +2,8 @@
 /// Writing the assembly file.
 #include "assembly/AssemblyFile.h"
 
+#include "assembly/AssemblyOrigin.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,11 +17,12 @@ std::filesystem::path assemblyFile(const std::filesystem::path& caseDirectory)
     return (caseDirectory / "constant" / "assembly" / "blocks").lexically_normal();
 }
 
-std::string assemblyText(const Assembly<2>& assembly)
+std::string assemblyText(const Assembly<2>& assembly, const std::vector<InputFile>& builtFrom)
 {
     std::string text =
         "FoamFile\n{\n    version     2.0;\n    format      ascii;\n    class       dictionary;\n"
-        "    location    \"constant/assembly\";\n    object      blocks;\n}\n\ndimensions      2;\n\n";
+        "    location    \"constant/assembly\";\n    object      blocks;\n}\n\ndimensions      2;\n\n"
+        + originText(builtFrom);
     const auto out = std::back_inserter(text);
     const std::vector<Block<2>>& blocks = assembly.blocks;
 

@@ -29,12 +29,23 @@ const std::vector<AbsentEffect>& absentEffects()
     return effects;
 }
 
+namespace
+{
+
+/// Beyond it a number is rather an angle in degrees; 10 serves to exclude sliding.
+constexpr double steepestFriction = 10;
+constexpr auto frictionNote =
+    "dry stone has 0.3 to 1, and a friction angle of 31 degrees is tan(31 degrees) = 0.6";
+
+} // namespace
+
 void declare(Options& options, CoulombFriction& friction)
 {
     options.required("mu", friction.mu, "friction coefficient")
         .unit("-")
         .atLeast(0)
         .atMost(1e6)
+        .usual(0, steepestFriction, frictionNote)
         .example("0.65");
     options.optional("flowRule", friction.flowRule, "whether a joint that slides opens");
 }
@@ -149,6 +160,7 @@ void declare(Options& options, JointFriction& friction)
         .unit("-")
         .atLeast(0)
         .atMost(1e6)
+        .usual(0, steepestFriction, frictionNote)
         .example("0.4");
 }
 

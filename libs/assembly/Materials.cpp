@@ -4,15 +4,49 @@
 
 #include "assembly/CaseFile.h"
 
+#include <fmt/format.h>
+
 namespace drystone
 {
 
+namespace
+{
+
+/// Moon to models in a small centrifuge; no gravity at all is a choice.
+constexpr double weakestGravity = 1;
+constexpr double strongestGravity = 25;
+
+std::string doubtAbout(const Gravity& gravity)
+{
+    const Vector<2>& g = gravity.value;
+    if (g.y() > 0)
+    {
+        return fmt::format("Gravity ({:g} {:g}) [m/s2] points upwards: the blocks fall away from the ground. "
+                           "Usual is (0 -9.81).",
+                           g.x(), g.y());
+    }
+    if (const double size = g.norm(); size > 0 && (size < weakestGravity || size > strongestGravity))
+    {
+        return fmt::format("Gravity of {:g} m/s2 is unusual: usual is 9.81, from {:g} to {:g}. It is used as "
+                           "it stands.",
+                           size, weakestGravity, strongestGravity);
+    }
+    return {};
+}
+
+} // namespace
+
 void declare(Options& options, MaterialProperties& material)
 {
-    options.optional("density", material.density, "mass of a volume").unit("kg/m3").above(0).example("2000");
+    options.optional("density", material.density, "mass of a volume")
+        .unit("kg/m3")
+        .above(0)
+        .usual(300, 8000, "brick has some 1800, stone 2200 to 2800")
+        .example("2000");
     options.optional("unitWeight", material.unitWeight, "weight of a volume, instead of the density")
         .unit("N/m3")
         .above(0)
+        .usual(1000, 80000, "brick has some 18000, stone 22000 to 28000")
         .example("20000");
     options.check("density",
                   [&material]() -> std::string
@@ -33,6 +67,7 @@ void declare(Options& options, Gravity& gravity)
 {
     options.readElsewhere({"dimensions"}, "[0 1 -2 0 0 0 0]");
     options.required("value", gravity.value, "acceleration of gravity").unit("m/s2").example("(0 -9.81 0)");
+    options.question("value", [&gravity] { return doubtAbout(gravity); });
 }
 
 Vector<2> readGravity(const std::filesystem::path& caseDirectory)

@@ -6,8 +6,11 @@
 #include <cctype>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
+#include <mutex>
 #include <new>
 #include <numeric>
+#include <unordered_set>
 
 namespace drystone
 {
@@ -87,6 +90,21 @@ void printWarning(std::string_view message)
 void printWarning(std::string_view message, const SourceLocation& location)
 {
     printReport("--> DRYSTONE Warning :\n" + std::string(message) + "\n\n" + describe(location) + "\n\n");
+}
+
+void printWarningOnce(std::string_view message, const SourceLocation& location)
+{
+    static std::mutex guard;
+    static std::unordered_set<std::size_t> printed;
+    const std::size_t identity = std::hash<std::string>{}(std::string(message) + '\0' + describe(location));
+    {
+        const std::lock_guard lock(guard);
+        if (!printed.insert(identity).second)
+        {
+            return;
+        }
+    }
+    printWarning(message, location);
 }
 
 int runGuarded(const std::function<int()>& program)

@@ -57,6 +57,8 @@ std::string describe(const SourceLocation& location);
 /// Print `--> DRYSTONE Warning :` and the message on standard error.
 void printWarning(std::string_view message);
 void printWarning(std::string_view message, const SourceLocation& location);
+/// The same, unless this program has printed it before: of what is read more than once. Any thread may.
+void printWarningOnce(std::string_view message, const SourceLocation& location);
 
 /// Run a program and turn whatever it throws into a message on standard error.
 /// \return the program's own exit status, or that of the error (1 unless the error says otherwise)

@@ -219,6 +219,15 @@ Option& Option::orInfinite()
     return *this;
 }
 
+Option& Option::usual(double from, double to, std::string note)
+{
+    usuallyFrom = from;
+    usuallyTo = to;
+    usualNote = std::move(note);
+    about.usual = rangeText(from, true, to, true);
+    return *this;
+}
+
 Option& Option::oneOf(std::vector<std::string> allowedWords)
 {
     about.words = std::move(allowedWords);
@@ -236,10 +245,20 @@ void Option::checkNumber(double number, const Entry& entry) const
     const bool lowEnough = number < highest || (highestAllowed && number == highest);
     const bool highEnough = number > lowest || (lowestAllowed && number == lowest);
     if (lowEnough && highEnough)
-        return;
+        return questionNumber(number, entry);
     throw FatalIOError(fmt::format("{} = {}{} is out of range: it must be {}.", about.key, number,
                                    withUnit(about), about.range),
                        placeOf(number, entry));
+}
+
+void Option::questionNumber(double number, const Entry& entry) const
+{
+    if (number >= usuallyFrom && number <= usuallyTo)
+        return;
+    printWarningOnce(fmt::format("{} = {}{} is unusual: usual is {}{}. It is used as it stands.", about.key,
+                                 number, withUnit(about), about.usual,
+                                 usualNote.empty() ? "" : "; " + usualNote),
+                     placeOf(number, entry));
 }
 
 void Option::checkWord(const std::string& word, const Entry& entry) const
@@ -284,6 +303,11 @@ void Options::readElsewhere(const std::vector<std::string>& keys, const std::str
 void Options::check(std::string key, std::function<std::string()> fault)
 {
     rules.push_back({std::move(key), std::move(fault)});
+}
+
+void Options::question(std::string key, std::function<std::string()> doubt)
+{
+    questions.push_back({std::move(key), std::move(doubt)});
 }
 
 const Option* Options::ownNamesOption() const
@@ -398,6 +422,12 @@ void Options::readFrom(const Dictionary& dictionary) const
         if (!fault.empty())
             throw FatalIOError(fault, dictionary.locationOf(rule.key));
     }
+    for (const Rule& question : questions)
+    {
+        const std::string doubt = question.fault();
+        if (!doubt.empty())
+            printWarningOnce(doubt, dictionary.locationOf(question.key));
+    }
 }
 
 std::vector<OptionDescription> Options::descriptions() const
@@ -459,6 +489,8 @@ std::string sentence(const OptionDescription& option)
     std::string text = option.doc + withUnit(option);
     if (!option.range.empty())
         text += ", " + option.range;
+    if (!option.usual.empty())
+        text += ", usually " + option.usual;
     if (!option.words.empty())
         text += fmt::format("; one of {}", fmt::join(option.words, " "));
     if (option.form == Form::value)

@@ -81,6 +81,7 @@ struct OptionDescription
     std::string type;  ///< number, integer, switch, word, vector of 2, list of ...
     std::string unit;  ///< m, kg/m3, ...; empty when it has none
     std::string range; ///< above 0, from 0 to 1; empty when all is allowed
+    std::string usual; ///< from 300 to 8000; empty when no value is questioned
     std::string defaultText;
     std::string exampleText;
     bool given = false;                     ///< annotated dictionaries give it although it may be absent
@@ -111,6 +112,10 @@ public:
     Option& atMost(double limit);
     /// `inf` is allowed (a double).
     Option& orInfinite();
+    /// Values that need no question. Another one is taken as it is, with a warning: it may be in another
+    /// unit. \param note closes the warning, a sentence without its point: what the value may have been meant
+    /// as
+    Option& usual(double from, double to, std::string note = {});
     /// The words that are allowed. (Enumerations know theirs.)
     Option& oneOf(std::vector<std::string> allowedWords);
     /// What annotated dictionaries show when there is no default; of a dictionary of dictionaries, the name
@@ -123,6 +128,7 @@ private:
     friend class Options;
     void readEntry(const Entry& entry) const;
     void checkNumber(double number, const Entry& entry) const;
+    void questionNumber(double number, const Entry& entry) const;
     void checkWord(const std::string& word, const Entry& entry) const;
 
     OptionDescription about;
@@ -131,6 +137,9 @@ private:
     bool lowestAllowed = true;
     bool highestAllowed = true;
     bool infiniteAllowed = false;
+    double usuallyFrom = -std::numeric_limits<double>::infinity();
+    double usuallyTo = std::numeric_limits<double>::infinity();
+    std::string usualNote;
     std::function<void(const Entry&, const Option&)> readValue;
     std::function<void(OptionDescription&)> describeMembers;
 };
@@ -367,6 +376,9 @@ public:
     /// \param key whose place the message points at
     /// \param fault what is wrong and how to mend it; empty when nothing is
     void check(std::string key, std::function<std::string()> fault);
+    /// What is allowed and improbable, as gravity that points upwards: a warning, when all has been read.
+    /// \param doubt what is unusual and what would be usual; empty when nothing is
+    void question(std::string key, std::function<std::string()> doubt);
 
     /// Find unknown keys, read every option, check every rule.
     /// \throws FatalIOError
@@ -574,6 +586,7 @@ private:
 
     std::deque<Option> options;
     std::vector<Rule> rules;
+    std::vector<Rule> questions;
 };
 
 template<Declared Model>

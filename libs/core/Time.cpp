@@ -119,7 +119,7 @@ Time::Time(const fs::path& caseDirectory, ControlDict presence)
         begin = times.front().time;
     if (!times.empty() && settings.startFrom == StartFrom::latestTime)
         begin = times.back().time;
-    now = origin = begin;
+    now = origin = beginning = begin;
     step = settings.deltaT;
     namePrecision = settings.timePrecision;
     startOutput();
@@ -142,6 +142,7 @@ void Time::startOutput()
 void Time::resume(const TimeState& saved)
 {
     begin = now = saved.value;
+    beginning = saved.beginning;
     count = saved.index;
     step = saved.deltaT;
     origin = saved.origin;

@@ -113,6 +113,7 @@ struct TimeState
     double origin = 0; ///< the time is origin + (index - originIndex) deltaT
     long originIndex = 0;
     double detourEnd = 0; ///< later than `value` while a step is being made in parts: where the parts end
+    double beginning = 0; ///< when the motion began, in this run or one that it continues [s]
 };
 
 /// The name of a time directory, as OpenFOAM names it: `0.05`, `1e-05`.
@@ -147,7 +148,9 @@ public:
     /// Continue as a run that was never interrupted. To be called before the first step with what `state`
     /// was when the state was written; a deltaT that controlDict has changed since is taken from there.
     void resume(const TimeState& saved);
-    TimeState state() const { return {now, step, count, origin, originIndex, detourEnd}; }
+    TimeState state() const { return {now, step, count, origin, originIndex, detourEnd, beginning}; }
+    /// Name of the directory of the time at which the motion began.
+    std::string beginningName() const { return timeName(beginning, settings.timeFormat, namePrecision); }
 
     /// Begin the next step, unless the run is to end: the end time is reached, stopAt or a signal says so.
     /// Reads controlDict again when it has changed; a fault in it is reported and the old settings stand.
@@ -196,6 +199,7 @@ private:
     OutputControl output;
 
     double begin = 0;
+    double beginning = 0; ///< see TimeState
     double now = 0;
     double step = 0;     ///< of the steps to come
     double lastStep = 0; ///< of the current step

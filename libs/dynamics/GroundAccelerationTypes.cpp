@@ -14,6 +14,9 @@ namespace drystone
 namespace
 {
 
+/// Of pulses that make small blocks rock; the largest that earthquakes were measured with [m/s2].
+constexpr double strongestGround = 40;
+
 /// A component that needs no files.
 template<class Acceleration>
 AccelerationMaker ready(Acceleration acceleration, std::string summary)
@@ -38,6 +41,7 @@ void declare(Options& options, ConstantSettings& settings)
 {
     options.required("value", settings.value, "acceleration of the ground at all times")
         .unit("m/s2")
+        .usual(-strongestGround, strongestGround)
         .example("3.0");
 }
 
@@ -50,6 +54,7 @@ void declarePulse(Options& options, PulseShape& pulse)
 {
     options.required("amplitude", pulse.amplitude, "largest acceleration; negative to begin the other way")
         .unit("m/s2")
+        .usual(-strongestGround, strongestGround)
         .example("3.5");
     options.required("duration", pulse.duration, "of the whole pulse").unit("s").above(0).example("0.5");
     options.optional("start", pulse.start, "when the pulse begins").unit("s");
@@ -261,6 +266,7 @@ GroundMotion::Component preparedRecord(const RecordMotion& motion, const std::fi
     const RecordFigures f = figures(record);
     const double factor = accelerationUnit(record.unit);
     GroundMotion::Component component;
+    component.valueUnit = factor;
     component.summary =
         typeLine("record") + fmt::format("    file        {} ({} values)\n", motion.file, count);
     if (!record.title.empty())
@@ -323,7 +329,8 @@ void declare(Options& options, RecordMotion& settings)
     options.optional("scale", settings.scale, "factor on the accelerations");
     options.optional("peakAcceleration", settings.peakAcceleration, "scale to this peak instead")
         .unit("m/s2")
-        .above(0);
+        .above(0)
+        .usual(0, strongestGround);
     options.optional("padding", settings.padding, "stillness added before and after").unit("s").atLeast(0);
     options.optional("start", settings.start, "when the padded record begins").unit("s");
     options.optional("interpolation", settings.interpolation, "between the values");

@@ -1,6 +1,8 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "dynamics/GroundMotion.h"
 
+#include "dynamics/GroundMotionPlausibility.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -101,15 +103,17 @@ GroundMotion readGroundMotion(const Dictionary& dictionary, const std::filesyste
 {
     const auto settings = readOptions<GroundMotionSettings>(dictionary);
     GroundMotion motion;
-    const auto add = [&](const std::array<double, 3>& direction, const AccelerationMaker& acceleration)
+    const auto add = [&](const std::array<double, 3>& direction, const AccelerationMaker& acceleration,
+                         const Dictionary& described)
     {
         motion.components.push_back(acceleration(caseDirectory));
         motion.components.back().direction = toVector(direction).normalized();
+        question(doubtsAboutRecord(motion.components.back(), described.subDict("acceleration")));
     };
     if (settings.direction)
-        add(*settings.direction, settings.acceleration);
+        add(*settings.direction, settings.acceleration, dictionary);
     for (const auto& [name, component] : settings.components)
-        add(component.direction, component.acceleration);
+        add(component.direction, component.acceleration, dictionary.subDict("components").subDict(name));
     return motion;
 }
 

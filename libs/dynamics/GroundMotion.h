@@ -32,7 +32,8 @@ struct GroundMotion
     {
         Eigen::Vector3d direction = Eigen::Vector3d::UnitX(); ///< of unit length
         std::shared_ptr<const GroundAcceleration> acceleration;
-        std::string summary; ///< what it is, for the log: a line a property, each beginning with four blanks
+        std::string summary;  ///< what it is, for the log: a line a property, each beginning with four blanks
+        double valueUnit = 0; ///< of the values in the file of a record [m/s2]; 0 of other types
     };
     std::vector<Component> components; ///< empty: the ground is still
 };

@@ -12,6 +12,7 @@
 #include "core/WholeFile.h"
 #include "functionObjects/ColumnFile.h"
 #include "functionObjects/FunctionList.h"
+#include "functionObjects/KeptResults.h"
 #include "io/Frames.h"
 #include "io/Mechanism.h"
 #include "io/MechanismPicture.h"
@@ -257,6 +258,11 @@ std::filesystem::path limitAnalysisTable(const std::filesystem::path& caseDirect
     return postProcessingFolder(caseDirectory, "limitAnalysis", "0") / "limitAnalysis.dat";
 }
 
+std::filesystem::path limitAnalysisInput(const std::filesystem::path& caseDirectory)
+{
+    return limitAnalysisTable(caseDirectory).replace_filename("input");
+}
+
 void checkFunctions(const Dictionary& controlDict, const std::filesystem::path& caseDirectory,
                     const Assembly<2>& assembly)
 {
@@ -311,6 +317,7 @@ void removeLimitAnalysisTable(const std::filesystem::path& caseDirectory)
 {
     std::error_code ignored;
     std::filesystem::remove(limitAnalysisTable(caseDirectory), ignored);
+    std::filesystem::remove(limitAnalysisInput(caseDirectory), ignored);
     reportRemoved(removeEarlierResults(caseDirectory, {}));
 }
 
@@ -410,6 +417,7 @@ void writeLimitAnalysisResults(const std::filesystem::path& caseDirectory, const
         }
         writeWholeFile(limitAnalysisTable(caseDirectory).replace_filename("combinations.dat"), text);
     }
+    writeInput(limitAnalysisInput(caseDirectory), inputOfLimitAnalysis(caseDirectory, structure.assembly));
     writeWholeFile(limitAnalysisTable(caseDirectory), tableText(structure, results, cpuTime));
 }
 

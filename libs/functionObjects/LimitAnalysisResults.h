@@ -19,6 +19,9 @@ void printLimitAnalysis(const LimitAnalysisCase& structure, const std::vector<Li
 /// postProcessing/limitAnalysis/0/limitAnalysis.dat
 std::filesystem::path limitAnalysisTable(const std::filesystem::path& caseDirectory);
 
+/// postProcessing/limitAnalysis/0/input: the input that the results there follow from
+std::filesystem::path limitAnalysisInput(const std::filesystem::path& caseDirectory);
+
 /// Checks the functions of controlDict and reports that they are not run: they follow motion, which limit
 /// analysis does not have.
 /// \throws FatalIOError for faults in them

@@ -8,6 +8,7 @@
 #include "core/Log.h"
 #include "core/WholeFile.h"
 #include "dynamics/InitialMotion.h"
+#include "functionObjects/KeptResults.h"
 #include "io/Frames.h"
 
 #include <fmt/format.h>
@@ -72,6 +73,8 @@ TimeState timeOf(const State& saved)
     time.origin = stateScalar(saved, "timeOrigin");
     time.originIndex = static_cast<long>(stateScalar(saved, "timeOriginIndex"));
     time.detourEnd = stateScalar(saved, "timeDetourEnd");
+    // Older versions did not keep it, and most motions begin at 0.
+    time.beginning = saved.scalars.contains("timeBeginning") ? stateScalar(saved, "timeBeginning") : 0;
     return time;
 }
 
@@ -169,6 +172,7 @@ State stateOf(const Motion& motion, const Time& time)
                      {"timeOrigin", now.origin},
                      {"timeOriginIndex", static_cast<double>(now.originIndex)},
                      {"timeDetourEnd", now.detourEnd},
+                     {"timeBeginning", now.beginning},
                      {"stepLength", time.value() - time.previousValue()}};
     visitResiduals(motion.residuals,
                    [&](const char* name, auto value) { state.scalars[name] = static_cast<double>(value); });
@@ -239,6 +243,7 @@ Motion startOrContinue(const std::filesystem::path& caseDirectory, const Dynamic
 
     const State saved = readState(file);
     time.resume(timeOf(saved));
+    compareWithInput(saved, inputOfMotion(caseDirectory, scene, time), time);
     return motionOf(scene, saved);
 }
 
@@ -258,6 +263,7 @@ void postProcess(const std::filesystem::path& caseDirectory, const DynamicCase& 
         throw FatalError("There are no results to process: no time directory of this case has a state. Run "
                          "contactDynamics without -postProcess first.");
     }
+    compareWithInput(states, inputOfMotion(caseDirectory, scene, time));
     const Dictionary functions =
         time.controlDict().found("functions") ? time.controlDict().subDict("functions") : Dictionary();
     FunctionList<2> list(functions, caseDirectory, states.front().first, {}, 0, scene.assembly);
@@ -282,6 +288,7 @@ MotionResults::MotionResults(std::filesystem::path directory, const DynamicCase&
       motion(currentMotion),
       time(runTime),
       functionList(readFunctions(caseDirectory, scene, time, functionObjects)),
+      input(inputOfMotion(caseDirectory, scene, time)),
       states(caseDirectory, time.controls().writeFormat, time.controls().purgeWrite),
       blocks(caseDirectory / "VTK", "blocks", time.startValue()),
       contacts(caseDirectory / "VTK", "contacts", time.startValue())
@@ -304,7 +311,10 @@ void MotionResults::write()
 
 void MotionResults::writeNow()
 {
-    states.write(time.name(), stateOf(motion, time));
+    State state = stateOf(motion, time);
+    input.back() = inputOfSteps(time); // controlDict may have been read again
+    state.texts[inputInState] = textsOf(input);
+    states.write(time.name(), state);
     writeFrames();
 }
 

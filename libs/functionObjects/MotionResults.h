@@ -3,6 +3,7 @@
 /// combines dynamics with output, which dynamics does not see.
 #pragma once
 
+#include "core/Fingerprint.h"
 #include "dynamics/Motion.h"
 #include "functionObjects/FunctionList.h"
 #include "io/TimeDirectory.h"
@@ -16,7 +17,7 @@ namespace drystone
 /// The motion at the time a run starts from. `<time>/state`, written by an earlier run, is continued bit for
 /// bit; without one, `<time>/motion`, or the structure as built at rest.
 /// \throws FatalError when a run is to continue at a time that has no state, or the state is of another
-/// structure
+/// structure. Warns when it is of other input (KeptResults.h)
 Motion startOrContinue(const std::filesystem::path& caseDirectory, const DynamicCase& scene, Time& time);
 
 /// The state that `startOrContinue` continues from.
@@ -70,6 +71,7 @@ private:
     const Motion& motion;
     Time& time;
     FunctionList<2> functionList;
+    std::vector<InputFile> input; ///< that the motion follows from, the steps last
     StateWriter states;
     VtkSeries blocks;
     VtkSeries contacts;

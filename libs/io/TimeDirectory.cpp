@@ -200,13 +200,47 @@ private:
         return values;
     }
 
-    /// `0.5` or `2(0.5 0.6)`: a list is distinguished from a number by its parenthesis.
+    /// Whether `2("one" "two")` is next.
+    bool textsAreNext() const
+    {
+        const std::size_t parenthesis = text.find('(', at);
+        const std::size_t first = text.find_first_not_of(" \t\r\n", parenthesis + 1);
+        return first != text.npos && text[first] == '"';
+    }
+
+    std::vector<std::string> texts()
+    {
+        std::vector<std::string> result(size());
+        expect('(');
+        for (std::string& one : result)
+        {
+            expect('"');
+            const std::size_t end = std::min(text.find_first_of("\"\\\n", at), text.size());
+            one = text.substr(at, end - at);
+            at = end;
+            if (!next("\""))
+            {
+                fail("A text does not end on its line.");
+            }
+        }
+        expect(')');
+        return result;
+    }
+
+    /// `0.5`, `2(0.5 0.6)` or `2("one" "two")`: a list is distinguished from a number by its parenthesis.
     void value(State& state, const std::string& name)
     {
         const std::size_t end = text.find_first_of(";(", at);
         if (end != text.npos && text[end] == '(')
         {
-            state.arrays[name] = list(false);
+            if (textsAreNext())
+            {
+                state.texts[name] = texts();
+            }
+            else
+            {
+                state.arrays[name] = list(false);
+            }
         }
         else
         {
@@ -300,6 +334,18 @@ std::string stateText(const State& state, WriteFormat format)
     {
         check(name, value);
         fmt::format_to(out, "{} {};\n", name, value);
+    }
+    for (const auto& [name, texts] : state.texts)
+    {
+        fmt::format_to(out, "\n{} {}\n(\n", name, texts.size());
+        for (const std::string& line : texts)
+        {
+            if (line.find_first_of("\"\\\n") != std::string::npos)
+                throw FatalError(fmt::format("{} of the state to be written cannot be put between quotes: {}",
+                                             name, line));
+            fmt::format_to(out, "\"{}\"\n", line);
+        }
+        text += ");\n";
     }
     for (const auto& [name, values] : state.arrays)
     {

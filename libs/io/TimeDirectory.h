@@ -15,11 +15,13 @@
 namespace drystone
 {
 
-/// Named numbers and arrays of numbers; their meaning is known to the library that makes them.
+/// Named numbers, arrays of numbers and lists of texts; their meaning is known to the library that makes
+/// them.
 struct State
 {
     std::map<std::string, double> scalars;
     std::map<std::string, std::vector<double>> arrays;
+    std::map<std::string, std::vector<std::string>> texts; ///< without quotes and line ends; no list is empty
     std::filesystem::path file; ///< where it was read from, for messages; empty before
 };
 
@@ -33,9 +35,9 @@ double stateScalar(const State& state, const std::string& name);
 /// \throws FatalError naming the file when there is none of this name, or it has another size
 const std::vector<double>& stateArray(const State& state, const std::string& name, std::size_t size);
 
-/// The state as a dictionary of `name value;` and `name N(values);`.
+/// The state as a dictionary of `name value;`, `name N(values);` and `name N("text" ...);`.
 ///
-/// \throws FatalError when a value is not finite
+/// \throws FatalError when a value is not finite, or a text holds a quote or a line end
 std::string stateText(const State& state, WriteFormat format);
 
 /// Writes `<case>/<time name>/state`, whole or not at all: a new time directory appears under its name with

@@ -126,17 +126,6 @@ void copyCase(const fs::path& caseDirectory, const fs::path& target)
     }
 }
 
-std::uint64_t fingerprint(std::string_view text)
-{
-    // FNV-1a.
-    std::uint64_t hash = 0xcbf29ce484222325u;
-    for (const char c : text)
-    {
-        hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-    }
-    return hash;
-}
-
 std::uint64_t fingerprint(const fs::path& caseDirectory, const std::string& leftOut)
 {
     std::vector<fs::path> files;

@@ -3,6 +3,8 @@
 /// repeat whole cases.
 #pragma once
 
+#include "core/Fingerprint.h"
+
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -17,10 +19,8 @@ namespace drystone
 /// of a search (parameterSearch). An existing `target` is removed first. \throws FatalError
 void copyCase(const std::filesystem::path& caseDirectory, const std::filesystem::path& target);
 
-/// A number that almost certainly differs when a text does.
-std::uint64_t fingerprint(std::string_view text);
-
-/// The same of the files that copyCase copies. \param leftOut a file that is ignored, in the case directory
+/// A fingerprint of the files that copyCase copies. \param leftOut a file that is ignored, in the case
+/// directory
 std::uint64_t fingerprint(const std::filesystem::path& caseDirectory, const std::string& leftOut);
 
 /// The rows that an interrupted study has written.

@@ -5,6 +5,7 @@
 #include "core/Case.h"
 #include "core/Log.h"
 #include "core/WholeFile.h"
+#include "dynamics/GroundMotionPlausibility.h"
 #include "functionObjects/ColumnFile.h"
 #include "functionObjects/MotionLog.h"
 #include "functionObjects/MotionResults.h"
@@ -22,13 +23,15 @@ constexpr const char* applicationName = "incrementalDynamics";
 
 /// The ground motions, each with a peak that can be scaled.
 std::vector<StudyMotion> studyMotions(const std::filesystem::path& caseDirectory, const GroundMotion& ofCase,
-                                      const IncrementalDynamicsSettings& settings)
+                                      const IncrementalDynamicsSettings& settings,
+                                      const Dictionary& dictionary)
 {
     std::vector<StudyMotion> motions;
     for (const auto& [name, record] : settings.records)
     {
         GroundMotion::Component component = recordComponent(record.record, caseDirectory);
         component.direction = Eigen::Map<const Eigen::Vector3d>(record.direction.data()).normalized();
+        question(doubtsAboutRecord(component, dictionary.subDict("records").subDict(name)));
         motions.push_back({name, {{std::move(component)}}, 0});
     }
     if (motions.empty())
@@ -149,7 +152,11 @@ IncrementalDynamics readIncrementalDynamics(const std::filesystem::path& caseDir
     study.gravity = study.scene.gravity.norm();
     study.intensity = settings.intensity;
     study.criterion = settings.criterion(study.scene.assembly);
-    study.motions = studyMotions(caseDirectory, study.scene.groundMotion, settings);
+    study.motions = studyMotions(caseDirectory, study.scene.groundMotion, settings, dictionary);
+    for (const StudyMotion& motion : study.motions)
+    {
+        question(doubtsAboutTimes(motion.ground, study.scene.schemes, time.controls(), time.controlDict()));
+    }
     study.jobs = settings.jobs.value_or(threadCount());
     study.stopWhenMet = settings.stopWhenMet;
     if (study.intensity.unit == IntensityUnit::g && !(study.gravity > 0))

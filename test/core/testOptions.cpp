@@ -144,6 +144,51 @@ TEST(Options, ReadAModelWithItsDefaultsListsAndNamedDictionaries)
     EXPECT_EQ(settings.supports[1].second.segment, 0);
 }
 
+TEST(Options, AnUnusualValueIsTakenAsItIsWithOneWarning)
+{
+    struct Material
+    {
+        double density = 0;
+        std::vector<double> mu;
+        void declareIn(Options& options)
+        {
+            options.required("density", density, "of blocks")
+                .unit("kg/m3")
+                .usual(300, 8000, "brick has 1800");
+            options.optional("mu", mu, "friction").usual(0, 10);
+            options.question("mu",
+                             [this]() -> std::string
+                             { return mu.size() > 1 ? "That are many coefficients. Usual is one." : ""; });
+        }
+    };
+    const auto warningsOf = [](const std::string& text)
+    {
+        Material material;
+        Options options;
+        material.declareIn(options);
+        testing::internal::CaptureStderr();
+        options.readFrom(Dictionary::readString(text, "constant/material"));
+        return testing::internal::GetCapturedStderr();
+    };
+    EXPECT_EQ(warningsOf("density 300;"), "");
+    EXPECT_EQ(warningsOf("density 8000; mu (10);"), "");
+    EXPECT_EQ(
+        warningsOf("\ndensity 2.2;"),
+        "--> DRYSTONE Warning :\ndensity = 2.2 [kg/m3] is unusual: usual is from 300 to 8000; brick has "
+        "1800. It is used as it stands.\n\nfile: constant/material/density at line 2.\n\n");
+    EXPECT_EQ(warningsOf("\ndensity 2.2;"), ""); // read again, said once
+    EXPECT_EQ(warningsOf("density 2000; mu (0.5\n 0.6);"),
+              "--> DRYSTONE Warning :\nThat are many coefficients. Usual is one.\n\nfile: "
+              "constant/material/mu at line 1.\n\n");
+    EXPECT_THAT(warningsOf("density 2000; mu (\n31);"), testing::HasSubstr("mu at line 2."));
+
+    Material material;
+    Options options;
+    material.declareIn(options);
+    EXPECT_THAT(helpText(options.descriptions()),
+                testing::HasSubstr("of blocks [kg/m3], usually from 300 to 8000; required"));
+}
+
 TEST(Options, AnUnknownTypeIsReportedAsTheContractHasIt)
 {
     EXPECT_EQ(reportOf("\n\n\ntexture\n{\n\n\n\n\n\n\n    type runingBond;\n}\n"),

@@ -32,7 +32,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                     const std::string text = stateText(state, format);
                     fuzz::write(file, text);
                     const State again = readState(file);
-                    if (again.scalars != state.scalars || again.arrays != state.arrays)
+                    if (again.scalars != state.scalars || again.arrays != state.arrays
+                        || again.texts != state.texts)
                     {
                         std::abort();
                     }

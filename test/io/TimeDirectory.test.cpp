@@ -190,6 +190,38 @@ TEST(TimeDirectory, AnAsciiStateIsADictionaryLikeAnyOther)
     EXPECT_TRUE(dictionary.get<std::vector<double>>("empty").empty());
 }
 
+TEST_P(EveryFormat, GivesTextsBack)
+{
+    const ScratchFolder folder;
+    State state;
+    state.scalars["time"] = 0.5;
+    state.texts["input"] = {"0123456789abcdef constant/g", "", "a (b; { c"};
+    state.arrays["velocity"] = {1, 2};
+    writeState(folder.path(), "0.5", state, GetParam());
+    const State back = readState(folder / "0.5/state");
+    EXPECT_EQ(back.texts, state.texts);
+    EXPECT_EQ(back.scalars, state.scalars);
+    EXPECT_EQ(back.arrays, state.arrays);
+    if (GetParam() == WriteFormat::ascii)
+    {
+        EXPECT_EQ(Dictionary::readFile(folder / "0.5/state").get<std::vector<std::string>>("input"),
+                  state.texts["input"]);
+    }
+    state.texts["input"] = {"a \"quote\""};
+    EXPECT_THAT(messageOf([&] { stateText(state, GetParam()); }), HasSubstr("put between quotes"));
+}
+
+TEST(TimeDirectory, TextsThatEndTooEarlyAreErrors)
+{
+    const ScratchFolder folder;
+    for (const char* text : {"input 1 (\"a", "input 2 (\"a\");", "input 1 (\"a\" \"b\");",
+                             "input 1 (\"a\n\");", "input 1 (\"a\"", "input 2 (\"a\" 3);"})
+    {
+        std::ofstream(folder / "state") << text;
+        EXPECT_THAT(messageOf([&] { readState(folder / "state"); }), HasSubstr("state at line")) << text;
+    }
+}
+
 TEST(TimeDirectory, AStateMayBeEditedByHand)
 {
     const ScratchFolder folder;

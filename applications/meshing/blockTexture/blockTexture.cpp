@@ -2,7 +2,10 @@
 /// blockTexture: generates the blocks of a structure from system/blockTextureDict.
 #include "assembly/AssemblyChecks.h"
 #include "assembly/AssemblyFile.h"
+#include "assembly/AssemblyOrigin.h"
 #include "assembly/ContactPoint.h"
+#include "assembly/Plausibility.h"
+#include "core/CaseFiles.h"
 #include "core/CommandLine.h"
 #include "core/Error.h"
 #include "core/Log.h"
@@ -31,18 +34,21 @@ int run(const CommandLine& commandLine)
 {
     printBanner(commandLine);
     const std::filesystem::path& directory = commandLine.caseDirectory;
-    const Dictionary dictionary = Dictionary::readFile(commandLine.dictionaryFile("system/blockTextureDict"));
+    refuseMisnamedFiles(directory);
+    const std::filesystem::path file = commandLine.dictionaryFile("system/blockTextureDict");
+    const Dictionary dictionary = Dictionary::readFile(file);
     const Assembly<2> assembly = makeStructure(dictionary);
     const AssemblyStatistics statistics = countAssembly(assembly);
     info("Blocks: {} free, {} fixed", statistics.freeBlocks, statistics.blocks - statistics.freeBlocks);
     info("Joints: {} with {} contact points\n", statistics.joints, statistics.contactPoints);
     warnOfOverlaps(assembly, dictionary);
+    questionSizes(assembly, dictionary.locationOf("texture"));
 
     const std::filesystem::path picture = (directory / "VTK" / "assembly.vtp").lexically_normal();
     requireWritable(assemblyFile(directory).parent_path());
     requireWritable(picture.parent_path());
     writeAssembly(picture, assembly);
-    writeWholeFile(assemblyFile(directory), assemblyText(assembly));
+    writeWholeFile(assemblyFile(directory), assemblyText(assembly, originOf(file, directory)));
     info("Wrote {} and {}\n", assemblyFile(directory).string(), picture.string());
     printExecutionTime();
     printEnd();

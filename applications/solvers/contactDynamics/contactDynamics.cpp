@@ -2,10 +2,12 @@
 /// contactDynamics: steps a structure of rigid blocks with dry joints through time (Portioli, Cascini &
 /// Landolfo 2017, eq. 1-9).
 #include "core/Case.h"
+#include "core/CaseFiles.h"
 #include "core/CommandLine.h"
 #include "core/Error.h"
 #include "core/Log.h"
 #include "core/Signals.h"
+#include "dynamics/GroundMotionPlausibility.h"
 #include "functionObjects/EffectAdvice.h"
 #include "functionObjects/MotionLog.h"
 #include "functionObjects/MotionResults.h"
@@ -18,8 +20,10 @@ namespace
 int run(const CommandLine& commandLine)
 {
     printBanner(commandLine);
+    refuseMisnamedFiles(commandLine.caseDirectory);
     Time time(commandLine.caseDirectory, ControlDict::required);
     DynamicCase scene = readDynamicCase(commandLine.caseDirectory);
+    question(doubtsAboutTimes(scene.groundMotion, scene.schemes, time.controls(), time.controlDict()));
     if (commandLine.postProcess)
     {
         postProcess(commandLine.caseDirectory, scene, time);

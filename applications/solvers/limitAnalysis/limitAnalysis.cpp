@@ -3,9 +3,11 @@
 /// 10).
 #include "assembly/Loads.h"
 #include "assembly/Materials.h"
+#include "core/CaseFiles.h"
 #include "core/CommandLine.h"
 #include "core/Log.h"
 #include "core/Time.h"
+#include "functionObjects/KeptResults.h"
 #include "functionObjects/LimitAnalysisResults.h"
 
 #include <algorithm>
@@ -24,6 +26,7 @@ int run(const CommandLine& commandLine)
 {
     printBanner(commandLine);
     const std::filesystem::path& directory = commandLine.caseDirectory;
+    refuseMisnamedFiles(directory);
     const Time time(directory); // nothing moves, but a fault in controlDict is reported here too
     LimitAnalysisCase structure = readLimitAnalysisCase(directory);
     if (!commandLine.noFunctionObjects)
@@ -34,6 +37,7 @@ int run(const CommandLine& commandLine)
     if (commandLine.postProcess)
     {
         confirmResults(directory);
+        compareWithInput(limitAnalysisInput(directory), inputOfLimitAnalysis(directory, structure.assembly));
     }
     else
     {

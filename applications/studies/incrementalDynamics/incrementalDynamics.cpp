@@ -1,6 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// incrementalDynamics: repeats the motion of contactDynamics over a growing ground acceleration and finds
 /// the least one that meets a criterion; with several records an incremental dynamic analysis.
+#include "core/CaseFiles.h"
 #include "core/CommandLine.h"
 #include "core/Error.h"
 #include "core/Log.h"
@@ -16,6 +17,7 @@ namespace
 int run(const CommandLine& commandLine)
 {
     printBanner(commandLine);
+    refuseMisnamedFiles(commandLine.caseDirectory);
     if (commandLine.postProcess)
     {
         throw FatalError("incrementalDynamics writes its tables when it runs: omit -postProcess.");

@@ -1,5 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// parameterSearch: the values of selected entries of a case for which a result is least or largest.
+#include "core/CaseFiles.h"
 #include "core/CommandLine.h"
 #include "core/Error.h"
 #include "core/Log.h"
@@ -14,6 +15,7 @@ namespace
 int run(const CommandLine& commandLine)
 {
     printBanner(commandLine);
+    refuseMisnamedFiles(commandLine.caseDirectory);
     if (commandLine.postProcess)
     {
         throw FatalError("parameterSearch writes its tables when it runs: omit -postProcess.");

@@ -1,0 +1,86 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+#include "assembly/AssemblyOrigin.h"
+
+#include "core/Log.h"
+
+#include <algorithm>
+
+namespace drystone
+{
+
+namespace fs = std::filesystem;
+
+std::uint64_t fingerprint(const Assembly<2>& assembly)
+{
+    Fingerprint print;
+    for (const Block<2>& block : assembly.blocks)
+    {
+        print.add(static_cast<double>(block.outline.size()));
+        for (const Vector<2>& corner : block.outline)
+        {
+            print.add(corner.x());
+            print.add(corner.y());
+        }
+        print.add(block.thickness);
+        print.add(static_cast<double>(block.support));
+    }
+    for (const Support& support : assembly.supports)
+    {
+        print.add(support.name + "\n");
+    }
+    return print.value();
+}
+
+std::vector<InputFile> originOf(const fs::path& dictionaryFile, const fs::path& caseDirectory)
+{
+    const fs::path whole = fs::absolute(dictionaryFile).lexically_normal();
+    const fs::path inCase = whole.lexically_relative(fs::absolute(caseDirectory / "").lexically_normal());
+    const bool isInCase = !inCase.empty() && *inCase.begin() != "..";
+    return inputFiles(caseDirectory, {(isInCase ? inCase : whole).string()});
+}
+
+std::string originText(const std::vector<InputFile>& builtFrom)
+{
+    if (builtFrom.empty())
+    {
+        return {};
+    }
+    std::string text = "builtFrom\n(\n";
+    for (const std::string& line : textsOf(builtFrom))
+    {
+        text += "    \"" + line + "\"\n";
+    }
+    return text + ");\n\n";
+}
+
+void compareWithOrigin(const Dictionary& blocks, const fs::path& caseDirectory)
+{
+    std::error_code ignored;
+    if (!blocks.found("builtFrom"))
+    {
+        if (fs::exists(caseDirectory / "system/blockTextureDict", ignored))
+        {
+            info("{} does not say from which dictionary it was built: changes of system/blockTextureDict "
+                 "since "
+                 "are not noticed.\n",
+                 blocks.location().file);
+        }
+        return;
+    }
+    const std::vector<InputFile> before = inputFilesIn(blocks.get<std::vector<std::string>>("builtFrom"));
+    if (before.empty() || !fs::exists(caseDirectory / before.front().name, ignored))
+    {
+        return;
+    }
+    const std::vector<InputChange> changes =
+        changesOfInput(before, inputFiles(caseDirectory, {before.front().name}));
+    if (!changes.empty())
+    {
+        printWarningOnce(textOf(changes)
+                             + " since the blocks were built from it: they are the old ones.\n\nRun "
+                               "blockTexture again.",
+                         blocks.locationOf("builtFrom"));
+    }
+}
+
+} // namespace drystone

@@ -1,0 +1,20 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Questions about an assembly that is correct and may not be what was meant.
+#pragma once
+
+#include "assembly/Assembly.h"
+#include "core/Error.h"
+
+#include <string>
+
+namespace drystone
+{
+
+/// What is improbable of the sizes of blocks, as lengths in millimetres: the mean size of the free blocks, or
+/// the largest or least thickness, and what is usual [m]. Empty when nothing is.
+std::string doubtAboutSizes(const Assembly<2>& assembly);
+
+/// Prints it as a warning that points at a place, once in a run.
+void questionSizes(const Assembly<2>& assembly, const SourceLocation& place);
+
+} // namespace drystone

@@ -1,0 +1,174 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+#include "functionObjects/KeptResults.h"
+
+#include "assembly/AssemblyOrigin.h"
+#include "core/Log.h"
+#include "core/Solution.h"
+#include "core/WholeFile.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace drystone
+{
+namespace
+{
+
+/// Whether a change concerns only the numerical method, and neither the structure nor its loads.
+bool isMethod(const InputChange& change)
+{
+    return change.file.starts_with("system/");
+}
+
+/// The numbers of a solver, without what it is to write.
+InputFile solutionOf(const std::filesystem::path& caseDirectory, const std::string& application)
+{
+    return {"system/solution", fingerprint(readSolution(caseDirectory, application), {"writeProgram"})};
+}
+
+std::vector<InputFile> inputOf(const std::filesystem::path& caseDirectory, const Assembly<2>& assembly,
+                               const std::string& application, const std::vector<std::string>& names)
+{
+    std::vector<InputFile> files = inputFiles(caseDirectory, names);
+    files.push_back({"constant/assembly/blocks", fingerprint(assembly)});
+    files.push_back(solutionOf(caseDirectory, application));
+    std::sort(files.begin(), files.end(),
+              [](const InputFile& a, const InputFile& b) { return a.name < b.name; });
+    return files;
+}
+
+const char* const noInput = "does not say from which input it was computed: an older version has written it, "
+                            "and changes since are not noticed.";
+
+} // namespace
+
+std::vector<InputFile> inputOfMotion(const std::filesystem::path& caseDirectory, const DynamicCase& scene,
+                                     const Time& time)
+{
+    std::vector<InputFile> files =
+        inputOf(caseDirectory, scene.assembly, "contactDynamics",
+                {"constant/contactProperties", "constant/g", "constant/groundMotion", "constant/loads",
+                 "constant/materialProperties", "constant/supportMotion", time.beginningName() + "/motion",
+                 "system/schemes"});
+    files.push_back(inputOfSteps(time));
+    return files;
+}
+
+InputFile inputOfSteps(const Time& time)
+{
+    Fingerprint steps;
+    steps.add(time.controls().deltaT);
+    steps.add(time.controls().adjustTimeStep ? 1.0 : 0.0);
+    return {"system/controlDict", steps.value()};
+}
+
+std::vector<InputFile> inputOfLimitAnalysis(const std::filesystem::path& caseDirectory,
+                                            const Assembly<2>& assembly)
+{
+    return inputOf(
+        caseDirectory, assembly, "limitAnalysis",
+        {"constant/contactProperties", "constant/g", "constant/loads", "constant/materialProperties"});
+}
+
+void compareWithInput(const State& start, const std::vector<InputFile>& now, const Time& time)
+{
+    const TimeControls& controls = time.controls();
+    const bool isDone = controls.stopAt == StopAt::endTime
+                        && time.value() > controls.endTime - 0.5 * std::min(time.deltaT(), controls.deltaT);
+    const auto input = start.texts.find(inputInState);
+    if (input == start.texts.end())
+    {
+        info("{} {}", start.file.string(), noInput);
+    }
+    else if (const std::vector<InputChange> changes = changesOfInput(inputFilesIn(input->second), now);
+             !changes.empty())
+    {
+        const bool isMethodOnly = std::all_of(changes.begin(), changes.end(), isMethod);
+        if (isMethodOnly && !isDone)
+        {
+            info("Continues with other settings than the results so far: {}", textOf(changes));
+        }
+        else
+        {
+            printWarning(
+                fmt::format("The results at time {} are those of other input: {}.\n\n{} Remove the time "
+                            "directories after {} to compute anew, or restore the input.",
+                            time.startName(), textOf(changes),
+                            isDone ? "Nothing is computed, because endTime is reached: what is there is the "
+                                     "old answer."
+                                   : "The run continues from them with the input of now.",
+                            time.beginningName()),
+                {start.file.string(), "", 0});
+        }
+    }
+    if (isDone)
+    {
+        info(
+            "endTime {} s is reached already: there is nothing to compute. Give a later endTime to continue.",
+            controls.endTime);
+    }
+}
+
+void compareWithInput(const std::vector<std::pair<std::string, State>>& states,
+                      const std::vector<InputFile>& now)
+{
+    std::string old;
+    std::string unknown;
+    std::vector<InputChange> last;
+    for (const auto& [name, state] : states)
+    {
+        const auto input = state.texts.find(inputInState);
+        if (input == state.texts.end())
+        {
+            unknown += " " + name;
+        }
+        else if (std::vector<InputChange> changes = changesOfInput(inputFilesIn(input->second), now);
+                 !changes.empty())
+        {
+            old += " " + name;
+            last = std::move(changes);
+        }
+    }
+    if (!unknown.empty())
+    {
+        info("The state at{} {}", unknown, noInput);
+    }
+    if (!old.empty())
+    {
+        printWarning(fmt::format("The results at time{} are those of other input than that of now: {}. What "
+                                 "follows is of the old results.",
+                                 old, textOf(last)));
+    }
+}
+
+void writeInput(const std::filesystem::path& file, const std::vector<InputFile>& files)
+{
+    std::string text = headerText("input") + "\ninput\n(\n";
+    for (const std::string& line : textsOf(files))
+    {
+        text += "    \"" + line + "\"\n";
+    }
+    writeWholeFile(file, text + ");\n");
+}
+
+void compareWithInput(const std::filesystem::path& file, const std::vector<InputFile>& now)
+{
+    const Dictionary kept = Dictionary::readFileIfPresent(file);
+    if (!kept.found("input"))
+    {
+        info("{} {}", file.parent_path().string(), noInput);
+        return;
+    }
+    const std::vector<InputChange> changes =
+        changesOfInput(inputFilesIn(kept.get<std::vector<std::string>>("input")), now);
+    if (!changes.empty())
+    {
+        printWarning(fmt::format("The results are those of other input: {}. Run limitAnalysis without "
+                                 "-postProcess to compute anew.",
+                                 textOf(changes)),
+                     {file.string(), "", 0});
+    }
+}
+
+} // namespace drystone

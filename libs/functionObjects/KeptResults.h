@@ -1,0 +1,46 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Whether results that a case keeps follow from the input that it has now.
+#pragma once
+
+#include "core/Fingerprint.h"
+#include "core/Time.h"
+#include "dynamics/DynamicCase.h"
+#include "io/TimeDirectory.h"
+
+#include <filesystem>
+#include <vector>
+
+namespace drystone
+{
+
+/// What a motion follows from: the assembly, constant/, the motion that it began with, system/schemes,
+/// contactDynamics in system/solution, and the steps of system/controlDict. What only says how long to run
+/// and what to write is not in it.
+std::vector<InputFile> inputOfMotion(const std::filesystem::path& caseDirectory, const DynamicCase& scene,
+                                     const Time& time);
+
+/// The last of them: the steps of controlDict, which may be read again while a run goes on.
+InputFile inputOfSteps(const Time& time);
+
+/// What limitAnalysis answers from.
+std::vector<InputFile> inputOfLimitAnalysis(const std::filesystem::path& caseDirectory,
+                                            const Assembly<2>& assembly);
+
+/// Where a state keeps its input.
+inline constexpr const char* inputInState = "input";
+
+/// Compares the state that a run continues from with the input of now. Warns of what has changed; other steps
+/// or solver settings alone may be the reason for continuing a run, and are reported on standard output.
+/// Reports when there is nothing left to compute, and a state of an older version, which has no fingerprints.
+void compareWithInput(const State& start, const std::vector<InputFile>& now, const Time& time);
+
+/// Warns once of all the states that follow from other input. \param states with the names of their times
+void compareWithInput(const std::vector<std::pair<std::string, State>>& states,
+                      const std::vector<InputFile>& now);
+
+/// `input` beside the tables of limitAnalysis.
+void writeInput(const std::filesystem::path& file, const std::vector<InputFile>& files);
+/// Warns when the results beside this file follow from other input.
+void compareWithInput(const std::filesystem::path& file, const std::vector<InputFile>& now);
+
+} // namespace drystone
