@@ -139,8 +139,9 @@ PlaneConeProgram impactProgram(const ImpactProblem& problem, const Groups& group
         impact.friction.push_back(program.friction[point]);
         const auto row = 2 * static_cast<Eigen::Index>(i);
         const auto there = 2 * static_cast<Eigen::Index>(point);
-        const double restitution = share[groups.ofPoint[i]] * problem.restitution;
-        impact.gap[row] = -timeStep * restitution * std::max(closing[there], 0.0);
+        const double rebound = problem.restitution * closing[there];
+        impact.gap[row] =
+            rebound > problem.slowestRebound ? -timeStep * share[groups.ofPoint[i]] * rebound : 0;
         if (problem.closingBySupports.size() > 0)
         {
             impact.gap.segment<2>(row) -= problem.closingBySupports.segment<2>(there);

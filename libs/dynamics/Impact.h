@@ -18,6 +18,7 @@ struct ImpactProblem
     const std::vector<std::size_t>& meeting; ///< points of it that take part
     const Eigen::VectorXd& closingBySupports; ///< over the step, two a point of the program [m]; or empty
     double restitution = 0;                   ///< e, 0 to 1
+    double slowestRebound = 0;                ///< points that would part slower do not part at all [m/s]
     double timeStep = 1;                      ///< of the step [s]; scales the program only
 };
 

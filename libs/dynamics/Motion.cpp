@@ -2,7 +2,8 @@
 #include "dynamics/Motion.h"
 
 #include "conic/RayProgram.h"
-#include "dynamics/Impact.h"
+#include "dynamics/PartedStep.h"
+#include "dynamics/StepWithImpacts.h"
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -14,17 +15,6 @@ namespace drystone
 {
 namespace
 {
-
-/// Points that close slower than this share of what the loads give a block in one step do not collide: so
-/// bounces end, and a structure at rest has no impacts.
-constexpr double slowImpact = 1e-6;
-
-/// A point belongs to the impact when it carries more than this share of the largest contact force, and is
-/// closed when the step ends.
-constexpr double carriesForce = 1e-9;
-
-/// Collisions in a row within one step; what is still closing then is stopped by the step itself.
-constexpr int mostImpacts = 10;
 
 constexpr int mostHalvings = 10;
 
@@ -396,190 +386,6 @@ Relinearisation movingContactGeometry(const DynamicCase& scene, const Motion& mo
     };
 }
 
-/// Of any block, that of its turning about as far from its mass centre as blocks are large [m].
-double farthestMotion(const Eigen::VectorXd& displacement, double blockSize)
-{
-    double farthest = 0;
-    for (Eigen::Index row = 0; row < displacement.size(); row += 3)
-    {
-        farthest = std::max({farthest, displacement.segment<2>(row).lpNorm<Eigen::Infinity>(),
-                             blockSize * std::abs(displacement[row + 2])});
-    }
-    return farthest;
-}
-
-/// Gaps, and minus the slips, where the step takes the blocks [m]. \param program of the step as it was first
-/// made; that of the places where the step ends is made of it
-Eigen::VectorXd openingAtEnd(PlaneConeProgram program, const ThetaStep& step,
-                             const Relinearisation& relinearise)
-{
-    if (relinearise)
-    {
-        relinearise(step.displacement, step.contactForce, program);
-    }
-    return program.gap - applyTransposed(program, step.displacement);
-}
-
-/// Whether the points are closed where the step takes the blocks. Solutions are right to a tolerance, and
-/// some solvers end inside the cones, where a point that stays wide apart carries force too, a little. Of
-/// force and opening, which the exact solution never has both, the smaller part is then the error: force as a
-/// share of the largest one, opening as a share of the farthest motion. \param program as it was first made
-std::vector<char> closedPoints(const PlaneConeProgram& program, const ThetaStep& step,
-                               const StepSettings& settings, const Relinearisation& relinearise)
-{
-    const Eigen::VectorXd opening = openingAtEnd(program, step, relinearise);
-    const double largestForce = step.contactForce.lpNorm<Eigen::Infinity>();
-    const double farthest = farthestMotion(step.displacement, settings.blockSize);
-    const double error = settings.contactTolerance + step.flowError;
-    std::vector<char> isClosed(static_cast<std::size_t>(program.points()));
-    for (std::size_t point = 0; point < isClosed.size(); ++point)
-    {
-        const auto row = 2 * static_cast<Eigen::Index>(point);
-        // Where points slide, the associative law opens them by mu |u_t|, and they press nevertheless.
-        const double byFlow = settings.flowRule == FlowRule::associative
-                                  ? program.friction[point] * std::abs(opening[row + 1])
-                                  : 0;
-        const double apart = opening[row] - byFlow;
-        isClosed[point] = apart <= error || apart * largestForce <= step.contactForce[row] * farthest;
-    }
-    return isClosed;
-}
-
-/// Points that the step closes and that were closing when it began. \param program as it was first made
-/// \param closing velocity of the points [m/s], two a point
-std::vector<std::size_t> collidingPoints(const PlaneConeProgram& program, const ThetaStep& step,
-                                         const Eigen::VectorXd& closing, double slowest,
-                                         const StepSettings& settings, const Relinearisation& relinearise)
-{
-    const double force = carriesForce * step.contactForce.lpNorm<Eigen::Infinity>();
-    const auto carries = [&](std::size_t point)
-    { return step.contactForce[2 * static_cast<Eigen::Index>(point)] > force; };
-    const auto collides = [&](std::size_t point)
-    { return carries(point) && closing[2 * static_cast<Eigen::Index>(point)] > slowest; };
-    std::vector<std::size_t> points(static_cast<std::size_t>(program.points()));
-    std::iota(points.begin(), points.end(), 0);
-    if (std::none_of(points.begin(), points.end(), collides))
-    {
-        return {};
-    }
-    const std::vector<char> isClosed = closedPoints(program, step, settings, relinearise);
-    std::erase_if(points, [&](std::size_t point) { return !carries(point) || !isClosed[point]; });
-    return std::any_of(points.begin(), points.end(), collides) ? points : std::vector<std::size_t>();
-}
-
-/// What the solution of a step asks for beside its program. Nothing is owned.
-struct StepProblem
-{
-    const DynamicCase& scene;
-    Motion& motion; ///< its symbolic analysis and its count of work alone are changed
-    const std::vector<ContactPoint<2>>& points;
-    const Eigen::VectorXd& load;
-    const Eigen::VectorXd& bySupports; ///< see closingBySupports
-    const StepSettings& settings;
-    double timeStep;
-    const StepGuess& guess;
-    const Relinearisation& relinearise;
-    double acceleration; ///< the largest that the loads give a block [m/s2]
-};
-
-struct StepSolution
-{
-    ThetaStep step;
-    bool isSolved = false;
-    Eigen::VectorXd velocity;    ///< that the step starts from: after the impacts
-    double lostInImpacts = 0;    ///< [J]
-    double workOfSupports = 0;   ///< in impacts [J]
-    double restitutionShare = 1; ///< the least of the impacts, see Impact
-    Eigen::VectorXd impulse;     ///< of all impacts, two a point [N s]; empty: there were none
-};
-
-/// The step, and where it asks for impacts these first and the step again from the velocities after them.
-/// \param work its counts are added to
-StepSolution solveWithImpacts(const StepProblem& problem, PlaneConeProgram program, StepResiduals& work)
-{
-    const DynamicCase& scene = problem.scene;
-    const Eigen::VectorXd& bySupports = problem.bySupports;
-    const double timeStep = problem.timeStep;
-    const double theta = scene.schemes.timeIntegration.theta;
-    SymbolicAnalysis* symbolic = problem.motion.symbolic.get();
-    StepWork& whole = problem.motion.work;
-    whole.mostPoints = std::max(whole.mostPoints, program.points());
-    const auto count = [&work, &whole, &program](const auto& solved)
-    {
-        whole.done += workOf(solved.iterations, solved.factorisations, program.points(), program.bodies);
-        work.iterations += solved.iterations;
-        work.factorisations += solved.factorisations;
-        work.programs += solved.programs;
-    };
-
-    StepSolution solution;
-    Eigen::VectorXd& velocity = solution.velocity;
-    velocity = problem.motion.state.velocity;
-    ThetaStep& step = solution.step;
-    StepGuess guess = problem.guess;
-    const auto solve = [&]
-    {
-        step = solveThetaStep(program, problem.settings, guess, problem.relinearise, symbolic);
-        count(step);
-        solution.isSolved = step.status == SolveStatus::optimal;
-    };
-    solve();
-    const bool hasImpacts = (scene.restitution() > 0 || theta < 1) && !program.hasCompliance();
-    // Nor do points that an impact has just stopped, or thrown back, to its tolerance.
-    double slowest = slowImpact * problem.acceleration * timeStep;
-    std::vector<std::size_t> collided;
-    for (int impacts = 0; solution.isSolved && hasImpacts && impacts < mostImpacts; ++impacts)
-    {
-        Eigen::VectorXd closing = applyTransposed(program, velocity);
-        if (bySupports.size() > 0)
-        {
-            closing += bySupports / timeStep;
-        }
-        for (const std::size_t point : collided)
-        {
-            slowest = std::max(slowest, closing[2 * static_cast<Eigen::Index>(point)]);
-        }
-        auto colliding =
-            collidingPoints(program, step, closing, slowest, problem.settings, problem.relinearise);
-        if (colliding.empty())
-        {
-            break;
-        }
-        // Momentum changes at an instant: about the mass centres where they are, not where a step takes them.
-        PlaneConeProgram before = program;
-        if (problem.motion.contacts && theta < 1)
-        {
-            setColumns(before, columnsAt(scene, problem.motion.state.placements, problem.points));
-        }
-        Impact impact =
-            collide({scene.mass, velocity, before, colliding, bySupports, scene.restitution(), timeStep},
-                    problem.settings);
-        count(impact);
-        solution.isSolved = impact.isSolved;
-        if (solution.isSolved)
-        {
-            solution.lostInImpacts += impact.energyLoss;
-            solution.workOfSupports += impact.workOfSupports;
-            solution.restitutionShare = std::min(solution.restitutionShare, impact.restitutionShare);
-            velocity = std::move(impact.velocity);
-            if (solution.impulse.size() == 0)
-            {
-                solution.impulse = Eigen::VectorXd::Zero(2 * program.points());
-            }
-            for (std::size_t i = 0; i < colliding.size(); ++i)
-            {
-                solution.impulse.segment<2>(2 * static_cast<Eigen::Index>(colliding[i])) +=
-                    impact.impulse.segment<2>(2 * static_cast<Eigen::Index>(i));
-            }
-            program.load = problem.load + scene.mass.cwiseProduct(velocity) / (theta * timeStep);
-            guess.displacement = timeStep * velocity;
-            collided = std::move(colliding);
-            solve();
-        }
-    }
-    return solution;
-}
-
 /// Takes the bonds that a solved step would open or shear out of its program. \return how many
 int breakBonds(const StepProblem& problem, const ThetaStep& step, PlaneConeProgram& program,
                std::vector<int>& bondOfPoint, std::vector<char>& isBroken)
@@ -625,84 +431,18 @@ void keepLedger(const DynamicCase& scene, Motion& motion, const StepEnergy& step
     energy.potential = potentialEnergy(scene, motion.state.placements);
 }
 
-} // namespace
-
-KeptAnalysis::KeptAnalysis() = default;
-KeptAnalysis::KeptAnalysis(const KeptAnalysis&) {}
-KeptAnalysis& KeptAnalysis::operator=(const KeptAnalysis&)
+/// Where in a step blocks that are apart at its start collide.
+struct ImpactChoice
 {
-    return *this;
-}
-KeptAnalysis::~KeptAnalysis() = default;
+    ImpactInstant instant;
+    double tolerance;      ///< blocks that would meet within this time meet now [s]
+    double shortestFlight; ///< blocks that would be back before this time do not rebound [s]
+};
 
-SymbolicAnalysis* KeptAnalysis::get()
+/// A step that is not parted. \return 1: it was solved; more than 0: blocks meet after this part of it, to
+/// which the next attempt is to be shortened; 0: it was not solved. But for 1 only `attempt` has changed
+double advanceUnparted(const DynamicCase& scene, Motion& motion, double timeStep, const ImpactChoice& impacts)
 {
-    if (!analysis_)
-    {
-        analysis_ = std::make_unique<SymbolicAnalysis>();
-    }
-    return analysis_.get();
-}
-
-Motion startMotion(const DynamicCase& scene, DynamicState state)
-{
-    Motion motion;
-    motion.state = std::move(state);
-    motion.isBondBroken =
-        partedBonds(scene.bonds, scene.blocks, motion.state.placements, bondReach * scene.blockSize);
-    if (!scene.schemes.smallDisplacements)
-    {
-        motion.contacts.emplace(scene.assembly);
-        deleteBlocks(scene, motion);
-        motion.points = motion.contacts->update(
-            motion.state.placements,
-            motion.contacts->marginFor(velocitiesOfAllBlocks(scene, motion.state.placements,
-                                                             motion.state.velocity, motion.state.time,
-                                                             motion.state.time),
-                                       0, 0));
-    }
-    else
-    {
-        motion.points = findContactPoints(scene.assembly);
-        const auto columns = equilibriumColumns(scene.assembly, scene.blocks, motion.points);
-        std::mt19937_64 random(scene.schemes.initialGaps ? scene.schemes.initialGaps->seed : 0);
-        const std::vector<Vector<3>> displacements = [&]
-        {
-            std::vector<Vector<3>> result;
-            for (const Placement<2>& placement : motion.state.placements)
-            {
-                result.emplace_back(placement.translation.x(), placement.translation.y(), placement.rotation);
-            }
-            return result;
-        }();
-        for (std::size_t i = 0; i < motion.points.size(); ++i)
-        {
-            ContactPoint<2>& point = motion.points[i];
-            if (scene.schemes.initialGaps)
-            {
-                // Of the generator's numbers themselves: std::uniform_real_distribution differs among
-                // libraries.
-                const double share = std::ldexp(double(random() >> 11), -53);
-                const bool isHeld = !scene.bonds.empty() && !motion.isBondBroken[i];
-                point.gap = isHeld ? 0 : scene.schemes.initialGaps->perturbation * share;
-            }
-            point.gap -= columns[i].onBlock.col(0).dot(displacements[point.block])
-                         + columns[i].onNeighbour.col(0).dot(displacements[point.neighbour]);
-        }
-    }
-    motion.contactForces.assign(motion.points.size(), Vector<2>::Zero());
-    motion.energy.kinetic = kineticEnergy(scene, motion.state.velocity);
-    motion.energy.potential = potentialEnergy(scene, motion.state.placements);
-    motion.energy.opening = motion.energy.kinetic + motion.energy.potential;
-    return motion;
-}
-
-namespace
-{
-
-bool attemptStep(const DynamicCase& scene, Motion& motion, double timeStep)
-{
-    motion.work.beginAttempt();
     const ThetaScheme scheme{scene.schemes.timeIntegration.theta, timeStep};
     StepSettings settings;
     settings.flowRule = scene.flowRule();
@@ -781,8 +521,28 @@ bool attemptStep(const DynamicCase& scene, Motion& motion, double timeStep)
     const Relinearisation relinearise =
         motion.contacts ? movingContactGeometry(scene, motion, points, ofEffects, supports)
                         : Relinearisation();
-    const StepProblem problem{scene,    motion,   points, load,        bySupports,
-                              settings, timeStep, guess,  relinearise, acceleration};
+    std::vector<ContactColumns<2>> columnsNow;
+    const bool areOthers = motion.contacts && scheme.theta < 1 && hasImpacts(scene);
+    if (areOthers)
+    {
+        columnsNow = columnsAt(scene, motion.state.placements, points);
+    }
+    const StepProblem problem{scene,
+                              motion.state,
+                              motion.symbolic.get(),
+                              motion.work,
+                              points,
+                              areOthers ? &columnsNow : nullptr,
+                              load,
+                              bySupports,
+                              settings,
+                              timeStep,
+                              guess,
+                              relinearise,
+                              acceleration,
+                              impacts.instant,
+                              impacts.tolerance,
+                              0.5 * acceleration * impacts.shortestFlight};
     motion.attempt = {};
     StepSolution solved = solveWithImpacts(problem, program, motion.attempt);
     while (solved.isSolved && program.hasStrength()
@@ -790,7 +550,7 @@ bool attemptStep(const DynamicCase& scene, Motion& motion, double timeStep)
     {
         solved = solveWithImpacts(problem, program, motion.attempt);
     }
-    const ThetaStep& step = solved.step;
+    ThetaStep& step = solved.step;
     double workOfSupports = solved.workOfSupports;
 
     StepResiduals& residuals = motion.attempt;
@@ -801,7 +561,7 @@ bool attemptStep(const DynamicCase& scene, Motion& motion, double timeStep)
     residuals.flowError = step.flowError;
     if (!solved.isSolved)
     {
-        return false;
+        return solved.length < 1 ? solved.length : 0;
     }
 
     motion.residuals = motion.attempt;
@@ -812,7 +572,30 @@ bool attemptStep(const DynamicCase& scene, Motion& motion, double timeStep)
     motion.state.velocity = solved.velocity;
     advance(motion.state, scene.free, step.displacement, scheme);
     moveWithSupports(motion.state.placements, supports);
+    double keptInFlight = 0;
+    if (solved.flight.size() > 0)
+    {
+        motion.state.placements = moved(std::move(motion.state.placements), scene.free, solved.flight);
+        step.displacement += solved.flight;
+        if (step.closing.size() > 0)
+        {
+            step.closing += applyTransposed(program, solved.flight);
+        }
+        const Eigen::VectorXd change = motion.state.velocity - solved.velocity;
+        for (Eigen::Index row = 0; row < change.size(); row += 3)
+        {
+            const bool flies = !solved.flight.segment<3>(row).isZero(0);
+            keptInFlight += flies ? (scheme.theta - 0.5)
+                                        * change.segment<3>(row).cwiseAbs2().dot(scene.mass.segment<3>(row))
+                                  : 0;
+        }
+    }
     StepEnergy energy = stepEnergy(step, scene.mass, load, solved.velocity, motion.state.velocity, scheme);
+    energy.algorithmicLoss -= keptInFlight;
+    constexpr double byLoads = 4; // twice the change of velocity, squared
+    const double smooth = byLoads * (scheme.theta - 0.5) * timeStep * timeStep
+                          * load.cwiseAbs2().cwiseQuotient(scene.mass).sum();
+    motion.smoothLoss += std::min(energy.algorithmicLoss, smooth);
     // Points close and slide by A'y and by what the supports do, which work against the same forces.
     for (Eigen::Index row = 0; row < bySupports.size(); row += 2)
     {
@@ -838,6 +621,8 @@ bool attemptStep(const DynamicCase& scene, Motion& motion, double timeStep)
     keepLedger(scene, motion, energy,
                (load - scene.deadLoad).dot(step.displacement) + workOfSupports - takenAlong);
 
+    motion.largestKinetic = std::max(motion.largestKinetic, motion.energy.kinetic);
+
     motion.points = std::move(points);
     if (motion.contacts)
     {
@@ -862,6 +647,150 @@ bool attemptStep(const DynamicCase& scene, Motion& motion, double timeStep)
             motion.meanForces[i] += solved.impulse.segment<2>(2 * static_cast<Eigen::Index>(i)) / timeStep;
         }
     }
+    return 1;
+}
+
+} // namespace
+
+KeptAnalysis::KeptAnalysis() = default;
+KeptAnalysis::KeptAnalysis(const KeptAnalysis&) {}
+KeptAnalysis& KeptAnalysis::operator=(const KeptAnalysis&)
+{
+    return *this;
+}
+KeptAnalysis::~KeptAnalysis() = default;
+
+SymbolicAnalysis* KeptAnalysis::get()
+{
+    if (!analysis_)
+    {
+        analysis_ = std::make_unique<SymbolicAnalysis>();
+    }
+    return analysis_.get();
+}
+
+Motion startMotion(const DynamicCase& scene, DynamicState state)
+{
+    Motion motion;
+    motion.state = std::move(state);
+    motion.isBondBroken =
+        partedBonds(scene.bonds, scene.blocks, motion.state.placements, bondReach * scene.blockSize);
+    if (!scene.schemes.smallDisplacements)
+    {
+        motion.contacts.emplace(scene.assembly);
+        deleteBlocks(scene, motion);
+        motion.points = motion.contacts->update(
+            motion.state.placements,
+            motion.contacts->marginFor(velocitiesOfAllBlocks(scene, motion.state.placements,
+                                                             motion.state.velocity, motion.state.time,
+                                                             motion.state.time),
+                                       0, 0));
+    }
+    else
+    {
+        motion.points = findContactPoints(scene.assembly);
+        const auto columns = equilibriumColumns(scene.assembly, scene.blocks, motion.points);
+        std::mt19937_64 random(scene.schemes.initialGaps ? scene.schemes.initialGaps->seed : 0);
+        const std::vector<Vector<3>> displacements = [&]
+        {
+            std::vector<Vector<3>> result;
+            for (const Placement<2>& placement : motion.state.placements)
+            {
+                result.emplace_back(placement.translation.x(), placement.translation.y(), placement.rotation);
+            }
+            return result;
+        }();
+        for (std::size_t i = 0; i < motion.points.size(); ++i)
+        {
+            ContactPoint<2>& point = motion.points[i];
+            if (scene.schemes.initialGaps)
+            {
+                // Of the generator's numbers themselves: std::uniform_real_distribution differs among
+                // libraries.
+                const double share = std::ldexp(double(random() >> 11), -53);
+                const bool isHeld = !scene.bonds.empty() && !motion.isBondBroken[i];
+                point.gap = isHeld ? 0 : scene.schemes.initialGaps->perturbation * share;
+            }
+            point.gap -= columns[i].onBlock.col(0).dot(displacements[point.block])
+                         + columns[i].onNeighbour.col(0).dot(displacements[point.neighbour]);
+        }
+    }
+    motion.contactForces.assign(motion.points.size(), Vector<2>::Zero());
+    motion.energy.kinetic = kineticEnergy(scene, motion.state.velocity);
+    motion.energy.potential = potentialEnergy(scene, motion.state.placements);
+    motion.energy.opening = motion.energy.kinetic + motion.energy.potential;
+    motion.largestKinetic = motion.energy.kinetic;
+    return motion;
+}
+
+namespace
+{
+
+/// A step, in parts from impact to impact. \return whether it was solved; otherwise nothing but `attempt` and
+/// `work` has changed
+bool attemptStep(const DynamicCase& scene, Motion& motion, double timeStep)
+{
+    motion.work.beginAttempt();
+    // Impacts are told from the start of a step, and from each other, by this part of it. Attempts at parts
+    // of a step are limited, so that bounces which grow shorter for ever, or blocks that hit each other from
+    // all sides, do not part it without an end.
+    constexpr double tolerance = 1e-3;
+    constexpr double shortestFlight = 0.1; // bounces that grow shorter for ever end with it
+    constexpr int mostAttempts = 8;
+    constexpr double mostWork = 0.1; // of what a step may take, before it is no longer parted
+    const double start = motion.state.time;
+    const bool isLocated = scene.schemes.impacts == ImpactInstant::located;
+    ImpactChoice impacts{scene.schemes.impacts, tolerance * timeStep,
+                         isLocated ? shortestFlight * timeStep : 0};
+    std::optional<Motion> before; // where the step is parted
+    PartedStep parts;
+    double left = timeStep;
+    double length = left;
+    for (int attempts = 0; left > 0; ++attempts)
+    {
+        const bool isExpensive = motion.work.done > mostWork * motion.work.most;
+        impacts.instant =
+            attempts < mostAttempts && !isExpensive ? impacts.instant : ImpactInstant::stepStart;
+        const double part = advanceUnparted(scene, motion, length, impacts);
+        if (part == 0 && before)
+        {
+            // A part may be too short for the tolerance of the solver: then the step as a whole.
+            const StepWork work = motion.work;
+            motion = *std::move(before);
+            motion.work = work;
+            motion.work.beginAttempt();
+            return advanceUnparted(scene, motion, timeStep, {ImpactInstant::stepStart, 0, 0}) == 1;
+        }
+        if (part == 0)
+        {
+            return false;
+        }
+        if (part == 1 && !before)
+        {
+            return true;
+        }
+        parts.count(motion.attempt);
+        if (part == 1)
+        {
+            parts.add(motion, length);
+            left = length == left ? 0 : left - length;
+            length = left;
+            continue;
+        }
+        if (!before)
+        {
+            before = motion;
+        }
+        // What is left of the step is not shorter than what counts as its start.
+        length = std::min(part * length, left - tolerance * timeStep);
+        if (length <= 0)
+        {
+            length = left;
+            impacts.instant = ImpactInstant::stepStart;
+        }
+    }
+    parts.finish(motion);
+    motion.state.time = start + timeStep; // as if it had not been parted, to the last digit
     return true;
 }
 

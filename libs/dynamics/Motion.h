@@ -52,6 +52,11 @@ struct Motion
     std::vector<char> isBondBroken; ///< one of each of the case's bonds, with what never was one
     int bondsBrokenInStep = 0;      ///< in the last step
     double restitutionShare = 1;    ///< in the last step the least of its impacts, see Impact
+    /// What the time integration has dissipated outside impacts since the start of this run [J]: an estimate
+    /// of its error, of first order in the step with theta above 1/2. Of each step at most what it would be
+    /// if velocities changed by twice what the loads alone do: impacts change them by more.
+    double smoothLoss = 0;
+    double largestKinetic = 0; ///< in this run [J]
 };
 
 /// How many bonds are broken that once held [-].
@@ -68,10 +73,13 @@ Motion startMotion(const DynamicCase& scene, DynamicState state);
 /// 1. contact points where blocks touch or may meet within the step;
 /// 2. the theta step as a cone program, its gaps right to second order; bonds that would give way in it break
 ///    and it is solved again without them (JointBonds.h);
-/// 3. impacts, where restitution or a theta below 1 asks for them: points that the step closes, and that were
-///    closing when it began, collide first (Impact.h: no impact creates energy), wherever in the step
-///    they would have met; then the step is repeated from v+. Without restitution and with theta 1 the
-///    program itself is the plastic impact;
+/// 3. impacts, where restitution or a theta below 1 asks for them (Impact.h: none creates energy; without
+///    either the program itself is the plastic impact). Blocks that touch when the step begins collide first
+///    and the step goes on from the velocities after that; where blocks meet in the course of the step it is
+///    taken in parts, up to where they meet and on from there (StepWithImpacts.h). A rebound that would last
+///    less than a tenth of the step is none: bounces that grow shorter for ever end. After eight attempts at
+///    parts, or where more than two pairs of blocks meet in one, and with `impacts stepStart`, points that
+///    the step closes and that were closing when it began collide at its start, wherever they meet;
 /// 4. blocks moved by finite rotations, and the ledger of energy kept;
 /// 5. with `deletion`, blocks whose mass centre is outside the box stopped there for good: they touch nothing
 ///    and feel no load. The kinetic energy that they take with them counts as external work, negative.

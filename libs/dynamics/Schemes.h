@@ -7,9 +7,12 @@
 
 #include "core/Registry.h"
 
+#include <array>
 #include <filesystem>
 #include <limits>
 #include <optional>
+#include <string_view>
+#include <utility>
 
 namespace drystone
 {
@@ -24,6 +27,19 @@ void declare(Options& options, ThetaIntegration& integration);
 /// All ways to integrate in time: theta.
 const Registry<ThetaIntegration>& timeIntegrationTypes();
 
+/// When blocks collide that meet in the course of a step, where impacts are apart from its program: with
+/// restitution, or theta below 1.
+enum class ImpactInstant
+{
+    located,  ///< when they meet: the step is parted there
+    stepStart ///< at the start of the step, a little apart: an error of first order in the step
+};
+
+constexpr std::array<std::pair<std::string_view, ImpactInstant>, 2> namesOf(ImpactInstant)
+{
+    return {{{"located", ImpactInstant::located}, {"stepStart", ImpactInstant::stepStart}}};
+}
+
 /// Small gaps that a joint has from the start: how much a result depends on perfect fit.
 struct InitialGaps
 {
@@ -35,6 +51,7 @@ void declare(Options& options, InitialGaps& gaps);
 struct Schemes
 {
     ThetaIntegration timeIntegration;
+    ImpactInstant impacts = ImpactInstant::located;
     bool smallDisplacements = false; ///< contact points and lever arms stay as built
     double contactTolerance = 1e-7;  ///< error allowed in the gaps at the end of a step [mean block size]
     double maxDisplacement = 0.05;   ///< of any block in a step, with adjustTimeStep [mean block size]

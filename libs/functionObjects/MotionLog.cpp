@@ -89,6 +89,18 @@ void printStep(const DynamicCase& scene, const Motion& motion)
     }
 }
 
+void printIntegrationError(const DynamicCase& scene, const Motion& motion)
+{
+    const double theta = scene.schemes.timeIntegration.theta;
+    if (theta > 0.5 && motion.largestKinetic > 0)
+    {
+        info("Estimated error of the time integration: theta {:g} has dissipated {:.3g} J outside impacts, "
+             "{:.2g}% "
+             "of the largest kinetic energy. It is proportional to deltaT; theta 0.5 is of second order.\n",
+             theta, motion.smoothLoss, 100 * motion.smoothLoss / motion.largestKinetic);
+    }
+}
+
 namespace
 {
 

@@ -17,6 +17,9 @@ void printScene(const DynamicCase& scene, const Motion& motion, const Time& time
 /// `interiorPoint:  Solving for contact, Initial residual = .., Final residual = .., No Iterations ..`
 void printStep(const DynamicCase& scene, const Motion& motion);
 
+/// After the last step: what theta above 1/2 has dissipated outside impacts, as an estimate of the error.
+void printIntegrationError(const DynamicCase& scene, const Motion& motion);
+
 /// `End`, or where a run was stopped before its end and whether its state is kept.
 void printStopOrEnd(const Time& time);
 

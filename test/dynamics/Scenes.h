@@ -26,6 +26,7 @@ struct Settings
     SolverType solver = SolverType::automatic;
     Vector<2> gravity{0, -g};
     double density = 1800;
+    ImpactInstant impacts = ImpactInstant::located;
 };
 
 inline Block<2> rectangle(double left, double bottom, double width, double height)
@@ -99,6 +100,7 @@ inline DynamicCase sceneOf(Assembly<2> assembly, const Settings& settings)
         scene.contact.restitution = Restitution{settings.restitution};
     }
     scene.schemes.timeIntegration.theta = settings.theta;
+    scene.schemes.impacts = settings.impacts;
     scene.solution.tolerance = settings.tolerance;
     scene.solution.solver = settings.solver;
     return scene;

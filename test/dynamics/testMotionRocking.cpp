@@ -99,6 +99,23 @@ TEST(Rocking, SoItDoesWithTheTrapezoidalRule)
     expectHousnersRatio(0.5, 5e-5);
 }
 
+TEST(Rocking, WithTheTrapezoidalRuleSoItDoesAtLongSteps)
+{
+    const double housner = 1 - 1.5 * std::pow(std::sin(slenderness), 2);
+    for (const double timeStep : {4e-3, 1e-3, 1e-4})
+    {
+        double error = 0;
+        for (int phase = 0; phase < 20; ++phase)
+        {
+            const double rotation = timeStep * (3 + phase / 20.0);
+            error =
+                std::max(error, std::abs(impactRatio({.theta = 0.5, .mu = 1}, timeStep, rotation) - housner));
+        }
+        std::cout << "step " << timeStep << " s: ratio off by at most " << error << '\n';
+        EXPECT_LT(error, 1e-4 * timeStep / 1e-3 + 1e-5);
+    }
+}
+
 /// Four times the time from release, at half the critical angle, to upright.
 double period(const scenes::Settings& settings, double timeStep, double side = 1)
 {

@@ -60,6 +60,7 @@ int run(const CommandLine& commandLine)
         progress.update(time.progress());
     }
     progress.clear();
+    printIntegrationError(scene, motion);
     printStopOrEnd(time);
     return time.exitStatus();
 }

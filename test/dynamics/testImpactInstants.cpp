@@ -1,0 +1,221 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Impacts within steps: how errors fall with the step when blocks collide where they meet.
+#include "Scenes.h"
+
+#include "studies/References.h"
+
+#include <gtest/gtest.h>
+
+namespace drystone
+{
+namespace
+{
+
+using scenes::g;
+
+/// When a block dropped flat from 1 m is at rest [s].
+double timeAtRest(const scenes::Settings& settings, double timeStep, double phase)
+{
+    Assembly<2> assembly = scenes::ground(-4, 4);
+    assembly.blocks.push_back(scenes::rectangle(0, 0, 1, 0.4));
+    const DynamicCase scene = scenes::sceneOf(assembly, settings);
+    const double early = phase * timeStep;
+    DynamicState start = stateAtRest(scene.assembly);
+    start.placements[1].translation.y() = 1 - 0.5 * g * early * early;
+    start.velocity[1] = -g * early;
+    Motion motion = startMotion(scene, start);
+    double atRest = 0;
+    while (motion.state.time < 1.1 * bouncingTime(1, settings.restitution))
+    {
+        if (!advance(scene, motion, timeStep))
+        {
+            ADD_FAILURE() << "not solved at " << motion.state.time << " s";
+            return 0;
+        }
+        atRest = motion.state.velocity.norm() > 1e-6 ? motion.state.time : atRest;
+    }
+    return atRest + early;
+}
+
+/// The largest error over phases of the step [s].
+double errorOfRest(scenes::Settings settings, double timeStep)
+{
+    double error = 0;
+    for (const double phase : {0.0, 0.3, 0.7})
+    {
+        error = std::max(
+            error, std::abs(timeAtRest(settings, timeStep, phase) - bouncingTime(1, settings.restitution)));
+    }
+    return error;
+}
+
+TEST(ImpactInstants, ABounceEndsWithinTwoStepsOfItsTimeForEveryTheta)
+{
+    for (const double theta : {1.0, 0.75, 0.5})
+    {
+        for (const double timeStep : {4e-3, 1e-3})
+        {
+            const double located = errorOfRest({.theta = theta, .restitution = 0.8}, timeStep);
+            const double before = errorOfRest(
+                {.theta = theta, .restitution = 0.8, .impacts = ImpactInstant::stepStart}, timeStep);
+            std::cout << "theta " << theta << ", step " << timeStep << " s: at rest " << located
+                      << " s off, with impacts at the start of steps " << before << " s\n";
+            EXPECT_LT(located, 2 * timeStep) << "theta " << theta;
+        }
+    }
+}
+
+const RockingBlock slender{0.5, 2, g};
+
+DynamicCase rockingScene(const scenes::Settings& settings)
+{
+    Assembly<2> assembly = scenes::ground(-4, 4);
+    assembly.blocks.push_back(scenes::rectangle(-0.25, 0, 0.5, 2));
+    return scenes::sceneOf(assembly, settings);
+}
+
+/// The time of the third return to upright of a block released at half its critical angle: two impacts are
+/// behind it [s].
+double thirdReturn(const scenes::Settings& settings, double timeStep)
+{
+    const DynamicCase scene = rockingScene(settings);
+    DynamicState start = stateAtRest(scene.assembly);
+    const double rotation = slender.slenderness() / 2;
+    const Vector<2> arm(0.25, 1);
+    start.placements[1] = {Eigen::Rotation2Dd(rotation) * arm - arm, rotation};
+    Motion motion = startMotion(scene, start);
+    int returns = 0;
+    while (motion.state.time < 5)
+    {
+        const double before = motion.state.placements[1].rotation;
+        const double then = motion.state.time;
+        const double speed = motion.state.velocity[2];
+        EXPECT_TRUE(advance(scene, motion, timeStep)) << "at " << motion.state.time << " s";
+        const double after = motion.state.placements[1].rotation;
+        returns += before * after < 0 || (after == 0 && before != 0) ? 1 : 0;
+        if (returns == 3)
+        {
+            // speed t + a t^2/2 = rotation, a the angular acceleration upright
+            const double a = std::pow(slender.frequencyParameter(), 2) * std::sin(slender.slenderness());
+            const double v = std::abs(speed);
+            return then + (std::sqrt(v * v + 2 * a * std::abs(before)) - v) / a;
+        }
+    }
+    ADD_FAILURE() << "it does not return three times";
+    return 0;
+}
+
+double exactThirdReturn()
+{
+    RockingRun run;
+    run.start.rotation = slender.slenderness() / 2;
+    run.untilVerdict = false;
+    run.endTime = 5;
+    return rockingMotion(slender, ConstantAcceleration(0), run).impacts.at(2).time;
+}
+
+TEST(ImpactInstants, WithTheTrapezoidalRuleRockingIsOfSecondOrderThroughItsImpacts)
+{
+    const double exact = exactThirdReturn();
+    for (const double timeStep : {8e-3, 4e-3, 2e-3, 1e-3})
+    {
+        const auto errorOf = [&](ImpactInstant impacts, double step)
+        {
+            double error = 0;
+            for (const double phase : {0.0, 0.03, 0.07}) // of the step, by its length
+            {
+                error = std::max(error, std::abs(thirdReturn({.theta = 0.5, .mu = 1, .impacts = impacts},
+                                                             step * (1 + phase))
+                                                     / exact
+                                                 - 1));
+            }
+            return error;
+        };
+        const double located = errorOf(ImpactInstant::located, timeStep);
+        std::cout << "step " << timeStep << " s: third return " << located
+                  << " off, with impacts at the start of steps "
+                  << errorOf(ImpactInstant::stepStart, timeStep) << '\n';
+        EXPECT_LT(located, 1e-5 * std::pow(timeStep / 1e-3, 2) + 1e-6);
+    }
+}
+
+/// Whether the block overturns under one whole sine of 0.5 s.
+bool overturns(const scenes::Settings& settings, double amplitude, double timeStep)
+{
+    DynamicCase scene = rockingScene(settings);
+    scenes::shake(scene, std::make_shared<SinePulse>(PulseShape{amplitude * g, 0.5, 0}, 2.0));
+    Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+    const Placement<2>& block = motion.state.placements[1];
+    const double barrier = scene.mass[0] * g * (slender.radius() - 1);
+    while (motion.state.time < 10 && std::abs(block.rotation) < 1)
+    {
+        EXPECT_TRUE(advance(scene, motion, timeStep)) << "at " << motion.state.time << " s";
+        if (motion.state.time > 0.5 && std::abs(block.rotation) < slender.slenderness()
+            && motion.energy.kinetic + motion.energy.potential < barrier)
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// The lower border of the amplitudes above 1.5 g at which it stands again [g].
+double islandBorder(const scenes::Settings& settings, double timeStep)
+{
+    double low = 1.45;
+    double high = 1.6;
+    EXPECT_TRUE(overturns(settings, low, timeStep));
+    EXPECT_FALSE(overturns(settings, high, timeStep));
+    while (high - low > 1e-5)
+    {
+        const double middle = 0.5 * (low + high);
+        (overturns(settings, middle, timeStep) ? low : high) = middle;
+    }
+    return high;
+}
+
+TEST(ImpactInstants, TheSafeIslandOfOneSineBeginsWhereHousnersEquationHasIt)
+{
+    const double timeStep = 1e-3;
+    const auto errorOf = [&](const scenes::Settings& settings)
+    { return islandBorder(settings, timeStep) / 1.54692 - 1; };
+    const double located = errorOf({.theta = 0.5, .mu = 10});
+    std::cout << "step " << timeStep << " s: the island begins " << located
+              << " off, with impacts at the start of steps "
+              << errorOf({.theta = 0.5, .mu = 10, .impacts = ImpactInstant::stepStart}) << ", with theta 1 "
+              << errorOf({.theta = 1, .mu = 10}) << '\n';
+    EXPECT_NEAR(located, 0, 1e-4);
+}
+
+TEST(IntegrationError, IsTheLossOfTheSchemeInFreeRockingAndProportionalToTheStep)
+{
+    double before = 0;
+    for (const double timeStep : {2e-3, 1e-3})
+    {
+        const DynamicCase scene = rockingScene({.theta = 1, .mu = 1});
+        DynamicState start = stateAtRest(scene.assembly);
+        const double rotation = slender.slenderness() / 2;
+        const Vector<2> arm(0.25, 1);
+        start.placements[1] = {Eigen::Rotation2Dd(rotation) * arm - arm, rotation};
+        Motion motion = startMotion(scene, start);
+        while (motion.state.time < 1.2) // through the first impact, at 0.494 s
+        {
+            ASSERT_TRUE(advance(scene, motion, timeStep));
+            if (motion.state.time < 0.48)
+            {
+                EXPECT_NEAR(motion.smoothLoss, motion.energy.algorithmicLoss, 1e-9 * motion.energy.opening)
+                    << "at " << motion.state.time << " s";
+            }
+        }
+        EXPECT_LT(motion.smoothLoss, 0.25 * motion.energy.algorithmicLoss); // most of it is the impact's
+        if (before > 0)
+        {
+            // The bounded share of the impact's own step is of second order.
+            EXPECT_NEAR(motion.smoothLoss / before, 0.5, 0.12);
+        }
+        before = motion.smoothLoss;
+    }
+}
+
+} // namespace
+} // namespace drystone
