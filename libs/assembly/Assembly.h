@@ -4,6 +4,7 @@
 
 #include "geometry/Polygon.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,15 @@ struct Support
     std::string type; ///< `ground`, `blocks` or `abutments`: how it was made
 };
 
+/// What was done to joints whose faces did not quite meet (JointClosure.h).
+struct JointClosure
+{
+    int joints = 0;       ///< that were closed
+    double largest = 0;   ///< distance of their faces, or depth in each other, before [m]
+    double tolerance = 0; ///< up to which joints are closed [m]
+    double rounding = 0;  ///< unit of the last digit of the coordinates; 0: they have all digits [m]
+};
+
 /// All blocks of a structure. A block's index in `blocks` is its name everywhere a user sees it (0/motion,
 /// blockMotion, VTK block id); rows of the equilibrium matrix are numbered over the free blocks only.
 template<int Dim>
@@ -36,6 +46,8 @@ struct Assembly
 {
     std::vector<Block<Dim>> blocks;
     std::vector<Support> supports;
+    std::optional<double> jointTolerance = {}; ///< as the user states it: faces this near are a joint [m]
+    JointClosure closure = {};                 ///< once closeJoints has seen the assembly
 };
 
 /// For each block its position among the free blocks, or -1 for a fixed one. Size: blocks.

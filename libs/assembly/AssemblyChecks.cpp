@@ -2,6 +2,7 @@
 /// The checks, a function each.
 #include "assembly/AssemblyChecks.h"
 
+#include "assembly/AlmostJoints.h"
 #include "assembly/ContactPoint.h"
 #include "assembly/Facing.h"
 #include "geometry/BroadPhase.h"
@@ -31,6 +32,9 @@ struct Findings
     std::vector<BoundingBox> boxes;        ///< of each block
     std::vector<std::pair<int, int>> near; ///< pairs of blocks whose boxes come within the gap limit
     std::vector<ContactPoint<2>> points;
+    std::vector<Overlap> overlaps;         ///< of pairs
+    double largestOverlap = 0;             ///< of any pair, relative to the smaller block
+    std::vector<FacingPiece> almostJoints; ///< faces that nearly touch
 };
 
 void addFault(CheckResult& result, std::string fault)
@@ -40,13 +44,6 @@ void addFault(CheckResult& result, std::string fault)
     {
         result.faults.push_back(std::move(fault));
     }
-}
-
-std::string blockName(const Assembly<2>& assembly, int block)
-{
-    const int support = assembly.blocks[block].support;
-    return support < 0 ? fmt::format("block {}", block)
-                       : fmt::format("block {} (support {})", block, assembly.supports[support].name);
 }
 
 std::string text(const Vector<2>& point)
@@ -136,61 +133,63 @@ std::pair<CheckResult, CheckResult> checkOverlaps(const Assembly<2>& assembly, c
 {
     CheckResult duplicates{"duplicates", "", 0, {}};
     CheckResult overlaps{"overlaps", "", 0, {}};
-    double largest = 0;
-    for (const auto& [i, j] : findings.near)
+    std::set<std::pair<int, int>> listed;
+    for (const Overlap& overlap : findings.overlaps)
     {
-        const Polygon& a = assembly.blocks[i].outline;
-        const Polygon& b = assembly.blocks[j].outline;
-        const double common = overlapArea(a, b);
-        const double smaller = std::min(findings.areas[i].area, findings.areas[j].area);
-        const double greater = std::max(findings.areas[i].area, findings.areas[j].area);
-        if (common > limits.duplicate * greater)
+        const auto [i, j, common, fraction] = overlap;
+        listed.emplace(i, j);
+        if (common > limits.duplicate * std::max(findings.areas[i].area, findings.areas[j].area))
         {
             addFault(duplicates,
                      fmt::format("{} and {} are the same block twice, at {}", blockName(assembly, i),
                                  blockName(assembly, j), text(findings.areas[i].centroid)));
-            continue;
         }
-        // A joint may overlap by its tolerance, over a length of at most the smaller block's box.
-        const Vector<2> extentA = findings.boxes[i].upper - findings.boxes[i].lower;
-        const Vector<2> extentB = findings.boxes[j].upper - findings.boxes[j].lower;
-        const double length = std::min(extentA.norm(), extentB.norm());
-        const double allowed = std::min(2 * limits.jointTolerance * findings.size * length, 0.5 * smaller);
-        largest = std::max(largest, common / smaller);
-        if (common > allowed)
+        else
+        {
+            addFault(overlaps, fmt::format("{} and {} overlap by {:.6g} m2, {:.3g} of the smaller",
+                                           blockName(assembly, i), blockName(assembly, j), common, fraction));
+        }
+    }
+    for (const FacingPiece& piece : findings.almostJoints)
+    {
+        if (!isApart(piece) && listed.emplace(piece.block, piece.neighbour).second)
         {
             addFault(overlaps,
-                     fmt::format("{} and {} overlap by {:.6g} m2, {:.3g} of the smaller",
-                                 blockName(assembly, i), blockName(assembly, j), common, common / smaller));
+                     fmt::format("faces of {} and {} are {:.3g} m in each other at {}: no joint",
+                                 blockName(assembly, piece.block), blockName(assembly, piece.neighbour),
+                                 openness(piece), text(piece.from)));
         }
     }
     duplicates.message = fmt::format("Duplicated blocks: {}", duplicates.failures);
-    overlaps.message =
-        fmt::format("Overlapping pairs: {}. Largest overlap = {:.3g} of a block", overlaps.failures, largest);
+    overlaps.message = fmt::format("Overlapping pairs: {}. Largest overlap = {:.3g} of a block",
+                                   overlaps.failures, findings.largestOverlap);
     return {duplicates, overlaps};
 }
 
 CheckResult checkGaps(const Assembly<2>& assembly, const Findings& findings, const CheckLimits& limits)
 {
     CheckResult result{"gaps", "", 0, {}};
-    const double jointTolerance = limits.jointTolerance * findings.size;
-    FacingTolerance tolerance;
-    tolerance.distance = limits.gap * findings.size;
-    tolerance.angle = limits.gapAngle;
-    tolerance.straight = jointTolerance / 2;
-    tolerance.leastLength = tolerance.distance;
-    for (const FacingPiece& piece : findFacingPieces(assembly, tolerance))
+    int stated = 0;
+    for (const FacingPiece& piece : findings.almostJoints)
     {
-        const double widest = std::max(piece.gapAtFrom, piece.gapAtTo);
-        if (widest > jointTolerance && piece.gapAtFrom + piece.gapAtTo > 0)
+        if (isApart(piece) && assembly.jointTolerance && openness(piece) > *assembly.jointTolerance)
         {
-            addFault(result, fmt::format("{} and {} are {:.3g} m apart at {}: no joint",
-                                         blockName(assembly, piece.block),
-                                         blockName(assembly, piece.neighbour), widest, text(piece.from)));
+            ++stated;
+        }
+        else if (isApart(piece))
+        {
+            addFault(result,
+                     fmt::format("{} and {} are {:.3g} m apart at {}: no joint",
+                                 blockName(assembly, piece.block), blockName(assembly, piece.neighbour),
+                                 openness(piece), text(piece.from)));
         }
     }
-    result.message =
-        fmt::format("Faces that nearly touch (within {:.3g} m): {}", tolerance.distance, result.failures);
+    result.message = fmt::format("Faces that nearly touch (within {:.3g} m): {}", limits.gap * findings.size,
+                                 result.failures + stated);
+    if (stated > 0)
+    {
+        result.message += fmt::format(", {} of them beyond the jointTolerance that is stated", stated);
+    }
     return result;
 }
 
@@ -364,28 +363,44 @@ AssemblyStatistics count(const Assembly<2>& assembly, const std::vector<ContactP
     return statistics;
 }
 
-} // namespace
-
-std::optional<Overlap> findOverlap(const Assembly<2>& assembly, double fraction)
+/// See findOverlaps. \param largest overlap of any pair, relative to the smaller block
+std::vector<Overlap> overlapsOf(const Assembly<2>& assembly, const CheckLimits& limits, double& largest)
 {
+    const double size = meanBlockSize(assembly);
     std::vector<BoundingBox> boxes;
-    boxes.reserve(assembly.blocks.size());
     for (const Block<2>& block : assembly.blocks)
     {
         boxes.push_back(boundingBox(block.outline));
     }
+    std::vector<Overlap> overlaps;
     for (const auto& [i, j] : findMeetingPairs(boxes))
     {
         const Polygon& a = assembly.blocks[i].outline;
         const Polygon& b = assembly.blocks[j].outline;
-        const double smaller = std::min(areaProperties(a).area, areaProperties(b).area);
         const double common = overlapArea(a, b);
-        if (common > fraction * smaller)
+        const double areaA = areaProperties(a).area;
+        const double areaB = areaProperties(b).area;
+        const double smaller = std::min(areaA, areaB);
+        const bool isTwice = common > limits.duplicate * std::max(areaA, areaB);
+        // A joint may overlap by its tolerance, over a length of at most the smaller block's box.
+        const double length =
+            std::min((boxes[i].upper - boxes[i].lower).norm(), (boxes[j].upper - boxes[j].lower).norm());
+        const double allowed = std::min(2 * limits.jointTolerance * size * length, 0.5 * smaller);
+        largest = isTwice ? largest : std::max(largest, common / smaller);
+        if (isTwice || common > allowed)
         {
-            return Overlap{i, j, common, common / smaller};
+            overlaps.push_back({i, j, common, common / smaller});
         }
     }
-    return std::nullopt;
+    return overlaps;
+}
+
+} // namespace
+
+std::vector<Overlap> findOverlaps(const Assembly<2>& assembly, const CheckLimits& limits)
+{
+    double largest = 0;
+    return overlapsOf(assembly, limits, largest);
 }
 
 AssemblyStatistics countAssembly(const Assembly<2>& assembly)
@@ -406,6 +421,8 @@ AssemblyReport checkAssembly(const Assembly<2>& assembly, CheckExtent extent, co
     }
     findings.near = findMeetingPairs(enlargedBoxes);
     findings.points = findContactPoints(assembly, limits.jointTolerance);
+    findings.overlaps = overlapsOf(assembly, limits, findings.largestOverlap);
+    findings.almostJoints = findAlmostJoints(assembly, limits);
 
     AssemblyReport report;
     report.statistics = count(assembly, findings.points);

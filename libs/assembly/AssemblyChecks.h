@@ -4,7 +4,6 @@
 
 #include "assembly/Assembly.h"
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,8 +41,8 @@ struct Overlap
     double fraction = 0; ///< of the smaller block's area
 };
 
-/// The first two blocks that share more than `fraction` of the smaller one, or nothing.
-std::optional<Overlap> findOverlap(const Assembly<2>& assembly, double fraction);
+/// Pairs of blocks that share more than the joint tolerance explains, the same block twice among them.
+std::vector<Overlap> findOverlaps(const Assembly<2>& assembly, const CheckLimits& limits = {});
 
 /// The outcome of one check.
 struct CheckResult

@@ -4,6 +4,8 @@
 
 #include "assembly/AssemblyChecks.h"
 #include "assembly/AssemblyOrigin.h"
+#include "assembly/Facing.h"
+#include "assembly/JointClosure.h"
 #include "assembly/Outlines.h"
 #include "assembly/Plausibility.h"
 #include "core/Case.h"
@@ -82,6 +84,23 @@ void readSupport(const Entry& entry, Assembly<2>& assembly)
     refuseUnused(dictionary, {"type", "blocks"});
 }
 
+/// A jointTolerance beyond this part of the mean block size would close openings that are meant.
+constexpr double largestTolerance = 0.1;
+
+void readJointTolerance(const Entry& entry, Assembly<2>& assembly)
+{
+    const auto tolerance = entry.as<double>();
+    const double most = largestTolerance * meanBlockSize(assembly);
+    if (!(tolerance > 0 && tolerance <= most))
+    {
+        throw FatalIOError(fmt::format("jointTolerance {:g} is out of range: it must be above 0, and at most "
+                                       "{:g} m, a tenth of the mean size of the blocks.",
+                                       tolerance, most),
+                           entry.location());
+    }
+    assembly.jointTolerance = tolerance;
+}
+
 } // namespace
 
 Assembly<2> readAssembly(const std::filesystem::path& caseDirectory)
@@ -113,8 +132,14 @@ Assembly<2> readAssembly(const std::filesystem::path& caseDirectory)
         readSupport(entry, assembly);
     }
     compareWithOrigin(dictionary, caseDirectory);
-    refuseUnused(dictionary, {"builtFrom", "dimensions", "thickness", "supports", "outlines"});
+    if (const Entry* tolerance = dictionary.find("jointTolerance"))
+    {
+        readJointTolerance(*tolerance, assembly);
+    }
+    refuseUnused(dictionary,
+                 {"builtFrom", "dimensions", "thickness", "jointTolerance", "supports", "outlines"});
     questionSizes(assembly, dictionary.locationOf("outlines"));
+    closeJoints(assembly);
     return assembly;
 }
 
@@ -130,18 +155,23 @@ void requireFreeBlock(const Assembly<2>& assembly, const std::filesystem::path& 
     }
 }
 
+std::string overlapText(const Overlap& overlap)
+{
+    return fmt::format(
+        "Blocks {} and {} overlap by {:.6g} m2, {:.3g} of the smaller one. Blocks may touch, but not share "
+        "space: "
+        "correct system/blockTextureDict and run blockTexture again (checkBlocks lists all overlaps).",
+        overlap.block, overlap.neighbour, overlap.area, overlap.fraction);
+}
+
 void refuseOverlaps(const Assembly<2>& assembly, const std::filesystem::path& caseDirectory)
 {
-    if (const std::optional<Overlap> overlap = findOverlap(assembly, harmlessOverlap))
+    const std::vector<Overlap> overlaps = findOverlaps(assembly);
+    if (!overlaps.empty())
     {
         const Dictionary dictionary = Dictionary::readFile(assemblyFile(caseDirectory));
-        throw FatalIOError(
-            fmt::format(
-                "Blocks {} and {} overlap by {:.6g} m2, {:.3g} of the smaller one. Blocks may touch, but not "
-                "share space: mend system/blockTextureDict and run blockTexture again (checkBlocks lists all "
-                "overlaps).",
-                overlap->block, overlap->neighbour, overlap->area, overlap->fraction),
-            dictionary.get<Outlines>("outlines").places[overlap->neighbour]);
+        throw FatalIOError(overlapText(overlaps.front()),
+                           dictionary.get<Outlines>("outlines").places[overlaps.front().neighbour]);
     }
 }
 

@@ -2,7 +2,7 @@
 /// The assembly on disk: constant/assembly/blocks, plain text in the dictionary grammar.
 #pragma once
 
-#include "assembly/Assembly.h"
+#include "assembly/AssemblyChecks.h"
 #include "core/Fingerprint.h"
 
 #include <filesystem>
@@ -15,30 +15,30 @@ namespace drystone
 std::filesystem::path assemblyFile(const std::filesystem::path& caseDirectory);
 
 /// The text of the file: a FoamFile header, `dimensions`, `thickness` [m] (one number, or a list with one for
-/// each block), `supports` with the indices of the blocks that each of them fixes, and `outlines`, one
-/// polygon [m] a line in the order of Assembly::blocks. Numbers are the shortest that read back as the same
-/// bits. \param builtFrom the dictionary that it was built from (AssemblyOrigin.h); none: the file does not
-/// say it
+/// each block), `jointTolerance` [m] where the user states one, `supports` with the indices of the blocks
+/// that each of them fixes, and `outlines`, one polygon [m] a line in the order of Assembly::blocks. Numbers
+/// are the shortest that read back as the same bits. \param builtFrom the dictionary that it was built from
+/// (AssemblyOrigin.h); none: the file does not say it
 std::string assemblyText(const Assembly<2>& assembly, const std::vector<InputFile>& builtFrom = {});
 
 /// Reads the assembly of a case, and warns when the dictionary that it was built from has changed, or sizes
-/// are improbable. Outlines may be in either orientation and are turned counter-clockwise.
+/// are improbable. Outlines may be in either orientation and are turned counter-clockwise. Joints whose faces
+/// do not quite meet are closed (JointClosure.h); say so with printClosure.
 /// \throws Error with file and line when the file is missing or no dictionary, a key is missing or unknown,
 /// dimensions are not 2, there is no block, a number is not finite, an outline has fewer than three corners,
 /// no area, or crosses or touches itself, a thickness is not positive, a support fixes a block that does not
-/// exist or is fixed already
+/// exist or is fixed already, a jointTolerance is more than a tenth of the mean block size
 Assembly<2> readAssembly(const std::filesystem::path& caseDirectory);
-
-/// The part of the smaller block that two blocks may share: rounding of coordinates written by hand, not a
-/// fault.
-inline constexpr double harmlessOverlap = 1e-4;
 
 /// For computations. \throws FatalIOError when every block of the assembly is fixed: nothing can move
 void requireFreeBlock(const Assembly<2>& assembly, const std::filesystem::path& caseDirectory);
 
+/// What to say of an overlap, with the repair.
+std::string overlapText(const Overlap& overlap);
+
 /// For computations that need sound geometry.
 /// \throws FatalIOError at the outline's line when two blocks of the assembly, as read from this case, share
-/// more than harmlessOverlap of the smaller one
+/// more than rounding explains: what `checkBlocks` calls an overlap
 void refuseOverlaps(const Assembly<2>& assembly, const std::filesystem::path& caseDirectory);
 
 } // namespace drystone

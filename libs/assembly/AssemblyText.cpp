@@ -43,6 +43,10 @@ std::string assemblyText(const Assembly<2>& assembly, const std::vector<InputFil
         text += ");\n\n";
     }
 
+    if (assembly.jointTolerance)
+    {
+        fmt::format_to(out, "jointTolerance  {};\n\n", *assembly.jointTolerance);
+    }
     text += "supports\n{\n";
     for (std::size_t i = 0; i < assembly.supports.size(); ++i)
     {

@@ -14,40 +14,27 @@ namespace drystone
 namespace
 {
 
-struct Edge
+bool isParallelToAxis(const OutlineEdge& edge)
 {
-    int block;
-    Vector<2> from;
-    Vector<2> to;
-};
-
-std::vector<Edge> collectEdges(const Assembly<2>& assembly, const FacingTolerance& tolerance)
-{
-    std::vector<Edge> edges;
-    edges.reserve(4 * assembly.blocks.size());
-    for (std::size_t block = 0; block < assembly.blocks.size(); ++block)
-    {
-        const Polygon outline = withoutStraightVertices(assembly.blocks[block].outline, tolerance.straight);
-        for (std::size_t i = 0; i < outline.size(); ++i)
-        {
-            const Vector<2>& from = outline[i];
-            const Vector<2>& to = outline[(i + 1) % outline.size()];
-            if ((to - from).norm() > tolerance.leastLength)
-            {
-                edges.push_back({static_cast<int>(block), from, to});
-            }
-        }
-    }
-    return edges;
+    return edge.from.x() == edge.to.x() || edge.from.y() == edge.to.y();
 }
 
 /// The piece that faces both edges, if any. Distances are measured on the line halfway between the two.
-bool findPiece(const Edge& a, const Edge& b, const FacingTolerance& tolerance, FacingPiece& piece)
+bool findPiece(const OutlineEdge& a, const OutlineEdge& b, const FacingTolerance& tolerance,
+               FacingPiece& piece)
 {
+    const bool isOblique =
+        tolerance.oblique > tolerance.distance && !(isParallelToAxis(a) && isParallelToAxis(b));
+    const double distance = isOblique ? tolerance.oblique : tolerance.distance;
+    // Both ends of both edges may be off by the distance.
+    const double angle =
+        isOblique ? std::max(tolerance.angle,
+                             4 * distance / std::min((a.to - a.from).norm(), (b.to - b.from).norm()))
+                  : tolerance.angle;
     const Vector<2> alongA = (a.to - a.from).normalized();
     const Vector<2> alongB =
         (b.from - b.to).normalized(); // reversed: outlines pass a joint in opposite directions
-    if (alongA.dot(alongB) <= 0 || std::abs(cross(alongA, alongB)) > tolerance.angle)
+    if (alongA.dot(alongB) <= 0 || std::abs(cross(alongA, alongB)) > angle)
     {
         return false;
     }
@@ -74,13 +61,13 @@ bool findPiece(const Edge& a, const Edge& b, const FacingTolerance& tolerance, F
     // b's.
     const double gapAtBegin = heightA(begin) - heightB(begin);
     const double gapAtEnd = heightA(end) - heightB(end);
-    if (std::max(std::abs(gapAtBegin), std::abs(gapAtEnd)) > tolerance.distance)
+    if (std::max(std::abs(gapAtBegin), std::abs(gapAtEnd)) > distance)
     {
         return false;
     }
     const auto pointAt = [&](double s) -> Vector<2>
     { return origin + s * along + (heightA(s) + heightB(s)) / 2 * across; };
-    piece = {a.block, b.block, pointAt(begin), pointAt(end), across, gapAtBegin, gapAtEnd};
+    piece = {a.block, b.block, pointAt(begin), pointAt(end), across, gapAtBegin, gapAtEnd, -1, -1};
     return true;
 }
 
@@ -101,26 +88,63 @@ double meanBlockSize(const Assembly<2>& assembly)
     return count > 0 ? std::sqrt(area / count) : 0;
 }
 
+std::vector<OutlineEdge> outlineEdges(const Assembly<2>& assembly, const FacingTolerance& tolerance)
+{
+    std::vector<OutlineEdge> edges;
+    edges.reserve(4 * assembly.blocks.size());
+    std::vector<int> corners;
+    for (std::size_t block = 0; block < assembly.blocks.size(); ++block)
+    {
+        const Polygon& outline = assembly.blocks[block].outline;
+        const Polygon kept = withoutStraightVertices(outline, tolerance.straight);
+        // In the same order, but perhaps from another vertex on.
+        corners.clear();
+        const auto start = std::find(outline.begin(), outline.end(), kept.front()) - outline.begin();
+        for (std::size_t i = 0; i < outline.size() && corners.size() < kept.size(); ++i)
+        {
+            const std::size_t vertex = (static_cast<std::size_t>(start) + i) % outline.size();
+            if (outline[vertex] == kept[corners.size()])
+            {
+                corners.push_back(static_cast<int>(vertex));
+            }
+        }
+        for (std::size_t i = 0; i < corners.size(); ++i)
+        {
+            const int first = corners[i];
+            const int last = corners[(i + 1) % corners.size()];
+            const Vector<2>& from = outline[static_cast<std::size_t>(first)];
+            const Vector<2>& to = outline[static_cast<std::size_t>(last)];
+            if ((to - from).norm() > tolerance.leastLength)
+            {
+                edges.push_back({static_cast<int>(block), first, last, from, to});
+            }
+        }
+    }
+    return edges;
+}
+
 std::vector<FacingPiece> findFacingPieces(const Assembly<2>& assembly, const FacingTolerance& tolerance)
 {
-    const std::vector<Edge> edges = collectEdges(assembly, tolerance);
+    const std::vector<OutlineEdge> edges = outlineEdges(assembly, tolerance);
+    const double reach = std::max(tolerance.distance, tolerance.oblique);
     std::vector<BoundingBox> boxes;
     boxes.reserve(edges.size());
-    for (const Edge& edge : edges)
+    for (const OutlineEdge& edge : edges)
     {
-        boxes.push_back(
-            enlarged({edge.from.cwiseMin(edge.to), edge.from.cwiseMax(edge.to)}, tolerance.distance));
+        boxes.push_back(enlarged({edge.from.cwiseMin(edge.to), edge.from.cwiseMax(edge.to)}, reach));
     }
 
     std::vector<FacingPiece> pieces;
     FacingPiece piece;
     for (const auto& [first, second] : findMeetingPairs(boxes))
     {
-        const Edge& a = edges[first]; // edges are in block order: a's block comes first
-        const Edge& b = edges[second];
+        const OutlineEdge& a = edges[first]; // edges are in block order: a's block comes first
+        const OutlineEdge& b = edges[second];
         const bool bothFixed = assembly.blocks[a.block].support >= 0 && assembly.blocks[b.block].support >= 0;
         if (a.block != b.block && !bothFixed && findPiece(a, b, tolerance, piece))
         {
+            piece.edge = first;
+            piece.neighbourEdge = second;
             pieces.push_back(piece);
         }
     }

@@ -1,6 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "dynamics/DynamicCase.h"
 
+#include "assembly/AlmostJoints.h"
 #include "assembly/AssemblyFile.h"
 #include "assembly/Equilibrium.h"
 #include "assembly/Facing.h"
@@ -140,6 +141,7 @@ DynamicCase readDynamicCase(const std::filesystem::path& caseDirectory)
     scene.solution = readSolverChoice(caseDirectory, "contactDynamics");
     Assembly<2> assembly = readAssembly(caseDirectory);
     refuseOverlaps(assembly, caseDirectory);
+    refuseAlmostJoints(assembly, caseDirectory);
     scene.contact = readContactProperties(caseDirectory);
     refuseEffects(caseDirectory, "contactDynamics", {"crushing", "pointsPerJoint", "contact"});
     refuseCrushingJoints(scene.contact, caseDirectory);

@@ -679,12 +679,7 @@ Motion startMotion(const DynamicCase& scene, DynamicState state)
     {
         motion.contacts.emplace(scene.assembly);
         deleteBlocks(scene, motion);
-        motion.points = motion.contacts->update(
-            motion.state.placements,
-            motion.contacts->marginFor(velocitiesOfAllBlocks(scene, motion.state.placements,
-                                                             motion.state.velocity, motion.state.time,
-                                                             motion.state.time),
-                                       0, 0));
+        motion.points = motion.contacts->update(motion.state.placements, scene.roundingGap);
     }
     else
     {

@@ -6,6 +6,7 @@
 
 #include "assembly/ContactState.h"
 #include "assembly/Facing.h"
+#include "assembly/JointClosure.h"
 #include "conic/ProgramFile.h"
 #include "core/Error.h"
 #include "core/Log.h"
@@ -173,6 +174,7 @@ void printLimitAnalysisCase(const LimitAnalysisCase& structure)
     (structure.pushover ? simulated : absent).emplace_back("pushover");
     printEffects(simulated, absent);
     info("Blocks: {} free, contact points: {}", structure.freeBlocks, structure.points.size());
+    printClosure(structure.assembly);
     info("Solver: {}, tolerance {:g}\n", nameOf(structure.solution.solver), structure.solution.tolerance);
 }
 

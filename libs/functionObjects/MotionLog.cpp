@@ -2,6 +2,7 @@
 /// Words the log of contactDynamics.
 #include "functionObjects/MotionLog.h"
 
+#include "assembly/JointClosure.h"
 #include "core/Log.h"
 
 #include <algorithm>
@@ -29,6 +30,7 @@ void printScene(const DynamicCase& scene, const Motion& motion, const Time& time
     printEffects(simulated, absent);
     info("{}", summary(scene.groundMotion));
     info("Blocks: {} free, contact points: {}", scene.mass.size() / 3, motion.points.size());
+    printClosure(scene.assembly);
     if (scene.contact.friction)
     {
         info("Friction: mu {:g}, flow rule {}", scene.contact.friction->mu,

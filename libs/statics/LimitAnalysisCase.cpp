@@ -1,7 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "statics/LimitAnalysisCase.h"
 
-#include "assembly/AssemblyChecks.h"
+#include "assembly/AlmostJoints.h"
 #include "assembly/AssemblyFile.h"
 #include "assembly/JointLaws.h"
 #include "assembly/Materials.h"
@@ -274,6 +274,7 @@ LimitAnalysisCase readLimitAnalysisCase(const std::filesystem::path& caseDirecto
     result.solution.solver = SolverType::interiorPoint;
     result.assembly = readAssembly(caseDirectory);
     refuseOverlaps(result.assembly, caseDirectory);
+    refuseAlmostJoints(result.assembly, caseDirectory);
     requireFreeBlock(result.assembly, caseDirectory);
 
     result.contact = readContactProperties(caseDirectory);

@@ -41,6 +41,15 @@ void declare(Options& options, BlockTexture& blockTexture)
     options.required("texture", blockTexture.texture, textureTypes(), "how the blocks are made");
     options.optional("supports", blockTexture.supports, supportTypes(),
                      "what holds them, under names of your own");
+    options
+        .optional(
+            "jointTolerance", blockTexture.jointTolerance,
+            "faces that are this near are a joint, and those farther apart are so on purpose; absent: 1e-6 "
+            "of the mean block size, or 1.5 units of the last digit of the coordinates, and faces that "
+            "almost meet are refused")
+        .unit("m")
+        .above(0)
+        .example("1e-5");
     options.check(
         "dimensions",
         [&blockTexture]() -> std::string
@@ -63,6 +72,7 @@ Assembly<2> makeStructure(const Dictionary& dictionary)
     {
         addSupport(blockTexture.texture.assembly, name, blockTexture.texture.unit);
     }
+    blockTexture.texture.assembly.jointTolerance = blockTexture.jointTolerance;
     return std::move(blockTexture.texture.assembly);
 }
 

@@ -7,6 +7,7 @@
 #include "core/Registry.h"
 #include "texture/Supports.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,7 @@ struct BlockTexture
     int dimensions = 2;
     Texture texture;
     std::vector<Named<SupportMaker>> supports;
+    std::optional<double> jointTolerance; ///< absent: what the digits of the coordinates ask for [m]
 };
 
 void declare(Options& options, BlockTexture& blockTexture);

@@ -289,6 +289,15 @@ brokenInputs = [
            files={dictionary: polygons.replace("((0 1) (1 1) (1 2) (0 2))", "((0 0.5) (1 0.5) (1 2) (0 2))")}),
     Broken("checkBlocks", "floatingBlock", before=built, stdout=r"Failed \d+ checks\.",
            files={dictionary: polygons.replace("((0 1) (1 1) (1 2) (0 2))", "((0 3) (1 3) (1 4) (0 4))")}),
+    *[Broken(application, "facesThatAlmostMeet", where="constant/assembly/blocks", lines=(0,),
+             says=(r"block 0 and block 1 almost meet", r"1e-05 m apart", r"jointTolerance 2e-05;"),
+             before=(("blockTexture",),),
+             earlier={dictionary: polygons.replace("((0 1) (1 1) (1 2) (0 2))",
+                                                   "((0 1.00001) (1 1.00001) (1 2) (0 2))")})
+      for application in ("limitAnalysis", "contactDynamics")],
+    Broken("limitAnalysis", "jointToleranceOfBlockSize", where="constant/assembly/blocks", lines=(0,),
+           says=(r"jointTolerance 1 ", r"at most 0.1 m"), before=(("blockTexture",),),
+           earlier={dictionary: "jointTolerance 1;\n" + polygons}),
     Broken("checkBlocks", "noAssembly", says=(r"constant/assembly", r"blockTexture"), where="-"),
     Broken("limitAnalysis", "noAssembly", says=(r"constant/assembly", r"blockTexture"), where="-"),
     # The input of an analysis.

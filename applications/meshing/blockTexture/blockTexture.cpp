@@ -1,9 +1,9 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// blockTexture: generates the blocks of a structure from system/blockTextureDict.
-#include "assembly/AssemblyChecks.h"
+#include "assembly/AlmostJoints.h"
 #include "assembly/AssemblyFile.h"
 #include "assembly/AssemblyOrigin.h"
-#include "assembly/ContactPoint.h"
+#include "assembly/JointClosure.h"
 #include "assembly/Plausibility.h"
 #include "core/CaseFiles.h"
 #include "core/CommandLine.h"
@@ -18,15 +18,16 @@ using namespace drystone;
 namespace
 {
 
-void warnOfOverlaps(const Assembly<2>& assembly, const Dictionary& dictionary)
+/// What the blocks will be refused for.
+void warnOfFaults(const Assembly<2>& assembly, const Dictionary& dictionary)
 {
-    if (const auto overlap = findOverlap(assembly, harmlessOverlap))
+    if (const std::vector<Overlap> overlaps = findOverlaps(assembly); !overlaps.empty())
     {
-        printWarning(
-            fmt::format("Blocks {} and {} overlap by {:.6g} m2, {:.3g} of the smaller one. Blocks may touch, "
-                        "but not overlap; checkBlocks lists all overlaps.",
-                        overlap->block, overlap->neighbour, overlap->area, overlap->fraction),
-            dictionary.locationOf("texture"));
+        printWarning(overlapText(overlaps.front()), dictionary.locationOf("texture"));
+    }
+    else if (const std::string fault = almostJointsText(assembly); !fault.empty())
+    {
+        printWarning(fault, dictionary.locationOf("texture"));
     }
 }
 
@@ -38,10 +39,14 @@ int run(const CommandLine& commandLine)
     const std::filesystem::path file = commandLine.dictionaryFile("system/blockTextureDict");
     const Dictionary dictionary = Dictionary::readFile(file);
     const Assembly<2> assembly = makeStructure(dictionary);
-    const AssemblyStatistics statistics = countAssembly(assembly);
+    Assembly<2> closed = assembly; // as it will be read; the file keeps the coordinates as they were written
+    closeJoints(closed);
+    const AssemblyStatistics statistics = countAssembly(closed);
     info("Blocks: {} free, {} fixed", statistics.freeBlocks, statistics.blocks - statistics.freeBlocks);
-    info("Joints: {} with {} contact points\n", statistics.joints, statistics.contactPoints);
-    warnOfOverlaps(assembly, dictionary);
+    info("Joints: {} with {} contact points", statistics.joints, statistics.contactPoints);
+    printClosure(closed);
+    printLine();
+    warnOfFaults(closed, dictionary);
     questionSizes(assembly, dictionary.locationOf("texture"));
 
     const std::filesystem::path picture = (directory / "VTK" / "assembly.vtp").lexically_normal();

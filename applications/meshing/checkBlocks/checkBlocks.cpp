@@ -2,6 +2,7 @@
 /// checkBlocks: reports whether the blocks of a case are suitable for computation.
 #include "assembly/AssemblyChecks.h"
 #include "assembly/AssemblyFile.h"
+#include "assembly/JointClosure.h"
 #include "core/CommandLine.h"
 #include "core/Log.h"
 
@@ -14,6 +15,7 @@ int run(const CommandLine& commandLine)
 {
     printBanner(commandLine);
     const Assembly<2> assembly = readAssembly(commandLine.caseDirectory);
+    printClosure(assembly);
     const CheckExtent extent = commandLine.has("allChecks") ? CheckExtent::all : CheckExtent::standard;
     const AssemblyReport report = checkAssembly(assembly, extent);
     printLine(printedReport(assembly, report)); // its last line is the verdict
