@@ -1,9 +1,12 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "dynamics/InitialMotion.h"
 
+#include "dynamics/StartCheck.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace drystone
 {
@@ -11,11 +14,43 @@ namespace drystone
 void declare(Options& options, BlockStart& start)
 {
     options.optional("displacement", start.displacement, "of the mass centre, from as built").unit("m");
-    options.optional("rotation", start.rotation, "about the mass centre, positive counter-clockwise")
-        .unit("rad");
+    options.optional("rotation", start.rotation, "positive counter-clockwise").unit("rad");
+    options
+        .optional("about", start.about,
+                  "point that it turns about, as built, before it is displaced; absent: its mass centre")
+        .unit("m")
+        .example("(0.25 0)");
+    options.check(
+        "about",
+        [&start]
+        {
+            return start.about && start.rotation == 0
+                       ? "There is a point to turn about, but no rotation. Add for instance `rotation 0.1;`."
+                       : "";
+        });
     options.optional("velocity", start.velocity, "of the mass centre, relative to the ground").unit("m/s");
     options.optional("angularVelocity", start.angularVelocity, "positive counter-clockwise").unit("rad/s");
 }
+
+namespace
+{
+
+/// Where a start places a block.
+Placement<2> placementOf(const BlockStart& start, const Block<2>& block)
+{
+    Placement<2> placement{start.displacement, start.rotation};
+    if (start.about)
+    {
+        const Vector<2> arm = areaProperties(block.outline).centroid - *start.about;
+        const double cosine = std::cos(start.rotation);
+        const double sine = std::sin(start.rotation);
+        const Vector<2> turned(cosine * arm.x() - sine * arm.y(), sine * arm.x() + cosine * arm.y());
+        placement.translation += turned - arm;
+    }
+    return placement;
+}
+
+} // namespace
 
 void declare(Options& options, InitialMotion& motion)
 {
@@ -66,15 +101,16 @@ DynamicState readInitialMotion(const std::filesystem::path& caseDirectory, const
         if (chosen)
         {
             const BlockStart& start = chosen->second;
-            state.placements[block] = {start.displacement, start.rotation};
+            state.placements[block] = placementOf(start, assembly.blocks[block]);
             state.velocity.segment<3>(3 * free[block]) << start.velocity, start.angularVelocity;
         }
     }
     for (std::size_t i = 0; i < motion.blocks.size(); ++i)
     {
+        const std::string& name = motion.blocks[i].first.text;
+        questionRotation(motion.blocks[i].second, locationOf(name));
         if (!isMatched[i])
         {
-            const std::string& name = motion.blocks[i].first.text;
             throw FatalIOError(fmt::format("There is no block {}: the assembly has blocks 0 to {}.", name,
                                            assembly.blocks.size() - 1),
                                locationOf(name));

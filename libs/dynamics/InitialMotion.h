@@ -2,6 +2,7 @@
 /// How blocks start: 0/motion.
 ///
 ///     0         { displacement (0.01 0); rotation 0.1; }      // block 0
+///     1         { rotation 0.1; about (0.25 0); }             // tilted about a corner
 ///     "[3-5]"   { velocity (1 0); angularVelocity -0.2; }     // blocks 3, 4 and 5
 #pragma once
 
@@ -9,6 +10,7 @@
 #include "dynamics/DynamicState.h"
 
 #include <filesystem>
+#include <optional>
 
 namespace drystone
 {
@@ -17,9 +19,11 @@ namespace drystone
 struct BlockStart
 {
     Vector<2> displacement = Vector<2>::Zero(); ///< of the mass centre [m]
-    double rotation = 0;                        ///< about it [rad], positive counter-clockwise
-    Vector<2> velocity = Vector<2>::Zero();     ///< of the mass centre, relative to the ground [m/s]
-    double angularVelocity = 0;                 ///< [rad/s]
+    double rotation = 0;                        ///< [rad], positive counter-clockwise
+    std::optional<Vector<2>> about = {};    ///< point of the block, as built, that it turns about before it
+                                            ///< is displaced [m]; absent: its mass centre
+    Vector<2> velocity = Vector<2>::Zero(); ///< of the mass centre, relative to the ground [m/s]
+    double angularVelocity = 0;             ///< [rad/s]
 };
 void declare(Options& options, BlockStart& start);
 

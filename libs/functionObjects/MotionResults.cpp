@@ -8,6 +8,7 @@
 #include "core/Log.h"
 #include "core/WholeFile.h"
 #include "dynamics/InitialMotion.h"
+#include "dynamics/StartCheck.h"
 #include "functionObjects/KeptResults.h"
 #include "io/Frames.h"
 
@@ -238,6 +239,10 @@ Motion startOrContinue(const std::filesystem::path& caseDirectory, const Dynamic
         }
         DynamicState initial = readInitialMotion(caseDirectory, startName, scene.assembly);
         initial.time = time.startValue();
+        if (!scene.schemes.smallDisplacements) // whose geometry is the one as built
+        {
+            refuseStartOverlaps(scene.assembly, initial.placements, caseDirectory / startName / "motion");
+        }
         return startMotion(scene, std::move(initial));
     }
 

@@ -1,0 +1,109 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Starts of 0/motion: inside another block they are refused, and a rotation may name its point.
+#include "Scenes.h"
+
+#include "assembly/Penetration.h"
+#include "core/Error.h"
+#include "dynamics/StartCheck.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+namespace drystone
+{
+namespace
+{
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+/// The block of tutorial rockingBlock, 0.5 x 2 m, on the ground.
+class StartCheck : public testing::Test
+{
+protected:
+    void SetUp() override
+    {
+        assembly.blocks.push_back(scenes::rectangle(-0.25, 0, 0.5, 2));
+        directory = std::filesystem::path(testing::TempDir())
+                    / ("start-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+        std::filesystem::create_directories(directory / "0");
+    }
+    void TearDown() override { std::filesystem::remove_all(directory); }
+
+    std::string report(const std::string& start)
+    {
+        std::ofstream(directory / "0/motion") << "1\n{\n    " << start << "\n}\n";
+        try
+        {
+            state = readInitialMotion(directory, "0", assembly);
+            refuseStartOverlaps(assembly, state.placements, directory / "0/motion");
+        }
+        catch (const FatalIOError& error)
+        {
+            return error.report();
+        }
+        return "no error";
+    }
+
+    std::filesystem::path directory;
+    Assembly<2> assembly = scenes::ground(-4, 4);
+    DynamicState state;
+};
+
+TEST_F(StartCheck, RefusesAStartInTheGroundWithBothNamesAndTheDepth)
+{
+    EXPECT_THAT(report("displacement (0 -0.1);"),
+                AllOf(HasSubstr("block 1 is 0.1 m deep in block 0 (support ground)"),
+                      HasSubstr("about (x y);"), HasSubstr("0/motion"), HasSubstr("line 1.")));
+    EXPECT_THAT(report("rotation 0.05;"), HasSubstr("block 1 is 0.0112"));
+    EXPECT_THAT(report("displacement (0 -1e-5);"), HasSubstr("1e-05 m deep"));
+}
+
+TEST_F(StartCheck, RefusesAStartInAnotherFreeBlock)
+{
+    assembly.blocks.push_back(scenes::rectangle(0.25, 0, 0.5, 2));
+    EXPECT_THAT(report("displacement (0.01 0);"), HasSubstr("block 1 is 0.01 m deep in block 2"));
+    EXPECT_EQ(report("displacement (-0.01 0);"), "no error");
+}
+
+TEST_F(StartCheck, AcceptsStartsOnAndAboveTheGround)
+{
+    EXPECT_EQ(report("velocity (1 0);"), "no error");
+    EXPECT_EQ(report("displacement (0 1);"), "no error");
+    EXPECT_EQ(report("displacement (0 -1e-9);"), "no error");
+    // As tutorial rockingBlock had it, by arithmetic.
+    EXPECT_EQ(report("displacement (-0.124056374524979 0.0230533726068292); rotation 0.122489331563432;"),
+              "no error");
+}
+
+TEST_F(StartCheck, TurnsABlockAboutAPointThatIsNamed)
+{
+    ASSERT_EQ(report("rotation 0.122489331563432; about (-0.25 0);"), "no error");
+    EXPECT_NEAR(state.placements[1].translation.x(), -0.124056374524979, 1e-14);
+    EXPECT_NEAR(state.placements[1].translation.y(), 0.0230533726068292, 1e-14);
+    EXPECT_LT(penetration(assembly, state.placements).depth, 1e-15);
+    const Polygon outline = placedOutline(assembly.blocks[1], state.placements[1]);
+    EXPECT_LT((outline[0] - Vector<2>(-0.25, 0)).norm(), 1e-15);
+    // Then it is displaced.
+    ASSERT_EQ(report("rotation 0.1; about (-0.25 0); displacement (1 2);"), "no error");
+    EXPECT_LT((placedOutline(assembly.blocks[1], state.placements[1])[0] - Vector<2>(0.75, 2)).norm(), 1e-14);
+    EXPECT_THAT(report("about (-0.25 0);"), HasSubstr("no rotation"));
+}
+
+TEST_F(StartCheck, QuestionsRotationsThatLookLikeDegrees)
+{
+    testing::internal::CaptureStderr();
+    report("rotation 5; displacement (0 3);");
+    EXPECT_THAT(
+        testing::internal::GetCapturedStderr(),
+        AllOf(HasSubstr("286.5 degrees"), HasSubstr("`rotation 0.0872664626;`"), HasSubstr("0/motion")));
+    testing::internal::CaptureStderr();
+    report("rotation 0.3; about (-0.25 0);");
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+} // namespace
+} // namespace drystone
