@@ -58,6 +58,33 @@ std::optional<int> findLoadedBlock(const Assembly<2>& assembly, const Vector<2>&
     return nearest;
 }
 
+std::vector<int> findLoadedBlocks(const Assembly<2>& assembly, const Vector<2>& point, double tolerance,
+                                  double same)
+{
+    std::vector<std::pair<double, int>> found;
+    double least = tolerance;
+    for (std::size_t i = 0; i < assembly.blocks.size(); ++i)
+    {
+        const Block<2>& block = assembly.blocks[i];
+        if (block.support < 0
+            && contains(enlarged(boundingBox(block.outline), tolerance + same), {point, point}))
+        {
+            const double away = std::max(0.0, signedDistance(block.outline, point));
+            least = std::min(least, away);
+            found.emplace_back(away, static_cast<int>(i));
+        }
+    }
+    std::vector<int> blocks;
+    for (const auto& [away, block] : found)
+    {
+        if (away <= least + same && away <= tolerance)
+        {
+            blocks.push_back(block);
+        }
+    }
+    return blocks;
+}
+
 Eigen::VectorXd pointLoad(const Assembly<2>& assembly, int block, const Vector<2>& point,
                           const Vector<2>& force)
 {
@@ -155,12 +182,19 @@ struct ForceSettings
 {
     Vector<2> at{0, 0};
     Vector<2> value{0, 0};
+    std::optional<int> block;
 };
 
 void declare(Options& options, ForceSettings& settings)
 {
     options.required("at", settings.at, "point in or on a free block").unit("m").example("(0.5 1.2)");
     options.required("value", settings.value, "force").unit("N").example("(0 -1000 0)");
+    options
+        .optional(
+            "block", settings.block,
+            "index of the block it acts on; required where the point lies on a joint, that is on several")
+        .atLeast(0)
+        .example("12");
     options.check("value",
                   [&settings]() -> std::string
                   {
@@ -217,13 +251,45 @@ void declare(Options& options, SupportMovementSettings& settings)
 /// say.
 constexpr double reachOfAForce = 0.05;
 
+/// Points of different blocks that are this near are one [m].
+double widthOfAJoint(const Assembly<2>& assembly)
+{
+    return std::max(1e-6 * meanBlockSize(assembly), assembly.closure.tolerance);
+}
+
 LoadMaker makeForce(const ForceSettings& settings, const Dictionary& dictionary)
 {
-    return [settings, place = dictionary.locationOf("at")](const LoadContext& context) -> Eigen::VectorXd
+    return [settings, place = dictionary.locationOf("at"),
+            blockPlace = dictionary.locationOf("block")](const LoadContext& context) -> Eigen::VectorXd
     {
         const double reach = reachOfAForce * meanBlockSize(context.assembly);
-        const std::optional<int> block = findLoadedBlock(context.assembly, settings.at, reach);
-        if (!block)
+        std::vector<int> blocks =
+            findLoadedBlocks(context.assembly, settings.at, reach, widthOfAJoint(context.assembly));
+        if (settings.block && !blocks.empty())
+        {
+            if (std::find(blocks.begin(), blocks.end(), *settings.block) == blocks.end())
+            {
+                throw FatalIOError(
+                    fmt::format("The force at ({:.6g} {:.6g}) can not act on block {}: this point is "
+                                "in or on block {}.",
+                                settings.at.x(), settings.at.y(), *settings.block,
+                                fmt::join(blocks, " and ")),
+                    blockPlace);
+            }
+            blocks = {*settings.block};
+        }
+        if (blocks.size() > 1)
+        {
+            throw FatalIOError(
+                fmt::format(
+                    "The force at ({:.6g} {:.6g}) is on the joint of blocks {}, and may act on either: the "
+                    "answers differ. Choose one, for instance `block {};`, or move the point by more than "
+                    "{:.3g} m.",
+                    settings.at.x(), settings.at.y(), fmt::join(blocks, " and "), blocks.front(),
+                    widthOfAJoint(context.assembly)),
+                place);
+        }
+        if (blocks.empty())
         {
             throw FatalIOError(
                 fmt::format("There is no free block at ({:.6g} {:.6g}): the force needs one to act on. "
@@ -231,7 +297,7 @@ LoadMaker makeForce(const ForceSettings& settings, const Dictionary& dictionary)
                             settings.at.x(), settings.at.y()),
                 place);
         }
-        return pointLoad(context.assembly, *block, settings.at, settings.value);
+        return pointLoad(context.assembly, blocks.front(), settings.at, settings.value);
     };
 }
 

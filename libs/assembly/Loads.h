@@ -60,6 +60,11 @@ Eigen::VectorXd inertialLoad(const Assembly<2>& assembly, const std::vector<doub
 /// nearest and within `tolerance` [m]; of several the one with the lowest index. Nothing when there is none.
 std::optional<int> findLoadedBlock(const Assembly<2>& assembly, const Vector<2>& point, double tolerance);
 
+/// All blocks that may be meant by a force at `point`, by index: those as near as the nearest, to the width
+/// of a joint, `same` [m]. More than one where the point lies on a joint.
+std::vector<int> findLoadedBlocks(const Assembly<2>& assembly, const Vector<2>& point, double tolerance,
+                                  double same);
+
 /// A force [N] at a point [m] of a free block.
 Eigen::VectorXd pointLoad(const Assembly<2>& assembly, int block, const Vector<2>& point,
                           const Vector<2>& force);
