@@ -5,6 +5,7 @@
 #include "assembly/AlmostJoints.h"
 #include "assembly/ContactPoint.h"
 #include "assembly/Facing.h"
+#include "assembly/SupportPaths.h"
 #include "geometry/BroadPhase.h"
 #include "geometry/PolygonShape.h"
 
@@ -13,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <set>
 
 namespace drystone
@@ -236,38 +236,11 @@ CheckResult checkSlivers(const Assembly<2>& assembly, const Findings& findings, 
 
 CheckResult checkSupportPaths(const Assembly<2>& assembly, const Findings& findings)
 {
-    // Groups of blocks that joints hold together, as trees of parents; fixed blocks are one group.
-    std::vector<int> parent(assembly.blocks.size() + 1);
-    std::iota(parent.begin(), parent.end(), 0);
-    const auto root = [&](int i)
-    {
-        while (parent[i] != i)
-        {
-            parent[i] = parent[parent[i]];
-            i = parent[i];
-        }
-        return i;
-    };
-    const int fixed = static_cast<int>(assembly.blocks.size());
-    for (std::size_t i = 0; i < assembly.blocks.size(); ++i)
-    {
-        if (assembly.blocks[i].support >= 0)
-        {
-            parent[root(static_cast<int>(i))] = root(fixed);
-        }
-    }
-    for (const ContactPoint<2>& point : findings.points)
-    {
-        parent[root(point.block)] = root(point.neighbour);
-    }
     CheckResult result{"supports", "", 0, {}};
-    for (std::size_t i = 0; i < assembly.blocks.size(); ++i)
+    for (const int block : blocksWithoutSupport(assembly, findings.points))
     {
-        if (root(static_cast<int>(i)) != root(fixed))
-        {
-            addFault(result, fmt::format("block {} at {} has no path to a support through the joints", i,
-                                         text(findings.areas[i].centroid)));
-        }
+        addFault(result, fmt::format("block {} at {} has no path to a support through the joints", block,
+                                     text(findings.areas[block].centroid)));
     }
     result.message = fmt::format("Blocks with no path to a support: {}", result.failures);
     return result;

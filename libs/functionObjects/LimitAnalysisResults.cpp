@@ -7,6 +7,7 @@
 #include "assembly/ContactState.h"
 #include "assembly/Facing.h"
 #include "assembly/JointClosure.h"
+#include "assembly/SupportPaths.h"
 #include "conic/ProgramFile.h"
 #include "core/Error.h"
 #include "core/Log.h"
@@ -238,6 +239,12 @@ void printLimitAnalysis(const LimitAnalysisCase& structure, const std::vector<Li
                  range.lowest, range.highest, range.converged, range.starts, range.associative);
         }
         info("Status: {}", statusText(structure, result));
+        if (result.status == CollapseStatus::unstable)
+        {
+            if (const std::string cause = instabilityCause(structure.assembly, structure.points);
+                !cause.empty())
+                printLine(cause);
+        }
         const Certificate& certificate = result.certificate;
         info(
             "Certificate: primal residual = {:.3e}, dual residual = {:.3e}, gap = {:.3e}, No Iterations {}\n",

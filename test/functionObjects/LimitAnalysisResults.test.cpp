@@ -213,6 +213,21 @@ TEST_F(LimitAnalysisResults, OfOtherLoadsAreRemovedAndNothingElse)
     EXPECT_TRUE(fs::exists(directory / "VTK/blocks.vtp.series"));
 }
 
+TEST_F(LimitAnalysisResults, OfBlocksThatNothingHoldsNameTheCause)
+{
+    Assembly<2> assembly = readAssembly(directory);
+    assembly.blocks.push_back({{{0, 3}, {1, 3}, {1, 4}, {0, 4}}, 1, -1});
+    writeWholeFile(assemblyFile(directory), assemblyText(assembly));
+    const LimitAnalysis result = solve("type inertial; direction (1 0 0);");
+    testing::internal::CaptureStdout();
+    printLimitAnalysis(readLimitAnalysisCase(directory), {result});
+    const std::string log = testing::internal::GetCapturedStdout();
+    EXPECT_NE(log.find("Status: unstable (the blocks cannot carry the dead load: the mechanism is written)\n"
+                       "Cause: a block with no path to a support through joints: 2."),
+              std::string::npos)
+        << log;
+}
+
 } // namespace
 
 } // namespace drystone
