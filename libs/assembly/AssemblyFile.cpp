@@ -158,8 +158,8 @@ void requireFreeBlock(const Assembly<2>& assembly, const std::filesystem::path& 
 std::string overlapText(const Overlap& overlap)
 {
     return fmt::format(
-        "Blocks {} and {} overlap by {:.6g} m2, {:.3g} of the smaller one. Blocks may touch, but not share "
-        "space: "
+        "Blocks {} and {} overlap by {:.6g} m2, {:.3g} of the smaller one. Blocks may touch, but not "
+        "overlap: "
         "correct system/blockTextureDict and run blockTexture again (checkBlocks lists all overlaps).",
         overlap.block, overlap.neighbour, overlap.area, overlap.fraction);
 }

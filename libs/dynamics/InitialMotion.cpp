@@ -41,7 +41,8 @@ Placement<2> placementOf(const BlockStart& start, const Block<2>& block)
     Placement<2> placement{start.displacement, start.rotation};
     if (start.about)
     {
-        const Vector<2> arm = areaProperties(block.outline).centroid - *start.about;
+        const Vector<2> arm =
+            areaProperties(block.outline).centroid - Vector<2>((*start.about)[0], (*start.about)[1]);
         const double cosine = std::cos(start.rotation);
         const double sine = std::sin(start.rotation);
         const Vector<2> turned(cosine * arm.x() - sine * arm.y(), sine * arm.x() + cosine * arm.y());

@@ -9,6 +9,7 @@
 #include "core/Options.h"
 #include "dynamics/DynamicState.h"
 
+#include <array>
 #include <filesystem>
 #include <optional>
 
@@ -18,12 +19,12 @@ namespace drystone
 /// What one entry gives to the blocks it names.
 struct BlockStart
 {
-    Vector<2> displacement = Vector<2>::Zero(); ///< of the mass centre [m]
-    double rotation = 0;                        ///< [rad], positive counter-clockwise
-    std::optional<Vector<2>> about = {};    ///< point of the block, as built, that it turns about before it
-                                            ///< is displaced [m]; absent: its mass centre
-    Vector<2> velocity = Vector<2>::Zero(); ///< of the mass centre, relative to the ground [m/s]
-    double angularVelocity = 0;             ///< [rad/s]
+    Vector<2> displacement = Vector<2>::Zero();      ///< of the mass centre [m]
+    double rotation = 0;                             ///< [rad], positive counter-clockwise
+    std::optional<std::array<double, 2>> about = {}; ///< point of the block, as built, that it turns about
+                                                     ///< before it is displaced [m]; absent: its mass centre
+    Vector<2> velocity = Vector<2>::Zero();          ///< of the mass centre, relative to the ground [m/s]
+    double angularVelocity = 0;                      ///< [rad/s]
 };
 void declare(Options& options, BlockStart& start);
 
