@@ -2,7 +2,7 @@
 #include "conic/AugmentedLagrangian.h"
 
 #include "conic/Certificate.h"
-#include "conic/RayProgram.h"
+#include "conic/RayOperators.h"
 
 #include <algorithm>
 #include <cmath>

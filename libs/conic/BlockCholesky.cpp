@@ -6,16 +6,16 @@
 namespace drystone
 {
 
-template<int Rows>
-BlockCholesky<Rows>::BlockCholesky(FactorPattern pattern)
+template<int Rows, class Scalar>
+BlockCholesky<Rows, Scalar>::BlockCholesky(FactorPattern pattern)
     : pattern_(std::move(pattern)),
       place_(pattern_.factor.columns(), -1),
       blocks_(pattern_.factor.row.size(), PaddedBlock::Zero())
 {
 }
 
-template<int Rows>
-bool BlockCholesky<Rows>::factorise(const BlockPattern& matrix, const Block* values)
+template<int Rows, class Scalar>
+bool BlockCholesky<Rows, Scalar>::factorise(const BlockPattern& matrix, const Block* values)
 {
     const std::vector<int>& start = pattern_.factor.columnStart;
     const std::vector<int>& row = pattern_.factor.row;
@@ -45,7 +45,7 @@ bool BlockCholesky<Rows>::factorise(const BlockPattern& matrix, const Block* val
         }
         const Block pivot = blocks_[begin].template topRows<Rows>();
         Block inverse;
-        if (!invertFactor<Rows>(pivot, inverse))
+        if (!invertFactor<Rows, Scalar>(pivot, inverse))
         {
             return false;
         }
@@ -60,11 +60,11 @@ bool BlockCholesky<Rows>::factorise(const BlockPattern& matrix, const Block* val
     return true;
 }
 
-template<int Rows>
-void BlockCholesky<Rows>::solve(Eigen::Ref<Eigen::VectorXd> x) const
+template<int Rows, class Scalar>
+void BlockCholesky<Rows, Scalar>::solve(Eigen::Ref<Vector> x) const
 {
-    using Segment = Eigen::Matrix<double, Rows, 1>;
-    using Padded = Eigen::Matrix<double, paddedRows, 1>;
+    using Segment = Eigen::Matrix<Scalar, Rows, 1>;
+    using Padded = Eigen::Matrix<Scalar, paddedRows, 1>;
     const std::vector<int>& start = pattern_.factor.columnStart;
     const std::vector<int>& row = pattern_.factor.row;
     for (int column = 0; column < pattern_.factor.columns(); ++column)
@@ -93,11 +93,11 @@ void BlockCholesky<Rows>::solve(Eigen::Ref<Eigen::VectorXd> x) const
     }
 }
 
-template<int Rows>
-void BlockCholesky<Rows>::solve(Eigen::Ref<Eigen::VectorXd> one, Eigen::Ref<Eigen::VectorXd> other) const
+template<int Rows, class Scalar>
+void BlockCholesky<Rows, Scalar>::solve(Eigen::Ref<Vector> one, Eigen::Ref<Vector> other) const
 {
-    using Segment = Eigen::Matrix<double, Rows, 1>;
-    using Padded = Eigen::Matrix<double, paddedRows, 1>;
+    using Segment = Eigen::Matrix<Scalar, Rows, 1>;
+    using Padded = Eigen::Matrix<Scalar, paddedRows, 1>;
     const std::vector<int>& start = pattern_.factor.columnStart;
     const std::vector<int>& row = pattern_.factor.row;
     for (int column = 0; column < pattern_.factor.columns(); ++column)
@@ -135,5 +135,6 @@ void BlockCholesky<Rows>::solve(Eigen::Ref<Eigen::VectorXd> one, Eigen::Ref<Eige
 
 template class BlockCholesky<3>;
 template class BlockCholesky<6>;
+template class BlockCholesky<3, DoubleDouble>;
 
 } // namespace drystone

@@ -3,9 +3,11 @@
 #pragma once
 
 #include "conic/BlockPattern.h"
+#include "conic/DoubleDouble.h"
 
 #include <Eigen/Core>
 
+#include <type_traits>
 #include <vector>
 
 namespace drystone
@@ -14,14 +16,15 @@ namespace drystone
 /// S = L L' by columns of blocks, left-looking. All arithmetic is on fixed-size blocks held in registers, so
 /// that it runs several times faster than a scalar sparse code; beyond some hundred bodies FrontalCholesky
 /// wins.
-template<int Rows>
+template<int Rows, class Scalar = double>
 class BlockCholesky
 {
 public:
-    /// Rows padded to whole vector registers.
-    static constexpr int paddedRows = (Rows + 3) / 4 * 4;
-    using Block = Eigen::Matrix<double, Rows, Rows>;
-    using PaddedBlock = Eigen::Matrix<double, paddedRows, Rows>;
+    /// Rows padded to whole vector registers, of numbers that such registers take.
+    static constexpr int paddedRows = std::is_same_v<Scalar, double> ? (Rows + 3) / 4 * 4 : Rows;
+    using Block = Eigen::Matrix<Scalar, Rows, Rows>;
+    using PaddedBlock = Eigen::Matrix<Scalar, paddedRows, Rows>;
+    using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
 
     /// \param pattern of the matrix that will be factorised; nothing is permuted
     explicit BlockCholesky(FactorPattern pattern);
@@ -31,9 +34,9 @@ public:
     bool factorise(const BlockPattern& matrix, const Block* values);
 
     /// Solves in place.
-    void solve(Eigen::Ref<Eigen::VectorXd> x) const;
+    void solve(Eigen::Ref<Vector> x) const;
     /// Likewise for two right sides at once.
-    void solve(Eigen::Ref<Eigen::VectorXd> one, Eigen::Ref<Eigen::VectorXd> other) const;
+    void solve(Eigen::Ref<Vector> one, Eigen::Ref<Vector> other) const;
 
 private:
     FactorPattern pattern_;
@@ -44,5 +47,6 @@ private:
 
 extern template class BlockCholesky<3>;
 extern template class BlockCholesky<6>;
+extern template class BlockCholesky<3, DoubleDouble>;
 
 } // namespace drystone

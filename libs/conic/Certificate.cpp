@@ -93,9 +93,12 @@ double dualConeViolation(const ConeProgram<Rows, Forces>& program, const Eigen::
         }
         const auto opening = z.template segment<Forces>(Forces * point);
         const double slip = opening.template tail<Forces - 1>().norm();
-        // Divided by the length of (1, mu), so that the figure is a distance for any friction coefficient.
+        // The distance from the cone, for any friction coefficient: from its surface, or from its vertex
+        // where that is nearest.
         const double mu = program.friction[point];
-        const double excess = (mu * slip - opening[0]) / std::sqrt(1 + mu * mu);
+        const bool isNearSurface = slip + mu * opening[0] >= 0;
+        const double excess =
+            isNearSurface ? (mu * slip - opening[0]) / std::sqrt(1 + mu * mu) : std::hypot(slip, opening[0]);
         result = std::isnan(excess) ? infinite : std::max(result, excess);
     }
     return result;

@@ -550,7 +550,7 @@ bool FrontalCholesky<Rows>::eliminateColumns(const Front& front)
             Eigen::Map<Eigen::Matrix3d, 0, Eigen::OuterStride<>> diagonal(block,
                                                                           Eigen::OuterStride<>(height));
             Eigen::Matrix3d scale;
-            if (!invertFactor<3>(diagonal, scale))
+            if (!invertFactor<3, double>(diagonal, scale))
             {
                 return false;
             }

@@ -4,7 +4,8 @@
 #include "conic/AugmentedLagrangian.h"
 #include "conic/Certificate.h"
 #include "conic/Divergence.h"
-#include "conic/RayProgram.h"
+#include "conic/ExtendedInteriorPoint.h"
+#include "conic/RayOperators.h"
 #include "conic/UpperBounds.h"
 
 #include <algorithm>
@@ -90,6 +91,12 @@ constexpr double ofResiduals = 0.7;
 constexpr double evenFlexibility = 1e5;
 constexpr int mostMends = 4;
 constexpr int passesOfMend = 6;
+
+/// Newton's step removes as much of what is missing from the balance as it is long. Steps that are nearly
+/// whole and leave more than this share of it show that the Schur system is not solved to any digit.
+constexpr double wholeStep = 0.9;
+constexpr double shareLeft = 0.5;
+constexpr int mostStalls = 5;
 
 /// Complementarity below which cancellation often makes a pivot negative, and what the diagonal is raised by
 /// against it.
@@ -209,6 +216,9 @@ public:
     /// Whether they ended with a multiplier so large that there may be no largest one.
     bool grows() const { return grows_; }
 
+    /// Whether they ended since full steps no longer balanced the loads: for rounding, or as nothing does.
+    bool isStalled() const { return stalls_ > mostStalls; }
+
     /// An iterate well inside the cones that was passed on the way, or with empty vectors where none was.
     const Iterate& interior() const { return interior_; }
     int iterations() const { return iterations_; }
@@ -268,6 +278,7 @@ private:
     bool falls_ = false;
     bool grows_ = false;
     int waits_ = 0;       ///< iterations that objectives which differ have been given to meet
+    int stalls_ = 0;      ///< full steps that left the balance as it was
     int mends_ = 0;       ///< attempts to balance forces that are right but for that
     double rounding_ = 0; ///< share that the diagonal of the Schur system is raised by
     double primal_ = 0;   ///< how far the forces of the step in hand may go, at most `farthest`
@@ -769,6 +780,7 @@ void InteriorPoint::begin(double rayCompliance, Passed passed)
     mu_ = 1;
     rounding_ = 0;
     waits_ = 0;
+    stalls_ = 0;
     mends_ = 0;
 }
 
@@ -901,9 +913,12 @@ bool InteriorPoint::iterate(const Centring& centring, int mostIterations, int sh
                                ? (settings_.correctors + 1) / 2
                                : settings_.correctors;
     Iterate step;
+    double expected = std::numeric_limits<double>::infinity(); // of what is missing from the balance
     for (iterations_ = 0; iterations_ <= mostIterations; ++iterations_)
     {
         computeResiduals();
+        const double missing = residuals_.balance.lpNorm<Eigen::Infinity>();
+        stalls_ += missing > expected && missing > ofResiduals * settings_.tolerance * forceSize();
         const double mu = mu_ = complementarity();
         falls_ = !rays_.hasInertia() && isFalling(possibleFall);
         grows_ = sought_ == Sought::solution && at_.alpha > possiblyUnlimited;
@@ -920,7 +935,7 @@ bool InteriorPoint::iterate(const Centring& centring, int mostIterations, int sh
         {
             return true;
         }
-        if (iterations_ == mostIterations)
+        if (iterations_ == mostIterations || isStalled())
         {
             break;
         }
@@ -976,6 +991,7 @@ bool InteriorPoint::iterate(const Centring& centring, int mostIterations, int sh
         const double back = std::max(0.99, 1 - mu);
         primal = std::min(1.0, back * primal_);
         dual = std::min(1.0, back * dual_);
+        expected = primal >= wholeStep ? shareLeft * missing : std::numeric_limits<double>::infinity();
         at_.s += primal * step.s;
         at_.alpha += primal * step.alpha;
         at_.y += dual * step.y;
@@ -997,12 +1013,24 @@ Iterate interiorRays(const PlaneConeProgram& program, const RayForm& form, const
             rowsOf(form, start.displacement), 0};
 }
 
-/// What a program is solved for, and about which multiplier, where that is large.
+enum class Precision
+{
+    standard, ///< of double
+    extended  ///< see ExtendedInteriorPoint.h
+};
+
+/// What a program is solved for, about which multiplier, where that is large, and in which numbers.
 struct Aim
 {
     Sought sought;
     double multiplier = 0;
+    Precision precision = Precision::standard;
 };
+
+bool mayBeExtended(const InteriorPointSettings& settings, const SymbolicAnalysis& symbolic)
+{
+    return settings.arithmetic == Arithmetic::adaptive && isExtendedAffordable(symbolic);
+}
 
 /// Solves one program in ray form; `optimal` in its status means that the scaled residuals met the tolerance,
 /// `unbounded` that there may be no largest multiplier.
@@ -1016,6 +1044,10 @@ ConeSolution solveOnce(const PlaneConeProgram& program, const InteriorPointSetti
         form.program.liveWork = 0;
     }
     SchurSystem<3>& system = schurSystem(form, symbolic);
+    if (aim.precision == Precision::extended)
+    {
+        return solveInExtendedPrecision(program, form, settings, aim.sought);
+    }
     InteriorPoint solver(form.program, system, settings, aim.sought);
     // The least forces of a time step say little: they leave inertia out. Wall 6 collapsing: 20.6
     // factorisations a step from `unit`, 33.2 from `leastSquares`, which fails in one step of seventeen.
@@ -1036,11 +1068,13 @@ ConeSolution solveOnce(const PlaneConeProgram& program, const InteriorPointSetti
             before += converged ? 0 : solver.iterations();
         }
     }
-    converged = converged
-                || (program.hasInertia()
-                        ? solver.run(Start::unit, wide) || solver.run(Start::leastSquares, narrow)
-                        : solver.run(Start::leastSquares, wide)
-                              || (!solver.falls() && !solver.grows() && solver.run(Start::unit, narrow)));
+    converged =
+        converged
+        || (program.hasInertia() ? solver.run(Start::unit, wide) || solver.run(Start::leastSquares, narrow)
+                                 : solver.run(Start::leastSquares, wide)
+                                       || (!solver.falls() && !solver.grows()
+                                           && !(solver.isStalled() && mayBeExtended(settings, symbolic))
+                                           && solver.run(Start::unit, narrow)));
     const Iterate& at = solver.iterate();
     ConeSolution solution = fromRays(program, form, at.s, at.y, at.alpha);
     if (solver.resting().size() > 0)
@@ -1099,6 +1133,58 @@ Proved solveToCertificate(const PlaneConeProgram& program, InteriorPointSettings
         proved.solution.status = SolveStatus::optimal;
     }
     return proved;
+}
+
+/// Any forces that balance the load will do: y = 0 completes them.
+bool isBalanceAlone(const PlaneConeProgram& program)
+{
+    return !program.hasMultiplier() && !program.hasInertia() && program.gap.size() == 0;
+}
+
+/// The worst figure of the certificate of an optimum, which the solution is completed for.
+double worstOfOptimum(const PlaneConeProgram& program, ConeSolution& found)
+{
+    if (isBalanceAlone(program))
+    {
+        found.displacement.setZero();
+    }
+    return certifyOptimal(program, found).worst();
+}
+
+/// Where rounding may have ended the iterations: the same in extended precision, its optimum or the proof
+/// that there is none. \param solution gets the work, and what is answered with its status
+void answerInExtendedPrecision(const PlaneConeProgram& program, const InteriorPointSettings& settings,
+                               SymbolicAnalysis& symbolic, ConeSolution& solution)
+{
+    if (!mayBeExtended(settings, symbolic))
+    {
+        return;
+    }
+    Proved proved =
+        solveToCertificate(program, settings, {Sought::solution, 0, Precision::extended}, symbolic,
+                           [&](ConeSolution& found) { return worstOfOptimum(program, found); });
+    addWork(solution, proved.solution);
+    if (proved.worst <= settings.tolerance)
+    {
+        solution.status = SolveStatus::optimal;
+        solution.multiplier = proved.solution.multiplier;
+        solution.contactForce = std::move(proved.solution.contactForce);
+        solution.displacement = std::move(proved.solution.displacement);
+        return;
+    }
+    if (program.hasInertia() || proved.solution.status == SolveStatus::unbounded)
+    {
+        return;
+    }
+    const Proved moved = solveToCertificate(
+        withUnitInertia(program), settings, {Sought::fall, 0, Precision::extended}, symbolic,
+        [&](const ConeSolution& found) { return certifyInfeasible(program, found.displacement).worst(); });
+    addWork(solution, moved.solution);
+    if (moved.worst <= settings.tolerance)
+    {
+        solution.status = SolveStatus::infeasible;
+        solution.displacement = moved.solution.displacement;
+    }
 }
 
 /// Where r of the least-squares program does not vanish but is small, its y is good for a proof only if it is
@@ -1217,21 +1303,11 @@ ConeSolution solveInteriorPoint(const PlaneConeProgram& program, const InteriorP
         throw std::invalid_argument(
             "solveInteriorPoint begins near a solution with inertia, cones and no multiplier only");
     }
-    // Any forces that balance the load will do: y = 0 completes them.
-    const bool isBalanceAlone = !program.hasMultiplier() && !program.hasInertia() && program.gap.size() == 0;
     const auto solveFor = [&](const Aim& aim)
     {
         return solveToCertificate(
             program, settings, aim, symbolic,
-            [&](ConeSolution& found)
-            {
-                if (isBalanceAlone)
-                {
-                    found.displacement.setZero();
-                }
-                return certifyOptimal(program, found).worst();
-            },
-            near);
+            [&](ConeSolution& found) { return worstOfOptimum(program, found); }, near);
     };
     Proved proved = solveFor({Sought::solution});
     if (proved.solution.status == SolveStatus::unbounded)
@@ -1262,12 +1338,17 @@ ConeSolution solveInteriorPoint(const PlaneConeProgram& program, const InteriorP
         if (proved.worst > settings.tolerance)
         {
             solution.status = SolveStatus::notConverged;
+            answerInExtendedPrecision(program, settings, symbolic, solution);
+        }
+        if (solution.status == SolveStatus::notConverged)
+        {
             boundMultiplier(program, settings, solution);
         }
         return std::move(solution);
     }
     if (program.hasInertia())
     {
+        answerInExtendedPrecision(program, settings, symbolic, solution);
         return std::move(solution);
     }
 
@@ -1285,7 +1366,12 @@ ConeSolution solveInteriorPoint(const PlaneConeProgram& program, const InteriorP
         solution.displacement = moved.solution.displacement;
         return std::move(solution);
     }
-    if (isBalanceAlone && !program.hasCrushing())
+    answerInExtendedPrecision(program, settings, symbolic, solution);
+    if (solution.status != SolveStatus::notConverged)
+    {
+        return std::move(solution);
+    }
+    if (isBalanceAlone(program) && !program.hasCrushing())
     {
         answerExactly(program, moving, moved.solution, settings, symbolic, solution);
     }

@@ -10,19 +10,29 @@ namespace drystone
 
 struct SymbolicAnalysis;
 
-/// Keys of `solver interiorPoint;`.
+/// The numbers that iterations of the plane are done in.
+enum class Arithmetic
+{
+    adaptive, ///< double precision; where rounding ends the iterations they are done again with twice as many
+              ///< digits, if the program is small enough for that to take seconds (ExtendedInteriorPoint.h)
+    standard  ///< double precision only
+};
+
+/// Keys of `solver interiorPoint;`, but for the last.
 struct InteriorPointSettings
 {
     double tolerance = 1e-9;     ///< on every figure of the certificate
     int maximumIterations = 200; ///< factorisations allowed
     int correctors = 8;          ///< higher-order corrections tried with one factorisation; half of them
                                  ///< where it is cheap beside its solves, and in space
+    Arithmetic arithmetic = Arithmetic::adaptive;
 };
 
 /// Solves a plane program from a cold start (Mehrotra 1992 predictor-corrector with multiple correctors of
 /// Gondzio 1996, weighted as by Colombo & Gondzio 2008, proximal regularisation of the Schur system with
-/// iterative refinement; a balance that rounding loses near the optimum is mended by a factorisation of its
-/// own). The solution's status is `optimal`, `infeasible` or `unbounded` only when the certificate of
+/// iterative refinement; a balance that rounding loses near the optimum is repaired by a factorisation of its
+/// own; where rounding ends the iterations they are done again in extended precision, see Arithmetic). The
+/// solution's status is `optimal`, `infeasible` or `unbounded` only when the certificate of
 /// Certificate.h, computed from the problem data, meets the tolerance; otherwise `notConverged` with the best
 /// iterate.
 /// \param kept of the last program, to be used where the same bodies touch (RayProgram.h); not owned

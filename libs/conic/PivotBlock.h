@@ -11,27 +11,29 @@ namespace drystone
 
 /// Inverse of the Cholesky factor of a small symmetric block. By hand, so that the compiler unrolls it.
 /// \param pivot the block, of which the lower triangle is read \return false when it is not positive definite
-template<int Rows>
-[[gnu::always_inline]] inline bool invertFactor(Eigen::Matrix<double, Rows, Rows> pivot,
-                                                Eigen::Matrix<double, Rows, Rows>& inverse)
+template<int Rows, class Scalar>
+[[gnu::always_inline]] inline bool invertFactor(Eigen::Matrix<Scalar, Rows, Rows> pivot,
+                                                Eigen::Matrix<Scalar, Rows, Rows>& inverse)
 {
+    using std::isfinite;
+    using std::sqrt;
     inverse.setZero();
     for (int k = 0; k < Rows; ++k)
     {
-        double diagonal = pivot(k, k);
+        Scalar diagonal = pivot(k, k);
         for (int m = 0; m < k; ++m)
         {
             diagonal -= pivot(k, m) * pivot(k, m);
         }
-        if (!(diagonal > 0) || !std::isfinite(diagonal))
+        if (!(diagonal > 0) || !isfinite(diagonal))
         {
             return false;
         }
-        pivot(k, k) = std::sqrt(diagonal);
-        const double scale = 1 / pivot(k, k);
+        pivot(k, k) = sqrt(diagonal);
+        const Scalar scale = 1 / pivot(k, k);
         for (int i = k + 1; i < Rows; ++i)
         {
-            double value = pivot(i, k);
+            Scalar value = pivot(i, k);
             for (int m = 0; m < k; ++m)
             {
                 value -= pivot(i, m) * pivot(k, m);
@@ -41,7 +43,7 @@ template<int Rows>
         inverse(k, k) = scale;
         for (int j = 0; j < k; ++j)
         {
-            double value = 0;
+            Scalar value = 0;
             for (int m = j; m < k; ++m)
             {
                 value -= pivot(k, m) * inverse(m, j);

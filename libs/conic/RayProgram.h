@@ -4,6 +4,7 @@
 #pragma once
 
 #include "conic/ConeProgram.h"
+#include "conic/DoubleDouble.h"
 #include "conic/SchurSystem.h"
 
 #include <optional>
@@ -17,7 +18,8 @@ namespace drystone
 ///     minimise    1/2 y' M y + g' s - w alpha    subject to  M y + B s = f + alpha L,   s >= 0,
 ///     multipliers z = g - B' y >= 0,  L' y = w,
 ///
-/// with B = A R. A frictionless point has one ray.
+/// with B = A R. A frictionless point has one ray; one with a large friction has a third, along its normal,
+/// which its cone contains anyhow but which keeps the system well-conditioned.
 ///
 /// A point with a Strength has c = c0 + R s: the tension and the cohesion C shift its origin to
 /// c0 = (-T, -tau), tau = C - mu T; a ray of pure shear, limited to 2 tau, is added where tau > 0; crushing
@@ -121,21 +123,6 @@ SchurSystem<3>& schurSystem(RayForm& form, SymbolicAnalysis& symbolic);
 /// \param multiplier likewise
 void updateRayForm(RayForm& form, const PlaneConeProgram& program, double multiplier = 0);
 
-/// out = B' y. \param y 3 (bodies + 1) + limits, ground zero \param out one entry a ray
-void applyRaysTransposed(const RayProgram& program, const Eigen::VectorXd& y, Eigen::VectorXd& out);
-
-/// out += B s. \param out 3 (bodies + 1) + limits; the rows of the ground stay as they are
-void addRays(const RayProgram& program, const Eigen::VectorXd& s, Eigen::VectorXd& out);
-
-/// Puts S = M + delta I + B diag(d) B' into the system, its diagonal entries raised by the share `relative`.
-void assembleSchur(const RayProgram& program, const Eigen::VectorXd& d, double delta, double relative,
-                   SchurSystem<3>& system);
-
-/// Solves S x = right for bodies and limits with the factor of the bodies' part. \param d that S was
-/// assembled with \param x right, replaced by the solution
-void solveWithLimits(const RayProgram& program, const Eigen::VectorXd& d, SchurSystem<3>& system,
-                     Eigen::VectorXd& x);
-
 /// Forces s of the rays that make up contact forces, slacks left at zero; forces outside their sets are put
 /// inside, or on their surface. \param contactForce F k \return rayCount
 Eigen::VectorXd raysOf(const PlaneConeProgram& program, const RayForm& form,
@@ -155,5 +142,10 @@ Eigen::VectorXd rowsOf(const RayForm& form, const Eigen::VectorXd& displacement)
 /// Solution in the program's own units and numbering.
 ConeSolution fromRays(const PlaneConeProgram& program, const RayForm& form, const Eigen::VectorXd& s,
                       const Eigen::VectorXd& y, double multiplier);
+/// Likewise, the forces of a point's rays added up before they are rounded.
+ConeSolution fromRays(const PlaneConeProgram& program, const RayForm& form,
+                      const Eigen::Matrix<DoubleDouble, Eigen::Dynamic, 1>& s,
+                      const Eigen::Matrix<DoubleDouble, Eigen::Dynamic, 1>& y,
+                      const DoubleDouble& multiplier);
 
 } // namespace drystone

@@ -98,17 +98,17 @@ std::vector<int> eliminationOrder(int bodies, const std::vector<Coupling>& coupl
     return order;
 }
 
-template<int Rows>
-SchurSystem<Rows>::SchurSystem(int bodies, const std::vector<Coupling>& couplings)
+template<int Rows, class Scalar>
+SchurSystem<Rows, Scalar>::SchurSystem(int bodies, const std::vector<Coupling>& couplings)
     : bodies_(bodies),
       pattern_(makeBlockPattern(bodies, couplings)),
       values_(pattern_.row.size(), Block::Zero())
 {
     FactorPattern factor = makeFactorPattern(pattern_);
-    const double operations = factor.operations(Rows);
+    operations_ = factor.operations(Rows);
     const double numbers = static_cast<double>(Rows * Rows * factor.factor.row.size());
-    factorisationOverSolve_ = operations / (2 * numbers);
-    if (operations < frontalOperations)
+    factorisationOverSolve_ = operations_ / (2 * numbers);
+    if (!std::is_same_v<Scalar, double> || operations_ < frontalOperations)
     {
         small_.emplace(std::move(factor));
     }
@@ -118,8 +118,8 @@ SchurSystem<Rows>::SchurSystem(int bodies, const std::vector<Coupling>& coupling
     }
 }
 
-template<int Rows>
-void SchurSystem<Rows>::setZero()
+template<int Rows, class Scalar>
+void SchurSystem<Rows, Scalar>::setZero()
 {
     for (Block& block : values_)
     {
@@ -127,31 +127,60 @@ void SchurSystem<Rows>::setZero()
     }
 }
 
-template<int Rows>
-bool SchurSystem<Rows>::factorise()
+template<int Rows, class Scalar>
+bool SchurSystem<Rows, Scalar>::factorise()
 {
-    return small_ ? small_->factorise(pattern_, values_.data()) : large_->factorise(pattern_, values_.data());
+    if constexpr (std::is_same_v<Scalar, double>)
+    {
+        if (large_)
+        {
+            return large_->factorise(pattern_, values_.data());
+        }
+    }
+    return small_->factorise(pattern_, values_.data());
 }
 
-template<int Rows>
-void SchurSystem<Rows>::solve(Eigen::Ref<Eigen::VectorXd> x)
+template<int Rows, class Scalar>
+void SchurSystem<Rows, Scalar>::solve(Eigen::Ref<Vector> x)
 {
-    small_ ? small_->solve(x) : large_->solve(x);
+    if constexpr (std::is_same_v<Scalar, double>)
+    {
+        if (large_)
+        {
+            return large_->solve(x);
+        }
+    }
+    small_->solve(x);
 }
 
-template<int Rows>
-void SchurSystem<Rows>::solve(Eigen::Ref<Eigen::VectorXd> one, Eigen::Ref<Eigen::VectorXd> other)
+template<int Rows, class Scalar>
+void SchurSystem<Rows, Scalar>::solve(Eigen::Ref<Vector> one, Eigen::Ref<Vector> other)
 {
-    small_ ? small_->solve(one, other) : large_->solve(one, other);
+    if constexpr (std::is_same_v<Scalar, double>)
+    {
+        if (large_)
+        {
+            return large_->solve(one, other);
+        }
+    }
+    small_->solve(one, other);
 }
 
-template<int Rows>
-void SchurSystem<Rows>::solveRoughly(Eigen::Ref<Eigen::VectorXd> x)
+template<int Rows, class Scalar>
+void SchurSystem<Rows, Scalar>::solveRoughly(Eigen::Ref<Vector> x)
 {
-    small_ ? small_->solve(x) : large_->solveRoughly(x);
+    if constexpr (std::is_same_v<Scalar, double>)
+    {
+        if (large_)
+        {
+            return large_->solveRoughly(x);
+        }
+    }
+    small_->solve(x);
 }
 
 template class SchurSystem<3>;
 template class SchurSystem<6>;
+template class SchurSystem<3, DoubleDouble>;
 
 } // namespace drystone

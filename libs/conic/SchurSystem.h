@@ -24,18 +24,22 @@ std::vector<int> eliminationOrder(int bodies, const std::vector<Coupling>& coupl
 ///
 /// Memory: the factor and at most as much again; for a wall of N x N bodies about 31 N^2 log2 N blocks. Not
 /// thread-safe.
-template<int Rows>
+template<int Rows, class Scalar = double>
 class SchurSystem
 {
 public:
-    using Block = Eigen::Matrix<double, Rows, Rows>;
+    using Block = Eigen::Matrix<Scalar, Rows, Rows>;
+    using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
 
     /// \param couplings pairs (a, b), a != b, of bodies numbered in elimination order
     SchurSystem(int bodies, const std::vector<Coupling>& couplings);
 
     int bodies() const { return bodies_; }
 
-    /// Multiplications of a factorisation over those of a solve.
+    /// Multiplications of a factorisation.
+    double operations() const { return operations_; }
+
+    /// The same over those of a solve.
     double factorisationOverSolve() const { return factorisationOverSolve_; }
 
     /// Where the block of a pair is kept, for `coupling`. \throws std::out_of_range for a pair not in the
@@ -52,24 +56,26 @@ public:
     bool factorise();
 
     /// Solves S x = x in place, Rows * bodies entries.
-    void solve(Eigen::Ref<Eigen::VectorXd> x);
+    void solve(Eigen::Ref<Vector> x);
     /// Solves for two right sides at once, which takes little longer than for one: most of the time goes into
     /// fetching the factor.
-    void solve(Eigen::Ref<Eigen::VectorXd> one, Eigen::Ref<Eigen::VectorXd> other);
+    void solve(Eigen::Ref<Vector> one, Eigen::Ref<Vector> other);
     /// Solves in place as well as a factor in single precision does, which takes half the time in systems of
     /// some thousand bodies; smaller and larger ones are solved as by `solve`.
-    void solveRoughly(Eigen::Ref<Eigen::VectorXd> x);
+    void solveRoughly(Eigen::Ref<Vector> x);
 
 private:
     int bodies_ = 0;
+    double operations_ = 0;
     double factorisationOverSolve_ = 0;
     BlockPattern pattern_;
     std::vector<Block, Eigen::aligned_allocator<Block>> values_;
-    std::optional<BlockCholesky<Rows>> small_;   ///< this factor,
-    std::optional<FrontalCholesky<Rows>> large_; ///< or this one
+    std::optional<BlockCholesky<Rows, Scalar>> small_; ///< this factor,
+    std::optional<FrontalCholesky<Rows>> large_;       ///< or this one, of doubles only
 };
 
 extern template class SchurSystem<3>;
 extern template class SchurSystem<6>;
+extern template class SchurSystem<3, DoubleDouble>;
 
 } // namespace drystone

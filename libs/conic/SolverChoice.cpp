@@ -139,7 +139,9 @@ ConeSolution solveAsChosen(const PlaneConeProgram& program, const SolverChoice& 
     SolverChoice within = choice; // of what the interior point reaches
     within.tolerance = canStart ? std::max(choice.tolerance, attainable) : choice.tolerance;
     const ConeSolution* near = isStarted && !program.hasStrength() ? &start : nullptr;
-    const ConeSolution rough = solveInteriorPoint(program, interiorPointSettings(within), kept, near);
+    InteriorPointSettings ofRough = interiorPointSettings(within);
+    ofRough.arithmetic = canStart ? Arithmetic::standard : Arithmetic::adaptive;
+    const ConeSolution rough = solveInteriorPoint(program, ofRough, kept, near);
     if (finished(rough) && (within.tolerance == choice.tolerance || !canStart))
     {
         return solution;
@@ -154,9 +156,10 @@ ConeSolution solveAsChosen(const PlaneConeProgram& program, const SolverChoice& 
         multipliers.penalty = penalty;
         if (finished(solveAugmentedLagrangian(program, rough, multipliers, kept)))
         {
-            break;
+            return solution;
         }
     }
+    finished(solveInteriorPoint(program, interiorPointSettings(choice), kept)); // with more digits
     return solution;
 }
 

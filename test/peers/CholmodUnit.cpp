@@ -2,7 +2,7 @@
 /// Measures F with CHOLMOD, on one thread.
 #include "CholmodUnit.h"
 
-#include "conic/RayProgram.h"
+#include "conic/RayOperators.h"
 #include "core/Log.h"
 
 #include <cholmod.h>

@@ -249,6 +249,18 @@ TEST(RandomAssemblies, UpperBoundsFindWhatTheInteriorPointDoesNot)
     EXPECT_GE(tally.answers["optimal"], 8);
 }
 
+// Collapses whose forces or mechanisms double precision leaves at 1e-6.
+TEST(RandomAssemblies, TwiceAsManyDigitsSolveWhatDoublePrecisionDoesNot)
+{
+    Tally tally;
+    for (const unsigned seed : {1380U, 2531U, 4659U, 7164U})
+    {
+        judgeSeed(seed, tally);
+    }
+    EXPECT_EQ(tally.answers["optimal"], 4);
+    EXPECT_TRUE(tally.unsolved.empty());
+}
+
 // Displacements of thousands for a unit of work, so that what is left of the balance counts.
 TEST(RandomAssemblies, LargeDisplacementsDoNotKeepTheObjectivesApart)
 {
