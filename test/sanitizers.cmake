@@ -1,7 +1,7 @@
-# Tests that say nothing, or nothing true, in a build with sanitizers (preset `asan`), by name and with the reason. ctest
-# leaves them out in such a build; in every other build they are run.
+# Tests without meaning in a build with sanitizers (preset `asan`), by name and with the reason. ctest omits them in such
+# a build; in every other build they are run.
 set(leftOutWithSanitizers
-    # compare times with what an optimised build takes
+    # compare times with those of an optimised build
     core.Dictionary.AMillionNumbersAreReadInASecond
     io.VtkSeries.AFrameOf146BlocksAnd702ContactsTakesNoLongerThanAStepOrTwo
 )

@@ -45,7 +45,7 @@ struct View
 };
 
 /// Fill colour from light to dark clay, darker with increasing displacement: 0 to 1.
-std::string clay(double value)
+std::string clayColour(double value)
 {
     constexpr std::array<std::array<double, 3>, 4> stops{
         {{247, 240, 230}, {236, 198, 158}, {214, 137, 94}, {165, 73, 47}}};
@@ -344,7 +344,7 @@ std::string mechanismSvg(const Assembly<2>& assembly, const std::vector<Placemen
         if (assembly.blocks[i].support < 0)
         {
             drawing.polygon(view(placedOutline(assembly.blocks[i], placements[i])),
-                            {.fill = clay(furthest > 0 ? moved[i] / furthest : 0),
+                            {.fill = clayColour(furthest > 0 ? moved[i] / furthest : 0),
                              .stroke = "#3b2a22",
                              .strokeWidth = 0.9});
         }
@@ -370,7 +370,8 @@ std::string mechanismSvg(const Assembly<2>& assembly, const std::vector<Placemen
         constexpr int steps = 24;
         for (int i = 0; i < steps; ++i)
         {
-            drawing.rectangle({x + 5 * i, y}, 5.2, 13, {.fill = clay(static_cast<double>(i) / (steps - 1))});
+            drawing.rectangle({x + 5 * i, y}, 5.2, 13,
+                              {.fill = clayColour(static_cast<double>(i) / (steps - 1))});
         }
         drawing.rectangle({x, y}, 5 * steps, 13, {.stroke = "#3b2a22", .strokeWidth = 0.8});
         x += 5 * steps + 8;

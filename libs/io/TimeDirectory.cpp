@@ -429,9 +429,9 @@ void StateWriter::write(const std::string& timeName, const State& state)
     while (purgeWrite > 0 && written.size() > purgeWrite)
     {
         // Renamed first, so that a run that is killed here leaves no time directory without its state.
-        const fs::path doomed = caseDirectory / fmt::format(".{}.{}.purged", written.front(), ::getpid());
-        fs::rename(caseDirectory / written.front(), doomed, failure);
-        fs::remove_all(failure ? caseDirectory / written.front() : doomed, failure);
+        const fs::path renamed = caseDirectory / fmt::format(".{}.{}.purged", written.front(), ::getpid());
+        fs::rename(caseDirectory / written.front(), renamed, failure);
+        fs::remove_all(failure ? caseDirectory / written.front() : renamed, failure);
         written.pop_front();
     }
 }

@@ -245,9 +245,9 @@ ApplicationRun runInCase(const std::string& application, const fs::path& caseDir
     }
     run.isInterrupted = run.isInterrupted || stopSignal() != 0;
     run.status = WIFSIGNALED(status) ? exitStatusOfSignal(WTERMSIG(status)) : WEXITSTATUS(status);
-    run.lastWords = lastLines(errors, 12);
+    run.errorOutput = lastLines(errors, 12);
     std::error_code ignored;
-    if (run.lastWords.empty())
+    if (run.errorOutput.empty())
     {
         fs::remove(errors, ignored);
     }

@@ -36,11 +36,11 @@ std::vector<std::vector<double>> readHistory(const std::filesystem::path& file, 
 struct ApplicationRun
 {
     int status = 0;             ///< exit status; 128 + signal when a signal has ended it
-    bool isInterrupted = false; ///< this program was requested to stop while it ran
-    std::string lastWords;      ///< on standard error
+    bool isInterrupted = false; ///< this process was requested to stop while it ran
+    std::string errorOutput;    ///< on standard error
 };
 
-/// Runs an application of Drystone, from the folder of the present program, in a case; its output goes to
+/// Runs an application of Drystone, from the folder of the running executable, in a case; its output goes to
 /// log.<application> there. A signal that requests this program to stop is passed on.
 /// \throws FatalError when there is no such application
 ApplicationRun runInCase(const std::string& application, const std::filesystem::path& caseDirectory,

@@ -146,7 +146,7 @@ struct PointRun
 {
     std::vector<double> results; ///< nan where there is none
     std::string failure;         ///< which application failed; empty when none did
-    std::string lastWords;       ///< of that application
+    std::string errorOutput;     ///< of that application
     int failureStatus = 0;
     bool isInterrupted = false;
 };
@@ -181,7 +181,7 @@ PointRun runPoint(const ParameterSearch& search, const std::vector<double>& vari
                     "{} ended with exit status {} (parameterSearch/evaluation/{}log.{})", application,
                     done.status, directory == "." ? "" : directory + "/", application);
                 run.failureStatus = done.status;
-                run.lastWords = done.lastWords;
+                run.errorOutput = done.errorOutput;
                 // A table of an earlier application may be from before the failure.
                 break;
             }
@@ -451,12 +451,12 @@ SearchOutcome carryOut(const ParameterSearch& search, SearchHistory& history)
         {
             throw FatalError(
                 fmt::format("The first point of the search cannot be computed: {}.\n{}\n\nAt {}.",
-                            run.failure, run.lastWords, pointText(settings, variables)));
+                            run.failure, run.errorOutput, pointText(settings, variables)));
         }
         const std::string reason =
             run.failure.empty()
                 ? "The table says so: the structure does not stand there, or any load is carried."
-                : run.failure + ".\n" + run.lastWords;
+                : run.failure + ".\n" + run.errorOutput;
         const double cpuTime = childrenCpuTime() - before;
         const Evaluation found =
             evaluate(settings, variables, completed(search, variables, run.results, reason));

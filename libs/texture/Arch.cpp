@@ -51,7 +51,10 @@ void declare(Options& options, Arch& arch)
         .unit("m")
         .above(0)
         .example("0.15");
-    options.required("voussoirs", arch.voussoirs, "their number").atLeast(1).atMost(mostBlocks).example("27");
+    options.required("voussoirs", arch.voussoirs, "their number")
+        .atLeast(1)
+        .atMost(maximumBlocks)
+        .example("27");
     options.optional("depth", arch.depth, "out of plane").unit("m").above(0);
     options.optional("angle", arch.angle, "from springing to springing, in degrees").above(0).atMost(270);
     options.check("thickness",
@@ -63,14 +66,13 @@ void declare(Options& options, Arch& arch)
                                  arch.radius, arch.thickness)
                                                                : "";
                   });
-    options.check(
-        "voussoirs",
-        [&arch]() -> std::string
-        {
-            return arch.angle / arch.voussoirs >= 180
-                       ? "A single voussoir cannot embrace 180 degrees or more: give more voussoirs."
-                       : "";
-        });
+    options.check("voussoirs",
+                  [&arch]() -> std::string
+                  {
+                      return arch.angle / arch.voussoirs >= 180
+                                 ? "A single voussoir cannot span 180 degrees or more: give more voussoirs."
+                                 : "";
+                  });
 }
 
 Assembly<2> makeAssembly(const Arch& arch, Abutments abutments)

@@ -6,6 +6,6 @@ namespace drystone
 {
 
 /// More blocks than this are taken for a typing error, before memory is exhausted.
-inline constexpr int mostBlocks = 10'000'000;
+inline constexpr int maximumBlocks = 10'000'000;
 
 } // namespace drystone

@@ -84,8 +84,14 @@ void declare(Options& options, RunningBond& bond)
         .above(0)
         .example("(0.4 0.175)");
     options.optional("thickness", bond.thickness, "out of plane").unit("m").above(0);
-    options.required("length", bond.length, "of the wall, in units").above(0).atMost(mostBlocks).example("5");
-    options.required("courses", bond.courses, "number of courses").atLeast(1).atMost(mostBlocks).example("6");
+    options.required("length", bond.length, "of the wall, in units")
+        .above(0)
+        .atMost(maximumBlocks)
+        .example("5");
+    options.required("courses", bond.courses, "number of courses")
+        .atLeast(1)
+        .atMost(maximumBlocks)
+        .example("6");
     options.optional("firstCourse", bond.firstCourse,
                      "half: the bottom course starts and ends with half a block; full: it does not");
     options.optional("openings", bond.openings, "doors and windows; blocks are cut at the jambs");
@@ -93,10 +99,10 @@ void declare(Options& options, RunningBond& bond)
         "courses",
         [&bond]() -> std::string
         {
-            return bond.length * bond.courses > mostBlocks ? fmt::format(
+            return bond.length * bond.courses > maximumBlocks ? fmt::format(
                        "A wall of {:g} units by {} courses has more than {} blocks: make it smaller.",
-                       bond.length, bond.courses, mostBlocks)
-                                                           : "";
+                       bond.length, bond.courses, maximumBlocks)
+                                                              : "";
         });
     options.check("openings",
                   [&bond]() -> std::string

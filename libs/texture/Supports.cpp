@@ -86,12 +86,12 @@ SupportMaker makeGround(const Ground& ground, const Dictionary& dictionary)
         if (ground.segment)
         {
             inMetres.segment = *ground.segment * unit;
-            if (segmentCount(box.upper.x() - box.lower.x(), *inMetres.segment) > mostBlocks)
+            if (segmentCount(box.upper.x() - box.lower.x(), *inMetres.segment) > maximumBlocks)
             {
                 throw FatalIOError(
                     fmt::format(
                         "A segment of {:g} units splits the ground into more than {} blocks: make it longer.",
-                        *ground.segment, mostBlocks),
+                        *ground.segment, maximumBlocks),
                     segmentPlace);
             }
         }

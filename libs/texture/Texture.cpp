@@ -40,7 +40,7 @@ void declare(Options& options, BlockTexture& blockTexture)
     options.optional("dimensions", blockTexture.dimensions, "of space");
     options.required("texture", blockTexture.texture, textureTypes(), "how the blocks are made");
     options.optional("supports", blockTexture.supports, supportTypes(),
-                     "what holds them, under names of your own");
+                     "the supports of the structure; any names");
     options
         .optional(
             "jointTolerance", blockTexture.jointTolerance,
@@ -65,7 +65,7 @@ Assembly<2> makeStructure(const Dictionary& dictionary)
     BlockTexture blockTexture = readOptions<BlockTexture>(dictionary);
     if (blockTexture.texture.assembly.blocks.empty())
     {
-        throw FatalIOError("This texture has no block: nothing is left to build with.",
+        throw FatalIOError("This texture has no blocks: reduce its openings or voids, or add blocks.",
                            dictionary.locationOf("texture"));
     }
     for (const auto& [name, addSupport] : blockTexture.supports)

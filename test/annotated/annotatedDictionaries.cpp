@@ -2,9 +2,10 @@
 /// The annotated example of every dictionary in etc/annotated: written from the declared options, or checked.
 ///
 ///     annotatedDictionaries --write etc/annotated
-///     annotatedDictionaries --check etc/annotated   exit status 1 when a file is not what would be written,
-///     or when
-///                                                   one cannot be read by what it is the example of
+///     annotatedDictionaries --check etc/annotated
+///
+/// With --check the exit status is 1 when a file differs from what would be written, or cannot be read by the
+/// application whose example it is.
 #include "assembly/ContactProperties.h"
 #include "assembly/Loads.h"
 #include "assembly/Materials.h"
@@ -40,7 +41,7 @@ struct Example
     std::function<void(const Dictionary&)> readBack;
 };
 
-/// \param given keys that may be absent but that the example gives
+/// \param given optional keys that the example contains
 template<Declared Settings>
 Example example(const std::string& file, const std::string& doc, const std::vector<std::string>& given = {})
 {
@@ -53,7 +54,7 @@ Example example(const std::string& file, const std::string& doc, const std::vect
             [](const Dictionary& dictionary) { readOptions<Settings>(dictionary); }};
 }
 
-/// system/controlDict with its functions, which function objects read and time does not.
+/// system/controlDict with its functions, which are read by function objects and not by time.
 struct ControlDictSettings
 {
     TimeControls controls;

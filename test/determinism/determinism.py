@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs cases with one thread and with two, twice each, and compares every file that they leave, bit for bit.
+"""Runs cases with one thread and with two, twice each, and compares all their files, bit for bit.
 
     determinism.py small|large BIN TUTORIALS
 

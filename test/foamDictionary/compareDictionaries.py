@@ -30,7 +30,7 @@ sampleSize = 500
 seed = 20170615
 demandedShare = 0.99
 
-# Independent of our own grammar, so that a mistake in it is seen.
+# Independent of our own grammar, so that an error in it is detected.
 token = re.compile(r'"(?:\\.|[^"\\])*"|#\{.*?#\}|[(){}\[\];]|(?:[^\s(){}\[\];"/]|/(?![/*]))+', re.DOTALL)
 
 
@@ -131,8 +131,8 @@ def compareShipped(reader):
     failures = []
     for file in files:
         wasRead, text = ours[str(file)]
-        # foamDictionary evaluates #calc by compiling it, which it refuses to a superuser, so such a file is compared as
-        # it stands; what our own evaluation gives, the tests of the expressions say.
+        # foamDictionary evaluates #calc by compiling it, which it does not do for a superuser, so such a file is compared
+        # unexpanded; our own evaluation is covered by the tests of the expressions.
         isCalculated = re.search(rb'^[^/]*#calc', file.read_bytes(), re.MULTILINE)
         if wasRead and isCalculated:
             wasRead, text = readByUs(reader, [file], "print")[str(file)]
@@ -191,7 +191,7 @@ def compareExamples(reader):
                 break
             if file.stat().st_size > 1_000_000:
                 continue
-            # Expanded if that can be: code is run by none of the two here, and some pieces lack their surroundings.
+            # Expanded if possible: neither of the two runs code here, and some pieces lack their context.
             wasRead, text = readByUs(reader, [file], "expand", "print")[str(file)]
             foamRead, foamText = readByFoam(file) if wasRead else (False, "")
             if foamRead:
@@ -257,7 +257,7 @@ a 5; b { c 1; d (1 $a 3); e "a string"; f [0 1 0 0 0 0 0] 3; "p.*" q; g { h $..c
             answers = []
             for program in (caseDictionary, "foamDictionary"):
                 file = folder / "some"
-                # foamDictionary carries macros out when it edits, for good; we leave them.
+                # foamDictionary expands macros permanently when it edits; we keep them.
                 isEdit = any(option in call for option in ("-set", "-add", "-remove"))
                 file.write_text(text.replace("$a", "5").replace("$..c", "1") if isEdit else text)
                 run = subprocess.run([program, *call, "some"], cwd=folder, capture_output=True, text=True,

@@ -1,10 +1,10 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Reads the dictionaries that are named on standard input, one a line, and prints of each what it holds or
-/// what was found wrong, for compareDictionaries.py.
+/// Reads the dictionaries that are named on standard input, one per line, and prints the contents or the
+/// fault of each, for compareDictionaries.py.
 ///
 ///     readDictionaries [expand] [print]
 ///
-/// expand: carry out macros and directives. print: the entries too, not only whether the file could be read.
+/// expand: expand macros and directives. print: the entries too, not only whether the file could be read.
 /// Every answer starts with a line "@@ read FILE" or "@@ failed FILE" and ends with a line "@@ end".
 #include "core/Dictionary.h"
 

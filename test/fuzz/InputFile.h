@@ -16,7 +16,7 @@
 namespace drystone::fuzz
 {
 
-/// A folder of this process, gone at its end.
+/// A folder of this process, removed at its end.
 class Folder
 {
 public:
@@ -71,7 +71,7 @@ inline void write(const std::filesystem::path& file, std::string_view text)
     stream.write(text.data(), static_cast<std::streamsize>(text.size()));
 }
 
-/// Reads, which may be refused with a FatalError only.
+/// Reads an input, which may only be rejected with a FatalError.
 template<class Read>
 void tryReading(const Read& read)
 {

@@ -19,7 +19,7 @@ struct CaseFile
     std::string_view text; ///< of the sound case; empty: absent
 };
 
-/// A block on the ground under its weight and a push.
+/// A block on the ground under its weight and a horizontal load.
 inline constexpr std::array<CaseFile, 5> blockOnGround{
     {{"constant/assembly/blocks",
       "dimensions 2; thickness 1; supports { ground { type blocks; blocks (0); } }\n"
@@ -29,7 +29,7 @@ inline constexpr std::array<CaseFile, 5> blockOnGround{
      {"constant/contactProperties", "friction { type Coulomb; mu 0.6; flowRule associative; }\n"},
      {"constant/loads", "dead { type gravity; }\nlive { type inertial; direction (1 0 0); }\n"}}};
 
-/// Some files and then others.
+/// Some files followed by others.
 template<std::size_t Some, std::size_t Others>
 constexpr std::array<CaseFile, Some + Others> joined(const std::array<CaseFile, Some>& some,
                                                      const std::array<CaseFile, Others>& others)

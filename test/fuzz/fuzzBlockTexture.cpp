@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Any text, read as system/blockTextureDict: refused with a FatalError, or a structure whose file reads
+/// Any text, read as system/blockTextureDict: rejected with a FatalError, or a structure whose file reads
 /// back.
 #include "InputFile.h"
 

@@ -1,6 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// A sound case in which one file is any text: the first character says which (see SoundCase). Reading the
-/// case for each application may only be refused with a FatalError.
+/// A sound case in which one file is any text, named by the first character (see SoundCase). The readers of
+/// each application may only reject it with a FatalError.
 #include "SoundCase.h"
 
 #include "core/Time.h"

@@ -1,6 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Any text edited as caseDictionary does: refused with a FatalError, or an entry that was set reads back,
-/// and one that was removed is gone.
+/// Any text, edited as by caseDictionary: rejected with a FatalError, or an entry that was set reads back,
+/// and one that was removed is absent.
 #include "core/Dictionary.h"
 #include "core/DictionaryEdit.h"
 
@@ -13,7 +13,7 @@
 namespace
 {
 
-/// Whether a path is there by its own names, not by patterns that they match.
+/// Whether a path exists by its own names, not by patterns that match them.
 bool isThere(const drystone::Dictionary& dictionary, std::string_view path)
 {
     const std::size_t slash = path.find('/');

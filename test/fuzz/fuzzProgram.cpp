@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Any text, read as a cone program: refused with a FatalError, or written and read back as the same text.
+/// Any text, read as a cone program: rejected with a FatalError, or written and read back as the same text.
 #include "InputFile.h"
 
 #include "conic/ProgramFile.h"

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Any text, read as a record of ground motion: refused with a FatalError, or finite and in order.
+/// Any text, read as a record of ground motion: rejected with a FatalError, or finite and in order.
 #include "InputFile.h"
 
 #include "dynamics/Record.h"

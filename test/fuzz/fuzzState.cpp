@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Any bytes, read as the state of a run: refused with a FatalError, or written in either format and read
+/// Any bytes, read as the state of a run: rejected with a FatalError, or written in either format and read
 /// back as the same.
 #include "InputFile.h"
 

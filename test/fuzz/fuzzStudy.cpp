@@ -1,6 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// A sound case in which one file that studies and function objects read is any text: the first character
-/// says which (see SoundCase). Reading it may only be refused with a FatalError.
+/// A sound case in which one file read by studies and function objects is any text, named by the first
+/// character (see SoundCase). The readers may only reject it with a FatalError.
 #include "SoundCase.h"
 
 #include "core/CommandLine.h"
@@ -20,7 +20,7 @@ namespace
 
 using namespace drystone;
 
-/// A file of the case and what reads it.
+/// A file of the case and its reader.
 struct StudyFile
 {
     fuzz::CaseFile file;
@@ -78,7 +78,7 @@ constexpr std::array<StudyFile, 7> studyFiles{
      {{historyFile, ""}, readRows},
      {{tableFile, ""}, readTable}}};
 
-/// What these readers need beside.
+/// Further files required by these readers.
 constexpr auto otherFiles = fuzz::joined(
     fuzz::blockOnGround,
     std::array<fuzz::CaseFile, 2>{

@@ -25,10 +25,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 namespace
 {
 
-/// What is being read, for the signal handler.
+/// The input being read, for the signal handler.
 const std::string* current = nullptr;
 
-/// Leaves the input in the file `last`; what a signal handler may call is all that it calls.
+/// Writes the input to the file `last`; calls only functions that are safe in a signal handler.
 extern "C" void leaveInput(int signal)
 {
     const int file = ::open("last", O_CREAT | O_WRONLY | O_TRUNC, 0666);
@@ -46,7 +46,7 @@ void run(const std::string& text)
     LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
 }
 
-/// Bytes changed, pieces left out, doubled, or taken from another input, numbers made extreme.
+/// Bytes changed, pieces removed, duplicated, or taken from another input, numbers made extreme.
 std::string damaged(std::string text, const std::string& other, std::mt19937_64& random)
 {
     const auto upTo = [&random](std::size_t most) { return static_cast<std::size_t>(random() % (most + 1)); };
@@ -77,7 +77,7 @@ std::string damaged(std::string text, const std::string& other, std::mt19937_64&
             break;
         default:
         {
-            // A number becomes another one.
+            // A number is replaced by another one.
             const std::size_t digit = text.find_first_of("0123456789", at);
             if (digit != std::string::npos)
             {
@@ -103,7 +103,7 @@ int main(int count, char** arguments)
     {
         files.push_back(file.path());
     }
-    std::sort(files.begin(), files.end()); // the same order everywhere
+    std::sort(files.begin(), files.end()); // the same order on all machines
     std::vector<std::string> inputs;
     for (const auto& file : files)
     {
