@@ -382,9 +382,12 @@ Ending Extended::run(int maximumIterations)
 
 } // namespace
 
-bool isExtendedAffordable(const SymbolicAnalysis& symbolic)
+bool isExtendedAffordable(const PlaneConeProgram& program, const SymbolicAnalysis& symbolic)
 {
-    return symbolic.system && symbolic.system->operations() <= affordableOperations;
+    // Blocks that enter each other have hundreds of points each, and no digits would help them.
+    constexpr int pointsPerBody = 40;
+    return symbolic.system && symbolic.system->operations() <= affordableOperations
+           && program.points() <= pointsPerBody * program.bodies;
 }
 
 ConeSolution solveInExtendedPrecision(const PlaneConeProgram& program, const RayForm& form,

@@ -10,8 +10,9 @@
 namespace drystone
 {
 
-/// Whether the Schur system of a program is small enough for it: iterations take some seconds at most.
-bool isExtendedAffordable(const SymbolicAnalysis& symbolic);
+/// Whether the Schur system of a program, and the number of its points, are small enough for it: iterations
+/// take some seconds at most.
+bool isExtendedAffordable(const PlaneConeProgram& program, const SymbolicAnalysis& symbolic);
 
 /// Solves a ray form from a cold start (Mehrotra 1992, predictor and corrector), its iterates, Schur system
 /// and residuals in DoubleDouble. The condition of that system grows with the fourth power of the bodies of a

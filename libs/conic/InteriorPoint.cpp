@@ -1027,9 +1027,10 @@ struct Aim
     Precision precision = Precision::standard;
 };
 
-bool mayBeExtended(const InteriorPointSettings& settings, const SymbolicAnalysis& symbolic)
+bool mayBeExtended(const PlaneConeProgram& program, const InteriorPointSettings& settings,
+                   const SymbolicAnalysis& symbolic)
 {
-    return settings.arithmetic == Arithmetic::adaptive && isExtendedAffordable(symbolic);
+    return settings.arithmetic == Arithmetic::adaptive && isExtendedAffordable(program, symbolic);
 }
 
 /// Solves one program in ray form; `optimal` in its status means that the scaled residuals met the tolerance,
@@ -1068,13 +1069,13 @@ ConeSolution solveOnce(const PlaneConeProgram& program, const InteriorPointSetti
             before += converged ? 0 : solver.iterations();
         }
     }
-    converged =
-        converged
-        || (program.hasInertia() ? solver.run(Start::unit, wide) || solver.run(Start::leastSquares, narrow)
-                                 : solver.run(Start::leastSquares, wide)
-                                       || (!solver.falls() && !solver.grows()
-                                           && !(solver.isStalled() && mayBeExtended(settings, symbolic))
-                                           && solver.run(Start::unit, narrow)));
+    converged = converged
+                || (program.hasInertia()
+                        ? solver.run(Start::unit, wide) || solver.run(Start::leastSquares, narrow)
+                        : solver.run(Start::leastSquares, wide)
+                              || (!solver.falls() && !solver.grows()
+                                  && !(solver.isStalled() && mayBeExtended(program, settings, symbolic))
+                                  && solver.run(Start::unit, narrow)));
     const Iterate& at = solver.iterate();
     ConeSolution solution = fromRays(program, form, at.s, at.y, at.alpha);
     if (solver.resting().size() > 0)
@@ -1156,7 +1157,7 @@ double worstOfOptimum(const PlaneConeProgram& program, ConeSolution& found)
 void answerInExtendedPrecision(const PlaneConeProgram& program, const InteriorPointSettings& settings,
                                SymbolicAnalysis& symbolic, ConeSolution& solution)
 {
-    if (!mayBeExtended(settings, symbolic))
+    if (!mayBeExtended(program, settings, symbolic))
     {
         return;
     }

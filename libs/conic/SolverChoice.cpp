@@ -156,10 +156,9 @@ ConeSolution solveAsChosen(const PlaneConeProgram& program, const SolverChoice& 
         multipliers.penalty = penalty;
         if (finished(solveAugmentedLagrangian(program, rough, multipliers, kept)))
         {
-            return solution;
+            break;
         }
     }
-    finished(solveInteriorPoint(program, interiorPointSettings(choice), kept)); // with more digits
     return solution;
 }
 

@@ -96,7 +96,7 @@ TEST(ExtendedInteriorPoint, GivesTheMultiplierOfABlock)
         SymbolicAnalysis symbolic;
         RayForm form = makeRayForm(program, symbolic);
         schurSystem(form, symbolic);
-        EXPECT_TRUE(isExtendedAffordable(symbolic));
+        EXPECT_TRUE(isExtendedAffordable(program, symbolic));
         const ConeSolution solution =
             solveInExtendedPrecision(program, form, {.tolerance = 1e-12}, Sought::solution);
         EXPECT_EQ(solution.status, SolveStatus::optimal);
