@@ -756,7 +756,7 @@ bool attemptStep(const DynamicCase& scene, Motion& motion, double timeStep)
         {
             // A part may be too short for the tolerance of the solver: then the step as a whole.
             const StepWork work = motion.work;
-            motion = *std::move(before);
+            motion = *before; // copied, so that its lists stay where they are: observers may hold on to them
             motion.work = work;
             motion.work.beginAttempt();
             return advanceUnparted(scene, motion, timeStep, {ImpactInstant::stepStart, 0, 0}) == 1;
