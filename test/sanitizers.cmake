@@ -2,7 +2,7 @@
 # a build; in every other build they are run.
 set(leftOutWithSanitizers
     # compare times with those of an optimised build
-    core.Dictionary.AMillionNumbersAreReadInASecond
+    dictionary.Dictionary.AMillionNumbersAreReadInASecond
     io.VtkSeries.AFrameOf146BlocksAnd702ContactsTakesNoLongerThanAStepOrTwo
 )
 

@@ -8,8 +8,8 @@
 #include "assembly/JointClosure.h"
 #include "assembly/Outlines.h"
 #include "assembly/Plausibility.h"
-#include "core/Case.h"
-#include "core/Dictionary.h"
+#include "dictionary/Dictionary.h"
+#include "runControl/Case.h"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "assembly/AssemblyChecks.h"
-#include "core/Fingerprint.h"
+#include "dictionary/Fingerprint.h"
 
 #include <filesystem>
 #include <string>

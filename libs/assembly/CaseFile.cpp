@@ -2,7 +2,7 @@
 /// Reading of a case's files.
 #include "assembly/CaseFile.h"
 
-#include "core/Case.h"
+#include "runControl/Case.h"
 
 #include <fmt/format.h>
 

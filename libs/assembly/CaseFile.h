@@ -2,7 +2,7 @@
 /// The files of a case that the assembly library reads.
 #pragma once
 
-#include "core/Dictionary.h"
+#include "dictionary/Dictionary.h"
 
 #include <filesystem>
 #include <string_view>

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "assembly/Assembly.h"
-#include "core/Options.h"
-#include "core/Registry.h"
+#include "dictionary/Options.h"
+#include "dictionary/Registry.h"
 
 #include <array>
 #include <filesystem>

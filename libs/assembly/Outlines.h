@@ -2,7 +2,7 @@
 /// A list of outlines as a user writes them.
 #pragma once
 
-#include "core/Dictionary.h"
+#include "dictionary/Dictionary.h"
 #include "geometry/Polygon.h"
 
 #include <vector>

@@ -1,8 +1,8 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "conic/CoulombNewton.h"
 
-#include "conic/BlockLu.h"
-#include "conic/SchurSystem.h"
+#include "linear/BlockLu.h"
+#include "linear/SchurSystem.h"
 
 #include <algorithm>
 #include <limits>

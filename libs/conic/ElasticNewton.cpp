@@ -2,7 +2,7 @@
 #include "conic/ElasticNewton.h"
 
 #include "conic/Certificate.h"
-#include "conic/SchurSystem.h"
+#include "linear/SchurSystem.h"
 
 #include <algorithm>
 #include <cmath>

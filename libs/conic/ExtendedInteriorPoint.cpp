@@ -1,8 +1,8 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "conic/ExtendedInteriorPoint.h"
 
-#include "conic/DoubleDouble.h"
 #include "conic/RayOperators.h"
+#include "linear/DoubleDouble.h"
 
 #include <algorithm>
 #include <array>

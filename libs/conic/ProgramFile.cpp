@@ -1,9 +1,9 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "conic/ProgramFile.h"
 
-#include "core/Dictionary.h"
-#include "core/Options.h"
 #include "core/WholeFile.h"
+#include "dictionary/Dictionary.h"
+#include "dictionary/Options.h"
 
 #include <Eigen/Cholesky>
 #include <fmt/format.h>

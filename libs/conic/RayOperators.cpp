@@ -1,7 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "conic/RayOperators.h"
 
-#include "conic/DoubleDouble.h"
+#include "linear/DoubleDouble.h"
 
 namespace drystone
 {

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "conic/ConeProgram.h"
-#include "conic/DoubleDouble.h"
-#include "conic/SchurSystem.h"
+#include "linear/DoubleDouble.h"
+#include "linear/SchurSystem.h"
 
 #include <optional>
 

@@ -5,7 +5,6 @@
 
 #include "conic/Certificate.h"
 #include "conic/RayProgram.h"
-#include "core/Solution.h"
 
 #include <algorithm>
 #include <array>
@@ -200,11 +199,6 @@ ConeSolution solveConeProgram(const SpaceConeProgram& program, const SolverChoic
         solution.factorisations += rough.factorisations;
     }
     return solution;
-}
-
-SolverChoice readSolverChoice(const std::filesystem::path& caseDirectory, const std::string& application)
-{
-    return readOptions<SolverChoice>(readSolution(caseDirectory, application));
 }
 
 } // namespace drystone

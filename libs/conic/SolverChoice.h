@@ -5,9 +5,8 @@
 #include "conic/AugmentedLagrangian.h"
 #include "conic/GaussSeidel.h"
 #include "conic/InteriorPoint.h"
-#include "core/Options.h"
+#include "dictionary/Options.h"
 
-#include <filesystem>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -64,10 +63,6 @@ struct SolverChoice
         {}; ///< called by solveConeProgram; no key: applications set it, or leave it empty
 };
 void declare(Options& options, SolverChoice& choice);
-
-/// \throws FatalIOError for what is wrong with the sub-dictionary of this application; those of others are
-/// not looked at
-SolverChoice readSolverChoice(const std::filesystem::path& caseDirectory, const std::string& application);
 
 /// Solves a program as chosen. \param start of augmentedLagrangian and gaussSeidel; may be empty
 /// \param kept of the last program, to be used where the same bodies touch (RayProgram.h); not owned

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "conic/ConeProgram.h"
-#include "conic/SchurSystem.h"
 #include "conic/SecondOrderCone.h"
+#include "linear/SchurSystem.h"
 
 namespace drystone
 {

@@ -2,8 +2,6 @@
 /// Printing.
 #include "core/Log.h"
 
-#include "core/CommandLine.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -49,21 +47,6 @@ double processStart()
     return secondsOf(CLOCK_BOOTTIME);
 }
 
-std::string hostName()
-{
-    char name[256] = "";
-    ::gethostname(name, sizeof(name) - 1);
-    return name;
-}
-
-/// Without the blank last part that `.` leaves.
-std::string fullName(const std::filesystem::path& directory)
-{
-    std::error_code ignored;
-    const auto path = std::filesystem::absolute(directory, ignored).lexically_normal();
-    return path.has_filename() ? path.string() : path.parent_path().string();
-}
-
 std::string joined(const std::vector<std::string>& words)
 {
     std::string text;
@@ -81,28 +64,6 @@ void printLine(std::string_view line)
         std::fwrite(line.data(), 1, line.size(), stdout);
     }
     std::fputc('\n', stdout);
-}
-
-void printBanner(const CommandLine& commandLine)
-{
-    const std::string_view revision = DRYSTONE_REVISION;
-    const std::time_t now = std::time(nullptr);
-    std::tm local = {};
-    ::localtime_r(&now, &local);
-    char date[64] = "";
-    std::strftime(date, sizeof(date), "%Y-%m-%d %H:%M:%S", &local);
-    info("Drystone {}{}{}: structures of rigid blocks with dry joints", DRYSTONE_VERSION,
-         revision.empty() ? "" : " at ", revision);
-    printLine();
-    info("Exec    : {}", commandLine.typed.empty() ? commandLine.application : commandLine.typed);
-    info("Date    : {}", date);
-    info("Host    : {}", hostName());
-    info("PID     : {}", ::getpid());
-    info("Case    : {}", fullName(commandLine.caseDirectory));
-    info("nProcs  : 1");
-    info("Threads : {}", threadCount());
-    printLine();
-    std::fflush(stdout);
 }
 
 void printEffects(const std::vector<std::string>& simulated, const std::vector<std::string>& absent)

@@ -12,8 +12,6 @@
 namespace drystone
 {
 
-struct CommandLine;
-
 /// Print a line.
 void printLine(std::string_view line = {});
 
@@ -23,9 +21,6 @@ void info(fmt::format_string<Arguments...> format, Arguments&&... arguments)
 {
     printLine(fmt::format(format, std::forward<Arguments>(arguments)...));
 }
-
-/// Who runs what, where and when: name, version and commit, command, date, host, process, case, threads.
-void printBanner(const CommandLine& commandLine);
 
 /// Which effects a run simulates, and which it does not and therefore does not pay for.
 void printEffects(const std::vector<std::string>& simulated, const std::vector<std::string>& absent);

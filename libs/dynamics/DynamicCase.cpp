@@ -10,6 +10,8 @@
 #include "assembly/Materials.h"
 #include "dynamics/MassDamping.h"
 
+#include "runControl/Solution.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -138,7 +140,7 @@ DynamicCase readDynamicCase(const std::filesystem::path& caseDirectory)
 {
     DynamicCase scene;
     scene.schemes = readSchemes(caseDirectory);
-    scene.solution = readSolverChoice(caseDirectory, "contactDynamics");
+    scene.solution = readOptions<SolverChoice>(readSolution(caseDirectory, "contactDynamics"));
     Assembly<2> assembly = readAssembly(caseDirectory);
     refuseOverlaps(assembly, caseDirectory);
     refuseAlmostJoints(assembly, caseDirectory);

@@ -13,8 +13,8 @@
 ///     }
 #pragma once
 
-#include "core/Registry.h"
-#include "dynamics/GroundAcceleration.h"
+#include "dictionary/Registry.h"
+#include "timeSeries/GroundAccelerationTypes.h"
 
 #include <Eigen/Core>
 
@@ -28,12 +28,9 @@ namespace drystone
 /// moving ground: each block feels -m a, and displacements and velocities are relative to the ground.
 struct GroundMotion
 {
-    struct Component
+    struct Component : DescribedAcceleration
     {
         Eigen::Vector3d direction = Eigen::Vector3d::UnitX(); ///< of unit length
-        std::shared_ptr<const GroundAcceleration> acceleration;
-        std::string summary;  ///< what it is, for the log: a line a property, each beginning with four blanks
-        double valueUnit = 0; ///< of the values in the file of a record [m/s2]; 0 of other types
     };
     std::vector<Component> components; ///< empty: the ground is still
 };
@@ -52,59 +49,6 @@ double peakAcceleration(const GroundMotion& motion);
 /// duration and, for a record, its file, title, unit and scale. Ends with a line end. `Ground motion: none`
 /// for a ground at rest.
 std::string summary(const GroundMotion& motion);
-
-/// How the file of a record is laid out.
-enum class RecordFormat
-{
-    PEER_AT2,
-    csv
-};
-
-/// Names in dictionaries.
-constexpr std::array<std::pair<std::string_view, RecordFormat>, 2> namesOf(RecordFormat)
-{
-    return {{{"PEER_AT2", RecordFormat::PEER_AT2}, {"csv", RecordFormat::csv}}};
-}
-
-/// Name of a unit, which may hold a slash without quotes: `unit m/s2;`.
-struct UnitName
-{
-    std::string text;
-};
-void read(TokenCursor& cursor, UnitName& name);
-
-/// Settings of the acceleration type `record`. The record is read, freed of its baseline, scaled, padded and
-/// moved in time, in this order.
-struct RecordMotion
-{
-    std::string file; ///< absolute, or relative to the case directory
-    RecordFormat format = RecordFormat::PEER_AT2;
-    std::optional<UnitName> unit;             ///< absent: the file says it
-    std::optional<Column> timeColumn;         ///< of a csv file; absent: the first
-    std::optional<Column> accelerationColumn; ///< of a csv file; absent: the one after the times
-    double timeStep = 0;                      ///< of a csv file without times [s]; 0: it has times
-    Baseline baseline = Baseline::none;       ///< what is taken away
-    double scale = 1;                         ///< factor
-    std::optional<double> peakAcceleration;   ///< scale to this instead [m/s2]
-    std::array<double, 2> padding{0, 0};      ///< stillness added before and after [s]
-    double start = 0;                         ///< when the padded record begins [s]
-    Interpolation interpolation = Interpolation::linear;
-};
-void declare(Options& options, RecordMotion& settings);
-
-/// The acceleration of a record, zero outside it, and what the log says of it.
-/// \throws FatalIOError as the readers; when the record is zero throughout and a peak is asked for; when it
-/// has too few
-///         values for its interpolation or baseline
-GroundMotion::Component recordComponent(const RecordMotion& record,
-                                        const std::filesystem::path& caseDirectory);
-
-/// What a dictionary's `acceleration` makes once it is known where the case is. Leaves the direction alone.
-/// \throws FatalIOError for what is wrong with files
-using AccelerationMaker = std::function<GroundMotion::Component(const std::filesystem::path& caseDirectory)>;
-
-/// All types of ground acceleration: constant, rectangularPulse, halfSine, sine, table, record.
-const Registry<AccelerationMaker>& groundAccelerationTypes();
 
 /// One direction of motion.
 struct GroundComponentSettings

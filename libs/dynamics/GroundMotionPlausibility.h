@@ -2,10 +2,10 @@
 /// Questions about a motion of the ground that can be computed and may not be what was meant.
 #pragma once
 
-#include "core/Dictionary.h"
-#include "core/Time.h"
+#include "dictionary/Dictionary.h"
 #include "dynamics/GroundMotion.h"
 #include "dynamics/Schemes.h"
+#include "runControl/Time.h"
 
 #include <vector>
 

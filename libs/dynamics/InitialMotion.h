@@ -6,7 +6,7 @@
 ///     "[3-5]"   { velocity (1 0); angularVelocity -0.2; }     // blocks 3, 4 and 5
 #pragma once
 
-#include "core/Options.h"
+#include "dictionary/Options.h"
 #include "dynamics/DynamicState.h"
 
 #include <array>

@@ -3,10 +3,10 @@
 #pragma once
 
 #include "assembly/MovingContacts.h"
-#include "core/Time.h"
 #include "dynamics/DynamicCase.h"
 #include "dynamics/StepObservation.h"
 #include "dynamics/ThetaStep.h"
+#include "runControl/Time.h"
 
 #include <memory>
 #include <optional>

@@ -5,7 +5,7 @@
 ///     smallDisplacements no;
 #pragma once
 
-#include "core/Registry.h"
+#include "dictionary/Registry.h"
 
 #include <array>
 #include <filesystem>

@@ -4,7 +4,7 @@
 
 #include "assembly/AlmostJoints.h"
 #include "assembly/Penetration.h"
-#include "core/Dictionary.h"
+#include "dictionary/Dictionary.h"
 
 #include <fmt/format.h>
 

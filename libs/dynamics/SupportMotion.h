@@ -6,9 +6,9 @@
 ///     left  { centre (1 0 0); rotation ((0 0) (2 0.01)); }              // turns by 0.01 rad about (1 0)
 #pragma once
 
-#include "core/Options.h"
+#include "dictionary/Options.h"
 #include "dynamics/DynamicState.h"
-#include "dynamics/GroundAcceleration.h"
+#include "timeSeries/GroundAcceleration.h"
 
 #include <filesystem>
 

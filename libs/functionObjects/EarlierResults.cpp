@@ -1,7 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "functionObjects/EarlierResults.h"
 
-#include "core/Case.h"
+#include "runControl/Case.h"
 
 #include <algorithm>
 #include <string_view>

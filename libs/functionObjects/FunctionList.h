@@ -8,9 +8,9 @@
 ///     }
 #pragma once
 
-#include "core/OutputControl.h"
-#include "core/Registry.h"
+#include "dictionary/Registry.h"
 #include "functionObjects/FunctionObject.h"
+#include "runControl/OutputControl.h"
 
 #include <functional>
 #include <memory>

@@ -3,8 +3,8 @@
 
 #include "assembly/AssemblyOrigin.h"
 #include "core/Log.h"
-#include "core/Solution.h"
 #include "core/WholeFile.h"
+#include "runControl/Solution.h"
 
 #include <fmt/format.h>
 

@@ -2,10 +2,10 @@
 /// Whether results that a case keeps follow from the input that it has now.
 #pragma once
 
-#include "core/Fingerprint.h"
-#include "core/Time.h"
+#include "dictionary/Fingerprint.h"
 #include "dynamics/DynamicCase.h"
 #include "io/TimeDirectory.h"
+#include "runControl/Time.h"
 
 #include <filesystem>
 #include <vector>

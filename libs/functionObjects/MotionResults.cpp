@@ -4,13 +4,13 @@
 
 #include "assembly/ContactState.h"
 #include "conic/ProgramFile.h"
-#include "core/Case.h"
 #include "core/Log.h"
 #include "core/WholeFile.h"
 #include "dynamics/InitialMotion.h"
 #include "dynamics/StartCheck.h"
 #include "functionObjects/KeptResults.h"
 #include "io/Frames.h"
+#include "runControl/Case.h"
 
 #include <fmt/format.h>
 

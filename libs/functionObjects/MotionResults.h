@@ -3,7 +3,7 @@
 /// combines dynamics with output, which dynamics does not see.
 #pragma once
 
-#include "core/Fingerprint.h"
+#include "dictionary/Fingerprint.h"
 #include "dynamics/Motion.h"
 #include "functionObjects/FunctionList.h"
 #include "io/TimeDirectory.h"

@@ -1,22 +1,16 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Writes and reads states. A state consists of entries with one number or one list, a subset of the
-/// dictionary grammar, and is read here in one pass: the grammar has no binary lists, and the state of a
-/// large wall has a million numbers.
+/// Writes and reads states: dictionaries of one number or one list an entry, in text or with binary lists.
 #include "io/TimeDirectory.h"
 
 #include "core/Error.h"
 #include "core/WholeFile.h"
+#include "dictionary/Dictionary.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
-#include <charconv>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 #include <iterator>
-#include <string_view>
 #include <unistd.h>
 
 namespace drystone
@@ -26,253 +20,6 @@ namespace fs = std::filesystem;
 
 namespace
 {
-
-static_assert(std::endian::native == std::endian::little, "the header of a binary state says LSB");
-
-/// Reads a state from its text and keeps track of the line.
-class StateReader
-{
-public:
-    StateReader(const fs::path& path, std::string_view content) : file(path), text(content) {}
-
-    State read()
-    {
-        State state;
-        state.file = file;
-        bool binary = false;
-        for (skip(); at < text.size(); skip())
-        {
-            const std::string name(word());
-            skip();
-            if (name == "FoamFile")
-            {
-                binary = header();
-            }
-            else if (next("List<scalar>"))
-            {
-                state.arrays[name] = list(binary);
-            }
-            else
-            {
-                value(state, name);
-            }
-            if (name != "FoamFile")
-            {
-                expect(';');
-            }
-        }
-        return state;
-    }
-
-private:
-    [[noreturn]] void fail(const std::string& what) const
-    {
-        const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
-        throw FatalIOError(
-            what
-                + "\n\nThe run cannot continue from this state: remove the time directory to start "
-                  "from an earlier one.",
-            {file.string(), "", static_cast<int>(line)});
-    }
-
-    void skip()
-    {
-        while (at < text.size())
-        {
-            if (std::isspace(static_cast<unsigned char>(text[at])) != 0)
-            {
-                ++at;
-            }
-            else if (text.substr(at, 2) == "//")
-            {
-                at = std::min(text.find('\n', at), text.size());
-            }
-            else if (text.substr(at, 2) == "/*")
-            {
-                const auto end = text.find("*/", at + 2);
-                if (end == text.npos)
-                {
-                    fail("A comment does not end.");
-                }
-                at = end + 2;
-            }
-            else
-            {
-                return;
-            }
-        }
-    }
-
-    bool next(std::string_view token)
-    {
-        if (text.substr(at, token.size()) != token)
-        {
-            return false;
-        }
-        at += token.size();
-        return true;
-    }
-
-    void expect(char c)
-    {
-        skip();
-        if (at >= text.size())
-        {
-            fail(fmt::format("The file ends where '{}' was expected.", c));
-        }
-        if (text[at] != c)
-        {
-            fail(fmt::format("Expected '{}'.", c));
-        }
-        ++at;
-    }
-
-    std::string_view word()
-    {
-        const std::size_t begin = at;
-        while (at < text.size() && std::isspace(static_cast<unsigned char>(text[at])) == 0
-               && std::string_view(";(){}").find(text[at]) == std::string_view::npos)
-        {
-            ++at;
-        }
-        if (at == begin)
-        {
-            fail("Expected the name of an entry.");
-        }
-        return text.substr(begin, at - begin);
-    }
-
-    double number()
-    {
-        skip();
-        double result = 0;
-        const auto [end, error] = std::from_chars(text.data() + at, text.data() + text.size(), result);
-        if (error != std::errc() || !std::isfinite(result))
-        {
-            fail("Expected a finite number.");
-        }
-        at = static_cast<std::size_t>(end - text.data());
-        return result;
-    }
-
-    std::size_t size()
-    {
-        skip();
-        std::size_t result = 0;
-        const auto [end, error] = std::from_chars(text.data() + at, text.data() + text.size(), result);
-        if (error != std::errc() || result > text.size())
-        {
-            fail("Expected the size of a list.");
-        }
-        at = static_cast<std::size_t>(end - text.data());
-        return result;
-    }
-
-    std::vector<double> list(bool binary)
-    {
-        std::vector<double> values(size());
-        expect('(');
-        if (binary)
-        {
-            const std::size_t bytes = values.size() * sizeof(double);
-            if (text.size() - at < bytes)
-            {
-                fail(fmt::format("The file ends within a list of {} numbers.", values.size()));
-            }
-            if (bytes > 0)
-            {
-                std::memcpy(values.data(), text.data() + at, bytes);
-            }
-            if (!std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); }))
-            {
-                fail("A list holds a value that is not a finite number.");
-            }
-            at += bytes;
-        }
-        else
-        {
-            for (double& value : values)
-            {
-                value = number();
-            }
-        }
-        expect(')');
-        return values;
-    }
-
-    /// Whether `2("one" "two")` is next.
-    bool textsAreNext() const
-    {
-        const std::size_t parenthesis = text.find('(', at);
-        const std::size_t first = text.find_first_not_of(" \t\r\n", parenthesis + 1);
-        return first != text.npos && text[first] == '"';
-    }
-
-    std::vector<std::string> texts()
-    {
-        std::vector<std::string> result(size());
-        expect('(');
-        for (std::string& one : result)
-        {
-            expect('"');
-            const std::size_t end = std::min(text.find_first_of("\"\\\n", at), text.size());
-            one = text.substr(at, end - at);
-            at = end;
-            if (!next("\""))
-            {
-                fail("A text does not end on its line.");
-            }
-        }
-        expect(')');
-        return result;
-    }
-
-    /// `0.5`, `2(0.5 0.6)` or `2("one" "two")`: a list is distinguished from a number by its parenthesis.
-    void value(State& state, const std::string& name)
-    {
-        const std::size_t end = text.find_first_of(";(", at);
-        if (end != text.npos && text[end] == '(')
-        {
-            if (textsAreNext())
-            {
-                state.texts[name] = texts();
-            }
-            else
-            {
-                state.arrays[name] = list(false);
-            }
-        }
-        else
-        {
-            state.scalars[name] = number();
-        }
-    }
-
-    /// True when the format is binary.
-    bool header()
-    {
-        const std::size_t end = text.find('}', at);
-        if (end == text.npos)
-        {
-            fail("The header FoamFile does not end.");
-        }
-        const std::string_view entries = text.substr(at, end - at);
-        at = end + 1;
-        const std::size_t entry = entries.find("format");
-        const bool binary =
-            entry != entries.npos
-            && entries.substr(entry, entries.find(';', entry) - entry).find("binary") != entries.npos;
-        if (binary && entries.find("LSB;label=32;scalar=64") == entries.npos)
-        {
-            fail("This binary state comes from a machine with another byte order.");
-        }
-        return binary;
-    }
-
-    const fs::path& file;
-    std::string_view text;
-    std::size_t at = 0;
-};
 
 fs::path stateFile(const fs::path& caseDirectory, const std::string& timeName)
 {
@@ -395,19 +142,53 @@ void writeState(const fs::path& caseDirectory, const std::string& timeName, cons
 
 State readState(const fs::path& file)
 {
-    std::error_code error;
-    std::ifstream stream;
-    if (fs::is_regular_file(file, error)) // reading from a pipe could block for ever
+    State state;
+    state.file = file;
+    try
     {
-        stream.open(file, std::ios::binary);
+        const Dictionary dictionary = Dictionary::readFile(file, Expansion::none);
+        for (const Entry& entry : dictionary.entries())
+        {
+            if (entry.keyword() == "FoamFile")
+            {
+                continue;
+            }
+            const std::vector<Token>& value = entry.tokens();
+            const bool isList = !value.empty()
+                                && (value.front().kind != TokenKind::number
+                                    || (value.size() > 1 && (value[1].is('(') || value[1].is('{'))));
+            const auto texts =
+                std::count_if(value.begin(), value.end(),
+                              [](const Token& token) { return token.kind == TokenKind::string; });
+            if (!isList)
+            {
+                state.scalars[entry.keyword()] = entry.as<double>();
+            }
+            else if (texts > 0)
+            {
+                std::vector<std::string>& listed = state.texts[entry.keyword()];
+                listed = entry.as<std::vector<std::string>>();
+                if (static_cast<std::size_t>(texts) != listed.size())
+                {
+                    throw FatalIOError("A list of texts holds something that is not between quotes.",
+                                       entry.location());
+                }
+            }
+            else
+            {
+                state.arrays[entry.keyword()] = entry.as<std::vector<double>>();
+            }
+        }
     }
-    if (!stream.is_open())
+    catch (const FatalIOError& error)
     {
-        throw FatalError(fmt::format(
-            "Cannot read the state {}: there is no such file, or it may not be read.", file.string()));
+        throw FatalIOError(
+            std::string(error.what())
+                + "\n\nThe run cannot continue from this state: remove the time directory to start "
+                  "from an earlier one.",
+            error.location());
     }
-    const std::string text{std::istreambuf_iterator<char>(stream), {}};
-    return StateReader(file, text).read();
+    return state;
 }
 
 StateWriter::StateWriter(fs::path directory, WriteFormat writeFormat, int statesToKeep)

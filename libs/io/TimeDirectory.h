@@ -2,8 +2,8 @@
 /// Time directories of a case, the file format of states: a run continues from one bit for bit.
 #pragma once
 
-#include "core/Case.h"
-#include "core/Time.h"
+#include "runControl/Case.h"
+#include "runControl/Time.h"
 
 #include <cstddef>
 #include <deque>

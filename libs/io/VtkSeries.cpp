@@ -14,16 +14,14 @@
 #include "core/WholeFile.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstring>
 #include <fcntl.h>
 #include <fstream>
-#include <optional>
-#include <string_view>
+#include <iterator>
 #include <unistd.h>
 
 namespace drystone
@@ -38,24 +36,6 @@ constexpr std::string_view listTail = "\n  ]\n}\n";
 std::string listLine(std::string_view file, double time)
 {
     return fmt::format("    {{ \"name\" : \"{}\", \"time\" : {} }}", file, time);
-}
-
-/// The text between two others, or nothing when they are not both found.
-std::optional<std::string_view> between(std::string_view line, std::string_view before,
-                                        std::string_view after)
-{
-    const auto start = line.find(before);
-    if (start == line.npos)
-    {
-        return {};
-    }
-    line.remove_prefix(start + before.size());
-    const auto end = line.find(after);
-    if (end == line.npos)
-    {
-        return {};
-    }
-    return line.substr(0, end);
 }
 
 /// Times that differ by no more than the rounding of some thousand additions.
@@ -93,31 +73,56 @@ std::vector<double> VtkSeries::times() const
 std::vector<VtkSeries::Frame> VtkSeries::readList() const
 {
     std::vector<Frame> listed;
-    std::ifstream list(listFile());
-    std::string line;
-    for (int number = 1; std::getline(list, line); ++number)
+    std::ifstream list(listFile(), std::ios::binary);
+    if (!list.is_open())
     {
-        if (line.find("\"name\"") == line.npos)
+        return listed;
+    }
+    const std::string text{std::istreambuf_iterator<char>(list), {}};
+    const auto fail = [&](const std::string& what, int line)
+    {
+        throw FatalIOError("This is not a list of frames and their times: " + what
+                               + ".\n\nTo start a new series, remove the file.",
+                           {listFile().string(), "", line});
+    };
+    nlohmann::json series;
+    try
+    {
+        series = nlohmann::json::parse(text);
+    }
+    catch (const nlohmann::json::parse_error& error)
+    {
+        const std::size_t before = std::min(error.byte, text.size());
+        fail("the text is no JSON here",
+             1
+                 + static_cast<int>(
+                     std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(before), '\n')));
+    }
+    catch (const nlohmann::json::out_of_range&)
+    {
+        fail("a number is too large", 0);
+    }
+    if (!series.is_object() || !series.contains("files") || !series["files"].is_array())
+    {
+        fail("it has no array \"files\"", 0);
+    }
+    for (const nlohmann::json& frame : series["files"])
+    {
+        const bool isNamed = frame.is_object() && frame.contains("name") && frame["name"].is_string();
+        const bool isTimed = isNamed && frame.contains("time") && frame["time"].is_number();
+        if (!isTimed || frame["name"].get<std::string>().find('/') != std::string::npos)
         {
-            continue;
+            fail(
+                fmt::format("entry {} of \"files\" has no \"name\" of a file beside the list with a \"time\"",
+                            &frame - &series["files"].front()),
+                0);
         }
-        const auto file = between(line, "\"name\" : \"", "\"");
-        const auto time = between(line, "\"time\" : ", " }");
-        double value = 0;
-        if (!file || !time || file->find('/') != file->npos
-            || std::from_chars(time->data(), time->data() + time->size(), value).ec != std::errc()
-            || !std::isfinite(value))
-        {
-            throw FatalIOError(
-                "This line does not name a frame and its time in the way that Drystone writes them. "
-                "To start a new series, remove the file.",
-                {listFile().string(), "", number});
-        }
+        const Frame known{frame["name"].get<std::string>(), frame["time"].get<double>()};
         // A frame that was removed to save space is skipped, and so is a name that no file can have.
         std::error_code unknown;
-        if (std::filesystem::exists(folder / *file, unknown))
+        if (std::filesystem::exists(folder / known.file, unknown))
         {
-            listed.push_back({std::string(*file), value});
+            listed.push_back(known);
         }
     }
     std::stable_sort(listed.begin(), listed.end(),

@@ -5,7 +5,7 @@
 #include "assembly/AssemblyFile.h"
 #include "assembly/JointLaws.h"
 #include "assembly/Materials.h"
-#include "core/Solution.h"
+#include "runControl/Solution.h"
 #include "statics/CrushingHinges.h"
 #include "statics/Settlement.h"
 #include "statics/SurfaceContact.h"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "assembly/ContactPoint.h"
-#include "core/Options.h"
+#include "dictionary/Options.h"
 #include "statics/LimitAnalysis.h"
 
 namespace drystone

@@ -4,7 +4,7 @@
 
 #include "assembly/MovingContacts.h"
 #include "conic/InteriorPoint.h"
-#include "core/Options.h"
+#include "dictionary/Options.h"
 #include "statics/LimitAnalysis.h"
 
 #include <functional>

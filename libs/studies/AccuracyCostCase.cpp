@@ -2,12 +2,12 @@
 /// Reads, runs and records a study in its case directory.
 #include "studies/AccuracyCostCase.h"
 
-#include "core/Case.h"
 #include "core/Log.h"
 #include "core/Signals.h"
 #include "core/WholeFile.h"
 #include "functionObjects/ColumnFile.h"
 #include "functionObjects/MotionResults.h"
+#include "runControl/Case.h"
 #include "studies/AccuracyPage.h"
 #include "studies/CaseRuns.h"
 

@@ -5,7 +5,7 @@
 /// structure that rocks for a long time is not among them, because it depends on rounding.
 #pragma once
 
-#include "core/Registry.h"
+#include "dictionary/Registry.h"
 #include "dynamics/Motion.h"
 #include "statics/LimitAnalysisCase.h"
 #include "studies/References.h"

@@ -2,9 +2,9 @@
 /// The operating system's part of a study: files, processes and signals.
 #include "studies/CaseRuns.h"
 
-#include "core/Case.h"
 #include "core/Error.h"
 #include "core/Signals.h"
+#include "runControl/Case.h"
 
 #include <fmt/format.h>
 

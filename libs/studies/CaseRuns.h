@@ -3,7 +3,7 @@
 /// repeat whole cases.
 #pragma once
 
-#include "core/Fingerprint.h"
+#include "dictionary/Fingerprint.h"
 
 #include <cstdint>
 #include <filesystem>

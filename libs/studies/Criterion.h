@@ -7,7 +7,7 @@
 ///     criterion { type collapse; drop 0.5; }
 #pragma once
 
-#include "core/Registry.h"
+#include "dictionary/Registry.h"
 #include "dynamics/DynamicCase.h"
 
 #include <functional>

@@ -2,7 +2,6 @@
 /// Reads, prints and writes an incremental analysis.
 #include "studies/IncrementalDynamicsCase.h"
 
-#include "core/Case.h"
 #include "core/Log.h"
 #include "core/WholeFile.h"
 #include "dynamics/GroundMotionPlausibility.h"
@@ -10,6 +9,7 @@
 #include "functionObjects/MotionLog.h"
 #include "functionObjects/MotionResults.h"
 #include "io/Plot.h"
+#include "runControl/Case.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,8 +29,9 @@ std::vector<StudyMotion> studyMotions(const std::filesystem::path& caseDirectory
     std::vector<StudyMotion> motions;
     for (const auto& [name, record] : settings.records)
     {
-        GroundMotion::Component component = recordComponent(record.record, caseDirectory);
-        component.direction = Eigen::Map<const Eigen::Vector3d>(record.direction.data()).normalized();
+        GroundMotion::Component component{
+            recordedAcceleration(record.record, caseDirectory),
+            Eigen::Map<const Eigen::Vector3d>(record.direction.data()).normalized()};
         question(doubtsAboutRecord(component, dictionary.subDict("records").subDict(name)));
         motions.push_back({name, {{std::move(component)}}, 0});
     }

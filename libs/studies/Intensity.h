@@ -8,7 +8,7 @@
 /// The intensity is the peak acceleration of the ground: the motion is scaled to have this peak.
 #pragma once
 
-#include "core/Registry.h"
+#include "dictionary/Registry.h"
 
 #include <functional>
 #include <string_view>

@@ -2,7 +2,7 @@
 /// Declares the settings of a search, and runs it by NLopt, which only this file includes.
 #include "studies/ParameterSearch.h"
 
-#include "core/Expression.h"
+#include "dictionary/Expression.h"
 
 #include <fmt/format.h>
 #include <nlopt.h>

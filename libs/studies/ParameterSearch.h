@@ -15,7 +15,7 @@
 ///     search      ( { algorithm DIRECT_L; maximumEvaluations 30; } { algorithm COBYLA; } );
 #pragma once
 
-#include "core/Options.h"
+#include "dictionary/Options.h"
 
 #include <array>
 #include <map>

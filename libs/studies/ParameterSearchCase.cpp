@@ -2,13 +2,13 @@
 /// Evaluates, records and reports the points of a search by running applications in a copy of the case.
 #include "studies/ParameterSearchCase.h"
 
-#include "core/Case.h"
-#include "core/DictionaryEdit.h"
 #include "core/Log.h"
 #include "core/Signals.h"
 #include "core/WholeFile.h"
+#include "dictionary/DictionaryEdit.h"
 #include "functionObjects/ColumnFile.h"
 #include "io/Plot.h"
+#include "runControl/Case.h"
 #include "studies/CaseRuns.h"
 
 #include <algorithm>

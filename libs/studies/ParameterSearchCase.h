@@ -9,7 +9,7 @@
 ///     parameterSearch.svg      the objective over the evaluations, or over the variable when there is one
 #pragma once
 
-#include "core/CommandLine.h"
+#include "runControl/CommandLine.h"
 #include "studies/ParameterSearch.h"
 
 #include <cstdint>

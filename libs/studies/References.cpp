@@ -2,7 +2,7 @@
 /// Integrates the reference solutions between events.
 #include "studies/References.h"
 
-#include "dynamics/EventIntegration.h"
+#include "timeSeries/EventIntegration.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 /// Housner's equation integrated to the last digits. Errors of the time stepping are measured against them.
 #pragma once
 
-#include "dynamics/GroundAcceleration.h"
+#include "timeSeries/GroundAcceleration.h"
 
 #include <functional>
 #include <vector>

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "assembly/Assembly.h"
-#include "core/Options.h"
+#include "dictionary/Options.h"
 
 #include <vector>
 

@@ -4,7 +4,7 @@
 
 #include "assembly/Assembly.h"
 #include "assembly/Outlines.h"
-#include "core/Options.h"
+#include "dictionary/Options.h"
 
 namespace drystone
 {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "assembly/Assembly.h"
-#include "core/Options.h"
+#include "dictionary/Options.h"
 
 #include <array>
 #include <string_view>

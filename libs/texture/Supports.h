@@ -4,7 +4,7 @@
 #pragma once
 
 #include "assembly/Assembly.h"
-#include "core/Registry.h"
+#include "dictionary/Registry.h"
 
 #include <functional>
 #include <optional>

@@ -13,10 +13,10 @@
 
 #include "assembly/AssemblyFile.h"
 #include "conic/UnitOfWork.h"
-#include "core/CommandLine.h"
 #include "core/WholeFile.h"
 #include "dynamics/Motion.h"
 #include "functionObjects/MotionResults.h"
+#include "runControl/CommandLine.h"
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>

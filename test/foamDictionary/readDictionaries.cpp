@@ -6,7 +6,7 @@
 ///
 /// expand: expand macros and directives. print: the entries too, not only whether the file could be read.
 /// Every answer starts with a line "@@ read FILE" or "@@ failed FILE" and ends with a line "@@ end".
-#include "core/Dictionary.h"
+#include "dictionary/Dictionary.h"
 
 #include <iostream>
 #include <set>

@@ -3,9 +3,9 @@
 /// each application may only reject it with a FatalError.
 #include "SoundCase.h"
 
-#include "core/Time.h"
 #include "dynamics/DynamicCase.h"
 #include "dynamics/InitialMotion.h"
+#include "runControl/Time.h"
 #include "statics/LimitAnalysisCase.h"
 
 #include <array>

@@ -1,7 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Any text, read as a dictionary: it may only be rejected with a FatalError, and its printed form reads back
 /// as the same.
-#include "core/Dictionary.h"
+#include "dictionary/Dictionary.h"
 
 #include <cstdint>
 #include <cstdio>

@@ -1,8 +1,8 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Any text, edited as by caseDictionary: rejected with a FatalError, or an entry that was set reads back,
 /// and one that was removed is absent.
-#include "core/Dictionary.h"
-#include "core/DictionaryEdit.h"
+#include "dictionary/Dictionary.h"
+#include "dictionary/DictionaryEdit.h"
 
 #include "InputFile.h"
 

@@ -2,7 +2,7 @@
 /// Any text, read as a record of ground motion: rejected with a FatalError, or finite and in order.
 #include "InputFile.h"
 
-#include "dynamics/Record.h"
+#include "timeSeries/Record.h"
 
 #include <cmath>
 #include <cstdint>

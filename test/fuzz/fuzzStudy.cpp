@@ -3,10 +3,10 @@
 /// character (see SoundCase). The readers may only reject it with a FatalError.
 #include "SoundCase.h"
 
-#include "core/CommandLine.h"
-#include "core/Time.h"
 #include "functionObjects/LimitAnalysisResults.h"
 #include "io/VtkSeries.h"
+#include "runControl/CommandLine.h"
+#include "runControl/Time.h"
 #include "studies/AccuracyCostCase.h"
 #include "studies/CaseRuns.h"
 #include "studies/IncrementalDynamicsCase.h"

@@ -2,8 +2,8 @@
 /// States: read back bit for bit, whole or not at all.
 #include "io/TimeDirectory.h"
 #include "Scene.h"
-#include "core/Dictionary.h"
 #include "core/Error.h"
+#include "dictionary/Dictionary.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -22,6 +22,7 @@ namespace
 
 using test::content;
 using test::ScratchFolder;
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -111,7 +112,7 @@ TEST_P(EveryFormat, CutAnywhereIsRefusedOrComplete)
         }
         catch (const FatalError& error)
         {
-            EXPECT_THAT(error.report(), HasSubstr("state at line "));
+            EXPECT_THAT(error.report(), AllOf(HasSubstr("/state"), HasSubstr(" at line ")));
             ++refused;
         }
     }
@@ -218,7 +219,9 @@ TEST(TimeDirectory, TextsThatEndTooEarlyAreErrors)
                              "input 1 (\"a\n\");", "input 1 (\"a\"", "input 2 (\"a\" 3);"})
     {
         std::ofstream(folder / "state") << text;
-        EXPECT_THAT(messageOf([&] { readState(folder / "state"); }), HasSubstr("state at line")) << text;
+        EXPECT_THAT(messageOf([&] { readState(folder / "state"); }),
+                    AllOf(HasSubstr("/state"), HasSubstr(" at line ")))
+            << text;
     }
 }
 
@@ -241,15 +244,15 @@ TEST(TimeDirectory, ErrorsOfAStateNameFileAndLine)
         std::ofstream(folder / "state") << text;
         return messageOf([&] { readState(folder / "state"); });
     };
-    EXPECT_THAT(read("time 1;\nvelocity 2(1 x);\n"), HasSubstr("state at line 2"));
-    EXPECT_THAT(read("time 1;\nvelocity 3(1 2);\n"), HasSubstr("finite number"));
-    EXPECT_THAT(read("time nan;\n"), HasSubstr("state at line 1"));
-    EXPECT_THAT(read("time 1\nvelocity 2;\n"), HasSubstr("Expected ';'"));
-    EXPECT_THAT(read("a 99999999999999(1);\n"), HasSubstr("size of a list"));
-    EXPECT_THAT(read("a -1(1);\n"), HasSubstr("size of a list"));
-    EXPECT_THAT(read("\n\n/* never\n"), HasSubstr("does not end"));
+    EXPECT_THAT(read("time 1;\nvelocity 2(1 x);\n"), HasSubstr("state/velocity at line 2"));
+    EXPECT_THAT(read("time 1;\nvelocity 3(1 2);\n"), HasSubstr("says that it has 3 values, but has 2"));
+    EXPECT_THAT(read("time nan;\n"), HasSubstr("state/time at line 1"));
+    EXPECT_THAT(read("time 1\nvelocity 2;\n"), HasSubstr("Is a `;` missing at the end of line 1?"));
+    EXPECT_THAT(read("a 99999999999999(1);\n"), HasSubstr("says that it has 99999999999999 values"));
+    EXPECT_THAT(read("a -1(1);\n"), HasSubstr("A list cannot have -1 values"));
+    EXPECT_THAT(read("\n\n/* never\n"), HasSubstr("not closed"));
     EXPECT_THAT(messageOf([&] { readState(folder / "absent/state"); }), HasSubstr("absent/state"));
-    EXPECT_THAT(messageOf([&] { readState(folder.path()); }), HasSubstr("Cannot read"));
+    EXPECT_THAT(messageOf([&] { readState(folder.path()); }), HasSubstr("is a directory"));
     EXPECT_THAT(read(std::string("\x7f"
                                  "ELF\0\0\x01\x02",
                                  8)),

@@ -395,16 +395,32 @@ TEST(VtkSeries, AFrameThatNoFileCanHaveTheNameOfIsNotListed)
 {
     const ScratchFolder folder;
     std::ofstream(folder.path() / "blocks.vtp.series")
-        << "{ \"name\" : \"" << std::string(300, 'x') << "\", \"time\" : 0 },\n";
+        << "{\"files\": [{\"name\": \"" << std::string(300, 'x') << "\", \"time\": 0}]}\n";
     EXPECT_THAT(VtkSeries(folder.path(), "blocks", 1).times(), testing::IsEmpty());
 }
 
-TEST(VtkSeries, AListOfSomebodyElseIsRefusedWithItsLine)
+TEST(VtkSeries, AListLaidOutByAnotherProgramIsRead)
 {
     const ScratchFolder folder;
-    std::ofstream(folder / "blocks.vtp.series") << "{\"files\": [\n{\"name\": \"x.vtp\", \"time\": 0}]}\n";
-    const std::string message = messageOf([&] { VtkSeries(folder.path(), "blocks", 0); });
-    EXPECT_THAT(message, HasSubstr("blocks.vtp.series at line 2"));
+    std::ofstream(folder / "x.vtp") << "a frame";
+    std::ofstream(folder / "blocks.vtp.series") << "{\"files\": [\n{\"time\": 0.5, \"name\": \"x.vtp\"}]}\n";
+    EXPECT_THAT(VtkSeries(folder.path(), "blocks", 1).times(), ElementsAre(0.5));
+}
+
+TEST(VtkSeries, WhatIsNoListOfFramesIsRefused)
+{
+    const ScratchFolder folder;
+    const auto read = [&](const std::string& text)
+    {
+        std::ofstream(folder / "blocks.vtp.series") << text;
+        return messageOf([&] { VtkSeries(folder.path(), "blocks", 0); });
+    };
+    EXPECT_THAT(read("{\"files\": [\n{\"name\": \"x.vtp\", \"time\" 0}]}\n"),
+                HasSubstr("blocks.vtp.series at line 2"));
+    EXPECT_THAT(read("[1]"), HasSubstr("no array"));
+    EXPECT_THAT(read("{\"files\": [{\"name\": \"x.vtp\"}]}"), HasSubstr("entry 0"));
+    EXPECT_THAT(read("{\"files\": [{\"name\": \"../x.vtp\", \"time\": 0}]}"), HasSubstr("entry 0"));
+    EXPECT_THAT(read("{\"files\": [{\"name\": \"x.vtp\", \"time\": 1e999}]}"), HasSubstr("too large"));
 }
 
 TEST(VtkSeries, ADamagedListIsRefusedOrReadButNeverCrashes)

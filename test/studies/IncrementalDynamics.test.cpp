@@ -41,7 +41,7 @@ struct BlockCase
 StudyMotion constantMotion(double acceleration)
 {
     GroundMotion ground;
-    ground.components.push_back({{1, 0, 0}, std::make_shared<ConstantAcceleration>(acceleration), ""});
+    ground.components.push_back({{std::make_shared<ConstantAcceleration>(acceleration), ""}, {1, 0, 0}});
     return {"constant", ground, std::abs(acceleration)};
 }
 

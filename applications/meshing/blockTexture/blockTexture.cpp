@@ -5,12 +5,11 @@
 #include "assembly/AssemblyOrigin.h"
 #include "assembly/JointClosure.h"
 #include "assembly/Plausibility.h"
-#include "core/CaseFiles.h"
-#include "core/CommandLine.h"
 #include "core/Error.h"
 #include "core/Log.h"
 #include "core/WholeFile.h"
 #include "io/Frames.h"
+#include "runControl/Application.h"
 #include "texture/Texture.h"
 
 using namespace drystone;
@@ -33,9 +32,7 @@ void warnOfFaults(const Assembly<2>& assembly, const Dictionary& dictionary)
 
 int run(const CommandLine& commandLine)
 {
-    printBanner(commandLine);
     const std::filesystem::path& directory = commandLine.caseDirectory;
-    refuseMisnamedFiles(directory);
     const std::filesystem::path file = commandLine.dictionaryFile("system/blockTextureDict");
     const Dictionary dictionary = Dictionary::readFile(file);
     const Assembly<2> assembly = makeStructure(dictionary);

@@ -3,8 +3,8 @@
 #include "assembly/AssemblyChecks.h"
 #include "assembly/AssemblyFile.h"
 #include "assembly/JointClosure.h"
-#include "core/CommandLine.h"
 #include "core/Log.h"
+#include "runControl/Application.h"
 
 using namespace drystone;
 
@@ -13,7 +13,6 @@ namespace
 
 int run(const CommandLine& commandLine)
 {
-    printBanner(commandLine);
     const Assembly<2> assembly = readAssembly(commandLine.caseDirectory);
     printClosure(assembly);
     const CheckExtent extent = commandLine.has("allChecks") ? CheckExtent::all : CheckExtent::standard;

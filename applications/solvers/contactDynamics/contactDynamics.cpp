@@ -1,9 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// contactDynamics: steps a structure of rigid blocks with dry joints through time (Portioli, Cascini &
 /// Landolfo 2017, eq. 1-9).
-#include "core/Case.h"
-#include "core/CaseFiles.h"
-#include "core/CommandLine.h"
 #include "core/Error.h"
 #include "core/Log.h"
 #include "core/Signals.h"
@@ -11,6 +8,8 @@
 #include "functionObjects/EffectAdvice.h"
 #include "functionObjects/MotionLog.h"
 #include "functionObjects/MotionResults.h"
+#include "runControl/Application.h"
+#include "runControl/Case.h"
 
 using namespace drystone;
 
@@ -19,8 +18,6 @@ namespace
 
 int run(const CommandLine& commandLine)
 {
-    printBanner(commandLine);
-    refuseMisnamedFiles(commandLine.caseDirectory);
     Time time(commandLine.caseDirectory, ControlDict::required);
     DynamicCase scene = readDynamicCase(commandLine.caseDirectory);
     question(doubtsAboutTimes(scene.groundMotion, scene.schemes, time.controls(), time.controlDict()));

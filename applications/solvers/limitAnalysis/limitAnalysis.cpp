@@ -3,12 +3,11 @@
 /// 10).
 #include "assembly/Loads.h"
 #include "assembly/Materials.h"
-#include "core/CaseFiles.h"
-#include "core/CommandLine.h"
 #include "core/Log.h"
-#include "core/Time.h"
 #include "functionObjects/KeptResults.h"
 #include "functionObjects/LimitAnalysisResults.h"
+#include "runControl/Application.h"
+#include "runControl/Time.h"
 
 #include <algorithm>
 
@@ -24,9 +23,7 @@ bool hasNoAnswer(const LimitAnalysis& result)
 
 int run(const CommandLine& commandLine)
 {
-    printBanner(commandLine);
     const std::filesystem::path& directory = commandLine.caseDirectory;
-    refuseMisnamedFiles(directory);
     const Time time(directory); // nothing moves, but a fault in controlDict is reported here too
     LimitAnalysisCase structure = readLimitAnalysisCase(directory);
     if (!commandLine.noFunctionObjects)

@@ -1,11 +1,10 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// accuracyCost: the CPU time of accuracy: errors of figures against a reference and the CPU time they take,
 /// over steps, schemes, flow rules, solvers, tolerances and contact points.
-#include "core/CaseFiles.h"
-#include "core/CommandLine.h"
 #include "core/Error.h"
 #include "core/Log.h"
 #include "core/Signals.h"
+#include "runControl/Application.h"
 #include "studies/AccuracyCostCase.h"
 
 using namespace drystone;
@@ -15,8 +14,6 @@ namespace
 
 int run(const CommandLine& commandLine)
 {
-    printBanner(commandLine);
-    refuseMisnamedFiles(commandLine.caseDirectory);
     if (commandLine.postProcess)
     {
         throw FatalError("accuracyCost writes its tables when it runs: omit -postProcess. Called again, "
@@ -36,7 +33,7 @@ int run(const CommandLine& commandLine)
     printAccuracyResults(study, results);
     writeAccuracyResults(study, results);
     printExecutionTime();
-    printEnd();
+    printStopOrEnd("Started again, it continues.");
     return exitStatus(results);
 }
 

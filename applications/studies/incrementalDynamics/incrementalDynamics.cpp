@@ -1,12 +1,11 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// incrementalDynamics: repeats the motion of contactDynamics over a growing ground acceleration and finds
 /// the least one that meets a criterion; with several records an incremental dynamic analysis.
-#include "core/CaseFiles.h"
-#include "core/CommandLine.h"
 #include "core/Error.h"
 #include "core/Log.h"
 #include "core/Signals.h"
 #include "functionObjects/LimitAnalysisResults.h"
+#include "runControl/Application.h"
 #include "studies/IncrementalDynamicsCase.h"
 
 using namespace drystone;
@@ -16,8 +15,6 @@ namespace
 
 int run(const CommandLine& commandLine)
 {
-    printBanner(commandLine);
-    refuseMisnamedFiles(commandLine.caseDirectory);
     if (commandLine.postProcess)
     {
         throw FatalError("incrementalDynamics writes its tables when it runs: omit -postProcess.");
@@ -41,7 +38,7 @@ int run(const CommandLine& commandLine)
     printLeast(study, curves);
     writeIncrementalDynamics(incrementalDynamicsFolder(commandLine.caseDirectory, time), study, curves);
     printExecutionTime();
-    printEnd();
+    printStopOrEnd("The tables hold the runs that are done; started again, it begins anew.");
     return exitStatus(curves);
 }
 

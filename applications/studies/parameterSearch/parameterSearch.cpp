@@ -1,10 +1,9 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// parameterSearch: the values of selected entries of a case for which a result is least or largest.
-#include "core/CaseFiles.h"
-#include "core/CommandLine.h"
 #include "core/Error.h"
 #include "core/Log.h"
 #include "core/Signals.h"
+#include "runControl/Application.h"
 #include "studies/ParameterSearchCase.h"
 
 using namespace drystone;
@@ -14,8 +13,6 @@ namespace
 
 int run(const CommandLine& commandLine)
 {
-    printBanner(commandLine);
-    refuseMisnamedFiles(commandLine.caseDirectory);
     if (commandLine.postProcess)
     {
         throw FatalError("parameterSearch writes its tables when it runs: omit -postProcess.");
@@ -34,7 +31,7 @@ int run(const CommandLine& commandLine)
     printOutcome(search, history, outcome);
     writeOutcome(search, history, outcome);
     printExecutionTime();
-    printEnd();
+    printStopOrEnd("Started again, it continues.");
     return exitStatus(outcome);
 }
 

@@ -1,8 +1,8 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// caseDictionary: prints entries of a dictionary, or edits one and leaves the rest of the file unchanged.
-#include "core/CommandLine.h"
-#include "core/Dictionary.h"
-#include "core/DictionaryEdit.h"
+#include "dictionary/Dictionary.h"
+#include "dictionary/DictionaryEdit.h"
+#include "runControl/Application.h"
 
 #include <fmt/format.h>
 #include <map>
@@ -81,6 +81,7 @@ int main(int argc, char* argv[])
     description.summary =
         "Prints the contents of a dictionary, macros and directives expanded, or edits one entry of it\n"
         "and keeps comments and layout.";
+    description.output = Output::answer;
     description.arguments = {{"DICTIONARY", "", "the file, relative to the case directory"}};
     description.options = {
         {"entry", "a/b", "the entry (default: all)"},

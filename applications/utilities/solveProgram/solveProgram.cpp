@@ -3,8 +3,8 @@
 /// and prints status, objective and certificate.
 #include "conic/Certificate.h"
 #include "conic/ProgramFile.h"
-#include "core/CommandLine.h"
 #include "core/Log.h"
+#include "runControl/Application.h"
 
 using namespace drystone;
 
@@ -54,7 +54,6 @@ int solve(const ConeProgram<Rows, Forces>& program, const SolverChoice& choice)
 
 int run(const CommandLine& commandLine)
 {
-    printBanner(commandLine);
     const SolverChoice choice = choiceOf(commandLine);
     return std::visit([&choice](const auto& program) { return solve(program, choice); },
                       readProgram(commandLine.caseDirectory / commandLine.arguments.front()));

@@ -1,0 +1,349 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Edits of a dictionary's text by the places of its statements.
+#include "dictionary/DictionaryEdit.h"
+
+#include "core/WholeFile.h"
+#include "dictionary/Dictionary.h"
+#include "dictionary/DictionaryGrammar.h"
+
+#include <algorithm>
+#include <cctype>
+#include <fmt/format.h>
+#include <fstream>
+#include <iterator>
+#include <vector>
+
+namespace drystone
+{
+
+namespace
+{
+
+std::vector<std::string> keywordsOf(std::string_view path)
+{
+    std::vector<std::string> keywords;
+    while (!path.empty())
+    {
+        const std::size_t slash = std::min(path.find('/'), path.size());
+        if (slash > 0)
+            keywords.emplace_back(path.substr(0, slash));
+        path.remove_prefix(std::min(slash + 1, path.size()));
+    }
+    return keywords;
+}
+
+/// A directive with nothing after it would take the next statement for its argument: one that is added, say.
+void refuseBareDirectives(const std::vector<Statement>& statements, const std::string& file)
+{
+    for (const Statement& statement : statements)
+    {
+        if (statement.kind == Statement::Kind::directive && statement.value.empty())
+            throw FatalIOError(
+                fmt::format("{} has no argument. Give it one, or remove it.", statement.keyword.text),
+                SourceLocation{file, "", statement.keyword.line});
+        refuseBareDirectives(statement.body, file);
+        refuseBareDirectives(statement.otherwise, file);
+    }
+}
+
+/// The text of a file and the statements it consists of.
+struct Edited
+{
+    Edited(const std::string& text, const std::filesystem::path& path)
+        : file{path.lexically_normal().string(), text}, statements(parseStatements(file))
+    {
+        refuseBareDirectives(statements, file.name);
+    }
+    Edited(const Edited&) = delete;
+
+    SourceFile file;
+    std::vector<Statement> statements;
+};
+
+bool isKeyed(const Statement& statement)
+{
+    return statement.kind == Statement::Kind::entry || statement.kind == Statement::Kind::dictionary;
+}
+
+/// All statements of a path that count, in the order of the text: those of a sub-dictionary that a value of
+/// the same name replaces further down do not.
+/// \param level of the path that `statements` are at
+std::vector<const Statement*> find(const std::vector<Statement>& statements,
+                                   const std::vector<std::string>& keywords, std::size_t level = 0)
+{
+    // A sub-dictionary that is given twice is one, with both bodies.
+    std::vector<const std::vector<Statement>*> bodies{&statements};
+    for (;; ++level)
+    {
+        std::vector<const Statement*> found;
+        std::vector<const std::vector<Statement>*> inner;
+        for (const std::vector<Statement>* body : bodies)
+        {
+            for (const Statement& statement : *body)
+            {
+                if (!isKeyed(statement) || statement.keyword.text != keywords[level])
+                    continue;
+                found.push_back(&statement);
+                if (statement.kind == Statement::Kind::dictionary)
+                    inner.push_back(&statement.body);
+                else
+                    inner.clear();
+            }
+        }
+        if (level + 1 == keywords.size())
+            return found;
+        bodies = std::move(inner);
+    }
+}
+
+/// Which statement of a path, or which value in place of one of its sub-dictionaries, is in a branch of a
+/// condition, so that changing the entry may change nothing.
+const Statement* findInCondition(const std::vector<Statement>& statements,
+                                 const std::vector<std::string>& keywords, std::size_t level)
+{
+    for (const Statement& statement : statements)
+    {
+        if (statement.kind == Statement::Kind::condition)
+        {
+            for (const auto* branch : {&statement.body, &statement.otherwise})
+            {
+                for (auto end = keywords.begin() + level + 1; end <= keywords.end(); ++end)
+                {
+                    const std::vector<const Statement*> found = find(*branch, {keywords.begin(), end}, level);
+                    if (!found.empty()
+                        && (end == keywords.end() || found.back()->kind == Statement::Kind::entry))
+                        return found.back();
+                }
+                if (const Statement* deeper = findInCondition(*branch, keywords, level))
+                    return deeper;
+            }
+        }
+        else if (statement.kind == Statement::Kind::dictionary && statement.keyword.text == keywords[level]
+                 && level + 1 < keywords.size())
+        {
+            if (const Statement* deeper = findInCondition(statement.body, keywords, level + 1))
+                return deeper;
+        }
+    }
+    return nullptr;
+}
+
+void refuseConditions(const Edited& edited, const std::vector<std::string>& keywords, std::string_view path)
+{
+    if (const Statement* statement = findInCondition(edited.statements, keywords, 0))
+        throw FatalIOError(
+            fmt::format("{} depends on a condition (#if or #ifeq), so it is not edited. Edit the file "
+                        "by hand.",
+                        path),
+            SourceLocation{edited.file.name, std::string(path), statement->keyword.line});
+}
+
+/// The value as it stands in the text, checked to be one value and nothing more.
+std::string checkedValue(std::string_view value, std::string_view path)
+{
+    std::string text(value);
+    text.erase(0, text.find_first_not_of(" \t\n"));
+    text.erase(text.find_last_not_of(" \t\n") + 1);
+    const bool isDictionary = text.starts_with('{');
+    const SourceFile entry{"the value given", fmt::format("key {}{}", text, isDictionary ? "\n" : "\n;")};
+    const std::vector<Statement> statements = parseStatements(entry);
+    if (statements.size() != 1 || !isKeyed(statements.front()))
+        throw FatalIOError(
+            fmt::format("`{}` is not one value for {}. Write a value without `;`, or `{{ ... }}`.", text,
+                        path),
+            SourceLocation{entry.name, "", 1});
+    return text;
+}
+
+bool isDictionaryText(const std::string& value)
+{
+    return value.starts_with('{');
+}
+
+/// Blanks in front of the line that a place is in.
+std::string indentationAt(const std::string& text, std::size_t place)
+{
+    const std::size_t lineBegin = text.rfind('\n', place == 0 ? 0 : place - 1);
+    const std::size_t begin = lineBegin == std::string::npos ? 0 : lineBegin + 1;
+    const std::size_t end = std::min(text.find_first_not_of(" \t", begin), text.size());
+    return text.substr(begin, end - begin);
+}
+
+/// Where the line ends, its `\n` included, on which nothing but comments stands from a place on. A comment of
+/// several lines belongs to the line it begins on: what is added after that line must not be part of it.
+std::size_t lineEndAfterComments(const std::string& text, std::size_t place)
+{
+    while (place < text.size() && text[place] != '\n')
+    {
+        if (text.compare(place, 2, "/*") == 0)
+            place = text.find("*/", place + 2) + 2; // the text has been parsed: its comments are closed
+        else if (text.compare(place, 2, "//") == 0)
+            place = std::min(text.find('\n', place), text.size());
+        else
+            ++place;
+    }
+    return place == text.size() ? place : place + 1;
+}
+
+/// A point may be in a keyword, alpha.water, or stand between two, limitAnalysis.tolerance: the latter when
+/// no entry has such a name and what is in front of the last point is a sub-dictionary.
+std::string withSlashes(const Dictionary& dictionary, std::string_view path)
+{
+    std::string slashed(path);
+    std::replace(slashed.begin(), slashed.end(), '.', '/');
+    const std::size_t last = slashed.rfind('/');
+    if (last == std::string::npos || dictionary.findPath(path))
+        return std::string(path);
+    const Entry* parent = dictionary.findPath(slashed.substr(0, last));
+    return parent && parent->isDictionary() ? slashed : std::string(path);
+}
+
+std::string entryText(const std::string& keyword, const std::string& value, const std::string& indentation)
+{
+    if (isDictionaryText(value))
+        return fmt::format("{}{}\n{}{}\n", indentation, keyword, indentation, value);
+    return fmt::format("{}{:<15} {};\n", indentation, keyword, value);
+}
+
+/// Replace what a statement says, from the first byte of its value to the last.
+std::string replaced(const std::string& text, const Statement& statement, const std::string& value)
+{
+    std::string result = text;
+    const auto needsBlank = [&text](std::size_t at)
+    { return at > 0 && std::isspace(static_cast<unsigned char>(text[at - 1])) == 0; };
+    const bool wasDictionary = statement.kind == Statement::Kind::dictionary;
+    if (wasDictionary)
+    {
+        // valueBegin is after `{`, end after `}`.
+        const std::size_t begin = statement.valueBegin - 1;
+        return result.replace(
+            begin, statement.end - begin,
+            isDictionaryText(value) ? value : fmt::format("{}{};", needsBlank(begin) ? " " : "", value));
+    }
+    std::size_t begin = statement.valueBegin;
+    std::size_t end = statement.valueBegin;
+    if (!statement.value.empty())
+    {
+        // Comments before and after the value stay. A quoted token's text is without its quotes.
+        const auto quotes = [](const Token& token) -> std::size_t {
+            return token.kind == TokenKind::string ? 1 : token.kind == TokenKind::verbatim ? 2 : 0;
+        };
+        const char* base = statement.keyword.file->text.data();
+        const Token& first = statement.value.front();
+        const Token& last = statement.value.back();
+        begin = static_cast<std::size_t>(first.text.data() - base) - quotes(first);
+        end = static_cast<std::size_t>(last.text.data() - base) + last.text.size() + quotes(last);
+    }
+    if (isDictionaryText(value))
+        end = statement.end;
+    // A comment or byte order mark that followed a `)` would become part of a word.
+    const bool standsApart = end == text.size() || text[end] == ';'
+                             || std::isspace(static_cast<unsigned char>(text[end])) != 0
+                             || isDictionaryText(value);
+    return result.replace(begin, end - begin,
+                          fmt::format("{}{}{}", needsBlank(begin) ? " " : "", value, standsApart ? "" : " "));
+}
+
+} // namespace
+
+std::string withEntrySet(const std::string& text, const std::filesystem::path& file, std::string_view path,
+                         std::string_view value)
+{
+    const Edited edited(text, file);
+    const std::vector<std::string> keywords = keywordsOf(path);
+    if (keywords.empty())
+        throw FatalError("The entry to be set has no name.");
+    const std::string newValue = checkedValue(value, path);
+    refuseConditions(edited, keywords, path);
+    const std::vector<const Statement*> found = find(edited.statements, keywords);
+    if (!found.empty())
+        return replaced(text, *found.back(), newValue); // of several, the last one counts
+
+    if (keywords.size() == 1)
+    {
+        // After the last statement, before what comments may close the file.
+        const std::size_t end = edited.statements.empty()
+                                    ? text.size()
+                                    : lineEndAfterComments(text, edited.statements.back().end);
+        std::string result = text;
+        return result.insert(end, fmt::format("{}{}", end > 0 && text[end - 1] != '\n' ? "\n" : "",
+                                              entryText(keywords.back(), newValue, "")));
+    }
+
+    const std::vector<const Statement*> parents =
+        find(edited.statements, {keywords.begin(), keywords.end() - 1});
+    if (parents.empty() || parents.back()->kind != Statement::Kind::dictionary)
+        throw FatalIOError(fmt::format("There is no sub-dictionary {} to add {} to. Add it first.",
+                                       fmt::join(keywords.begin(), keywords.end() - 1, "/"), keywords.back()),
+                           SourceLocation{edited.file.name, "", 0});
+    const Statement& parent = *parents.back();
+    const std::size_t closing = parent.valueEnd;
+    std::string result = text;
+    const bool onOneLine = text.find('\n', parent.valueBegin) == std::string::npos
+                           || text.find('\n', parent.valueBegin) > closing;
+    if (onOneLine && !isDictionaryText(newValue))
+    {
+        const bool blankBefore = closing > 0 && text[closing - 1] == ' ';
+        return result.insert(closing,
+                             fmt::format("{}{} {}; ", blankBefore ? "" : " ", keywords.back(), newValue));
+    }
+    const std::string outer = indentationAt(text, parent.begin);
+    const std::string inner =
+        parent.body.empty() || onOneLine ? outer + "    " : indentationAt(text, parent.body.back().begin);
+    // In front of the line of the `}`, or of the `}` itself when it does not begin its line.
+    const std::size_t lineBegin = text.rfind('\n', closing) + 1;
+    const bool opensLine = text.find_first_not_of(" \t", lineBegin) == closing;
+    if (opensLine)
+        return result.insert(lineBegin, entryText(keywords.back(), newValue, inner));
+    return result.insert(closing, fmt::format("\n{}{}", entryText(keywords.back(), newValue, inner), outer));
+}
+
+std::string withEntryRemoved(const std::string& text, const std::filesystem::path& file,
+                             std::string_view path)
+{
+    const Edited edited(text, file);
+    const std::vector<std::string> keywords = keywordsOf(path);
+    if (keywords.empty())
+        throw FatalError("The entry to be removed has no name.");
+    refuseConditions(edited, keywords, path);
+    const std::vector<const Statement*> found = find(edited.statements, keywords);
+    std::string result = text;
+    for (auto statement = found.rbegin(); statement != found.rend(); ++statement)
+    {
+        std::size_t begin = (*statement)->begin;
+        std::size_t end = (*statement)->end;
+        // A line of its own goes as a whole; with something else on it, only the blanks after the entry.
+        const std::size_t lineBegin = begin == 0 ? 0 : text.rfind('\n', begin - 1) + 1;
+        const std::size_t next = std::min(text.find_first_not_of(" \t", end), text.size());
+        const bool beginsLine = text.find_first_not_of(" \t", lineBegin) == begin;
+        if (beginsLine && (next == text.size() || text[next] == '\n'))
+        {
+            begin = lineBegin;
+            end = next == text.size() ? next : next + 1;
+        }
+        else
+            end = next;
+        result.erase(begin, end - begin);
+    }
+    return result;
+}
+
+void editFile(const std::filesystem::path& file, std::string_view givenPath, EntryEdit edit,
+              std::string_view value)
+{
+    const Dictionary asWritten = Dictionary::readFile(file, Expansion::none);
+    const std::string path = withSlashes(asWritten, givenPath);
+    const Entry* present = asWritten.findPath(path);
+    if (edit == EntryEdit::add && present)
+    {
+        printWarning(fmt::format("{} is there already and stays as it is. Setting it would change it.", path),
+                     present->location());
+        return;
+    }
+    std::ifstream stream(file, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    writeWholeFile(file, edit == EntryEdit::remove ? withEntryRemoved(text, file, path)
+                                                   : withEntrySet(text, file, path, value));
+}
+
+} // namespace drystone

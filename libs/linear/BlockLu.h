@@ -1,0 +1,43 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Sparse LU factorisation of matrices made of small dense blocks, symmetric in pattern but not in value.
+#pragma once
+
+#include "linear/BlockPattern.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace drystone
+{
+
+/// S = L U by columns and rows of blocks, left-looking, pivots within the diagonal blocks only. That is not
+/// stable for any matrix: whoever uses it looks at the residual.
+template<int Rows>
+class BlockLu
+{
+public:
+    using Block = Eigen::Matrix<double, Rows, Rows>;
+
+    /// Symbolic analysis; nothing is permuted.
+    explicit BlockLu(const BlockPattern& matrix);
+
+    /// Numeric factorisation on the pattern of the analysis. \param lower blocks (i, j), i >= j
+    /// \param upperTransposed transposes of the blocks (j, i) in the same places; those on the diagonal are
+    /// not read \return false where a diagonal block cannot be inverted
+    bool factorise(const std::vector<Block>& lower, const std::vector<Block>& upperTransposed);
+
+    /// Solves in place.
+    void solve(Eigen::Ref<Eigen::VectorXd> x) const;
+
+private:
+    BlockPattern matrix_;
+    FactorPattern pattern_;
+    std::vector<int> place_;             ///< work: place of a block row within the column in hand
+    std::vector<Block> lower_;           ///< L below the diagonal; on it the inverse of the pivot
+    std::vector<Block> upperTransposed_; ///< U', its diagonal not used
+};
+
+extern template class BlockLu<3>;
+
+} // namespace drystone

@@ -1,0 +1,133 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Start and end of every application: command line, banner, case, errors, exit status.
+#include "runControl/Application.h"
+
+#include "core/Error.h"
+#include "core/Log.h"
+#include "core/Signals.h"
+#include "runControl/CaseFiles.h"
+#include "runControl/CaseLock.h"
+
+#include <cstdio>
+#include <ctime>
+#include <optional>
+#include <unistd.h>
+
+#if __has_include(<malloc.h>)
+#include <malloc.h>
+#endif
+
+namespace drystone
+{
+
+namespace
+{
+
+std::string hostName()
+{
+    char name[256] = "";
+    ::gethostname(name, sizeof(name) - 1);
+    return name;
+}
+
+/// Without the blank last part that `.` leaves.
+std::string fullName(const std::filesystem::path& directory)
+{
+    std::error_code ignored;
+    const auto path = std::filesystem::absolute(directory, ignored).lexically_normal();
+    return path.has_filename() ? path.string() : path.parent_path().string();
+}
+
+/// Who runs what, where and when: name, version and commit, command, date, host, process, case, threads.
+void printBanner(const CommandLine& commandLine)
+{
+    const std::string_view revision = DRYSTONE_REVISION;
+    const std::time_t now = std::time(nullptr);
+    std::tm local = {};
+    ::localtime_r(&now, &local);
+    char date[64] = "";
+    std::strftime(date, sizeof(date), "%Y-%m-%d %H:%M:%S", &local);
+    info("Drystone {}{}{}: structures of rigid blocks with dry joints", DRYSTONE_VERSION,
+         revision.empty() ? "" : " at ", revision);
+    printLine();
+    info("Exec    : {}", commandLine.typed.empty() ? commandLine.application : commandLine.typed);
+    info("Date    : {}", date);
+    info("Host    : {}", hostName());
+    info("PID     : {}", ::getpid());
+    info("Case    : {}", fullName(commandLine.caseDirectory));
+    info("nProcs  : 1");
+    info("Threads : {}", threadCount());
+    printLine();
+    std::fflush(stdout);
+}
+
+int runCommandLine(int argc, const char* const* argv, const ApplicationDescription& description,
+                   const std::function<int(const CommandLine&)>& program)
+{
+    const CommandLine commandLine = readCommandLine(argc, argv, description);
+    if (commandLine.help)
+    {
+        fmt::print("{}", helpText(description));
+        return 0;
+    }
+    std::error_code ignored;
+    if (!std::filesystem::is_directory(commandLine.caseDirectory, ignored))
+        throw FatalError(fmt::format("There is no case directory {}.\n\nName one with -case DIR, or run "
+                                     "{} inside of one.",
+                                     commandLine.caseDirectory.string(), description.name));
+    std::optional<CaseLock> lock;
+    if (description.kind != ApplicationKind::utility && !commandLine.dryRun)
+    {
+        lock.emplace(commandLine.caseDirectory, description.name);
+    }
+    if (description.output == Output::log)
+    {
+        printBanner(commandLine);
+    }
+    if (description.kind != ApplicationKind::utility)
+    {
+        refuseMisnamedFiles(commandLine.caseDirectory);
+    }
+    return program(commandLine);
+}
+
+} // namespace
+
+void keepFreedMemory()
+{
+#ifdef __GLIBC__
+    constexpr int kept = 1 << 28;          // bytes on top of the heap
+    constexpr int largestOnHeap = 1 << 25; // bytes of one array; more is not taken
+    mallopt(M_TRIM_THRESHOLD, kept);
+    mallopt(M_MMAP_THRESHOLD, largestOnHeap);
+#endif
+}
+
+int runApplication(int argc, const char* const* argv, const ApplicationDescription& description,
+                   const std::function<int(const CommandLine&)>& program)
+{
+    keepFreedMemory();
+    return runGuarded(
+        [&]
+        {
+            const int status = runCommandLine(argc, argv, description, program);
+            // A log on a full disk: what was printed last may be the answer.
+            if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+                throw FatalError("Standard output cannot be written: what was printed is lost, in part or in "
+                                 "whole. Check that the disk has room.");
+            return status;
+        });
+}
+
+void printStopOrEnd(std::string_view continuation)
+{
+    if (stopSignal() == 0)
+    {
+        printEnd();
+        return;
+    }
+    info("Stopped by a signal; what was computed so far is kept. {}\n", continuation);
+    std::fflush(stdout);
+}
+
+} // namespace drystone

@@ -1,0 +1,77 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Counting of intervals.
+#include "runControl/OutputControl.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drystone
+{
+
+void declare(Options& options, OutputSettings& settings)
+{
+    options.optional("writeControl", settings.writeControl, "what writeInterval counts");
+    options.optional("writeInterval", settings.writeInterval, "write every so many steps or seconds")
+        .above(0);
+    options.check(
+        "writeInterval",
+        [&settings]() -> std::string
+        {
+            const bool counts = settings.writeControl == WriteControl::timeStep
+                                || settings.writeControl == WriteControl::writeTime;
+            if (!counts || settings.writeInterval == std::floor(settings.writeInterval))
+                return {};
+            return "writeInterval counts steps, and is not a whole number.\n\nGive a whole number, or "
+                   "`writeControl runTime;` for an interval in seconds.";
+        });
+}
+
+OutputControl::OutputControl(const OutputSettings& outputSettings, const TimePoint& begin, double origin)
+    : settings(outputSettings), start(origin)
+{
+    passed = intervalsPassed(begin);
+}
+
+long OutputControl::intervalsPassed(const TimePoint& now) const
+{
+    const auto count = [&](double amount)
+    { return static_cast<long>(std::floor(amount / settings.writeInterval)); };
+    switch (settings.writeControl)
+    {
+    case WriteControl::timeStep:
+        return now.index / std::max(1L, std::lround(settings.writeInterval));
+    case WriteControl::writeTime:
+        return writeTimes / std::max(1L, std::lround(settings.writeInterval));
+    // Half a step early, so that rounding does not put the write off by a step.
+    case WriteControl::runTime:
+    case WriteControl::adjustableRunTime:
+        return count(now.value - start + 0.5 * now.deltaT);
+    case WriteControl::cpuTime:
+        return count(now.cpuTime);
+    case WriteControl::clockTime:
+        return count(now.clockTime);
+    case WriteControl::none:
+        break;
+    }
+    return 0;
+}
+
+bool OutputControl::due(const TimePoint& now)
+{
+    if (now.isWriteTime)
+        ++writeTimes;
+    const long count = intervalsPassed(now);
+    const bool isDue = count > passed;
+    passed = count;
+    return isDue;
+}
+
+double OutputControl::timeToNextWrite(double value, double deltaT) const
+{
+    if (settings.writeControl != WriteControl::adjustableRunTime)
+        return std::numeric_limits<double>::infinity();
+    const double count = std::floor((value - start + 1e-9 * deltaT) / settings.writeInterval);
+    return (count + 1) * settings.writeInterval - (value - start);
+}
+
+} // namespace drystone

@@ -1,0 +1,81 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// When to write: writeControl and writeInterval, of a run or of a single function object.
+#pragma once
+
+#include "dictionary/Options.h"
+
+#include <array>
+#include <string_view>
+#include <utility>
+
+namespace drystone
+{
+
+/// What writeInterval counts.
+enum class WriteControl
+{
+    none,              ///< never
+    timeStep,          ///< steps
+    runTime,           ///< seconds of simulated time; writes at the first step that reaches the instant
+    adjustableRunTime, ///< the same, and adjustTimeStep makes steps end on the instants
+    cpuTime,           ///< seconds of CPU time
+    clockTime,         ///< seconds of real time
+    writeTime          ///< for function objects: the times at which the run itself writes
+};
+
+inline std::array<std::pair<std::string_view, WriteControl>, 7> namesOf(WriteControl)
+{
+    return {{{"none", WriteControl::none},
+             {"timeStep", WriteControl::timeStep},
+             {"runTime", WriteControl::runTime},
+             {"adjustableRunTime", WriteControl::adjustableRunTime},
+             {"cpuTime", WriteControl::cpuTime},
+             {"clockTime", WriteControl::clockTime},
+             {"writeTime", WriteControl::writeTime}}};
+}
+
+/// Settings of an OutputControl; also the keys of a function object.
+struct OutputSettings
+{
+    WriteControl writeControl = WriteControl::timeStep;
+    double writeInterval = 1; ///< [steps] or [s]; for writeTime, every how many of them
+};
+
+/// Declares writeControl and writeInterval, their defaults being the values of `settings`.
+void declare(Options& options, OutputSettings& settings);
+
+/// A moment of a run.
+struct TimePoint
+{
+    double value = 0;  ///< simulated time [s]
+    double deltaT = 0; ///< of the step that led here [s]
+    long index = 0;    ///< number of steps since time 0
+    double cpuTime = 0;
+    double clockTime = 0;
+    bool isWriteTime = false; ///< the run writes its state here
+};
+
+/// Tells whether a moment is one to write at. To be asked once a step, in order.
+class OutputControl
+{
+public:
+    OutputControl() = default;
+    /// \param begin where the run starts or continues: instants up to there are taken as written
+    /// \param origin simulated time from which intervals of time are counted: startTime [s]
+    OutputControl(const OutputSettings& outputSettings, const TimePoint& begin, double origin = 0);
+
+    bool due(const TimePoint& now);
+    /// How long until the next instant of adjustableRunTime; infinite for the other controls [s].
+    double timeToNextWrite(double value, double deltaT) const;
+
+private:
+    /// Number of whole intervals that have passed.
+    long intervalsPassed(const TimePoint& now) const;
+
+    OutputSettings settings;
+    double start = 0;
+    long passed = 0;
+    long writeTimes = 0;
+};
+
+} // namespace drystone

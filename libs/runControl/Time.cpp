@@ -1,0 +1,338 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The clock of a run. The time is never summed up: it is origin + (number of steps since) deltaT, so that it
+/// has drifted by no more than one rounding after a million steps.
+#include "runControl/Time.h"
+
+#include "core/Log.h"
+#include "core/Signals.h"
+#include "runControl/Case.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drystone
+{
+
+namespace fs = std::filesystem;
+
+namespace
+{
+
+/// More digits than a double has.
+constexpr int largestPrecision = 17;
+
+fs::file_time_type modificationTime(const fs::path& file)
+{
+    std::error_code ignored;
+    return fs::last_write_time(file, ignored);
+}
+
+TimeControls readControls(const Dictionary& dictionary, ControlDict needed)
+{
+    // These have defaults for the applications that do not step through time.
+    if (needed == ControlDict::required)
+    {
+        dictionary.lookup("deltaT");
+        if (dictionary.getOrDefault<std::string>("stopAt", "endTime") == "endTime")
+            dictionary.lookup("endTime");
+    }
+    return readOptions<TimeControls>(dictionary);
+}
+
+} // namespace
+
+void declare(Options& options, TimeControls& controls)
+{
+    options.optional("application", controls.application, "the application that this case is made for");
+    options.optional("startFrom", controls.startFrom, "where a run starts or continues");
+    options.optional("startTime", controls.startTime, "for `startFrom startTime`").unit("s");
+    options.optional("stopAt", controls.stopAt, "when a run ends");
+    options.optional("endTime", controls.endTime, "for `stopAt endTime`").unit("s");
+    options.optional("deltaT", controls.deltaT, "length of a time step").unit("s").above(0);
+    declare(options, controls.output);
+    options.optional("purgeWrite", controls.purgeWrite, "number of time directories to keep, 0 for all")
+        .atLeast(0);
+    options.optional("writeFormat", controls.writeFormat, "of the restart state");
+    options.optional("writePrecision", controls.writePrecision, "significant digits of tables")
+        .atLeast(1)
+        .atMost(largestPrecision);
+    options.optional("timeFormat", controls.timeFormat, "of the names of time directories");
+    options.optional("timePrecision", controls.timePrecision, "digits of the names of time directories")
+        .atLeast(1)
+        .atMost(largestPrecision);
+    options.optional("runTimeModifiable", controls.runTimeModifiable,
+                     "read this file again when it has changed");
+    options.optional("adjustTimeStep", controls.adjustTimeStep, "let the run choose the length of its steps");
+    options.readElsewhere({"functions"}, "function objects, each a dictionary with a name of the user's");
+    options.check("writeControl",
+                  [&controls]() -> std::string
+                  {
+                      if (controls.output.writeControl != WriteControl::writeTime)
+                          return {};
+                      return "writeControl writeTime is for function objects.\n\nChoose timeStep or runTime.";
+                  });
+    options.check(
+        "endTime",
+        [&controls]() -> std::string
+        {
+            if (controls.stopAt != StopAt::endTime || controls.endTime >= controls.startTime)
+                return {};
+            return "endTime lies before startTime.\n\nA run goes forward in time: give a later endTime.";
+        });
+}
+
+std::string timeName(double value, TimeFormat format, int precision)
+{
+    // -0 and the rounding left of 0.3 - 0.1 - 0.2 are the start.
+    if (std::abs(value) < 1e-14)
+        value = 0;
+    switch (format)
+    {
+    case TimeFormat::fixed:
+        return fmt::format("{:.{}f}", value, precision);
+    case TimeFormat::scientific:
+        return fmt::format("{:.{}e}", value, precision);
+    case TimeFormat::general:
+        break;
+    }
+    return fmt::format("{:.{}g}", value, precision);
+}
+
+Time::Time(const fs::path& caseDirectory, ControlDict presence)
+    : caseDirectory_(caseDirectory),
+      file((caseDirectory / "system/controlDict").lexically_normal()),
+      needed(presence)
+{
+    requireCase(caseDirectory);
+    if (presence == ControlDict::required)
+        requireCaseFile(
+            caseDirectory, "system/controlDict",
+            "It says how long to run and when to write; etc/annotated/system/controlDict is one to copy. "
+            "Is this the case directory? Another is named with -case DIR.");
+    fileTime = modificationTime(file);
+    dictionary = Dictionary::readFileIfPresent(file);
+    settings = readControls(dictionary, presence);
+
+    begin = settings.startTime;
+    const std::vector<TimeDirectory> times = timeDirectories(caseDirectory);
+    if (!times.empty() && settings.startFrom == StartFrom::firstTime)
+        begin = times.front().time;
+    if (!times.empty() && settings.startFrom == StartFrom::latestTime)
+        begin = times.back().time;
+    now = origin = beginning = begin;
+    step = settings.deltaT;
+    namePrecision = settings.timePrecision;
+    startOutput();
+}
+
+Time::Time(const TimeControls& controls, const TimeState& from)
+    : needed(ControlDict::required), settings(controls)
+{
+    settings.runTimeModifiable = false;
+    namePrecision = largestPrecision; // no name is too short, so that there is nothing to tell
+    resume(from);
+}
+
+void Time::startOutput()
+{
+    output =
+        OutputControl(settings.output, {now, step, count, cpuTime(), clockTime(), false}, settings.startTime);
+}
+
+void Time::resume(const TimeState& saved)
+{
+    begin = now = saved.value;
+    beginning = saved.beginning;
+    count = saved.index;
+    step = saved.deltaT;
+    origin = saved.origin;
+    originIndex = saved.originIndex;
+    detourEnd = saved.detourEnd;
+    if (!settings.adjustTimeStep && step != settings.deltaT)
+    {
+        origin = now;
+        originIndex = count;
+        step = settings.deltaT;
+        detourEnd = now;
+    }
+    lastStep = 0;
+    startOutput();
+}
+
+bool Time::reread()
+{
+    const fs::file_time_type changed = modificationTime(file);
+    if (changed == fileTime)
+        return false;
+    fileTime = changed;
+    std::error_code ignored;
+    if (!fs::exists(file, ignored))
+        return false;
+    try
+    {
+        Dictionary read = Dictionary::readFile(file);
+        TimeControls controls = readControls(read, needed);
+        info("Reading system/controlDict again: it has changed.");
+        const bool otherStep = controls.deltaT != settings.deltaT;
+        const bool otherOutput = controls.output.writeControl != settings.output.writeControl
+                                 || controls.output.writeInterval != settings.output.writeInterval;
+        const bool otherPrecision = controls.timePrecision != settings.timePrecision;
+        dictionary = std::move(read);
+        settings = std::move(controls);
+        if (otherPrecision)
+            namePrecision = settings.timePrecision;
+        if (otherStep)
+        {
+            origin = now;
+            originIndex = count;
+            step = settings.deltaT;
+            detourEnd = now;
+        }
+        if (otherOutput)
+            startOutput();
+        return true;
+    }
+    catch (const FatalIOError& error)
+    {
+        printWarning(
+            std::string("system/controlDict has changed and cannot be used. The run goes on with what "
+                        "was read before.\n")
+                + error.what(),
+            error.location());
+    }
+    return false;
+}
+
+bool Time::loop()
+{
+    if (lastOne)
+        return false;
+    const bool hasChanged = settings.runTimeModifiable && reread();
+    if (settings.stopAt == StopAt::endTime && now >= settings.endTime - 0.5 * step && detourEnd <= now)
+        return false;
+    // The first step is the user's, and any may have been chosen before controlDict was edited.
+    if (settings.adjustTimeStep && (hasChanged || stepsDone == 0))
+        setDeltaT(step);
+
+    beforeStep = state();
+    lastStepBefore = lastStep;
+    ++count;
+    ++stepsDone;
+    if (detourEnd > now)
+    {
+        lastStep = detourEnd - now;
+        now = detourEnd;
+    }
+    else
+    {
+        now = origin + static_cast<double>(count - originIndex) * step;
+        lastStep = step;
+    }
+    endOfStep = now;
+    write = Write::undecided;
+    lastOne = settings.stopAt == StopAt::writeNow || settings.stopAt == StopAt::noWriteNow;
+    sharpenName();
+    return true;
+}
+
+void Time::sharpenName()
+{
+    // A name must lie nearer to its time than to that of the next step.
+    const auto distance = [&] { return std::abs(std::strtod(name().c_str(), nullptr) - now); };
+    const double tolerance = std::max(
+        {std::min(std::pow(10.0, -settings.timePrecision), 0.1 * step), 1e-15, 1e-15 * std::abs(now)});
+    const int before = namePrecision;
+    while (namePrecision < largestPrecision && distance() > tolerance)
+        ++namePrecision;
+    if (namePrecision != before)
+        info("Increased timePrecision from {} to {} to tell the times of steps apart at time {}", before,
+             namePrecision, name());
+}
+
+bool Time::isWriteTime()
+{
+    if (write == Write::undecided)
+    {
+        bool isDue = stepsDone > 0 && output.due({now, lastStep, count, cpuTime(), clockTime(), false});
+        if (isDue && settings.stopAt == StopAt::nextWrite)
+            lastOne = true;
+        if (settings.stopAt == StopAt::writeNow && lastOne)
+            isDue = true;
+        if (stopSignal() != 0)
+        {
+            signal = stopSignal();
+            lastOne = true;
+            isDue = true;
+        }
+        write = isDue ? Write::yes : Write::no;
+    }
+    return write == Write::yes;
+}
+
+TimePoint Time::point()
+{
+    return {now, lastStep, count, cpuTime(), clockTime(), isWriteTime()};
+}
+
+double Time::fittingStep(double wanted) const
+{
+    double remaining = output.timeToNextWrite(now, wanted);
+    if (timeToOtherInstant)
+        remaining = std::min(remaining, timeToOtherInstant(now, wanted));
+    if (settings.stopAt == StopAt::endTime && settings.endTime > now)
+        remaining = std::min(remaining, settings.endTime - now);
+    if (!std::isfinite(remaining) || remaining <= 0)
+        return wanted;
+    return remaining / std::max(1.0, std::ceil(remaining / wanted - 1e-9));
+}
+
+void Time::setDeltaT(double wanted)
+{
+    const double fitting = fittingStep(wanted);
+    if (fitting == step && detourEnd <= now)
+        return;
+    origin = now;
+    originIndex = count;
+    step = fitting;
+    detourEnd = now;
+}
+
+void Time::stopAlsoAt(std::function<double(double, double)> timeToNext)
+{
+    timeToOtherInstant = std::move(timeToNext);
+}
+
+void Time::shortenStep(double shorter)
+{
+    now = beforeStep.value + shorter;
+    lastStep = shorter;
+    detourEnd = endOfStep;
+    originIndex = beforeStep.originIndex + 1; // one step more than there would have been up to the end
+    write = Write::undecided;
+    sharpenName();
+}
+
+void Time::abandonStep()
+{
+    now = beforeStep.value;
+    step = beforeStep.deltaT;
+    count = beforeStep.index;
+    origin = beforeStep.origin;
+    originIndex = beforeStep.originIndex;
+    detourEnd = beforeStep.detourEnd;
+    lastStep = lastStepBefore;
+    write = Write::undecided;
+}
+
+int Time::exitStatus() const
+{
+    return signal == 0 ? 0 : exitStatusOfSignal(signal);
+}
+
+double Time::progress() const
+{
+    const double length = settings.endTime - begin;
+    return length > 0 ? std::clamp((now - begin) / length, 0.0, 1.0) : 1.0;
+}
+
+} // namespace drystone

@@ -1,0 +1,228 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Simulated time: system/controlDict, the loop over time steps, and when to write.
+///
+///     Time time(commandLine.caseDirectory, ControlDict::required);
+///     while (time.loop())
+///     {
+///         ... solve the step that ends at time.value() ...
+///         if (time.isWriteTime())
+///             ... write the state into the directory time.name() ...
+///         printExecutionTime();
+///     }
+///     return time.exitStatus();
+#pragma once
+
+#include "runControl/OutputControl.h"
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+namespace drystone
+{
+
+enum class StartFrom
+{
+    startTime,  ///< the time of the entry startTime
+    firstTime,  ///< the earliest time directory
+    latestTime, ///< the latest time directory
+};
+
+enum class StopAt
+{
+    endTime,    ///< the time of the entry endTime
+    writeNow,   ///< after one more step, writing the state
+    noWriteNow, ///< after one more step
+    nextWrite   ///< the next time the state is written
+};
+
+/// How the numbers of a state are written. Both give back the same bits: ascii with as many digits as that
+/// takes (writePrecision does not shorten a state), a plain dictionary; binary as the machine has them, half
+/// the size, in OpenFOAM's notation of binary lists.
+enum class WriteFormat
+{
+    ascii,
+    binary,
+};
+
+enum class TimeFormat
+{
+    general,   ///< 0.05, 1e-05
+    fixed,     ///< 0.050000
+    scientific ///< 5.000000e-02
+};
+
+inline std::array<std::pair<std::string_view, StartFrom>, 3> namesOf(StartFrom)
+{
+    return {{{"startTime", StartFrom::startTime},
+             {"firstTime", StartFrom::firstTime},
+             {"latestTime", StartFrom::latestTime}}};
+}
+inline std::array<std::pair<std::string_view, StopAt>, 4> namesOf(StopAt)
+{
+    return {{{"endTime", StopAt::endTime},
+             {"writeNow", StopAt::writeNow},
+             {"noWriteNow", StopAt::noWriteNow},
+             {"nextWrite", StopAt::nextWrite}}};
+}
+inline std::array<std::pair<std::string_view, WriteFormat>, 2> namesOf(WriteFormat)
+{
+    return {{{"ascii", WriteFormat::ascii}, {"binary", WriteFormat::binary}}};
+}
+inline std::array<std::pair<std::string_view, TimeFormat>, 3> namesOf(TimeFormat)
+{
+    return {{{"general", TimeFormat::general},
+             {"fixed", TimeFormat::fixed},
+             {"scientific", TimeFormat::scientific}}};
+}
+
+/// system/controlDict without its functions.
+struct TimeControls
+{
+    std::string application;
+    StartFrom startFrom = StartFrom::latestTime;
+    double startTime = 0; ///< [s]
+    StopAt stopAt = StopAt::endTime;
+    double endTime = 1;   ///< [s]
+    double deltaT = 0.01; ///< [s]
+    OutputSettings output;
+    int purgeWrite = 0; ///< number of time directories to keep; 0 keeps all
+    WriteFormat writeFormat = WriteFormat::ascii;
+    int writePrecision = 6;
+    TimeFormat timeFormat = TimeFormat::general;
+    int timePrecision = 6;
+    bool runTimeModifiable = true;
+    bool adjustTimeStep = false;
+};
+
+void declare(Options& options, TimeControls& controls);
+
+/// Whether an application can do without system/controlDict, or without deltaT and endTime in it.
+enum class ControlDict
+{
+    required,
+    optional
+};
+
+/// What of the time a restart needs so that it continues bit for bit.
+struct TimeState
+{
+    double value = 0;
+    double deltaT = 0;
+    long index = 0;
+    double origin = 0; ///< the time is origin + (index - originIndex) deltaT
+    long originIndex = 0;
+    double detourEnd = 0; ///< later than `value` while a step is being made in parts: where the parts end
+    double beginning = 0; ///< when the motion began, in this run or one that it continues [s]
+};
+
+/// The name of a time directory, as OpenFOAM names it: `0.05`, `1e-05`.
+std::string timeName(double value, TimeFormat format = TimeFormat::general, int precision = 6);
+
+/// The time of a run. Not to be copied: it counts what has been written.
+class Time
+{
+public:
+    /// Reads system/controlDict and finds where to start.
+    /// \throws FatalIOError for what is wrong with controlDict, and when it is required and not there
+    explicit Time(const std::filesystem::path& caseDirectory, ControlDict presence = ControlDict::optional);
+    /// The time of one run among many: it continues from `from`, reads no file again and tells nothing.
+    Time(const TimeControls& controls, const TimeState& from);
+    Time(const Time&) = delete;
+    Time& operator=(const Time&) = delete;
+
+    const TimeControls& controls() const { return settings; }
+    /// The whole of controlDict, for its functions; empty when there is none.
+    const Dictionary& controlDict() const { return dictionary; }
+
+    double value() const { return now; }                             ///< at the end of the current step [s]
+    double previousValue() const { return now - lastStep; }          ///< at its start [s]
+    double deltaT() const { return lastStep > 0 ? lastStep : step; } ///< of the current step [s]
+    long index() const { return count; }        ///< of the current step, from 1; 0 before the first
+    double startValue() const { return begin; } ///< where this run has started [s]
+    /// Name of the current time's directory. Its digits are increased where the precision asked for would
+    /// give two steps the same name.
+    std::string name() const { return timeName(now, settings.timeFormat, namePrecision); }
+    std::string startName() const { return timeName(begin, settings.timeFormat, namePrecision); }
+
+    /// Continue as a run that was never interrupted. To be called before the first step with what `state`
+    /// was when the state was written; a deltaT that controlDict has changed since is taken from there.
+    void resume(const TimeState& saved);
+    TimeState state() const { return {now, step, count, origin, originIndex, detourEnd, beginning}; }
+    /// Name of the directory of the time at which the motion began.
+    std::string beginningName() const { return timeName(beginning, settings.timeFormat, namePrecision); }
+
+    /// Begin the next step, unless the run is to end: the end time is reached, stopAt or a signal says so.
+    /// Reads controlDict again when it has changed; a fault in it is reported and the old settings stand.
+    bool loop();
+
+    /// Whether the state is to be written at the end of this step; the same answer all through a step. A
+    /// signal that has come by the first time it is asked makes it yes, and this step the last.
+    bool isWriteTime();
+
+    /// For function objects.
+    TimePoint point();
+
+    /// Change the length of the steps to come, with adjustTimeStep; shortened so that steps end on the
+    /// instants of adjustableRunTime, those of `stopAlsoAt` and the end time.
+    void setDeltaT(double wanted);
+    /// With adjustTimeStep steps end on these instants too: given a time and the length of a step, how long
+    /// until the next one [s], infinite when there is none. To be called before the first step.
+    void stopAlsoAt(std::function<double(double value, double deltaT)> timeToNext);
+
+    /// Repeat the current step with a shorter one: the current time moves back to its start plus `shorter`.
+    /// Unless setDeltaT says otherwise, the next step makes up for the rest, and times are then what they
+    /// would have been.
+    void shortenStep(double shorter);
+
+    /// Take the current step back: all is as it was before it, to the last bit.
+    void abandonStep();
+
+    /// 0, or 128 + the signal that has ended the run (130 for Ctrl-C).
+    int exitStatus() const;
+    /// Part of the way to the end time that is done, 0 to 1.
+    double progress() const;
+
+private:
+    bool reread();
+    void startOutput();
+    void sharpenName();
+    /// The longest step up to `wanted` of which a whole number ends on the next instant to stop at.
+    double fittingStep(double wanted) const;
+
+    std::filesystem::path caseDirectory_;
+    std::filesystem::path file;
+    std::filesystem::file_time_type fileTime;
+    ControlDict needed;
+    Dictionary dictionary;
+    TimeControls settings;
+    OutputControl output;
+
+    double begin = 0;
+    double beginning = 0; ///< see TimeState
+    double now = 0;
+    double step = 0;     ///< of the steps to come
+    double lastStep = 0; ///< of the current step
+    long count = 0;
+    double origin = 0;
+    long originIndex = 0;
+    double detourEnd = 0; ///< see TimeState
+    TimeState beforeStep; ///< what state() was
+    double lastStepBefore = 0;
+    double endOfStep = 0; ///< of the current step as it was meant, not shortened
+    long stepsDone = 0;   ///< by this run
+    std::function<double(double, double)> timeToOtherInstant;
+    int namePrecision = 6;
+
+    enum class Write
+    {
+        undecided,
+        yes,
+        no
+    };
+    Write write = Write::undecided;
+    bool lastOne = false; ///< the current step is the last
+    int signal = 0;
+};
+
+} // namespace drystone

@@ -1,0 +1,384 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// What constant/groundMotion can say: the list of acceleration types, and the settings of each.
+#include "timeSeries/GroundAccelerationTypes.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace drystone
+{
+
+namespace
+{
+
+/// Of pulses that make small blocks rock; the largest that earthquakes were measured with [m/s2].
+constexpr double strongestGround = 40;
+
+/// A history that needs no files.
+template<class Acceleration>
+AccelerationMaker ready(Acceleration acceleration, std::string summary)
+{
+    const auto shared = std::make_shared<const Acceleration>(std::move(acceleration));
+    return [shared, summary = std::move(summary)](const std::filesystem::path&) {
+        return DescribedAcceleration{shared, summary};
+    };
+}
+
+std::string typeLine(const std::string& type)
+{
+    return fmt::format("    type        {}\n", type);
+}
+
+struct ConstantSettings
+{
+    double value = 0;
+};
+
+void declare(Options& options, ConstantSettings& settings)
+{
+    options.required("value", settings.value, "acceleration of the ground at all times")
+        .unit("m/s2")
+        .usual(-strongestGround, strongestGround)
+        .example("3.0");
+}
+
+AccelerationMaker makeConstant(const ConstantSettings& settings)
+{
+    return ready(ConstantAcceleration(settings.value), typeLine("constant"));
+}
+
+void declarePulse(Options& options, PulseShape& pulse)
+{
+    options.required("amplitude", pulse.amplitude, "largest acceleration; negative to begin the other way")
+        .unit("m/s2")
+        .usual(-strongestGround, strongestGround)
+        .example("3.5");
+    options.required("duration", pulse.duration, "of the whole pulse").unit("s").above(0).example("0.5");
+    options.optional("start", pulse.start, "when the pulse begins").unit("s");
+}
+
+struct RectangularPulseSettings
+{
+    PulseShape pulse;
+};
+
+void declare(Options& options, RectangularPulseSettings& settings)
+{
+    declarePulse(options, settings.pulse);
+}
+
+AccelerationMaker makeRectangularPulse(const RectangularPulseSettings& settings)
+{
+    return ready(RectangularPulse(settings.pulse), typeLine("rectangularPulse"));
+}
+
+struct HalfSineSettings
+{
+    PulseShape pulse;
+};
+
+void declare(Options& options, HalfSineSettings& settings)
+{
+    declarePulse(options, settings.pulse);
+}
+
+AccelerationMaker makeHalfSine(const HalfSineSettings& settings)
+{
+    return ready(SinePulse(settings.pulse, 1), typeLine("halfSine"));
+}
+
+struct SineSettings
+{
+    PulseShape pulse;
+    double cycles = 1;
+};
+
+void declare(Options& options, SineSettings& settings)
+{
+    declarePulse(options, settings.pulse);
+    options.optional("cycles", settings.cycles, "whole waves within the duration").above(0);
+}
+
+AccelerationMaker makeSine(const SineSettings& settings)
+{
+    return ready(SinePulse(settings.pulse, 2 * settings.cycles), typeLine("sine"));
+}
+
+struct TableSettings
+{
+    std::vector<std::pair<double, double>> values;
+    std::string file;
+    Interpolation interpolation = Interpolation::linear;
+    OutOfBounds outOfBounds = OutOfBounds::clamp;
+};
+
+void declare(Options& options, TableSettings& settings)
+{
+    options
+        .optional("values", settings.values,
+                  "times [s] and accelerations [m/s2]; a time that stands twice is a jump")
+        .example("((0 0) (0.1 3) (0.5 0))");
+    options.optional("file", settings.file,
+                     "instead of values: a file with such a list or with two columns, relative to the case");
+    options.optional("interpolation", settings.interpolation, "between the points");
+    options.optional("outOfBounds", settings.outOfBounds, "before the first and after the last time");
+    options.check("values",
+                  [&settings]
+                  {
+                      if (settings.values.empty() == settings.file.empty())
+                          return "A table needs either values or a file with them.";
+                      return "";
+                  });
+}
+
+std::filesystem::path inCase(const std::filesystem::path& file, const std::filesystem::path& caseDirectory)
+{
+    return file.is_absolute() ? file : caseDirectory / file;
+}
+
+/// A list `((t a) (t a))`, or else two columns.
+std::vector<std::pair<double, double>> readTable(const std::filesystem::path& file)
+{
+    std::error_code error;
+    std::ostringstream content;
+    if (std::filesystem::is_regular_file(file, error)) // else readCsvRecord says what is wrong
+    {
+        std::ifstream stream(file, std::ios::binary);
+        if (stream)
+            content << stream.rdbuf();
+    }
+    const std::string text = content.str();
+    const auto begin = text.find_first_not_of(" \t\r\n");
+    const bool list = begin != std::string::npos && text.find('(', begin) != std::string::npos;
+    if (list)
+        return Dictionary::readString("values " + text + "\n;", file.string(), Expansion::none)
+            .get<std::vector<std::pair<double, double>>>("values");
+    const Record record = readCsvRecord(file, {0, 1, 0, "m/s2"});
+    std::vector<std::pair<double, double>> values;
+    for (std::size_t i = 0; i < record.times.size(); ++i)
+        values.emplace_back(record.times[i], record.accelerations[i]);
+    return values;
+}
+
+DescribedAcceleration accelerationOfTable(const TableSettings& settings, const SourceLocation& location,
+                                          const std::filesystem::path& caseDirectory)
+{
+    const bool fromFile = !settings.file.empty();
+    const std::filesystem::path file = inCase(settings.file, caseDirectory);
+    const auto values = fromFile ? readTable(file) : settings.values;
+    std::vector<double> times;
+    std::vector<double> accelerations;
+    for (const auto& [time, acceleration] : values)
+    {
+        times.push_back(time);
+        accelerations.push_back(acceleration);
+    }
+    DescribedAcceleration described;
+    described.summary =
+        typeLine("table") + (fromFile ? fmt::format("    file        {}\n", settings.file) : "");
+    try
+    {
+        described.acceleration = tabulatedAcceleration(std::move(times), std::move(accelerations),
+                                                       settings.interpolation, settings.outOfBounds);
+    }
+    catch (const std::domain_error& error)
+    {
+        throw FatalIOError(std::string("Not a table of accelerations: ") + error.what() + ".",
+                           fromFile ? SourceLocation{file.string(), "", 0} : location);
+    }
+    return described;
+}
+
+/// Says where a file is named that does not exist. \param location of the entry with its name
+void requireFile(const std::string& name, const std::filesystem::path& caseDirectory,
+                 const SourceLocation& location)
+{
+    const std::filesystem::path file = inCase(name, caseDirectory);
+    std::error_code ignored;
+    if (!std::filesystem::exists(file, ignored))
+    {
+        throw FatalIOError(fmt::format("There is no file {}.\n\nCheck the name: it is relative to the case "
+                                       "directory.",
+                                       file.string()),
+                           location);
+    }
+}
+
+AccelerationMaker makeTable(const TableSettings& settings, const Dictionary& dictionary)
+{
+    const SourceLocation location = dictionary.locationOf(settings.file.empty() ? "values" : "file");
+    // values are wrong or right without the case's folder: say so at once
+    if (settings.file.empty())
+        accelerationOfTable(settings, location, "");
+    return [settings, location](const std::filesystem::path& caseDirectory)
+    {
+        if (!settings.file.empty())
+        {
+            requireFile(settings.file, caseDirectory, location);
+        }
+        return accelerationOfTable(settings, location, caseDirectory);
+    };
+}
+
+AccelerationMaker makeRecord(const RecordMotion& settings, const Dictionary& dictionary)
+{
+    return [settings, location = dictionary.locationOf("file")](const std::filesystem::path& caseDirectory)
+    {
+        requireFile(settings.file, caseDirectory, location);
+        return recordedAcceleration(settings, caseDirectory);
+    };
+}
+
+DescribedAcceleration preparedRecord(const RecordMotion& motion, const std::filesystem::path& file)
+{
+    const std::string unit = motion.unit ? motion.unit->text : "";
+    Record record;
+    if (motion.format == RecordFormat::PEER_AT2)
+        record = readPeerRecord(file, unit);
+    else
+    {
+        CsvLayout layout;
+        layout.timeStep = motion.timeStep;
+        layout.unit = unit;
+        layout.timeColumn = motion.timeColumn.value_or(0);
+        layout.accelerationColumn = motion.accelerationColumn.value_or(motion.timeStep > 0 ? 0 : 1);
+        record = readCsvRecord(file, layout);
+    }
+    const std::size_t count = record.times.size();
+    const double ownPeak = figures(record).peakAcceleration;
+    record = baselineCorrected(std::move(record), motion.baseline);
+    double scale = motion.scale;
+    if (motion.peakAcceleration)
+    {
+        record = scaledToPeak(std::move(record), *motion.peakAcceleration);
+        scale = ownPeak > 0 ? *motion.peakAcceleration / ownPeak : 0;
+    }
+    else
+        record = scaled(std::move(record), scale);
+    record = padded(record, motion.padding[0], motion.padding[1]);
+    const double shift = motion.start - record.times.front();
+    for (double& time : record.times)
+        time += shift;
+
+    const RecordFigures f = figures(record);
+    const double factor = accelerationUnit(record.unit);
+    DescribedAcceleration described;
+    described.valueUnit = factor;
+    described.summary =
+        typeLine("record") + fmt::format("    file        {} ({} values)\n", motion.file, count);
+    if (!record.title.empty())
+        described.summary += fmt::format("    title       {}\n", record.title);
+    described.summary +=
+        fmt::format("    unit        {} (1 {} = {:.6g} m/s2)\n", record.unit, record.unit, factor);
+    described.summary +=
+        fmt::format("    scale       {:.6g}, of a PGA of {:.6g} {}\n", scale, ownPeak / factor, record.unit);
+    described.summary += fmt::format("    PGV         {:.6g} m/s\n    PGD         {:.6g} m\n", f.peakVelocity,
+                                     f.peakDisplacement);
+    described.summary +=
+        fmt::format("    significant {:.6g} s (5% to 95% of the Arias intensity, {:.6g} m/s)\n",
+                    f.significantDuration, f.ariasIntensity);
+    described.acceleration = tabulatedAcceleration(std::move(record.times), std::move(record.accelerations),
+                                                   motion.interpolation, OutOfBounds::zero);
+    return described;
+}
+
+} // namespace
+
+/// A column is named by its position or by its title.
+void read(TokenCursor& cursor, Column& column)
+{
+    if (!cursor.atEnd() && cursor.peek().kind == TokenKind::number)
+    {
+        int position = 0;
+        read(cursor, position);
+        column = position;
+        return;
+    }
+    std::string title;
+    read(cursor, title);
+    column = title;
+}
+
+void read(TokenCursor& cursor, UnitName& name)
+{
+    if (cursor.atEnd())
+        cursor.failExpected("the name of a unit");
+    while (!cursor.atEnd()) // m / s2 are three tokens
+        name.text += cursor.take().text;
+}
+
+void declare(Options& options, RecordMotion& settings)
+{
+    options.required("file", settings.file, "the record, relative to the case directory")
+        .example("\"constant/record.AT2\"");
+    options.optional("format", settings.format, "how the file is laid out");
+    options.optional("unit", settings.unit,
+                     "of the values: g, m/s2, cm/s2 or gal; only needed where the file does not say it");
+    options.optional("timeColumn", settings.timeColumn,
+                     "of a csv file: its position counted from 0, or its title; the first one when absent");
+    options.optional("accelerationColumn", settings.accelerationColumn,
+                     "of a csv file: its position counted from 0, or its title; the second one when absent");
+    options
+        .optional("timeStep", settings.timeStep, "of a csv file without a column of times; 0 when it has one")
+        .unit("s")
+        .atLeast(0);
+    options.optional("baseline", settings.baseline, "drift to be taken away, fitted by least squares");
+    options.optional("scale", settings.scale, "factor on the accelerations");
+    options.optional("peakAcceleration", settings.peakAcceleration, "scale to this peak instead")
+        .unit("m/s2")
+        .above(0)
+        .usual(0, strongestGround);
+    options.optional("padding", settings.padding, "stillness added before and after").unit("s").atLeast(0);
+    options.optional("start", settings.start, "when the padded record begins").unit("s");
+    options.optional("interpolation", settings.interpolation, "between the values");
+    options.check("peakAcceleration",
+                  [&settings]
+                  {
+                      if (settings.peakAcceleration && settings.scale != 1)
+                          return "Both scale and peakAcceleration are given; remove one of them.";
+                      return "";
+                  });
+    options.check("unit",
+                  [&settings]() -> std::string
+                  {
+                      if (!settings.unit || accelerationUnit(settings.unit->text) > 0)
+                          return "";
+                      return fmt::format(
+                          "'{}' is not a unit of acceleration that Drystone knows. Valid units: g m/s2 "
+                          "cm/s2 gal mm/s2 ft/s2 in/s2",
+                          settings.unit->text);
+                  });
+}
+
+DescribedAcceleration recordedAcceleration(const RecordMotion& motion,
+                                           const std::filesystem::path& caseDirectory)
+{
+    const std::filesystem::path file = inCase(motion.file, caseDirectory);
+    try
+    {
+        return preparedRecord(motion, file);
+    }
+    catch (const std::domain_error& error) // what was asked for cannot be done with this record
+    {
+        throw FatalIOError(error.what(), {file.string(), "", 0});
+    }
+}
+
+const Registry<AccelerationMaker>& groundAccelerationTypes()
+{
+    static const Registry<AccelerationMaker> registry{
+        "ground acceleration",
+        {model<AccelerationMaker, ConstantSettings>("constant", "the same at all times", makeConstant),
+         model<AccelerationMaker, RectangularPulseSettings>("rectangularPulse", "an amplitude for a time",
+                                                            makeRectangularPulse),
+         model<AccelerationMaker, HalfSineSettings>("halfSine", "half a wave", makeHalfSine),
+         model<AccelerationMaker, SineSettings>("sine", "one or more whole waves", makeSine),
+         model<AccelerationMaker, TableSettings>("table", "points in time", makeTable),
+         model<AccelerationMaker, RecordMotion>("record", "an accelerogram from a file", makeRecord)}};
+    return registry;
+}
+
+} // namespace drystone

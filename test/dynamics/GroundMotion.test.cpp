@@ -1,0 +1,242 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+#include "dynamics/GroundMotion.h"
+#include "core/Error.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include <unistd.h>
+
+using namespace drystone;
+using testing::HasSubstr;
+
+namespace
+{
+
+class GroundMotionTest : public testing::Test
+{
+protected:
+    std::filesystem::path file =
+        std::filesystem::temp_directory_path() / fmt::format("drystone_motion_{}.csv", getpid());
+
+    void SetUp() override { std::ofstream(file) << "time [s],north [gal]\n0,0\n1,200\n2,-100\n3,0\n"; }
+    void TearDown() override { std::filesystem::remove(file); }
+
+    RecordMotion record() const
+    {
+        RecordMotion motion;
+        motion.file = file.string();
+        motion.format = RecordFormat::csv;
+        return motion;
+    }
+};
+
+} // namespace
+
+TEST(GroundMotion, AddsItsComponents)
+{
+    GroundMotion motion;
+    motion.components.push_back({{std::make_shared<ConstantAcceleration>(3), ""}, {1, 0, 0}});
+    motion.components.push_back({{std::make_shared<RectangularPulse>(PulseShape{2, 0.5, 1}), ""}, {0, 1, 0}});
+    EXPECT_EQ(groundAcceleration(motion, 1), Eigen::Vector3d(3, 2, 0));
+    EXPECT_EQ(meanGroundAcceleration(motion, 0.75, 1.25), Eigen::Vector3d(3, 1, 0));
+    EXPECT_EQ(groundAcceleration({}, 1), Eigen::Vector3d::Zero());
+}
+
+TEST(GroundMotion, SummaryNamesDirectionPeakAndDuration)
+{
+    GroundMotion motion;
+    EXPECT_EQ(summary(motion), "Ground motion: none\n");
+    motion.components.push_back(
+        {{std::make_shared<RectangularPulse>(PulseShape{-9.80665, 0.5, 1}), ""}, {0, 1, 0}});
+    EXPECT_THAT(summary(motion), testing::AllOf(HasSubstr("along (0 1 0)"), HasSubstr("9.80665 m/s2 = 1 g"),
+                                                HasSubstr("0.5 s, from 1 s to 1.5 s")));
+    motion.components = {{{std::make_shared<ConstantAcceleration>(3), ""}, {1, 0, 0}}};
+    EXPECT_THAT(summary(motion), HasSubstr("unlimited"));
+}
+
+TEST_F(GroundMotionTest, RecordIsScaledPaddedAndMoved)
+{
+    RecordMotion motion = record();
+    motion.scale = 2;
+    motion.start = 10;
+    motion.padding[0] = 1;
+    const auto component = recordedAcceleration(motion, "");
+    EXPECT_EQ(component.acceleration->at(10.5), 0);
+    EXPECT_DOUBLE_EQ(component.acceleration->at(12), 4);
+    EXPECT_DOUBLE_EQ(component.acceleration->at(13), -2);
+    EXPECT_EQ(component.acceleration->at(20), 0);
+    EXPECT_DOUBLE_EQ(component.acceleration->end(), 14);
+}
+
+TEST_F(GroundMotionTest, RecordIsScaledToAPeakAfterItsBaselineIsTaken)
+{
+    RecordMotion motion = record();
+    motion.peakAcceleration = 5;
+    motion.baseline = Baseline::constant; // mean 0.25 m/s2 of the four values
+    const auto component = recordedAcceleration(motion, "");
+    EXPECT_DOUBLE_EQ(component.acceleration->peak(), 5);
+    EXPECT_DOUBLE_EQ(component.acceleration->at(2), -5 * 1.25 / 1.75);
+}
+
+TEST_F(GroundMotionTest, RecordEchoesItsPeakDurationAndUnit)
+{
+    GroundMotion motion;
+    motion.components.push_back({recordedAcceleration(record(), ""), Eigen::Vector3d::UnitX()});
+    const std::string text = summary(motion);
+    EXPECT_THAT(text, HasSubstr("1 gal = 0.01 m/s2"));
+    EXPECT_THAT(text, HasSubstr("PGA         2 m/s2"));
+    EXPECT_THAT(text, HasSubstr("of a PGA of 200 gal"));
+    EXPECT_THAT(text, HasSubstr("duration    3 s"));
+    EXPECT_THAT(text, HasSubstr(file.string()));
+}
+
+TEST_F(GroundMotionTest, RecordThatCannotBeTreatedAsAskedIsNamed)
+{
+    std::ofstream(file) << "time [s],north [gal]\n0,0\n1,0\n";
+    RecordMotion motion = record();
+    motion.peakAcceleration = 5;
+    EXPECT_THROW(recordedAcceleration(motion, ""), FatalIOError);
+    motion = record();
+    motion.baseline = Baseline::quadratic;
+    EXPECT_THROW(recordedAcceleration(motion, ""), FatalIOError);
+    motion = record();
+    motion.interpolation = Interpolation::akima;
+    EXPECT_THROW(recordedAcceleration(motion, ""), FatalIOError);
+    motion = record();
+    motion.padding[1] = -1;
+    EXPECT_THROW(recordedAcceleration(motion, ""), FatalIOError);
+}
+
+namespace
+{
+
+GroundMotion motionOf(const std::string& text, const std::filesystem::path& caseDirectory = "")
+{
+    return readGroundMotion(Dictionary::readString(text, "constant/groundMotion"), caseDirectory);
+}
+
+std::string refusalOf(const std::string& text, const std::filesystem::path& caseDirectory = "")
+{
+    try
+    {
+        motionOf(text, caseDirectory);
+    }
+    catch (const FatalIOError& error)
+    {
+        return error.report();
+    }
+    return "";
+}
+
+} // namespace
+
+TEST(GroundMotionDictionary, ReadsEachTypeOfAcceleration)
+{
+    const auto at = [](const std::string& acceleration, double time)
+    {
+        return groundAcceleration(motionOf("direction (2 0 0); acceleration { " + acceleration + " }"), time)
+            .x();
+    };
+    EXPECT_EQ(at("type constant; value 3.0;", 7), 3);
+    EXPECT_EQ(at("type constant; value [0 1 -2 0 0 0 0] 3.0;", 7), 3);
+    EXPECT_EQ(at("type rectangularPulse; amplitude 2; duration 0.5;", 0.4), 2);
+    EXPECT_EQ(at("type rectangularPulse; amplitude 2; duration 0.5; start 1;", 0.4), 0);
+    EXPECT_NEAR(at("type halfSine; amplitude -2; duration 0.5;", 0.25), -2, 1e-15);
+    EXPECT_NEAR(at("type sine; amplitude 2; duration 0.5;", 0.375), -2, 1e-15);
+    EXPECT_NEAR(at("type sine; amplitude 2; duration 0.5; cycles 10;", 0.0125), 2, 1e-14);
+    EXPECT_EQ(at("type table; values ((0 0) (1 4));", 0.25), 1);
+    EXPECT_EQ(at("type table; values ((0 0) (1 4));", 2), 4);
+    EXPECT_EQ(at("type table; values ((0 0) (1 4)); outOfBounds zero;", 2), 0);
+}
+
+TEST(GroundMotionDictionary, ReadsSeveralDirections)
+{
+    const GroundMotion motion =
+        motionOf("components { along { direction (3 4); acceleration { type constant; value 5; } "
+                 "} up { direction (0 1 0); acceleration { type constant; value 1; } } }");
+    EXPECT_TRUE(groundAcceleration(motion, 0).isApprox(Eigen::Vector3d(3, 5, 0)));
+}
+
+TEST(GroundMotionDictionary, SaysWhatIsWrongAndWhere)
+{
+    EXPECT_THAT(refusalOf("direction (1 0 0);\nacceleration { type constnt; value 3; }"),
+                testing::AllOf(
+                    HasSubstr("Unknown ground acceleration type constnt"), HasSubstr("Did you mean constant"),
+                    HasSubstr("constant halfSine record rectangularPulse sine table"), HasSubstr("line 2")));
+    EXPECT_THAT(refusalOf("direction (1 0 0);"), HasSubstr("both direction and acceleration"));
+    EXPECT_THAT(refusalOf(""), HasSubstr("direction and acceleration"));
+    EXPECT_THAT(refusalOf("direction (0 0 0); acceleration { type constant; value 3; }"),
+                HasSubstr("no length"));
+    EXPECT_THAT(refusalOf("direction (1 0 0); acceleration { type constant; value 3; duration 1; }"),
+                HasSubstr("duration"));
+    EXPECT_THAT(refusalOf("direction (1 0 0); acceleration { type constant; }"), HasSubstr("value"));
+    EXPECT_THAT(refusalOf("direction (1 0 0); acceleration { type constant; value [0 1 0 0 0 0 0] 3; }"),
+                HasSubstr("[0 1"));
+    EXPECT_THAT(refusalOf("direction (1 0 0); acceleration { type halfSine; amplitude 3; duration -1; }"),
+                HasSubstr("duration"));
+    EXPECT_THAT(refusalOf("direction (1 0 0); acceleration { type constant; value nan; }"), HasSubstr("nan"));
+    EXPECT_THAT(refusalOf("direction (1 0 0); acceleration { type table; values ((1 0) (0 1)); }"),
+                testing::AllOf(HasSubstr("must increase"), HasSubstr("line 1")));
+    EXPECT_THAT(refusalOf("direction (1 0 0); acceleration { type table; }"),
+                HasSubstr("either values or a file"));
+    EXPECT_THAT(refusalOf("direction (1 0 0); acceleration { type table; file nowhere; }", "/tmp"),
+                HasSubstr("/tmp/nowhere"));
+    EXPECT_THAT(refusalOf("direction (1 0 0); acceleration { type record; file nowhere; }", "/tmp"),
+                HasSubstr("/tmp/nowhere"));
+    EXPECT_THAT(refusalOf("direction (1 0 0); acceleration { type record; file x; unit m/s; }"),
+                HasSubstr("'m/s'"));
+    EXPECT_THAT(
+        refusalOf("direction (1 0 0); acceleration { type record; file x; scale 2; peakAcceleration 3; }"),
+        HasSubstr("remove one"));
+    EXPECT_THAT(refusalOf("direction (1 0 0); acceleration { type record; file x; format AT2; }"),
+                HasSubstr("PEER_AT2"));
+}
+
+TEST_F(GroundMotionTest, DictionaryReadsARecordRelativeToTheCase)
+{
+    const std::string start =
+        "direction (1 0 0); acceleration { type record; file " + file.filename().string() + "; format csv; ";
+    const auto folder = file.parent_path();
+    EXPECT_DOUBLE_EQ(groundAcceleration(motionOf(start + "}", folder), 1).x(), 2);
+    EXPECT_DOUBLE_EQ(
+        groundAcceleration(motionOf(start + "timeColumn 0; accelerationColumn north; }", folder), 1).x(), 2);
+    EXPECT_DOUBLE_EQ(groundAcceleration(motionOf(start + "unit cm/s2; scale 0.5; }", folder), 1).x(), 1);
+    EXPECT_DOUBLE_EQ(groundAcceleration(motionOf(start + "padding (1 0); baseline none; }", folder), 2).x(),
+                     2);
+    EXPECT_THAT(refusalOf(start + "unit g; }", folder), HasSubstr("says it is in gal"));
+    EXPECT_THAT(refusalOf(start + "accelerationColumn south; }", folder), HasSubstr("south"));
+}
+
+TEST_F(GroundMotionTest, DictionaryReadsATableFromAListOrColumns)
+{
+    const std::string text =
+        "direction (1 0 0); acceleration { type table; file \"" + file.string() + "\"; }";
+    std::ofstream(file) << "// drawn by hand\n3\n(\n(0 0)\n(1 4)\n(2 0)\n)\n";
+    EXPECT_EQ(groundAcceleration(motionOf(text), 0.5).x(), 2);
+    std::ofstream(file) << "0 0\n1 4\n2 0\n";
+    EXPECT_EQ(groundAcceleration(motionOf(text), 0.5).x(), 2);
+    std::ofstream(file) << "(\n(0 0)\n(1 x)\n)\n";
+    EXPECT_THAT(refusalOf(text), testing::AllOf(HasSubstr(file.string()), HasSubstr("line 3")));
+    std::ofstream(file) << "0 0\n1 x\n";
+    EXPECT_THAT(refusalOf(text), testing::AllOf(HasSubstr(file.string()), HasSubstr("line 2")));
+    std::ofstream(file) << "((0 0)(2 1)(1 1))";
+    EXPECT_THAT(refusalOf(text), testing::AllOf(HasSubstr(file.string()), HasSubstr("must increase")));
+    EXPECT_THAT(refusalOf("direction (1 0 0); acceleration { type table; file \"/dev/null\"; }"),
+                testing::AllOf(HasSubstr("/dev/null"), HasSubstr("not an ordinary file")));
+}
+
+TEST(GroundMotionDictionary, EveryTypeDescribesItsKeys)
+{
+    for (const auto& alternative : groundAccelerationTypes().describe())
+    {
+        EXPECT_FALSE(alternative.summary.empty());
+        EXPECT_FALSE(alternative.members.empty()) << alternative.name;
+    }
+    const std::string text =
+        annotatedDictionary("groundMotion", "How the ground moves.", describeOptions<GroundMotionSettings>());
+    EXPECT_THAT(text, testing::AllOf(HasSubstr("rectangularPulse"), HasSubstr("peakAcceleration")));
+}

@@ -1,0 +1,132 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Limit analysis with Coulomb's law: every collapse is checked as a pair of forces and mechanism, and the
+/// six walls are beside the lowest multipliers known.
+#include "statics/NonAssociative.h"
+#include "Structures.h"
+
+#include <gtest/gtest.h>
+
+using namespace drystone;
+
+namespace
+{
+
+/// What the lowest collapse found is made of, asked of the program and not of the search.
+void expectCoulomb(const PlaneConeProgram& program, const std::vector<int>& joint,
+                   const LimitAnalysis& result)
+{
+    // The mechanism comes with its largest entry 1: the live load's work scales it back.
+    const Eigen::VectorXd mechanism = result.mechanism / program.liveLoad.dot(result.mechanism);
+    const CoulombResiduals residuals =
+        coulombResiduals(program, joint, result.alpha, result.contactForce, mechanism);
+    EXPECT_LE(residuals.balance, 1e-8);
+    EXPECT_LE(residuals.yield, 1e-6);
+    EXPECT_LE(residuals.flow, 1e-6);
+    EXPECT_LE(residuals.mismatch, 1e-6);
+}
+
+} // namespace
+
+TEST(NonAssociative, MeetsTheLowestKnownMultipliersOfTheSixWalls)
+{
+    // Lowest found by a complementarity search; of wall 6 0.29 to 0.30 is known, to two digits.
+    const double known[] = {0.638982, 0.557416, 0.355817, 0.263736, 0.208629, 0.30};
+    const std::vector<Wall> walls = paperWalls();
+    for (std::size_t i = 0; i < walls.size(); ++i)
+    {
+        const Structure structure = standing(walls[i].bond);
+        const PlaneConeProgram program = structure.program(0.65, structure.weightLoads());
+        const std::vector<int> joint = jointsOf(structure.points);
+        const LimitAnalysis result = solveNonAssociative(program, joint);
+        ASSERT_EQ(result.status, CollapseStatus::optimal) << "wall " << i + 1;
+        expectCoulomb(program, joint, result);
+        EXPECT_LE(result.alpha, 1.03 * known[i]) << "wall " << i + 1;
+        EXPECT_GE(result.alpha, 0.97 * known[i]) << "wall " << i + 1;
+        ASSERT_TRUE(result.coulomb.has_value());
+        EXPECT_NEAR(result.coulomb->associative, walls[i].alpha, 1e-6);
+        EXPECT_LE(result.coulomb->highest, result.coulomb->associative + 1e-9);
+        EXPECT_EQ(result.coulomb->lowest, result.alpha);
+        EXPECT_GE(result.coulomb->converged, 6) << "of " << result.coulomb->starts;
+    }
+}
+
+TEST(NonAssociative, IsTheSameOnASecondRun)
+{
+    const Structure structure = standing(paperWalls()[4].bond);
+    const PlaneConeProgram program = structure.program(0.65, structure.weightLoads());
+    const NonAssociativeSettings settings{.starts = 2};
+    const LimitAnalysis one = solveNonAssociative(program, jointsOf(structure.points), settings);
+    const LimitAnalysis two = solveNonAssociative(program, jointsOf(structure.points), settings);
+    EXPECT_EQ(one.alpha, two.alpha);
+    EXPECT_EQ(one.contactForce, two.contactForce);
+}
+
+TEST(NonAssociative, OfAMonolithIsThatOfTheAssociativeLaw)
+{
+    // Statically determinate: normal forces follow from equilibrium.
+    for (const double mu : {0.1, 0.65})
+    {
+        Assembly<2> assembly;
+        assembly.supports = {{"ground", "ground"}};
+        assembly.blocks = {rectangle(0, 0, 0.5, 2), rectangle(-1, -1, 2, 0, 0)};
+        const Structure structure(std::move(assembly));
+        const PlaneConeProgram program = structure.program(mu, structure.weightLoads());
+        const std::vector<int> joint = jointsOf(structure.points);
+        const LimitAnalysis result = solveNonAssociative(program, joint);
+        EXPECT_EQ(result.status, CollapseStatus::optimal);
+        EXPECT_NEAR(result.alpha, std::min(mu, 0.25), 1e-8);
+        expectCoulomb(program, joint, result);
+    }
+}
+
+TEST(NonAssociative, AtALooseToleranceOfTheSolverHasNoAnswerOrARightOne)
+{
+    // Mechanisms are so inexact then that no point may be left that carries anything.
+    const Structure structure = standing(paperWalls()[0].bond);
+    const PlaneConeProgram program = structure.program(0.65, structure.weightLoads());
+    const std::vector<int> joint = jointsOf(structure.points);
+    for (const double tolerance : {1e-3, 1e-4})
+    {
+        const LimitAnalysis result =
+            solveNonAssociative(program, joint, {.starts = 1}, {.tolerance = tolerance});
+        if (result.status == CollapseStatus::optimal)
+        {
+            expectCoulomb(program, joint, result);
+        }
+        else
+        {
+            EXPECT_EQ(result.status, CollapseStatus::notConverged);
+        }
+    }
+}
+
+TEST(NonAssociative, LeavesUnstableWhatIsUnstable)
+{
+    const Structure structure = standing(paperWalls()[0].bond);
+    LoadVectors loads = structure.weightLoads();
+    loads.dead += 0.7 * loads.live;
+    const LimitAnalysis result =
+        solveNonAssociative(structure.program(0.65, loads), jointsOf(structure.points));
+    EXPECT_EQ(result.status, CollapseStatus::unstable);
+    EXPECT_LE(result.certificate.worst(), 1e-9);
+}
+
+TEST(NonAssociative, ResidualsSeeWhatIsNotCoulombs)
+{
+    const Structure structure = standing(paperWalls()[2].bond);
+    const PlaneConeProgram program = structure.program(0.65, structure.weightLoads());
+    const std::vector<int> joint = jointsOf(structure.points);
+    // The associative pair of the wall dilates where it slides.
+    const ConeSolution associative = solveInteriorPoint(program);
+    EXPECT_GT(coulombResiduals(program, joint, associative.multiplier, associative.contactForce,
+                               associative.displacement)
+                  .flow,
+              1e-2);
+    const LimitAnalysis result = solveNonAssociative(program, joint, {.starts = 1});
+    const Eigen::VectorXd mechanism = result.mechanism / program.liveLoad.dot(result.mechanism);
+    Eigen::VectorXd force = result.contactForce;
+    force[1] += 0.1 * force.lpNorm<Eigen::Infinity>();
+    EXPECT_GT(coulombResiduals(program, joint, result.alpha, force, mechanism).worst(), 1e-3);
+    EXPECT_GT(coulombResiduals(program, joint, 1.01 * result.alpha, result.contactForce, mechanism).worst(),
+              1e-4);
+}

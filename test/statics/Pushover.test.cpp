@@ -1,0 +1,74 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Capacity curves against closed forms.
+#include "statics/Pushover.h"
+#include "Structures.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace drystone;
+
+namespace
+{
+
+Structure monolith()
+{
+    Assembly<2> assembly;
+    assembly.supports = {{"ground", "ground"}};
+    assembly.blocks = {rectangle(0, 0, 0.5, 2), rectangle(-1, -1, 3, 0, 0)};
+    return Structure(std::move(assembly));
+}
+
+Pushover push(const Structure& structure, double mu, const PushoverSettings& settings)
+{
+    return solvePushover({structure.assembly, mu, structure.weightLoads()}, settings, {},
+                         [](const CapacityPoint&, const std::vector<Placement<2>>&) {});
+}
+
+} // namespace
+
+TEST(Pushover, OfAMonolithFollowsTheMomentOfItsWeight)
+{
+    // The centroid is b - d from the toe and sqrt(R2 - (b - d)2) above it: alpha is the quotient, so that the
+    // overturning moment alpha W y = W (b - d) is a straight line to zero at d = b.
+    const double b = 0.25;
+    const double h = 1;
+    const Pushover pushover = push(monolith(), 0.65, {.step = 0.01});
+    EXPECT_EQ(pushover.end, PushoverEnd::overturned);
+    ASSERT_GT(pushover.curve.size(), 20U);
+    for (const CapacityPoint& point : pushover.curve)
+    {
+        const double x = b - point.displacement;
+        const double height = std::sqrt(b * b + h * h - x * x);
+        EXPECT_NEAR(point.alpha * height, x, 1e-4 * b) << point.displacement;
+        EXPECT_LE(point.worst, 1e-9);
+    }
+    EXPECT_NEAR(pushover.curve.back().displacement, b, 1e-4 * b);
+    EXPECT_EQ(pushover.curve.back().alpha, 0);
+}
+
+TEST(Pushover, OfAMonolithThatSlidesNeverEnds)
+{
+    const Pushover pushover = push(monolith(), 0.1, {.step = 0.01, .maximumSteps = 20});
+    EXPECT_EQ(pushover.end, PushoverEnd::stepsUsedUp);
+    EXPECT_NEAR(pushover.curve.front().alpha, 0.1, 1e-8);
+}
+
+TEST(Pushover, OfAWallStartsAtItsCollapseMultiplierAndEndsAtZero)
+{
+    const Structure structure = standing(paperWalls()[0].bond);
+    for (const double length : {0.01, 0.03})
+    {
+        const Pushover pushover = push(structure, 0.65, {.step = length});
+        // Blocks lose their hold and fall before the wall overturns as a whole, or it overturns.
+        EXPECT_TRUE(pushover.end == PushoverEnd::overturned || pushover.end == PushoverEnd::falling);
+        EXPECT_NEAR(pushover.curve.front().alpha, 0.642859, 1e-6);
+        EXPECT_EQ(pushover.curve.back().alpha, 0);
+        for (const CapacityPoint& point : pushover.curve)
+        {
+            EXPECT_LE(point.alpha, 0.6429);
+            EXPECT_LE(point.worst, 1e-6);
+        }
+    }
+}

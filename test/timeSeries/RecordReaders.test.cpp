@@ -1,0 +1,375 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Records in every dress they are met in, and broken ones. The six real records may not be redistributed:
+/// those tests look for them beside the checkout and skip where they are absent.
+#include "core/Error.h"
+#include "timeSeries/Record.h"
+#include "timeSeries/Spectrum.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <random>
+#include <sstream>
+
+#include <unistd.h>
+
+using namespace drystone;
+using testing::AllOf;
+using testing::HasSubstr;
+using namespace std::string_literals;
+
+namespace
+{
+
+/// A file that lives as long as the test.
+struct TemporaryFile
+{
+    std::filesystem::path path;
+
+    explicit TemporaryFile(const std::string& content)
+        : path(std::filesystem::temp_directory_path()
+               / ("drystone_record_" + std::to_string(getpid()) + ".txt"))
+    {
+        std::ofstream(path, std::ios::binary) << content;
+    }
+    TemporaryFile(const TemporaryFile&) = delete;
+    ~TemporaryFile() { std::filesystem::remove(path); }
+};
+
+Record peer(const std::string& content, const std::string& unit = "")
+{
+    return readPeerRecord(TemporaryFile(content).path, unit);
+}
+
+Record csv(const std::string& content, const CsvLayout& layout)
+{
+    return readCsvRecord(TemporaryFile(content).path, layout);
+}
+
+/// The message with which a function refuses; empty when it does not.
+template<class Function>
+std::string refusal(const Function& function)
+{
+    try
+    {
+        function();
+    }
+    catch (const FatalIOError& error)
+    {
+        return error.report();
+    }
+    return "";
+}
+
+std::string peerRefusal(const std::string& content)
+{
+    return refusal([&] { peer(content); });
+}
+
+std::string csvRefusal(const std::string& content, const CsvLayout& layout)
+{
+    return refusal([&] { csv(content, layout); });
+}
+
+const std::string good = "PEER STRONG MOTION DATABASE RECORD. PROCESSING BY PACIFIC ENGINEERING.\n"
+                         "SOMEWHERE 01/01/00, COMMUNITY HOSPITAL, 180\n"
+                         "ACCELERATION TIME HISTORY IN UNITS OF G. FILTER POINTS: HP=0.2 Hz LP=12.5 Hz\n"
+                         "NPTS=  7, DT= .01000 SEC\n"
+                         "   .1000000E-02   .2000000E-02  -.3000000E-02   .4000000E-02   .0000000E+00\n"
+                         "  -.5000000E+00   .1000000E-01\n";
+
+std::string replaced(std::string text, const std::string& what, const std::string& with)
+{
+    const auto place = text.find(what);
+    EXPECT_NE(place, std::string::npos);
+    return text.replace(place, what.size(), with);
+}
+
+std::filesystem::path recordFolder()
+{
+    return std::filesystem::path(DRYSTONE_SOURCE_DIR) / ".." / "shared" / "records";
+}
+
+struct KnownRecord
+{
+    const char* file;
+    std::size_t count;
+    double timeStep;
+};
+
+const std::vector<KnownRecord> knownRecords{{"A-ELC180.AT2", 4000, 0.01},   {"ARL360.at2", 2000, 0.02},
+                                            {"HWA002-N.AT2", 20000, 0.004}, {"IELC180.AT2", 4000, 0.01},
+                                            {"TCU109-N.AT2", 18000, 0.005}, {"elCentro.AT2", 1559, 0.02}};
+
+std::string content(const std::filesystem::path& file)
+{
+    std::ifstream stream(file, std::ios::binary);
+    std::ostringstream text;
+    text << stream.rdbuf();
+    return text.str();
+}
+
+/// The largest absolute value after the line with NPTS, found without the reader.
+double largestValue(const std::string& text)
+{
+    std::istringstream values(text.substr(text.find('\n', text.find("NPTS"))));
+    double largest = 0;
+    for (double value = 0; values >> value;)
+        largest = std::max(largest, std::abs(value));
+    return largest;
+}
+
+} // namespace
+
+TEST(PeerReader, ReadsTheUsualHeader)
+{
+    const Record record = peer(good);
+    EXPECT_EQ(record.title, "SOMEWHERE 01/01/00, COMMUNITY HOSPITAL, 180");
+    EXPECT_EQ(record.unit, "G");
+    ASSERT_EQ(record.times.size(), 7u);
+    EXPECT_DOUBLE_EQ(record.times[6], 0.06);
+    EXPECT_EQ(record.accelerations[5], -0.5 * standardGravity);
+}
+
+TEST(PeerReader, ReadsEverySpellingOfNumberAndStep)
+{
+    for (const char* line :
+         {"NPTS= 7, DT= .01 SEC", "NPTS=7,DT=0.01", "NPTS=      7, DT=   .0100 SEC,",
+          "npts = 7 dt = 1.0D-2 sec", "NPTS:  7   DT: .01SEC", "   7    0.0100    NPTS, DT",
+          "NPTS= 7\nDT= 0.01", "7 , 0.01 , NPTS, DT", "NPTS=  7, DT (sec)= .0100"})
+    {
+        SCOPED_TRACE(line);
+        const Record record = peer(replaced(good, "NPTS=  7, DT= .01000 SEC", line));
+        EXPECT_EQ(record.times.size(), 7u);
+        EXPECT_DOUBLE_EQ(record.times[1], 0.01);
+    }
+}
+
+TEST(PeerReader, ReadsEveryLineEnd)
+{
+    const Record expected = peer(good);
+    for (const std::string end : {"\r\n", "\r\r\n", "\r", "   \n", "\n\n"})
+    {
+        std::string text;
+        for (const char c : good)
+            text += c == '\n' ? end : std::string(1, c);
+        EXPECT_EQ(peer(text).accelerations, expected.accelerations);
+    }
+    EXPECT_EQ(peer(good.substr(0, good.size() - 1)).accelerations, expected.accelerations);
+}
+
+TEST(PeerReader, KnowsUnits)
+{
+    const auto peak = [](const std::string& words)
+    { return std::abs(peer(replaced(good, "IN UNITS OF G. FILTER", words + " FILTER")).accelerations[5]); };
+    EXPECT_DOUBLE_EQ(peak("IN UNITS OF CM/SEC/SEC."), 0.005);
+    EXPECT_DOUBLE_EQ(peak("UNITS: CM/S**2"), 0.005);
+    EXPECT_DOUBLE_EQ(peak("(Units are gal)"), 0.005);
+    EXPECT_DOUBLE_EQ(peak("in units of m/s^2,"), 0.5);
+    EXPECT_DOUBLE_EQ(accelerationUnit("ft/sec2"), 0.3048);
+    EXPECT_EQ(accelerationUnit("cm/s"), 0);
+    EXPECT_EQ(accelerationUnit(""), 0);
+}
+
+TEST(PeerReader, TakesTheDeclaredUnitWhereTheHeaderIsSilent)
+{
+    const std::string silent = replaced(good, "IN UNITS OF G. ", "");
+    EXPECT_DOUBLE_EQ(peer(silent, "cm/s2").accelerations[5], -0.005);
+    EXPECT_THAT(peerRefusal(silent), AllOf(HasSubstr("does not say its unit"), HasSubstr("Declare")));
+    EXPECT_THAT(refusal([&] { peer(good, "m/s2"); }),
+                AllOf(HasSubstr("says it is in G"), HasSubstr("line 3")));
+    EXPECT_NO_THROW(peer(good, "g"));
+    EXPECT_THAT(refusal([&] { peer(silent, "furlong"); }), HasSubstr("furlong"));
+}
+
+TEST(PeerReader, RefusesBrokenRecordsWithTheirLine)
+{
+    EXPECT_THAT(peerRefusal(""), HasSubstr("empty"));
+    EXPECT_THAT(peerRefusal("\n \r\n\t\n"), HasSubstr("empty"));
+    EXPECT_THAT(peerRefusal(replaced(good, "NPTS=  7", "NPTS=  8")),
+                AllOf(HasSubstr("ends after 7 of NPTS = 8"), HasSubstr("line 6")));
+    EXPECT_THAT(peerRefusal(replaced(good, "NPTS=  7", "NPTS=  5")),
+                AllOf(HasSubstr("More values than NPTS = 5"), HasSubstr("line 6")));
+    EXPECT_THAT(peerRefusal(replaced(good, "-.5000000E+00", "NaN")),
+                AllOf(HasSubstr("NaN"), HasSubstr("line 6")));
+    EXPECT_THAT(peerRefusal(replaced(good, "-.5000000E+00", "1e400")),
+                AllOf(HasSubstr("1e400"), HasSubstr("line 6")));
+    EXPECT_THAT(peerRefusal(replaced(good, "-.5000000E+00", "1e308")), // g: not finite in m/s2
+                AllOf(HasSubstr("1e308"), HasSubstr("line 6")));
+    EXPECT_THAT(peerRefusal(replaced(good, "DT= .01000", "DT= 1e308")), HasSubstr("line 4"));
+    EXPECT_THAT(peerRefusal(replaced(good, "-.5000000E+00", "-.5x")),
+                AllOf(HasSubstr("'-.5x'"), HasSubstr("line 6")));
+    EXPECT_THAT(peerRefusal(replaced(good, "DT= .01000", "DT= -.01")),
+                AllOf(HasSubstr("-0.01"), HasSubstr("line 4")));
+    EXPECT_THAT(peerRefusal(replaced(good, "DT= .01000", "DT= 0")), HasSubstr("line 4"));
+    EXPECT_THAT(peerRefusal(replaced(good, "DT= .01000 SEC", "")),
+                AllOf(HasSubstr("DT"), HasSubstr("line 4")));
+    EXPECT_THAT(peerRefusal(replaced(good, "NPTS=  7", "NPTS= many")),
+                AllOf(HasSubstr("NPTS"), HasSubstr("line 4")));
+    EXPECT_THAT(peerRefusal(replaced(good, "NPTS=  7", "NPTS= 7.5")), HasSubstr("7.5"));
+    EXPECT_THAT(peerRefusal(replaced(good, "NPTS=  7", "NPTS= -7")), HasSubstr("-7"));
+    EXPECT_THAT(peerRefusal(replaced(good, "NPTS=  7", "NPTS= 1e300")), HasSubstr("line 4"));
+    EXPECT_THAT(peerRefusal("0.1 0.2\n0.3 0.4\n"), AllOf(HasSubstr("NPTS"), HasSubstr("csv")));
+    EXPECT_THAT(peerRefusal(std::string("NPTS= 2, DT= .1\n\x7f\x00\x01", 19)),
+                HasSubstr("control character"));
+    EXPECT_THAT(peerRefusal(replaced(good, "UNITS OF G.", "UNITS OF CM/SEC.")),
+                AllOf(HasSubstr("CM/SEC"), HasSubstr("line 3")));
+    EXPECT_THAT(refusal([] { readPeerRecord("/nonexistent/record.AT2"); }),
+                HasSubstr("/nonexistent/record.AT2"));
+    EXPECT_THAT(refusal([] { readPeerRecord(std::filesystem::temp_directory_path()); }),
+                HasSubstr("directory"));
+    EXPECT_THAT(refusal([] { readPeerRecord("/dev/null"); }), HasSubstr("not an ordinary file"));
+}
+
+TEST(PeerReader, RandomDamageIsReadAsNumbersOrRefused)
+{
+    std::mt19937 random(1);
+    const std::string marks = " \n\r\t-+.,;=()0123456789eEdDNPTSxG\x00\xff#%\"["s;
+    int readAnyway = 0;
+    constexpr int copies = 3000;
+    for (int copy = 0; copy < copies; ++copy)
+    {
+        std::string text = good;
+        for (unsigned changes = 1 + random() % 4; changes > 0; --changes)
+        {
+            const std::size_t place = random() % text.size();
+            if (random() % 3 == 0)
+                text.erase(place, random() % 30);
+            else
+                text.insert(place, 1, marks[random() % marks.size()]);
+        }
+        const TemporaryFile file(text);
+        for (const bool asPeer : {true, false})
+        {
+            const std::string message = refusal(
+                [&]
+                {
+                    const Record record =
+                        asPeer ? readPeerRecord(file.path) : readCsvRecord(file.path, {0, 1, 0, "g"});
+                    ++readAnyway;
+                    for (std::size_t i = 0; i < record.times.size(); ++i)
+                    {
+                        EXPECT_TRUE(std::isfinite(record.accelerations[i]));
+                        EXPECT_TRUE(i == 0 || record.times[i] > record.times[i - 1]);
+                    }
+                });
+            EXPECT_TRUE(message.empty() || message.find(file.path.string()) != std::string::npos) << message;
+        }
+    }
+    EXPECT_GT(readAnyway, 0);
+    EXPECT_LT(readAnyway, copies);
+}
+
+TEST(PeerReader, ReadsTheSixRealRecords)
+{
+    if (!std::filesystem::is_directory(recordFolder()))
+        GTEST_SKIP() << "no records in " << recordFolder() << ": they may not be redistributed";
+    for (const KnownRecord& known : knownRecords)
+    {
+        SCOPED_TRACE(known.file);
+        const auto file = recordFolder() / known.file;
+        const Record record = readPeerRecord(file);
+        ASSERT_EQ(record.accelerations.size(), known.count);
+        EXPECT_DOUBLE_EQ(record.times[1], known.timeStep);
+        EXPECT_EQ(accelerationUnit(record.unit), standardGravity);
+        EXPECT_DOUBLE_EQ(figures(record).peakAcceleration / standardGravity, largestValue(content(file)));
+    }
+}
+
+TEST(PeerReader, RefusesBrokenCopiesOfTheSixRealRecords)
+{
+    if (!std::filesystem::is_directory(recordFolder()))
+        GTEST_SKIP() << "no records in " << recordFolder() << ": they may not be redistributed";
+    for (const KnownRecord& known : knownRecords)
+    {
+        SCOPED_TRACE(known.file);
+        const std::string text = content(recordFolder() / known.file);
+        const std::string count = std::to_string(known.count);
+        const auto half = text.find(' ', text.size() / 2);
+        EXPECT_THAT(peerRefusal(text.substr(0, half)), AllOf(HasSubstr("ends after"), HasSubstr("line")));
+        EXPECT_THAT(peerRefusal(std::string(text).replace(half, 1, " NaN ")),
+                    AllOf(HasSubstr("NaN"), HasSubstr("line")));
+        EXPECT_THAT(peerRefusal(std::string(text).replace(half, 1, " 12#4 ")),
+                    AllOf(HasSubstr("12#4"), HasSubstr("line")));
+        EXPECT_THAT(peerRefusal(std::string(text).replace(half, 1, std::string(1, '\0'))),
+                    HasSubstr("control"));
+        const auto npts = text.find(count, text.find("NPTS"));
+        for (const long change : {-1, 1})
+            EXPECT_THAT(peerRefusal(std::string(text).replace(
+                            npts, count.size(), std::to_string(static_cast<long>(known.count) + change))),
+                        HasSubstr("line"));
+        const auto step = text.find('.', text.find("DT="));
+        EXPECT_THAT(peerRefusal(std::string(text).insert(step, "-")),
+                    AllOf(HasSubstr("DT is -"), HasSubstr("line 4")));
+    }
+}
+
+TEST(ResponseSpectrum, OfElCentroIsThatOfTheTextbook)
+{
+    const auto file = recordFolder() / "elCentro.AT2";
+    if (!std::filesystem::exists(file))
+        GTEST_SKIP() << "no record " << file << ": it may not be redistributed";
+    // A. K. Chopra, Dynamics of Structures, section 6.4: deformation for 2% damping, read in inches to three
+    // digits
+    const ResponseSpectrum spectrum = responseSpectrum(readPeerRecord(file), {0.5, 1, 2}, 0.02);
+    const double inch = 0.0254;
+    EXPECT_NEAR(spectrum.displacements[0] / inch, 2.67, 0.02);
+    EXPECT_NEAR(spectrum.displacements[1] / inch, 5.97, 0.02);
+    EXPECT_NEAR(spectrum.displacements[2] / inch, 7.47, 0.02);
+}
+
+TEST(CsvReader, ReadsColumnsByNumberOrTitle)
+{
+    const std::string text = "# a comment\ntime,north [m/s2],east [gal]\n0,1,100\n0.01,-2,-200\n0.03,3,300\n";
+    const Record north = csv(text, {});
+    EXPECT_EQ(north.times, (std::vector<double>{0, 0.01, 0.03}));
+    EXPECT_EQ(north.accelerations, (std::vector<double>{1, -2, 3}));
+    const Record east = csv(text, {"time", "east", 0, ""});
+    EXPECT_DOUBLE_EQ(east.accelerations[2], 3);
+    EXPECT_DOUBLE_EQ(csv(text, {0, 2, 0, "cm/s2"}).accelerations[2], 3);
+    EXPECT_THAT(csvRefusal(text, {0, "up", 0, "g"}),
+                AllOf(HasSubstr("'up'"), HasSubstr("east"), HasSubstr("line 2")));
+}
+
+TEST(CsvReader, ReadsEverySeparator)
+{
+    const std::vector<double> expected{0.25, -2, 3};
+    EXPECT_EQ(csv("0,0.25\n1,-2\n2,3\n", {0, 1, 0, "m/s2"}).accelerations, expected);
+    EXPECT_EQ(csv("0;0,25\n1;-2\n2;3,0\n", {0, 1, 0, "m/s2"}).accelerations, expected);
+    EXPECT_EQ(csv("0\t0.25\n1\t-2\n2\t3\n", {0, 1, 0, "m/s2"}).accelerations, expected);
+    EXPECT_EQ(csv("  0   0.25\r\n  1  -2\r\n  2  +3\r\n", {0, 1, 0, "m/s2"}).accelerations, expected);
+    EXPECT_EQ(csv("\"t\",\"a [m/s2]\"\n0, 0.25\n1, -2\n2, 3", {"t", "a", 0, ""}).accelerations, expected);
+}
+
+TEST(CsvReader, ReadsEquallySpacedValuesWithoutTimes)
+{
+    const Record record = csv("a\n1\n2\n3\n", {0, "a", 0.02, "gal"});
+    EXPECT_EQ(record.times, (std::vector<double>{0, 0.02, 0.04}));
+    EXPECT_DOUBLE_EQ(record.accelerations[2], 0.03);
+}
+
+TEST(CsvReader, RefusesBrokenRecordsWithTheirLine)
+{
+    const CsvLayout layout{0, 1, 0, "g"};
+    EXPECT_THAT(csvRefusal("", layout), HasSubstr("empty"));
+    EXPECT_THAT(csvRefusal("# only\n# comments\n", layout), HasSubstr("comments only"));
+    EXPECT_THAT(csvRefusal("t,a\n", layout), HasSubstr("no values"));
+    EXPECT_THAT(csvRefusal("0,1\n1\n", layout), AllOf(HasSubstr("1 columns"), HasSubstr("line 2")));
+    EXPECT_THAT(csvRefusal("0,1\n1,nan\n", layout), AllOf(HasSubstr("nan"), HasSubstr("line 2")));
+    EXPECT_THAT(csvRefusal("0,1\n1,1e308\n", layout), AllOf(HasSubstr("1e308"), HasSubstr("line 2")));
+    EXPECT_THAT(csvRefusal("0,1\n1,\n", layout), HasSubstr("line 2"));
+    EXPECT_THAT(csvRefusal("0,1\n1,x\n", layout), AllOf(HasSubstr("'x'"), HasSubstr("line 2")));
+    EXPECT_THAT(csvRefusal("0,1\n1,1\n0.5,1\n", layout), AllOf(HasSubstr("0.5"), HasSubstr("line 3")));
+    EXPECT_THAT(csvRefusal("0,1\n0,1\n", layout), HasSubstr("line 2"));
+    EXPECT_THAT(csvRefusal("0,1\n1,1\n", {0, 1, 0, ""}), HasSubstr("unit"));
+    EXPECT_THAT(csvRefusal("0,1\n1,1\n", {0, 1, 0, "m/s"}), HasSubstr("m/s"));
+    EXPECT_THAT(csvRefusal("0,1\n1,1\n", {0, 5, 0, "g"}), HasSubstr("column 5"));
+    EXPECT_THAT(csvRefusal("0,1\n1,1\n", {0, -1, 0, "g"}), HasSubstr("-1"));
+    EXPECT_THAT(csvRefusal("0,1\n1,1\n", {0, 1, -0.1, "g"}), HasSubstr("-0.1"));
+    EXPECT_THAT(csvRefusal("0,1\n1,1\n", {"t", 1, 0, "g"}), HasSubstr("no row of titles"));
+    EXPECT_THAT(csvRefusal("t,a [m/s]\n0,1\n", {0, 1, 0, ""}), HasSubstr("m/s"));
+}
