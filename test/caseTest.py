@@ -1,6 +1,7 @@
 # Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 """Common to the tests of whole applications: cases in a temporary folder, in which an application is run."""
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -21,6 +22,12 @@ class CaseTest(unittest.TestCase):
     @classmethod
     def tearDownClass(cls):
         cls.root.cleanup()
+
+    @staticmethod
+    def copyInput(source, target):
+        """A case as git has it: without what applications wrote, and without an initial state."""
+        shutil.copytree(source, target,
+                        ignore=shutil.ignore_patterns("VTK", "postProcessing", "log.*", "[0-9]*", "assembly"))
 
     def run_(self, case, *options, status=0):
         done = subprocess.run([os.path.join(applications, self.application), "-case", case, *options],

@@ -726,12 +726,11 @@ namespace
 bool attemptStep(const DynamicCase& scene, Motion& motion, double timeStep)
 {
     motion.work.beginAttempt();
-    // Impacts are told from the start of a step, and from each other, by this part of it. Attempts at parts
-    // of a step are limited, so that bounces which grow shorter for ever, or blocks that hit each other from
-    // all sides, do not part it without an end.
-    // Velocities are right to the tolerance of the solver, and so are instants after a flight of some
-    // thousand steps: told apart more finely, corners that meet together would meet one after the other, and
-    // a block that bounces flat would begin to rock.
+    // Impacts are distinguished from the start of a step, and from each other, by this part of it. Attempts
+    // at parts of a step are limited, so that bounces which grow shorter for ever, or blocks that hit each
+    // other from all sides, do not part it without an end. Velocities are right to the tolerance of the
+    // solver, and so are instants after a flight of some thousand steps: distinguished more finely, corners
+    // that meet together would meet one after the other, and a block that bounces flat would begin to rock.
     constexpr double leastTolerance = 1e-3;
     constexpr double stepsOfFlight = 1e4;
     const double tolerance = std::max(leastTolerance, stepsOfFlight * scene.solution.tolerance);

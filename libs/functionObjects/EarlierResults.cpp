@@ -2,6 +2,7 @@
 #include "functionObjects/EarlierResults.h"
 
 #include "runControl/Case.h"
+#include "runControl/CaseFiles.h"
 
 #include <algorithm>
 #include <string_view>
@@ -14,25 +15,11 @@ namespace
 constexpr std::string_view picture = "mechanism";
 constexpr std::string_view extension = ".svg";
 
-/// Names of the files in a folder, sorted; none where it cannot be read.
-std::vector<std::string> filesIn(const std::filesystem::path& folder)
-{
-    std::vector<std::string> names;
-    std::error_code error;
-    for (std::filesystem::directory_iterator file(folder, error), end; !error && file != end;
-         file.increment(error))
-    {
-        names.push_back(file->path().filename().string());
-    }
-    std::sort(names.begin(), names.end());
-    return names;
-}
-
 /// A series of frames with its list.
 void removeSeries(const std::filesystem::path& folder, const std::string& name)
 {
     std::error_code ignored;
-    for (const std::string& file : filesIn(folder))
+    for (const std::string& file : namesIn(folder))
     {
         const std::string_view rest = std::string_view(file).substr(std::min(file.size(), name.size()));
         const bool isFrame =
@@ -53,7 +40,7 @@ std::vector<std::string> removeEarlierResults(const std::filesystem::path& caseD
     const std::filesystem::path folder = caseDirectory / "postProcessing/limitAnalysis/0";
     const std::filesystem::path series = caseDirectory / "VTK";
     std::vector<std::string> removed;
-    for (const std::string& name : filesIn(folder))
+    for (const std::string& name : namesIn(folder))
     {
         if (!name.starts_with(picture) || !name.ends_with(extension))
         {

@@ -88,20 +88,19 @@ std::string meantAs(const fs::path& caseDirectory, const CaseFolder& folder, con
                        {file.lexically_normal().string(), "", 0});
 }
 
-/// Names in a folder, sorted, so that the same one is reported each time.
+} // namespace
+
 std::vector<std::string> namesIn(const fs::path& folder)
 {
     std::vector<std::string> names;
-    std::error_code failure;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder, failure))
+    std::error_code error;
+    for (fs::directory_iterator file(folder, error), end; !error && file != end; file.increment(error))
     {
-        names.push_back(entry.path().filename().string());
+        names.push_back(file->path().filename().string());
     }
     std::sort(names.begin(), names.end());
     return names;
 }
-
-} // namespace
 
 const std::vector<CaseFolder>& caseFolders()
 {

@@ -9,6 +9,10 @@
 namespace drystone
 {
 
+/// Names of what is in a folder, sorted, so that the same one is reported each time; none where it cannot be
+/// read.
+std::vector<std::string> namesIn(const std::filesystem::path& folder);
+
 /// What applications read from a folder of a case.
 struct CaseFolder
 {

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Fingerprints of the input: what counts as a change of it, and how one is told.
+/// Fingerprints of the input: what counts as a change of it, and how one is reported.
 #include "dictionary/Fingerprint.h"
 
 #include <gmock/gmock.h>

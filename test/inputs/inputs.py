@@ -29,8 +29,7 @@ class InputTest(CaseTest):
     def setUpClass(cls):
         super().setUpClass()
         cls.base = os.path.join(cls.root.name, "base")
-        shutil.copytree(tutorial, cls.base, ignore=shutil.ignore_patterns("VTK", "postProcessing", "log.*", "[0-9]*",
-                                                                          "assembly"))
+        cls.copyInput(tutorial, cls.base)
         os.remove(os.path.join(cls.base, "constant/groundMotion"))
         cls.control(cls.base)
         cls.build(cls.base)

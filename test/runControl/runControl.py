@@ -43,8 +43,7 @@ class RunControl(CaseTest):
     def setUpClass(cls):
         super().setUpClass()
         cls.base = os.path.join(cls.root.name, "base")
-        shutil.copytree(tutorial, cls.base, ignore=shutil.ignore_patterns("VTK", "postProcessing", "log.*", "[0-9]*",
-                                                                          "assembly"))
+        cls.copyInput(tutorial, cls.base)
         with open(os.path.join(cls.base, "system/blockTextureDict"), "w", encoding="utf-8") as file:
             file.write(texture)
         cls.control(cls.base)
