@@ -21,6 +21,7 @@ std::vector<int> freeIndices(const Assembly<Dim>& assembly)
 }
 
 template std::vector<int> freeIndices(const Assembly<2>& assembly);
+template std::vector<int> freeIndices(const Assembly<3>& assembly);
 
 template<>
 BlockMass<2> blockMass(const Block<2>& block)
@@ -31,6 +32,13 @@ BlockMass<2> blockMass(const Block<2>& block)
     mass.centroid = area.centroid;
     mass.inertia(0, 0) = area.polarMoment * block.thickness;
     return mass;
+}
+
+template<>
+BlockMass<3> blockMass(const Block<3>& block)
+{
+    const VolumeProperties properties = volumeProperties(block.shape);
+    return {properties.volume, properties.centroid, properties.inertia};
 }
 
 std::vector<Placement<2>> moved(std::vector<Placement<2>> placements, const std::vector<int>& free,

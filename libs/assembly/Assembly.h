@@ -3,6 +3,7 @@
 #pragma once
 
 #include "geometry/Polygon.h"
+#include "geometry/space/Polyhedron.h"
 
 #include <optional>
 #include <string>
@@ -19,6 +20,14 @@ struct Block<2>
 {
     Polygon outline;      ///< counter-clockwise, in the global frame as built [m]
     double thickness = 1; ///< out of plane [m]
+    int support =
+        -1; ///< index into Assembly::supports of the support that fixes this block, or -1 when it is free
+};
+
+template<>
+struct Block<3>
+{
+    Polyhedron shape; ///< in the global frame as built [m]
     int support =
         -1; ///< index into Assembly::supports of the support that fixes this block, or -1 when it is free
 };
