@@ -41,6 +41,36 @@ BlockMass<3> blockMass(const Block<3>& block)
     return {properties.volume, properties.centroid, properties.inertia};
 }
 
+template<int Dim>
+std::vector<BlockMass<Dim>> blockMasses(const Assembly<Dim>& assembly)
+{
+    std::vector<BlockMass<Dim>> masses;
+    masses.reserve(assembly.blocks.size());
+    for (const Block<Dim>& block : assembly.blocks)
+    {
+        masses.push_back(blockMass(block));
+    }
+    return masses;
+}
+
+template std::vector<BlockMass<2>> blockMasses(const Assembly<2>& assembly);
+template std::vector<BlockMass<3>> blockMasses(const Assembly<3>& assembly);
+
+double meanBlockSize(const Assembly<2>& assembly)
+{
+    double area = 0;
+    int count = 0;
+    for (const Block<2>& block : assembly.blocks)
+    {
+        if (block.support < 0)
+        {
+            area += std::abs(areaProperties(block.outline).area);
+            ++count;
+        }
+    }
+    return count > 0 ? std::sqrt(area / count) : 0;
+}
+
 std::vector<Placement<2>> moved(std::vector<Placement<2>> placements, const std::vector<int>& free,
                                 const Eigen::VectorXd& displacement, double share)
 {

@@ -76,6 +76,14 @@ struct BlockMass
 template<int Dim>
 BlockMass<Dim> blockMass(const Block<Dim>& block);
 
+/// Mass properties of every block, in their order.
+template<int Dim>
+std::vector<BlockMass<Dim>> blockMasses(const Assembly<Dim>& assembly);
+
+/// Square root of the mean area of the free blocks [m], what tolerances relate to: ground of any extent
+/// leaves them as they are. 0 without free blocks.
+double meanBlockSize(const Assembly<2>& assembly);
+
 /// Where a block is, relative to as built: turned about its mass centre, then moved. Used by time stepping
 /// (finite rotations) and by every writer.
 template<int Dim>

@@ -2,10 +2,7 @@
 /// Reading the assembly file.
 #include "assembly/AssemblyFile.h"
 
-#include "assembly/AssemblyChecks.h"
 #include "assembly/AssemblyOrigin.h"
-#include "assembly/Facing.h"
-#include "assembly/JointClosure.h"
 #include "assembly/Outlines.h"
 #include "assembly/Plausibility.h"
 #include "dictionary/Dictionary.h"
@@ -103,7 +100,7 @@ void readJointTolerance(const Entry& entry, Assembly<2>& assembly)
 
 } // namespace
 
-Assembly<2> readAssembly(const std::filesystem::path& caseDirectory)
+Assembly<2> readBlocks(const std::filesystem::path& caseDirectory)
 {
     const Dictionary dictionary =
         Dictionary::readFile(requireCaseFile(caseDirectory, "constant/assembly/blocks",
@@ -139,7 +136,6 @@ Assembly<2> readAssembly(const std::filesystem::path& caseDirectory)
     refuseUnused(dictionary,
                  {"builtFrom", "dimensions", "thickness", "jointTolerance", "supports", "outlines"});
     questionSizes(assembly, dictionary.locationOf("outlines"));
-    closeJoints(assembly);
     return assembly;
 }
 
@@ -152,26 +148,6 @@ void requireFreeBlock(const Assembly<2>& assembly, const std::filesystem::path& 
             "Every block is fixed by a support: there is nothing to compute. Mend the supports of "
             "system/blockTextureDict and run blockTexture again.",
             Dictionary::readFile(assemblyFile(caseDirectory)).locationOf("supports"));
-    }
-}
-
-std::string overlapText(const Overlap& overlap)
-{
-    return fmt::format(
-        "Blocks {} and {} overlap by {:.6g} m2, {:.3g} of the smaller one. Blocks may touch, but not "
-        "overlap: "
-        "correct system/blockTextureDict and run blockTexture again (checkBlocks lists all overlaps).",
-        overlap.block, overlap.neighbour, overlap.area, overlap.fraction);
-}
-
-void refuseOverlaps(const Assembly<2>& assembly, const std::filesystem::path& caseDirectory)
-{
-    const std::vector<Overlap> overlaps = findOverlaps(assembly);
-    if (!overlaps.empty())
-    {
-        const Dictionary dictionary = Dictionary::readFile(assemblyFile(caseDirectory));
-        throw FatalIOError(overlapText(overlaps.front()),
-                           dictionary.get<Outlines>("outlines").places[overlaps.front().neighbour]);
     }
 }
 

@@ -2,7 +2,7 @@
 /// The assembly on disk: constant/assembly/blocks, plain text in the dictionary grammar.
 #pragma once
 
-#include "assembly/AssemblyChecks.h"
+#include "assembly/Assembly.h"
 #include "dictionary/Fingerprint.h"
 
 #include <filesystem>
@@ -21,24 +21,17 @@ std::filesystem::path assemblyFile(const std::filesystem::path& caseDirectory);
 /// (AssemblyOrigin.h); none: the file does not say it
 std::string assemblyText(const Assembly<2>& assembly, const std::vector<InputFile>& builtFrom = {});
 
-/// Reads the assembly of a case, and warns when the dictionary that it was built from has changed, or sizes
-/// are improbable. Outlines may be in either orientation and are turned counter-clockwise. Joints whose faces
-/// do not quite meet are closed (JointClosure.h); say so with printClosure.
+/// Reads the blocks of a case as the file has them, and warns when the dictionary that they were built from
+/// has changed, or sizes are improbable. Outlines may be in either orientation and are turned
+/// counter-clockwise. Computations take readAssembly of contact/ClosedAssembly.h instead, which also closes
+/// joints.
 /// \throws Error with file and line when the file is missing or no dictionary, a key is missing or unknown,
 /// dimensions are not 2, there is no block, a number is not finite, an outline has fewer than three corners,
 /// no area, or crosses or touches itself, a thickness is not positive, a support fixes a block that does not
 /// exist or is fixed already, a jointTolerance is more than a tenth of the mean block size
-Assembly<2> readAssembly(const std::filesystem::path& caseDirectory);
+Assembly<2> readBlocks(const std::filesystem::path& caseDirectory);
 
 /// For computations. \throws FatalIOError when every block of the assembly is fixed: nothing can move
 void requireFreeBlock(const Assembly<2>& assembly, const std::filesystem::path& caseDirectory);
-
-/// What to say of an overlap, with the repair.
-std::string overlapText(const Overlap& overlap);
-
-/// For computations that need sound geometry.
-/// \throws FatalIOError at the outline's line when two blocks of the assembly, as read from this case, share
-/// more than rounding explains: what `checkBlocks` calls an overlap
-void refuseOverlaps(const Assembly<2>& assembly, const std::filesystem::path& caseDirectory);
 
 } // namespace drystone

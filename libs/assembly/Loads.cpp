@@ -3,7 +3,6 @@
 #include "assembly/Loads.h"
 
 #include "assembly/CaseFile.h"
-#include "assembly/Facing.h"
 #include "geometry/BroadPhase.h"
 #include "geometry/PolygonShape.h"
 

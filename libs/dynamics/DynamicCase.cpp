@@ -1,13 +1,13 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "dynamics/DynamicCase.h"
 
-#include "assembly/AlmostJoints.h"
-#include "assembly/AssemblyFile.h"
-#include "assembly/Equilibrium.h"
-#include "assembly/Facing.h"
-#include "assembly/JointLaws.h"
 #include "assembly/Loads.h"
 #include "assembly/Materials.h"
+#include "contact/AlmostJoints.h"
+#include "contact/ClosedAssembly.h"
+#include "contact/Equilibrium.h"
+#include "contact/Facing.h"
+#include "contact/JointLaws.h"
 #include "dynamics/MassDamping.h"
 
 #include "runControl/Solution.h"

@@ -2,8 +2,8 @@
 /// What time stepping reads of a case.
 #pragma once
 
-#include "assembly/ContactProperties.h"
 #include "conic/SolverChoice.h"
+#include "contact/ContactProperties.h"
 #include "dynamics/DynamicState.h"
 #include "dynamics/GroundMotion.h"
 #include "dynamics/JointBonds.h"

@@ -1,7 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "dynamics/JointBonds.h"
 
-#include "assembly/JointLaws.h"
+#include "contact/JointLaws.h"
 
 #include <Eigen/Geometry>
 

@@ -2,9 +2,9 @@
 /// cohesion { strength c; } and tension { strength s; } in motion: joints that hold until they break.
 #pragma once
 
-#include "assembly/ContactPoint.h"
-#include "assembly/ContactProperties.h"
 #include "conic/ConeProgram.h"
+#include "contact/ContactPoint.h"
+#include "contact/ContactProperties.h"
 
 #include <filesystem>
 #include <vector>

@@ -2,7 +2,7 @@
 /// A structure in motion, and how it goes from one instant to the next.
 #pragma once
 
-#include "assembly/MovingContacts.h"
+#include "contact/MovingContacts.h"
 #include "dynamics/DynamicCase.h"
 #include "dynamics/StepObservation.h"
 #include "dynamics/ThetaStep.h"

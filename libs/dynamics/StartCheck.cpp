@@ -2,8 +2,8 @@
 /// Checks of 0/motion against the blocks.
 #include "dynamics/StartCheck.h"
 
-#include "assembly/AlmostJoints.h"
-#include "assembly/Penetration.h"
+#include "contact/AlmostJoints.h"
+#include "contact/Penetration.h"
 #include "dictionary/Dictionary.h"
 
 #include <fmt/format.h>

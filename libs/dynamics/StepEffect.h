@@ -3,7 +3,7 @@
 /// says where its energy goes.
 #pragma once
 
-#include "assembly/ContactProperties.h"
+#include "contact/ContactProperties.h"
 #include "dynamics/ThetaStep.h"
 
 #include <memory>

@@ -2,7 +2,7 @@
 /// What a time step leaves behind for those who watch a run: function objects, writers, studies.
 #pragma once
 
-#include "assembly/ContactPoint.h"
+#include "contact/ContactPoint.h"
 
 #include <span>
 

@@ -2,10 +2,10 @@
 /// One step of the theta method as a cone program: Portioli & Cascini 2017, eq. 1-9.
 #pragma once
 
-#include "assembly/ContactProperties.h"
-#include "assembly/Equilibrium.h"
 #include "conic/Certificate.h"
 #include "conic/SolverChoice.h"
+#include "contact/ContactProperties.h"
+#include "contact/Equilibrium.h"
 #include "dynamics/DynamicState.h"
 #include "dynamics/StepWork.h"
 

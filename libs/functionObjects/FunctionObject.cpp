@@ -2,7 +2,7 @@
 /// Fills the tables of the function objects from the observation of a step.
 #include "functionObjects/FunctionObject.h"
 
-#include "assembly/ContactState.h"
+#include "contact/ContactState.h"
 
 #include <fmt/format.h>
 

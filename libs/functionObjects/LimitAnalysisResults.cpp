@@ -4,11 +4,11 @@
 
 #include "functionObjects/EarlierResults.h"
 
-#include "assembly/ContactState.h"
-#include "assembly/Facing.h"
-#include "assembly/JointClosure.h"
-#include "assembly/SupportPaths.h"
 #include "conic/ProgramFile.h"
+#include "contact/ContactState.h"
+#include "contact/Facing.h"
+#include "contact/JointClosure.h"
+#include "contact/SupportPaths.h"
 #include "core/Error.h"
 #include "core/Log.h"
 #include "core/WholeFile.h"

@@ -2,7 +2,7 @@
 /// Words the log of contactDynamics.
 #include "functionObjects/MotionLog.h"
 
-#include "assembly/JointClosure.h"
+#include "contact/JointClosure.h"
 #include "core/Log.h"
 
 #include <algorithm>

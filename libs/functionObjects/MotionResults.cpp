@@ -2,8 +2,8 @@
 /// Writes and reads the states, frames and tables of a run through time.
 #include "functionObjects/MotionResults.h"
 
-#include "assembly/ContactState.h"
 #include "conic/ProgramFile.h"
+#include "contact/ContactState.h"
 #include "core/Log.h"
 #include "core/WholeFile.h"
 #include "dynamics/InitialMotion.h"

@@ -3,7 +3,7 @@
 /// forces at their contact points.
 #pragma once
 
-#include "assembly/ContactState.h"
+#include "contact/ContactState.h"
 #include "io/VtkFile.h"
 
 #include <filesystem>

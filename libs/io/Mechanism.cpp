@@ -3,7 +3,7 @@
 /// presentation.
 #include "io/Mechanism.h"
 
-#include "assembly/Facing.h"
+#include "contact/Facing.h"
 #include "core/Error.h"
 #include "io/Frames.h"
 

@@ -2,7 +2,7 @@
 /// Lays out the structure on the page and paints it from back to front, with SVG as the only dependency.
 #include "io/MechanismPicture.h"
 
-#include "assembly/Facing.h"
+#include "contact/Facing.h"
 #include "core/Error.h"
 #include "core/WholeFile.h"
 #include "io/Frames.h"

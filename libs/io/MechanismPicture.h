@@ -2,7 +2,7 @@
 /// A structure and its motion as a picture (SVG) for papers and web pages, where ParaView is not at hand.
 #pragma once
 
-#include "assembly/ContactPoint.h"
+#include "contact/ContactPoint.h"
 
 #include <filesystem>
 #include <string>

@@ -2,8 +2,8 @@
 /// Contact points where the hinges of joints that crush come to lie.
 #pragma once
 
-#include "assembly/ContactPoint.h"
 #include "conic/ConeProgram.h"
+#include "contact/ContactPoint.h"
 
 #include <vector>
 

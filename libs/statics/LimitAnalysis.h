@@ -2,10 +2,10 @@
 /// Limit analysis: the load at which a structure of rigid blocks becomes a mechanism.
 #pragma once
 
-#include "assembly/Equilibrium.h"
 #include "assembly/Loads.h"
 #include "conic/Certificate.h"
 #include "conic/InteriorPoint.h"
+#include "contact/Equilibrium.h"
 
 #include <optional>
 #include <string>

@@ -1,10 +1,11 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "statics/LimitAnalysisCase.h"
 
-#include "assembly/AlmostJoints.h"
 #include "assembly/AssemblyFile.h"
-#include "assembly/JointLaws.h"
 #include "assembly/Materials.h"
+#include "contact/AlmostJoints.h"
+#include "contact/ClosedAssembly.h"
+#include "contact/JointLaws.h"
 #include "runControl/Solution.h"
 #include "statics/CrushingHinges.h"
 #include "statics/Settlement.h"

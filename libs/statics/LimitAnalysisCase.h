@@ -2,8 +2,8 @@
 /// What limit analysis reads of a case.
 #pragma once
 
-#include "assembly/ContactProperties.h"
 #include "conic/SolverChoice.h"
+#include "contact/ContactProperties.h"
 #include "statics/NonAssociative.h"
 #include "statics/Pushover.h"
 

@@ -2,7 +2,7 @@
 /// Limit analysis with Coulomb's law: joints that slide do not open.
 #pragma once
 
-#include "assembly/ContactPoint.h"
+#include "contact/ContactPoint.h"
 #include "dictionary/Options.h"
 #include "statics/LimitAnalysis.h"
 

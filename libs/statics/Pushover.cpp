@@ -1,8 +1,8 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "statics/Pushover.h"
 
-#include "assembly/Facing.h"
 #include "conic/RayProgram.h"
+#include "contact/Facing.h"
 
 #include <algorithm>
 #include <array>

@@ -2,8 +2,8 @@
 /// Capacity curve: the collapse load multiplier of the structure as it moves, until it needs none.
 #pragma once
 
-#include "assembly/MovingContacts.h"
 #include "conic/InteriorPoint.h"
+#include "contact/MovingContacts.h"
 #include "dictionary/Options.h"
 #include "statics/LimitAnalysis.h"
 

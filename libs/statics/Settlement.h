@@ -2,7 +2,7 @@
 /// Settlement: what a support still carries when it gives way, and how the structure follows it.
 #pragma once
 
-#include "assembly/ContactPoint.h"
+#include "contact/ContactPoint.h"
 #include "statics/LimitAnalysis.h"
 
 namespace drystone

@@ -1,7 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "statics/SurfaceContact.h"
 
-#include "assembly/Facing.h"
+#include "contact/Facing.h"
 
 #include <algorithm>
 #include <cmath>

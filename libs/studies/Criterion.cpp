@@ -2,7 +2,7 @@
 /// The registry of criteria and their measures of a motion.
 #include "studies/Criterion.h"
 
-#include "assembly/Facing.h"
+#include "contact/Facing.h"
 
 #include <fmt/format.h>
 

@@ -6,9 +6,9 @@
 ///
 /// With --check the exit status is 1 when a file differs from what would be written, or cannot be read by the
 /// application whose example it is.
-#include "assembly/ContactProperties.h"
 #include "assembly/Loads.h"
 #include "assembly/Materials.h"
+#include "contact/ContactProperties.h"
 #include "core/WholeFile.h"
 #include "dictionary/Options.h"
 #include "dynamics/GroundMotion.h"

@@ -1,7 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// The work before any solution: dictionaries, blocks, contact points.
 #include "assembly/AssemblyFile.h"
-#include "assembly/ContactPoint.h"
+#include "contact/ContactPoint.h"
 #include "texture/Texture.h"
 
 #include <benchmark/benchmark.h>

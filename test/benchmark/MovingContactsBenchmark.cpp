@@ -1,7 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Time to find the contact points of a wall in motion, per step: with a kept neighbour list, and with a new
 /// one.
-#include "assembly/MovingContacts.h"
+#include "contact/MovingContacts.h"
 #include "texture/RunningBond.h"
 #include "texture/Supports.h"
 

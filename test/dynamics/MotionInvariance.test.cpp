@@ -2,7 +2,7 @@
 /// What every motion must keep: momentum, mirror image, units, rest, and blocks out of each other.
 #include "Scenes.h"
 
-#include "assembly/Penetration.h"
+#include "contact/Penetration.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 /// multiplier and move above it, and what must hold while they fall holds.
 #include "Scenes.h"
 
-#include "assembly/Penetration.h"
+#include "contact/Penetration.h"
 #include "texture/Texture.h"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 /// Starts of 0/motion: inside another block they are refused, and a rotation may name its point.
 #include "Scenes.h"
 
-#include "assembly/Penetration.h"
+#include "contact/Penetration.h"
 #include "core/Error.h"
 #include "dynamics/StartCheck.h"
 

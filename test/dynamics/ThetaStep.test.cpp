@@ -2,7 +2,7 @@
 /// Time steps against motions that have a closed form.
 #include "dynamics/ThetaStep.h"
 
-#include "assembly/MovingContacts.h"
+#include "contact/MovingContacts.h"
 
 #include <gtest/gtest.h>
 

@@ -2,6 +2,7 @@
 /// What limit analysis leaves in a case, for each of its three answers.
 #include "functionObjects/LimitAnalysisResults.h"
 #include "assembly/AssemblyFile.h"
+#include "contact/ClosedAssembly.h"
 #include "core/Error.h"
 #include "core/WholeFile.h"
 #include "statics/SurfaceContact.h"

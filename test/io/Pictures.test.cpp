@@ -2,7 +2,7 @@
 /// Pictures: well-formed, complete, and an error for what cannot be drawn. With
 /// DRYSTONE_KEEP_PICTURES=<folder> in the environment the pictures are kept there for inspection.
 #include "Scene.h"
-#include "assembly/Facing.h"
+#include "contact/Facing.h"
 #include "core/Error.h"
 #include "io/Mechanism.h"
 #include "io/MechanismPicture.h"

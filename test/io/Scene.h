@@ -2,7 +2,7 @@
 /// Small structures and a scratch folder for the tests of libs/io.
 #pragma once
 
-#include "assembly/ContactPoint.h"
+#include "contact/ContactPoint.h"
 
 #include <atomic>
 #include <filesystem>

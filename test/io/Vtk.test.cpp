@@ -1,7 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// .vtp files and their series, read back with VTK's own reader.
 #include "Scene.h"
-#include "assembly/Facing.h"
+#include "contact/Facing.h"
 #include "core/Error.h"
 #include "core/WholeFile.h"
 #include "io/Frames.h"

@@ -21,11 +21,13 @@ below = {
     "geometry": "core",
     "assembly": "core dictionary runControl geometry",
     "texture": "core dictionary geometry assembly",
-    "io": "core dictionary runControl geometry assembly",
-    "statics": "core dictionary runControl geometry assembly conic",
-    "dynamics": "core dictionary runControl timeSeries geometry assembly conic",
-    "functionObjects": "core dictionary runControl timeSeries geometry assembly conic statics dynamics io",
-    "studies": "core dictionary runControl timeSeries geometry texture assembly conic statics dynamics io functionObjects",
+    "contact": "core dictionary runControl geometry assembly conic",
+    "io": "core dictionary runControl geometry assembly conic contact",
+    "statics": "core dictionary runControl geometry assembly conic contact",
+    "dynamics": "core dictionary runControl timeSeries geometry assembly conic contact",
+    "functionObjects": "core dictionary runControl timeSeries geometry assembly conic contact statics dynamics io",
+    "studies": "core dictionary runControl timeSeries geometry texture assembly conic contact statics dynamics io "
+               "functionObjects",
 }
 allLibraries = set(below)
 

@@ -2,8 +2,8 @@
 /// Random structures and loads, each reproduced by its seed.
 #pragma once
 
-#include "assembly/Equilibrium.h"
 #include "assembly/Loads.h"
+#include "contact/Equilibrium.h"
 
 #include <string>
 

@@ -3,7 +3,7 @@
 /// solved, nothing may be NaN, blocks may not enter each other, and the ledger of energy must balance.
 #include "Suite.h"
 
-#include "assembly/Penetration.h"
+#include "contact/Penetration.h"
 #include "dynamics/Scenes.h"
 #include "studies/References.h"
 #include "texture/Arch.h"

@@ -2,7 +2,7 @@
 /// Walls that collapse: many blocks, many impacts in each step.
 #include "Suite.h"
 
-#include "assembly/Penetration.h"
+#include "contact/Penetration.h"
 #include "dynamics/Scenes.h"
 #include "texture/RunningBond.h"
 #include "texture/Supports.h"

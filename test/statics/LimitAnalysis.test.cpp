@@ -2,9 +2,9 @@
 /// Limit analysis against published and closed-form multipliers; each answer's certificate is computed by
 /// conic/Certificate.h from the problem data, not by the solver.
 #include "Structures.h"
-#include "assembly/JointLaws.h"
 #include "conic/Certificate.h"
 #include "conic/UpperBounds.h"
+#include "contact/JointLaws.h"
 #include "statics/CrushingHinges.h"
 #include "texture/Arch.h"
 

@@ -2,7 +2,7 @@
 /// Structures that the tests of statics share: the six walls of the paper, blocks on the ground.
 #pragma once
 
-#include "assembly/Equilibrium.h"
+#include "contact/Equilibrium.h"
 #include "statics/LimitAnalysis.h"
 #include "texture/RunningBond.h"
 #include "texture/Supports.h"

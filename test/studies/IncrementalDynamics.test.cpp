@@ -3,9 +3,9 @@
 /// rocks at (width/height) g.
 #include "studies/IncrementalDynamics.h"
 
-#include "assembly/Equilibrium.h"
 #include "assembly/Loads.h"
 #include "assembly/Materials.h"
+#include "contact/Equilibrium.h"
 #include "core/Error.h"
 #include "core/Signals.h"
 

@@ -1,8 +1,8 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// The annotated dictionaries in etc/ can be used unchanged.
-#include "assembly/ContactProperties.h"
 #include "assembly/Loads.h"
 #include "assembly/Materials.h"
+#include "contact/ContactProperties.h"
 #include "texture/Texture.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// system/blockTextureDict: structures from dictionaries, and each fault reported with its line.
-#include "assembly/ContactPoint.h"
+#include "contact/ContactPoint.h"
 #include "texture/Texture.h"
 
 #include <gmock/gmock.h>

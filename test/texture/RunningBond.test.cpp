@@ -1,7 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// The walls of the paper: numbers of blocks and contact points.
 #include "texture/RunningBond.h"
-#include "assembly/ContactPoint.h"
+#include "contact/ContactPoint.h"
 #include "texture/Supports.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Courses, polygons and arches.
-#include "assembly/ContactPoint.h"
+#include "contact/ContactPoint.h"
 #include "texture/Arch.h"
 #include "texture/Courses.h"
 #include "texture/Polygons.h"

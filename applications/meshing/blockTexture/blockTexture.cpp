@@ -1,10 +1,11 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// blockTexture: generates the blocks of a structure from system/blockTextureDict.
-#include "assembly/AlmostJoints.h"
 #include "assembly/AssemblyFile.h"
 #include "assembly/AssemblyOrigin.h"
-#include "assembly/JointClosure.h"
 #include "assembly/Plausibility.h"
+#include "contact/AlmostJoints.h"
+#include "contact/ClosedAssembly.h"
+#include "contact/JointClosure.h"
 #include "core/Error.h"
 #include "core/Log.h"
 #include "core/WholeFile.h"

@@ -1,8 +1,8 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// checkBlocks: reports whether the blocks of a case are suitable for computation.
-#include "assembly/AssemblyChecks.h"
-#include "assembly/AssemblyFile.h"
-#include "assembly/JointClosure.h"
+#include "contact/AssemblyChecks.h"
+#include "contact/ClosedAssembly.h"
+#include "contact/JointClosure.h"
 #include "core/Log.h"
 #include "runControl/Application.h"
 

@@ -1,0 +1,26 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The assembly of a case as computations need it: read from its file, its joints closed. In this library
+/// because it takes the facing of blocks to close joints and the overlap of blocks to refuse them.
+#pragma once
+
+#include "contact/AssemblyChecks.h"
+
+#include <filesystem>
+#include <string>
+
+namespace drystone
+{
+
+/// The blocks of a case (readBlocks of assembly/AssemblyFile.h). Joints whose faces do not quite meet are
+/// closed (JointClosure.h); say so with printClosure. \throws Error as readBlocks
+Assembly<2> readAssembly(const std::filesystem::path& caseDirectory);
+
+/// What to say of an overlap, with the repair.
+std::string overlapText(const Overlap& overlap);
+
+/// For computations that need sound geometry.
+/// \throws FatalIOError at the outline's line when two blocks of the assembly, as read from this case, share
+/// more than rounding explains: what `checkBlocks` calls an overlap
+void refuseOverlaps(const Assembly<2>& assembly, const std::filesystem::path& caseDirectory);
+
+} // namespace drystone

@@ -1,0 +1,39 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// What each contact point carries: the properties of its joint, over its part of the joint's area.
+#pragma once
+
+#include "contact/ContactPoint.h"
+#include "contact/ContactProperties.h"
+
+#include <limits>
+
+namespace drystone
+{
+
+/// Limits to the force (n, t) of a point: -tension <= n <= crushing, |t| <= cohesion + mu n.
+struct PointLaw
+{
+    double mu = 0;                                             ///< friction coefficient
+    double cohesion = 0;                                       ///< [N]
+    double tension = 0;                                        ///< [N]
+    double crushing = std::numeric_limits<double>::infinity(); ///< [N]
+};
+
+/// Name of the joint of two blocks, for patterns and messages: `3-7`, lower index first; a fixed block goes
+/// by the name of its support and comes last, `12-ground`.
+std::string jointName(const Assembly<2>& assembly, int block, int neighbour);
+
+/// Area that each point stands for [m2]: thickness times half the way to its neighbours in the joint. The
+/// thickness is the lesser of the two blocks', or that of the free one.
+///
+/// With the ends among the points a block of uniform pressure from one end inwards has its resultant where it
+/// belongs to second order in their distance.
+std::vector<double> pointAreas(const Assembly<2>& assembly, const std::vector<ContactPoint<2>>& points);
+
+/// The law of each point.
+/// \throws FatalIOError for a name of `joints` that no joint has, a tension beyond cohesion / mu
+std::vector<PointLaw> pointLaws(const std::filesystem::path& caseDirectory,
+                                const ContactProperties& properties, const Assembly<2>& assembly,
+                                const std::vector<ContactPoint<2>>& points);
+
+} // namespace drystone

@@ -1,0 +1,179 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Contact points between blocks in motion: found anew in each step, over displacements of any size.
+#pragma once
+
+#include "contact/ContactPoint.h"
+#include "geometry/BroadPhase.h"
+
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace drystone
+{
+
+/// How finely contacts in motion are told apart. The defaults suit every case known.
+struct MovingContactOptions
+{
+    double tolerance = 1e-6; ///< least length of a shared piece, relative to the mean block size
+    double skin = 0.1; ///< reserve of the neighbour list, relative to the mean block size: time, not result
+};
+
+/// Finds, for given placements of the blocks, the points at which a corner of one block meets, or is about to
+/// meet, an edge of another.
+///
+/// Every point is a corner against an edge. Its normal is the outward normal of that edge where the block is
+/// now (from `neighbour` into `block`), its gap the distance of the corner along that normal, and its
+/// position the corner itself, for both blocks: the contact force and its reaction act on one line, so that
+/// linear and angular momentum are kept exactly at any gap. The equilibrium matrix made from position and
+/// normal gives the change of the gap to first order for displacements (u, r) of the edge's block about its
+/// mass centre c: gap = n (v - q), v the corner, q a point of the edge, so that
+///
+///     d gap = n dv - n (u + r x (q - c)) + (r x n)(v - q) = n dv - n (u + r x (v - c)).
+///
+/// Which corner faces which edge:
+/// - Two edges that run in nearly opposite directions (within 15 degrees) share the piece on which they
+///   overlap along their common direction, and give a point at each end of it: there ends one edge or the
+///   other, and its corner stands against the other edge. So a face that rocks open keeps its far point until
+///   that gap exceeds the margin. Pieces shorter than the tolerance are none: where four blocks meet at one
+///   point the two pairs across do not touch, and a block that slides over flush blocks does not see the head
+///   joints below it.
+/// - Otherwise a convex corner stands against an edge towards which it is the foremost of its block, if it
+///   projects into the edge by more than the tolerance. For convex blocks apart this is the closest pair.
+/// - A corner that is behind two edges of one block has entered through one of them. It keeps the edge
+///   through which it is least deep, and both only where the edges meet at a re-entrant corner.
+///
+/// A joint whose points move past each other's corner changes its `feature` there, at the same position and
+/// gap. Points enter the list with a positive gap or, where a corner slides onto the next of two flush
+/// blocks, with none: no energy comes in with them.
+///
+/// The result depends on the placements alone, not on what was found before: the neighbour list kept between
+/// calls only saves time. A run that is continued from its placements finds the same points, bit for bit.
+///
+/// Owns a copy of the outlines; the assembly may go away. Not safe for calls from several threads on one
+/// object.
+class MovingContacts
+{
+public:
+    explicit MovingContacts(const Assembly<2>& assembly, const MovingContactOptions& options = {});
+
+    /// Points of the configuration `now`, with gaps up to `margin` (and overlaps up to a quarter of the
+    /// thinner block). Two fixed blocks have no contacts with each other.
+    /// \param now one for each block, fixed ones too: a fixed block that moves carries its contacts along
+    /// \param margin distance at which a pair that is not yet closed is listed [m]. Take it from `marginFor`:
+    ///        what is not listed at the beginning of a step can be passed through in it.
+    /// \return sorted by (block, neighbour, edge of block, edge of neighbour, corner), block < neighbour; the
+    ///         points of one pair of edges (a joint, at most two) follow each other. Valid until the next
+    ///         call.
+    const std::vector<ContactPoint<2>>& update(const std::vector<Placement<2>>& now, double margin);
+
+    /// The same, with the features chosen where the blocks are heading, and the gaps and normals measured
+    /// where they are now: what time stepping should call. Which edge a corner will meet, at two corners that
+    /// pass close by each other, cannot be seen from the placements alone; `ahead` (the placements carried on
+    /// by one step with the present velocities) tells. With it a tilted block slides over a flush head joint
+    /// without catching, and two blocks that fall corner on corner are listed before they overlap. Corners
+    /// that are foreseen to pass each other get the line between them with the most room. With `ahead` equal
+    /// to `now` the choice is that of the other update, but for these.
+    const std::vector<ContactPoint<2>>& update(const std::vector<Placement<2>>& now,
+                                               const std::vector<Placement<2>>& ahead, double margin);
+
+    /// The points of the last update, in their order, were the blocks placed so: the same corners and edges,
+    /// with position, normal and gap measured exactly. The difference of the gaps from the linear prediction
+    /// g0 - A0' dx is of second order (rotation times sliding); added to the gaps of the step program and
+    /// solved again it makes the step end without that overlap.
+    /// \param points overwritten
+    void measure(const std::vector<Placement<2>>& placements, std::vector<ContactPoint<2>>& points) const;
+
+    /// The margin that lists every pair of blocks that can meet within a step: twice the farthest that any
+    /// point of a block travels. Features are chosen well as long as no block travels farther in a step than
+    /// a quarter of its thickness. \param velocities (ux uy rz) of each block [m/s, rad/s] \param timeStep
+    /// [s] \param acceleration bound on what the loads add to the velocity [m/s2], for instance gravity
+    double marginFor(const std::vector<Vector<3>>& velocities, double timeStep, double acceleration) const;
+
+    /// Has a block touch nothing from the next update on. \param block index of the block
+    void leaveOut(int block);
+
+    /// How many times the neighbour list was built [-].
+    int rebuilds() const { return rebuilds_; }
+
+private:
+    /// Corners and edges of all blocks, one after the other; edge i of a block runs from its corner i to the
+    /// next.
+    struct Outlines
+    {
+        std::vector<Vector<2>> corner;  ///< [m]
+        std::vector<Vector<2>> tangent; ///< unit vector along edge i; the outward normal is (y, -x)
+        std::vector<BoundingBox> box;   ///< of each block
+    };
+
+    /// A corner against an edge of one pair of blocks.
+    struct Candidate
+    {
+        int owner;       ///< 0: the corner is the block's, the edge the neighbour's; 1: the other way round
+        int corner;      ///< index into Outlines
+        int edge;        ///< index into Outlines
+        int pairedEdge;  ///< the edge at the corner that faces `edge`: with it the pair of edges that makes
+                         ///< the joint
+        double opposing; ///< cosine of the angle between these edges
+        double gap;      ///< now [m]
+        double gapAhead; ///< [m]
+    };
+
+    /// The lines that can part the blocks near two corners: up to two edges at each of them.
+    struct CornerLines
+    {
+        std::array<Candidate, 4> line;
+        int count = 0;
+    };
+
+    void place(Outlines& outlines, const std::vector<Placement<2>>& placements) const;
+    void findNeighbours(double margin);
+    void findPoints(int block, int neighbour, double margin);
+    // The choice of features.
+    void matchEdges(int blockEdge, int neighbourEdge, double lowest, double margin);
+    void standCorners(int owner, int cornerBlock, int edgeBlock, double lowest, double margin);
+    void guardCorners(double margin);
+    void offer(const Candidate& candidate, double lowest, double margin);
+    void list(const Candidate& candidate);
+    void dropDeeper();
+    // What it asks.
+    Candidate measured(int owner, int corner, int edge, int pairedEdge) const;
+    int nearerEnd(const Candidate& candidate) const;
+    bool isForemost(const Candidate& candidate, const Outlines& at, double angle) const;
+    CornerLines linesBetween(int blockCorner, int neighbourCorner, const Outlines& at, double angle) const;
+    Candidate partingLine(const Candidate& candidate) const;
+    bool holds(int block, const Vector<2>& point, double reach) const;
+    bool isOverlapped(const Candidate& candidate) const;
+    bool excludeEachOther(const Candidate& a, const Candidate& b) const;
+
+    // Of the blocks as built.
+    std::vector<int> first_;              ///< block b has the corners first_[b] to first_[b + 1]
+    std::vector<int> next_, previous_;    ///< corner round the outline
+    std::vector<int> vertex_;             ///< index of the corner in the block's outline
+    std::vector<char> isConvex_;          ///< corner turns left
+    std::vector<double> length_;          ///< of edge i [m]
+    std::vector<Vector<2>> localCorner_;  ///< relative to the mass centre [m]
+    std::vector<Vector<2>> localTangent_; ///< of edge i
+    std::vector<Vector<2>> centroid_;     ///< of each block [m]
+    std::vector<char> isFixed_;           ///< block belongs to a support
+    std::vector<char> isLeftOut_;         ///< see leaveOut; empty while there is none
+    std::vector<double> radius_;          ///< of each block about its mass centre [m]
+    std::vector<double> deepest_;         ///< overlap beyond which a block's contacts are not trusted [m]
+    double tolerance_ = 0;                ///< [m]
+    double skin_ = 0;                     ///< [m]
+
+    // Of the last update.
+    Outlines now_, aheadStorage_;
+    const Outlines* ahead_ = nullptr; ///< `now_` when nothing is said of where the blocks are heading
+    std::vector<BoundingBox> reach_;  ///< of each block, now and ahead, with half the margin
+    std::vector<BoundingBox> fat_;    ///< reach at the last search, with half the skin
+    std::vector<std::pair<int, int>> neighbours_;
+    int block_ = -1, neighbour_ = -1; ///< pair being looked at
+    std::vector<Candidate> candidates_;
+    std::vector<ContactPoint<2>> points_;
+    std::vector<std::pair<int, int>> cornerAndEdge_; ///< of each point, indices into Outlines
+    int joint_ = 0;
+    int rebuilds_ = 0;
+};
+
+} // namespace drystone

@@ -1,0 +1,22 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Which blocks nothing holds: no path through joints leads from them to a support.
+#pragma once
+
+#include "contact/ContactPoint.h"
+
+#include <string>
+#include <vector>
+
+namespace drystone
+{
+
+/// Blocks from which no path through joints leads to a fixed block, by index.
+std::vector<int> blocksWithoutSupport(const Assembly<2>& assembly,
+                                      const std::vector<ContactPoint<2>>& points);
+
+/// What is known, from the joints alone, of why a structure cannot stand: no block is fixed, or some have no
+/// path to a support through joints, those among them named that touch others at corners only. Lines for the
+/// log, each with the repair; empty when all blocks are held, and only equilibrium tells.
+std::string instabilityCause(const Assembly<2>& assembly, const std::vector<ContactPoint<2>>& points);
+
+} // namespace drystone

@@ -1,0 +1,122 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Strengths of joints: names, patterns, areas, and every fault with its line.
+#include "contact/JointLaws.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+using namespace drystone;
+using testing::AllOf;
+using testing::HasSubstr;
+
+namespace
+{
+
+/// Two blocks of 1 x 2 m, 0.5 and 0.25 m thick, one on the other, on ground of another thickness.
+class JointLaws : public testing::Test
+{
+protected:
+    void SetUp() override
+    {
+        directory =
+            std::filesystem::path(testing::TempDir())
+            / ("joints-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+        std::filesystem::create_directories(directory / "constant");
+    }
+    void TearDown() override { std::filesystem::remove_all(directory); }
+
+    std::vector<PointLaw> laws(const std::string& text)
+    {
+        std::ofstream(directory / "constant/contactProperties") << text;
+        const ContactProperties properties = readContactProperties(directory);
+        const std::vector<ContactPoint<2>> ends = findContactPoints(assembly);
+        return pointLaws(directory, properties, assembly,
+                         divideJoints(ends, properties.pointsPerJoint.value_or(2)));
+    }
+    std::string report(const std::string& text)
+    {
+        try
+        {
+            laws(text);
+        }
+        catch (const FatalError& error)
+        {
+            return error.report();
+        }
+        return "no error";
+    }
+
+    std::filesystem::path directory;
+    Assembly<2> assembly{{{{{0, 0}, {1, 0}, {1, 2}, {0, 2}}, 0.5},
+                          {{{0, 2}, {1, 2}, {1, 4}, {0, 4}}, 0.25},
+                          {{{-5, -1}, {5, -1}, {5, 0}, {-5, 0}}, 3, 0}},
+                         {{"ground", "ground"}}};
+};
+
+} // namespace
+
+TEST_F(JointLaws, AreNamedByBlocksAndSupports)
+{
+    EXPECT_EQ(jointName(assembly, 1, 0), "0-1");
+    EXPECT_EQ(jointName(assembly, 2, 0), "0-ground");
+}
+
+TEST_F(JointLaws, ShareTheAreaOfAJointAmongItsPoints)
+{
+    // 0-1: the lesser thickness, 0.25 m2 in halves; 0-ground: that of the block, 0.5 m2.
+    const std::vector<double> areas = pointAreas(assembly, findContactPoints(assembly));
+    ASSERT_EQ(areas.size(), 4U);
+    EXPECT_DOUBLE_EQ(areas[0], 0.125);
+    EXPECT_DOUBLE_EQ(areas[1], 0.125);
+    EXPECT_DOUBLE_EQ(areas[2], 0.25);
+    EXPECT_DOUBLE_EQ(areas[3], 0.25);
+    const std::vector<ContactPoint<2>> points = divideJoints(findContactPoints(assembly), 5);
+    ASSERT_EQ(points.size(), 10U);
+    EXPECT_DOUBLE_EQ(pointAreas(assembly, points)[0], 0.25 / 8);
+    EXPECT_DOUBLE_EQ(pointAreas(assembly, points)[2], 0.25 / 4);
+    EXPECT_EQ(points[0].position, findContactPoints(assembly)[0].position);
+    EXPECT_EQ(points[4].position, findContactPoints(assembly)[1].position);
+}
+
+TEST_F(JointLaws, AreThoseOfAllJointsWhereNoNameFits)
+{
+    const auto of =
+        laws("friction { type Coulomb; mu 0.5; } cohesion { strength 1000; } tension { strength 800; } "
+             "crushing { strength 1e6; }");
+    ASSERT_EQ(of.size(), 4U);
+    EXPECT_EQ(of[0].mu, 0.5);
+    EXPECT_DOUBLE_EQ(of[0].cohesion, 125);
+    EXPECT_DOUBLE_EQ(of[2].cohesion, 250);
+    EXPECT_DOUBLE_EQ(of[2].tension, 200);
+    EXPECT_DOUBLE_EQ(of[2].crushing, 2.5e5);
+    EXPECT_TRUE(std::isinf(laws("friction { type Coulomb; mu 0.5; }")[0].crushing));
+}
+
+TEST_F(JointLaws, OfExactNamesComeBeforeTheLastPattern)
+{
+    const auto of =
+        laws("friction { type Coulomb; mu 0.5; }\njoints\n{\n\".*-ground\" { friction { mu 0.3; } "
+             "cohesion { strength 4; } }\n0-1 { friction { mu 0.1; } }\n\".*\" { friction { mu 0.2; } "
+             "}\n}");
+    EXPECT_EQ(of[0].mu, 0.1); // 0-1
+    EXPECT_EQ(of[2].mu, 0.2); // 0-ground: the last that matches
+    EXPECT_EQ(of[2].cohesion, 0);
+}
+
+TEST_F(JointLaws, FaultsAreNamed)
+{
+    EXPECT_THAT(report("joints\n{\n\"7-.*\" { friction { mu 0.3; } }\n}"),
+                AllOf(HasSubstr("There is no joint 7-.*"), HasSubstr("line 3.")));
+    EXPECT_THAT(
+        report("friction { type Coulomb; mu 0.5; }\ncohesion { strength 10; }\ntension { strength 30; }"),
+        AllOf(HasSubstr("cohesion { strength 15; }"), HasSubstr("line 3.")));
+    EXPECT_THAT(report("\ncohesion { strength -1; }"), AllOf(HasSubstr("strength"), HasSubstr("line 2.")));
+    EXPECT_THAT(report("cohesion { }"), HasSubstr("strength"));
+    EXPECT_THAT(report("\ncrushing { strength 0; }"),
+                AllOf(HasSubstr("bears no pressure"), HasSubstr("line 2.")));
+    EXPECT_THAT(report("pointsPerJoint 1;"), HasSubstr("pointsPerJoint"));
+    EXPECT_THAT(report("joints { 0-1 { restitution { normal 1; } } }"), HasSubstr("restitution"));
+}
