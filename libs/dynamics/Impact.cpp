@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-// Here and not in the steps: the law of an instant knows no time integration.
+/// The law of impacts, apart from the steps: the law of an instant knows no time integration.
 #include "dynamics/Impact.h"
 
 #include <algorithm>
@@ -80,17 +80,6 @@ struct Outcome
     Eigen::VectorXd share;    ///< k of each group
     Eigen::VectorXd gain;     ///< energy created in each group [J]
 };
-
-/// Closing velocities of all points of the program.
-Eigen::VectorXd closingVelocity(const ImpactProblem& problem)
-{
-    Eigen::VectorXd closing = applyTransposed(problem.program, problem.velocity);
-    if (problem.closingBySupports.size() > 0)
-    {
-        closing += problem.closingBySupports / problem.timeStep;
-    }
-    return closing;
-}
 
 /// What each group's kinetic energy grows by beyond the work of the supports [J].
 Eigen::VectorXd gainOf(const ImpactProblem& problem, const Groups& groups, const Eigen::VectorXd& velocity,
@@ -240,10 +229,22 @@ Outcome between(const ImpactProblem& problem, const Groups& groups, const Outcom
 
 } // namespace
 
-Impact collide(const ImpactProblem& problem, const StepSettings& settings)
+Eigen::VectorXd closingVelocity(const PlaneConeProgram& program, const Eigen::VectorXd& velocity,
+                                const Eigen::VectorXd& closingBySupports, double timeStep)
+{
+    Eigen::VectorXd closing = applyTransposed(program, velocity);
+    if (closingBySupports.size() > 0)
+    {
+        closing += closingBySupports / timeStep;
+    }
+    return closing;
+}
+
+Impact impactOf(const ImpactProblem& problem, const StepSettings& settings)
 {
     const Groups groups = groupsOf(problem);
-    const Eigen::VectorXd closing = closingVelocity(problem);
+    const Eigen::VectorXd closing =
+        closingVelocity(problem.program, problem.velocity, problem.closingBySupports, problem.timeStep);
     Eigen::VectorXd energy = Eigen::VectorXd::Zero(groups.count); // kinetic, before
     for (std::size_t body = 0; body < groups.ofBody.size(); ++body)
     {

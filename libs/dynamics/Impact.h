@@ -61,6 +61,11 @@ struct Impact
 /// Friction: with the associative law of a step a joint opens by mu |u_t| dt, which the next step takes into
 /// account as a gap and which vanishes with dt; in an impact it would throw the blocks apart at mu |u_t|,
 /// however short the step: other physics.
-Impact collide(const ImpactProblem& problem, const StepSettings& settings);
+Impact impactOf(const ImpactProblem& problem, const StepSettings& settings);
+
+/// By how much the points of a program close per time, two a point [m/s]: A'v and what the supports do.
+/// \param closingBySupports over the step [m]; or empty
+Eigen::VectorXd closingVelocity(const PlaneConeProgram& program, const Eigen::VectorXd& velocity,
+                                const Eigen::VectorXd& closingBySupports, double timeStep);
 
 } // namespace drystone

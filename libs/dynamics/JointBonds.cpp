@@ -121,6 +121,11 @@ double openingOf(const Bond& bond, const std::vector<BlockMass<2>>& blocks,
                             - placed(bond.position, bond.neighbour, blocks, placements));
 }
 
+bool isAnyHeld(const std::vector<int>& bondOfPoint)
+{
+    return std::any_of(bondOfPoint.begin(), bondOfPoint.end(), [](int bond) { return bond >= 0; });
+}
+
 std::vector<Strength> strengthsOf(const std::vector<Bond>& bonds, const std::vector<int>& bondOfPoint)
 {
     std::vector<Strength> strengths;

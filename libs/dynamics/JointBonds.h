@@ -55,6 +55,9 @@ std::vector<int> bondsOfPoints(const std::vector<Bond>& bonds, const std::vector
 double openingOf(const Bond& bond, const std::vector<BlockMass<2>>& blocks,
                  const std::vector<Placement<2>>& placements, const ContactPoint<2>& point);
 
+/// Whether a bond holds any of the points. \param bondOfPoint see bondsOfPoints
+bool isAnyHeld(const std::vector<int>& bondOfPoint);
+
 /// The strengths of points. \param bondOfPoint see bondsOfPoints
 std::vector<Strength> strengthsOf(const std::vector<Bond>& bonds, const std::vector<int>& bondOfPoint);
 

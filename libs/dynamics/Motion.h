@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// A structure in motion, and how it goes from one instant to the next.
+/// A structure in motion.
 #pragma once
 
 #include "contact/MovingContacts.h"
@@ -28,7 +28,7 @@ public:
     SymbolicAnalysis* get();
 
 private:
-    std::unique_ptr<SymbolicAnalysis> analysis_;
+    std::unique_ptr<SymbolicAnalysis> analysis;
 };
 
 /// All that changes in a run. What a run needs to continue bit for bit is `state`, `energy`, `points`,
@@ -57,6 +57,7 @@ struct Motion
     /// if velocities changed by twice what the loads alone do: impacts change them by more.
     double smoothLoss = 0;
     double largestKinetic = 0; ///< in this run [J]
+    StageTimes stageTimes;     ///< of this run
 };
 
 /// How many bonds are broken that once held [-].
@@ -68,30 +69,14 @@ std::vector<Strength> strengthsOf(const DynamicCase& scene, const Motion& motion
 /// The motion that starts from a state, its ledger opened there.
 Motion startMotion(const DynamicCase& scene, DynamicState state);
 
-/// One step (Portioli & Cascini 2017, eq. 1-9):
-///
-/// 1. contact points where blocks touch or may meet within the step;
-/// 2. the theta step as a cone program, its gaps right to second order; bonds that would give way in it break
-///    and it is solved again without them (JointBonds.h);
-/// 3. impacts, where restitution or a theta below 1 asks for them (Impact.h: none creates energy; without
-///    either the program itself is the plastic impact). Blocks that touch when the step begins collide first
-///    and the step goes on from the velocities after that; where blocks meet in the course of the step it is
-///    taken in parts, up to where they meet and on from there (StepWithImpacts.h). A rebound that would last
-///    less than a tenth of the step is none: bounces that grow shorter for ever end. After eight attempts at
-///    parts, or where more than two pairs of blocks meet in one, and with `impacts stepStart`, points that
-///    the step closes and that were closing when it began collide at its start, wherever they meet;
-/// 4. blocks moved by finite rotations, and the ledger of energy kept;
-/// 5. with `deletion`, blocks whose mass centre is outside the box stopped there for good: they touch nothing
-///    and feel no load. The kinetic energy that they take with them counts as external work, negative.
-///
-/// \return whether the step was solved; otherwise nothing but `attempt` and `work` has changed
-bool advance(const DynamicCase& scene, Motion& motion, double timeStep);
+/// Velocities (ux uy rz) of all blocks; of those that move with a support the mean from one instant to
+/// another [m/s, m/s, rad/s].
+std::vector<Vector<3>> velocitiesOfAllBlocks(const DynamicCase& scene, const DynamicState& state, double from,
+                                             double to);
 
-/// The step that ends at time.value(). One that is not solved is tried again half as long, up to ten times
-/// and as long as `maximumFactorisations` allow for. With adjustTimeStep the next step is chosen such that no
-/// block moves by more than maxDisplacement. \return whether it was solved; otherwise the time is that of the
-/// start of the step again
-bool advance(const DynamicCase& scene, Motion& motion, Time& time);
+/// Which unbroken bond holds each point, or -1.
+std::vector<int> bondsAt(const DynamicCase& scene, const Motion& motion, const std::vector<char>& isBroken,
+                         const std::vector<ContactPoint<2>>& points);
 
 /// One a contact point: mean over the last step, impulses of its impacts included, (normal, tangent) [N].
 /// Together with the loads they change the momenta of the blocks by what the step does.

@@ -1,8 +1,10 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-// Here: those who watch a run see steps, not the parts that impacts make of them.
+/// Parts of a step, and how they are put together: observers see steps, not the parts that impacts make of
+/// them.
 #include "dynamics/PartedStep.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace drystone
 {
@@ -92,6 +94,78 @@ void PartedStep::finish(Motion& motion) const
         }
         motion.meanForces[static_cast<std::size_t>(index)] += carried.impulse / duration;
     }
+}
+
+bool advanceInParts(const DynamicCase& scene, Motion& motion, double timeStep)
+{
+    motion.work.beginAttempt();
+    // Impacts are distinguished from the start of a step, and from each other, by this part of it. Attempts
+    // at parts of a step are limited, so that bounces which grow shorter for ever, or blocks that hit each
+    // other from all sides, do not part it without an end. Velocities are right to the tolerance of the
+    // solver, and so are instants after a flight of some thousand steps: distinguished more finely, corners
+    // that meet together would meet one after the other, and a block that bounces flat would begin to rock.
+    constexpr double leastTolerance = 1e-3;
+    constexpr double stepsOfFlight = 1e4;
+    const double tolerance = std::max(leastTolerance, stepsOfFlight * scene.solution.tolerance);
+    constexpr double shortestFlight = 0.1; // bounces that grow shorter for ever end with it
+    constexpr int mostAttempts = 8;
+    constexpr double mostWork = 0.1; // of what a step may take, before it is no longer parted
+    const double start = motion.state.time;
+    const bool isLocated = scene.schemes.impacts == ImpactInstant::located && tolerance < 1;
+    ImpactChoice impacts{isLocated ? ImpactInstant::located : ImpactInstant::stepStart, tolerance * timeStep,
+                         isLocated ? shortestFlight * timeStep : 0};
+    std::optional<Motion> before; // where the step is parted
+    PartedStep parts;
+    double left = timeStep;
+    double length = left;
+    for (int attempts = 0; left > 0; ++attempts)
+    {
+        const bool isExpensive = motion.work.done > mostWork * motion.work.most;
+        impacts.instant =
+            attempts < mostAttempts && !isExpensive ? impacts.instant : ImpactInstant::stepStart;
+        const double part = advanceUnparted(scene, motion, length, impacts);
+        if (part == 0 && before)
+        {
+            // A part may be too short for the tolerance of the solver: then the step as a whole.
+            const StepWork work = motion.work;
+            const StageTimes stageTimes = motion.stageTimes;
+            motion = *before; // copied, so that its lists stay where they are: observers may hold on to them
+            motion.work = work;
+            motion.stageTimes = stageTimes;
+            motion.work.beginAttempt();
+            return advanceUnparted(scene, motion, timeStep, {ImpactInstant::stepStart, 0, 0}) == 1;
+        }
+        if (part == 0)
+        {
+            return false;
+        }
+        if (part == 1 && !before)
+        {
+            return true;
+        }
+        parts.count(motion.attempt);
+        if (part == 1)
+        {
+            parts.add(motion, length);
+            left = length == left ? 0 : left - length;
+            length = left;
+            continue;
+        }
+        if (!before)
+        {
+            before = motion;
+        }
+        // What is left of the step is not shorter than what counts as its start.
+        length = std::min(part * length, left - tolerance * timeStep);
+        if (length <= 0)
+        {
+            length = left;
+            impacts.instant = ImpactInstant::stepStart;
+        }
+    }
+    parts.finish(motion);
+    motion.state.time = start + timeStep; // as if it had not been parted, to the last digit
+    return true;
 }
 
 } // namespace drystone

@@ -1,8 +1,8 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// A step that was taken in parts, from impact to impact, as one.
+/// A step that is taken in parts, from impact to impact, and that observers see as one.
 #pragma once
 
-#include "dynamics/Motion.h"
+#include "dynamics/Step.h"
 
 namespace drystone
 {
@@ -35,5 +35,18 @@ private:
     int parts = 0;
     int bondsBroken = 0;
 };
+
+/// A step that is not parted: the stages in their order. \return 1: it was solved; more than 0: blocks meet
+/// after this part of it, to which the next attempt is to be shortened; 0: it was not solved. But for 1 only
+/// `attempt`, `work` and `stageTimes` have changed
+double advanceUnparted(const DynamicCase& scene, Motion& motion, double timeStep,
+                       const ImpactChoice& impacts);
+
+/// A step, in parts up to where blocks meet and on from there. A rebound that would last less than a tenth of
+/// the step is none: bounces that grow shorter for ever end. After eight attempts at parts, or where more
+/// than two pairs of blocks meet in one, and with `impacts stepStart`, points that the step closes and that
+/// were closing when it began collide at its start, wherever they meet. \return whether it was solved;
+/// otherwise nothing but `attempt`, `work` and `stageTimes` has changed
+bool advanceInParts(const DynamicCase& scene, Motion& motion, double timeStep);
 
 } // namespace drystone

@@ -3,7 +3,10 @@
 #pragma once
 
 #include "contact/ContactPoint.h"
+#include "dynamics/EnergyLedger.h"
+#include "dynamics/StageTimes.h"
 
+#include <optional>
 #include <span>
 
 namespace drystone
@@ -19,31 +22,6 @@ struct BlockVelocity<2>
     Vector<2> linear = Vector<2>::Zero(); ///< of the mass centre [m/s]
     double angular = 0;                   ///< [rad/s], positive counter-clockwise
 };
-
-/// Where the energy of the blocks is and where it has gone, in joules. Losses and work are sums since the
-/// ledger was opened, at the start of the first run; a restart goes on with them.
-struct EnergyLedger
-{
-    double opening = 0;   ///< kinetic and potential energy when the ledger was opened
-    double kinetic = 0;   ///< relative to the moving ground
-    double potential = 0; ///< of the dead load, zero as built
-    double externalWork =
-        0; ///< done by everything else from outside: live loads, the motion of the ground, supports
-    double frictionLoss = 0;    ///< in sliding
-    double impactLoss = 0;      ///< in impacts
-    double algorithmicLoss = 0; ///< of the time integration
-    double elastic = 0;         ///< stored in contact points that give way
-    double dampingLoss = 0;
-};
-
-/// What the ledger leaves unexplained [J]: kinetic + potential + elastic + losses - (opening + external
-/// work), zero but for rounding and the tolerance of the solver.
-inline double imbalance(const EnergyLedger& ledger)
-{
-    const double losses =
-        ledger.frictionLoss + ledger.impactLoss + ledger.algorithmicLoss + ledger.dampingLoss;
-    return ledger.kinetic + ledger.potential + ledger.elastic + losses - ledger.opening - ledger.externalWork;
-}
 
 /// How hard the solver worked on a step, and how well the step is solved.
 struct StepResiduals
@@ -80,6 +58,7 @@ struct StepObservation
 
     EnergyLedger energy;
     StepResiduals residuals;
+    std::optional<StageTimes> stageTimes; ///< since the run began; empty for a state that was read
 };
 
 } // namespace drystone

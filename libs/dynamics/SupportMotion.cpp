@@ -249,4 +249,34 @@ std::vector<Vector<3>> supportVelocities(const std::vector<SupportMotion>& motio
     return velocities;
 }
 
+void moveWithSupports(std::vector<Placement<2>>& placements, const std::vector<SupportStep>& steps,
+                      double share)
+{
+    for (std::size_t block = 0; block < steps.size(); ++block)
+    {
+        const Vector<3> displacement = displacementAfter(steps[block], share);
+        placements[block].translation += displacement.head<2>();
+        placements[block].rotation += displacement[2];
+    }
+}
+
+Eigen::VectorXd closingBySupports(const std::vector<ContactPoint<2>>& points,
+                                  const std::vector<ContactColumns<2>>& columns,
+                                  const std::vector<SupportStep>& supports)
+{
+    if (supports.empty())
+    {
+        return {};
+    }
+    Eigen::VectorXd closing(2 * static_cast<Eigen::Index>(points.size()));
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+        const auto part = [&](const ContactColumns<2>::Matrix& column, int block) -> Vector<2>
+        { return column.transpose() * displacementAfter(supports[static_cast<std::size_t>(block)]); };
+        closing.segment<2>(2 * static_cast<Eigen::Index>(i)) =
+            part(columns[i].onBlock, points[i].block) + part(columns[i].onNeighbour, points[i].neighbour);
+    }
+    return closing;
+}
+
 } // namespace drystone

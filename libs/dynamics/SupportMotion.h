@@ -6,6 +6,7 @@
 ///     left  { centre (1 0 0); rotation ((0 0) (2 0.01)); }              // turns by 0.01 rad about (1 0)
 #pragma once
 
+#include "contact/Equilibrium.h"
 #include "dictionary/Options.h"
 #include "dynamics/DynamicState.h"
 #include "timeSeries/GroundAcceleration.h"
@@ -67,6 +68,15 @@ std::vector<SupportMotion> readSupportMotions(const std::filesystem::path& caseD
 std::vector<SupportStep> supportSteps(const std::vector<SupportMotion>& motions, const Assembly<2>& assembly,
                                       const std::vector<BlockMass<2>>& blocks,
                                       const std::vector<Placement<2>>& placements, double from, double to);
+
+/// Moves blocks by a share of the way that they go with their supports. \param steps see supportSteps
+void moveWithSupports(std::vector<Placement<2>>& placements, const std::vector<SupportStep>& steps,
+                      double share = 1);
+
+/// By how much points close and slide because supports move, two a point [m]; empty where none does.
+Eigen::VectorXd closingBySupports(const std::vector<ContactPoint<2>>& points,
+                                  const std::vector<ContactColumns<2>>& columns,
+                                  const std::vector<SupportStep>& supports);
 
 /// The mean velocities (ux uy rz) of the mass centres of all blocks between two instants; of one at an
 /// instant where they are the same [m/s, m/s, rad/s]. \return one a block, zero where no support moves it

@@ -127,6 +127,7 @@ struct StepEnergy
     double algorithmicLoss = 0; ///< (theta - 1/2) |v1 - v0|_M^2, in which impacts on closed contacts are lost
     double elasticChange = 0;   ///< what contact points that give way have stored; of effects
     double dampingLoss = 0;     ///< likewise
+    double externalWork = 0;    ///< of all loads but the dead ones, and of supports
 };
 
 /// Energies of a step. With p = M (v1 - v0) and u = y/dt = (v0 + v1)/2 + (theta - 1/2)(v1 - v0):

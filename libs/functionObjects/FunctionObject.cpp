@@ -3,6 +3,7 @@
 #include "functionObjects/FunctionObject.h"
 
 #include "contact/ContactState.h"
+#include "core/Error.h"
 
 #include <fmt/format.h>
 
@@ -170,6 +171,34 @@ void ResidualsFunction<2>::write(const StepObservation<2>& step)
     table->write(std::array{step.time, step.timeStep, r.initialResidual, r.primalResidual, r.dualResidual,
                             r.gap, 1.0 * r.iterations, 1.0 * r.factorisations, 1.0 * r.programs,
                             1.0 * r.retries, r.flowError});
+}
+
+template<>
+void StageTimesFunction<2>::write(const StepObservation<2>& step)
+{
+    if (!step.stageTimes)
+    {
+        if (!isWarned)
+        {
+            printWarning(
+                "A state does not keep the times of the stages: the function stageTimes writes no table "
+                "for results that are read.");
+            isWarned = true;
+        }
+        return;
+    }
+    if (!table)
+    {
+        std::vector<std::string> columns{"Time[s]"};
+        for (const auto& [name, stage] : namesOf(Stage{}))
+        {
+            columns.push_back(std::string(name) + "[s]");
+        }
+        table.emplace(output.folder / "stageTimes.dat", columns, output.precision);
+    }
+    std::vector<double> row{step.time};
+    row.insert(row.end(), step.stageTimes->seconds.begin(), step.stageTimes->seconds.end());
+    table->write(row);
 }
 
 } // namespace drystone

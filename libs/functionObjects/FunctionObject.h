@@ -114,4 +114,20 @@ private:
     std::optional<ColumnFile> table;
 };
 
+/// Elapsed time that the stages of the steps have taken since the run began, in stageTimes.dat: `Time[s]
+/// findContacts[s] assemble[s] contribute[s] solve[s] collide[s] review[s] move[s] account[s]`. A state does
+/// not keep these: for one that was read there is a warning, and no table.
+template<int Dim>
+class StageTimesFunction final : public FunctionObject<Dim>
+{
+public:
+    explicit StageTimesFunction(FunctionOutput functionOutput) : output(std::move(functionOutput)) {}
+    void write(const StepObservation<Dim>& step) override;
+
+private:
+    FunctionOutput output;
+    std::optional<ColumnFile> table;
+    bool isWarned = false;
+};
+
 } // namespace drystone

@@ -132,7 +132,10 @@ const Registry<FunctionPlan<2>>& functionTypes()
              "contact points and reactions of supports, means over the step with the impulses of impacts",
              planContactForces),
          model<FunctionPlan<2>, PlainSettings>("residuals", "convergence of the solver",
-                                               planPlain<ResidualsFunction<2>>)}};
+                                               planPlain<ResidualsFunction<2>>),
+         model<FunctionPlan<2>, PlainSettings>("stageTimes",
+                                               "elapsed time that each stage of the steps takes",
+                                               planPlain<StageTimesFunction<2>>)}};
     return registry;
 }
 

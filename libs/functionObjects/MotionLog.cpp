@@ -106,6 +106,18 @@ void printIntegrationError(const DynamicCase& scene, const Motion& motion)
     }
 }
 
+void printStageTimes(const StageTimes& times)
+{
+    const double total = times.total();
+    info("Time of the stages    [s]      %");
+    for (const auto& [name, stage] : namesOf(Stage{}))
+    {
+        info("    {:12} {:9.3g} {:6.1f}", name, times.of(stage),
+             total > 0 ? 100 * times.of(stage) / total : 0);
+    }
+    printLine();
+}
+
 namespace
 {
 

@@ -20,6 +20,9 @@ void printStep(const DynamicCase& scene, const Motion& motion);
 /// After the last step: what theta above 1/2 has dissipated outside impacts, as an estimate of the error.
 void printIntegrationError(const DynamicCase& scene, const Motion& motion);
 
+/// After the last step: the time that each stage of the steps has taken, and its part of all.
+void printStageTimes(const StageTimes& times);
+
 /// `End`, or where a run was stopped before its end and whether its state is kept.
 void printStopOrEnd(const Time& time);
 

@@ -282,6 +282,7 @@ void postProcess(const std::filesystem::path& caseDirectory, const DynamicCase& 
         seen.time = then.value;
         seen.timeStep = stateScalar(saved, "stepLength");
         seen.step = then.index;
+        seen.stageTimes.reset();
         list.writeAlways(seen);
     }
 }

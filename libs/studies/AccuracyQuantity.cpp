@@ -5,6 +5,7 @@
 #include "conic/UnitOfWork.h"
 #include "core/Log.h"
 #include "core/Signals.h"
+#include "dynamics/Advance.h"
 #include "studies/Criterion.h"
 #include "studies/Intensity.h"
 

@@ -6,7 +6,7 @@
 ///     records   { elCentro { file "constant/elCentro.AT2"; } }     // instead of constant/groundMotion
 #pragma once
 
-#include "dynamics/Motion.h"
+#include "dynamics/Advance.h"
 #include "studies/Criterion.h"
 #include "studies/Intensity.h"
 

@@ -7,7 +7,7 @@
 ///     build/test/EffectsBenchmark --benchmark_out=effects.csv --benchmark_out_format=csv
 #include "Peers.h"
 
-#include "dynamics/Motion.h"
+#include "dynamics/Advance.h"
 #include "texture/Texture.h"
 
 #include <benchmark/benchmark.h>

@@ -14,7 +14,7 @@
 #include "assembly/AssemblyFile.h"
 #include "conic/UnitOfWork.h"
 #include "core/WholeFile.h"
-#include "dynamics/Motion.h"
+#include "dynamics/Advance.h"
 #include "functionObjects/MotionResults.h"
 #include "runControl/CommandLine.h"
 

@@ -154,14 +154,14 @@ TEST(Impact, NoneOfTenThousandGainsEnergyOrPullsOrEnters)
         settings.blockSize = throwing.scene.blockSize;
         settings.contactTolerance = 1e-7 * settings.blockSize;
         settings.solver.tolerance = seed % 3 ? 1e-9 : 1e-6;
-        const Impact impact = collide({throwing.scene.mass,
-                                       throwing.velocity,
-                                       throwing.program,
-                                       throwing.meeting,
-                                       {},
-                                       restitution,
-                                       1e-3},
-                                      settings);
+        const Impact impact = impactOf({throwing.scene.mass,
+                                        throwing.velocity,
+                                        throwing.program,
+                                        throwing.meeting,
+                                        {},
+                                        restitution,
+                                        1e-3},
+                                       settings);
         ASSERT_TRUE(impact.isSolved) << "seed " << seed;
         const Eigen::VectorXd& mass = throwing.scene.mass;
         const double before = 0.5 * mass.dot(throwing.velocity.cwiseAbs2());

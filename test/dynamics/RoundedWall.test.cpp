@@ -2,7 +2,7 @@
 /// A wall whose coordinates were turned and rounded stands, and moves, at the multiplier that it has
 /// otherwise.
 #include "assembly/AssemblyFile.h"
-#include "dynamics/Motion.h"
+#include "dynamics/Advance.h"
 #include "texture/Texture.h"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 /// Structures in memory for the tests of motion: what a case directory would have been read into.
 #pragma once
 
-#include "dynamics/Motion.h"
+#include "dynamics/Advance.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>

@@ -146,7 +146,8 @@ TEST_F(FunctionListTest, WhatIsWrongIsSaidBeforeTheRun)
     EXPECT_THAT(refusal("enrgy { }"),
                 testing::AllOf(HasSubstr("Unknown function type enrgy"), HasSubstr("Did you mean energy"),
                                HasSubstr("residuals")));
-    EXPECT_THAT(refusal("a { type nothing; }"), HasSubstr("blockMotion contactForces energy residuals"));
+    EXPECT_THAT(refusal("a { type nothing; }"),
+                HasSubstr("blockMotion contactForces energy residuals stageTimes"));
     EXPECT_THAT(refusal("energy { writeIntervall 3; }"), HasSubstr("writeIntervall"));
     EXPECT_THAT(refusal("energy { writeInterval -3; }"), HasSubstr("writeInterval"));
     EXPECT_THAT(refusal("energy { writePrecision 40; }"), HasSubstr("writePrecision"));

@@ -157,6 +157,25 @@ TEST_F(FunctionObjects, ResidualsWriteWhatTheStepCost)
                     "0.25  0.25  1  1e-09  2e-09  3e-09  12  13  2  1  0"));
 }
 
+TEST_F(FunctionObjects, StageTimesWriteAColumnAStageAndWarnOfAStateThatHasNone)
+{
+    StageTimesFunction<2> stageTimes({folder});
+    StepObservation<2> step = scene.at(0.25);
+    testing::internal::CaptureStderr();
+    stageTimes.write(step);
+    stageTimes.write(step);
+    const std::string warning = testing::internal::GetCapturedStderr();
+    EXPECT_NE(warning.find("does not keep the times of the stages"), std::string::npos) << warning;
+    EXPECT_EQ(warning.find("does not keep", warning.find("does not keep") + 1), std::string::npos) << warning;
+    EXPECT_FALSE(std::filesystem::exists(folder));
+    step.stageTimes = StageTimes{{0.5, 0.25, 0, 2, 0, 0, 0.125, 1}};
+    stageTimes.write(step);
+    EXPECT_THAT(lines("stageTimes.dat"),
+                ElementsAre("# Time[s]  findContacts[s]  assemble[s]  contribute[s]  solve[s]  collide[s]  "
+                            "review[s]  move[s]  account[s]",
+                            "0.25  0.5  0.25  0  2  0  0  0.125  1"));
+}
+
 TEST_F(FunctionObjects, ARestartLeavesTheEarlierTablesAlone)
 {
     EnergyFunction<2> first({postProcessingFolder(folder, "energy", "0")});

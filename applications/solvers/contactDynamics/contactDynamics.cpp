@@ -4,6 +4,7 @@
 #include "core/Error.h"
 #include "core/Log.h"
 #include "core/Signals.h"
+#include "dynamics/Advance.h"
 #include "dynamics/GroundMotionPlausibility.h"
 #include "functionObjects/EffectAdvice.h"
 #include "functionObjects/MotionLog.h"
@@ -58,6 +59,7 @@ int run(const CommandLine& commandLine)
     }
     progress.clear();
     printIntegrationError(scene, motion);
+    printStageTimes(motion.stageTimes);
     printStopOrEnd(time);
     return time.exitStatus();
 }

@@ -1,0 +1,104 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The last stage of a step: its energy, and what the next step starts from.
+#include "dynamics/Deletion.h"
+#include "dynamics/Step.h"
+
+#include <algorithm>
+
+namespace drystone
+{
+namespace
+{
+
+/// Where the energy of the step went.
+StepEnergy energyOf(Step& step)
+{
+    const Motion& motion = step.motion;
+    const ThetaStep& result = step.solved.result;
+    StepEnergy energy = stepEnergy(result, step.scene.mass, step.load, step.solved.velocity,
+                                   motion.state.velocity, step.scheme);
+    energy.algorithmicLoss -= step.keptInFlight;
+    constexpr double byLoads = 4; // twice the change of velocity, squared
+    const double smooth = byLoads * (step.scheme.theta - 0.5) * step.scheme.timeStep * step.scheme.timeStep
+                          * step.load.cwiseAbs2().cwiseQuotient(step.scene.mass).sum();
+    step.motion.smoothLoss += std::min(energy.algorithmicLoss, smooth);
+    // Points close and slide by A'y and by what the supports do, which work against the same forces.
+    double workOfSupports = step.solved.workOfSupports;
+    for (Eigen::Index row = 0; row < step.bySupports.size(); row += 2)
+    {
+        const double normalWork = result.contactForce[row] * step.bySupports[row];
+        const double shearWork = result.contactForce[row + 1] * step.bySupports[row + 1];
+        energy.normalLoss += normalWork;
+        energy.frictionLoss += shearWork;
+        workOfSupports += normalWork + shearWork;
+    }
+    energy.externalWork = (step.load - step.scene.deadLoad).dot(result.displacement) + workOfSupports;
+    const EffectContext context{step.scene.mass, step.guess.contactForce, motion.contactForces,
+                                step.scheme.timeStep};
+    for (const auto& effect : step.scene.effects)
+    {
+        effect->account(context, result, energy);
+    }
+    return energy;
+}
+
+/// Forces, gaps and bonds, where the next step starts.
+void keepContacts(Step& step)
+{
+    Motion& motion = step.motion;
+    const ThetaStep& result = step.solved.result;
+    motion.points = std::move(step.points);
+    if (motion.contacts)
+    {
+        motion.contacts->measure(motion.state.placements, motion.points);
+    }
+    motion.contactForces.resize(motion.points.size());
+    for (std::size_t i = 0; i < motion.points.size(); ++i)
+    {
+        const Eigen::Index row = 2 * static_cast<Eigen::Index>(i);
+        motion.contactForces[i] = result.contactForce.segment<2>(row);
+        if (!motion.contacts)
+        {
+            motion.points[i].gap -=
+                result.closing[row] + (step.bySupports.size() > 0 ? step.bySupports[row] : 0);
+        }
+    }
+    motion.meanForces.clear();
+    if (step.solved.impulse.size() > 0)
+    {
+        motion.meanForces = motion.contactForces;
+        for (std::size_t i = 0; i < motion.points.size(); ++i)
+        {
+            motion.meanForces[i] +=
+                step.solved.impulse.segment<2>(2 * static_cast<Eigen::Index>(i)) / step.scheme.timeStep;
+        }
+    }
+    motion.interior = std::move(step.solved.result.interior);
+    motion.bondsBrokenInStep = -brokenBonds(step.scene, motion);
+    motion.isBondBroken = std::move(step.isBondBroken);
+    motion.bondsBrokenInStep += brokenBonds(step.scene, motion);
+}
+
+} // namespace
+
+void account(Step& step)
+{
+    const StageTimer timer(step.motion.stageTimes, Stage::account);
+    const DynamicCase& scene = step.scene;
+    Motion& motion = step.motion;
+    StepEnergy energy = energyOf(step);
+    if (scene.contact.deletion)
+    {
+        const double kineticBefore = kineticEnergy(scene, motion.state.velocity);
+        deleteBlocks(scene, motion);
+        energy.externalWork -= kineticBefore - kineticEnergy(scene, motion.state.velocity);
+    }
+    motion.energy.impactLoss += step.solved.lostInImpacts;
+    keepLedger(motion.energy, scene, energy, motion.state.velocity, motion.state.placements);
+    motion.largestKinetic = std::max(motion.largestKinetic, motion.energy.kinetic);
+    motion.restitutionShare = step.solved.restitutionShare;
+    motion.residuals = motion.attempt;
+    keepContacts(step);
+}
+
+} // namespace drystone

@@ -1,0 +1,232 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The stage of a step in which blocks collide: which points, and when. What they do then is Impact.cpp's.
+#include "dynamics/FirstMeeting.h"
+#include "dynamics/FreeFlight.h"
+#include "dynamics/Impact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+
+namespace drystone
+{
+namespace
+{
+
+/// Points that close slower than this share of what the loads give a block in one step do not collide: so
+/// bounces end, and a structure at rest has no impacts.
+constexpr double slowImpact = 1e-6;
+
+/// A point belongs to the impact when it carries more than this share of the largest contact force, and is
+/// closed when the step ends.
+constexpr double carriesForce = 1e-9;
+
+/// Collisions in a row within one step; what is still closing then is stopped by the step itself.
+constexpr int mostImpacts = 10;
+
+/// A step in which more pairs of blocks meet than these is not parted: where walls fall apart impacts come so
+/// close that it would be parted for ever, and no single one of them decides what the wall does.
+constexpr std::size_t mostMeetingPairs = 2;
+
+/// Whether the points are closed where the step takes the blocks. Solutions are right to a tolerance, and
+/// some solvers end inside the cones, where a point that stays wide apart carries force too, a little. Of
+/// force and opening, which the exact solution never has both, the smaller part is then the error: force as a
+/// share of the largest one, opening as a share of the farthest motion.
+std::vector<char> closedPoints(const Step& step)
+{
+    const PlaneConeProgram& program = step.program;
+    const ThetaStep& result = step.solved.result;
+    const StepSettings& settings = step.settings;
+    const Eigen::VectorXd opening = openingAtEnd(step, result.displacement, result.contactForce);
+    const double largestForce = result.contactForce.lpNorm<Eigen::Infinity>();
+    const double farthest = farthestMotion(result.displacement, settings.blockSize);
+    const double error = settings.contactTolerance + result.flowError;
+    std::vector<char> isClosed(static_cast<std::size_t>(program.points()));
+    for (std::size_t point = 0; point < isClosed.size(); ++point)
+    {
+        const auto row = 2 * static_cast<Eigen::Index>(point);
+        // Where points slide, the associative law opens them by mu |u_t|, and they press nevertheless.
+        const double byFlow = settings.flowRule == FlowRule::associative
+                                  ? program.friction[point] * std::abs(opening[row + 1])
+                                  : 0;
+        const double apart = opening[row] - byFlow;
+        isClosed[point] = apart <= error || apart * largestForce <= result.contactForce[row] * farthest;
+    }
+    return isClosed;
+}
+
+/// Points that the step closes.
+struct Colliding
+{
+    std::vector<std::size_t> now;   ///< at the start of the step, where one of them closes then
+    std::vector<std::size_t> later; ///< in the course of it
+    std::vector<std::size_t> all;   ///< those at rest, too
+    bool isReturning = false; ///< none closes when it begins, but some part, and are back before its end
+};
+
+/// With ImpactInstant::stepStart all collide now that the step closes, if one was closing when it began.
+/// \param closing velocity of the points [m/s], two a point
+Colliding collidingPoints(const Step& step, const Eigen::VectorXd& closing)
+{
+    const ThetaStep& result = step.solved.result;
+    const double slowest = step.solved.slowest;
+    const double force = carriesForce * result.contactForce.lpNorm<Eigen::Infinity>();
+    const bool isLocated = step.impacts.instant == ImpactInstant::located;
+    const bool mayReturn = isLocated && step.scene.restitution() > 0;
+    const auto speedOf = [&](std::size_t point) { return closing[2 * static_cast<Eigen::Index>(point)]; };
+    const auto carries = [&](std::size_t point)
+    { return result.contactForce[2 * static_cast<Eigen::Index>(point)] > force; };
+    const auto collides = [&](std::size_t point) { return carries(point) && speedOf(point) > slowest; };
+    const auto returns = [&](std::size_t point)
+    { return mayReturn && carries(point) && speedOf(point) < -slowest; };
+    std::vector<std::size_t> points(static_cast<std::size_t>(step.program.points()));
+    std::iota(points.begin(), points.end(), 0);
+    const auto mayCollide = [&](std::size_t point) { return collides(point) || returns(point); };
+    if (std::none_of(points.begin(), points.end(), mayCollide))
+    {
+        return {};
+    }
+    const std::vector<char> isClosed = closedPoints(step);
+    std::erase_if(points, [&](std::size_t point) { return !carries(point) || !isClosed[point]; });
+
+    Colliding colliding;
+    std::set<std::pair<int, int>> pairs;
+    for (const std::size_t point : points)
+    {
+        const double gap = step.points[point].gap;
+        const bool isApart =
+            gap > step.settings.contactTolerance && gap > step.impacts.tolerance * speedOf(point);
+        if (isLocated && (isApart || returns(point)))
+        {
+            colliding.later.push_back(point);
+            pairs.emplace(step.points[point].block, step.points[point].neighbour);
+        }
+        else
+        {
+            colliding.now.push_back(point);
+        }
+    }
+    if (pairs.size() > mostMeetingPairs)
+    {
+        colliding = {points, {}, points};
+    }
+    if (std::none_of(colliding.now.begin(), colliding.now.end(), collides))
+    {
+        colliding.now.clear(); // at rest
+    }
+    colliding.all = points;
+    colliding.isReturning = std::none_of(points.begin(), points.end(), collides);
+    return colliding;
+}
+
+/// Gives the blocks the velocities that they have after an impact. \return whether it was solved
+bool takeImpact(Step& step, std::vector<std::size_t> meeting)
+{
+    const DynamicCase& scene = step.scene;
+    const double timeStep = step.scheme.timeStep;
+    StepSolution& solved = step.solved;
+    // Momentum changes at an instant: about the mass centres where they are, not where a step takes them.
+    PlaneConeProgram arrival = step.program;
+    if (!step.arrivals.empty())
+    {
+        setColumns(arrival, step.arrivals);
+    }
+    const double slowestRebound = 0.5 * step.acceleration * step.impacts.shortestFlight;
+    Impact impact = impactOf({scene.mass, solved.velocity, arrival, meeting, step.bySupports,
+                              scene.restitution(), slowestRebound, timeStep},
+                             step.settings);
+    countWork(step, impact.iterations, impact.factorisations, impact.programs);
+    solved.isSolved = impact.isSolved;
+    if (!solved.isSolved)
+    {
+        return false;
+    }
+    ++solved.impacts;
+    solved.lostInImpacts += impact.energyLoss;
+    solved.workOfSupports += impact.workOfSupports;
+    solved.restitutionShare = std::min(solved.restitutionShare, impact.restitutionShare);
+    solved.velocity = std::move(impact.velocity);
+    if (solved.impulse.size() == 0)
+    {
+        solved.impulse = Eigen::VectorXd::Zero(2 * step.program.points());
+    }
+    for (std::size_t i = 0; i < meeting.size(); ++i)
+    {
+        solved.impulse.segment<2>(2 * static_cast<Eigen::Index>(meeting[i])) +=
+            impact.impulse.segment<2>(2 * static_cast<Eigen::Index>(i));
+    }
+    step.program.load = step.load + scene.mass.cwiseProduct(solved.velocity) / (step.scheme.theta * timeStep);
+    step.guess.displacement = timeStep * solved.velocity;
+    solved.collided = std::move(meeting);
+    return true;
+}
+
+/// \return whether blocks collided, and the step is to be solved again
+bool collideOnce(Step& step)
+{
+    StepSolution& solved = step.solved;
+    const Eigen::VectorXd closing =
+        closingVelocity(step.program, solved.velocity, step.bySupports, step.scheme.timeStep);
+    // Nor do points that an impact has just stopped, or thrown back, to its tolerance.
+    for (const std::size_t point : solved.collided)
+    {
+        solved.slowest = std::max(solved.slowest, closing[2 * static_cast<Eigen::Index>(point)]);
+    }
+    Colliding colliding = collidingPoints(step, closing);
+    if (!colliding.later.empty() && colliding.now.empty())
+    {
+        Meeting meeting = firstMeeting(step, closing, colliding.later);
+        if (meeting.isSolved && meeting.part * step.scheme.timeStep > step.impacts.tolerance)
+        {
+            if (meeting.part < 1)
+            {
+                solved.isSolved = false;
+                solved.length = meeting.part;
+            }
+            else
+            {
+                solved.result = std::move(meeting.result);
+            }
+            return false;
+        }
+        if (colliding.isReturning)
+        {
+            return false;
+        }
+        colliding.now = std::move(colliding.all);
+    }
+    return !colliding.now.empty() && takeImpact(step, std::move(colliding.now));
+}
+
+} // namespace
+
+bool hasImpacts(const DynamicCase& scene)
+{
+    return scene.restitution() > 0 || scene.schemes.timeIntegration.theta < 1;
+}
+
+bool collide(Step& step)
+{
+    const StageTimer timer(step.motion.stageTimes, Stage::collide);
+    StepSolution& solved = step.solved;
+    if (!solved.isSolved || !hasImpacts(step.scene) || step.program.hasCompliance())
+    {
+        return false;
+    }
+    if (solved.impacts == 0)
+    {
+        solved.slowest = slowImpact * step.acceleration * step.scheme.timeStep;
+    }
+    if (solved.impacts < mostImpacts && collideOnce(step))
+    {
+        return true;
+    }
+    if (solved.isSolved)
+    {
+        solved.flight = flightApart(step, solved.result, solved.velocity);
+    }
+    return false;
+}
+
+} // namespace drystone

@@ -1,0 +1,41 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The first stage of a step: contact points and their lever arms.
+#include "dynamics/MovingGeometry.h"
+
+namespace drystone
+{
+
+void findContacts(Step& step)
+{
+    const StageTimer timer(step.motion.stageTimes, Stage::findContacts);
+    const DynamicCase& scene = step.scene;
+    Motion& motion = step.motion;
+    if (!motion.contacts)
+    {
+        step.points = motion.points; // they stay as built
+        step.columns = equilibriumColumns(scene.assembly, scene.blocks, step.points);
+        return;
+    }
+    const std::vector<Placement<2>>& placements = motion.state.placements;
+    const Eigen::VectorXd heading = step.scheme.timeStep * motion.state.velocity;
+    const double start = motion.state.time;
+    const auto velocities = velocitiesOfAllBlocks(scene, motion.state, start, start + step.scheme.timeStep);
+    const double margin = motion.contacts->marginFor(velocities, step.scheme.timeStep, step.acceleration);
+    step.points = motion.contacts->update(placements, placementsAfter(step, heading), margin);
+    forgetRounding(scene, step.points);
+    if (step.scheme.theta == 1)
+    {
+        step.columns = columnsAt(scene, placements, step.points);
+        return;
+    }
+    const auto between = placementsAfter(step, heading, 1 - step.scheme.theta);
+    std::vector<ContactPoint<2>> pointsBetween;
+    motion.contacts->measure(between, pointsBetween);
+    step.columns = columnsAt(scene, between, pointsBetween);
+    if (hasImpacts(scene))
+    {
+        step.arrivals = columnsAt(scene, placements, step.points);
+    }
+}
+
+} // namespace drystone

@@ -1,0 +1,91 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Displacements of blocks in free flight within a step.
+#include "dynamics/FreeFlight.h"
+
+#include <algorithm>
+
+namespace drystone
+{
+namespace
+{
+
+/// A block is in free flight when its contacts carry no more than this part of its loads.
+constexpr double flightForce = 1e-9;
+
+} // namespace
+
+Eigen::VectorXd flightOf(const Step& step, const ThetaStep& result, const Eigen::VectorXd& velocity,
+                         const std::vector<std::size_t>& free)
+{
+    const DynamicCase& scene = step.scene;
+    const PlaneConeProgram& program = step.program;
+    const double theta = step.scheme.theta;
+    if (scene.restitution() == 0 || theta == 0.5 || !scene.effects.empty())
+    {
+        return {};
+    }
+    std::vector<char> flies(static_cast<std::size_t>(program.bodies), true);
+    for (std::size_t point = 0; point < program.contacts.size(); ++point)
+    {
+        const double force = std::find(free.begin(), free.end(), point) == free.end()
+                                 ? result.contactForce.segment<2>(2 * static_cast<Eigen::Index>(point))
+                                       .lpNorm<Eigen::Infinity>()
+                                 : 0;
+        for (const int body : {program.contacts[point].first, program.contacts[point].second})
+        {
+            if (body >= 0 && force > flightForce * step.load.segment<3>(3 * body).lpNorm<Eigen::Infinity>())
+            {
+                flies[static_cast<std::size_t>(body)] = false;
+            }
+        }
+    }
+    // y = dt (theta v1 + (1 - theta) v0), and dt (v0 + v1)/2 is to be.
+    Eigen::VectorXd flight = (0.5 - theta) / theta * (result.displacement - step.scheme.timeStep * velocity);
+    bool isAny = false;
+    for (int body = 0; body < program.bodies; ++body)
+    {
+        if (!flies[static_cast<std::size_t>(body)])
+        {
+            flight.segment<3>(3 * body).setZero();
+        }
+        isAny = isAny || flies[static_cast<std::size_t>(body)];
+    }
+    return isAny ? flight : Eigen::VectorXd();
+}
+
+Eigen::VectorXd flightApart(const Step& step, const ThetaStep& result, const Eigen::VectorXd& velocity)
+{
+    const PlaneConeProgram& program = step.program;
+    Eigen::VectorXd flight = flightOf(step, result, velocity);
+    if (flight.size() == 0 || program.points() == 0)
+    {
+        return flight;
+    }
+    for (bool isApart = false; !isApart;)
+    {
+        isApart = true;
+        const Eigen::VectorXd opening = openingAfterFlight(step, result, flight);
+        for (int point = 0; point < program.points(); ++point)
+        {
+            for (const int body : {program.contacts[static_cast<std::size_t>(point)].first,
+                                   program.contacts[static_cast<std::size_t>(point)].second})
+            {
+                if (opening[2 * point] < -step.scene.roundingGap && body >= 0
+                    && !flight.segment<3>(3 * body).isZero(0))
+                {
+                    flight.segment<3>(3 * body).setZero();
+                    isApart = false; // but for what else this block then meets
+                }
+            }
+        }
+    }
+    return flight;
+}
+
+Eigen::VectorXd openingAfterFlight(const Step& step, const ThetaStep& result, const Eigen::VectorXd& flight)
+{
+    return flight.size() == 0 ? openingAtEnd(step, result.displacement, result.contactForce)
+                              : openingAtEnd(step, result.displacement + flight, result.contactForce);
+}
+
+} // namespace drystone

@@ -1,0 +1,36 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Where a step takes blocks and contact points: the geometry of finite displacements that the linear program
+/// of a step does not see.
+#pragma once
+
+#include "dynamics/Step.h"
+
+namespace drystone
+{
+
+/// The placements that a step leads to, or a share of the way there.
+std::vector<Placement<2>> placementsAfter(const Step& step, const Eigen::VectorXd& displacement,
+                                          double share = 1);
+
+/// The contact columns of points with the blocks at these placements.
+std::vector<ContactColumns<2>> columnsAt(const DynamicCase& scene,
+                                         const std::vector<Placement<2>>& placements,
+                                         const std::vector<ContactPoint<2>>& points);
+
+/// Takes gaps as small as rounding for none. Otherwise a structure at rest, whose corners lie on its edges
+/// but for rounding, could only be certified to stand as well as rounding compares with what gravity moves a
+/// block in one step: 1e-11.
+void forgetRounding(const DynamicCase& scene, std::vector<ContactPoint<2>>& points);
+
+/// Corrects the linear prediction of the gaps of moving contacts; see Relinearisation. The step is not owned.
+///
+/// The angular momentum of a block about a fixed point changes over a step by c1 x m v1 - c0 x m v0 + J (w1 -
+/// w0), c its mass centre. With c1 - c0 = dt (theta v1 + (1 - theta) v0) the first two are (c0 + (1 - theta)
+/// (c1 - c0)) x m (v1 - v0): lever arms are to be taken there. For theta 1 these are the arms at the start,
+/// for theta 1/2 those halfway.
+/// Of the slip of a point, too: blocks that turn together by a finite angle do not slide on each other, but
+/// linear prediction says they do, in proportion to the square of the angle; and where many blocks do so,
+/// locked together, no forces would make it vanish.
+Relinearisation movingContactGeometry(const Step& step);
+
+} // namespace drystone

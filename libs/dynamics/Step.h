@@ -1,0 +1,130 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// A time step while it is taken: its stages, and what they hand to each other.
+#pragma once
+
+#include "dynamics/Motion.h"
+
+namespace drystone
+{
+
+/// Where in a step blocks collide that are apart at its start.
+struct ImpactChoice
+{
+    ImpactInstant instant = ImpactInstant::stepStart;
+    double tolerance = 0;      ///< blocks that would meet within this time meet now [s]
+    double shortestFlight = 0; ///< blocks that would be back before this time do not rebound [s]
+};
+
+/// What is known of the end of a step.
+struct StepSolution
+{
+    ThetaStep result;
+    bool isSolved = false;
+    /// Below 1: blocks meet after this part of the step, and it is to be solved again that long.
+    double length = 1;
+    Eigen::VectorXd velocity;    ///< that the step starts from: after the impacts
+    Eigen::VectorXd flight;      ///< displacement of blocks in free flight beyond the step's; or empty: none
+    double lostInImpacts = 0;    ///< [J]
+    double workOfSupports = 0;   ///< in impacts [J]
+    double restitutionShare = 1; ///< the least of the impacts, see Impact
+    Eigen::VectorXd impulse;     ///< of all impacts, two a point [N s]; empty: there were none
+    int impacts = 0;             ///< [-]
+    std::vector<std::size_t> collided; ///< points of the last impact
+    double slowest = 0; ///< points that close more slowly do not collide [m/s], set by the first impact
+};
+
+/// One step that is not parted, from `motion` on. Members are filled by the stage under whose name they
+/// stand. Its own lists refer to each other, and so it stays where it was made.
+struct Step
+{
+    /// What acts on the blocks in the step.
+    Step(const DynamicCase& dynamicCase, Motion& current, double length, const ImpactChoice& choice);
+    Step(const Step&) = delete;
+    Step& operator=(const Step&) = delete;
+
+    const DynamicCase& scene;
+    Motion& motion; ///< but for `attempt`, `work`, `symbolic` and `stageTimes` changed by `move` and later
+    ImpactChoice impacts;
+    ThetaScheme scheme;
+    StepSettings settings;
+    Eigen::VectorXd load;              ///< mean over the step of all that acts on the blocks but the contacts
+    double acceleration = 0;           ///< the largest that the loads alone give a block [m/s2]
+    std::vector<SupportStep> supports; ///< see supportSteps
+
+    // findContacts
+    std::vector<ContactPoint<2>> points;     ///< with their gaps at the start
+    std::vector<ContactColumns<2>> columns;  ///< lever arms where the momenta of the step want them
+    std::vector<ContactColumns<2>> arrivals; ///< those at the start, where impacts need them; or empty: same
+
+    // assemble, contribute
+    PlaneConeProgram program;
+    StepGuess guess;
+    Eigen::VectorXd gapsOfEffects; ///< what effects, and overlaps that stay, have put into the gaps; or empty
+    Eigen::VectorXd bySupports;    ///< by how much points close because supports move [m]; or empty
+    std::vector<char> isBondBroken;
+    std::vector<int> bondOfPoint; ///< see bondsOfPoints
+    Relinearisation relinearise;  ///< empty with smallDisplacements
+    Eigen::VectorXd loadAtStart;  ///< of the program, before impacts change the momenta
+
+    // solve, collide, review
+    StepSolution solved;
+
+    // move
+    double keptInFlight = 0; ///< algorithmic loss that blocks in free flight do not have [J]
+};
+
+/// Whether a program of the case has impacts of their own; otherwise it is the plastic impact itself.
+bool hasImpacts(const DynamicCase& scene);
+
+/// Finds the contact points of the step: where blocks touch, or may meet within it.
+void findContacts(Step& step);
+
+/// Makes the program of the rigid step, and a guess of its solution from the last one.
+void assemble(Step& step);
+
+/// Adds what effects and moving supports put into the program.
+void contribute(Step& step);
+
+/// Solves the program as it stands.
+void solve(Step& step);
+
+/// Forgets what was solved: the step begins again at its start.
+void beginAgain(Step& step);
+
+/// Impacts of their own, where restitution or a theta below 1 asks for them (Impact.h): finds the points that
+/// the solution closes, and gives the blocks the velocities after the impact there. \return whether the step
+/// is to be solved again from these
+///
+/// With `located` a point that is apart when the step begins, and closes in it, does not collide before it is
+/// there: the step is solved as if it was not, which gives the gap at the end; with gap and closing velocity
+/// at the start that makes a parabola, whose root is the instant. For one body under constant forces that is
+/// exact for every theta, and else right to third order in the step. `solved.length` then says where that is,
+/// and the caller takes the step up to there, and the rest, which begins with the impact.
+///
+/// With restitution and theta above 1/2 blocks in free flight, which no contact force acts on, move by the
+/// mean of their velocities: exact under constant loads, where backward Euler would take g dt from the
+/// velocity of every bounce.
+bool collide(Step& step);
+
+/// Effects examine the solution, whose residuals are kept in `attempt`. \return whether one has changed the
+/// program, which is to be solved again
+bool review(Step& step);
+
+/// Moves the blocks by finite rotations and gives them their velocities.
+void move(Step& step);
+
+/// Keeps the ledger of energy, removes blocks that have left the box of `deletion`, and leaves contact points
+/// and forces for the next step.
+void account(Step& step);
+
+/// Adds what a solution has taken to the counts of the attempt and of the work allowed.
+void countWork(Step& step, int iterations, int factorisations, int programs);
+
+/// Gaps, and minus the slips, where displacements take the blocks, two a point [m].
+Eigen::VectorXd openingAtEnd(const Step& step, const Eigen::VectorXd& displacement,
+                             const Eigen::VectorXd& contactForce);
+
+/// Of any block, that of its turning about as far from its mass centre as blocks are large [m].
+double farthestMotion(const Eigen::VectorXd& displacement, double blockSize);
+
+} // namespace drystone

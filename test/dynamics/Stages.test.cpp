@@ -1,0 +1,251 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Each stage of a step by itself, on one block whose step is known in closed form; their times; and the
+/// retry.
+#include "Scenes.h"
+
+#include "dynamics/Step.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+using namespace drystone;
+using namespace drystone::scenes;
+
+namespace
+{
+
+constexpr double timeStep = 0.01;
+
+/// One block of 1 m x 1 m, its lower edge at a height above the ground.
+DynamicCase blockAt(double height, const Settings& settings = {})
+{
+    Assembly<2> assembly = ground(-5, 5);
+    assembly.blocks.push_back(rectangle(0, height, 1, 1));
+    return sceneOf(std::move(assembly), settings);
+}
+
+/// The stages before the solution.
+void prepare(Step& step)
+{
+    findContacts(step);
+    assemble(step);
+    contribute(step);
+    beginAgain(step);
+}
+
+} // namespace
+
+TEST(Stages, FindContactsFindsTheCornersOfABlockThatTouchesAndNoneOfOneFarAbove)
+{
+    for (const double height : {0.0, 2.0})
+    {
+        const DynamicCase scene = blockAt(height);
+        Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+        Step step(scene, motion, timeStep, {});
+        findContacts(step);
+        EXPECT_EQ(step.points.size(), height == 0 ? 2u : 0u);
+        EXPECT_EQ(step.columns.size(), step.points.size());
+        for (const ContactPoint<2>& point : step.points)
+        {
+            EXPECT_EQ(point.gap, 0);
+        }
+    }
+}
+
+TEST(Stages, FindContactsKeepsTheLeverArmsOfTheStartForImpactsOfTheTrapezoidalRule)
+{
+    for (const double theta : {1.0, 0.5})
+    {
+        const DynamicCase scene = blockAt(0, {.theta = theta});
+        Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+        Step step(scene, motion, timeStep, {});
+        findContacts(step);
+        EXPECT_EQ(step.arrivals.size(), theta < 1 ? step.points.size() : 0u);
+    }
+}
+
+TEST(Stages, AssembleMakesTheProgramOfEquation9)
+{
+    const DynamicCase scene = blockAt(0);
+    Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+    motion.state.velocity << 0.5, 0, 0;
+    Step step(scene, motion, timeStep, {});
+    findContacts(step);
+    assemble(step);
+    const double mass = scene.mass[0];
+    EXPECT_DOUBLE_EQ(step.program.inertia[0](0, 0), mass / (timeStep * timeStep));
+    EXPECT_DOUBLE_EQ(step.program.load[0], mass * 0.5 / timeStep);
+    EXPECT_DOUBLE_EQ(step.program.load[1], -mass * g);
+    EXPECT_EQ(step.program.friction, std::vector<double>(2, 0.6));
+    EXPECT_DOUBLE_EQ(step.guess.displacement[0], 0.5 * timeStep);
+}
+
+TEST(Stages, ContributeChangesNothingWithoutEffectsAndAddsTheInertiaOfDampingWithIt)
+{
+    DynamicCase scene = blockAt(0);
+    for (const double coefficient : {0.0, 3.0})
+    {
+        scene.contact.damping = Damping{coefficient};
+        scene.effects = stepEffects(scene.contact);
+        Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+        Step step(scene, motion, timeStep, {});
+        findContacts(step);
+        assemble(step);
+        const PlaneConeProgram rigid = step.program;
+        contribute(step);
+        EXPECT_EQ(step.program.gap, rigid.gap);
+        EXPECT_EQ(step.program.load, rigid.load);
+        EXPECT_DOUBLE_EQ(step.program.inertia[0](0, 0) - rigid.inertia[0](0, 0),
+                         coefficient / timeStep * scene.mass[0]);
+    }
+}
+
+TEST(Stages, SolveGivesABlockAtRestItsWeightAndOneInTheAirItsFall)
+{
+    for (const double height : {0.0, 2.0})
+    {
+        const DynamicCase scene = blockAt(height);
+        Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+        Step step(scene, motion, timeStep, {});
+        prepare(step);
+        solve(step);
+        ASSERT_TRUE(step.solved.isSolved);
+        const double weight = scene.mass[0] * g;
+        if (height == 0)
+        {
+            const Eigen::VectorXd& force = step.solved.result.contactForce;
+            EXPECT_NEAR(force[0] + force[2], weight, 1e-9 * weight);
+            EXPECT_EQ(step.solved.result.displacement.norm(), 0);
+        }
+        else
+        {
+            EXPECT_NEAR(step.solved.result.displacement[1], -g * timeStep * timeStep, 1e-15);
+        }
+        EXPECT_EQ(motion.state.velocity.norm(), 0) << "solve moves nothing";
+    }
+}
+
+TEST(Stages, CollideThrowsABlockBackAndAsksForAnotherSolution)
+{
+    for (const double restitution : {0.0, 0.5})
+    {
+        const DynamicCase scene = blockAt(0, {.restitution = restitution});
+        Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+        motion.state.velocity << 0, -1, 0;
+        Step step(scene, motion, timeStep, {});
+        prepare(step);
+        solve(step);
+        EXPECT_EQ(collide(step), restitution > 0);
+        EXPECT_NEAR(step.solved.velocity[1], restitution > 0 ? restitution : -1, 1e-9);
+        const double lost = 0.5 * scene.mass[0] * (1 - restitution * restitution);
+        EXPECT_NEAR(step.solved.lostInImpacts, restitution > 0 ? lost : 0, 1e-6 * lost);
+        solve(step);
+        EXPECT_FALSE(collide(step));
+    }
+}
+
+TEST(Stages, CollideFindsTheInstantAtWhichAFallingBlockMeetsTheGround)
+{
+    const double height = 1e-3;
+    const DynamicCase scene = blockAt(height, {.restitution = 0.5});
+    Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+    motion.state.velocity << 0, -1, 0;
+    Step step(scene, motion, timeStep, {ImpactInstant::located, 1e-3 * timeStep, 0});
+    prepare(step);
+    solve(step);
+    EXPECT_FALSE(collide(step));
+    EXPECT_FALSE(step.solved.isSolved);
+    const double instant = (std::sqrt(1 + 2 * g * height) - 1) / g; // of h = t + g t^2/2
+    EXPECT_NEAR(step.solved.length * timeStep, instant, 1e-6 * instant);
+}
+
+TEST(Stages, ReviewAsksForAnotherSolutionWhenABondBreaksAndNotWithoutOne)
+{
+    for (const double strength : {0.0, 1e3, 1e6})
+    {
+        Settings settings;
+        settings.gravity = {0, g}; // pulls the block off the ground: 17.7 kN on a joint of 1 m2
+        DynamicCase scene = blockAt(0, settings);
+        if (strength > 0)
+        {
+            scene.contact.cohesion = JointStrength{strength};
+            scene.contact.tension = JointStrength{strength};
+            scene.bonds = jointBonds({}, scene.contact, scene.assembly);
+        }
+        Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+        Step step(scene, motion, timeStep, {});
+        prepare(step);
+        solve(step);
+        ASSERT_TRUE(step.solved.isSolved);
+        EXPECT_EQ(review(step), strength == 1e3);
+        EXPECT_EQ(step.program.hasStrength(), strength == 1e6);
+    }
+}
+
+TEST(Stages, MoveAndAccountGiveAFallItsPlaceVelocityAndEnergy)
+{
+    const DynamicCase scene = blockAt(2);
+    Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+    Step step(scene, motion, timeStep, {});
+    prepare(step);
+    solve(step);
+    ASSERT_FALSE(collide(step));
+    ASSERT_FALSE(review(step));
+    move(step);
+    EXPECT_NEAR(motion.state.velocity[1], -g * timeStep, 1e-14);
+    EXPECT_NEAR(motion.state.placements[1].translation.y(), -g * timeStep * timeStep, 1e-15);
+    EXPECT_DOUBLE_EQ(motion.state.time, timeStep);
+    EXPECT_EQ(motion.energy.kinetic, 0) << "the ledger is kept by account";
+    account(step);
+    EXPECT_NEAR(motion.energy.kinetic, 0.5 * scene.mass[0] * std::pow(g * timeStep, 2), 1e-9);
+    EXPECT_LT(relativeImbalance(motion.energy), 1e-12);
+}
+
+TEST(Stages, EachHasItsTimeAndTheyAddUpOverSteps)
+{
+    StageTimes times;
+    {
+        const StageTimer timer(times, Stage::move);
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    EXPECT_GE(times.of(Stage::move), 0.005);
+    EXPECT_EQ(times.total(), times.of(Stage::move));
+
+    const DynamicCase scene = blockAt(0, {.mu = 0.1});
+    Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+    motion.state.velocity << 1, 0, 0;
+    std::array<double, 8> before{};
+    for (int count = 0; count < 3; ++count)
+    {
+        ASSERT_TRUE(advance(scene, motion, timeStep));
+        for (const auto& [name, stage] : namesOf(Stage{}))
+        {
+            EXPECT_GT(motion.stageTimes.of(stage), before[static_cast<std::size_t>(stage)]) << name;
+        }
+        before = motion.stageTimes.seconds;
+    }
+}
+
+TEST(ShortenedSteps, AreHalvedUntilTheyAreSolvedWithoutKnowingATime)
+{
+    // One iteration of the interior point solves nothing.
+    DynamicCase scene = blockAt(0, {.mu = 0.1, .tolerance = 1e-11, .solver = SolverType::interiorPoint});
+    scene.solution.maximumIterations = 1;
+    Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+    motion.state.velocity << 1, 0, 0.5;
+    const Motion before = motion;
+    const ShortenedStep failed = advanceOrShorten(scene, motion, timeStep);
+    EXPECT_FALSE(failed.isSolved);
+    EXPECT_DOUBLE_EQ(failed.timeStep, timeStep / 1024);
+    EXPECT_EQ(motion.attempt.retries, 10);
+    EXPECT_EQ(motion.state.time, before.state.time);
+    EXPECT_EQ(motion.state.velocity, before.state.velocity);
+
+    scene.solution.maximumIterations = 100;
+    const ShortenedStep taken = advanceOrShorten(scene, motion, timeStep);
+    EXPECT_TRUE(taken.isSolved);
+    EXPECT_EQ(taken.timeStep, timeStep);
+    EXPECT_EQ(motion.residuals.retries, 0);
+    EXPECT_DOUBLE_EQ(motion.state.time, timeStep);
+}
