@@ -3,6 +3,7 @@
 #pragma once
 
 #include "assembly/Assembly.h"
+#include "geometry/space/Frame.h"
 
 namespace drystone
 {
@@ -18,14 +19,17 @@ struct ContactFeature
     friend bool operator==(const ContactFeature&, const ContactFeature&) = default;
 };
 
-/// One point where a corner of one block faces an edge of another. The contact force (n, t) acts on `block`
-/// along (normal, tangent) and reversed on `neighbour`; n >= 0 presses the two together.
+/// One point where two blocks touch: in the plane, where a corner of one faces an edge of another; in space,
+/// of a patch where a face of one lies on a face of another. The contact force (n, t) acts on `block` along
+/// (normal, tangent), in space (n, t1, t2) along (normal, tangent1, tangent2), and reversed on `neighbour`; n
+/// >= 0 presses the two together.
 template<int Dim>
 struct ContactPoint
 {
     int block = -1;     ///< index in Assembly::blocks
     int neighbour = -1; ///< index in Assembly::blocks
-    int joint = -1;     ///< index of the joint this point belongs to: one straight shared edge of two blocks
+    int joint = -1; ///< index of the joint this point belongs to: one straight shared edge of two blocks, one
+                    ///< polygon shared by two of their faces
     Vector<Dim> position = Vector<Dim>::Zero(); ///< [m]
     Vector<Dim> normal = Vector<Dim>::Zero();   ///< unit vector from `neighbour` into `block`
     double gap = 0;                             ///< distance along the normal, negative when overlapping [m]
@@ -38,20 +42,39 @@ inline Vector<2> tangent(const ContactPoint<2>& point)
     return {point.normal.y(), -point.normal.x()};
 }
 
-/// Contact points of the structure as built: for each pair of blocks whose outlines share a straight edge
-/// (conforming or not), the two ends of each shared piece. Two edges share a piece when their directions are
-/// opposite to 1e-3 rad, they lie within the distance tolerance of each other at both ends of the piece, and
-/// it is longer than the tolerance. Vertices that split a straight edge do not split a joint; blocks that
-/// meet at a corner alone have none; neither have two fixed blocks. Gaps are 0.
+/// Directions of a contact force in space, columns normal, tangent1, tangent2, by the normal alone (see
+/// frameOf): tangent1 is horizontal, and x where the normal is vertical.
+inline Eigen::Matrix3d contactFrame(const ContactPoint<3>& point)
+{
+    return frameOf(point.normal);
+}
+
+/// Contact points of the structure as built. In the plane: for each pair of blocks whose outlines share a
+/// straight edge (conforming or not), the two ends of each shared piece. Two edges share a piece when their
+/// directions are opposite to 1e-3 rad, they lie within the distance tolerance of each other at both ends of
+/// the piece, and it is longer than the tolerance. Vertices that split a straight edge do not split a joint;
+/// blocks that meet at a corner alone have none; neither have two fixed blocks. Gaps are 0.
+///
+/// In space: for each pair of faces of two blocks that lie on each other, convex or not, the corners of each
+/// polygon that they share, in order round it, under the same conditions on directions and distances at all
+/// corners. Corners that only split a straight edge of the polygon are left out; blocks that touch along an
+/// edge or at a corner alone have no joint.
 ///
 /// Points of one joint follow each other; joints are sorted by (block, neighbour), block < neighbour. Finding
-/// them takes time of order n log n in the number of edges: 0.5 s for 100,000 blocks.
-/// \param tolerance distance relative to the mean block size (square root of the free blocks' mean face)
+/// them takes time of order n log n in the number of edges or faces: 0.5 s for 100,000 blocks of the plane.
+/// \param tolerance distance relative to the mean block size (square root of the free blocks' mean face, cube
+/// root of their mean volume)
 template<int Dim>
 std::vector<ContactPoint<Dim>> findContactPoints(const Assembly<Dim>& assembly, double tolerance = 1e-6);
 
 /// The same joints with `pointsPerJoint` points each, at equal distances from end to end. \param ends the two
 /// points of each joint, as findContactPoints gives them
 std::vector<ContactPoint<2>> divideJoints(const std::vector<ContactPoint<2>>& ends, int pointsPerJoint);
+
+/// The same joints with a grid of points each: the corners first, then the points of a grid of `perSide` x
+/// `perSide` over the patch's bounding rectangle, along its longest edge, as far as they lie in the patch and
+/// are not a corner of it. A rectangular patch has exactly the points of the grid. \param corners the points
+/// of each joint in order round it, as findContactPoints gives them \param perSide at least 2
+std::vector<ContactPoint<3>> divideJoints(const std::vector<ContactPoint<3>>& corners, int perSide);
 
 } // namespace drystone

@@ -14,53 +14,61 @@ namespace
 
 constexpr int leafSize = 8; ///< boxes in a leaf: fewer costs more nodes, more costs more comparisons
 
+template<int Dim>
 struct Node
 {
-    BoundingBox box;
+    Box<Dim> box;
     int first = 0; ///< of the boxes below this node, in the tree's order
     int last = 0;
     int right = -1; ///< the left child follows its parent; -1 marks a leaf
 };
 
-void extend(BoundingBox& box, const BoundingBox& other)
+template<int Dim>
+void extend(Box<Dim>& box, const Box<Dim>& other)
 {
     box.lower = box.lower.cwiseMin(other.lower);
     box.upper = box.upper.cwiseMax(other.upper);
 }
 
-bool isEmpty(const BoundingBox& box)
+template<int Dim>
+bool isEmpty(const Box<Dim>& box)
 {
-    return !(box.lower.x() <= box.upper.x() && box.lower.y() <= box.upper.y());
+    return !contains(box, Box<Dim>{box.lower, box.lower});
 }
 
+template<int Dim>
 struct Tree
 {
-    std::vector<Node> nodes;
-    std::vector<int> order;          ///< of the boxes, so that those of a node follow each other
-    std::vector<BoundingBox> sorted; ///< the boxes in that order
+    std::vector<Node<Dim>> nodes;
+    std::vector<int> order;       ///< of the boxes, so that those of a node follow each other
+    std::vector<Box<Dim>> sorted; ///< the boxes in that order
 };
 
-int build(Tree& tree, const std::vector<BoundingBox>& boxes, int first, int last)
+template<int Dim>
+int build(Tree<Dim>& tree, const std::vector<Box<Dim>>& boxes, int first, int last)
 {
     const int index = static_cast<int>(tree.nodes.size());
-    Node node;
+    Node<Dim> node;
     node.first = first;
     node.last = last;
-    BoundingBox centres;
+    Box<Dim> centres;
     for (int i = first; i < last; ++i)
     {
-        const BoundingBox& box = boxes[tree.order[i]];
+        const Box<Dim>& box = boxes[tree.order[i]];
         extend(node.box, box);
-        const Vector<2> centre = box.lower + box.upper;
-        extend(centres, {centre, centre});
+        extend<Dim>(centres, Vector<Dim>(box.lower + box.upper));
     }
     tree.nodes.push_back(node);
     if (last - first <= leafSize)
     {
         return index;
     }
-    const Vector<2> extent = centres.upper - centres.lower;
-    const int axis = extent.y() > extent.x() ? 1 : 0;
+    const Vector<Dim> extent = centres.upper - centres.lower;
+    int axis = 0;
+    for (int other = 1; other < Dim; ++other)
+    {
+        axis = extent[other] > extent[axis] ? other : axis;
+    }
     const int middle = first + (last - first) / 2;
     std::nth_element(tree.order.begin() + first, tree.order.begin() + middle, tree.order.begin() + last,
                      [&boxes, axis](int a, int b)
@@ -82,16 +90,26 @@ BoundingBox boundingBox(const Polygon& polygon)
     BoundingBox box;
     for (const Vector<2>& vertex : polygon)
     {
-        box.lower = box.lower.cwiseMin(vertex);
-        box.upper = box.upper.cwiseMax(vertex);
+        extend<2>(box, vertex);
     }
     return box;
 }
 
-std::vector<std::pair<int, int>> findMeetingPairs(const std::vector<BoundingBox>& boxes)
+Box<3> boundingBox(const Polyhedron& polyhedron)
+{
+    Box<3> box;
+    for (const Vector<3>& vertex : polyhedron.vertices)
+    {
+        extend<3>(box, vertex);
+    }
+    return box;
+}
+
+template<int Dim>
+std::vector<std::pair<int, int>> findMeetingPairs(const std::vector<Box<Dim>>& boxes)
 {
     std::vector<std::pair<int, int>> pairs;
-    Tree tree;
+    Tree<Dim> tree;
     tree.order.reserve(boxes.size());
     for (int i = 0; i < static_cast<int>(boxes.size()); ++i)
     {
@@ -116,7 +134,7 @@ std::vector<std::pair<int, int>> findMeetingPairs(const std::vector<BoundingBox>
     std::vector<int> waiting;
     for (int i = 0; i < static_cast<int>(boxes.size()); ++i)
     {
-        const BoundingBox& box = boxes[i];
+        const Box<Dim>& box = boxes[i];
         if (isEmpty(box))
         {
             continue;
@@ -127,7 +145,7 @@ std::vector<std::pair<int, int>> findMeetingPairs(const std::vector<BoundingBox>
         {
             const int index = waiting.back();
             waiting.pop_back();
-            const Node& node = tree.nodes[index];
+            const Node<Dim>& node = tree.nodes[index];
             if (!meet(box, node.box))
             {
                 continue;
@@ -150,5 +168,8 @@ std::vector<std::pair<int, int>> findMeetingPairs(const std::vector<BoundingBox>
     }
     return pairs;
 }
+
+template std::vector<std::pair<int, int>> findMeetingPairs(const std::vector<Box<2>>& boxes);
+template std::vector<std::pair<int, int>> findMeetingPairs(const std::vector<Box<3>>& boxes);
 
 } // namespace drystone

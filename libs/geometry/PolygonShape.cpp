@@ -4,6 +4,7 @@
 #include "geometry/PolygonShape.h"
 
 #include "geometry/BroadPhase.h"
+#include "geometry/PolygonIntersection.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,38 +27,9 @@ bool isInTriangle(const Vector<2>& point, const Vector<2>& a, const Vector<2>& b
     return turn(a, b, point) >= 0 && turn(b, c, point) >= 0 && turn(c, a, point) >= 0;
 }
 
-/// The part of a convex polygon on the left of the line through `from` and `to` (Sutherland and Hodgman,
-/// 1974).
-void clip(Polygon& polygon, const Vector<2>& from, const Vector<2>& to, Polygon& scratch)
+double convexOverlapArea(const Polygon& a, const Polygon& b)
 {
-    scratch.clear();
-    const std::size_t size = polygon.size();
-    for (std::size_t i = 0; i < size; ++i)
-    {
-        const Vector<2>& a = polygon[i];
-        const Vector<2>& b = polygon[(i + 1) % size];
-        const double sideA = turn(from, to, a);
-        const double sideB = turn(from, to, b);
-        if (sideA >= 0)
-        {
-            scratch.push_back(a);
-        }
-        if ((sideA > 0 && sideB < 0) || (sideA < 0 && sideB > 0))
-        {
-            scratch.push_back(a + sideA / (sideA - sideB) * (b - a));
-        }
-    }
-    std::swap(polygon, scratch);
-}
-
-double convexOverlapArea(Polygon a, const Polygon& b)
-{
-    Polygon scratch;
-    for (std::size_t i = 0; i < b.size() && a.size() >= 3; ++i)
-    {
-        clip(a, b[i], b[(i + 1) % b.size()], scratch);
-    }
-    return std::max(0.0, areaProperties(a).area);
+    return std::max(0.0, areaProperties(convexIntersection(a, b)).area);
 }
 
 std::vector<Polygon> convexPieces(const Polygon& polygon)

@@ -43,6 +43,7 @@ thirdParty = {
     "NLopt": r"nlopt",
     "SuiteSparse": r"(suitesparse/)?(cholmod|amd|colamd|ccolamd|camd|umfpack|SuiteSparse)",
     "BLAS and LAPACK": r"(cblas|lapacke?|openblas)",
+    "Clipper": r"polyclipping/",
     "zlib": r"zlib\.h",
     "libdeflate": r"libdeflate\.h",
     "OpenMP": r"omp\.h",

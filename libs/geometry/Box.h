@@ -1,0 +1,68 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Axis-aligned boxes, of the plane and of space: the first question of every search.
+#pragma once
+
+#include "geometry/Vector.h"
+
+namespace drystone
+{
+
+/// Axis-aligned box around a block. The default is empty: it meets nothing, and extending it by a point gives
+/// that point.
+template<int Dim>
+struct Box
+{
+    Vector<Dim> lower = Vector<Dim>::Constant(1e300);  ///< [m]
+    Vector<Dim> upper = Vector<Dim>::Constant(-1e300); ///< [m]
+};
+
+using BoundingBox = Box<2>;
+
+/// The box with every side moved outwards by `distance` [m].
+template<int Dim>
+Box<Dim> enlarged(const Box<Dim>& box, double distance)
+{
+    return {box.lower.array() - distance, box.upper.array() + distance};
+}
+inline BoundingBox enlarged(const BoundingBox& box, double distance) // for boxes in braces
+{
+    return enlarged<2>(box, distance);
+}
+
+/// Makes the box contain a point.
+template<int Dim>
+void extend(Box<Dim>& box, const Vector<Dim>& point)
+{
+    box.lower = box.lower.cwiseMin(point);
+    box.upper = box.upper.cwiseMax(point);
+}
+
+/// Whether the closed boxes share a point: boxes that only touch do meet.
+template<int Dim>
+bool meet(const Box<Dim>& a, const Box<Dim>& b)
+{
+    for (int axis = 0; axis < Dim; ++axis)
+    {
+        if (!(a.lower[axis] <= b.upper[axis] && b.lower[axis] <= a.upper[axis]))
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// Whether every point of `inner` is a point of `outer`.
+template<int Dim>
+bool contains(const Box<Dim>& outer, const Box<Dim>& inner)
+{
+    for (int axis = 0; axis < Dim; ++axis)
+    {
+        if (!(outer.lower[axis] <= inner.lower[axis] && inner.upper[axis] <= outer.upper[axis]))
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+} // namespace drystone
