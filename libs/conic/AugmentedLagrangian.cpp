@@ -2,7 +2,7 @@
 #include "conic/AugmentedLagrangian.h"
 
 #include "conic/Certificate.h"
-#include "conic/RayOperators.h"
+#include "conic/form/FormOperators.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,17 +17,46 @@ namespace
 using Eigen::VectorXd;
 
 constexpr double largestPenalty = 1e11;
+constexpr int mostRounds = 100;
 
-constexpr int mostRounds = 30;
+/// Upper bounds that take the place of limits: of rays, and of the shear of discs, whose first component
+/// exerts no force. Infinite where there are none.
+struct Bounds
+{
+    VectorXd rays;             ///< or empty
+    std::vector<double> discs; ///< of round cones; or empty
+};
 
+/// Nearest point of the disc |(x1 x2)| <= radius, and the derivative there: 1 inside; outside nothing along
+/// (x1 x2) and radius / |(x1 x2)| across it.
+ConeProjection projectOntoDisc(const Eigen::Vector3d& x, double radius)
+{
+    const double size = x.tail<2>().norm();
+    ConeProjection projection{x, {}};
+    projection.point[0] = 0;
+    if (size > radius)
+    {
+        projection.point.tail<2>() *= radius / size;
+        projection.derivative = {x.tail<2>() / size, {0, 0, radius / size}};
+    }
+    return projection;
+}
+
+template<int Rows>
 class AugmentedLagrangian
 {
 public:
-    /// \param most upper bounds of the rays, or empty \param rounding of the load
-    AugmentedLagrangian(const RayProgram& rays, VectorXd most, double rounding, SchurSystem<3>& system,
-                        const AugmentedLagrangianSettings& settings)
-        : rays_(rays), most_(std::move(most)), rounding_(rounding), system_(system), settings_(settings)
+    /// \param ofLoad rounding of the load
+    AugmentedLagrangian(const Form<Rows>& ofForm, Bounds limits, double ofLoad, SchurSystem<Rows>& withSystem,
+                        const AugmentedLagrangianSettings& toSettings)
+        : form(ofForm),
+          cones(ofForm.cones()),
+          bounds(std::move(limits)),
+          loadRounding(ofLoad),
+          system(withSystem),
+          settings(toSettings)
     {
+        d.rounds.resize(static_cast<std::size_t>(cones.rounds));
     }
 
     void start(VectorXd forces);
@@ -37,68 +66,88 @@ public:
     bool round();
 
     /// Whether the last round changed the multipliers by so little that the program may be solved.
-    bool isSettled() const { return error_ <= settings_.tolerance; }
+    bool isSettled() const { return error <= settings.tolerance; }
 
-    const VectorXd& forces() const { return s_; }
-    const VectorXd& displacement() const { return y_; }
-    int iterations() const { return iterations_; }
-    int factorisations() const { return factorisations_; }
+    const VectorXd& forces() const { return s; }
+    const VectorXd& displacement() const { return y; }
+
+    int iterations = 0;
+    int factorisations = 0;
 
 private:
+    ConeProjection project(std::size_t round, const Eigen::Vector3d& x) const
+    {
+        return bounds.discs.empty() || std::isinf(bounds.discs[round])
+                   ? projectOntoCone(x)
+                   : projectOntoDisc(x, bounds.discs[round]);
+    }
     bool minimise();
     void computeGradient();
     bool factorise();
     double slopeAt(double step) const;
     double bestStep() const;
 
-    const RayProgram& rays_;
-    const VectorXd most_;       ///< upper bounds of the rays, or empty
-    const double rounding_ = 0; ///< of the gradient, where strengths are large beside the load
-    SchurSystem<3>& system_;
-    AugmentedLagrangianSettings settings_;
-    double sigma_ = 1;
-    VectorXd s_;        ///< multipliers of the round
-    VectorXd y_;        ///< 3 (bodies + 1), the ground at rest
-    VectorXd w_;        ///< s + sigma (B'y - g), kept by increments: sigma times a difference loses no digits
-    VectorXd pressing_; ///< max(0, w), and no more than the ray may carry
-    VectorXd gradient_; ///< M y - f + B max(0, w)
-    VectorXd d_;        ///< sigma where a ray presses, below its bound, in the factor, else 0
-    VectorXd direction_, closing_; ///< Newton's step, and B' of it
-    double curvature_ = 0;         ///< direction' M direction
-    double slope_ = 0;             ///< direction' (M y - f), without the rays
-    int iterations_ = 0;
-    int factorisations_ = 0;
-    double error_ = 0; ///< how far the rays that press are from closed, and the others from open
+    const Form<Rows>& form;
+    const ConeRanges cones;
+    const Bounds bounds;
+    const double loadRounding; ///< of the gradient, where strengths are large compared with the load
+    SchurSystem<Rows>& system;
+    AugmentedLagrangianSettings settings;
+    double sigma = 1;
+    VectorXd s;        ///< multipliers of the round
+    VectorXd y;        ///< Rows (bodies + 1), the ground at rest
+    VectorXd w;        ///< s + sigma (B'y - g), kept by increments: sigma times a difference loses no digits
+    VectorXd pressing; ///< w projected onto the cones, and no more than a ray or a disc may carry
+    VectorXd gradient; ///< M y - f + B pressing
+    ConeWeights<double> d;                 ///< sigma times the derivative of the projection
+    VectorXd raysInFactor;                 ///< d.rays of the last factorisation
+    VectorXd direction, closing, momentum; ///< Newton's step, B' and M of it
+    double curvature = 0;                  ///< direction' M direction
+    double slope = 0;                      ///< direction' (M y - f), without the cones
+    double error = 0;        ///< how far the points that press are from closed, and the others from open
+    double coneRounding = 0; ///< of the projections: a point that slides has w on both sides of its cone
+    double penaltyLimit = largestPenalty;
 };
 
-void AugmentedLagrangian::computeGradient()
+template<int Rows>
+void AugmentedLagrangian<Rows>::computeGradient()
 {
-    pressing_ = w_.cwiseMax(0.0);
-    if (most_.size() > 0)
+    pressing = w.cwiseMax(0.0);
+    d.rays = (w.head(cones.rays).array() > 0).select(VectorXd::Constant(cones.rays, sigma), 0.0);
+    if (bounds.rays.size() > 0)
     {
-        pressing_ = pressing_.cwiseMin(most_).eval();
+        pressing.head(cones.rays) = pressing.head(cones.rays).cwiseMin(bounds.rays).eval();
+        d.rays = (w.head(cones.rays).array() < bounds.rays.array()).select(d.rays, 0.0).eval();
     }
-    gradient_ = -rays_.load;
-    addRays(rays_, pressing_, gradient_);
-    for (int body = 0; body < rays_.bodies; ++body)
+    coneRounding = 0;
+    for (std::size_t round = 0; round < d.rounds.size(); ++round)
     {
-        gradient_.segment<3>(3 * body) += rays_.inertia[body] * y_.segment<3>(3 * body);
+        const Eigen::Index at = cones.at(static_cast<Eigen::Index>(round));
+        const Eigen::Vector3d force = w.segment<3>(at);
+        const ConeProjection projection = project(round, force);
+        pressing.segment<3>(at) = projection.point;
+        d.rounds[round] = projection.derivative;
+        d.rounds[round].eigenvalues *= sigma;
+        if (smallerEigenvalue(force) < 0 && projection.point[0] > 0)
+        {
+            coneRounding = std::max(coneRounding, 1e-15 * force.norm());
+        }
     }
-    gradient_.tail<3>().setZero();
+    gradient = -form.load;
+    addForces(form, pressing, gradient);
+    addInertia(form, y, gradient);
+    gradient.tail<Rows>().setZero();
 }
 
-bool AugmentedLagrangian::factorise()
+template<int Rows>
+bool AugmentedLagrangian<Rows>::factorise()
 {
-    VectorXd d = (w_.array() > 0).select(VectorXd::Constant(w_.size(), sigma_), 0.0);
-    if (most_.size() > 0)
-    {
-        d = (w_.array() < most_.array()).select(d, 0.0).eval();
-    }
-    if (factorisations_ > 0 && d == d_)
+    // Rays are either in or out: the factor serves until one changes.
+    if (factorisations > 0 && cones.rounds == 0 && d.rays == raysInFactor)
     {
         return true;
     }
-    d_ = std::move(d);
+    raysInFactor = d.rays;
     double rounding = 0;
     do
     {
@@ -106,25 +155,35 @@ bool AugmentedLagrangian::factorise()
         {
             return false;
         }
-        assembleSchur(rays_, d_, 0, rounding, system_);
-        ++factorisations_;
+        assembleSchur(form, d, 0, rounding, system);
+        ++factorisations;
         rounding = rounding == 0 ? 1e-15 : 10 * rounding;
-    } while (!system_.factorise());
+    } while (!system.factorise());
     return true;
 }
 
-/// Derivative of the function along the direction: piecewise linear and increasing.
-double AugmentedLagrangian::slopeAt(double step) const
+/// Derivative of the function along the direction: continuous and increasing, of rays piecewise linear.
+template<int Rows>
+double AugmentedLagrangian<Rows>::slopeAt(double step) const
 {
-    const auto there = (w_.array() + (step * sigma_) * closing_.array()).max(0.0);
-    return slope_ + step * curvature_
-           + (most_.size() > 0 ? there.min(most_.array()).matrix().dot(closing_)
-                               : there.matrix().dot(closing_));
+    const Eigen::Index rays = cones.rays;
+    const auto there = (w.head(rays).array() + (step * sigma) * closing.head(rays).array()).max(0.0);
+    double result = slope + step * curvature;
+    result += bounds.rays.size() > 0 ? there.min(bounds.rays.array()).matrix().dot(closing.head(rays))
+                                     : there.matrix().dot(closing.head(rays));
+    for (std::size_t round = 0; round < d.rounds.size(); ++round)
+    {
+        const Eigen::Index at = cones.at(static_cast<Eigen::Index>(round));
+        const Eigen::Vector3d change = closing.segment<3>(at);
+        result += project(round, w.segment<3>(at) + (step * sigma) * change).point.dot(change);
+    }
+    return result;
 }
 
 /// Where the derivative vanishes. Newton's full step when the pieces it crosses hardly matter; else by regula
 /// falsi (Illinois), which a piecewise linear function makes quick.
-double AugmentedLagrangian::bestStep() const
+template<int Rows>
+double AugmentedLagrangian<Rows>::bestStep() const
 {
     const double atStart = slopeAt(0);
     if (!(atStart < 0))
@@ -154,112 +213,124 @@ double AugmentedLagrangian::bestStep() const
     for (int trial = 0; trial < 40 && slopeHigh > slopeLow; ++trial)
     {
         best = (low * slopeHigh - high * slopeLow) / (slopeHigh - slopeLow);
-        const double slope = slopeAt(best);
-        if (std::abs(slope) <= -0.01 * atStart)
+        const double there = slopeAt(best);
+        if (std::abs(there) <= -0.01 * atStart)
         {
             break;
         }
-        if (slope > 0)
+        if (there > 0)
         {
             high = best;
-            slopeHigh = slope;
+            slopeHigh = there;
             slopeLow /= 2;
         }
         else
         {
             low = best;
-            slopeLow = slope;
+            slopeLow = there;
             slopeHigh /= 2;
         }
     }
     return best;
 }
 
-bool AugmentedLagrangian::minimise()
+template<int Rows>
+bool AugmentedLagrangian<Rows>::minimise()
 {
-    const double enough = std::max(0.01 * settings_.tolerance, rounding_);
+    const double enough = std::max(0.01 * settings.tolerance, loadRounding);
     double before = std::numeric_limits<double>::infinity();
-    int factorisationsBefore = factorisations_;
+    int factorisationsBefore = factorisations;
     for (;;)
     {
         computeGradient();
-        const double now = gradient_.lpNorm<Eigen::Infinity>();
+        const double now = gradient.lpNorm<Eigen::Infinity>();
         // A step with the same factor is a refinement; where it gains nothing any more, rounding is all that
-        // is left: what was estimated, or some times as much.
-        const bool isRefined = factorisations_ == factorisationsBefore && now > 0.5 * before;
-        if (now <= enough || (isRefined && now <= std::max(settings_.tolerance, 32 * rounding_)))
+        // is left: what was estimated, or some times as much. Round cones change their factor in each step.
+        const bool isRefined =
+            (factorisations == factorisationsBefore || cones.rounds > 0) && now > 0.5 * before;
+        if (now <= enough || (isRefined && now <= std::max(settings.tolerance, 32 * loadRounding)))
         {
             return true;
         }
+        if (now <= 10 * coneRounding)
+        {
+            // No more digits with this penalty: s is a difference of two numbers of the size of sigma z.
+            penaltyLimit = std::max(settings.penalty, 0.1 * sigma * std::min(1.0, enough / now));
+            return true;
+        }
         before = now;
-        factorisationsBefore = factorisations_;
-        if (iterations_ == settings_.maximumIterations || !factorise())
+        factorisationsBefore = factorisations;
+        if (iterations == settings.maximumIterations || !factorise())
         {
             return false;
         }
-        ++iterations_;
-        direction_ = -gradient_;
-        system_.solve(direction_.head(3 * rays_.bodies));
-        if (!direction_.allFinite())
+        ++iterations;
+        direction = -gradient;
+        system.solve(direction.head(Rows * form.bodies));
+        if (!direction.allFinite())
         {
             return false; // the penalty is beyond what the factor can carry
         }
-        applyRaysTransposed(rays_, direction_, closing_);
-        curvature_ = 0;
-        slope_ = -rays_.load.dot(direction_);
-        for (int body = 0; body < rays_.bodies; ++body)
-        {
-            const Eigen::Vector3d step = direction_.segment<3>(3 * body);
-            const Eigen::Vector3d momentum = rays_.inertia[body] * step;
-            curvature_ += step.dot(momentum);
-            slope_ += momentum.dot(y_.segment<3>(3 * body));
-        }
+        applyTransposed(form, direction, closing);
+        momentum.setZero(direction.size());
+        addInertia(form, direction, momentum);
+        curvature = momentum.dot(direction);
+        slope = momentum.dot(y) - form.load.dot(direction);
         const double step = bestStep();
-        y_ += step * direction_;
-        w_ += (step * sigma_) * closing_;
+        y += step * direction;
+        w += (step * sigma) * closing;
     }
 }
 
-void AugmentedLagrangian::start(VectorXd forces)
+template<int Rows>
+void AugmentedLagrangian<Rows>::start(VectorXd forces)
 {
-    sigma_ = settings_.penalty;
-    s_ = std::move(forces);
-    y_ = VectorXd::Zero(rays_.load.size());
+    sigma = settings.penalty;
+    s = std::move(forces);
+    y = VectorXd::Zero(form.load.size());
 }
 
-bool AugmentedLagrangian::round()
+template<int Rows>
+bool AugmentedLagrangian<Rows>::round()
 {
-    applyRaysTransposed(rays_, y_, closing_);
-    w_ = s_ + sigma_ * (closing_ - rays_.gap);
+    applyTransposed(form, y, closing);
+    w = s + sigma * (closing - form.gap);
     if (!minimise())
     {
         return false;
     }
-    error_ = (pressing_ - s_).lpNorm<Eigen::Infinity>() / sigma_;
-    s_ = pressing_;
-    sigma_ = std::min(10 * sigma_, largestPenalty);
+    error = s.size() > 0 ? (pressing - s).lpNorm<Eigen::Infinity>() / sigma : 0;
+    s = pressing;
+    sigma = std::min(10 * sigma, penaltyLimit);
     return true;
 }
 
-/// Limits of single rays become upper bounds of them, one a ray; the form is left without limits. Empty where
-/// there are none.
-VectorXd takeBounds(RayForm& form)
+/// Limits of single rays and of discs become upper bounds of them; the form is left without limits.
+template<int Rows>
+Bounds takeBounds(Form<Rows>& form)
 {
-    RayProgram& rays = form.program;
-    if (rays.limits.empty())
+    constexpr double none = std::numeric_limits<double>::infinity();
+    Bounds bounds;
+    if (form.limits.empty())
     {
-        return {};
+        return bounds;
     }
-    VectorXd most = VectorXd::Constant(static_cast<Eigen::Index>(rays.rays.size()),
-                                       std::numeric_limits<double>::infinity());
-    for (const RayProgram::Limit& limit : rays.limits)
+    const auto rays = static_cast<Eigen::Index>(form.rays.size());
+    const auto slacks = static_cast<Eigen::Index>(form.limits.size());
+    const Eigen::Index rounds = 3 * static_cast<Eigen::Index>(form.rounds.size());
+    bounds.rays = VectorXd::Constant(rays, none);
+    bounds.discs.assign(form.rounds.size(), none);
+    for (const typename Form<Rows>::Limit& limit : form.limits)
     {
-        most[limit.ray] = limit.bound / (limit.component * form.scaling.load);
+        (limit.round < 0 ? bounds.rays[limit.ray] : bounds.discs[static_cast<std::size_t>(limit.round)]) =
+            limit.bound / (limit.component * form.scaling.load);
     }
-    rays.limits.clear();
-    rays.load.conservativeResize(3 * (rays.bodies + 1));
-    rays.gap.conservativeResize(most.size());
-    return most;
+    form.limits.clear();
+    form.load.conservativeResize(form.rows());
+    const VectorXd gap = form.gap;
+    form.gap.resize(rays + rounds);
+    form.gap << gap.head(rays), gap.tail(gap.size() - rays - slacks);
+    return bounds;
 }
 
 } // namespace
@@ -271,7 +342,8 @@ AugmentedLagrangianSettings exactSettings(int maximumIterations)
     return {allDigits, maximumIterations, stiff, StopWhen::settled};
 }
 
-ConeSolution solveAugmentedLagrangian(const PlaneConeProgram& program, const ConeSolution& start,
+template<int Rows, int Forces>
+ConeSolution solveAugmentedLagrangian(const ConeProgram<Rows, Forces>& program, const ConeSolution& start,
                                       const AugmentedLagrangianSettings& settings, SymbolicAnalysis* kept)
 {
     if (!program.hasInertia() || program.hasMultiplier())
@@ -288,31 +360,30 @@ ConeSolution solveAugmentedLagrangian(const PlaneConeProgram& program, const Con
     }
     // In increments from where the blocks are heading: the momenta they have drop out of the load, and the
     // figures left are those of one step.
-    PlaneConeProgram increment = program;
+    ConeProgram<Rows, Forces> increment = program;
     const bool heads = start.displacement.size() == program.load.size();
     if (heads)
     {
         increment.load -= applyInertia(program, start.displacement);
-        increment.gap = (program.gap.size() > 0 ? program.gap : VectorXd::Zero(2 * program.points()))
+        increment.gap = (program.gap.size() > 0 ? program.gap : VectorXd::Zero(Forces * program.points()))
                         - applyTransposed(program, start.displacement);
     }
     SymbolicAnalysis own;
-    RayForm form = makeRayForm(increment, kept ? *kept : own);
-    SchurSystem<3>& system = schurSystem(form, kept ? *kept : own);
-    VectorXd most = takeBounds(form);
+    Form<Rows> form = makeForm(increment, kept ? *kept : own);
+    SchurSystem<Rows>& system = schurSystem(form, kept ? *kept : own);
+    Bounds bounds = takeBounds(form);
     constexpr double roundingUnits = 64 * std::numeric_limits<double>::epsilon();
     const double rounding =
-        program.hasStrength() ? roundingUnits * form.program.load.lpNorm<Eigen::Infinity>() : 0;
-    AugmentedLagrangian solver(form.program, std::move(most), rounding, system, settings);
-    VectorXd forces = start.contactForce.size() == 2 * program.points()
-                          ? raysOf(program, form, start.contactForce)
-                          : VectorXd::Zero(form.program.rayCount());
-    solver.start(std::move(forces));
+        program.hasStrength() ? roundingUnits * form.load.template lpNorm<Eigen::Infinity>() : 0;
+    AugmentedLagrangian<Rows> solver(form, std::move(bounds), rounding, system, settings);
+    solver.start(start.contactForce.size() == Forces * program.points()
+                     ? conesOf(program, form, start.contactForce)
+                     : VectorXd::Zero(form.cones().size()).eval());
     ConeSolution solution;
     for (int rounds = 0; rounds < mostRounds && solution.status != SolveStatus::optimal; ++rounds)
     {
         const bool isMinimum = solver.round();
-        solution = fromRays(program, form, solver.forces(), solver.displacement(), 0);
+        solution = solutionOf(program, form, solver.forces(), solver.displacement(), 0.0);
         if (heads)
         {
             solution.displacement += start.displacement;
@@ -326,9 +397,14 @@ ConeSolution solveAugmentedLagrangian(const PlaneConeProgram& program, const Con
             break;
         }
     }
-    solution.iterations = solver.iterations();
-    solution.factorisations = solver.factorisations();
+    solution.iterations = solver.iterations;
+    solution.factorisations = solver.factorisations;
     return solution;
 }
+
+template ConeSolution solveAugmentedLagrangian(const PlaneConeProgram&, const ConeSolution&,
+                                               const AugmentedLagrangianSettings&, SymbolicAnalysis*);
+template ConeSolution solveAugmentedLagrangian(const SpaceConeProgram&, const ConeSolution&,
+                                               const AugmentedLagrangianSettings&, SymbolicAnalysis*);
 
 } // namespace drystone

@@ -29,34 +29,32 @@ struct AugmentedLagrangianSettings
 /// All digits, from whatever start: what proofs ask for where little is out of balance.
 AugmentedLagrangianSettings exactSettings(int maximumIterations);
 
-/// Solves a plane program with inertia (a time step) by the method of multipliers on its dual,
+/// Solves a program with inertia (a time step), of the plane or of space, by the method of multipliers on its
+/// dual,
 ///
-///     minimise  1/2 y' Mbar y - f' y   subject to   B' y <= g,     multipliers s >= 0,    c = R s,
+///     minimise  1/2 y' Mbar y - f' y   subject to   g - B' y in K,     multipliers s in K,    c = R s,
 ///
-/// with the friction cones in ray form (RayProgram.h). Each round minimises
+/// with the friction cones in the standard form of form/Form.h. Each round minimises
 ///
-///     1/2 y' Mbar y - f' y + 1/(2 sigma) |max(0, w)|^2,      w = s + sigma (B' y - g),
+///     1/2 y' Mbar y - f' y + 1/(2 sigma) |P(w)|^2,      w = s + sigma (B' y - g),
 ///
-/// and takes s = max(0, w). The function is piecewise quadratic: semismooth Newton with (Mbar + sigma B_A
-/// B_A') dy = -gradient, A = {w > 0}, and a line search that is exact on the pieces ends after finitely many
-/// steps. Because Mbar is positive definite y is unique, however many forces would do (Rockafellar 1976), and
-/// with sigma growing a handful of rounds suffices. A matrix is factorised only when A has changed.
+/// where P projects onto K, max(0, .) on a ray, and takes s = P(w). With rays the function is piecewise
+/// quadratic: semismooth Newton with (Mbar + sigma B_A B_A') dy = -gradient, A = {w > 0}, and a line search
+/// that is exact on the pieces ends after finitely many steps, and a matrix is factorised only when A has
+/// changed. With round cones |P(w)|^2 is once differentiable and its gradient semismooth (Hayashi, Yamashita
+/// & Fukushima 2005), so that the steps converge fast though no longer in finitely many. Because Mbar is
+/// positive definite y is unique, however many forces would do (Rockafellar 1976), and with sigma growing a
+/// handful of rounds suffices. Cohesion bounds rays of pure shear, and discs: P is onto the bounded set
+/// there.
 ///
 /// \param start forces of the last step, and where the blocks are heading (both sized as in the solution, or
 /// empty). The better they are, the fewer steps.
-/// \param kept of the last program, to be used where the same bodies touch (RayProgram.h); not owned
+/// \param kept of the last program, to be used where the same bodies touch (form/Form.h); not owned
 /// \return `optimal` when the certificate meets the tolerance, otherwise `notConverged` with the last iterate
-/// Cohesion bounds the rays of pure shear from above: there s = min(max(0, w), bound), and A = {0 < w <
-/// bound}. \throws std::invalid_argument for a program without inertia, with a multiplier, crushing or
-/// compliance
-ConeSolution solveAugmentedLagrangian(const PlaneConeProgram& program, const ConeSolution& start,
+/// \throws std::invalid_argument for a program without inertia, with a multiplier, crushing or compliance
+template<int Rows, int Forces>
+ConeSolution solveAugmentedLagrangian(const ConeProgram<Rows, Forces>& program, const ConeSolution& start,
                                       const AugmentedLagrangianSettings& settings = {},
                                       SymbolicAnalysis* kept = nullptr);
-
-/// Solves a program of space likewise, with projections onto round friction cones for max(0, .):
-/// |Proj(w)|^2 / (2 sigma) is once differentiable and its gradient semismooth (Hayashi, Yamashita & Fukushima
-/// 2005), so that Newton's steps converge fast though no longer in finitely many.
-ConeSolution solveAugmentedLagrangian(const SpaceConeProgram& program, const ConeSolution& start,
-                                      const AugmentedLagrangianSettings& settings = {});
 
 } // namespace drystone

@@ -127,8 +127,8 @@ struct ConeSolution
     Eigen::VectorXd contactForce; ///< c, F k
     Eigen::VectorXd displacement; ///< y, R b
     /// Forces that carry f alone (alpha = 0), where a solver has come by some on its way; else empty.
-    Eigen::VectorXd restingForce;
-    InteriorStart interior; ///< of a program of the plane with inertia, where a solver passed one; else empty
+    Eigen::VectorXd forceOfLoadAlone;
+    InteriorStart interior; ///< of a program with inertia, where a solver passed one; else empty
     int iterations = 0;
     int factorisations = 0;
     int solves = 0; ///< with the factor, forwards and back; counted by solveInteriorPoint only

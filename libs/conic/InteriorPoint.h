@@ -9,42 +9,44 @@ namespace drystone
 {
 
 struct SymbolicAnalysis;
+struct IterationTrace;
 
-/// The numbers that iterations of the plane are done in.
+/// The numbers that iterations are done in.
 enum class Arithmetic
 {
     adaptive, ///< double precision; where rounding ends the iterations they are done again with twice as many
-              ///< digits, if the program is small enough for that to take seconds (ExtendedInteriorPoint.h)
+              ///< digits, if the program is small enough for that to take seconds
     standard  ///< double precision only
 };
 
-/// Keys of `solver interiorPoint;`, but for the last.
+/// Keys of `solver interiorPoint;`, but for the last two.
 struct InteriorPointSettings
 {
     double tolerance = 1e-9;     ///< on every figure of the certificate
     int maximumIterations = 200; ///< factorisations allowed
     int correctors = 8;          ///< higher-order corrections tried with one factorisation; half of them
-                                 ///< where it is cheap beside its solves, and in space
+                                 ///< where it is cheap compared with its solves
     Arithmetic arithmetic = Arithmetic::adaptive;
+    IterationTrace* trace = nullptr; ///< filled in where there is one (interiorPoint/Trace.h); not owned
 };
 
-/// Solves a plane program from a cold start (Mehrotra 1992 predictor-corrector with multiple correctors of
-/// Gondzio 1996, weighted as by Colombo & Gondzio 2008, proximal regularisation of the Schur system with
-/// iterative refinement; a balance that rounding loses near the optimum is repaired by a factorisation of its
-/// own; where rounding ends the iterations they are done again in extended precision, see Arithmetic). The
-/// solution's status is `optimal`, `infeasible` or `unbounded` only when the certificate of
-/// Certificate.h, computed from the problem data, meets the tolerance; otherwise `notConverged` with the best
-/// iterate.
-/// \param kept of the last program, to be used where the same bodies touch (RayProgram.h); not owned
+/// Solves a program of the plane or of space from a cold start (Mehrotra 1992 predictor-corrector with
+/// multiple correctors of Gondzio 1996, weighted as by Colombo & Gondzio 2008; round friction cones in the
+/// symmetric scaling of Nesterov & Todd 1997, of which the step of a linear program is the case of rays;
+/// proximal regularisation of the Schur system with iterative refinement; a balance that rounding loses near
+/// the optimum is repaired by a factorisation of its own; where rounding ends the iterations they are done
+/// again in extended precision, see Arithmetic). The solution's status is `optimal`, `infeasible` or
+/// `unbounded` only when the certificate of Certificate.h, computed from the problem data, meets the
+/// tolerance; otherwise `notConverged` with the best iterate.
+/// \param kept of the last program, to be used where the same bodies touch (form/Form.h); not owned
 /// \param near what may be nearly the solution of a program with inertia, such as what solved the last step:
 /// iterations begin there if it is near enough, else, or if they do not end, from its `interior` moved on to
 /// its displacements, and if there is none, or they do not end either, from nothing; not owned
 /// \return with an `interior` where iterations came from there or from nothing
-ConeSolution solveInteriorPoint(const PlaneConeProgram& program, const InteriorPointSettings& settings = {},
-                                SymbolicAnalysis* kept = nullptr, const ConeSolution* near = nullptr);
-
-/// Solves a program of space likewise, its round friction cones in the symmetric scaling of Nesterov & Todd
-/// (1997). `restingForce` of the solution stays empty. \throws std::invalid_argument for points with strength
-ConeSolution solveInteriorPoint(const SpaceConeProgram& program, const InteriorPointSettings& settings = {});
+/// \throws std::invalid_argument for a program with compliance
+template<int Rows, int Forces>
+ConeSolution solveInteriorPoint(const ConeProgram<Rows, Forces>& program,
+                                const InteriorPointSettings& settings = {}, SymbolicAnalysis* kept = nullptr,
+                                const ConeSolution* near = nullptr);
 
 } // namespace drystone

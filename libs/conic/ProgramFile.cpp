@@ -371,7 +371,7 @@ SolveObserver programWriter(WriteProgram when, std::function<std::filesystem::pa
     {
         return {};
     }
-    return [when, file = std::move(file)](const PlaneConeProgram& program, const ConeSolution& solution)
+    return [when, file = std::move(file)](const auto& program, const ConeSolution& solution)
     {
         if (when == WriteProgram::always || solution.status == SolveStatus::notConverged)
         {

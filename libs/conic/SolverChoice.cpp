@@ -4,7 +4,7 @@
 #include "conic/ElasticNewton.h"
 
 #include "conic/Certificate.h"
-#include "conic/RayProgram.h"
+#include "conic/form/Form.h"
 
 #include <algorithm>
 #include <array>
@@ -80,15 +80,21 @@ std::string nameOf(SolverType solver)
 namespace
 {
 
-ConeSolution solveAsChosen(const PlaneConeProgram& program, const SolverChoice& choice,
+template<int Rows, int Forces>
+ConeSolution solveAsChosen(const ConeProgram<Rows, Forces>& program, const SolverChoice& choice,
                            const ConeSolution& start, SymbolicAnalysis* kept)
 {
     AugmentedLagrangianSettings multipliers{choice.tolerance, choice.maximumIterations};
     if (program.hasCompliance()) // which no other solver takes
     {
-        return choice.solver == SolverType::gaussSeidel
-                   ? solveGaussSeidel(program, start, {choice.tolerance, choice.maximumSweeps})
-                   : solveElasticNewton(program, start, {choice.tolerance, choice.maximumIterations});
+        if constexpr (Rows == 3)
+        {
+            if (choice.solver != SolverType::gaussSeidel)
+            {
+                return solveElasticNewton(program, start, {choice.tolerance, choice.maximumIterations});
+            }
+        }
+        return solveGaussSeidel(program, start, {choice.tolerance, choice.maximumSweeps});
     }
     switch (choice.solver)
     {
@@ -127,7 +133,7 @@ ConeSolution solveAsChosen(const PlaneConeProgram& program, const SolverChoice& 
         solution.factorisations = factorisations += solved.factorisations;
         return solution.status == SolveStatus::optimal || !canStart;
     };
-    const bool isStarted = canStart && start.contactForce.size() == 2 * program.points()
+    const bool isStarted = canStart && start.contactForce.size() == Forces * program.points()
                            && start.displacement.size() == program.load.size();
     if (isStarted && certifyOptimal(program, start).worst() <= nearby)
     {
@@ -171,42 +177,19 @@ ConeSolution solveAsChosen(const PlaneConeProgram& program, const SolverChoice& 
 
 } // namespace
 
-ConeSolution solveConeProgram(const PlaneConeProgram& program, const SolverChoice& choice,
+template<int Rows, int Forces>
+ConeSolution solveConeProgram(const ConeProgram<Rows, Forces>& program, const SolverChoice& choice,
                               const ConeSolution& start, SymbolicAnalysis* kept)
 {
     SymbolicAnalysis own; // shared by the solvers that are tried
     ConeSolution solution = solveAsChosen(program, choice, start, kept ? kept : &own);
-    if (choice.observer)
-    {
-        choice.observer(program, solution);
-    }
+    choice.observer(program, solution);
     return solution;
 }
 
-ConeSolution solveConeProgram(const SpaceConeProgram& program, const SolverChoice& choice,
-                              const ConeSolution& start)
-{
-    const AugmentedLagrangianSettings multipliers{choice.tolerance, choice.maximumIterations};
-    switch (choice.solver)
-    {
-    case SolverType::augmentedLagrangian:
-        return solveAugmentedLagrangian(program, start, multipliers);
-    case SolverType::gaussSeidel:
-        return solveGaussSeidel(program, start, {choice.tolerance, choice.maximumSweeps});
-    case SolverType::interiorPoint:
-    case SolverType::automatic:
-        break;
-    }
-    ConeSolution solution = solveInteriorPoint(program, interiorPointSettings(choice));
-    const bool canGoOn = program.hasInertia() && !program.hasMultiplier();
-    if (choice.solver == SolverType::automatic && solution.status != SolveStatus::optimal && canGoOn)
-    {
-        const ConeSolution rough = solution;
-        solution = solveAugmentedLagrangian(program, rough, multipliers);
-        solution.iterations += rough.iterations;
-        solution.factorisations += rough.factorisations;
-    }
-    return solution;
-}
+template ConeSolution solveConeProgram(const PlaneConeProgram&, const SolverChoice&, const ConeSolution&,
+                                       SymbolicAnalysis*);
+template ConeSolution solveConeProgram(const SpaceConeProgram&, const SolverChoice&, const ConeSolution&,
+                                       SymbolicAnalysis*);
 
 } // namespace drystone

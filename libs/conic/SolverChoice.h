@@ -10,6 +10,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 namespace drystone
 {
@@ -45,8 +46,45 @@ inline std::array<std::pair<std::string_view, WriteProgram>, 3> namesOf(WritePro
              {"always", WriteProgram::always}}};
 }
 
-/// Sees each program that has been solved, and what came of it.
-using SolveObserver = std::function<void(const PlaneConeProgram&, const ConeSolution&)>;
+/// Sees each program that has been solved, and what came of it. Made from anything that can be called with
+/// a program of the plane, of space, or of either.
+struct SolveObserver
+{
+    std::function<void(const PlaneConeProgram&, const ConeSolution&)> ofPlane;
+    std::function<void(const SpaceConeProgram&, const ConeSolution&)> ofSpace;
+
+    SolveObserver() = default;
+    template<class Function>
+    requires(!std::is_same_v<std::remove_cvref_t<Function>, SolveObserver>)
+        SolveObserver(const Function& function)
+    {
+        if constexpr (std::is_invocable_v<Function, const PlaneConeProgram&, const ConeSolution&>)
+        {
+            ofPlane = function;
+        }
+        if constexpr (std::is_invocable_v<Function, const SpaceConeProgram&, const ConeSolution&>)
+        {
+            ofSpace = function;
+        }
+    }
+
+    explicit operator bool() const { return ofPlane || ofSpace; }
+
+    void operator()(const PlaneConeProgram& program, const ConeSolution& solution) const
+    {
+        if (ofPlane)
+        {
+            ofPlane(program, solution);
+        }
+    }
+    void operator()(const SpaceConeProgram& program, const ConeSolution& solution) const
+    {
+        if (ofSpace)
+        {
+            ofSpace(program, solution);
+        }
+    }
+};
 
 /// `<application> { solver automatic; tolerance 1e-9; }`. The file and each key may be absent.
 struct SolverChoice
@@ -64,15 +102,13 @@ struct SolverChoice
 };
 void declare(Options& options, SolverChoice& choice);
 
-/// Solves a program as chosen. \param start of augmentedLagrangian and gaussSeidel; may be empty
-/// \param kept of the last program, to be used where the same bodies touch (RayProgram.h); not owned
-/// \return the solution; with `automatic` and a first solver that did not converge, that of the second one,
-/// the iterations of both counted
-ConeSolution solveConeProgram(const PlaneConeProgram& program, const SolverChoice& choice,
+/// Solves a program of the plane or of space as chosen. \param start of augmentedLagrangian and gaussSeidel;
+/// may be empty \param kept of the last program, to be used where the same bodies touch (form/Form.h); not
+/// owned \return the solution; with `automatic` and a first solver that did not converge, that of the second
+/// one, the iterations of both counted
+template<int Rows, int Forces>
+ConeSolution solveConeProgram(const ConeProgram<Rows, Forces>& program, const SolverChoice& choice,
                               const ConeSolution& start = {}, SymbolicAnalysis* kept = nullptr);
-/// Likewise in space; the observer is not called.
-ConeSolution solveConeProgram(const SpaceConeProgram& program, const SolverChoice& choice,
-                              const ConeSolution& start = {});
 
 /// Whether a solver needs inertia, so that limit analysis cannot be solved with it.
 bool solvesMotionOnly(SolverType solver);

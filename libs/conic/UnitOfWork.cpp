@@ -1,7 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "conic/UnitOfWork.h"
 
-#include "conic/RayOperators.h"
+#include "conic/form/FormOperators.h"
 #include "core/Log.h"
 
 #include <algorithm>
@@ -10,20 +10,22 @@
 namespace drystone
 {
 
-double unitOfWork(const PlaneConeProgram& program)
+template<int Rows, int Forces>
+double unitOfWork(const ConeProgram<Rows, Forces>& program)
 {
     SymbolicAnalysis symbolic;
-    RayForm form = makeRayForm(program, symbolic);
-    SchurSystem<3>& system = schurSystem(form, symbolic);
-    const Eigen::VectorXd d = Eigen::VectorXd::Ones(form.program.rayCount());
+    Form<Rows> form = makeForm(program, symbolic);
+    SchurSystem<Rows>& system = schurSystem(form, symbolic);
+    const ConeWeights<double> d{Eigen::VectorXd::Ones(form.cones().rays),
+                                std::vector<FramedMatrix<double>>(form.rounds.size())};
     Eigen::VectorXd x;
     const auto timeOf = [&](int count)
     {
         const double start = cpuTime();
         for (int i = 0; i < count; ++i)
         {
-            x = Eigen::VectorXd::Ones(3 * form.program.bodies);
-            assembleSchur(form.program, d, 1e-9, 0, system);
+            x = Eigen::VectorXd::Ones(Rows * form.bodies);
+            assembleSchur(form, d, 1e-9, 0, system);
             system.factorise();
             system.solve(x);
         }
@@ -39,5 +41,8 @@ double unitOfWork(const PlaneConeProgram& program)
     }
     return least;
 }
+
+template double unitOfWork(const PlaneConeProgram&);
+template double unitOfWork(const SpaceConeProgram&);
 
 } // namespace drystone

@@ -9,6 +9,7 @@ namespace drystone
 
 /// CPU time of one assembly, factorisation and solve of the Schur matrix of a program: the least of several
 /// measurements, each of as many as take a tenth of a millisecond [s].
-double unitOfWork(const PlaneConeProgram& program);
+template<int Rows, int Forces>
+double unitOfWork(const ConeProgram<Rows, Forces>& program);
 
 } // namespace drystone

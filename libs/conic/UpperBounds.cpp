@@ -3,7 +3,7 @@
 
 #include "conic/AugmentedLagrangian.h"
 #include "conic/Certificate.h"
-#include "conic/RayProgram.h"
+#include "conic/form/Form.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,13 +12,15 @@
 namespace drystone
 {
 
-bool hasUpperBounds(const PlaneConeProgram& program)
+template<int Rows, int Forces>
+bool hasUpperBounds(const ConeProgram<Rows, Forces>& program)
 {
     return program.hasMultiplier() && !program.hasInertia() && !program.hasStrength()
            && !program.hasCompliance() && program.gap.size() == 0;
 }
 
-ConeSolution solveByUpperBounds(const PlaneConeProgram& program, double from, double tolerance,
+template<int Rows, int Forces>
+ConeSolution solveByUpperBounds(const ConeProgram<Rows, Forces>& program, double from, double tolerance,
                                 int maximumIterations)
 {
     constexpr int mostBounds = 40;
@@ -28,13 +30,13 @@ ConeSolution solveByUpperBounds(const PlaneConeProgram& program, double from, do
         throw std::invalid_argument(
             "solveByUpperBounds needs a multiplier, and neither inertia, gaps nor strengths");
     }
-    PlaneConeProgram pushed = withUnitInertia(program);
+    ConeProgram<Rows, Forces> pushed = withUnitInertia(program);
     pushed.liveLoad.resize(0);
     SymbolicAnalysis symbolic;
     ConeSolution nearest; // of the last program
     ConeSolution solution;
     solution.multiplier = std::isfinite(from) ? from : 0;
-    solution.contactForce = Eigen::VectorXd::Zero(2 * program.points());
+    solution.contactForce = Eigen::VectorXd::Zero(Forces * program.points());
     solution.displacement = Eigen::VectorXd::Zero(program.load.size());
     double further = 1;
     for (int bound = 0; bound < mostBounds; ++bound)
@@ -60,5 +62,10 @@ ConeSolution solveByUpperBounds(const PlaneConeProgram& program, double from, do
     }
     return solution;
 }
+
+template bool hasUpperBounds(const PlaneConeProgram&);
+template bool hasUpperBounds(const SpaceConeProgram&);
+template ConeSolution solveByUpperBounds(const PlaneConeProgram&, double, double, int);
+template ConeSolution solveByUpperBounds(const SpaceConeProgram&, double, double, int);
 
 } // namespace drystone

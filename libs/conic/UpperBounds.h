@@ -8,7 +8,8 @@ namespace drystone
 {
 
 /// Whether a program is of the kind that solveByUpperBounds takes.
-bool hasUpperBounds(const PlaneConeProgram& program);
+template<int Rows, int Forces>
+bool hasUpperBounds(const ConeProgram<Rows, Forces>& program);
 
 /// Solves a plane program with a multiplier, and without inertia, gaps or strengths,
 ///
@@ -27,7 +28,8 @@ bool hasUpperBounds(const PlaneConeProgram& program);
 /// \param maximumIterations of each program
 /// \return `optimal` or `notConverged`; iterations and factorisations of all programs
 /// \throws std::invalid_argument for a program of another kind
-ConeSolution solveByUpperBounds(const PlaneConeProgram& program, double from, double tolerance,
+template<int Rows, int Forces>
+ConeSolution solveByUpperBounds(const ConeProgram<Rows, Forces>& program, double from, double tolerance,
                                 int maximumIterations);
 
 } // namespace drystone

@@ -2,7 +2,7 @@
 /// A structure in motion: how it begins, and what observers see of it.
 #include "dynamics/Motion.h"
 
-#include "conic/RayProgram.h"
+#include "conic/form/Form.h"
 #include "dynamics/Deletion.h"
 
 #include <cmath>

@@ -2,7 +2,7 @@
 #include "dynamics/ThetaStep.h"
 
 #include "conic/CoulombNewton.h"
-#include "conic/RayProgram.h"
+#include "conic/form/Form.h"
 
 #include <Eigen/QR>
 

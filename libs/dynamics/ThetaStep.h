@@ -107,7 +107,7 @@ struct ThetaStep
 ///
 /// The displacements are those that the contact forces give the blocks, to the last digits (y = Mbar^-1 (fbar
 /// - A c)), unless that would spoil the certificate: so no momentum is lost to the tolerance of the solver.
-/// \param symbolic kept from step to step (RayProgram.h), or null; not owned
+/// \param symbolic kept from step to step (conic/form/Form.h), or null; not owned
 /// \return status `notConverged` after 60 programs or when the work is used up, or when the solver fails
 ThetaStep solveThetaStep(PlaneConeProgram program, const StepSettings& settings, const StepGuess& guess = {},
                          const Relinearisation& relinearise = {}, SymbolicAnalysis* symbolic = nullptr);

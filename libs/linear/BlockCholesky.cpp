@@ -136,5 +136,6 @@ void BlockCholesky<Rows, Scalar>::solve(Eigen::Ref<Vector> one, Eigen::Ref<Vecto
 template class BlockCholesky<3>;
 template class BlockCholesky<6>;
 template class BlockCholesky<3, DoubleDouble>;
+template class BlockCholesky<6, DoubleDouble>;
 
 } // namespace drystone

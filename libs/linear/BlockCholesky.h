@@ -48,5 +48,6 @@ private:
 extern template class BlockCholesky<3>;
 extern template class BlockCholesky<6>;
 extern template class BlockCholesky<3, DoubleDouble>;
+extern template class BlockCholesky<6, DoubleDouble>;
 
 } // namespace drystone

@@ -182,5 +182,6 @@ void SchurSystem<Rows, Scalar>::solveRoughly(Eigen::Ref<Vector> x)
 template class SchurSystem<3>;
 template class SchurSystem<6>;
 template class SchurSystem<3, DoubleDouble>;
+template class SchurSystem<6, DoubleDouble>;
 
 } // namespace drystone

@@ -77,5 +77,6 @@ private:
 extern template class SchurSystem<3>;
 extern template class SchurSystem<6>;
 extern template class SchurSystem<3, DoubleDouble>;
+extern template class SchurSystem<6, DoubleDouble>;
 
 } // namespace drystone

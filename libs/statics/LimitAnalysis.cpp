@@ -1,7 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "statics/LimitAnalysis.h"
 
-#include "conic/RayProgram.h"
+#include "conic/form/Form.h"
 
 namespace drystone
 {
@@ -73,10 +73,10 @@ LimitAnalysis solveLimitAnalysis(const PlaneConeProgram& program, const Interior
         // Forces that carry the dead load alone prove it, if the solver has come by some; else they are
         // sought. Where no multiplier was found, that may be why.
         ConeSolution resting;
-        resting.contactForce = solution.restingForce;
+        resting.contactForce = solution.forceOfLoadAlone;
         resting.displacement = Eigen::VectorXd::Zero(3 * program.bodies);
-        const bool isCarried =
-            solution.restingForce.size() > 0 && certifyOptimal(dead, resting).worst() <= settings.tolerance;
+        const bool isCarried = solution.forceOfLoadAlone.size() > 0
+                               && certifyOptimal(dead, resting).worst() <= settings.tolerance;
         if (!isCarried)
         {
             resting = solveInteriorPoint(dead, settings, &symbolic);

@@ -2,7 +2,7 @@
 /// Measures F with CHOLMOD, on one thread.
 #include "CholmodUnit.h"
 
-#include "conic/RayOperators.h"
+#include "conic/form/FormOperators.h"
 #include "core/Log.h"
 
 #include <cholmod.h>
@@ -114,16 +114,16 @@ private:
 double cholmodUnitOfWork(const PlaneConeProgram& program)
 {
     SymbolicAnalysis symbolic;
-    RayForm form = makeRayForm(program, symbolic);
+    Form<3> form = makeForm(program, symbolic);
     SchurSystem<3>& system = schurSystem(form, symbolic);
-    const BlockPattern pattern = makeBlockPattern(form.program.bodies, form.couplings);
-    const Eigen::VectorXd d = Eigen::VectorXd::Ones(form.program.rayCount());
+    const BlockPattern pattern = makeBlockPattern(form.bodies, form.couplings);
+    const ConeWeights<double> d{Eigen::VectorXd::Ones(form.cones().rays), {}};
     Cholmod cholmod(pattern);
     double least = std::numeric_limits<double>::max();
     for (int repetition = 0; repetition < 11; ++repetition)
     {
         const double start = cpuTime();
-        assembleSchur(form.program, d, 1e-9, 0, system);
+        assembleSchur(form, d, 1e-9, 0, system);
         cholmod.setMatrix(pattern, system);
         cholmod.factorise();
         cholmod.solve();

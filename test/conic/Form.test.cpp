@@ -1,9 +1,9 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Rays instead of cones, and what is done with them in numbers of either precision.
-#include "conic/RayProgram.h"
+/// Standard cones instead of friction cones, and what is done with them in numbers of either precision.
+#include "conic/form/Form.h"
 #include "conic/Certificate.h"
-#include "conic/ExtendedInteriorPoint.h"
-#include "conic/RayOperators.h"
+#include "conic/form/FormOperators.h"
+#include "conic/interiorPoint/SolveOnce.h"
 
 #include <gtest/gtest.h>
 
@@ -34,71 +34,72 @@ PlaneConeProgram blockOnGround(double mu)
     return program;
 }
 
-TEST(RayProgram, ForcesAndOpeningsComeBackFromTheirRaysWhateverTheFriction)
+TEST(Form, ForcesAndOpeningsComeBackFromTheirRaysWhateverTheFriction)
 {
     for (const double mu : {0.3, 4.0, 6.0, 1e6})
     {
         SCOPED_TRACE(mu);
         const PlaneConeProgram program = blockOnGround(mu);
         SymbolicAnalysis symbolic;
-        RayForm form = makeRayForm(program, symbolic);
-        EXPECT_EQ(form.program.rayCount(), mu < 5 ? 4 : 6);
+        Form<3> form = makeForm(program, symbolic);
+        EXPECT_EQ(form.cones().rays, mu < 5 ? 4 : 6);
         const Eigen::VectorXd forces = (Eigen::VectorXd(4) << 1, 0.25, 2, -0.5).finished();
-        const Eigen::VectorXd s = raysOf(program, form, forces);
+        const Eigen::VectorXd s = conesOf(program, form, forces);
         EXPECT_GE(s.minCoeff(), 0);
-        const Eigen::VectorXd none = Eigen::VectorXd::Zero(form.program.load.size());
-        EXPECT_LE((fromRays(program, form, s, none, 0).contactForce - forces).norm(), 1e-9);
-        const ConeSolution extended = fromRays(program, form, s.cast<DoubleDouble>().eval(),
-                                               none.cast<DoubleDouble>().eval(), DoubleDouble(0));
+        const Eigen::VectorXd none = Eigen::VectorXd::Zero(form.load.size());
+        EXPECT_LE((solutionOf(program, form, s, none, 0.0).contactForce - forces).norm(), 1e-9);
+        const ConeSolution extended = solutionOf(program, form, s.cast<DoubleDouble>().eval(),
+                                                 none.cast<DoubleDouble>().eval(), DoubleDouble(0));
         EXPECT_LE((extended.contactForce - forces).norm(), 1e-9);
 
         const Eigen::VectorXd opening = (Eigen::VectorXd(4) << 1, 0.1, 0.5, -0.05).finished();
-        EXPECT_LE((openingOf(form, raysOfOpening(form, opening)) - opening).norm(), 1e-9);
+        EXPECT_LE((openingOf(form, conesOfOpening(form, opening)) - opening).norm(), 1e-9);
     }
 }
 
-TEST(RayOperators, AreTheSameInBothPrecisions)
+TEST(FormOperators, AreTheSameInBothPrecisions)
 {
     const PlaneConeProgram program = blockOnGround(0.65);
     SymbolicAnalysis symbolic;
-    RayForm form = makeRayForm(program, symbolic);
+    Form<3> form = makeForm(program, symbolic);
     SchurSystem<3>& system = schurSystem(form, symbolic);
     SchurSystem<3, DoubleDouble> extended(program.bodies, form.couplings);
-    const Eigen::VectorXd d = Eigen::Vector4d(1, 2, 3, 4);
-    const RayVector<DoubleDouble> dExtended = d.cast<DoubleDouble>();
-    assembleSchur(form.program, d, 0, 0, system);
-    assembleSchur(form.program, dExtended, 0, 0, extended);
+    const ConeWeights<double> d{Eigen::Vector4d(1, 2, 3, 4), {}};
+    const ConeWeights<DoubleDouble> dExtended{d.rays.cast<DoubleDouble>(), {}};
+    assembleSchur(form, d, 0, 0, system);
+    assembleSchur(form, dExtended, 0, 0, extended);
     ASSERT_TRUE(system.factorise());
     ASSERT_TRUE(extended.factorise());
     Eigen::VectorXd y = Eigen::VectorXd::Zero(6);
     y.head<3>() << 0.3, -1, 0.7;
-    RayVector<DoubleDouble> yExtended = y.cast<DoubleDouble>();
+    VectorOf<DoubleDouble> yExtended = y.cast<DoubleDouble>();
     system.solve(y.head(3));
     extended.solve(yExtended.head(3));
     EXPECT_LE((y - yExtended.cast<double>()).norm(), 1e-13);
 
     // S y = B D B' y gives the right side back, to the digits of the numbers.
-    RayVector<DoubleDouble> rays;
-    applyRaysTransposed(form.program, yExtended, rays);
-    rays = rays.cwiseProduct(dExtended).eval();
-    RayVector<DoubleDouble> right = RayVector<DoubleDouble>::Zero(6);
-    addRays(form.program, rays, right);
+    VectorOf<DoubleDouble> rays;
+    applyTransposed(form, yExtended, rays);
+    dExtended.apply(rays);
+    VectorOf<DoubleDouble> right = VectorOf<DoubleDouble>::Zero(6);
+    addForces(form, rays, right);
     EXPECT_NEAR((right[0] - 0.3).high, 0, 1e-29);
     EXPECT_NEAR((right[1] + 1).high, 0, 1e-29);
     EXPECT_NEAR((right[2] - 0.7).high, 0, 1e-29);
 }
 
-TEST(ExtendedInteriorPoint, GivesTheMultiplierOfABlock)
+TEST(ExtendedNumbers, GivesTheMultiplierOfABlock)
 {
     for (const double mu : {0.3, 3.0, 1e6})
     {
         const PlaneConeProgram program = blockOnGround(mu);
         SymbolicAnalysis symbolic;
-        RayForm form = makeRayForm(program, symbolic);
+        Form<3> form = makeForm(program, symbolic);
         schurSystem(form, symbolic);
-        EXPECT_TRUE(isExtendedAffordable(program, symbolic));
+        const InteriorPointSettings settings{.tolerance = 1e-12};
+        EXPECT_TRUE(mayBeExtended(program, settings, symbolic));
         const ConeSolution solution =
-            solveInExtendedPrecision(program, form, {.tolerance = 1e-12}, Sought::solution);
+            solveOnce(program, settings, {Sought::solution, 0, Numbers::extended}, symbolic);
         EXPECT_EQ(solution.status, SolveStatus::optimal);
         EXPECT_LE(certifyOptimal(program, solution).worst(), 1e-11);
         EXPECT_NEAR(std::abs(solution.multiplier), std::min(mu, 2.0), 1e-11) << mu;

@@ -1,0 +1,123 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// A product of cones in two ranges, and what interior points do with vectors of it: first rays (x >= 0, one
+/// number each, treated as arrays), then round cones (three numbers each, SecondOrderCone.h). A ray is its
+/// own Jordan algebra, and its scaling that of Nesterov & Todd: what is written for round cones holds for
+/// rays word by word. An empty range costs nothing.
+#pragma once
+
+#include "conic/cones/SecondOrderCone.h"
+
+#include <vector>
+
+namespace drystone
+{
+
+template<class Scalar>
+using VectorOf = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+
+struct ConeRanges
+{
+    Eigen::Index rays = 0;
+    Eigen::Index rounds = 0;
+
+    Eigen::Index size() const { return rays + 3 * rounds; } ///< of vectors
+    Eigen::Index degree() const { return rays + rounds; }   ///< e'e: what complementarity is the mean of
+    Eigen::Index at(Eigen::Index round) const { return rays + 3 * round; } ///< first entry of a round cone
+};
+
+/// D of the Schur system: one weight a ray, one symmetric matrix a round cone.
+template<class Scalar>
+struct ConeWeights
+{
+    VectorOf<Scalar> rays;
+    std::vector<FramedMatrix<Scalar>> rounds;
+
+    /// x = D x.
+    void apply(VectorOf<Scalar>& x) const
+    {
+        const Eigen::Index count = rays.size();
+        x.head(count).array() *= rays.array();
+        for (std::size_t round = 0; round < rounds.size(); ++round)
+        {
+            auto part = x.template segment<3>(count + 3 * static_cast<Eigen::Index>(round));
+            part = rounds[round].apply(part);
+        }
+    }
+
+    /// x += D v.
+    void addApplied(const VectorOf<Scalar>& v, VectorOf<Scalar>& x) const
+    {
+        const Eigen::Index count = rays.size();
+        x.head(count) += rays.cwiseProduct(v.head(count));
+        for (std::size_t round = 0; round < rounds.size(); ++round)
+        {
+            const Eigen::Index at = count + 3 * static_cast<Eigen::Index>(round);
+            x.template segment<3>(at) += rounds[round].apply(v.template segment<3>(at));
+        }
+    }
+
+    bool allFinite() const;
+};
+
+/// The unit e: 1 for each ray, (1 0 0) for each round cone.
+template<class Scalar>
+VectorOf<Scalar> unitOf(const ConeRanges& cones);
+
+/// The smallest eigenvalue of any cone; 0 where there are none.
+template<class Scalar>
+double smallestEigenvalue(const ConeRanges& cones, const VectorOf<Scalar>& x);
+
+/// x += share e.
+template<class Scalar>
+void addUnits(const ConeRanges& cones, double share, VectorOf<Scalar>& x);
+
+/// Sum of the coefficients along e: e'x.
+template<class Scalar>
+double sumAlongUnit(const ConeRanges& cones, const VectorOf<Scalar>& x);
+
+/// Where rounding has left a round cone's vector on the surface, where scalings have no meaning, it is put
+/// back inside by the last digit.
+template<class Scalar>
+void keepInside(const ConeRanges& cones, VectorOf<Scalar>& x);
+
+/// x += change, but for each cone no farther than to a tenth of how far x is inside: rays are cut off there,
+/// of round cones the change is shortened.
+template<class Scalar>
+void addWithin(const ConeRanges& cones, const VectorOf<Scalar>& change, VectorOf<Scalar>& x);
+
+/// What is outside its cone is replaced by its mirror image, `reflection` times as far inside as it was out:
+/// each negative eigenvalue by so many times its size.
+template<class Scalar>
+void reflectInside(const ConeRanges& cones, double reflection, VectorOf<Scalar>& x);
+
+/// How the cones limit steps from x: the largest, over all of them, of the inverse of the longest step along
+/// dx, which is 0 where none limits it. Of a round cone that is the largest eigenvalue of -P dx, where P is
+/// the automorphism that takes x to e; in the frame of x with eigenvalues x+ and x- it has the coordinates
+/// dx+ / x+, dx- / x- and dx_across / sqrt(x+ x-).
+double steepestOf(const ConeRanges& cones, const Eigen::VectorXd& x, const Eigen::VectorXd& dx);
+
+/// P dx of one round cone: (1 +- along) and across.
+struct RoundSteepness
+{
+    double plus;
+    double minus;
+    double across;
+
+    /// The inverse of the longest step; negative where none limits it.
+    double steepest() const { return std::hypot(0.5 * (plus - minus), across) - 0.5 * (plus + minus); }
+};
+RoundSteepness roundSteepness(const Eigen::Vector3d& x, const Eigen::Vector3d& dx);
+
+/// The weights at an iterate, D = (W^-2 + rho)^-1 with W z = W^-1 s, and what products are answered with.
+template<class Scalar>
+struct ConeScaling
+{
+    ConeWeights<Scalar> weights;
+    VectorOf<Scalar> flexibility; ///< of rays, 1 / (z + rho s): D = s times that
+    std::vector<NesterovToddScaling<Scalar>> rounds;
+
+    /// \return whether all of it is finite
+    bool update(const ConeRanges& cones, const VectorOf<Scalar>& s, const VectorOf<Scalar>& z, double rho);
+};
+
+} // namespace drystone

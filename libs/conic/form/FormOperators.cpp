@@ -1,0 +1,393 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+#include "conic/form/FormOperators.h"
+
+#include "linear/DoubleDouble.h"
+
+#include <cmath>
+
+namespace drystone
+{
+namespace
+{
+
+template<int Rows, class Scalar>
+using ColumnOf = Eigen::Matrix<Scalar, Form<Rows>::columnSize, 1>;
+
+template<int Rows, class Scalar>
+using ProductsOf = Eigen::Matrix<Scalar, Form<Rows>::columnSize, Form<Rows>::columnSize>;
+
+template<int Rows, class Scalar>
+using RowsOf = Eigen::Matrix<Scalar, Rows, 1>;
+
+template<int Rows, class Scalar>
+ColumnOf<Rows, Scalar> rayOf(const Form<Rows>& form, int ray)
+{
+    return form.rays[ray].template cast<Scalar>();
+}
+
+/// What a column does to the rows of its two bodies.
+template<int Rows, class Scalar>
+RowsOf<Rows, Scalar> onFirst(const ColumnOf<Rows, Scalar>& column)
+{
+    return column.template head<Rows>();
+}
+template<int Rows, class Scalar>
+RowsOf<Rows, Scalar> onSecond(const ColumnOf<Rows, Scalar>& column)
+{
+    RowsOf<Rows, Scalar> rows;
+    rows << -column.template head<Form<Rows>::forces>(), column.template tail<Form<Rows>::moments>();
+    return rows;
+}
+
+/// How the displacements of two bodies close a point of both: what its columns are multiplied with.
+template<int Rows, class Scalar>
+ColumnOf<Rows, Scalar> closingOf(const typename Form<Rows>::Group& group, const VectorOf<Scalar>& y)
+{
+    constexpr int forces = Form<Rows>::forces;
+    constexpr int moments = Form<Rows>::moments;
+    const auto first = y.template segment<Rows>(Rows * group.first);
+    const auto second = y.template segment<Rows>(Rows * group.second);
+    ColumnOf<Rows, Scalar> closing;
+    closing.template head<forces>() = first.template head<forces>() - second.template head<forces>();
+    closing.template segment<moments>(forces) = first.template tail<moments>();
+    closing.template tail<moments>() = second.template tail<moments>();
+    return closing;
+}
+
+/// Stiffness that a limit adds to what it limits, q = e^2 / d_w, and what is left of the weights: eliminating
+/// the row of a limit from B D B' leaves, for one ray, d / (1 + q d), and for two
+///
+///     (diag(1/d1, 1/d2) + q [1 1; 1 1])^-1 = diag(d1, d2) / t + q d1 d2 / t [1 -1; -1 1],  t = 1 + q (d1 +
+///     d2):
+///
+/// sums of what is positive, without cancellation however firm the limit. The last part belongs to the
+/// difference of the two rays. The first component of a round cone is half the sum of the coordinates along
+/// two of its eigenvectors, sqrt2 (1 1): the same with q / 2.
+template<class Scalar>
+struct LimitedWeights
+{
+    Scalar share;      ///< 1 / t
+    Scalar difference; ///< q d1 d2 / t
+};
+
+template<int Rows, class Scalar>
+LimitedWeights<Scalar> limitedWeights(const Form<Rows>& form, std::size_t limit, const ConeWeights<Scalar>& d)
+{
+    const typename Form<Rows>::Limit& at = form.limits[limit];
+    Scalar q = at.factor * at.factor / d.rays[form.slack(limit)];
+    Scalar one = 0;
+    Scalar two = 0;
+    if (at.round < 0)
+    {
+        one = d.rays[at.ray];
+        two = at.rays == 2 ? d.rays[at.ray + 1] : Scalar(0);
+    }
+    else
+    {
+        const FramedMatrix<Scalar>& framed = d.rounds[static_cast<std::size_t>(at.round)];
+        q = q / 2;
+        one = framed.eigenvalues[0];
+        two = framed.eigenvalues[1];
+    }
+    const Scalar share = 1 / (1 + q * (one + two));
+    return {share, q * one * two * share};
+}
+
+/// sum d b b' over columns of a group, added to the blocks of its bodies.
+template<int Rows, class Scalar>
+void addToBlocks(const Form<Rows>& form, const typename Form<Rows>::Group& group,
+                 const ProductsOf<Rows, Scalar>& products, SchurSystem<Rows, Scalar>& system)
+{
+    constexpr int forces = Form<Rows>::forces;
+    constexpr int moments = Form<Rows>::moments;
+    if (group.first >= form.bodies)
+    {
+        return;
+    }
+    system.diagonal(group.first) += products.template topLeftCorner<Rows, Rows>();
+    if (group.slot < 0)
+    {
+        return;
+    }
+    // With the translations of the second body opposite to those of the first.
+    Eigen::Matrix<Scalar, Rows, Rows> secondFirst;
+    secondFirst << -products.template topLeftCorner<forces, Rows>(),
+        products.template bottomLeftCorner<moments, Rows>();
+    system.coupling(group.slot) += secondFirst;
+    Eigen::Matrix<Scalar, Rows, Rows> secondSecond;
+    secondSecond << products.template topLeftCorner<forces, forces>(),
+        -products.template topRightCorner<forces, moments>(),
+        -products.template bottomLeftCorner<moments, forces>(),
+        products.template bottomRightCorner<moments, moments>();
+    system.diagonal(group.second) += secondSecond;
+}
+
+/// sum of d b b' over the cones of each group.
+template<int Rows, class Scalar>
+void addCones(const Form<Rows>& form, const ConeWeights<Scalar>& d, SchurSystem<Rows, Scalar>& system)
+{
+    for (const typename Form<Rows>::Group& group : form.groups)
+    {
+        ProductsOf<Rows, Scalar> products = ProductsOf<Rows, Scalar>::Zero();
+        for (int ray = group.begin; ray < group.end; ++ray)
+        {
+            const ColumnOf<Rows, Scalar> column = rayOf<Rows, Scalar>(form, ray);
+            products.noalias() += (d.rays[ray] * column).lazyProduct(column.transpose());
+        }
+        for (int round = group.beginRound; round < group.endRound; ++round)
+        {
+            const FramedMatrix<Scalar>& framed = d.rounds[static_cast<std::size_t>(round)];
+            const Eigen::Matrix<Scalar, Form<Rows>::columnSize, 3> columns =
+                form.rounds[static_cast<std::size_t>(round)].template cast<Scalar>().lazyProduct(
+                    framed.frame());
+            for (int axis = 0; axis < 3; ++axis)
+            {
+                products.noalias() +=
+                    (framed.eigenvalues[axis] * columns.col(axis)).lazyProduct(columns.col(axis).transpose());
+            }
+        }
+        addToBlocks<Rows, Scalar>(form, group, products, system);
+    }
+}
+
+/// The difference of the two rays, or of the two eigenvectors, that a limit leaves; nothing for one ray.
+template<int Rows, class Scalar>
+ColumnOf<Rows, Scalar> limitedDifference(const Form<Rows>& form, const typename Form<Rows>::Limit& limit,
+                                         const ConeWeights<Scalar>& d)
+{
+    if (limit.round < 0)
+    {
+        return rayOf<Rows, Scalar>(form, limit.ray) - rayOf<Rows, Scalar>(form, limit.ray + 1);
+    }
+    using std::sqrt;
+    const auto& direction = d.rounds[static_cast<std::size_t>(limit.round)].direction;
+    const auto& columns = form.rounds[static_cast<std::size_t>(limit.round)];
+    return sqrt(Scalar(2))
+           * (columns.col(1).template cast<Scalar>() * direction[0]
+              + columns.col(2).template cast<Scalar>() * direction[1]);
+}
+
+/// B D e of a limit, and e'D e: the column beside the diagonal of its row.
+template<int Rows, class Scalar>
+struct LimitColumn
+{
+    ColumnOf<Rows, Scalar> column;
+    Scalar weight;
+};
+
+template<int Rows, class Scalar>
+LimitColumn<Rows, Scalar> limitColumn(const Form<Rows>& form, const typename Form<Rows>::Limit& limit,
+                                      const ConeWeights<Scalar>& d)
+{
+    LimitColumn<Rows, Scalar> result{ColumnOf<Rows, Scalar>::Zero(), Scalar(0)};
+    if (limit.round < 0)
+    {
+        for (int ray = limit.ray; ray < limit.ray + limit.rays; ++ray)
+        {
+            result.column += d.rays[ray] * rayOf<Rows, Scalar>(form, ray);
+            result.weight += d.rays[ray];
+        }
+        return result;
+    }
+    const ConeVector<Scalar> weighted = d.rounds[static_cast<std::size_t>(limit.round)].apply(
+        ConeVector<Scalar>(Scalar(1), Scalar(0), Scalar(0)));
+    result.column = form.rounds[static_cast<std::size_t>(limit.round)].template cast<Scalar>() * weighted;
+    result.weight = weighted[0];
+    return result;
+}
+
+} // namespace
+
+template<int Rows, class Scalar>
+void applyTransposed(const Form<Rows>& form, const VectorOf<Scalar>& y, VectorOf<Scalar>& out)
+{
+    const ConeRanges cones = form.cones();
+    out.resize(cones.size());
+    for (const typename Form<Rows>::Group& group : form.groups)
+    {
+        const ColumnOf<Rows, Scalar> closing = closingOf<Rows, Scalar>(group, y);
+        for (int ray = group.begin; ray < group.end; ++ray)
+        {
+            out[ray] = rayOf<Rows, Scalar>(form, ray).dot(closing);
+        }
+        for (int round = group.beginRound; round < group.endRound; ++round)
+        {
+            out.template segment<3>(cones.at(round)) =
+                form.rounds[static_cast<std::size_t>(round)].template cast<Scalar>().transpose().lazyProduct(
+                    closing);
+        }
+    }
+    for (std::size_t limit = 0; limit < form.limits.size(); ++limit)
+    {
+        const typename Form<Rows>::Limit& at = form.limits[limit];
+        const Scalar change = y[form.row(limit)];
+        out.segment(form.entry(at), form.entries(at)).array() += Scalar(at.factor) * change;
+        out[form.slack(limit)] = change;
+    }
+}
+
+template<int Rows, class Scalar>
+void addForces(const Form<Rows>& form, const VectorOf<Scalar>& s, VectorOf<Scalar>& out)
+{
+    const ConeRanges cones = form.cones();
+    for (const typename Form<Rows>::Group& group : form.groups)
+    {
+        ColumnOf<Rows, Scalar> sum = ColumnOf<Rows, Scalar>::Zero();
+        for (int ray = group.begin; ray < group.end; ++ray)
+        {
+            sum += rayOf<Rows, Scalar>(form, ray) * s[ray];
+        }
+        for (int round = group.beginRound; round < group.endRound; ++round)
+        {
+            sum += form.rounds[static_cast<std::size_t>(round)].template cast<Scalar>().lazyProduct(
+                s.template segment<3>(cones.at(round)));
+        }
+        if (group.first < form.bodies)
+        {
+            out.template segment<Rows>(Rows * group.first) += onFirst<Rows, Scalar>(sum);
+        }
+        if (group.second < form.bodies)
+        {
+            out.template segment<Rows>(Rows * group.second) += onSecond<Rows, Scalar>(sum);
+        }
+    }
+    for (std::size_t limit = 0; limit < form.limits.size(); ++limit)
+    {
+        const typename Form<Rows>::Limit& at = form.limits[limit];
+        out[form.row(limit)] +=
+            Scalar(at.factor) * s.segment(form.entry(at), form.entries(at)).sum() + s[form.slack(limit)];
+    }
+}
+
+template<int Rows, class Scalar>
+void addInertia(const Form<Rows>& form, const VectorOf<Scalar>& y, VectorOf<Scalar>& out)
+{
+    if (form.hasInertia())
+    {
+        for (int body = 0; body < form.bodies; ++body)
+        {
+            out.template segment<Rows>(Rows * body) +=
+                form.inertia[body].template cast<Scalar>() * y.template segment<Rows>(Rows * body);
+        }
+    }
+}
+
+template<int Rows, class Scalar>
+void assembleSchur(const Form<Rows>& form, const ConeWeights<Scalar>& d, double delta, double relative,
+                   SchurSystem<Rows, Scalar>& system)
+{
+    system.setZero();
+    for (int body = 0; body < form.bodies; ++body)
+    {
+        auto& block = system.diagonal(body);
+        if (form.hasInertia())
+        {
+            block = form.inertia[body].template cast<Scalar>();
+        }
+        block.diagonal().array() += Scalar(delta);
+    }
+    if (form.limits.empty())
+    {
+        addCones(form, d, system);
+    }
+    else
+    {
+        ConeWeights<Scalar> limited = d;
+        for (std::size_t limit = 0; limit < form.limits.size(); ++limit)
+        {
+            const typename Form<Rows>::Limit& at = form.limits[limit];
+            const Scalar share = limitedWeights(form, limit, d).share;
+            if (at.round < 0)
+            {
+                limited.rays.segment(at.ray, at.rays) *= share;
+            }
+            else
+            {
+                limited.rounds[static_cast<std::size_t>(at.round)].eigenvalues.template head<2>() *= share;
+            }
+        }
+        addCones(form, limited, system);
+        for (std::size_t limit = 0; limit < form.limits.size(); ++limit)
+        {
+            const typename Form<Rows>::Limit& at = form.limits[limit];
+            if (at.rays != 1)
+            {
+                const ColumnOf<Rows, Scalar> force = limitedDifference<Rows, Scalar>(form, at, d);
+                addToBlocks<Rows, Scalar>(
+                    form, form.groups[at.group],
+                    limitedWeights(form, limit, d).difference * force * force.transpose(), system);
+            }
+        }
+    }
+    for (int body = 0; relative > 0 && body < form.bodies; ++body)
+    {
+        system.diagonal(body).diagonal() *= Scalar(1 + relative);
+    }
+}
+
+/// With p = e^2 sum d + d_w on the diagonal of a limit's row and h = e B d beside it, the bodies' part of
+/// [S h; h' p] (y, v) = (right, r) is (S - h h'/p) y = right - h r/p, and v = (r - h'y) / p.
+template<int Rows, class Scalar>
+void solveWithLimits(const Form<Rows>& form, const ConeWeights<Scalar>& d, SchurSystem<Rows, Scalar>& system,
+                     VectorOf<Scalar>& x)
+{
+    const auto diagonalOf = [&](std::size_t limit, const Scalar& weight)
+    {
+        const double factor = form.limits[limit].factor;
+        return Scalar(factor * factor) * weight + d.rays[form.slack(limit)];
+    };
+    for (std::size_t limit = 0; limit < form.limits.size(); ++limit)
+    {
+        const typename Form<Rows>::Limit& at = form.limits[limit];
+        const typename Form<Rows>::Group& group = form.groups[at.group];
+        const LimitColumn<Rows, Scalar> beside = limitColumn<Rows, Scalar>(form, at, d);
+        const Scalar share = at.factor * x[form.row(limit)] / diagonalOf(limit, beside.weight);
+        x.template segment<Rows>(Rows * group.first) -= share * onFirst<Rows, Scalar>(beside.column);
+        if (group.second < form.bodies)
+        {
+            x.template segment<Rows>(Rows * group.second) -= share * onSecond<Rows, Scalar>(beside.column);
+        }
+    }
+    system.solve(x.head(Rows * form.bodies));
+    for (std::size_t limit = 0; limit < form.limits.size(); ++limit)
+    {
+        const typename Form<Rows>::Limit& at = form.limits[limit];
+        const typename Form<Rows>::Group& group = form.groups[at.group];
+        const LimitColumn<Rows, Scalar> beside = limitColumn<Rows, Scalar>(form, at, d);
+        const Scalar coupled =
+            onFirst<Rows, Scalar>(beside.column).dot(x.template segment<Rows>(Rows * group.first))
+            + onSecond<Rows, Scalar>(beside.column).dot(x.template segment<Rows>(Rows * group.second));
+        x[form.row(limit)] = (x[form.row(limit)] - at.factor * coupled) / diagonalOf(limit, beside.weight);
+    }
+}
+
+template void applyTransposed(const Form<3>&, const VectorOf<double>&, VectorOf<double>&);
+template void addForces(const Form<3>&, const VectorOf<double>&, VectorOf<double>&);
+template void addInertia(const Form<3>&, const VectorOf<double>&, VectorOf<double>&);
+template void assembleSchur(const Form<3>&, const ConeWeights<double>&, double, double,
+                            SchurSystem<3, double>&);
+template void solveWithLimits(const Form<3>&, const ConeWeights<double>&, SchurSystem<3, double>&,
+                              VectorOf<double>&);
+template void applyTransposed(const Form<3>&, const VectorOf<DoubleDouble>&, VectorOf<DoubleDouble>&);
+template void addForces(const Form<3>&, const VectorOf<DoubleDouble>&, VectorOf<DoubleDouble>&);
+template void addInertia(const Form<3>&, const VectorOf<DoubleDouble>&, VectorOf<DoubleDouble>&);
+template void assembleSchur(const Form<3>&, const ConeWeights<DoubleDouble>&, double, double,
+                            SchurSystem<3, DoubleDouble>&);
+template void solveWithLimits(const Form<3>&, const ConeWeights<DoubleDouble>&, SchurSystem<3, DoubleDouble>&,
+                              VectorOf<DoubleDouble>&);
+template void applyTransposed(const Form<6>&, const VectorOf<double>&, VectorOf<double>&);
+template void addForces(const Form<6>&, const VectorOf<double>&, VectorOf<double>&);
+template void addInertia(const Form<6>&, const VectorOf<double>&, VectorOf<double>&);
+template void assembleSchur(const Form<6>&, const ConeWeights<double>&, double, double,
+                            SchurSystem<6, double>&);
+template void solveWithLimits(const Form<6>&, const ConeWeights<double>&, SchurSystem<6, double>&,
+                              VectorOf<double>&);
+template void applyTransposed(const Form<6>&, const VectorOf<DoubleDouble>&, VectorOf<DoubleDouble>&);
+template void addForces(const Form<6>&, const VectorOf<DoubleDouble>&, VectorOf<DoubleDouble>&);
+template void addInertia(const Form<6>&, const VectorOf<DoubleDouble>&, VectorOf<DoubleDouble>&);
+template void assembleSchur(const Form<6>&, const ConeWeights<DoubleDouble>&, double, double,
+                            SchurSystem<6, DoubleDouble>&);
+template void solveWithLimits(const Form<6>&, const ConeWeights<DoubleDouble>&, SchurSystem<6, DoubleDouble>&,
+                              VectorOf<DoubleDouble>&);
+
+} // namespace drystone

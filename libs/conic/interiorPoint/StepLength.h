@@ -1,0 +1,60 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// How far steps may go before they leave the cones, and with which weight a correction lets them go
+/// farthest (Colombo & Gondzio 2008). Internal to the interior point.
+#pragma once
+
+#include "conic/cones/ConeProduct.h"
+
+namespace drystone
+{
+
+/// Steps beyond the optimality conditions' own, which is 1, are not needed; knowing that they could be taken
+/// tells that 1 is safe.
+constexpr double farthestStep = 1.02;
+
+/// Largest step, at most `farthestStep`, that keeps x + step dx in the cones.
+double stepToBoundary(const ConeRanges& cones, const Eigen::VectorXd& x, const Eigen::VectorXd& dx);
+
+/// How much of a correction is added to a step, and how far the sum may go.
+struct Weight
+{
+    double weight = 1;
+    double step = 0;
+};
+
+/// Which cones limit steps dx + w c for a w from `least` to 1: those that may do so more than others. Kept
+/// from call to call for its memory.
+class Blocking
+{
+public:
+    void clear();
+
+    /// Adds those of one vector, forces or openings.
+    void collect(const ConeRanges& cones, const Eigen::VectorXd& x, const Eigen::VectorXd& dx,
+                 const Eigen::VectorXd& c, double least);
+
+    /// The weight from `least` to 1 that allows the longest step, and the largest of those that do. It is
+    /// looked for among a few: to the last digit it is not worth more.
+    Weight best(double least) const;
+
+private:
+    /// offset + w slope: the inverse of the step that one ray allows, where w is the weight of a correction.
+    struct Line
+    {
+        double offset;
+        double slope;
+    };
+    /// Likewise of a round cone, which allows the inverse of a convex function of w.
+    struct Round
+    {
+        RoundSteepness offset;
+        RoundSteepness slope;
+        double at(double weight) const;
+    };
+
+    std::vector<Line> lines;
+    std::vector<Round> rounds;
+    double floor = 1 / farthestStep; ///< the steepest is nowhere below it
+};
+
+} // namespace drystone
