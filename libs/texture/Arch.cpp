@@ -45,6 +45,12 @@ std::vector<Vector<2>> jointDirections(const Arch& arch)
 
 void declare(Options& options, Arch& arch)
 {
+    declareSection(options, arch);
+    options.optional("depth", arch.depth, "out of plane").unit("m").above(0);
+}
+
+void declareSection(Options& options, Arch& arch)
+{
     options.optional("profile", arch.profile, "shape of the centreline");
     options.required("radius", arch.radius, "of the centreline").unit("m").above(0).example("1");
     options.required("thickness", arch.thickness, "in the radial direction")
@@ -55,7 +61,6 @@ void declare(Options& options, Arch& arch)
         .atLeast(1)
         .atMost(maximumBlocks)
         .example("27");
-    options.optional("depth", arch.depth, "out of plane").unit("m").above(0);
     options.optional("angle", arch.angle, "from springing to springing, in degrees").above(0).atMost(270);
     options.check("thickness",
                   [&arch]() -> std::string

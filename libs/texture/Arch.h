@@ -34,6 +34,9 @@ struct Arch
 
 void declare(Options& options, Arch& arch);
 
+/// All keys but `depth`, for vaults that have an arch as their section.
+void declareSection(Options& options, Arch& arch);
+
 /// Whether the arch has abutments of its own.
 enum class Abutments
 {

@@ -4,6 +4,7 @@
 
 #include "geometry/BroadPhase.h"
 #include "texture/Limits.h"
+#include "texture/space/Boxes.h"
 
 #include <fmt/format.h>
 
@@ -16,32 +17,48 @@ namespace drystone
 namespace
 {
 
-/// Box around all blocks.
-BoundingBox boxOf(const Assembly<2>& assembly)
+Box<2> boxOf(const Block<2>& block)
 {
-    BoundingBox box;
-    for (const Block<2>& block : assembly.blocks)
+    return boundingBox(block.outline);
+}
+
+Box<3> boxOf(const Block<3>& block)
+{
+    return boundingBox(block.shape);
+}
+
+/// Box around all blocks.
+template<int Dim>
+Box<Dim> boxOf(const Assembly<Dim>& assembly)
+{
+    Box<Dim> box;
+    for (const Block<Dim>& block : assembly.blocks)
     {
-        const BoundingBox one = boundingBox(block.outline);
+        const Box<Dim> one = boxOf(block);
         box.lower = box.lower.cwiseMin(one.lower);
         box.upper = box.upper.cwiseMax(one.upper);
     }
     return box;
 }
 
+/// Upwards is the last coordinate: y in the plane, z in space.
+template<int Dim>
+constexpr int up = Dim - 1;
+
 /// Rejects a structure that the ground would cut into.
-void rejectBlocksUnderGround(const Assembly<2>& assembly, const SourceLocation& place)
+template<int Dim>
+void rejectBlocksUnderGround(const Assembly<Dim>& assembly, const SourceLocation& place)
 {
-    const BoundingBox box = boxOf(assembly);
+    const Box<Dim> box = boxOf(assembly);
     const double tolerance = 1e-9 * (box.upper - box.lower).maxCoeff();
     for (std::size_t i = 0; i < assembly.blocks.size(); ++i)
     {
-        if (boundingBox(assembly.blocks[i].outline).lower.y() < -tolerance)
+        if (boxOf(assembly.blocks[i]).lower[up<Dim>] < -tolerance)
         {
             throw FatalIOError(
-                fmt::format("Block {} reaches below y = 0, where the ground lies. Raise the structure, "
+                fmt::format("Block {} reaches below {} = 0, where the ground lies. Raise the structure, "
                             "or fix blocks of it with \"type blocks;\" instead.",
-                            i),
+                            i, Dim == 2 ? "y" : "z"),
                 place);
         }
     }
@@ -53,34 +70,41 @@ double segmentCount(double length, double segment)
     return std::max(1.0, std::ceil(length / segment - 1e-6));
 }
 
-void removeAbutmentsUnderGround(Assembly<2>& assembly)
+template<int Dim>
+void removeAbutmentsUnderGround(Assembly<Dim>& assembly)
 {
     const bool hasAbutments =
         !assembly.supports.empty()
         && std::all_of(assembly.supports.begin(), assembly.supports.end(),
                        [](const Support& support) { return support.type == "abutments"; });
-    const auto isAboveGround = [](const Block<2>& block)
-    { return block.support >= 0 && boundingBox(block.outline).upper.y() > 0; };
+    const auto isAboveGround = [](const Block<Dim>& block)
+    { return block.support >= 0 && boxOf(block).upper[up<Dim>] > 0; };
     if (hasAbutments && std::none_of(assembly.blocks.begin(), assembly.blocks.end(), isAboveGround))
     {
-        std::erase_if(assembly.blocks, [](const Block<2>& block) { return block.support >= 0; });
+        std::erase_if(assembly.blocks, [](const Block<Dim>& block) { return block.support >= 0; });
         assembly.supports.clear();
     }
 }
 
-SupportMaker makeGround(const Ground& ground, const Dictionary& dictionary)
+/// Makes room for a ground, or rejects the structure.
+template<int Dim>
+void prepareGround(Assembly<Dim>& assembly, const SourceLocation& place)
+{
+    const auto hasGround = [](const Support& support) { return support.type == "ground"; };
+    if (std::any_of(assembly.supports.begin(), assembly.supports.end(), hasGround))
+    {
+        throw FatalIOError("There is a ground already: two would lie in the same place. Remove one.", place);
+    }
+    removeAbutmentsUnderGround(assembly);
+    rejectBlocksUnderGround(assembly, place);
+}
+
+SupportMaker<2> makeGround(const Ground& ground, const Dictionary& dictionary)
 {
     return [ground, place = dictionary.location(), segmentPlace = dictionary.locationOf("segment")](
                Assembly<2>& assembly, const std::string& name, double unit)
     {
-        const auto hasGround = [](const Support& support) { return support.type == "ground"; };
-        if (std::any_of(assembly.supports.begin(), assembly.supports.end(), hasGround))
-        {
-            throw FatalIOError("There is a ground already: two would lie in the same place. Remove one.",
-                               place);
-        }
-        removeAbutmentsUnderGround(assembly);
-        rejectBlocksUnderGround(assembly, place);
+        prepareGround(assembly, place);
         Ground inMetres = ground;
         const BoundingBox box = boxOf(assembly);
         if (ground.segment)
@@ -103,9 +127,32 @@ SupportMaker makeGround(const Ground& ground, const Dictionary& dictionary)
     };
 }
 
-SupportMaker makeFixedBlocks(const FixedBlocks& fixed, const Dictionary& dictionary)
+SupportMaker<3> makeGroundSlab(const GroundSlab& ground, const Dictionary& dictionary)
 {
-    return [fixed, place = dictionary.locationOf("blocks")](Assembly<2>& assembly, const std::string& name,
+    return [ground, place = dictionary.location()](Assembly<3>& assembly, const std::string& name, double)
+    {
+        prepareGround(assembly, place);
+        addGround(assembly, name, ground);
+    };
+}
+
+SupportMaker<3> makeFixedBoxes(const FixedBoxes& fixed)
+{
+    return [fixed](Assembly<3>& assembly, const std::string& name, double)
+    {
+        const int support = static_cast<int>(assembly.supports.size());
+        assembly.supports.push_back({name, "blocks"});
+        for (const auto& [lower, upper] : fixed.blocks)
+        {
+            assembly.blocks.push_back({makeBox(lower, upper), support});
+        }
+    };
+}
+
+template<int Dim>
+SupportMaker<Dim> makeFixedBlocks(const FixedBlocks& fixed, const Dictionary& dictionary)
+{
+    return [fixed, place = dictionary.locationOf("blocks")](Assembly<Dim>& assembly, const std::string& name,
                                                             double)
     {
         const int support = static_cast<int>(assembly.supports.size());
@@ -150,9 +197,32 @@ void declare(Options& options, Ground& ground)
         .example("10");
 }
 
+void declare(Options& options, GroundSlab& ground)
+{
+    options.optional("depth", ground.depth, "of the slab; a tenth of the structure's size if absent")
+        .unit("m")
+        .above(0)
+        .example("0.2");
+    options
+        .optional("margin", ground.margin,
+                  "by how far the slab extends past the structure on each side; three times the structure's "
+                  "size if "
+                  "absent")
+        .unit("m")
+        .atLeast(0)
+        .example("10");
+}
+
 void declare(Options& options, FixedBlocks& fixed)
 {
     options.required("blocks", fixed.blocks, "indices of the blocks that are fixed").example("(0 1)");
+}
+
+void declare(Options& options, FixedBoxes& fixed)
+{
+    options.required("blocks", fixed.blocks, "lower and upper corner of each box [m]")
+        .example("(((-0.5 -0.5 -0.2) (0.5 0.5 0)))");
+    options.check("blocks", [&fixed] { return boxFault(fixed.blocks); });
 }
 
 void addGround(Assembly<2>& assembly, const std::string& name, const Ground& ground)
@@ -182,13 +252,42 @@ void addGround(Assembly<2>& assembly, const std::string& name, const Ground& gro
     }
 }
 
-const Registry<SupportMaker>& supportTypes()
+void addGround(Assembly<3>& assembly, const std::string& name, const GroundSlab& ground)
 {
-    static const Registry<SupportMaker> registry{
+    removeAbutmentsUnderGround(assembly);
+    const Box<3> box = boxOf(assembly);
+    const double size = (box.upper - box.lower).maxCoeff();
+    const double margin = ground.margin.value_or(3 * size);
+    const int support = static_cast<int>(assembly.supports.size());
+    assembly.supports.push_back({name, "ground"});
+    assembly.blocks.push_back(
+        {makeBox({box.lower.x() - margin, box.lower.y() - margin, -ground.depth.value_or(0.1 * size)},
+                 {box.upper.x() + margin, box.upper.y() + margin, 0}),
+         support});
+}
+
+template<>
+const Registry<SupportMaker<2>>& supportTypes()
+{
+    static const Registry<SupportMaker<2>> registry{
         "support",
         {
-            model<SupportMaker, Ground>("ground", "fixed blocks under y = 0", makeGround),
-            model<SupportMaker, FixedBlocks>("blocks", "blocks of the texture, fixed", makeFixedBlocks),
+            model<SupportMaker<2>, Ground>("ground", "fixed blocks under y = 0", makeGround),
+            model<SupportMaker<2>, FixedBlocks>("blocks", "blocks of the texture, fixed", makeFixedBlocks<2>),
+        }};
+    return registry;
+}
+
+template<>
+const Registry<SupportMaker<3>>& supportTypes()
+{
+    static const Registry<SupportMaker<3>> registry{
+        "support",
+        {
+            model<SupportMaker<3>, GroundSlab>("ground", "one fixed slab under z = 0", makeGroundSlab),
+            model<SupportMaker<3>, FixedBlocks>("blocks", "blocks of the texture, fixed", makeFixedBlocks<3>),
+            model<SupportMaker<3>, FixedBoxes>("boxes", "fixed boxes beside the blocks of the texture",
+                                               makeFixedBoxes),
         }};
     return registry;
 }

@@ -6,40 +6,112 @@
 #include "texture/Courses.h"
 #include "texture/Polygons.h"
 #include "texture/RunningBond.h"
+#include "texture/space/BarrelVault.h"
+#include "texture/space/Boxes.h"
+#include "texture/space/Column.h"
+#include "texture/space/CrossVault.h"
+#include "texture/space/Dome.h"
+#include "texture/space/Extrusion.h"
+#include "texture/space/Rubble.h"
+#include "texture/space/Stair.h"
+#include "texture/space/Tower.h"
+#include "texture/space/Walls.h"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <utility>
 
 namespace drystone
 {
 
-const Registry<Texture>& textureTypes()
+namespace
 {
-    static const Registry<Texture> registry{
+
+/// A texture of space, whose lengths are in metres.
+template<Declared Settings>
+Model<Texture<3>> spaceModel(std::string name, std::string summary)
+{
+    return model<Texture<3>, Settings>(std::move(name), std::move(summary),
+                                       [](const Settings& settings) -> Texture<3> {
+                                           return {makeAssembly(settings), 1};
+                                       });
+}
+
+} // namespace
+
+template<>
+const Registry<Texture<2>>& textureTypes()
+{
+    static const Registry<Texture<2>> registry{
         "texture",
         {
-            model<Texture, RunningBond>("runningBond", "courses of equal blocks, shifted by half a block",
-                                        [](const RunningBond& bond) -> Texture {
-                                            return {makeAssembly(bond), bond.unit.x()};
+            model<Texture<2>, RunningBond>("runningBond", "courses of equal blocks, shifted by half a block",
+                                           [](const RunningBond& bond) -> Texture<2> {
+                                               return {makeAssembly(bond), bond.unit.x()};
+                                           }),
+            model<Texture<2>, Courses>("courses", "courses given block by block",
+                                       [](const Courses& courses) -> Texture<2> {
+                                           return {makeAssembly(courses), courses.unit.x()};
+                                       }),
+            model<Texture<2>, Polygons>("polygons", "blocks of any shape, corner by corner",
+                                        [](const Polygons& polygons) -> Texture<2> {
+                                            return {makeAssembly(polygons), 1};
                                         }),
-            model<Texture, Courses>("courses", "courses given block by block",
-                                    [](const Courses& courses) -> Texture {
-                                        return {makeAssembly(courses), courses.unit.x()};
+            model<Texture<2>, Arch>("arch", "an arch of voussoirs between two abutments",
+                                    [](const Arch& arch) -> Texture<2> {
+                                        return {makeAssembly(arch), 1};
                                     }),
-            model<Texture, Polygons>("polygons", "blocks of any shape, corner by corner",
-                                     [](const Polygons& polygons) -> Texture {
-                                         return {makeAssembly(polygons), 1};
-                                     }),
-            model<Texture, Arch>("arch", "an arch of voussoirs between two abutments",
-                                 [](const Arch& arch) -> Texture {
-                                     return {makeAssembly(arch), 1};
-                                 }),
         }};
     return registry;
 }
 
-void declare(Options& options, BlockTexture& blockTexture)
+template<>
+const Registry<Texture<3>>& textureTypes()
 {
-    options.optional("dimensions", blockTexture.dimensions, "of space");
-    options.required("texture", blockTexture.texture, textureTypes(), "how the blocks are made");
-    options.optional("supports", blockTexture.supports, supportTypes(),
+    static const Registry<Texture<3>> registry{
+        "texture",
+        {
+            spaceModel<Boxes>("boxes", "boxes along the axes, corner by corner"),
+            spaceModel<Extrusion>("extrusion", "a texture of the plane, given depth"),
+            spaceModel<Walls>("walls", "walls of bricks in a bond, toothed where they meet"),
+            spaceModel<BarrelVault>("barrelVault", "an arch, given length, in slices"),
+            spaceModel<CrossVault>("crossVault", "two barrels that cross each other in groins"),
+            spaceModel<Dome>("dome", "rings of blocks between two spheres, on a drum or not"),
+            spaceModel<Tower>("tower", "rings of blocks on each other, round or polygonal"),
+            spaceModel<Column>("column", "columns of drums, alone or under an architrave"),
+            spaceModel<Rubble>("rubble", "irregular stones, the Voronoi cells of seeded points"),
+            spaceModel<Stair>("stair", "steps that cantilever from a wall"),
+        }};
+    return registry;
+}
+
+int dimensionsOf(const Dictionary& dictionary)
+{
+    const Entry* entry = dictionary.find("dimensions");
+    const int dimensions = entry ? entry->as<int>() : 2;
+    if (dimensions != 2 && dimensions != 3)
+    {
+        throw FatalIOError(
+            fmt::format("dimensions is {}: structures are built in 2 (the plane x-y) or 3.", dimensions),
+            entry->location());
+    }
+    return dimensions;
+}
+
+template<int Dim>
+void declare(Options& options, BlockTexture<Dim>& blockTexture)
+{
+    if (Dim == 2)
+    {
+        options.optional("dimensions", blockTexture.dimensions, "2: the plane x-y");
+    }
+    else
+    {
+        options.required("dimensions", blockTexture.dimensions, "3: space, z upwards").example("3");
+    }
+    options.required("texture", blockTexture.texture, textureTypes<Dim>(), "how the blocks are made");
+    options.optional("supports", blockTexture.supports, supportTypes<Dim>(),
                      "the supports of the structure; any names");
     options
         .optional(
@@ -50,19 +122,24 @@ void declare(Options& options, BlockTexture& blockTexture)
         .unit("m")
         .above(0)
         .example("1e-5");
-    options.check(
-        "dimensions",
-        [&blockTexture]() -> std::string
-        {
-            return blockTexture.dimensions == 2
-                       ? ""
-                       : "Only dimensions 2 are available: this version builds structures in the plane.";
-        });
+    options.check("dimensions",
+                  [&blockTexture]() -> std::string
+                  {
+                      return blockTexture.dimensions == Dim
+                                 ? ""
+                                 : fmt::format(
+                                     "Only dimensions {} are available here: this is read as a structure {}.",
+                                     Dim, Dim == 2 ? "in the plane" : "in space");
+                  });
 }
 
-Assembly<2> makeStructure(const Dictionary& dictionary)
+template void declare(Options& options, BlockTexture<2>& blockTexture);
+template void declare(Options& options, BlockTexture<3>& blockTexture);
+
+template<int Dim>
+Assembly<Dim> makeStructure(const Dictionary& dictionary)
 {
-    BlockTexture blockTexture = readOptions<BlockTexture>(dictionary);
+    BlockTexture<Dim> blockTexture = readOptions<BlockTexture<Dim>>(dictionary);
     if (blockTexture.texture.assembly.blocks.empty())
     {
         throw FatalIOError("This texture has no blocks: reduce its openings or voids, or add blocks.",
@@ -75,5 +152,8 @@ Assembly<2> makeStructure(const Dictionary& dictionary)
     blockTexture.texture.assembly.jointTolerance = blockTexture.jointTolerance;
     return std::move(blockTexture.texture.assembly);
 }
+
+template Assembly<2> makeStructure(const Dictionary& dictionary);
+template Assembly<3> makeStructure(const Dictionary& dictionary);
 
 } // namespace drystone

@@ -15,28 +15,37 @@ namespace drystone
 {
 
 /// The result of a texture.
+template<int Dim>
 struct Texture
 {
-    Assembly<2> assembly; ///< with supports of its own if it has any: an arch's abutments
-    double unit = 1;      ///< the length of one unit: that of a full block [m], or 1 m
+    Assembly<Dim> assembly; ///< with supports of its own if it has any: an arch's abutments
+    double unit = 1;        ///< the length of one unit: that of a full block [m], or 1 m
 };
 
 /// The textures that `texture { type ...; }` chooses from.
-const Registry<Texture>& textureTypes();
+template<int Dim>
+const Registry<Texture<Dim>>& textureTypes();
 
 /// system/blockTextureDict.
+template<int Dim>
 struct BlockTexture
 {
-    int dimensions = 2;
-    Texture texture;
-    std::vector<Named<SupportMaker>> supports;
+    int dimensions = Dim;
+    Texture<Dim> texture;
+    std::vector<Named<SupportMaker<Dim>>> supports;
     std::optional<double> jointTolerance; ///< absent: what the digits of the coordinates ask for [m]
 };
 
-void declare(Options& options, BlockTexture& blockTexture);
+template<int Dim>
+void declare(Options& options, BlockTexture<Dim>& blockTexture);
+
+/// What `dimensions` says, 2 where it is absent: which of the two structures to make. \throws FatalIOError
+/// when it is neither 2 nor 3
+int dimensionsOf(const Dictionary& dictionary);
 
 /// The structure that a dictionary describes, including its supports. \throws FatalIOError for any fault in
-/// it, an empty texture included, before anything is made
-Assembly<2> makeStructure(const Dictionary& dictionary);
+/// it, an empty texture and other `dimensions` than Dim included, before anything is made
+template<int Dim = 2>
+Assembly<Dim> makeStructure(const Dictionary& dictionary);
 
 } // namespace drystone

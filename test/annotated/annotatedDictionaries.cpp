@@ -82,8 +82,11 @@ void declare(Options& options, SolutionSettings& settings)
 std::vector<Example> examples()
 {
     return {
-        example<BlockTexture>("system/blockTextureDict", "What blockTexture makes: a structure of blocks.",
-                              {"supports"}),
+        example<BlockTexture<2>>("system/blockTextureDict", "What blockTexture makes: a structure of blocks.",
+                                 {"supports"}),
+        example<BlockTexture<3>>("space/system/blockTextureDict",
+                                 "What blockTexture makes in space: a structure of blocks. z is up.",
+                                 {"dimensions", "supports"}),
         example<ControlDictSettings>("system/controlDict", "Where a run starts and ends, and when it writes.",
                                      {"functions"}),
         example<SolutionSettings>("system/solution",

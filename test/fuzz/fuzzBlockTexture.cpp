@@ -17,8 +17,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         [&]
         {
             const std::string_view text(reinterpret_cast<const char*>(data), size);
-            const Assembly<2> assembly = makeStructure(Dictionary::readString(text, "fuzz"));
-            if (assembly.blocks.empty())
+            const Dictionary dictionary = Dictionary::readString(text, "fuzz");
+            const bool isEmpty = dimensionsOf(dictionary) == 3 ? makeStructure<3>(dictionary).blocks.empty()
+                                                               : makeStructure<2>(dictionary).blocks.empty();
+            if (isEmpty)
             {
                 std::abort();
             }

@@ -44,6 +44,7 @@ thirdParty = {
     "SuiteSparse": r"(suitesparse/)?(cholmod|amd|colamd|ccolamd|camd|umfpack|SuiteSparse)",
     "BLAS and LAPACK": r"(cblas|lapacke?|openblas)",
     "Clipper": r"polyclipping/",
+    "Voro++": r"voro\+\+/",
     "zlib": r"zlib\.h",
     "libdeflate": r"libdeflate\.h",
     "OpenMP": r"omp\.h",

@@ -19,6 +19,8 @@ TEST(AnnotatedDictionaries, CanBeUsedAsTheyStand)
     const std::filesystem::path folder = std::filesystem::path(DRYSTONE_SOURCE_DIR) / "etc/annotated";
     const Assembly<2> assembly = makeStructure(Dictionary::readFile(folder / "system/blockTextureDict"));
     EXPECT_GT(assembly.blocks.size(), 0U);
+    EXPECT_GT(makeStructure<3>(Dictionary::readFile(folder / "space/system/blockTextureDict")).blocks.size(),
+              0U);
     const Vector<2> gravity = readGravity(folder);
     EXPECT_TRUE(readContactProperties(folder).friction);
     const std::vector<double> masses(assembly.blocks.size(), 1);

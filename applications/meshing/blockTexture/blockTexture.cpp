@@ -36,6 +36,13 @@ int run(const CommandLine& commandLine)
     const std::filesystem::path& directory = commandLine.caseDirectory;
     const std::filesystem::path file = commandLine.dictionaryFile("system/blockTextureDict");
     const Dictionary dictionary = Dictionary::readFile(file);
+    if (dimensionsOf(dictionary) == 3)
+    {
+        throw FatalIOError(
+            "A structure of dimensions 3 cannot be written by this version: only its libraries build "
+            "it. Give dimensions 2.",
+            dictionary.locationOf("dimensions"));
+    }
     const Assembly<2> assembly = makeStructure(dictionary);
     Assembly<2> closed = assembly; // as it will be read; the file keeps the coordinates as they were written
     closeJoints(closed);
@@ -69,6 +76,10 @@ int main(int argc, char* argv[])
         "constant/assembly/ and VTK/assembly.vtp.";
     description.kind = ApplicationKind::preProcessor;
     description.details = []
-    { return fmt::format("system/blockTextureDict:\n{}", helpText(describeOptions<BlockTexture>())); };
+    {
+        return fmt::format("system/blockTextureDict in the plane:\n{}\nsystem/blockTextureDict in space:\n{}",
+                           helpText(describeOptions<BlockTexture<2>>()),
+                           helpText(describeOptions<BlockTexture<3>>()));
+    };
     return runApplication(argc, argv, description, run);
 }

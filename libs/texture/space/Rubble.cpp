@@ -1,0 +1,38 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Makes the blocks of the texture `rubble` of space from its settings.
+#include "texture/space/Rubble.h"
+
+#include "texture/Voronoi.h"
+
+namespace drystone
+{
+
+void declare(Options& options, Rubble& rubble)
+{
+    options.required("size", rubble.size, "of the wall or pier, from the origin")
+        .unit("m")
+        .above(0)
+        .example("(2 0.5 2)");
+    options.required("stones", rubble.stones, "their number").atLeast(1).atMost(1000000).example("100");
+    options.optional("seed", rubble.seed, "of the points: another one gives another wall").atLeast(0);
+    options
+        .optional("relaxations", rubble.relaxations,
+                  "how often points are moved to the centroids of their cells: stones become rounder and "
+                  "more equal, "
+                  "small faces rarer")
+        .atLeast(0)
+        .atMost(1000);
+}
+
+Assembly<3> makeAssembly(const Rubble& rubble)
+{
+    Assembly<3> assembly;
+    for (Polyhedron& cell : voronoiCells(
+             rubble.size, relaxedPoints(rubble.size, rubble.stones, rubble.seed, rubble.relaxations)))
+    {
+        assembly.blocks.push_back({std::move(cell)});
+    }
+    return assembly;
+}
+
+} // namespace drystone

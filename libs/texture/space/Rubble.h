@@ -1,0 +1,26 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The texture `rubble` of space: a pier or wall of irregular stones, the Voronoi cells of seeded points.
+#pragma once
+
+#include "assembly/Assembly.h"
+#include "dictionary/Options.h"
+
+namespace drystone
+{
+
+struct Rubble
+{
+    Vector<3> size{2, 0.5, 2}; ///< of the wall, from the origin [m]
+    int stones = 100;
+    int seed = 1;
+    int relaxations = 2; ///< how often points are moved to the centroids of their cells (Lloyd): stones
+                         ///< become rounder and more equal, small faces rarer
+};
+
+void declare(Options& options, Rubble& rubble);
+
+/// The stones, all free, in the order of their points, which depends on the seed alone. Together they fill
+/// the box.
+Assembly<3> makeAssembly(const Rubble& rubble);
+
+} // namespace drystone
