@@ -14,178 +14,206 @@ namespace
 {
 
 /// The force of a point and how it changes with A'y.
+template<int Forces>
 struct PointLaw
 {
-    Eigen::Vector2d force = Eigen::Vector2d::Zero();
-    Eigen::Matrix2d stiffness = Eigen::Matrix2d::Zero(); ///< D
+    Eigen::Matrix<double, Forces, 1> force = Eigen::Matrix<double, Forces, 1>::Zero();
+    Eigen::Matrix<double, Forces, Forces> stiffness = Eigen::Matrix<double, Forces, Forces>::Zero(); ///< D
 };
 
-/// \param pressing A'y - g \param compliance diagonal of C
-PointLaw lawOf(const Eigen::Vector2d& pressing, const Eigen::Vector2d& compliance, double mu)
+/// Outside the cone the nearest force lies on its edge d = (1, mu e), e the direction of shear, which is that
+/// of the pressing since all directions of shear give way alike: c = a d, a = d'(A'y - g) / d'Cd. In space e
+/// turns with the pressing p, which adds a mu (I - e e') / |p_t| to the stiffness. \param pressing A'y - g
+/// \param compliance diagonal of C
+template<int Forces>
+PointLaw<Forces> lawOf(const Eigen::Matrix<double, Forces, 1>& pressing,
+                       const Eigen::Matrix<double, Forces, 1>& compliance, double mu)
 {
-    PointLaw law;
-    const Eigen::Vector2d trial = pressing.cwiseQuotient(compliance);
-    if (std::abs(trial[1]) <= mu * trial[0])
+    constexpr int shears = Forces - 1;
+    PointLaw<Forces> law;
+    const Eigen::Matrix<double, Forces, 1> trial = pressing.cwiseQuotient(compliance);
+    if (trial.template tail<shears>().norm() <= mu * trial[0])
     {
         law.force = trial;
         law.stiffness = compliance.cwiseInverse().asDiagonal();
         return law;
     }
-    const Eigen::Vector2d edge(1, std::copysign(mu, trial[1]));
+    const Eigen::Matrix<double, shears, 1> shear = pressing.template tail<shears>();
+    const double length = shear.norm();
+    const Eigen::Matrix<double, shears, 1> direction =
+        length > 0 ? Eigen::Matrix<double, shears, 1>(shear / length)
+                   : Eigen::Matrix<double, shears, 1>(Eigen::Matrix<double, shears, 1>::Unit(0));
+    Eigen::Matrix<double, Forces, 1> edge;
+    edge << 1, mu * direction;
     const double along = edge.dot(pressing); // d'C c* = d'(A'y - g)
     if (along > 0)
     {
         const double size = compliance.dot(edge.cwiseAbs2());
         law.force = along / size * edge;
         law.stiffness = edge * edge.transpose() / size;
+        if (shears > 1 && length > 0)
+        {
+            law.stiffness.template bottomRightCorner<shears, shears>() +=
+                along / size * mu / length
+                * (Eigen::Matrix<double, shears, shears>::Identity() - direction * direction.transpose());
+        }
     }
     return law;
 }
 
 /// phi and what Newton's method needs of it.
+template<int Rows, int Forces>
 class ElasticStep
 {
 public:
-    explicit ElasticStep(const PlaneConeProgram& program)
-        : program_(program),
-          gap_(gapUnder(program, Eigen::VectorXd::Zero(2 * program.points()))),
-          couplings_(couplingsOf(program)),
-          order_(eliminationOrder(program.bodies, couplings_)),
-          place_(order_.size()),
-          system_(program.bodies, ordered())
+    explicit ElasticStep(const ConeProgram<Rows, Forces>& ofProgram)
+        : program(ofProgram),
+          gap(gapUnder(ofProgram, Eigen::VectorXd::Zero(Forces * ofProgram.points()))),
+          couplings(couplingsOf(ofProgram)),
+          order(eliminationOrder(ofProgram.bodies, couplings)),
+          places(order.size()),
+          system(ofProgram.bodies, ordered())
     {
     }
 
     double value(const Eigen::VectorXd& y)
     {
-        const Eigen::VectorXd pressing = applyTransposed(program_, y) - gap_;
-        force_.resize(pressing.size());
-        laws_.resize(static_cast<std::size_t>(program_.points()));
-        for (int point = 0; point < program_.points(); ++point)
+        const Eigen::VectorXd pressing = applyTransposed(program, y) - gap;
+        force.resize(pressing.size());
+        laws.resize(static_cast<std::size_t>(program.points()));
+        for (int point = 0; point < program.points(); ++point)
         {
-            PointLaw& law = laws_[static_cast<std::size_t>(point)];
-            law = lawOf(pressing.segment<2>(2 * point), program_.compliance.segment<2>(2 * point),
-                        program_.friction[static_cast<std::size_t>(point)]);
-            force_.segment<2>(2 * point) = law.force;
+            PointLaw<Forces>& law = laws[static_cast<std::size_t>(point)];
+            law = lawOf<Forces>(pressing.segment<Forces>(Forces * point),
+                                program.compliance.template segment<Forces>(Forces * point),
+                                program.friction[static_cast<std::size_t>(point)]);
+            force.segment<Forces>(Forces * point) = law.force;
         }
-        return 0.5 * y.dot(applyInertia(program_, y)) - program_.load.dot(y) + force_.dot(pressing)
-               - 0.5 * program_.compliance.dot(force_.cwiseAbs2());
+        return 0.5 * y.dot(applyInertia(program, y)) - program.load.dot(y) + force.dot(pressing)
+               - 0.5 * program.compliance.dot(force.cwiseAbs2());
     }
 
     /// At the y of the last `value`.
     Eigen::VectorXd slope(const Eigen::VectorXd& y) const
     {
-        return applyInertia(program_, y) + applyEquilibrium(program_, force_) - program_.load;
+        return applyInertia(program, y) + applyEquilibrium(program, force) - program.load;
     }
 
-    const Eigen::VectorXd& force() const { return force_; }
+    const Eigen::VectorXd& contactForce() const { return force; }
 
     /// Newton's step from the y of the last `value`; empty when the system cannot be factorised.
     Eigen::VectorXd step(const Eigen::VectorXd& slope)
     {
-        system_.setZero();
-        for (int body = 0; body < program_.bodies; ++body)
+        system.setZero();
+        for (int body = 0; body < program.bodies; ++body)
         {
-            system_.diagonal(place(body)) += program_.inertia[static_cast<std::size_t>(body)];
+            system.diagonal(place(body)) += program.inertia[static_cast<std::size_t>(body)];
         }
-        for (int point = 0; point < program_.points(); ++point)
+        for (int point = 0; point < program.points(); ++point)
         {
-            const auto& columns = program_.contacts[static_cast<std::size_t>(point)];
-            const Eigen::Matrix2d& D = laws_[static_cast<std::size_t>(point)].stiffness;
+            const auto& columns = program.contacts[static_cast<std::size_t>(point)];
+            const Eigen::Matrix<double, Forces, Forces>& D = laws[static_cast<std::size_t>(point)].stiffness;
             if (columns.first >= 0)
             {
-                system_.diagonal(place(columns.first)) += columns.onFirst * D * columns.onFirst.transpose();
+                system.diagonal(place(columns.first)) += columns.onFirst * D * columns.onFirst.transpose();
             }
             if (columns.second >= 0)
             {
-                system_.diagonal(place(columns.second)) +=
-                    columns.onSecond * D * columns.onSecond.transpose();
+                system.diagonal(place(columns.second)) += columns.onSecond * D * columns.onSecond.transpose();
             }
             if (columns.first >= 0 && columns.second >= 0)
             {
                 const int first = place(columns.first);
                 const int second = place(columns.second);
                 // rows of the later one
-                system_.coupling(system_.slot(first, second)) +=
+                system.coupling(system.slot(first, second)) +=
                     first > second ? (columns.onFirst * D * columns.onSecond.transpose()).eval()
                                    : (columns.onSecond * D * columns.onFirst.transpose()).eval();
             }
         }
-        if (!system_.factorise())
+        if (!system.factorise())
         {
             return {};
         }
         Eigen::VectorXd ordered(slope.size());
-        for (int body = 0; body < program_.bodies; ++body)
+        for (int body = 0; body < program.bodies; ++body)
         {
-            ordered.segment<3>(3 * place(body)) = -slope.segment<3>(3 * body);
+            ordered.segment<Rows>(Rows * place(body)) = -slope.segment<Rows>(Rows * body);
         }
-        system_.solve(ordered);
+        system.solve(ordered);
         Eigen::VectorXd step(slope.size());
-        for (int body = 0; body < program_.bodies; ++body)
+        for (int body = 0; body < program.bodies; ++body)
         {
-            step.segment<3>(3 * body) = ordered.segment<3>(3 * place(body));
+            step.segment<Rows>(Rows * body) = ordered.segment<Rows>(Rows * place(body));
         }
         return step;
     }
 
 private:
-    static std::vector<Coupling> couplingsOf(const PlaneConeProgram& program)
+    static std::vector<Coupling> couplingsOf(const ConeProgram<Rows, Forces>& ofProgram)
     {
-        std::vector<Coupling> couplings;
-        for (const auto& columns : program.contacts)
+        std::vector<Coupling> pairs;
+        for (const auto& columns : ofProgram.contacts)
         {
             if (columns.first >= 0 && columns.second >= 0)
             {
-                couplings.push_back(
+                pairs.push_back(
                     {std::min(columns.first, columns.second), std::max(columns.first, columns.second)});
             }
         }
-        std::sort(couplings.begin(), couplings.end());
-        couplings.erase(std::unique(couplings.begin(), couplings.end()), couplings.end());
-        return couplings;
+        std::sort(pairs.begin(), pairs.end());
+        pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+        return pairs;
     }
 
-    int place(int body) const { return place_[static_cast<std::size_t>(body)]; }
+    int place(int body) const { return places[static_cast<std::size_t>(body)]; }
 
     /// The couplings with bodies by their place in the order; fills in the places.
     std::vector<Coupling> ordered()
     {
-        for (std::size_t position = 0; position < order_.size(); ++position)
+        for (std::size_t position = 0; position < order.size(); ++position)
         {
-            place_[static_cast<std::size_t>(order_[position])] = static_cast<int>(position);
+            places[static_cast<std::size_t>(order[position])] = static_cast<int>(position);
         }
         std::vector<Coupling> result;
-        for (const Coupling& coupling : couplings_)
+        for (const Coupling& coupling : couplings)
         {
             result.push_back({place(coupling[0]), place(coupling[1])});
         }
         return result;
     }
 
-    const PlaneConeProgram& program_;
-    Eigen::VectorXd gap_;
-    std::vector<Coupling> couplings_;
-    std::vector<int> order_;
-    std::vector<int> place_;
-    SchurSystem<3> system_;
-    Eigen::VectorXd force_;
-    std::vector<PointLaw> laws_;
+    const ConeProgram<Rows, Forces>& program;
+    Eigen::VectorXd gap;
+    std::vector<Coupling> couplings;
+    std::vector<int> order;
+    std::vector<int> places;
+    SchurSystem<Rows> system;
+    Eigen::VectorXd force;
+    std::vector<PointLaw<Forces>> laws;
 };
 
 } // namespace
 
-ConeSolution solveElasticNewton(const PlaneConeProgram& program, const ConeSolution& start,
+template<int Rows, int Forces>
+ConeSolution solveElasticNewton(const ConeProgram<Rows, Forces>& program, const ConeSolution& start,
                                 const ElasticNewtonSettings& settings)
 {
     if (!program.hasInertia() || program.hasMultiplier() || program.hasStrength())
     {
         throw std::invalid_argument("solveElasticNewton needs inertia and cones, and no multiplier");
     }
-    if (program.compliance.size() != 2 * program.points()
+    if (program.compliance.size() != Forces * program.points()
         || (program.points() > 0 && !(program.compliance.minCoeff() > 0)))
     {
         throw std::invalid_argument("solveElasticNewton needs points that all give way");
+    }
+    for (Eigen::Index row = 2; Forces == 3 && row < program.compliance.size(); row += 3)
+    {
+        if (program.compliance[row] != program.compliance[row - 1])
+        {
+            throw std::invalid_argument("solveElasticNewton needs points that give way alike in all shears");
+        }
     }
     constexpr double armijo = 1e-4;
     constexpr double shortest = 1e-12;
@@ -193,11 +221,11 @@ ConeSolution solveElasticNewton(const PlaneConeProgram& program, const ConeSolut
     Eigen::VectorXd& y = solution.displacement;
     y = start.displacement.size() == program.load.size() ? start.displacement
                                                          : Eigen::VectorXd::Zero(program.load.size());
-    ElasticStep problem(program);
+    ElasticStep<Rows, Forces> problem(program);
     double value = problem.value(y);
     for (int& iteration = solution.iterations;; ++iteration)
     {
-        solution.contactForce = problem.force();
+        solution.contactForce = problem.contactForce();
         if (certifyOptimal(program, solution).worst() <= settings.tolerance)
         {
             solution.status = SolveStatus::optimal;
@@ -231,5 +259,10 @@ ConeSolution solveElasticNewton(const PlaneConeProgram& program, const ConeSolut
         }
     }
 }
+
+template ConeSolution solveElasticNewton(const PlaneConeProgram&, const ConeSolution&,
+                                         const ElasticNewtonSettings&);
+template ConeSolution solveElasticNewton(const SpaceConeProgram&, const ConeSolution&,
+                                         const ElasticNewtonSettings&);
 
 } // namespace drystone

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Newton's method for plane steps in time whose contact points all give way under force.
+/// Newton's method for steps in time whose contact points all give way under force.
 #pragma once
 
 #include "conic/ConeProgram.h"
@@ -20,15 +20,17 @@ struct ElasticNewtonSettings
 ///     phi(y) = 1/2 y' Mbar y - f'y + sum_k max over c in K of (A'y - g)'c - 1/2 c'Cc,
 ///     phi'   = Mbar y + A c(y) - f,        phi'' = Mbar + sum_k A_k D_k A_k',
 ///
-/// which is convex, once differentiable and quadratic in pieces: D = C^-1 inside the cone, d d'/(d'Cd) on its
-/// edge d = (1, +-mu), 0 where the point is open. Newton's method with a line search comes to it from any
-/// start, in finitely many steps, and factorises a system of the size of the blocks in each.
+/// which is convex, once differentiable and, in the plane, quadratic in pieces: D = C^-1 inside the cone, d
+/// d'/(d'Cd) on its edge d = (1, mu e), e the direction of shear, 0 where the point is open. Newton's method
+/// with a line search comes to it from any start, there in finitely many steps, and factorises a system of
+/// the size of the blocks in each.
 ///
 /// \param start its displacement is where the method begins; may be empty
 /// \return `optimal` when the certificate meets the tolerance, else `notConverged` with the last iterate
 /// \throws std::invalid_argument for a program without inertia, with a multiplier or strengths, or with a
-/// point that does not give way both ways
-ConeSolution solveElasticNewton(const PlaneConeProgram& program, const ConeSolution& start,
+/// point that does not give way in all directions, in all of shear alike
+template<int Rows, int Forces>
+ConeSolution solveElasticNewton(const ConeProgram<Rows, Forces>& program, const ConeSolution& start,
                                 const ElasticNewtonSettings& settings = {});
 
 } // namespace drystone

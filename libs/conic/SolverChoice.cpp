@@ -87,14 +87,9 @@ ConeSolution solveAsChosen(const ConeProgram<Rows, Forces>& program, const Solve
     AugmentedLagrangianSettings multipliers{choice.tolerance, choice.maximumIterations};
     if (program.hasCompliance()) // which no other solver takes
     {
-        if constexpr (Rows == 3)
-        {
-            if (choice.solver != SolverType::gaussSeidel)
-            {
-                return solveElasticNewton(program, start, {choice.tolerance, choice.maximumIterations});
-            }
-        }
-        return solveGaussSeidel(program, start, {choice.tolerance, choice.maximumSweeps});
+        return choice.solver == SolverType::gaussSeidel
+                   ? solveGaussSeidel(program, start, {choice.tolerance, choice.maximumSweeps})
+                   : solveElasticNewton(program, start, {choice.tolerance, choice.maximumIterations});
     }
     switch (choice.solver)
     {

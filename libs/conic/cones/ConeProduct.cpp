@@ -98,8 +98,8 @@ void addWithin(const ConeRanges& cones, const VectorOf<Scalar>& change, VectorOf
     for (Eigen::Index round = 0; round < cones.rounds; ++round)
     {
         const Eigen::Index at = cones.at(round);
-        const double steepest = roundSteepness(x.template segment<3>(at).template cast<double>(),
-                                               change.template segment<3>(at).template cast<double>())
+        const double steepest = steepness(coneFrameOf(x.template segment<3>(at).template cast<double>()),
+                                          change.template segment<3>(at).template cast<double>())
                                     .steepest();
         x.template segment<3>(at) +=
             Scalar(1 / std::max(1.0, steepest / (1 - part))) * change.template segment<3>(at);
@@ -125,26 +125,16 @@ void reflectInside(const ConeRanges& cones, double reflection, VectorOf<Scalar>&
     }
 }
 
-RoundSteepness roundSteepness(const Eigen::Vector3d& x, const Eigen::Vector3d& dx)
-{
-    const double radius = x.tail<2>().norm();
-    const Eigen::Vector2d direction = directionOf(x, radius);
-    const double along = direction.dot(dx.tail<2>());
-    const double across = direction[0] * dx[2] - direction[1] * dx[1];
-    const double larger = x[0] + radius;
-    const double smaller = x[0] - radius;
-    return {(dx[0] + along) / larger, (dx[0] - along) / smaller, across / std::sqrt(larger * smaller)};
-}
-
-double steepestOf(const ConeRanges& cones, const Eigen::VectorXd& x, const Eigen::VectorXd& dx)
+double steepestOf(const ConeRanges& cones, const Eigen::VectorXd& x, const Eigen::VectorXd& dx,
+                  const std::vector<ConeFrame>& frames, const Eigen::VectorXd& scaled)
 {
     // Largest -dx/x of the rays, found without a branch so that it vectorises.
     double steepest =
         cones.rays > 0 ? (-dx.head(cones.rays).array() / x.head(cones.rays).array()).maxCoeff() : 0;
-    for (Eigen::Index round = 0; round < cones.rounds; ++round)
+    for (std::size_t round = 0; round < frames.size(); ++round)
     {
-        const Eigen::Index at = cones.at(round);
-        steepest = std::max(steepest, roundSteepness(x.segment<3>(at), dx.segment<3>(at)).steepest());
+        const auto at = static_cast<Eigen::Index>(3 * round);
+        steepest = std::max(steepest, steepness(frames[round], scaled.segment<3>(at)).steepest());
     }
     return steepest;
 }
@@ -159,6 +149,8 @@ bool ConeScaling<Scalar>::update(const ConeRanges& cones, const VectorOf<Scalar>
     weights.rays = rayForces.cwiseProduct(flexibility);
     rounds.resize(static_cast<std::size_t>(cones.rounds));
     weights.rounds.resize(rounds.size());
+    pulls.resize(rounds.size());
+    frames.resize(rounds.size());
     bool finite = true;
     for (std::size_t round = 0; round < rounds.size(); ++round)
     {
@@ -167,9 +159,27 @@ bool ConeScaling<Scalar>::update(const ConeRanges& cones, const VectorOf<Scalar>
         const ConeVector<Scalar> opening = z.template segment<3>(at);
         rounds[round] = nesterovToddScaling(force, opening);
         weights.rounds[round] = rounds[round].squared(Scalar(rho));
+        pulls[round] = weights.rounds[round];
+        pulls[round].eigenvalues.array() *= rounds[round].inverse.eigenvalues.array();
+        frames[round] = coneFrameOf(rounds[round].lambda.template cast<double>());
         finite = finite && isFinite(weights.rounds[round]);
     }
     return finite;
+}
+
+template<class Scalar>
+void ConeScaling<Scalar>::scale(const ConeRanges& cones, const VectorOf<Scalar>& ds,
+                                const VectorOf<Scalar>& dz, ScaledStep<Scalar>& scaled) const
+{
+    scaled.forces.resize(3 * cones.rounds);
+    scaled.openings.resize(3 * cones.rounds);
+    for (std::size_t round = 0; round < rounds.size(); ++round)
+    {
+        const auto to = static_cast<Eigen::Index>(3 * round);
+        const Eigen::Index from = cones.rays + to;
+        scaled.forces.template segment<3>(to) = rounds[round].inverse.apply(ds.template segment<3>(from));
+        scaled.openings.template segment<3>(to) = rounds[round].W.apply(dz.template segment<3>(from));
+    }
 }
 
 template struct ConeWeights<double>;

@@ -90,23 +90,14 @@ void addWithin(const ConeRanges& cones, const VectorOf<Scalar>& change, VectorOf
 template<class Scalar>
 void reflectInside(const ConeRanges& cones, double reflection, VectorOf<Scalar>& x);
 
-/// How the cones limit steps from x: the largest, over all of them, of the inverse of the longest step along
-/// dx, which is 0 where none limits it. Of a round cone that is the largest eigenvalue of -P dx, where P is
-/// the automorphism that takes x to e; in the frame of x with eigenvalues x+ and x- it has the coordinates
-/// dx+ / x+, dx- / x- and dx_across / sqrt(x+ x-).
-double steepestOf(const ConeRanges& cones, const Eigen::VectorXd& x, const Eigen::VectorXd& dx);
-
-/// P dx of one round cone: (1 +- along) and across.
-struct RoundSteepness
+/// A step in the scaling of the round cones, W^-1 ds and W dz, in which both start from the same lambda. Rays
+/// need none.
+template<class Scalar>
+struct ScaledStep
 {
-    double plus;
-    double minus;
-    double across;
-
-    /// The inverse of the longest step; negative where none limits it.
-    double steepest() const { return std::hypot(0.5 * (plus - minus), across) - 0.5 * (plus + minus); }
+    VectorOf<Scalar> forces; ///< three a round cone
+    VectorOf<Scalar> openings;
 };
-RoundSteepness roundSteepness(const Eigen::Vector3d& x, const Eigen::Vector3d& dx);
 
 /// The weights at an iterate, D = (W^-2 + rho)^-1 with W z = W^-1 s, and what products are answered with.
 template<class Scalar>
@@ -115,9 +106,19 @@ struct ConeScaling
     ConeWeights<Scalar> weights;
     VectorOf<Scalar> flexibility; ///< of rays, 1 / (z + rho s): D = s times that
     std::vector<NesterovToddScaling<Scalar>> rounds;
+    std::vector<FramedMatrix<Scalar>> pulls; ///< D W^-1 of the round cones
+    std::vector<ConeFrame> frames;           ///< of their lambda
 
     /// \return whether all of it is finite
     bool update(const ConeRanges& cones, const VectorOf<Scalar>& s, const VectorOf<Scalar>& z, double rho);
+
+    void scale(const ConeRanges& cones, const VectorOf<Scalar>& ds, const VectorOf<Scalar>& dz,
+               ScaledStep<Scalar>& scaled) const;
 };
+
+/// How the cones limit steps: the largest, over all of them, of the inverse of the longest step, which is 0
+/// where none limits it. \param x, dx of which the rays are looked at \param scaled of the round cones
+double steepestOf(const ConeRanges& cones, const Eigen::VectorXd& x, const Eigen::VectorXd& dx,
+                  const std::vector<ConeFrame>& frames, const Eigen::VectorXd& scaled);
 
 } // namespace drystone

@@ -139,32 +139,24 @@ inline ConeProjection projectOntoCone(const Eigen::Vector3d& x)
     return projection;
 }
 
-/// The symmetric matrix W with W z = W^-1 s =: lambda (Nesterov & Todd 1997). Its eigenvalues are eta spread,
-/// eta / spread and eta.
+/// The symmetric matrix W with W z = W^-1 s =: lambda (Nesterov & Todd 1997), and what is computed with it
+/// many times at one iterate. W, W^-1 and D have one frame.
 template<class Scalar>
 struct NesterovToddScaling
 {
-    Eigen::Matrix<Scalar, 2, 1> direction{Scalar(1), Scalar(0)};
-    Scalar spread = 1;
-    Scalar eta = 1;
+    FramedMatrix<Scalar> W;       ///< eigenvalues eta spread, eta / spread, eta
+    FramedMatrix<Scalar> inverse; ///< W^-1
     ConeVector<Scalar> lambda{Scalar(1), Scalar(0), Scalar(0)};
 
-    /// W x.
-    ConeVector<Scalar> apply(const ConeVector<Scalar>& x) const
-    {
-        return FramedMatrix<Scalar>{direction, {eta * spread, eta / spread, eta}}.apply(x);
-    }
-    /// W^-1 x.
-    ConeVector<Scalar> applyInverse(const ConeVector<Scalar>& x) const
-    {
-        return FramedMatrix<Scalar>{direction, {1 / (eta * spread), spread / eta, 1 / eta}}.apply(x);
-    }
     /// D = (W^-2 + compliance I)^-1
     FramedMatrix<Scalar> squared(const Scalar& compliance) const
     {
-        const auto eigenvalue = [&compliance](const Scalar& root)
-        { return Scalar(1) / (Scalar(1) / (root * root) + compliance); };
-        return {direction, {eigenvalue(eta * spread), eigenvalue(eta / spread), eigenvalue(eta)}};
+        FramedMatrix<Scalar> d = W;
+        for (Scalar& root : d.eigenvalues)
+        {
+            root = Scalar(1) / (Scalar(1) / (root * root) + compliance);
+        }
+        return d;
     }
 };
 
@@ -183,12 +175,56 @@ NesterovToddScaling<Scalar> nesterovToddScaling(const ConeVector<Scalar>& s, con
     const Scalar gamma = sqrt(Scalar(0.5) * (1 + product / (rootS * rootZ)));
     const Scalar length = tail.norm();
     const Scalar radius = length / (2 * gamma);
-    scaling.direction = length > Scalar(0) ? Eigen::Matrix<Scalar, 2, 1>(tail / length)
-                                           : Eigen::Matrix<Scalar, 2, 1>(Scalar(1), Scalar(0));
-    scaling.spread = sqrt(1 + radius * radius) + radius;
-    scaling.eta = sqrt(rootS / rootZ);
-    scaling.lambda = scaling.apply(z);
+    scaling.W.direction = length > Scalar(0) ? Eigen::Matrix<Scalar, 2, 1>(tail / length)
+                                             : Eigen::Matrix<Scalar, 2, 1>(Scalar(1), Scalar(0));
+    const Scalar spread = sqrt(1 + radius * radius) + radius;
+    const Scalar eta = sqrt(rootS / rootZ);
+    scaling.W.eigenvalues = {eta * spread, eta / spread, eta};
+    scaling.inverse = {scaling.W.direction, {1 / (eta * spread), spread / eta, 1 / eta}};
+    scaling.lambda = scaling.W.apply(z);
     return scaling;
+}
+
+/// The frame of a vector x inside the cone, for steps from it: along it P, the automorphism that takes x to
+/// e, divides by the eigenvalues of x, and across it by the root of their product.
+struct ConeFrame
+{
+    Eigen::Vector2d direction;
+    double inverseLarger;
+    double inverseSmaller;
+    double inverseRoot;
+};
+
+inline ConeFrame coneFrameOf(const Eigen::Vector3d& x)
+{
+    const double radius = x.tail<2>().norm();
+    const double inverseLarger = 1 / (x[0] + radius);
+    const double inverseSmaller = 1 / (x[0] - radius);
+    return {directionOf(x, radius), inverseLarger, inverseSmaller, std::sqrt(inverseLarger * inverseSmaller)};
+}
+
+/// P dx in coordinates along the eigenvectors and across them. Linear in dx.
+struct ConeSteepness
+{
+    double plus;
+    double minus;
+    double across;
+
+    /// The inverse of the longest step from x along dx: the largest eigenvalue of -P dx, so that it is
+    /// negative where nothing limits the step.
+    double steepest() const
+    {
+        const double half = 0.5 * (plus - minus);
+        return std::sqrt(half * half + across * across) - 0.5 * (plus + minus);
+    }
+};
+
+inline ConeSteepness steepness(const ConeFrame& frame, const Eigen::Vector3d& dx)
+{
+    const double along = frame.direction[0] * dx[1] + frame.direction[1] * dx[2];
+    const double across = frame.direction[0] * dx[2] - frame.direction[1] * dx[1];
+    return {(dx[0] + along) * frame.inverseLarger, (dx[0] - along) * frame.inverseSmaller,
+            across * frame.inverseRoot};
 }
 
 } // namespace drystone

@@ -28,12 +28,34 @@ auto answerOfProducts(const Eigen::Ref<const Eigen::VectorXd>& s, const Eigen::R
             .sqrt());
 }
 
-/// D p of a round cone for a change c of the product of scaled vectors.
+/// Likewise for a round cone, by the eigenvectors of its scaling: with ds and dz scaled, both from lambda, of
+/// which the first component stands for all, and with p = D / (2 (D + 1)), which is s / (2 (s + z)) on a ray.
+/// \return c divided by what products answer
 template<class Scalar>
-ConeVector<Scalar> weightedPull(const NesterovToddScaling<Scalar>& scaling, const FramedMatrix<Scalar>& d,
-                                const ConeVector<Scalar>& c)
+ConeVector<Scalar> dividedByAnswer(const NesterovToddScaling<Scalar>& scaling, const ConeVector<Scalar>& ds,
+                                   const ConeVector<Scalar>& dz, double primal, double dual,
+                                   const ConeVector<Scalar>& c)
 {
-    return d.apply(scaling.applyInverse(jordanDivide(scaling.lambda, c)));
+    constexpr double least = 0.2;
+    const auto& direction = scaling.W.direction;
+    const double lambda = leading(scaling.lambda[0]);
+    const double force = leading(ds[0]);
+    const double opening = leading(dz[0]);
+    const double forceAlong = leading(Scalar(direction[0] * ds[1] + direction[1] * ds[2]));
+    const double openingAlong = leading(Scalar(direction[0] * dz[1] + direction[1] * dz[2]));
+    FramedMatrix<Scalar> divided;
+    divided.direction = direction;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        const double side = axis == 0 ? 1 : axis == 1 ? -1 : 0;
+        const double root = leading(scaling.W.eigenvalues[axis]);
+        const double leverage = 0.5 * root * root / (root * root + 1);
+        const double atForce = std::max(0.0, 1 + primal * (force + side * forceAlong) / lambda);
+        const double atOpening = std::max(0.0, 1 + dual * (opening + side * openingAlong) / lambda);
+        const double answer = (1 - leverage) * atOpening + leverage * atForce;
+        divided.eigenvalues[axis] = Scalar(1 / std::sqrt(std::max(least, answer)));
+    }
+    return divided.apply(c);
 }
 
 /// The change that brings a product into the box, no further down than the largest aim.
@@ -46,7 +68,7 @@ double intoBox(double product, double least, double largest)
 
 template<int Rows, class Scalar>
 VectorOf<Scalar> mehrotraPull(const State<Rows, Scalar>& state, const ConeScaling<Scalar>& scaling,
-                              const Iterate<Scalar>& step, double sigma)
+                              const Iterate<Scalar>& step, const ScaledStep<Scalar>& scaled, double sigma)
 {
     const ConeRanges& cones = state.cones;
     VectorOf<Scalar> pull(cones.size());
@@ -64,23 +86,24 @@ VectorOf<Scalar> mehrotraPull(const State<Rows, Scalar>& state, const ConeScalin
         pull.head(rays).array() = (Scalar(aim) - step.s.head(rays).array() * step.z.head(rays).array())
                                   * scaling.flexibility.array();
     }
-    for (Eigen::Index round = 0; round < cones.rounds; ++round)
+    for (std::size_t round = 0; round < scaling.rounds.size(); ++round)
     {
-        const Eigen::Index at = cones.at(round);
-        const auto index = static_cast<std::size_t>(round);
-        const NesterovToddScaling<Scalar>& W = scaling.rounds[index];
-        ConeVector<Scalar> c = -jordanProduct<Scalar>(W.applyInverse(step.s.template segment<3>(at)),
-                                                      W.apply(step.z.template segment<3>(at)));
+        const auto at = static_cast<Eigen::Index>(3 * round);
+        ConeVector<Scalar> c = -jordanProduct<Scalar>(scaled.forces.template segment<3>(at),
+                                                      scaled.openings.template segment<3>(at));
         c[0] += Scalar(aim);
-        pull.template segment<3>(at) = weightedPull(W, scaling.weights.rounds[index], c);
+        c = dividedByAnswer<Scalar>(scaling.rounds[round], scaled.forces.template segment<3>(at),
+                                    scaled.openings.template segment<3>(at), 1, 1, c);
+        pull.template segment<3>(rays + at) =
+            scaling.pulls[round].apply(jordanDivide(scaling.rounds[round].lambda, c));
     }
     return pull;
 }
 
 template<int Rows, class Scalar>
 VectorOf<Scalar> gondzioPull(const State<Rows, Scalar>& state, const ConeScaling<Scalar>& scaling,
-                             const Iterate<Scalar>& step, double primal, double dual,
-                             const Centring& centring, double aim)
+                             const Iterate<Scalar>& step, const ScaledStep<Scalar>& scaled, double primal,
+                             double dual, const Centring& centring, double aim)
 {
     const ConeRanges& cones = state.cones;
     const double least = centring.leastProduct * aim;
@@ -105,38 +128,44 @@ VectorOf<Scalar> gondzioPull(const State<Rows, Scalar>& state, const ConeScaling
             pull[ray] = Scalar(intoBox(leading(product), least, largest)) * scaling.flexibility[ray];
         }
     }
-    for (Eigen::Index round = 0; round < cones.rounds; ++round)
+    for (std::size_t round = 0; round < scaling.rounds.size(); ++round)
     {
-        const Eigen::Index at = cones.at(round);
-        const auto index = static_cast<std::size_t>(round);
-        const NesterovToddScaling<Scalar>& W = scaling.rounds[index];
+        const auto at = static_cast<Eigen::Index>(3 * round);
+        const ConeVector<Scalar>& lambda = scaling.rounds[round].lambda;
         const ConeVector<Scalar> product =
-            jordanProduct<Scalar>(W.lambda + Scalar(primal) * W.applyInverse(step.s.template segment<3>(at)),
-                                  W.lambda + Scalar(dual) * W.apply(step.z.template segment<3>(at)));
-        const ConeVector<Scalar> c = onEigenvalues(
+            jordanProduct<Scalar>(lambda + Scalar(primal) * scaled.forces.template segment<3>(at),
+                                  lambda + Scalar(dual) * scaled.openings.template segment<3>(at));
+        const ConeVector<Scalar> asked = onEigenvalues(
             product, [&](const Scalar& value) { return Scalar(intoBox(leading(value), least, largest)); });
-        pull.template segment<3>(at) = weightedPull(W, scaling.weights.rounds[index], c);
+        const ConeVector<Scalar> c =
+            dividedByAnswer<Scalar>(scaling.rounds[round], scaled.forces.template segment<3>(at),
+                                    scaled.openings.template segment<3>(at), primal, dual, asked);
+        pull.template segment<3>(rays + at) = scaling.pulls[round].apply(jordanDivide(lambda, c));
     }
     return pull;
 }
 
 template VectorOf<double> mehrotraPull(const State<3, double>&, const ConeScaling<double>&,
-                                       const Iterate<double>&, double);
-template VectorOf<double> mehrotraPull(const State<6, double>&, const ConeScaling<double>&,
-                                       const Iterate<double>&, double);
-template VectorOf<DoubleDouble> mehrotraPull(const State<3, DoubleDouble>&, const ConeScaling<DoubleDouble>&,
-                                             const Iterate<DoubleDouble>&, double);
-template VectorOf<DoubleDouble> mehrotraPull(const State<6, DoubleDouble>&, const ConeScaling<DoubleDouble>&,
-                                             const Iterate<DoubleDouble>&, double);
+                                       const Iterate<double>&, const ScaledStep<double>&, double);
 template VectorOf<double> gondzioPull(const State<3, double>&, const ConeScaling<double>&,
-                                      const Iterate<double>&, double, double, const Centring&, double);
+                                      const Iterate<double>&, const ScaledStep<double>&, double, double,
+                                      const Centring&, double);
+template VectorOf<double> mehrotraPull(const State<6, double>&, const ConeScaling<double>&,
+                                       const Iterate<double>&, const ScaledStep<double>&, double);
 template VectorOf<double> gondzioPull(const State<6, double>&, const ConeScaling<double>&,
-                                      const Iterate<double>&, double, double, const Centring&, double);
+                                      const Iterate<double>&, const ScaledStep<double>&, double, double,
+                                      const Centring&, double);
+template VectorOf<DoubleDouble> mehrotraPull(const State<3, DoubleDouble>&, const ConeScaling<DoubleDouble>&,
+                                             const Iterate<DoubleDouble>&, const ScaledStep<DoubleDouble>&,
+                                             double);
 template VectorOf<DoubleDouble> gondzioPull(const State<3, DoubleDouble>&, const ConeScaling<DoubleDouble>&,
-                                            const Iterate<DoubleDouble>&, double, double, const Centring&,
-                                            double);
+                                            const Iterate<DoubleDouble>&, const ScaledStep<DoubleDouble>&,
+                                            double, double, const Centring&, double);
+template VectorOf<DoubleDouble> mehrotraPull(const State<6, DoubleDouble>&, const ConeScaling<DoubleDouble>&,
+                                             const Iterate<DoubleDouble>&, const ScaledStep<DoubleDouble>&,
+                                             double);
 template VectorOf<DoubleDouble> gondzioPull(const State<6, DoubleDouble>&, const ConeScaling<DoubleDouble>&,
-                                            const Iterate<DoubleDouble>&, double, double, const Centring&,
-                                            double);
+                                            const Iterate<DoubleDouble>&, const ScaledStep<DoubleDouble>&,
+                                            double, double, const Centring&, double);
 
 } // namespace drystone

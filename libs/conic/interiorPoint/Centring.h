@@ -49,16 +49,16 @@ constexpr Centring narrow{.partOfCube = 1,
                           .longStep = 0.95};
 
 /// Mehrotra's corrector: D p for products that change by sigma mu e less the second-order term of the
-/// predictor. \param step the predictor \return as the cones
+/// predictor. \param step the predictor \param scaled the same in the scaling \return as the cones
 template<int Rows, class Scalar>
 VectorOf<Scalar> mehrotraPull(const State<Rows, Scalar>& state, const ConeScaling<Scalar>& scaling,
-                              const Iterate<Scalar>& step, double sigma);
+                              const Iterate<Scalar>& step, const ScaledStep<Scalar>& scaled, double sigma);
 
 /// Gondzio's: D p for products that come into the box about `aim`, as far as the steps `primal` and `dual`
 /// along `step` leave them outside. \return as the cones
 template<int Rows, class Scalar>
 VectorOf<Scalar> gondzioPull(const State<Rows, Scalar>& state, const ConeScaling<Scalar>& scaling,
-                             const Iterate<Scalar>& step, double primal, double dual,
-                             const Centring& centring, double aim);
+                             const Iterate<Scalar>& step, const ScaledStep<Scalar>& scaled, double primal,
+                             double dual, const Centring& centring, double aim);
 
 } // namespace drystone

@@ -190,8 +190,12 @@ void InteriorPointLoop<Rows, Scalar>::seekForcesOfLoadAlone()
 template<int Rows, class Scalar>
 void InteriorPointLoop<Rows, Scalar>::measureSteps()
 {
-    primal = stepToBoundary(state.cones, asDoubles(state.at.s), asDoubles(step.s));
-    dual = stepToBoundary(state.cones, asDoubles(state.at.z), asDoubles(step.z));
+    newton.scaling.scale(state.cones, step.s, step.z, scaledStep);
+    const std::vector<ConeFrame>& frames = newton.scaling.frames;
+    primal = stepToBoundary(state.cones, frames,
+                            {asDoubles(state.at.s), asDoubles(step.s), asDoubles(scaledStep.forces)});
+    dual = stepToBoundary(state.cones, frames,
+                          {asDoubles(state.at.z), asDoubles(step.z), asDoubles(scaledStep.openings)});
     if (state.form.hasInertia())
     {
         primal = dual = std::min(primal, dual); // y stands in the balance too
@@ -215,7 +219,7 @@ double InteriorPointLoop<Rows, Scalar>::centre(const Centring& centring)
         0.02 * state.settings.tolerance * state.objectiveSize() / static_cast<double>(state.cones.degree());
     const double sigma =
         std::max(centring.partOfCube * std::pow(muAfter / state.mu, 3), std::min(1.0, enough / state.mu));
-    pull = mehrotraPull(state, newton.scaling, step, sigma);
+    pull = mehrotraPull(state, newton.scaling, step, scaledStep, sigma);
     newton.correct(pull, correction);
     addCorrection(primalHere * dualHere, centring.largestLoss);
     return sigma;
@@ -234,7 +238,7 @@ void InteriorPointLoop<Rows, Scalar>::correctTowards(const Centring& centring, d
     {
         const double primalAsked = std::min(1.0, centring.relativeGrowth * primal + centring.stepGrowth);
         const double dualAsked = std::min(1.0, centring.relativeGrowth * dual + centring.stepGrowth);
-        pull = gondzioPull(state, newton.scaling, step, primalAsked, dualAsked, centring, aim);
+        pull = gondzioPull(state, newton.scaling, step, scaledStep, primalAsked, dualAsked, centring, aim);
         newton.correct(pull, correction);
         if (!addCorrection(std::min(primalAsked * dualAsked, fullCorrection), centring.largestLoss))
         {
@@ -248,23 +252,28 @@ void InteriorPointLoop<Rows, Scalar>::correctTowards(const Centring& centring, d
 template<int Rows, class Scalar>
 bool InteriorPointLoop<Rows, Scalar>::addCorrection(double least, double largestLoss)
 {
+    newton.scaling.scale(state.cones, correction.s, correction.z, scaledCorrection);
+    const auto collect =
+        [&](const Vector& x, const Vector& dx, const Vector& scaled, const Vector& c, const Vector& scaledC)
+    {
+        const auto& from = asDoubles(x);
+        blocking.collect(state.cones, newton.scaling.frames, {from, asDoubles(dx), asDoubles(scaled)},
+                         {from, asDoubles(c), asDoubles(scaledC)}, least);
+    };
+    blocking.clear();
+    collect(state.at.s, step.s, scaledStep.forces, correction.s, scaledCorrection.forces);
     Weight forces;
     Weight openings;
-    blocking.clear();
-    blocking.collect(state.cones, asDoubles(state.at.s), asDoubles(step.s), asDoubles(correction.s), least);
-    if (state.form.hasInertia())
-    {
-        blocking.collect(state.cones, asDoubles(state.at.z), asDoubles(step.z), asDoubles(correction.z),
-                         least);
-        forces = openings = blocking.best(least);
-    }
-    else
+    if (!state.form.hasInertia())
     {
         forces = blocking.best(least);
         blocking.clear();
-        blocking.collect(state.cones, asDoubles(state.at.z), asDoubles(step.z), asDoubles(correction.z),
-                         least);
-        openings = blocking.best(least);
+    }
+    collect(state.at.z, step.z, scaledStep.openings, correction.z, scaledCorrection.openings);
+    openings = blocking.best(least);
+    if (state.form.hasInertia())
+    {
+        forces = openings;
     }
     if (forces.step < largestLoss * std::min(1.0, primal)
         || openings.step < largestLoss * std::min(1.0, dual))
@@ -275,6 +284,8 @@ bool InteriorPointLoop<Rows, Scalar>::addCorrection(double least, double largest
     step.alpha += Scalar(forces.weight) * correction.alpha;
     step.z += Scalar(openings.weight) * correction.z;
     step.y += Scalar(openings.weight) * correction.y;
+    scaledStep.forces += Scalar(forces.weight) * scaledCorrection.forces;
+    scaledStep.openings += Scalar(openings.weight) * scaledCorrection.openings;
     primal = forces.step;
     dual = openings.step;
     return true;

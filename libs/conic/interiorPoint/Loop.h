@@ -63,7 +63,9 @@ private:
     State<Rows, Scalar> state;
     NewtonSystem<Rows, Scalar> newton;
     Iterate<Scalar> step;
+    ScaledStep<Scalar> scaledStep;
     Iterate<Scalar> correction;
+    ScaledStep<Scalar> scaledCorrection;
     Vector pull;
     Iterate<Scalar> passed;
     Vector forcesOfLoad;

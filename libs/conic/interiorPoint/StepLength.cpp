@@ -4,15 +4,15 @@
 namespace drystone
 {
 
-double stepToBoundary(const ConeRanges& cones, const Eigen::VectorXd& x, const Eigen::VectorXd& dx)
+double stepToBoundary(const ConeRanges& cones, const std::vector<ConeFrame>& frames, const StepOfCones& step)
 {
-    return 1 / std::max(steepestOf(cones, x, dx), 1 / farthestStep);
+    return 1 / std::max(steepestOf(cones, step.x, step.dx, frames, step.scaled), 1 / farthestStep);
 }
 
 double Blocking::Round::at(double weight) const
 {
-    return RoundSteepness{offset.plus + weight * slope.plus, offset.minus + weight * slope.minus,
-                          offset.across + weight * slope.across}
+    return ConeSteepness{offset.plus + weight * slope.plus, offset.minus + weight * slope.minus,
+                         offset.across + weight * slope.across}
         .steepest();
 }
 
@@ -23,9 +23,12 @@ void Blocking::clear()
     floor = 1 / farthestStep;
 }
 
-void Blocking::collect(const ConeRanges& cones, const Eigen::VectorXd& x, const Eigen::VectorXd& dx,
-                       const Eigen::VectorXd& c, double least)
+void Blocking::collect(const ConeRanges& cones, const std::vector<ConeFrame>& frames, const StepOfCones& step,
+                       const StepOfCones& correction, double least)
 {
+    const Eigen::VectorXd& x = step.x;
+    const Eigen::VectorXd& dx = step.dx;
+    const Eigen::VectorXd& c = correction.dx;
     const auto add = [&](double offset, double slope)
     {
         const double one = offset + slope;
@@ -56,11 +59,11 @@ void Blocking::collect(const ConeRanges& cones, const Eigen::VectorXd& x, const 
     {
         add(-dx[ray] / x[ray], -c[ray] / x[ray]);
     }
-    for (Eigen::Index round = 0; round < cones.rounds; ++round)
+    for (std::size_t round = 0; round < frames.size(); ++round)
     {
-        const Eigen::Index at = cones.at(round);
-        const Round line{roundSteepness(x.segment<3>(at), dx.segment<3>(at)),
-                         roundSteepness(x.segment<3>(at), c.segment<3>(at))};
+        const auto at = static_cast<Eigen::Index>(3 * round);
+        const Round line{steepness(frames[round], step.scaled.segment<3>(at)),
+                         steepness(frames[round], correction.scaled.segment<3>(at))};
         // Convex: nowhere between above both ends.
         if (std::max(line.at(1), line.at(least)) > floor)
         {

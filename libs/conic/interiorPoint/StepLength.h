@@ -12,8 +12,16 @@ namespace drystone
 /// tells that 1 is safe.
 constexpr double farthestStep = 1.02;
 
-/// Largest step, at most `farthestStep`, that keeps x + step dx in the cones.
-double stepToBoundary(const ConeRanges& cones, const Eigen::VectorXd& x, const Eigen::VectorXd& dx);
+/// A step from x as the cones see it: dx of the rays, and of the round cones from lambda, scaled.
+struct StepOfCones
+{
+    const Eigen::VectorXd& x;
+    const Eigen::VectorXd& dx;
+    const Eigen::VectorXd& scaled;
+};
+
+/// Largest step, at most `farthestStep`, that stays in the cones. \param frames of the round cones' lambda
+double stepToBoundary(const ConeRanges& cones, const std::vector<ConeFrame>& frames, const StepOfCones& step);
 
 /// How much of a correction is added to a step, and how far the sum may go.
 struct Weight
@@ -29,9 +37,9 @@ class Blocking
 public:
     void clear();
 
-    /// Adds those of one vector, forces or openings.
-    void collect(const ConeRanges& cones, const Eigen::VectorXd& x, const Eigen::VectorXd& dx,
-                 const Eigen::VectorXd& c, double least);
+    /// Adds those of one vector, forces or openings. \param correction c, likewise from x
+    void collect(const ConeRanges& cones, const std::vector<ConeFrame>& frames, const StepOfCones& step,
+                 const StepOfCones& correction, double least);
 
     /// The weight from `least` to 1 that allows the longest step, and the largest of those that do. It is
     /// looked for among a few: to the last digit it is not worth more.
@@ -47,8 +55,8 @@ private:
     /// Likewise of a round cone, which allows the inverse of a convex function of w.
     struct Round
     {
-        RoundSteepness offset;
-        RoundSteepness slope;
+        ConeSteepness offset;
+        ConeSteepness slope;
         double at(double weight) const;
     };
 
