@@ -22,7 +22,7 @@ struct Interval
     double to;
 };
 
-/// The parts of `piece` outside the interval `hole`.
+/// Keeps the parts of the pieces outside the interval `hole`.
 void subtract(std::vector<Interval>& pieces, const Interval& hole)
 {
     std::vector<Interval> left;
@@ -64,6 +64,16 @@ std::string openingFault(const RunningBond& bond, const Opening& opening)
     {
         return corners + " ends within a course: blocks are cut at the jambs only. Give whole courses.";
     }
+    if (opening.lintel && to.y() >= bond.courses)
+    {
+        return corners + " reaches up to the top of the wall: there is no course above it for a lintel.";
+    }
+    if (opening.lintel && (from.x() - *opening.lintel < 0 || to.x() + *opening.lintel > bond.length))
+    {
+        return corners
+               + fmt::format(" has a lintel that reaches past an end of the wall, which is {:g} units long.",
+                             bond.length);
+    }
     return {};
 }
 
@@ -75,6 +85,13 @@ void declare(Options& options, Opening& opening)
         .atLeast(0)
         .example("(1.5 3)");
     options.required("to", opening.to, "upper right corner, in (units, courses)").above(0).example("(2.5 5)");
+    options
+        .optional(
+            "lintel", opening.lintel,
+            "bearing, in units, at both ends of one block over the opening, in the course above; absent: the "
+            "course above goes on")
+        .atLeast(0)
+        .example("0.5");
 }
 
 void declare(Options& options, RunningBond& bond)
@@ -128,33 +145,40 @@ Assembly<2> makeAssembly(const RunningBond& bond)
         const bool startsHalf = (course % 2 == 0) == (bond.firstCourse == FirstCourse::half);
         const double bottom = course * bond.unit.y();
         const double top = (course + 1) * bond.unit.y();
-        std::vector<Interval> holes;
-        for (const Opening& opening : bond.openings)
-        {
-            if (course >= opening.from.y() && course < opening.to.y())
-            {
-                holes.push_back({opening.from.x(), opening.to.x()});
-            }
-        }
         // Joints lie at k + 1/2 or k units, which binary numbers represent exactly, so that courses two apart
         // have identical corners.
+        std::vector<Interval> pieces;
         double from = 0;
         for (int k = 0; from < bond.length; ++k)
         {
             const double to = std::min(bond.length, startsHalf ? k + 0.5 : k + 1.0);
-            std::vector<Interval> pieces{{from, to}};
-            for (const Interval& hole : holes)
-            {
-                subtract(pieces, hole);
-            }
-            for (const Interval& piece : pieces)
-            {
-                const double left = piece.from * bond.unit.x();
-                const double right = piece.to * bond.unit.x();
-                assembly.blocks.push_back(
-                    {{{left, bottom}, {right, bottom}, {right, top}, {left, top}}, bond.thickness});
-            }
+            pieces.push_back({from, to});
             from = to;
+        }
+        for (const Opening& opening : bond.openings)
+        {
+            if (opening.lintel && course == opening.to.y())
+            {
+                const Interval lintel{opening.from.x() - *opening.lintel, opening.to.x() + *opening.lintel};
+                subtract(pieces, lintel);
+                pieces.push_back(lintel);
+            }
+        }
+        for (const Opening& opening : bond.openings)
+        {
+            if (course >= opening.from.y() && course < opening.to.y())
+            {
+                subtract(pieces, {opening.from.x(), opening.to.x()});
+            }
+        }
+        std::sort(pieces.begin(), pieces.end(),
+                  [](const Interval& a, const Interval& b) { return a.from < b.from; });
+        for (const Interval& piece : pieces)
+        {
+            const double left = piece.from * bond.unit.x();
+            const double right = piece.to * bond.unit.x();
+            assembly.blocks.push_back(
+                {{{left, bottom}, {right, bottom}, {right, top}, {left, top}}, bond.thickness});
         }
     }
     return assembly;

@@ -6,6 +6,7 @@
 #include "dictionary/Options.h"
 
 #include <array>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -31,6 +32,8 @@ struct Opening
 {
     Vector<2> from;
     Vector<2> to;
+    std::optional<double> lintel =
+        {}; ///< bearing at both ends of one block in the course above [units]; absent: none
 };
 
 void declare(Options& options, Opening& opening);

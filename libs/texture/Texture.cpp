@@ -6,6 +6,7 @@
 #include "texture/Courses.h"
 #include "texture/Polygons.h"
 #include "texture/RunningBond.h"
+#include "texture/plane/PlaneRubble.h"
 #include "texture/space/BarrelVault.h"
 #include "texture/space/Boxes.h"
 #include "texture/space/Column.h"
@@ -62,6 +63,10 @@ const Registry<Texture<2>>& textureTypes()
                                     [](const Arch& arch) -> Texture<2> {
                                         return {makeAssembly(arch), 1};
                                     }),
+            model<Texture<2>, PlaneRubble>("rubble", "irregular stones, the Voronoi cells of seeded points",
+                                           [](const PlaneRubble& rubble) -> Texture<2> {
+                                               return {makeAssembly(rubble), 1};
+                                           }),
         }};
     return registry;
 }

@@ -65,7 +65,7 @@ std::vector<Polyhedron> voronoiCells(const Vector<3>& size, const std::vector<Ve
     return cells;
 }
 
-std::vector<Vector<3>> relaxedPoints(const Vector<3>& size, int count, int seed, int relaxations)
+std::vector<Vector<3>> uniformPoints(const Vector<3>& size, int count, int seed)
 {
     // std::uniform_real_distribution differs between libraries: 32 bits of the generator, in the middle of
     // their steps.
@@ -77,14 +77,6 @@ std::vector<Vector<3>> relaxedPoints(const Vector<3>& size, int count, int seed,
         const double x = size.x() * uniform();
         const double y = size.y() * uniform();
         points.emplace_back(x, y, size.z() * uniform());
-    }
-    for (int round = 0; round < relaxations; ++round)
-    {
-        const std::vector<Polyhedron> cells = voronoiCells(size, points);
-        for (std::size_t i = 0; i < points.size(); ++i)
-        {
-            points[i] = volumeProperties(cells[i]).centroid;
-        }
     }
     return points;
 }

@@ -14,8 +14,7 @@ namespace drystone
 /// \param points inside it, no two in the same place
 std::vector<Polyhedron> voronoiCells(const Vector<3>& size, const std::vector<Vector<3>>& points);
 
-/// Uniformly distributed points, the same for the same seed on every machine, with Lloyd's relaxation: each
-/// is moved to the centroid of its cell, so often.
-std::vector<Vector<3>> relaxedPoints(const Vector<3>& size, int count, int seed, int relaxations);
+/// Uniformly distributed points in the box, the same for the same seed on every machine.
+std::vector<Vector<3>> uniformPoints(const Vector<3>& size, int count, int seed);
 
 } // namespace drystone

@@ -96,7 +96,7 @@ TEST(BlockTextureDict, AMistypedTypeIsNamedWithTheValidOnes)
     EXPECT_EQ(report("dimensions 2;\ntexture\n{\n    type runingBond;\n}\n"),
               "--> DRYSTONE FATAL IO ERROR:\n"
               "Unknown texture type runingBond. Did you mean runningBond?\n\n"
-              "Valid texture types: arch courses polygons runningBond\n\n"
+              "Valid texture types: arch courses polygons rubble runningBond\n\n"
               "file: system/blockTextureDict/texture/type at line 4.\n\nDRYSTONE exiting\n");
     EXPECT_THAT(report(bond + "} supports { a { type grund; } }"), HasSubstr("Did you mean ground?"));
 }
@@ -144,8 +144,21 @@ TEST(BlockTextureDict, FaultsOfOtherTexturesAreNamed)
                 HasSubstr("below twice the radius"));
     EXPECT_THAT(report("texture { type arch; radius 1; thickness 0.1; voussoirs 1; }"),
                 HasSubstr("more voussoirs"));
-    EXPECT_THAT(report("texture { type arch; profile pointed; radius 1; thickness 0.1; voussoirs 9; }"),
+    EXPECT_THAT(report("texture { type arch; profile pointd; radius 1; thickness 0.1; voussoirs 9; }"),
                 HasSubstr("circular"));
+    const std::string arch = "texture { type arch; radius 1; thickness 0.1; ";
+    EXPECT_THAT(report(arch + "voussoirs 9; profile pointed; offset 0.3; }"), HasSubstr("even number"));
+    EXPECT_THAT(report(arch + "voussoirs 8; profile pointed; }"), HasSubstr("offset"));
+    EXPECT_THAT(report(arch + "voussoirs 8; profile pointed; offset 1; }"), HasSubstr("inner radius"));
+    EXPECT_THAT(report(arch + "voussoirs 8; offset 0.3; }"), HasSubstr("Only a pointed arch"));
+    EXPECT_THAT(report(arch + "voussoirs 8; profile elliptic; }"), HasSubstr("rise above 0"));
+    EXPECT_THAT(report(arch + "voussoirs 8; profile elliptic; rise 0.2; }"), HasSubstr("sharpest"));
+    EXPECT_THAT(report(arch + "voussoirs 8; profile elliptic; rise 0.5; angle 120; }"),
+                HasSubstr("Only a circular arch"));
+    EXPECT_THAT(report(bond + " openings ( { from (1 2); to (2 6); lintel 0.5; } ); }"),
+                HasSubstr("no course above"));
+    EXPECT_THAT(report(bond + " openings ( { from (0.2 2); to (2 5); lintel 0.5; } ); }"),
+                HasSubstr("past an end"));
     EXPECT_THAT(report("dimensions 3; " + bond + "}"), HasSubstr("Only dimensions 2"));
     EXPECT_THAT(report("dimensions 2;"), HasSubstr("texture"));
 }

@@ -156,6 +156,10 @@ TEST(SpaceTextures, HaveTheBlocksContactsAndPointsOfTheReferences)
         {"barrel, 1 slice", barrel, "27 / 28 / 112"},
         {"barrel, 4 slices", barrel + " slices 4;", "108 / 193 / 772"},
         {"barrel, staggered", barrel + " slices 4; staggered yes;", "121 / 310 / 1240"},
+        {"pointed arch",
+         "type extrusion; of { type arch; profile pointed; radius 1; offset 0.3; thickness 0.12; voussoirs "
+         "16; }",
+         "16 / 17 / 68"},
         {"groin vault", "type crossVault; radius 1; thickness 0.2; voussoirs 8; reach 1.4;", "32 / 52 / 208"},
         {"column", "type column; sides 8; radius 0.3; drums 5; drumHeight 0.4;", "5 / 5 / 40"},
         {"portal",

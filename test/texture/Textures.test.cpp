@@ -1,13 +1,16 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Courses, polygons and arches.
 #include "contact/ContactPoint.h"
+#include "geometry/PolygonShape.h"
 #include "texture/Arch.h"
 #include "texture/Courses.h"
 #include "texture/Polygons.h"
 #include "texture/RunningBond.h"
+#include "texture/plane/PlaneRubble.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -116,6 +119,113 @@ TEST(Arch, EveryAngleHasAJointAtEachSpringingAndIsItsOwnMirrorImage)
                 EXPECT_GT(areaProperties(one).area, 0);
             }
         }
+    }
+}
+
+TEST(Arch, APointedArchHasItsCrownJointOnTheAxisAndSpringsLevel)
+{
+    Arch arch;
+    arch.profile = ArchProfile::pointed;
+    arch.thickness = 0.12;
+    arch.offset = 0.3;
+    arch.voussoirs = 16;
+    const Assembly<2> assembly = makeAssembly(arch);
+    EXPECT_EQ(findContactPoints(assembly).size(), 2U * 17);
+    const Polygon& last = assembly.blocks[15].outline;
+    EXPECT_NEAR(last[1].x(), 1 - 0.06 - 0.3, 1e-15);
+    EXPECT_EQ(last[1].y(), 0);
+    const Polygon& crown = assembly.blocks[8].outline;
+    EXPECT_EQ(crown[0].x(), 0);
+    EXPECT_NEAR(crown[3].y(), std::sqrt(1.06 * 1.06 - 0.09), 1e-15);
+    // Joints between are radial to the centre of their arc, at equal angles up to where the centreline meets
+    // the axis.
+    const double angle = std::acos(0.3) / 8;
+    EXPECT_NEAR(assembly.blocks[15].outline[0].y(), 0.94 * std::sin(angle), 1e-15);
+    for (int i = 0; i < 16; ++i)
+    {
+        EXPECT_EQ(assembly.blocks[i].outline[0].x(), -assembly.blocks[15 - i].outline[1].x());
+    }
+}
+
+TEST(Arch, AnEllipticArchHasJointsPerpendicularToItsCentrelineAndACircleAmongThem)
+{
+    Arch arch;
+    arch.profile = ArchProfile::elliptic;
+    arch.radius = 2;
+    arch.rise = 1;
+    arch.voussoirs = 15;
+    const Assembly<2> assembly = makeAssembly(arch);
+    EXPECT_EQ(findContactPoints(assembly).size(), 2U * 16);
+    for (int i = 0; i < 15; ++i)
+    {
+        const Polygon& outline = assembly.blocks[i].outline;
+        const Vector<2> middle = (outline[0] + outline[3]) / 2;
+        const Vector<2> normal(middle.x() / 4, middle.y());
+        EXPECT_NEAR(std::pow(middle.x() / 2, 2) + std::pow(middle.y(), 2), 1, 1e-14);
+        EXPECT_NEAR(cross(normal.normalized(), outline[3] - outline[0]), 0, 1e-15);
+        EXPECT_NEAR((outline[3] - outline[0]).norm(), arch.thickness, 1e-15);
+    }
+    arch.rise = 2;
+    Arch circle = arch;
+    circle.profile = ArchProfile::circular;
+    const Assembly<2> round = makeAssembly(circle);
+    const Assembly<2> ellipse = makeAssembly(arch);
+    for (int i = 0; i < 15; ++i)
+    {
+        for (int corner = 0; corner < 4; ++corner)
+        {
+            EXPECT_NEAR((round.blocks[i].outline[corner] - ellipse.blocks[i].outline[corner]).norm(), 0,
+                        1e-14);
+        }
+    }
+}
+
+TEST(RunningBond, ALintelReachesPastBothJambs)
+{
+    RunningBond bond;
+    bond.courses = 6;
+    bond.openings = {{{1.5, 1}, {2.5, 3}, 0.25}};
+    const Assembly<2> wall = makeAssembly(bond);
+    const auto lintel = std::find_if(wall.blocks.begin(), wall.blocks.end(),
+                                     [](const Block<2>& block)
+                                     { return std::abs(block.outline[0].x() - 1.25 * 0.4) < 1e-12; });
+    ASSERT_NE(lintel, wall.blocks.end());
+    EXPECT_DOUBLE_EQ(lintel->outline[1].x(), 2.75 * 0.4);
+    EXPECT_DOUBLE_EQ(lintel->outline[0].y(), 3 * 0.175);
+    double area = 0;
+    for (const Block<2>& block : wall.blocks)
+    {
+        area += areaProperties(block.outline).area;
+    }
+    EXPECT_NEAR(area, (5 * 6 - 2) * 0.4 * 0.175, 1e-13);
+}
+
+TEST(PlaneRubble, FillsTheWallWithSimpleOutlinesAndNoShortJoints)
+{
+    for (const int seed : {1, 2, 3, 4, 5})
+    {
+        PlaneRubble rubble;
+        rubble.stones = 150;
+        rubble.seed = seed;
+        const Assembly<2> wall = makeAssembly(rubble);
+        const double mean = std::sqrt(6.0 / 150);
+        double area = 0;
+        for (const Block<2>& block : wall.blocks)
+        {
+            EXPECT_EQ(outlineFault(block.outline), "") << "seed " << seed;
+            area += areaProperties(block.outline).area;
+        }
+        EXPECT_NEAR(area, 6, 1e-12) << "seed " << seed;
+        const auto points = findContactPoints(wall);
+        EXPECT_GT(points.size(), 2U * 300) << "seed " << seed; // Euler: nearly three joints a stone
+        for (std::size_t i = 0; i + 1 < points.size(); i += 2)
+        {
+            // Corners are moved by half of what they merge over.
+            EXPECT_GT((points[i + 1].position - points[i].position).norm(), 0.05 * mean) << "seed " << seed;
+        }
+        EXPECT_EQ(makeAssembly(rubble).blocks[7].outline, wall.blocks[7].outline);
+        rubble.seed += 100;
+        EXPECT_NE(makeAssembly(rubble).blocks[7].outline, wall.blocks[7].outline);
     }
 }
 

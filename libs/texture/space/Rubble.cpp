@@ -4,6 +4,8 @@
 
 #include "texture/Voronoi.h"
 
+#include <algorithm>
+
 namespace drystone
 {
 
@@ -26,9 +28,15 @@ void declare(Options& options, Rubble& rubble)
 
 Assembly<3> makeAssembly(const Rubble& rubble)
 {
+    std::vector<Vector<3>> points = uniformPoints(rubble.size, rubble.stones, rubble.seed);
+    for (int round = 0; round < rubble.relaxations; ++round)
+    {
+        const std::vector<Polyhedron> cells = voronoiCells(rubble.size, points);
+        std::transform(cells.begin(), cells.end(), points.begin(),
+                       [](const Polyhedron& cell) { return volumeProperties(cell).centroid; });
+    }
     Assembly<3> assembly;
-    for (Polyhedron& cell : voronoiCells(
-             rubble.size, relaxedPoints(rubble.size, rubble.stones, rubble.seed, rubble.relaxations)))
+    for (Polyhedron& cell : voronoiCells(rubble.size, points))
     {
         assembly.blocks.push_back({std::move(cell)});
     }

@@ -1,0 +1,188 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Makes the blocks of the texture `rubble` of the plane from its settings.
+#include "texture/plane/PlaneRubble.h"
+
+#include "geometry/BroadPhase.h"
+#include "texture/Voronoi.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace drystone
+{
+
+namespace
+{
+
+/// The cells of points in a rectangle: those of a slab cut through the middle of its thickness.
+std::vector<Polygon> planeCells(const Vector<2>& size, const std::vector<Vector<2>>& points)
+{
+    // As thick as the cells are large, which keeps the bins of the search square.
+    const double depth = std::sqrt(size.prod() / static_cast<double>(points.size()));
+    std::vector<Vector<3>> inSlab;
+    for (const Vector<2>& point : points)
+    {
+        inSlab.emplace_back(point.x(), point.y(), depth / 2);
+    }
+    std::vector<Polygon> cells;
+    for (const Polyhedron& prism : voronoiCells({size.x(), size.y(), depth}, inSlab))
+    {
+        Polygon outline;
+        for (const std::vector<int>& face : prism.faces)
+        {
+            if (areaVector(prism, face).normalized().z() > 0.5)
+            {
+                for (const int corner : face)
+                {
+                    outline.emplace_back(prism.vertices[corner].head<2>());
+                }
+            }
+        }
+        cells.push_back(std::move(outline));
+    }
+    return cells;
+}
+
+/// Corners of all cells that are nearer to each other than `least`, along edges, become one: their mean,
+/// which stays on the sides of the rectangle and in its corners. Also makes corners that are the same but for
+/// rounding the same.
+void mergeShortEdges(std::vector<Polygon>& cells, const Vector<2>& size, double least)
+{
+    // Clusters of corners: which belong together is found by union of those that are near in the list of all.
+    std::vector<Vector<2>> corners;
+    std::vector<BoundingBox> boxes;
+    const double same = 1e-9 * size.maxCoeff();
+    for (const Polygon& cell : cells)
+    {
+        for (const Vector<2>& corner : cell)
+        {
+            corners.push_back(corner);
+            boxes.push_back(enlarged(BoundingBox{corner, corner}, same / 2));
+        }
+    }
+    std::vector<int> parent(corners.size());
+    std::iota(parent.begin(), parent.end(), 0);
+    const auto rootOf = [&parent](int i)
+    {
+        while (parent[i] != i)
+        {
+            parent[i] = parent[parent[i]];
+            i = parent[i];
+        }
+        return i;
+    };
+    for (const auto& [one, other] : findMeetingPairs(boxes))
+    {
+        parent[rootOf(other)] = rootOf(one);
+    }
+    int first = 0;
+    for (const Polygon& cell : cells)
+    {
+        const int count = static_cast<int>(cell.size());
+        for (int i = 0; i < count; ++i)
+        {
+            const int next = (i + 1) % count;
+            if ((cell[next] - cell[i]).norm() < least)
+            {
+                parent[rootOf(first + next)] = rootOf(first + i);
+            }
+        }
+        first += count;
+    }
+    // The mean of a cluster, but on the sides that it touches.
+    std::vector<Vector<2>> sums(corners.size(), Vector<2>::Zero());
+    std::vector<int> counts(corners.size(), 0);
+    std::vector<BoundingBox> extents(corners.size());
+    for (std::size_t i = 0; i < corners.size(); ++i)
+    {
+        const int root = rootOf(static_cast<int>(i));
+        sums[root] += corners[i];
+        ++counts[root];
+        extend<2>(extents[root], corners[i]);
+    }
+    const auto merged = [&](int root) -> Vector<2>
+    {
+        Vector<2> mean = sums[root] / counts[root];
+        for (int axis = 0; axis < 2; ++axis)
+        {
+            mean[axis] = extents[root].lower[axis] < same                ? 0
+                         : extents[root].upper[axis] > size[axis] - same ? size[axis]
+                                                                         : mean[axis];
+        }
+        return mean;
+    };
+    first = 0;
+    for (Polygon& cell : cells)
+    {
+        Polygon outline;
+        for (std::size_t i = 0; i < cell.size(); ++i)
+        {
+            const Vector<2> corner = merged(rootOf(first + static_cast<int>(i)));
+            if (outline.empty() || outline.back() != corner)
+            {
+                outline.push_back(corner);
+            }
+        }
+        while (outline.size() > 1 && outline.back() == outline.front())
+        {
+            outline.pop_back();
+        }
+        first += static_cast<int>(cell.size());
+        cell = std::move(outline);
+    }
+}
+
+} // namespace
+
+void declare(Options& options, PlaneRubble& rubble)
+{
+    options.required("size", rubble.size, "length and height of the wall, from the origin")
+        .unit("m")
+        .above(0)
+        .example("(3 2)");
+    options.optional("thickness", rubble.thickness, "out of plane").unit("m").above(0);
+    options.required("stones", rubble.stones, "their number").atLeast(1).atMost(1000000).example("100");
+    options.optional("seed", rubble.seed, "of the points: another one gives another wall").atLeast(0);
+    options
+        .optional("relaxations", rubble.relaxations,
+                  "how often points are moved to the centroids of their cells: stones become rounder and "
+                  "more equal")
+        .atLeast(0)
+        .atMost(1000);
+    options
+        .optional("leastJoint", rubble.leastJoint,
+                  "shorter joints shrink to a corner; in mean sizes of a stone")
+        .atLeast(0)
+        .atMost(0.3);
+}
+
+Assembly<2> makeAssembly(const PlaneRubble& rubble)
+{
+    const double mean = std::sqrt(rubble.size.prod() / rubble.stones);
+    std::vector<Vector<2>> points;
+    for (const Vector<3>& point :
+         uniformPoints({rubble.size.x(), rubble.size.y(), 1}, rubble.stones, rubble.seed))
+    {
+        points.emplace_back(point.head<2>());
+    }
+    for (int round = 0; round < rubble.relaxations; ++round)
+    {
+        const std::vector<Polygon> cells = planeCells(rubble.size, points);
+        std::transform(cells.begin(), cells.end(), points.begin(),
+                       [](const Polygon& cell) { return areaProperties(cell).centroid; });
+    }
+    std::vector<Polygon> cells = planeCells(rubble.size, points);
+    mergeShortEdges(cells, rubble.size, rubble.leastJoint * mean);
+    Assembly<2> assembly;
+    for (Polygon& cell : cells)
+    {
+        if (cell.size() >= 3) // a stone whose edges are all short is taken up by its neighbours
+        {
+            assembly.blocks.push_back({std::move(cell), rubble.thickness});
+        }
+    }
+    return assembly;
+}
+
+} // namespace drystone
