@@ -70,88 +70,10 @@ void declare(Options& options, JointStrength& strength)
         .example("1e5");
 }
 
-void declare(Options& options, Elasticity& elasticity)
-{
-    options.required("normal", elasticity.normal, "stiffness of a contact point against pressing")
-        .unit("N/m")
-        .above(0)
-        .example("1e9");
-    options.required("tangential", elasticity.tangential, "stiffness of a contact point against shearing")
-        .unit("N/m")
-        .above(0)
-        .example("5e8");
-}
-
-void declare(Options& options, HousnerLoss& loss)
-{
-    options
-        .required("slenderness", loss.slenderness,
-                  "of the block, atan(width/height); small: beyond 0.35 the "
-                  "equivalence is worse than 2%")
-        .unit("rad")
-        .above(0)
-        .atMost(0.5)
-        .example("0.24497866");
-    options.required("radius", loss.radius, "from a corner to the mass centre")
-        .unit("m")
-        .above(0)
-        .example("1.0307764");
-    options.required("amplitude", loss.amplitude, "rotation that the block is released from")
-        .unit("rad")
-        .above(0)
-        .example("0.1");
-    options.check(
-        "amplitude",
-        [&loss]
-        {
-            return loss.amplitude < loss.slenderness
-                       ? ""
-                       : "A block released from beyond its slenderness overturns: amplitude must be "
-                         "below slenderness.";
-        });
-}
-
-void declare(Options& options, Damping& damping)
-{
-    options.optional("massProportional", damping.massProportional, "force over momentum of a block")
-        .unit("1/s")
-        .atLeast(0)
-        .example("0.5");
-    options.optional(
-        "equivalentToHousner", damping.equivalentToHousner,
-        "instead: the massProportional that takes from a rocking block, in the swing to the other "
-        "side, what an impact takes from it; for joints that do not lose it themselves");
-    options.check(
-        "massProportional",
-        [&damping]
-        {
-            return damping.equivalentToHousner && damping.massProportional > 0
-                       ? "massProportional and equivalentToHousner are both given. Remove one of them."
-                       : "";
-        });
-}
-
 void declare(Options& options, ContactModel& model)
 {
     options.optional("formulation", model.formulation,
                      "forces at points of a joint, or the stress resultants N, T, M of the whole joint");
-}
-
-void declare(Options& options, Deletion& deletion)
-{
-    options
-        .required("box", deletion.box,
-                  "lower left and upper right corner; a block whose mass centre is outside is out")
-        .unit("m")
-        .example("((-10 -1) (10 20))");
-    options.check("box",
-                  [&deletion]
-                  {
-                      const auto& [lower, upper] = deletion.box;
-                      return lower[0] < upper[0] && lower[1] < upper[1]
-                                 ? ""
-                                 : "The box is empty: give its lower left corner, then its upper right one.";
-                  });
 }
 
 void declare(Options& options, JointFriction& friction)
@@ -184,12 +106,6 @@ void declare(Options& options, ContactProperties& properties)
         "normal stress that holds joints together, at most cohesion over mu, in motion until they "
         "break; absent: none");
     options.optional("crushing", properties.crushing, "pressure that the joints bear; absent: any");
-    options.optional("elasticity", properties.elasticity,
-                     "contact points that give way under force, in motion; absent: rigid");
-    options.optional("damping", properties.damping,
-                     "losses beside friction and impact, in motion; absent: none");
-    options.optional("deletion", properties.deletion,
-                     "blocks that leave a box are computed no further, in motion; absent: all are");
     options.optional("contact", properties.contact, "what limitAnalysis knows of a joint; absent: points");
     options
         .optional("pointsPerJoint", properties.pointsPerJoint,
@@ -204,7 +120,7 @@ void declare(Options& options, ContactProperties& properties)
         "that of block 12 and the support ground, or by quoted pattern");
 }
 
-EffectNames effectNames(const ContactProperties& properties)
+EffectNames effectNames(const ContactProperties& properties, const EffectNames& ofMotion)
 {
     EffectNames names;
     const auto tell = [&names](bool isThere, const char* name)
@@ -225,11 +141,12 @@ EffectNames effectNames(const ContactProperties& properties)
     tell(properties.crushing || inJoints(&JointProperties::crushing), "crushing");
     tell(properties.contact && properties.contact->formulation == ContactFormulation::surface,
          "surfaceContact");
-    tell(properties.elasticity.has_value(), "elasticity");
-    tell(properties.damping.has_value(), "damping");
-    tell(properties.deletion.has_value(), "deletion");
+    names.simulated.insert(names.simulated.end(), ofMotion.simulated.begin(), ofMotion.simulated.end());
+    names.absent.insert(names.absent.end(), ofMotion.absent.begin(), ofMotion.absent.end());
     for (const AbsentEffect& effect : absentEffects())
+    {
         names.absent.emplace_back(effect.name);
+    }
     return names;
 }
 
@@ -248,10 +165,10 @@ void refuseEffects(const std::filesystem::path& caseDirectory, const std::string
     }
 }
 
-ContactProperties readContactProperties(const std::filesystem::path& caseDirectory)
+Dictionary readContactDictionary(const std::filesystem::path& caseDirectory)
 {
-    const Dictionary dictionary = readCaseFile(caseDirectory, "constant/contactProperties",
-                                               "friction { type Coulomb; mu 0.65; flowRule associative; }");
+    Dictionary dictionary = readCaseFile(caseDirectory, "constant/contactProperties",
+                                         "friction { type Coulomb; mu 0.65; flowRule associative; }");
     for (const AbsentEffect& effect : absentEffects())
     {
         if (const Entry* entry = dictionary.findExact(effect.name))
@@ -264,7 +181,12 @@ ContactProperties readContactProperties(const std::filesystem::path& caseDirecto
                 entry->location());
         }
     }
-    return readOptions<ContactProperties>(dictionary);
+    return dictionary;
+}
+
+ContactProperties readContactProperties(const std::filesystem::path& caseDirectory)
+{
+    return readOptions<ContactProperties>(readContactDictionary(caseDirectory));
 }
 
 std::vector<double> frictionCoefficients(const ContactProperties& properties, std::size_t points)

@@ -64,35 +64,6 @@ struct JointFriction
 
 void declare(Options& options, JointFriction& friction);
 
-/// Contact points that give way under force, like springs: Krabbenhoft et al. (2012), the term 1/2 c' C c.
-struct Elasticity
-{
-    double normal = 0;     ///< stiffness of a contact point [N/m]
-    double tangential = 0; ///< likewise [N/m]
-};
-
-void declare(Options& options, Elasticity& elasticity);
-
-/// The loss that a rocking block of the case has in an impact (Housner 1963), to be taken by damping instead.
-struct HousnerLoss
-{
-    double slenderness = 0; ///< angle from a corner's vertical to the mass centre, atan(b/h) [rad]
-    double radius = 0;      ///< from that corner to the mass centre [m]
-    double amplitude = 0;   ///< rotation it is released from, below the slenderness [rad]
-};
-
-void declare(Options& options, HousnerLoss& loss);
-
-/// Losses beside friction and impact: a force of -massProportional M v on each block.
-struct Damping
-{
-    double massProportional = 0; ///< [1/s]
-    /// Instead: the coefficient follows from it (see equivalentDamping in dynamics/MassDamping.h).
-    std::optional<HousnerLoss> equivalentToHousner = {};
-};
-
-void declare(Options& options, Damping& damping);
-
 /// What limit analysis knows of a joint.
 enum class ContactFormulation
 {
@@ -112,14 +83,6 @@ struct ContactModel
 
 void declare(Options& options, ContactModel& model);
 
-/// Blocks that leave a box are out of the computation from then on.
-struct Deletion
-{
-    std::pair<std::array<double, 2>, std::array<double, 2>> box; ///< lower and upper corner [m]
-};
-
-void declare(Options& options, Deletion& deletion);
-
 /// What some joints have instead of what all have; the effects that it does not name stay as they are.
 struct JointProperties
 {
@@ -131,7 +94,7 @@ struct JointProperties
 
 void declare(Options& options, JointProperties& properties);
 
-/// The effects of a case; one that is absent is not simulated and costs nothing.
+/// What the joints of a case carry and how they rebound; what is absent is not simulated and costs nothing.
 struct ContactProperties
 {
     std::optional<CoulombFriction> friction; ///< absent: frictionless
@@ -139,9 +102,6 @@ struct ContactProperties
     std::optional<JointStrength> cohesion;   ///< absent: shear by friction alone
     std::optional<JointStrength> tension;    ///< absent: joints open freely
     std::optional<JointStrength> crushing;   ///< absent: any pressure is borne
-    std::optional<Elasticity> elasticity;    ///< absent: rigid; in motion only
-    std::optional<Damping> damping;          ///< absent: none; in motion only
-    std::optional<Deletion> deletion;        ///< absent: blocks are followed wherever they go; in motion only
     std::optional<ContactModel> contact;     ///< absent: points; in limit analysis only
     /// By name (see jointName), exact names before the last pattern that matches.
     std::vector<std::pair<NamePattern, JointProperties>> joints;
@@ -169,11 +129,15 @@ struct EffectNames
     std::vector<std::string> simulated;
     std::vector<std::string> absent;
 };
-EffectNames effectNames(const ContactProperties& properties);
+/// \param ofMotion those that only motion has, after the others
+EffectNames effectNames(const ContactProperties& properties, const EffectNames& ofMotion = {});
 
-/// The effects of a case. \throws FatalError or FatalIOError when constant/contactProperties is missing or
-/// faulty, or asks for an effect that is unknown or absent from this version
+/// Reads constant/contactProperties. \throws FatalError or FatalIOError when it is missing or faulty, or asks
+/// for an effect that is unknown or absent from this version
 ContactProperties readContactProperties(const std::filesystem::path& caseDirectory);
+
+/// The dictionary, with what is there of effects that are absent from this version refused.
+Dictionary readContactDictionary(const std::filesystem::path& caseDirectory);
 
 /// Refuses effects that an application does not simulate, so that nobody takes a result for what it is not.
 /// \param names of sub-dictionaries or entries of constant/contactProperties

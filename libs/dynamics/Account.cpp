@@ -1,6 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// The last stage of a step: its energy, and what the next step starts from.
-#include "dynamics/Deletion.h"
 #include "dynamics/Step.h"
 
 #include <algorithm>
@@ -33,16 +32,18 @@ StepEnergy energyOf(Step& step)
         workOfSupports += normalWork + shearWork;
     }
     energy.externalWork = (step.load - step.scene.deadLoad).dot(result.displacement) + workOfSupports;
-    const EffectContext context{step.scene.mass, step.guess.contactForce, motion.contactForces,
-                                step.scheme.timeStep};
+    const std::function<Eigen::VectorXd()> opening = [&step, &result]
+    { return openingAtEnd(step, result.displacement, result.contactForce); };
+    const EffectContext context = contextOf(step);
+    const EffectSolution solution{result.displacement, result.contactForce, opening};
     for (const auto& effect : step.scene.effects)
     {
-        effect->account(context, result, energy);
+        effect->account(context, solution, energy);
     }
     return energy;
 }
 
-/// Forces, gaps and bonds, where the next step starts.
+/// Forces and gaps, where the next step starts.
 void keepContacts(Step& step)
 {
     Motion& motion = step.motion;
@@ -74,9 +75,6 @@ void keepContacts(Step& step)
         }
     }
     motion.interior = std::move(step.solved.result.interior);
-    motion.bondsBrokenInStep = -brokenBonds(step.scene, motion);
-    motion.isBondBroken = std::move(step.isBondBroken);
-    motion.bondsBrokenInStep += brokenBonds(step.scene, motion);
 }
 
 } // namespace
@@ -87,12 +85,8 @@ void account(Step& step)
     const DynamicCase& scene = step.scene;
     Motion& motion = step.motion;
     StepEnergy energy = energyOf(step);
-    if (scene.contact.deletion)
-    {
-        const double kineticBefore = kineticEnergy(scene, motion.state.velocity);
-        deleteBlocks(scene, motion);
-        energy.externalWork -= kineticBefore - kineticEnergy(scene, motion.state.velocity);
-    }
+    motion.effectStates = std::move(step.effectStates);
+    energy.externalWork -= leaveOutBlocks(scene, motion);
     motion.energy.impactLoss += step.solved.lostInImpacts;
     keepLedger(motion.energy, scene, energy, motion.state.velocity, motion.state.placements);
     motion.largestKinetic = std::max(motion.largestKinetic, motion.energy.kinetic);

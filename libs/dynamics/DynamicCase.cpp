@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Reading of a case in motion.
 #include "dynamics/DynamicCase.h"
 
 #include "assembly/Loads.h"
@@ -8,7 +9,6 @@
 #include "contact/Equilibrium.h"
 #include "contact/Facing.h"
 #include "contact/JointLaws.h"
-#include "dynamics/MassDamping.h"
 
 #include "runControl/Solution.h"
 
@@ -19,40 +19,8 @@
 namespace drystone
 {
 
-void setStructure(DynamicCase& scene, Assembly<2> assembly, const std::vector<double>& densities)
+namespace
 {
-    scene.assembly = std::move(assembly);
-    scene.blocks = blockMasses(scene.assembly);
-    scene.free = freeIndices(scene.assembly);
-    scene.mass = massDiagonal(scene.assembly, scene.blocks, densities);
-    scene.blockSize = meanBlockSize(scene.assembly);
-    double extent = 0;
-    for (const Block<2>& block : scene.assembly.blocks)
-    {
-        for (const Vector<2>& corner : block.outline)
-        {
-            extent = std::max(extent, block.support < 0 ? corner.lpNorm<Eigen::Infinity>() : 0);
-        }
-    }
-    scene.roundingGap = 64 * std::numeric_limits<double>::epsilon() * extent;
-}
-
-/// Refuses what some joints shall have and motion does not simulate.
-void refuseCrushingJoints(const ContactProperties& contact, const std::filesystem::path& caseDirectory)
-{
-    for (const auto& [name, properties] : contact.joints)
-    {
-        if (properties.crushing)
-        {
-            throw FatalIOError(fmt::format("contactDynamics does not simulate crushing, which joint {} has. "
-                                           "Remove the entry to compute without it.",
-                                           name.text),
-                               Dictionary::readFile(caseDirectory / "constant/contactProperties")
-                                   .subDict("joints")
-                                   .location());
-        }
-    }
-}
 
 /// The friction coefficients of joints that have one of their own.
 std::vector<std::pair<std::pair<int, int>, double>>
@@ -78,65 +46,34 @@ frictionOfJoints(const std::filesystem::path& caseDirectory, const ContactProper
     return result;
 }
 
-/// What elastic contact points, and deletion, do not go together with.
-void refuseCombinations(const DynamicCase& scene, const std::filesystem::path& caseDirectory)
+/// Refuses effects that motion does not simulate, so that nobody takes a result for what it is not.
+void refuseCrushing(const CaseEffects& read)
 {
-    const auto locationOf = [&caseDirectory](const std::string& key)
-    { return Dictionary::readFile(caseDirectory / "constant/contactProperties").locationOf(key); };
-    if (scene.contact.deletion && scene.schemes.smallDisplacements)
+    for (const std::string name : {"crushing", "pointsPerJoint", "contact"})
     {
-        throw FatalIOError(
-            "With `smallDisplacements yes;` no block leaves where it was built: remove deletion, or "
-            "set `smallDisplacements no;` in system/schemes.",
-            locationOf("deletion"));
-    }
-    if (!scene.contact.elasticity)
-    {
-        return;
-    }
-    for (const std::string effect : {"cohesion", "tension"})
-    {
-        if (effect == "cohesion" ? scene.contact.cohesion : scene.contact.tension)
+        if (read.locations.has(name))
         {
             throw FatalIOError(
-                fmt::format("Joints are either elastic or hold by {0}, which is rigid until it "
-                            "breaks: remove elasticity, or {0}.",
-                            effect),
-                locationOf(effect));
+                fmt::format("contactDynamics does not simulate {}. Remove the entry to compute without it.",
+                            name),
+                read.locations.of(name));
         }
     }
-    for (const auto& [name, properties] : scene.contact.joints)
+    for (const auto& [name, properties] : read.contact.joints)
     {
-        if (properties.cohesion || properties.tension)
+        if (properties.crushing)
         {
-            throw FatalIOError(fmt::format("Joints are either elastic or hold by cohesion and tension, which "
-                                           "are rigid until they break: remove elasticity, or those of {}.",
+            throw FatalIOError(fmt::format("contactDynamics does not simulate crushing, which joint {} has. "
+                                           "Remove the entry to compute without it.",
                                            name.text),
-                               locationOf("joints"));
+                               read.locations.of("joints/" + name.text + "/crushing"));
         }
-    }
-    if (scene.contact.restitution)
-    {
-        throw FatalIOError("Elastic contact points rebound by themselves: remove restitution, or elasticity.",
-                           locationOf("restitution"));
-    }
-    if (scene.schemes.timeIntegration.theta < 1)
-    {
-        throw FatalIOError("Elastic contact points are integrated with theta 1 only: set `theta 1;` in "
-                           "system/schemes, or remove elasticity.",
-                           locationOf("elasticity"));
-    }
-    if (scene.solution.solver == SolverType::interiorPoint
-        || scene.solution.solver == SolverType::augmentedLagrangian)
-    {
-        throw FatalIOError(
-            "Elastic contact points are solved by Newton's method of their own, or by gaussSeidel: set "
-            "`solver automatic;` for contactDynamics in system/solution, or remove elasticity.",
-            locationOf("elasticity"));
     }
 }
 
-DynamicCase readDynamicCase(const std::filesystem::path& caseDirectory)
+} // namespace
+
+DynamicCase readDynamicCase(const std::filesystem::path& caseDirectory, const std::vector<EffectType>& types)
 {
     DynamicCase scene;
     scene.schemes = readSchemes(caseDirectory);
@@ -144,21 +81,17 @@ DynamicCase readDynamicCase(const std::filesystem::path& caseDirectory)
     Assembly<2> assembly = readAssembly(caseDirectory);
     refuseOverlaps(assembly, caseDirectory);
     refuseAlmostJoints(assembly, caseDirectory);
-    scene.contact = readContactProperties(caseDirectory);
-    refuseEffects(caseDirectory, "contactDynamics", {"crushing", "pointsPerJoint", "contact"});
-    refuseCrushingJoints(scene.contact, caseDirectory);
-    refuseCombinations(scene, caseDirectory);
+    const CaseEffects read = readCaseEffects(caseDirectory, types);
+    refuseCrushing(read);
+    scene.contact = read.contact;
+    scene.effectNames = effectNames(read);
     scene.gravity = readGravity(caseDirectory);
-    if (scene.contact.damping && scene.contact.damping->equivalentToHousner)
-    {
-        scene.contact.damping->massProportional =
-            equivalentDamping(*scene.contact.damping->equivalentToHousner, scene.gravity.norm());
-    }
-    scene.effects = stepEffects(scene.contact);
-    scene.bonds = jointBonds(caseDirectory, scene.contact, assembly);
     scene.jointFriction = frictionOfJoints(caseDirectory, scene.contact, assembly);
     const std::vector<double> densities = readDensities(caseDirectory, assembly, scene.gravity);
     setStructure(scene, std::move(assembly), densities);
+    scene.effects =
+        makeEffects(read, {scene, scene.contact, read.locations, caseDirectory, scene.displacements(),
+                           scene.schemes.timeIntegration.theta, scene.solution.solver});
     const std::vector<double> masses = massesOf(scene.blocks, densities);
     scene.deadLoad =
         readLoads(caseDirectory, {scene.assembly, masses, scene.gravity}, LiveLoad::optional).dead;

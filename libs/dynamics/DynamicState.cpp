@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// States of a structure in motion.
 #include "dynamics/DynamicState.h"
 
 namespace drystone
@@ -15,23 +16,6 @@ DynamicState stateAtRest(const Assembly<2>& assembly)
     }
     state.velocity = Eigen::VectorXd::Zero(3 * freeBlocks);
     return state;
-}
-
-Eigen::VectorXd massDiagonal(const Assembly<2>& assembly, const std::vector<BlockMass<2>>& blocks,
-                             const std::vector<double>& densities)
-{
-    const std::vector<int> free = freeIndices(assembly);
-    Eigen::VectorXd mass = stateAtRest(assembly).velocity;
-    for (std::size_t block = 0; block < free.size(); ++block)
-    {
-        if (free[block] >= 0)
-        {
-            const double translation = densities[block] * blocks[block].volume;
-            const double rotation = densities[block] * blocks[block].inertia(0, 0);
-            mass.segment<3>(3 * free[block]) << translation, translation, rotation;
-        }
-    }
-    return mass;
 }
 
 std::vector<BlockMass<2>> placedMasses(std::vector<BlockMass<2>> blocks,

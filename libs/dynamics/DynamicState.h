@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Where the blocks are and how fast they move at one instant, and what resists their motion.
+/// Where the blocks are and how fast they move at one instant.
 #pragma once
 
 #include "assembly/Assembly.h"
@@ -19,11 +19,6 @@ struct DynamicState
 
 /// The structure as built and at rest.
 DynamicState stateAtRest(const Assembly<2>& assembly);
-
-/// Diagonal of the mass matrix M: (m, m, J) of each free block [kg, kg, kg m2].
-/// \param blocks mass properties of all blocks \param densities of all blocks [kg/m3]
-Eigen::VectorXd massDiagonal(const Assembly<2>& assembly, const std::vector<BlockMass<2>>& blocks,
-                             const std::vector<double>& densities);
 
 /// The mass properties with the centroids where the blocks are now: lever arms of contact forces are taken
 /// to these.

@@ -20,7 +20,7 @@ Eigen::VectorXd flightOf(const Step& step, const ThetaStep& result, const Eigen:
     const DynamicCase& scene = step.scene;
     const PlaneConeProgram& program = step.program;
     const double theta = step.scheme.theta;
-    if (scene.restitution() == 0 || theta == 0.5 || !scene.effects.empty())
+    if (scene.restitution() == 0 || theta == 0.5 || traitsOf(scene.effects).actsOnBlocks)
     {
         return {};
     }

@@ -1,10 +1,9 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Questions about a motion of the ground that can be computed and may not be what was meant.
+/// Questions about the times at which a motion of the ground is computed.
 #pragma once
 
-#include "dictionary/Dictionary.h"
-#include "dynamics/GroundMotion.h"
 #include "dynamics/Schemes.h"
+#include "effects/RecordPlausibility.h"
 #include "runControl/Time.h"
 
 #include <vector>
@@ -12,27 +11,9 @@
 namespace drystone
 {
 
-/// A doubt about the input: what is improbable and what is usual, and where it stands.
-struct Doubt
-{
-    std::string text;
-    SourceLocation place;
-};
-
-/// What is improbable of a record: a peak that no earthquake has, a scale that converts a unit which is
-/// converted already, a velocity that is left when the motion ends (the mean acceleration times the
-/// duration).
-/// \param component made from `acceleration`, the sub-dictionary of constant/groundMotion; of another type
-/// than `record` nothing is doubted
-std::vector<Doubt> doubtsAboutRecord(const GroundMotion::Component& component,
-                                     const Dictionary& acceleration);
-
 /// What is improbable of the times that a motion of the ground is computed at: steps coarser than its points,
 /// an end before its end. \param controlDict for the places
 std::vector<Doubt> doubtsAboutTimes(const GroundMotion& motion, const Schemes& schemes,
                                     const TimeControls& controls, const Dictionary& controlDict);
-
-/// Prints them as warnings, each once in a run.
-void question(const std::vector<Doubt>& doubts);
 
 } // namespace drystone

@@ -3,8 +3,8 @@
 #include "dynamics/Motion.h"
 
 #include "conic/form/Form.h"
-#include "dynamics/Deletion.h"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -13,14 +13,11 @@ namespace drystone
 namespace
 {
 
-/// The ends of an unbroken bond are no farther apart than this, in mean block sizes: what steps leave of
-/// slips adds up.
-constexpr double bondReach = 1e-3;
-
 /// What the joints have of `initialGaps`, and what the places of the blocks make of it, to first order.
 void setGapsAsBuilt(const DynamicCase& scene, Motion& motion)
 {
     const auto columns = equilibriumColumns(scene.assembly, scene.blocks, motion.points);
+    const std::vector<Strength> strengths = strengthsOf(scene, motion);
     std::mt19937_64 random(scene.schemes.initialGaps ? scene.schemes.initialGaps->seed : 0);
     const auto displacementOf = [&motion](int block)
     {
@@ -34,7 +31,7 @@ void setGapsAsBuilt(const DynamicCase& scene, Motion& motion)
         {
             // Of the generator's numbers themselves: std::uniform_real_distribution differs among libraries.
             const double share = std::ldexp(double(random() >> 11), -53);
-            const bool isHeld = !scene.bonds.empty() && !motion.isBondBroken[i];
+            const bool isHeld = !strengths.empty() && (strengths[i].cohesion > 0 || strengths[i].tension > 0);
             point.gap = isHeld ? 0 : scene.schemes.initialGaps->perturbation * share;
         }
         point.gap -= columns[i].onBlock.col(0).dot(displacementOf(point.block))
@@ -65,12 +62,15 @@ Motion startMotion(const DynamicCase& scene, DynamicState state)
 {
     Motion motion;
     motion.state = std::move(state);
-    motion.isBondBroken =
-        partedBonds(scene.bonds, scene.blocks, motion.state.placements, bondReach * scene.blockSize);
+    motion.effectStates.resize(scene.effects.size());
+    for (std::size_t i = 0; i < scene.effects.size(); ++i)
+    {
+        scene.effects[i]->start(scene, motion.state.placements, motion.effectStates[i]);
+    }
     if (!scene.schemes.smallDisplacements)
     {
         motion.contacts.emplace(scene.assembly);
-        deleteBlocks(scene, motion);
+        leaveOutBlocks(scene, motion);
         motion.points = motion.contacts->update(motion.state.placements, scene.roundingGap);
     }
     else
@@ -83,6 +83,7 @@ Motion startMotion(const DynamicCase& scene, DynamicState state)
     motion.energy.potential = potentialEnergy(scene, motion.state.placements);
     motion.energy.opening = motion.energy.kinetic + motion.energy.potential;
     motion.largestKinetic = motion.energy.kinetic;
+    motion.effectStatesBefore = motion.effectStates;
     return motion;
 }
 
@@ -101,38 +102,49 @@ std::vector<Vector<3>> velocitiesOfAllBlocks(const DynamicCase& scene, const Dyn
     return result;
 }
 
-std::vector<int> bondsAt(const DynamicCase& scene, const Motion& motion, const std::vector<char>& isBroken,
-                         const std::vector<ContactPoint<2>>& points)
-{
-    if (motion.contacts)
-    {
-        return bondsOfPoints(scene.bonds, isBroken, scene.blocks, motion.state.placements, points,
-                             bondReach * scene.blockSize);
-    }
-    std::vector<int> bondOfPoint(points.size()); // they stay as built, in the order of the bonds
-    for (std::size_t point = 0; point < points.size(); ++point)
-    {
-        bondOfPoint[point] = isBroken[point] ? -1 : static_cast<int>(point);
-    }
-    return bondOfPoint;
-}
-
-int brokenBonds(const DynamicCase& scene, const Motion& motion)
-{
-    int broken = 0;
-    for (std::size_t bond = 0; bond < scene.bonds.size(); ++bond)
-    {
-        const bool isOne = scene.bonds[bond].strength.cohesion > 0 || scene.bonds[bond].strength.tension > 0;
-        broken += isOne && motion.isBondBroken[bond] ? 1 : 0;
-    }
-    return broken;
-}
-
 std::vector<Strength> strengthsOf(const DynamicCase& scene, const Motion& motion)
 {
-    return scene.bonds.empty()
-               ? std::vector<Strength>()
-               : strengthsOf(scene.bonds, bondsAt(scene, motion, motion.isBondBroken, motion.points));
+    const Eigen::VectorXd none;
+    const EffectContext context{.structure = scene,
+                                .placements = motion.state.placements,
+                                .points = motion.points,
+                                .forcesBefore = none,
+                                .allForcesBefore = motion.contactForces,
+                                .displacements = scene.displacements()};
+    std::vector<Strength> all;
+    for (std::size_t i = 0; i < scene.effects.size(); ++i)
+    {
+        const std::vector<Strength> own = scene.effects[i]->strengths(context, motion.effectStates[i]);
+        all.resize(std::max(all.size(), own.size()));
+        for (std::size_t point = 0; point < own.size(); ++point)
+        {
+            all[point].cohesion += own[point].cohesion;
+            all[point].tension += own[point].tension;
+        }
+    }
+    return all;
+}
+
+double leaveOutBlocks(const DynamicCase& scene, Motion& motion)
+{
+    double taken = 0;
+    for (std::size_t i = 0; motion.contacts && i < scene.effects.size(); ++i)
+    {
+        const std::vector<int> leaving =
+            scene.effects[i]->leaveOut(scene, motion.state.placements, motion.effectStates[i]);
+        if (leaving.empty())
+        {
+            continue;
+        }
+        const double before = kineticEnergy(scene, motion.state.velocity);
+        for (const int block : leaving)
+        {
+            motion.contacts->leaveOut(block);
+            motion.state.velocity.segment<3>(3 * scene.free[static_cast<std::size_t>(block)]).setZero();
+        }
+        taken += before - kineticEnergy(scene, motion.state.velocity);
+    }
+    return taken;
 }
 
 const std::vector<Vector<2>>& meanContactForces(const Motion& motion)

@@ -32,7 +32,7 @@ private:
 };
 
 /// All that changes in a run. What a run needs to continue bit for bit is `state`, `energy`, `points`,
-/// `contactForces`, `meanForces`, `interior` and `isBondBroken`.
+/// `contactForces`, `meanForces`, `interior` and `effectStates`.
 struct Motion
 {
     DynamicState state;
@@ -46,12 +46,10 @@ struct Motion
     StepResiduals attempt;                ///< of the last attempt at a step, solved or not
     StepWork work;                        ///< of the last step, all attempts together
     KeptAnalysis symbolic;                ///< of the last programs
-    std::optional<MovingContacts> contacts; ///< empty with smallDisplacements: the points stay as built
-    std::vector<char> isDeleted;    ///< one a block, where the case has a `deletion`: it is outside the
-                                    ///< box, at rest where it left it. Follows from `state`
-    std::vector<char> isBondBroken; ///< one of each of the case's bonds, with what never was one
-    int bondsBrokenInStep = 0;      ///< in the last step
-    double restitutionShare = 1;    ///< in the last step the least of its impacts, see Impact
+    std::optional<MovingContacts> contacts;      ///< empty with smallDisplacements: the points stay as built
+    std::vector<EffectState> effectStates;       ///< one an effect of the case
+    std::vector<EffectState> effectStatesBefore; ///< at the start of the last step
+    double restitutionShare = 1;                 ///< in the last step the least of its impacts, see Impact
     /// What the time integration has dissipated outside impacts since the start of this run [J]: an estimate
     /// of its error, of first order in the step with theta above 1/2. Of each step at most what it would be
     /// if velocities changed by twice what the loads alone do: impacts change them by more.
@@ -60,11 +58,12 @@ struct Motion
     StageTimes stageTimes;     ///< of this run
 };
 
-/// How many bonds are broken that once held [-].
-int brokenBonds(const DynamicCase& scene, const Motion& motion);
-
-/// The strengths that the bonds give the points now, none that is broken; empty in a case without bonds.
+/// The strengths that effects give the points now; empty where there are none.
 std::vector<Strength> strengthsOf(const DynamicCase& scene, const Motion& motion);
+
+/// Blocks that effects leave out from now on stop where they are: they touch nothing and feel no load.
+/// \return the kinetic energy that they take with them [J]
+double leaveOutBlocks(const DynamicCase& scene, Motion& motion);
 
 /// The motion that starts from a state, its ledger opened there.
 Motion startMotion(const DynamicCase& scene, DynamicState state);
@@ -73,10 +72,6 @@ Motion startMotion(const DynamicCase& scene, DynamicState state);
 /// another [m/s, m/s, rad/s].
 std::vector<Vector<3>> velocitiesOfAllBlocks(const DynamicCase& scene, const DynamicState& state, double from,
                                              double to);
-
-/// Which unbroken bond holds each point, or -1.
-std::vector<int> bondsAt(const DynamicCase& scene, const Motion& motion, const std::vector<char>& isBroken,
-                         const std::vector<ContactPoint<2>>& points);
 
 /// One a contact point: mean over the last step, impulses of its impacts included, (normal, tangent) [N].
 /// Together with the loads they change the momenta of the blocks by what the step does.

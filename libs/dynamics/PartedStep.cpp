@@ -51,7 +51,6 @@ void PartedStep::add(const Motion& motion, double length)
     }
     duration += length;
     leastShare = std::min(leastShare, motion.restitutionShare);
-    bondsBroken += motion.bondsBrokenInStep;
     ++parts;
 }
 
@@ -64,7 +63,6 @@ void PartedStep::finish(Motion& motion) const
     motion.residuals = work;
     motion.attempt = work;
     motion.restitutionShare = leastShare;
-    motion.bondsBrokenInStep = bondsBroken;
     motion.meanForces.assign(motion.points.size(), Vector<2>::Zero());
     for (const Carried& carried : impulses)
     {
@@ -96,7 +94,10 @@ void PartedStep::finish(Motion& motion) const
     }
 }
 
-bool advanceInParts(const DynamicCase& scene, Motion& motion, double timeStep)
+namespace
+{
+
+bool takeParts(const DynamicCase& scene, Motion& motion, double timeStep)
 {
     motion.work.beginAttempt();
     // Impacts are distinguished from the start of a step, and from each other, by this part of it. Attempts
@@ -166,6 +167,19 @@ bool advanceInParts(const DynamicCase& scene, Motion& motion, double timeStep)
     parts.finish(motion);
     motion.state.time = start + timeStep; // as if it had not been parted, to the last digit
     return true;
+}
+
+} // namespace
+
+bool advanceInParts(const DynamicCase& scene, Motion& motion, double timeStep)
+{
+    std::vector<EffectState> before = motion.effectStates;
+    const bool isSolved = takeParts(scene, motion, timeStep);
+    if (isSolved)
+    {
+        motion.effectStatesBefore = std::move(before);
+    }
+    return isSolved;
 }
 
 } // namespace drystone

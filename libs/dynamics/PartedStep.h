@@ -33,7 +33,6 @@ private:
     double duration = 0;
     double leastShare = 1;
     int parts = 0;
-    int bondsBroken = 0;
 };
 
 /// A step that is not parted: the stages in their order. \return 1: it was solved; more than 0: blocks meet

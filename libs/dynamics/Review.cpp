@@ -2,50 +2,27 @@
 /// The stage of a step in which effects examine its solution.
 #include "dynamics/Step.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace drystone
 {
 namespace
 {
 
-/// A bond gives way when its point moves by more than this part of what the step moves the blocks by, or by
-/// more than the error allowed in gaps.
-constexpr double yieldsBy = 1e-2;
-
-/// Takes the bonds that a solved step would open or shear out of its program. \return how many
-int breakBonds(Step& step)
+/// Whether an effect has changed the program because of its solution.
+bool isChangedByEffects(Step& step)
 {
-    PlaneConeProgram& program = step.program;
     const ThetaStep& result = step.solved.result;
-    const StepSettings& settings = step.settings;
-    const Eigen::VectorXd opening = openingAtEnd(step, result.displacement, result.contactForce);
-    const double farthest = farthestMotion(result.displacement, step.scene.blockSize);
-    // What a solver leaves of forces out of balance moves the blocks as well: the gap of its certificate is
-    // of second order in them.
-    const double timeStep = step.scheme.timeStep;
-    const double leftover = std::sqrt(settings.solver.tolerance) * step.acceleration * timeStep * timeStep;
-    const YieldTolerance tolerance{
-        std::max(leftover, std::min(settings.contactTolerance, yieldsBy * farthest))
-            + 2 * step.scene.roundingGap,
-        10 * settings.solver.tolerance * result.contactForce.lpNorm<Eigen::Infinity>()};
-    std::vector<int>& bondOfPoint = step.bondOfPoint;
-    const std::vector<int> givingWay =
-        bondsGivingWay(program, bondOfPoint, opening, result.contactForce, tolerance);
-    for (const int bond : givingWay)
+    const std::function<Eigen::VectorXd()> opening = [&step, &result]
+    { return openingAtEnd(step, result.displacement, result.contactForce); };
+    const EffectContext context = contextOf(step);
+    const EffectSolution solution{result.displacement, result.contactForce, opening};
+    bool isChanged = false;
+    for (std::size_t i = 0; i < step.scene.effects.size(); ++i)
     {
-        step.isBondBroken[static_cast<std::size_t>(bond)] = true;
-        const auto point = static_cast<std::size_t>(std::find(bondOfPoint.begin(), bondOfPoint.end(), bond)
-                                                    - bondOfPoint.begin());
-        bondOfPoint[point] = -1;
-        program.strength[point] = {};
+        const Review verdict =
+            step.scene.effects[i]->review(context, solution, step.effectStates[i], step.program);
+        isChanged = isChanged || verdict == Review::solveAgain;
     }
-    if (!isAnyHeld(bondOfPoint))
-    {
-        program.strength.clear();
-    }
-    return static_cast<int>(givingWay.size());
+    return isChanged;
 }
 
 } // namespace
@@ -53,7 +30,7 @@ int breakBonds(Step& step)
 bool review(Step& step)
 {
     const StageTimer timer(step.motion.stageTimes, Stage::review);
-    if (step.solved.isSolved && step.program.hasStrength() && breakBonds(step) > 0)
+    if (step.solved.isSolved && isChangedByEffects(step))
     {
         return true;
     }

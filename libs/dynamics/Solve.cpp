@@ -3,7 +3,6 @@
 #include "dynamics/Step.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace drystone
 {
@@ -46,17 +45,6 @@ Eigen::VectorXd openingAtEnd(const Step& step, const Eigen::VectorXd& displaceme
         step.relinearise(displacement, contactForce, program);
     }
     return program.gap - applyTransposed(program, displacement);
-}
-
-double farthestMotion(const Eigen::VectorXd& displacement, double blockSize)
-{
-    double farthest = 0;
-    for (Eigen::Index row = 0; row < displacement.size(); row += 3)
-    {
-        farthest = std::max({farthest, displacement.segment<2>(row).lpNorm<Eigen::Infinity>(),
-                             blockSize * std::abs(displacement[row + 2])});
-    }
-    return farthest;
 }
 
 } // namespace drystone

@@ -2,8 +2,6 @@
 /// What acts on the blocks in a step.
 #include "dynamics/Step.h"
 
-#include "dynamics/Deletion.h"
-
 #include <algorithm>
 
 namespace drystone
@@ -39,10 +37,29 @@ Step::Step(const DynamicCase& dynamicCase, Motion& current, double length, const
 
     const double start = motion.state.time;
     load = loadUnder(scene, meanGroundAcceleration(scene.groundMotion, start, start + length));
-    unloadDeleted(scene, motion, load);
+    const EffectContext context = contextOf(*this);
+    for (std::size_t i = 0; i < scene.effects.size(); ++i)
+    {
+        scene.effects[i]->addLoad(context, motion.effectStates[i], load);
+    }
     acceleration = largestAcceleration(scene, load);
     supports = supportSteps(scene.supportMotions, scene.assembly, scene.blocks, motion.state.placements,
                             start, start + length);
+}
+
+EffectContext contextOf(const Step& step)
+{
+    return {.structure = step.scene,
+            .placements = step.motion.state.placements,
+            .points = step.points,
+            .forcesBefore = step.guess.contactForce,
+            .allForcesBefore = step.motion.contactForces,
+            .displacements = step.scene.displacements(),
+            .theta = step.scheme.theta,
+            .timeStep = step.scheme.timeStep,
+            .acceleration = step.acceleration,
+            .contactTolerance = step.settings.contactTolerance,
+            .tolerance = step.settings.solver.tolerance};
 }
 
 } // namespace drystone

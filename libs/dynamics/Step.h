@@ -61,10 +61,9 @@ struct Step
     StepGuess guess;
     Eigen::VectorXd gapsOfEffects; ///< what effects, and overlaps that stay, have put into the gaps; or empty
     Eigen::VectorXd bySupports;    ///< by how much points close because supports move [m]; or empty
-    std::vector<char> isBondBroken;
-    std::vector<int> bondOfPoint; ///< see bondsOfPoints
-    Relinearisation relinearise;  ///< empty with smallDisplacements
-    Eigen::VectorXd loadAtStart;  ///< of the program, before impacts change the momenta
+    std::vector<EffectState> effectStates; ///< as they are at the end of the step
+    Relinearisation relinearise;           ///< empty with smallDisplacements
+    Eigen::VectorXd loadAtStart;           ///< of the program, before impacts change the momenta
 
     // solve, collide, review
     StepSolution solved;
@@ -75,6 +74,9 @@ struct Step
 
 /// Whether a program of the case has impacts of their own; otherwise it is the plastic impact itself.
 bool hasImpacts(const DynamicCase& scene);
+
+/// What effects may look at in the step, as far as it is known. The step is not owned.
+EffectContext contextOf(const Step& step);
 
 /// Finds the contact points of the step: where blocks touch, or may meet within it.
 void findContacts(Step& step);
@@ -113,8 +115,8 @@ bool review(Step& step);
 /// Moves the blocks by finite rotations and gives them their velocities.
 void move(Step& step);
 
-/// Keeps the ledger of energy, removes blocks that have left the box of `deletion`, and leaves contact points
-/// and forces for the next step.
+/// Keeps the ledger of energy, stops blocks that effects leave out, and leaves contact points and forces for
+/// the next step.
 void account(Step& step);
 
 /// Adds what a solution has taken to the counts of the attempt and of the work allowed.
@@ -123,8 +125,5 @@ void countWork(Step& step, int iterations, int factorisations, int programs);
 /// Gaps, and minus the slips, where displacements take the blocks, two a point [m].
 Eigen::VectorXd openingAtEnd(const Step& step, const Eigen::VectorXd& displacement,
                              const Eigen::VectorXd& contactForce);
-
-/// Of any block, that of its turning about as far from its mass centre as blocks are large [m].
-double farthestMotion(const Eigen::VectorXd& displacement, double blockSize);
 
 } // namespace drystone

@@ -8,6 +8,7 @@
 #include "contact/Equilibrium.h"
 #include "dynamics/DynamicState.h"
 #include "dynamics/StepWork.h"
+#include "effects/StepEnergy.h"
 
 #include <functional>
 
@@ -116,19 +117,6 @@ ThetaStep solveThetaStep(PlaneConeProgram program, const StepSettings& settings,
 /// Rotations are finite: angles of the plane add.
 void advance(DynamicState& state, const std::vector<int>& free, const Eigen::VectorXd& displacement,
              const ThetaScheme& scheme);
-
-/// Where the energy of one step goes [J]; kinetic energy changes by
-/// loadWork - normalLoss - frictionLoss - algorithmicLoss.
-struct StepEnergy
-{
-    double loadWork = 0;     ///< f' y
-    double normalLoss = 0;   ///< of the normal forces: closing of gaps; negative where sliding opens a joint
-    double frictionLoss = 0; ///< of the shear forces
-    double algorithmicLoss = 0; ///< (theta - 1/2) |v1 - v0|_M^2, in which impacts on closed contacts are lost
-    double elasticChange = 0;   ///< what contact points that give way have stored; of effects
-    double dampingLoss = 0;     ///< likewise
-    double externalWork = 0;    ///< of all loads but the dead ones, and of supports
-};
 
 /// Energies of a step. With p = M (v1 - v0) and u = y/dt = (v0 + v1)/2 + (theta - 1/2)(v1 - v0):
 /// kinetic change = (v0 + v1)'/2 p = u' p - (theta - 1/2) |v1 - v0|_M^2, and u' p = y' (f - A c).

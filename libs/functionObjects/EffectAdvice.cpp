@@ -94,12 +94,12 @@ std::string reasonAgainst(const DynamicCase& scene, const DynamicState& start, s
     {
         return "supports move";
     }
-    if (scene.contact.elasticity)
+    if (traitsOf(scene.effects).isCompliant)
     {
         return "elastic joints amplify the motion of the ground, which the criteria for rigid blocks do not "
                "include";
     }
-    if (!scene.bonds.empty() || !scene.jointFriction.empty())
+    if (traitsOf(scene.effects).holdsJoints || !scene.jointFriction.empty())
     {
         return "joints have cohesion, tension or friction of their own, which the criteria do not include; "
                "limitAnalysis does";

@@ -12,6 +12,7 @@
 #include "core/Error.h"
 #include "core/Log.h"
 #include "core/WholeFile.h"
+#include "effects/EffectList.h"
 #include "functionObjects/ColumnFile.h"
 #include "functionObjects/FunctionList.h"
 #include "functionObjects/KeptResults.h"
@@ -166,11 +167,8 @@ std::string coulombText(const CoulombRange& range)
 void printLimitAnalysisCase(const LimitAnalysisCase& structure)
 {
     ContactProperties atRest = structure.contact;
-    atRest.restitution.reset(); // there are no impacts,
-    atRest.elasticity.reset();  // and collapse does not depend on stiffness
-    atRest.damping.reset();
-    atRest.deletion.reset();
-    auto [simulated, absent] = effectNames(atRest);
+    atRest.restitution.reset(); // there are no impacts
+    auto [simulated, absent] = effectNamesAtRest(atRest);
     (structure.movement ? simulated : absent).emplace_back("supportMovement");
     (structure.pushover ? simulated : absent).emplace_back("pushover");
     printEffects(simulated, absent);

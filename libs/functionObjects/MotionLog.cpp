@@ -23,7 +23,7 @@ double worst(const StepResiduals& residuals)
 void printScene(const DynamicCase& scene, const Motion& motion, const Time& time,
                 const std::vector<std::string>& functions)
 {
-    auto [simulated, absent] = effectNames(scene.contact);
+    auto [simulated, absent] = scene.effectNames;
     (scene.groundMotion.components.empty() ? absent : simulated).emplace_back("groundMotion");
     (scene.supportMotions.empty() ? absent : simulated).emplace_back("supportMotion");
     (scene.schemes.smallDisplacements ? absent : simulated).emplace_back("largeDisplacements");
@@ -38,17 +38,12 @@ void printScene(const DynamicCase& scene, const Motion& motion, const Time& time
                  ? "associative (a joint that slides opens)"
                  : "nonAssociative (Coulomb)");
     }
-    if (!scene.bonds.empty())
+    for (std::size_t i = 0; i < scene.effects.size(); ++i)
     {
-        const auto isOne = [](const Bond& bond)
-        { return bond.strength.cohesion > 0 || bond.strength.tension > 0; };
-        info("Bonds: {} at the ends of joints, {} of them broken",
-             std::count_if(scene.bonds.begin(), scene.bonds.end(), isOne), brokenBonds(scene, motion));
-    }
-    if (scene.contact.damping)
-    {
-        info("Damping: massProportional {:.6g} 1/s{}", scene.contact.damping->massProportional,
-             scene.contact.damping->equivalentToHousner ? ", equivalent to Housner's loss" : "");
+        if (const std::string text = scene.effects[i]->startText(motion.effectStates[i]); !text.empty())
+        {
+            info("{}", text);
+        }
     }
     info("Time integration: theta {:g}, deltaT {:g} s, from {} s to {:g} s",
          scene.schemes.timeIntegration.theta, time.deltaT(), time.startName(), time.controls().endTime);
@@ -75,9 +70,14 @@ void printStep(const DynamicCase& scene, const Motion& motion)
         info("Coulomb's law is satisfied to {:.2g} m of dilatancy after {} programs", residuals.flowError,
              residuals.programs);
     }
-    if (motion.bondsBrokenInStep > 0)
+    for (std::size_t i = 0; i < scene.effects.size(); ++i)
     {
-        info("{} bonds broke, {} are broken", motion.bondsBrokenInStep, brokenBonds(scene, motion));
+        const std::string text =
+            scene.effects[i]->stepText(motion.effectStatesBefore[i], motion.effectStates[i]);
+        if (!text.empty())
+        {
+            info("{}", text);
+        }
     }
     constexpr double shown = 0.9995; // with less of a difference three digits show none
     if (motion.restitutionShare < shown)

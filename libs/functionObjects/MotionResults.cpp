@@ -145,12 +145,11 @@ Motion motionOf(const DynamicCase& scene, const State& saved)
         motion.interior = {vectorOf("interiorForce", ofPoints), vectorOf("interiorOpening", ofPoints),
                            vectorOf("interiorDisplacement", motion.state.velocity.size())};
     }
-    // A run that continues with bonds which it began without has those whose ends are still together.
-    if (!scene.bonds.empty() && saved.arrays.contains("bondBroken"))
+    for (std::size_t i = 0; i < scene.effects.size(); ++i)
     {
-        const auto& broken = stateArray(saved, "bondBroken", scene.bonds.size());
-        motion.isBondBroken.assign(broken.begin(), broken.end());
+        scene.effects[i]->restore(saved.arrays, motion.effectStates[i]);
     }
+    motion.effectStatesBefore = motion.effectStates;
     return motion;
 }
 
@@ -163,7 +162,7 @@ void writePrograms(DynamicCase& scene, const std::filesystem::path& caseDirector
         { return postProcessingFolder(caseDirectory, "contactDynamics", time.name()) / "coneProgram"; });
 }
 
-State stateOf(const Motion& motion, const Time& time)
+State stateOf(const DynamicCase& scene, const Motion& motion, const Time& time)
 {
     State state;
     const TimeState now = time.state();
@@ -186,9 +185,9 @@ State stateOf(const Motion& motion, const Time& time)
         rotation.push_back(placement.rotation);
     }
     state.arrays["velocity"].assign(motion.state.velocity.begin(), motion.state.velocity.end());
-    if (!motion.isBondBroken.empty())
+    for (std::size_t i = 0; i < scene.effects.size(); ++i)
     {
-        state.arrays["bondBroken"].assign(motion.isBondBroken.begin(), motion.isBondBroken.end());
+        scene.effects[i]->save(motion.effectStates[i], state.arrays);
     }
     auto& features = state.arrays["contactFeature"];
     auto& gaps = state.arrays["contactGap"];
@@ -317,7 +316,7 @@ void MotionResults::write()
 
 void MotionResults::writeNow()
 {
-    State state = stateOf(motion, time);
+    State state = stateOf(scene, motion, time);
     input.back() = inputOfSteps(time); // controlDict may have been read again
     state.texts[inputInState] = textsOf(input);
     states.write(time.name(), state);
@@ -337,16 +336,19 @@ void MotionResults::writeFrames()
     }
     std::vector<Field> fields{{"velocity", 2, std::move(velocities)},
                               {"angularVelocity", 1, std::move(angular)}};
-    if (scene.contact.deletion)
+    for (std::size_t i = 0; i < scene.effects.size(); ++i)
     {
-        fields.push_back({"deleted", 1, {motion.isDeleted.begin(), motion.isDeleted.end()}});
+        for (EffectField& field : scene.effects[i]->blockFields(motion.effectStates[i]))
+        {
+            fields.push_back({std::move(field.name), 1, std::move(field.values)});
+        }
     }
     blocks.write(time.value(), blockFrame(scene.assembly, motion.state.placements, std::move(fields)));
     const std::vector<double> friction = frictionAt(scene, motion.points);
     const std::vector<Vector<2>>& forces = meanContactForces(motion);
     std::vector<double> cohesion;
     std::vector<Field> pointFields;
-    if (!scene.bonds.empty())
+    if (traitsOf(scene.effects).holdsJoints)
     {
         Field isHeld{"bonded", 1, {}, FieldType::integer};
         for (const Strength& strength : strengthsOf(scene, motion))

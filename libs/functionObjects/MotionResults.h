@@ -21,7 +21,7 @@ namespace drystone
 Motion startOrContinue(const std::filesystem::path& caseDirectory, const DynamicCase& scene, Time& time);
 
 /// The state that `startOrContinue` continues from.
-State stateOf(const Motion& motion, const Time& time);
+State stateOf(const DynamicCase& scene, const Motion& motion, const Time& time);
 
 /// `-postProcess`: runs the functions of controlDict on each state stored in the case, in order of time, into
 /// postProcessing/<function>/<first time>/. \throws FatalError when there is no state

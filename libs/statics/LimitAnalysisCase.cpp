@@ -6,6 +6,7 @@
 #include "contact/AlmostJoints.h"
 #include "contact/ClosedAssembly.h"
 #include "contact/JointLaws.h"
+#include "effects/EffectList.h"
 #include "runControl/Solution.h"
 #include "statics/CrushingHinges.h"
 #include "statics/Settlement.h"
@@ -278,7 +279,7 @@ LimitAnalysisCase readLimitAnalysisCase(const std::filesystem::path& caseDirecto
     refuseAlmostJoints(result.assembly, caseDirectory);
     requireFreeBlock(result.assembly, caseDirectory);
 
-    result.contact = readContactProperties(caseDirectory);
+    result.contact = readCaseEffects(caseDirectory).contact;
     if (pointsPerJoint)
     {
         result.contact.pointsPerJoint = pointsPerJoint;

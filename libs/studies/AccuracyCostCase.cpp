@@ -78,12 +78,12 @@ void requirePossible(const AccuracyCase& study, QuantityKind kind, const RunSett
         throw FatalIOError("The case has no friction, so that there is no flow rule to choose: remove it.",
                            dictionary.locationOf("flowRule"));
     }
-    if (scene.contact.elasticity && setting.theta < 1)
+    if (traitsOf(scene.effects).isCompliant && setting.theta < 1)
     {
         throw FatalIOError("Elastic contact points are integrated with theta 1 only.",
                            dictionary.locationOf("theta"));
     }
-    if (scene.contact.elasticity
+    if (traitsOf(scene.effects).isCompliant
         && (setting.solver == SolverType::interiorPoint || setting.solver == SolverType::augmentedLagrangian))
     {
         throw FatalIOError("Elastic contact points are solved with automatic or gaussSeidel only.",

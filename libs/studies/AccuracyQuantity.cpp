@@ -671,7 +671,8 @@ HousnerCase housnerCase(const AccuracyCase& study)
     {
         refuse("gravity is along -y.");
     }
-    if (scene.contact.restitution || scene.contact.elasticity || scene.contact.damping)
+    if (scene.contact.restitution || traitsOf(scene.effects).isCompliant
+        || traitsOf(scene.effects).actsOnBlocks)
     {
         refuse("impacts are plastic and there is no damping: remove restitution, elasticity and damping.");
     }

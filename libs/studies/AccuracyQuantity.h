@@ -20,16 +20,6 @@
 namespace drystone
 {
 
-enum class Displacements
-{
-    large, ///< contacts move with the blocks
-    small  ///< contacts remain as built
-};
-inline std::array<std::pair<std::string_view, Displacements>, 2> namesOf(Displacements)
-{
-    return {{{"large", Displacements::large}, {"small", Displacements::small}}};
-}
-
 enum class QuantityKind
 {
     motion,       ///< of runs in time, as contactDynamics makes them

@@ -171,7 +171,7 @@ IncrementalDynamics readIncrementalDynamics(const std::filesystem::path& caseDir
 
 void printStudy(const IncrementalDynamics& study)
 {
-    auto [simulated, absent] = effectNames(study.scene.contact);
+    auto [simulated, absent] = study.scene.effectNames;
     simulated.emplace_back("groundMotion");
     (study.scene.schemes.smallDisplacements ? absent : simulated).emplace_back("largeDisplacements");
     printEffects(simulated, absent);

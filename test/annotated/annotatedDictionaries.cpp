@@ -8,12 +8,11 @@
 /// application whose example it is.
 #include "assembly/Loads.h"
 #include "assembly/Materials.h"
-#include "contact/ContactProperties.h"
 #include "core/WholeFile.h"
 #include "dictionary/Options.h"
-#include "dynamics/GroundMotion.h"
 #include "dynamics/InitialMotion.h"
 #include "dynamics/Schemes.h"
+#include "effects/GroundMotion.h"
 #include "functionObjects/FunctionList.h"
 #include "runControl/Time.h"
 #include "statics/LimitAnalysisCase.h"
@@ -96,7 +95,7 @@ std::vector<Example> examples()
         example<Gravity>("constant/g", "Gravity."),
         example<MaterialProperties>("constant/materialProperties", "What the blocks weigh: one of the two.",
                                     {"density"}),
-        example<ContactProperties>(
+        example<CaseEffects>(
             "constant/contactProperties",
             "One sub-dictionary for each effect that is simulated; without friction contacts "
             "are frictionless.",

@@ -8,6 +8,10 @@
 #include "Peers.h"
 
 #include "dynamics/Advance.h"
+#include "effects/Deletion.h"
+#include "effects/JointBonds.h"
+#include "effects/JointElasticity.h"
+#include "effects/MassDamping.h"
 #include "texture/Texture.h"
 
 #include <benchmark/benchmark.h>
@@ -61,25 +65,25 @@ void cohesion(DynamicCase& scene)
     friction(scene);
     scene.contact.cohesion = JointStrength{20};
     scene.contact.tension = JointStrength{10};
-    scene.bonds = jointBonds({}, scene.contact, scene.assembly);
+    scene.effects.push_back(std::make_shared<JointBonds>(jointBonds({}, scene.contact, scene.assembly)));
 }
 
 void elasticity(DynamicCase& scene)
 {
     friction(scene);
-    scene.contact.elasticity = Elasticity{1e8, 5e7};
+    scene.effects.push_back(std::make_shared<JointElasticity>(Elasticity{1e8, 5e7}));
 }
 
 void damping(DynamicCase& scene)
 {
     friction(scene);
-    scene.contact.damping = Damping{0.5};
+    scene.effects.push_back(std::make_shared<MassDamping>(Damping{0.5}));
 }
 
 void deletion(DynamicCase& scene)
 {
     friction(scene);
-    scene.contact.deletion = Deletion{{{-10, -10}, {10, 10}}};
+    scene.effects.push_back(std::make_shared<BlockDeletion>(Deletion{{{-10, -10}, {10, 10}}}));
 }
 
 void groundMotion(DynamicCase& scene)
@@ -118,7 +122,6 @@ void effects(benchmark::State& state, void (*choose)(DynamicCase&))
     {
         choose(scene);
     }
-    scene.effects = stepEffects(scene.contact);
     double least = 1e300;
     for (auto _ : state)
     {

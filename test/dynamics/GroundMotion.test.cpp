@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-#include "dynamics/GroundMotion.h"
+#include "effects/GroundMotion.h"
 #include "core/Error.h"
 
 #include <fmt/format.h>

@@ -4,6 +4,8 @@
 #include "Scenes.h"
 
 #include "dynamics/Step.h"
+#include "effects/JointBonds.h"
+#include "effects/MassDamping.h"
 
 #include <gtest/gtest.h>
 
@@ -86,8 +88,11 @@ TEST(Stages, ContributeChangesNothingWithoutEffectsAndAddsTheInertiaOfDampingWit
     DynamicCase scene = blockAt(0);
     for (const double coefficient : {0.0, 3.0})
     {
-        scene.contact.damping = Damping{coefficient};
-        scene.effects = stepEffects(scene.contact);
+        scene.effects.clear();
+        if (coefficient > 0)
+        {
+            scene.effects = {std::make_shared<MassDamping>(Damping{coefficient})};
+        }
         Motion motion = startMotion(scene, stateAtRest(scene.assembly));
         Step step(scene, motion, timeStep, {});
         findContacts(step);
@@ -171,7 +176,7 @@ TEST(Stages, ReviewAsksForAnotherSolutionWhenABondBreaksAndNotWithoutOne)
         {
             scene.contact.cohesion = JointStrength{strength};
             scene.contact.tension = JointStrength{strength};
-            scene.bonds = jointBonds({}, scene.contact, scene.assembly);
+            scene.effects = {std::make_shared<JointBonds>(jointBonds({}, scene.contact, scene.assembly))};
         }
         Motion motion = startMotion(scene, stateAtRest(scene.assembly));
         Step step(scene, motion, timeStep, {});

@@ -1,6 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Time steps against motions that have a closed form.
 #include "dynamics/ThetaStep.h"
+#include "effects/Structure.h"
 
 #include "contact/MovingContacts.h"
 

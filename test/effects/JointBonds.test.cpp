@@ -2,6 +2,8 @@
 /// Cohesion and tension in motion: where bonds hold and where they break, against closed forms.
 #include "../dynamics/Scenes.h"
 
+#include "effects/JointBonds.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -44,8 +46,14 @@ DynamicCase bondedScene(Assembly<2> assembly, const Settings& settings, double c
     DynamicCase scene = sceneOf(std::move(assembly), settings);
     scene.contact.cohesion = JointStrength{cohesion};
     scene.contact.tension = JointStrength{tension};
-    scene.bonds = jointBonds({}, scene.contact, scene.assembly);
+    scene.effects = {std::make_shared<JointBonds>(jointBonds({}, scene.contact, scene.assembly))};
     return scene;
+}
+
+/// Of a scene with no other effect than bonds.
+int brokenBonds(const DynamicCase& scene, const Motion& motion)
+{
+    return dynamic_cast<const JointBonds&>(*scene.effects.at(0)).broken(motion.effectStates.at(0));
 }
 
 DynamicCase bondedScene(Assembly<2> assembly, Settings settings, double cohesion, double tension,
@@ -345,10 +353,11 @@ TEST(JointBonds, StrengthsBelongToJointsByName)
     name.text = "1-2";
     name.matches = [](std::string_view joint) { return joint == "1-2"; };
     scene.contact.joints.emplace_back(name, glued);
-    scene.bonds = jointBonds({}, scene.contact, scene.assembly);
-    ASSERT_EQ(scene.bonds.size(), 4u);
+    const std::vector<Bond> bonds = jointBonds({}, scene.contact, scene.assembly);
+    scene.effects = {std::make_shared<JointBonds>(bonds)};
+    ASSERT_EQ(bonds.size(), 4u);
     int held = 0;
-    for (const Bond& bond : scene.bonds)
+    for (const Bond& bond : bonds)
     {
         EXPECT_EQ(bond.strength.cohesion, bond.block == 1 ? 500 : 0); // half of 1 m2 a point
         held += bond.strength.cohesion > 0;
@@ -356,7 +365,7 @@ TEST(JointBonds, StrengthsBelongToJointsByName)
     EXPECT_EQ(held, 2);
     const Motion motion = started(scene);
     EXPECT_EQ(brokenBonds(scene, motion), 0);
-    EXPECT_EQ(std::count(motion.isBondBroken.begin(), motion.isBondBroken.end(), true), 2);
+    EXPECT_EQ(std::count(motion.effectStates[0].flags.begin(), motion.effectStates[0].flags.end(), true), 2);
     scene.contact.joints[0].second.cohesion = JointStrength{0};
     EXPECT_TRUE(jointBonds({}, scene.contact, scene.assembly).empty());
 }

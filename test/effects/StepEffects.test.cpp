@@ -2,7 +2,8 @@
 /// Effects beside friction and impact: elastic contact points and damping, against closed forms.
 #include "../dynamics/Scenes.h"
 
-#include "dynamics/MassDamping.h"
+#include "effects/JointElasticity.h"
+#include "effects/MassDamping.h"
 
 #include <gtest/gtest.h>
 
@@ -22,8 +23,7 @@ DynamicCase blockOnSprings(double normal, double tangential, Settings settings =
     Assembly<2> assembly = ground(-5, 5);
     assembly.blocks.push_back(rectangle(0, 0, 1, 1));
     DynamicCase scene = sceneOf(std::move(assembly), settings);
-    scene.contact.elasticity = Elasticity{normal, tangential};
-    scene.effects = stepEffects(scene.contact);
+    scene.effects = {std::make_shared<JointElasticity>(Elasticity{normal, tangential})};
     return scene;
 }
 
@@ -113,12 +113,11 @@ TEST(JointElasticity, StifferPointsComeEverNearerToTheRigidBlock)
         Settings settings;
         settings.mu = 0.2;
         DynamicCase scene = blockOnSprings(1, 1, settings);
-        scene.contact.elasticity.reset();
+        scene.effects.clear();
         if (stiffness)
         {
-            scene.contact.elasticity = Elasticity{*stiffness, *stiffness};
+            scene.effects = {std::make_shared<JointElasticity>(Elasticity{*stiffness, *stiffness})};
         }
-        scene.effects = stepEffects(scene.contact);
         PulseShape pulse;
         pulse.amplitude = 0.5 * g;
         pulse.duration = 0.5;
@@ -168,8 +167,7 @@ TEST(MassDamping, ABlockThatFallsReachesTheVelocityAtWhichDampingCarriesIt)
     Assembly<2> assembly = ground(-5, 5);
     assembly.blocks.push_back(rectangle(0, 500, 1, 1));
     DynamicCase scene = sceneOf(std::move(assembly), settings);
-    scene.contact.damping = Damping{4};
-    scene.effects = stepEffects(scene.contact);
+    scene.effects = {std::make_shared<MassDamping>(Damping{4})};
     Motion motion = startMotion(scene, stateAtRest(scene.assembly));
     // v1 = (v0 + g dt)/(1 + a dt) in each step of theta 1
     double velocity = 0;
@@ -194,8 +192,7 @@ TEST(MassDamping, DecaysAsTheExponentialToSecondOrderWithThetaOneHalf)
         Assembly<2> assembly = ground(-5, 5);
         assembly.blocks.push_back(rectangle(0, 5, 1, 1));
         DynamicCase scene = sceneOf(std::move(assembly), settings);
-        scene.contact.damping = Damping{2};
-        scene.effects = stepEffects(scene.contact);
+        scene.effects = {std::make_shared<MassDamping>(Damping{2})};
         DynamicState start = stateAtRest(scene.assembly);
         start.velocity << 1, 0.5, 3;
         Motion motion = startMotion(scene, start);
@@ -234,8 +231,7 @@ double amplitudeAfterOneSwing(int facets, double crown, double start, double dam
     DynamicCase scene = sceneOf(std::move(assembly), settings);
     if (damping > 0)
     {
-        scene.contact.damping = Damping{damping};
-        scene.effects = stepEffects(scene.contact);
+        scene.effects = {std::make_shared<MassDamping>(Damping{damping})};
     }
     // On its left corner.
     const Vector<2> arm = scene.blocks[1].centroid - block.outline.front();
@@ -296,15 +292,4 @@ TEST(MassDamping, EquivalentToHousnersLossFollowsTheClosedRelation)
     EXPECT_GT(equivalentDamping({0.245, 1.03, 0.01}, g), equivalentDamping({0.245, 1.03, 0.1}, g));
     EXPECT_NEAR(equivalentDamping({0.245, 4.12, 0.1}, g) / equivalentDamping({0.245, 1.03, 0.1}, g), 0.5,
                 1e-12);
-}
-
-TEST(StepEffects, WhatIsAbsentIsNotInTheList)
-{
-    ContactProperties properties;
-    EXPECT_TRUE(stepEffects(properties).empty());
-    properties.damping = Damping{0};
-    EXPECT_TRUE(stepEffects(properties).empty());
-    properties.damping = Damping{1};
-    properties.elasticity = Elasticity{1e8, 1e8};
-    EXPECT_EQ(stepEffects(properties).size(), 2u);
 }

@@ -2,6 +2,8 @@
 /// Supports that move, and blocks that leave a box.
 #include "../dynamics/Scenes.h"
 
+#include "effects/Deletion.h"
+
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -255,13 +257,13 @@ TEST(Deletion, ABlockThatLeavesTheBoxStopsThereAndTakesItsEnergyWithIt)
 {
     const DynamicCase followed = blockOverTheEdge();
     DynamicCase scene = followed;
-    scene.contact.deletion = Deletion{{{-10, -1}, {10, 10}}};
+    scene.effects = {std::make_shared<BlockDeletion>(Deletion{{{-10, -1}, {10, 10}}})};
     Motion motion = startMotion(scene, slidingOff(scene));
     Motion reference = startMotion(followed, slidingOff(followed));
     double kineticThere = 0;
     double workBefore = 0;
     int step = 0;
-    for (; step < 2000 && !motion.isDeleted[1]; ++step)
+    for (; step < 2000 && !motion.effectStates[0].flags[1]; ++step)
     {
         workBefore = motion.energy.externalWork;
         ASSERT_TRUE(advance(scene, motion, 1e-3));
@@ -269,8 +271,8 @@ TEST(Deletion, ABlockThatLeavesTheBoxStopsThereAndTakesItsEnergyWithIt)
         ASSERT_LT(relativeImbalance(motion.energy), 1e-10);
         kineticThere = 0.5 * followed.mass.dot(reference.state.velocity.cwiseAbs2());
     }
-    ASSERT_TRUE(motion.isDeleted[1]);
-    EXPECT_FALSE(motion.isDeleted[2]);
+    ASSERT_TRUE(motion.effectStates[0].flags[1]);
+    EXPECT_FALSE(motion.effectStates[0].flags[2]);
     // Until it is out, nothing is different.
     EXPECT_EQ(motion.state.placements[1].translation, reference.state.placements[1].translation);
     EXPECT_LT(scene.blocks[1].centroid.y() + motion.state.placements[1].translation.y(), -1);
@@ -287,7 +289,7 @@ TEST(Deletion, ABlockThatLeavesTheBoxStopsThereAndTakesItsEnergyWithIt)
     EXPECT_EQ(motion.points.size(), 2u); // of the other block
     // A run that starts from this state knows which block is out.
     const Motion again = startMotion(scene, motion.state);
-    EXPECT_EQ(again.isDeleted, motion.isDeleted);
+    EXPECT_EQ(again.effectStates[0].flags, motion.effectStates[0].flags);
 }
 
 TEST(Deletion, WhatStandsOnABlockThatIsDeletedFalls)
@@ -297,17 +299,17 @@ TEST(Deletion, WhatStandsOnABlockThatIsDeletedFalls)
     assembly.blocks.push_back(rectangle(0, 0, 1, 0.4));
     assembly.blocks.push_back(rectangle(0.1, 0.4, 0.5, 0.2));
     DynamicCase scene = sceneOf(std::move(assembly), {.mu = 0.1});
-    scene.contact.deletion = Deletion{{{-1, -10}, {0.6, 10}}};
+    scene.effects = {std::make_shared<BlockDeletion>(Deletion{{{-1, -10}, {0.6, 10}}})};
     DynamicState state = stateAtRest(scene.assembly);
     state.velocity[0] = state.velocity[3] = 1;
     Motion motion = startMotion(scene, state);
     int step = 0;
-    for (; step < 500 && !motion.isDeleted[1]; ++step)
+    for (; step < 500 && !motion.effectStates[0].flags[1]; ++step)
     {
         ASSERT_TRUE(advance(scene, motion, 1e-3));
     }
-    ASSERT_TRUE(motion.isDeleted[1]);
-    ASSERT_FALSE(motion.isDeleted[2]);
+    ASSERT_TRUE(motion.effectStates[0].flags[1]);
+    ASSERT_FALSE(motion.effectStates[0].flags[2]);
     const double height = motion.state.placements[2].translation.y();
     for (int more = 0; more < 100; ++more)
     {
@@ -320,7 +322,7 @@ TEST(Deletion, WhatStandsOnABlockThatIsDeletedFalls)
 TEST(Deletion, ABlockOutsideFromTheStartIsNotComputed)
 {
     DynamicCase scene = blockOverTheEdge();
-    scene.contact.deletion = Deletion{{{-10, -1}, {0, 10}}};
+    scene.effects = {std::make_shared<BlockDeletion>(Deletion{{{-10, -1}, {0, 10}}})};
     Motion motion = startMotion(scene, slidingOff(scene));
     EXPECT_EQ(motion.energy.opening, 0);
     ASSERT_NO_FATAL_FAILURE(run(scene, motion, 1e-2, 1));

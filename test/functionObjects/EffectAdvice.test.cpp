@@ -2,6 +2,7 @@
 /// Advice before a run: closed criteria against blocks whose answers are known.
 #include "functionObjects/EffectAdvice.h"
 #include "../dynamics/Scenes.h"
+#include "effects/JointElasticity.h"
 
 #include <gtest/gtest.h>
 
@@ -113,7 +114,7 @@ TEST(EffectAdvice, IsSilentWhereItsCriteriaDoNotHold)
     start.velocity[0] = 1;
     EXPECT_FALSE(adviseEffects(scene, start).isAssessed);
     EXPECT_TRUE(contains(adviceText(scene, adviseEffects(scene, start)), "do not start at rest"));
-    scene.contact.elasticity = Elasticity{1e8, 1e8};
+    scene.effects = {std::make_shared<JointElasticity>(Elasticity{1e8, 1e8})};
     EXPECT_FALSE(adviceFor(scene).isAssessed);
 }
 

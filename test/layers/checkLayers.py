@@ -22,11 +22,12 @@ below = {
     "assembly": "core dictionary runControl geometry",
     "texture": "core dictionary geometry assembly",
     "contact": "core dictionary runControl geometry assembly conic",
+    "effects": "core dictionary runControl timeSeries geometry assembly conic contact",
     "io": "core dictionary runControl geometry assembly conic contact",
-    "statics": "core dictionary runControl geometry assembly conic contact",
-    "dynamics": "core dictionary runControl timeSeries geometry assembly conic contact",
-    "functionObjects": "core dictionary runControl timeSeries geometry assembly conic contact statics dynamics io",
-    "studies": "core dictionary runControl timeSeries geometry texture assembly conic contact statics dynamics io "
+    "statics": "core dictionary runControl timeSeries geometry assembly conic contact effects",
+    "dynamics": "core dictionary runControl timeSeries geometry assembly conic contact effects",
+    "functionObjects": "core dictionary runControl timeSeries geometry assembly conic contact effects statics dynamics io",
+    "studies": "core dictionary runControl timeSeries geometry texture assembly conic contact effects statics dynamics io "
                "functionObjects",
 }
 allLibraries = set(below)

@@ -6,6 +6,7 @@
 #include "assembly/Loads.h"
 #include "assembly/Materials.h"
 #include "dynamics/DynamicState.h"
+#include "effects/Structure.h"
 #include "statics/LimitAnalysis.h"
 #include "texture/Texture.h"
 

@@ -79,7 +79,7 @@ int main(int argc, char* argv[])
             "constant/g:\n{}\nconstant/materialProperties:\n{}\nconstant/contactProperties:\n{}\n"
             "constant/loads:\n{}\nsystem/solution/limitAnalysis:\n{}",
             helpText(describeOptions<Gravity>()), helpText(describeOptions<MaterialProperties>()),
-            helpText(describeOptions<ContactProperties>()), helpText(describeOptions<LoadCases>()),
+            helpText(describeOptions<CaseEffects>()), helpText(describeOptions<LoadCases>()),
             helpText(describeOptions<LimitAnalysisControls>()));
     };
     return runApplication(argc, argv, description, run);

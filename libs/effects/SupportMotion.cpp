@@ -1,5 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-#include "dynamics/SupportMotion.h"
+/// Supports that move in a prescribed way.
+#include "effects/SupportMotion.h"
 
 #include <fmt/format.h>
 

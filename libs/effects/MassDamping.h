@@ -2,10 +2,30 @@
 /// damping { massProportional a; }: a force -a M u on each block.
 #pragma once
 
-#include "dynamics/StepEffect.h"
+#include "effects/EffectList.h"
 
 namespace drystone
 {
+
+/// The loss that a rocking block of the case has in an impact (Housner 1963), to be taken by damping instead.
+struct HousnerLoss
+{
+    double slenderness = 0; ///< angle from a corner's vertical to the mass centre, atan(b/h) [rad]
+    double radius = 0;      ///< from that corner to the mass centre [m]
+    double amplitude = 0;   ///< rotation it is released from, below the slenderness [rad]
+};
+
+void declare(Options& options, HousnerLoss& loss);
+
+/// Losses beside friction and impact: a force of -massProportional M v on each block.
+struct Damping
+{
+    double massProportional = 0; ///< [1/s]
+    /// Instead: the coefficient follows from it (see equivalentDamping).
+    std::optional<HousnerLoss> equivalentToHousner = {};
+};
+
+void declare(Options& options, Damping& damping);
 
 /// With the mean velocity of the step, u = y/dt, the motion M (v1 - v0) = dt (f - A c - a M y/dt) reads
 ///
@@ -13,15 +33,20 @@ namespace drystone
 ///
 /// the damping makes blocks heavier in the program, and not in the momentum that they bring along. It takes
 /// a/dt y'My from the energy, never less than 0.
-class MassDamping final : public StepEffect
+class MassDamping final : public Effect
 {
 public:
-    explicit MassDamping(const Damping& damping) : coefficient(damping.massProportional) {}
-    void contribute(const EffectContext& context, PlaneConeProgram& program) const override;
-    void account(const EffectContext& context, const ThetaStep& step, StepEnergy& energy) const override;
+    /// \param damping with its massProportional, whether given or equivalent
+    explicit MassDamping(const Damping& damping) : settings(damping) {}
+    EffectTraits traits() const override { return {.actsOnBlocks = true}; }
+    void contribute(const EffectContext& context, EffectState& state,
+                    PlaneConeProgram& program) const override;
+    void account(const EffectContext& context, const EffectSolution& solution,
+                 StepEnergy& energy) const override;
+    std::string startText(const EffectState& state) const override;
 
 private:
-    double coefficient; ///< a [1/s]
+    Damping settings;
 };
 
 /// The coefficient a [1/s] with which a block that rocks without losing anything in impacts has the amplitude
@@ -46,5 +71,8 @@ private:
 /// the integrals of both equations theta1 is right to 0.3% up to alpha = 0.25, and to 2.3% at 0.35.
 /// \param gravity [m/s2], its magnitude
 double equivalentDamping(const HousnerLoss& loss, double gravity);
+
+/// Its entry of the list.
+EffectType dampingType();
 
 } // namespace drystone

@@ -1,9 +1,11 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-#include "dynamics/JointBonds.h"
+/// Bonds of joints: where they hold, when they break.
+#include "effects/JointBonds.h"
 
 #include "contact/JointLaws.h"
 
 #include <Eigen/Geometry>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +18,19 @@ namespace
 
 /// A solver that is not asked for much leaves forces that much below a strength that is reached.
 constexpr double nearlyYielding = 1e-3;
+
+/// The ends of an unbroken bond are no farther apart than this, in mean block sizes: what steps leave of
+/// slips adds up.
+constexpr double bondReach = 1e-3;
+
+/// A bond gives way when its point moves by more than this part of what the step moves the blocks by, or by
+/// more than the error allowed in gaps.
+constexpr double yieldsBy = 1e-2;
+
+bool isOne(const Bond& bond)
+{
+    return bond.strength.cohesion > 0 || bond.strength.tension > 0;
+}
 
 /// Where a point of a block as built is now.
 Vector<2> placed(const Vector<2>& position, int block, const std::vector<BlockMass<2>>& blocks,
@@ -164,6 +179,151 @@ std::vector<int> bondsGivingWay(const PlaneConeProgram& program, const std::vect
         }
     }
     return givingWay;
+}
+
+int JointBonds::broken(const EffectState& state) const
+{
+    int count = 0;
+    for (std::size_t bond = 0; bond < bonds.size(); ++bond)
+    {
+        count += isOne(bonds[bond]) && state.flags[bond] ? 1 : 0;
+    }
+    return count;
+}
+
+void JointBonds::start(const Structure& structure, const std::vector<Placement<2>>& placements,
+                       EffectState& state) const
+{
+    state.flags = partedBonds(bonds, structure.blocks, placements, bondReach * structure.blockSize);
+}
+
+std::vector<int> JointBonds::bondsAt(const EffectContext& context, const std::vector<char>& isBroken) const
+{
+    if (context.displacements == Displacements::large)
+    {
+        return bondsOfPoints(bonds, isBroken, context.structure.blocks, context.placements, context.points,
+                             bondReach * context.structure.blockSize);
+    }
+    std::vector<int> bondOfPoint(context.points.size()); // they stay as built, in the order of the bonds
+    for (std::size_t point = 0; point < bondOfPoint.size(); ++point)
+    {
+        bondOfPoint[point] = isBroken[point] ? -1 : static_cast<int>(point);
+    }
+    return bondOfPoint;
+}
+
+void JointBonds::contribute(const EffectContext& context, EffectState& state, PlaneConeProgram& program) const
+{
+    state.ofPoints = bondsAt(context, state.flags);
+    state.flags.assign(bonds.size(), true);
+    for (std::size_t point = 0; point < state.ofPoints.size(); ++point)
+    {
+        if (state.ofPoints[point] < 0)
+        {
+            continue;
+        }
+        const auto bond = static_cast<std::size_t>(state.ofPoints[point]);
+        state.flags[bond] = false;
+        if (context.displacements == Displacements::large)
+        {
+            const double opening =
+                openingOf(bonds[bond], context.structure.blocks, context.placements, context.points[point]);
+            program.gap[2 * static_cast<Eigen::Index>(point)] =
+                std::abs(opening) <= context.structure.roundingGap ? 0 : opening;
+        }
+    }
+    if (isAnyHeld(state.ofPoints))
+    {
+        program.strength = strengthsOf(bonds, state.ofPoints);
+    }
+}
+
+Review JointBonds::review(const EffectContext& context, const EffectSolution& solution, EffectState& state,
+                          PlaneConeProgram& program) const
+{
+    if (!program.hasStrength())
+    {
+        return Review::accepted;
+    }
+    const double farthest = farthestMotion(solution.displacement, context.structure.blockSize);
+    // What a solver leaves of forces out of balance moves the blocks as well: the gap of its certificate is
+    // of second order in them.
+    const double leftover =
+        std::sqrt(context.tolerance) * context.acceleration * context.timeStep * context.timeStep;
+    const YieldTolerance tolerance{std::max(leftover, std::min(context.contactTolerance, yieldsBy * farthest))
+                                       + 2 * context.structure.roundingGap,
+                                   10 * context.tolerance * solution.contactForce.lpNorm<Eigen::Infinity>()};
+    std::vector<int>& bondOfPoint = state.ofPoints;
+    const std::vector<int> givingWay =
+        bondsGivingWay(program, bondOfPoint, solution.openingAtEnd(), solution.contactForce, tolerance);
+    for (const int bond : givingWay)
+    {
+        state.flags[static_cast<std::size_t>(bond)] = true;
+        const auto point = static_cast<std::size_t>(std::find(bondOfPoint.begin(), bondOfPoint.end(), bond)
+                                                    - bondOfPoint.begin());
+        bondOfPoint[point] = -1;
+        program.strength[point] = {};
+    }
+    if (!isAnyHeld(bondOfPoint))
+    {
+        program.strength.clear();
+    }
+    return givingWay.empty() ? Review::accepted : Review::solveAgain;
+}
+
+std::vector<Strength> JointBonds::strengths(const EffectContext& context, const EffectState& state) const
+{
+    return strengthsOf(bonds, bondsAt(context, state.flags));
+}
+
+void JointBonds::save(const EffectState& state, EffectArrays& arrays) const
+{
+    arrays["bondBroken"].assign(state.flags.begin(), state.flags.end());
+}
+
+void JointBonds::restore(const EffectArrays& arrays, EffectState& state) const
+{
+    const auto saved = arrays.find("bondBroken");
+    if (saved == arrays.end())
+    {
+        return;
+    }
+    if (saved->second.size() != bonds.size())
+    {
+        throw FatalError(
+            fmt::format("The state to start from has {} values of bondBroken, but the structure {} "
+                        "bonds. Start from time 0.",
+                        saved->second.size(), bonds.size()));
+    }
+    state.flags.assign(saved->second.begin(), saved->second.end());
+}
+
+std::string JointBonds::startText(const EffectState& state) const
+{
+    return fmt::format("Bonds: {} at the ends of joints, {} of them broken",
+                       std::count_if(bonds.begin(), bonds.end(), isOne), broken(state));
+}
+
+std::string JointBonds::stepText(const EffectState& before, const EffectState& after) const
+{
+    const int now = broken(after);
+    const int newly = now - broken(before);
+    return newly > 0 ? fmt::format("{} bonds broke, {} are broken", newly, now) : "";
+}
+
+EffectType bondsType()
+{
+    return []
+    {
+        return DeclaredEffect{"", [](Options&) {}, [] { return false; },
+                              [](const EffectSource& source) -> std::shared_ptr<const Effect>
+                              {
+                                  std::vector<Bond> bonds = jointBonds(source.caseDirectory, source.contact,
+                                                                       source.structure.assembly);
+                                  return bonds.empty() ? nullptr
+                                                       : std::make_shared<JointBonds>(std::move(bonds));
+                              }};
+    };
 }
 
 } // namespace drystone

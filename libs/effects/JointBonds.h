@@ -2,9 +2,7 @@
 /// cohesion { strength c; } and tension { strength s; } in motion: joints that hold until they break.
 #pragma once
 
-#include "conic/ConeProgram.h"
-#include "contact/ContactPoint.h"
-#include "contact/ContactProperties.h"
+#include "effects/EffectList.h"
 
 #include <filesystem>
 #include <vector>
@@ -74,5 +72,40 @@ struct YieldTolerance
 std::vector<int> bondsGivingWay(const PlaneConeProgram& program, const std::vector<int>& bondOfPoint,
                                 const Eigen::VectorXd& opening, const Eigen::VectorXd& contactForce,
                                 const YieldTolerance& tolerance);
+
+/// All bonds of a case as an effect. Flags of its state: which of them are broken, with what never was one.
+class JointBonds final : public Effect
+{
+public:
+    explicit JointBonds(std::vector<Bond> jointBonds) : bonds(std::move(jointBonds)) {}
+    const std::vector<Bond>& all() const { return bonds; }
+    /// How many are broken that once held.
+    int broken(const EffectState& state) const;
+
+    EffectTraits traits() const override { return {.holdsJoints = true}; }
+    void start(const Structure& structure, const std::vector<Placement<2>>& placements,
+               EffectState& state) const override;
+    /// Lets the bonds that are whole hold their points where they were joined. One that is left without a
+    /// point is broken.
+    void contribute(const EffectContext& context, EffectState& state,
+                    PlaneConeProgram& program) const override;
+    /// Takes the bonds that a solved step would open or shear out of its program.
+    Review review(const EffectContext& context, const EffectSolution& solution, EffectState& state,
+                  PlaneConeProgram& program) const override;
+    std::vector<Strength> strengths(const EffectContext& context, const EffectState& state) const override;
+    void save(const EffectState& state, EffectArrays& arrays) const override;
+    /// A run that continues with bonds which it began without has those whose ends are still together.
+    void restore(const EffectArrays& arrays, EffectState& state) const override;
+    std::string startText(const EffectState& state) const override;
+    std::string stepText(const EffectState& before, const EffectState& after) const override;
+
+private:
+    std::vector<int> bondsAt(const EffectContext& context, const std::vector<char>& isBroken) const;
+
+    std::vector<Bond> bonds;
+};
+
+/// Its entry of the list: it has no keys of its own, and follows from cohesion and tension.
+EffectType bondsType();
 
 } // namespace drystone

@@ -2,10 +2,19 @@
 /// elasticity { normal kn; tangential kt; }: contact points that give way under force like springs.
 #pragma once
 
-#include "dynamics/StepEffect.h"
+#include "effects/EffectList.h"
 
 namespace drystone
 {
+
+/// Contact points that give way under force, like springs: Krabbenhoft et al. (2012), the term 1/2 c' C c.
+struct Elasticity
+{
+    double normal = 0;     ///< stiffness of a contact point [N/m]
+    double tangential = 0; ///< likewise [N/m]
+};
+
+void declare(Options& options, Elasticity& elasticity);
 
 /// Krabbenhoft, Huang, da Silva & Lyamin (2012): the term 1/2 c' C c, C = diag(1/kn, 1/kt). The openings are
 /// then z = g + C c - A'y, so that a point that carries n stands at a gap of -n/kn: g has that overlap at the
@@ -16,18 +25,24 @@ namespace drystone
 /// 1/2 (c1 - c0)'C (c1 - c0), a loss of the time integration (theta 1).
 ///
 /// The shear of a point that moves past a corner, and so becomes another one, starts again from none.
-class JointElasticity final : public StepEffect
+class JointElasticity final : public Effect
 {
 public:
     explicit JointElasticity(const Elasticity& elasticity)
         : compliance(1 / elasticity.normal, 1 / elasticity.tangential)
     {
     }
-    void contribute(const EffectContext& context, PlaneConeProgram& program) const override;
-    void account(const EffectContext& context, const ThetaStep& step, StepEnergy& energy) const override;
+    EffectTraits traits() const override { return {.isCompliant = true}; }
+    void contribute(const EffectContext& context, EffectState& state,
+                    PlaneConeProgram& program) const override;
+    void account(const EffectContext& context, const EffectSolution& solution,
+                 StepEnergy& energy) const override;
 
 private:
     Eigen::Vector2d compliance; ///< (1/kn, 1/kt) [m/N]
 };
+
+/// Its entry of the list. It refuses what elastic points do not go together with.
+EffectType elasticityType();
 
 } // namespace drystone

@@ -8,7 +8,6 @@
 
 #include "contact/Equilibrium.h"
 #include "dictionary/Options.h"
-#include "dynamics/DynamicState.h"
 #include "timeSeries/GroundAcceleration.h"
 
 #include <filesystem>

@@ -1,7 +1,8 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-#include "dynamics/GroundMotion.h"
+/// Motions of the ground, read and evaluated.
+#include "effects/GroundMotion.h"
 
-#include "dynamics/GroundMotionPlausibility.h"
+#include "effects/RecordPlausibility.h"
 
 #include <fmt/format.h>
 

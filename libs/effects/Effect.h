@@ -1,0 +1,151 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// What an effect is: terms in the program of a time step, and what follows from them.
+#pragma once
+
+#include "conic/ConeProgram.h"
+#include "contact/ContactPoint.h"
+#include "effects/StepEnergy.h"
+#include "effects/Structure.h"
+
+#include <array>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace drystone
+{
+
+/// Whether contact points and lever arms follow the blocks, or stay as built.
+enum class Displacements
+{
+    large,
+    small
+};
+
+constexpr std::array<std::pair<std::string_view, Displacements>, 2> namesOf(Displacements)
+{
+    return {{{"large", Displacements::large}, {"small", Displacements::small}}};
+}
+
+/// What an effect remembers from step to step. A step that is not solved leaves it as it was.
+struct EffectState
+{
+    std::vector<char> flags;     ///< whatever the effect keeps, one a bond, a block ..
+    std::vector<double> numbers; ///< likewise
+    std::vector<int> ofPoints;   ///< of the points of the step, from `contribute` to `review`
+};
+
+/// What an effect may look at in a step. Nothing is owned.
+struct EffectContext
+{
+    const Structure& structure;
+    const std::vector<Placement<2>>& placements;   ///< one a block: at the start of the step, in `account`
+                                                   ///< at its end
+    const std::vector<ContactPoint<2>>& points;    ///< of the step, with their gaps at its start; none before
+                                                   ///< they are found
+    const Eigen::VectorXd& forcesBefore;           ///< of the last step at these points [N], two a point
+    const std::vector<Vector<2>>& allForcesBefore; ///< at the points of the last step (normal, tangent) [N]
+    Displacements displacements = Displacements::large;
+    double theta = 1;            ///< weight of the end of the step
+    double timeStep = 0;         ///< [s]
+    double acceleration = 0;     ///< the largest that the loads give a block [m/s2]
+    double contactTolerance = 0; ///< error allowed in the gaps at the end of the step [m]
+    double tolerance = 0;        ///< of the solver
+};
+
+/// A solved step, for effects. Nothing is owned.
+struct EffectSolution
+{
+    const Eigen::VectorXd& displacement; ///< y, 3 a free block [m, m, rad]
+    const Eigen::VectorXd& contactForce; ///< c, (normal, tangent) of each point, mean over the step [N]
+    const std::function<Eigen::VectorXd()>& openingAtEnd; ///< gaps, and minus the slips, at its end [m]
+};
+
+/// What an effect makes of a solution.
+enum class Review
+{
+    accepted,
+    solveAgain ///< the program has been changed
+};
+
+/// What others have to know of an effect.
+struct EffectTraits
+{
+    bool isCompliant = false;  ///< contact points give way under force
+    bool holdsJoints = false;  ///< joints have strengths beside friction
+    bool actsOnBlocks = false; ///< blocks that touch nothing feel it too
+};
+
+/// Numbers under names, as a state keeps them.
+using EffectArrays = std::map<std::string, std::vector<double>>;
+
+/// Values that an effect has written with the blocks, one a block.
+struct EffectField
+{
+    std::string name;
+    std::vector<double> values;
+};
+
+/// One effect of a case. Immutable, so that threads may share it; what changes is in an EffectState. Whatever
+/// an effect has nothing to do with it leaves as it is here.
+class Effect
+{
+public:
+    virtual ~Effect() = default;
+    virtual EffectTraits traits() const { return {}; }
+
+    /// What it remembers at the start of a motion.
+    virtual void start(const Structure&, const std::vector<Placement<2>>&, EffectState&) const {}
+
+    /// Adds to the forces on the blocks [N, N, N m]: those that are known before the step is solved.
+    virtual void addLoad(const EffectContext&, const EffectState&, Eigen::VectorXd& /*load*/) const {}
+
+    /// Adds to the program, which has the terms of the rigid step; its load is addLoad's.
+    virtual void contribute(const EffectContext&, EffectState&, PlaneConeProgram&) const {}
+
+    /// Examines a solution.
+    virtual Review review(const EffectContext&, const EffectSolution&, EffectState&, PlaneConeProgram&) const
+    {
+        return Review::accepted;
+    }
+
+    /// Takes what is the effect's own out of the energies of the rigid step, and names it.
+    virtual void account(const EffectContext&, const EffectSolution&, StepEnergy&) const {}
+
+    /// Blocks that are left out from now on: they stop, touch nothing and feel no load.
+    /// \param placements at the end of a step
+    virtual std::vector<int> leaveOut(const Structure&, const std::vector<Placement<2>>& /*placements*/,
+                                      EffectState&) const
+    {
+        return {};
+    }
+
+    /// The strengths that it gives the points; empty: none.
+    virtual std::vector<Strength> strengths(const EffectContext&, const EffectState&) const { return {}; }
+
+    /// What a restart needs, and gets.
+    virtual void save(const EffectState&, EffectArrays&) const {}
+    virtual void restore(const EffectArrays&, EffectState&) const {}
+
+    /// What is written with the blocks.
+    virtual std::vector<EffectField> blockFields(const EffectState&) const { return {}; }
+
+    /// A line of the log before the first step, and one after a step; empty: none.
+    virtual std::string startText(const EffectState&) const { return {}; }
+    virtual std::string stepText(const EffectState& /*before*/, const EffectState& /*after*/) const
+    {
+        return {};
+    }
+};
+
+/// The effects of a case, in the order in which they contribute.
+using Effects = std::vector<std::shared_ptr<const Effect>>;
+
+/// What all of them together are.
+EffectTraits traitsOf(const Effects& effects);
+
+} // namespace drystone

@@ -1,0 +1,112 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Damping in proportion to mass.
+#include "effects/MassDamping.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace drystone
+{
+
+void declare(Options& options, HousnerLoss& loss)
+{
+    options
+        .required("slenderness", loss.slenderness,
+                  "of the block, atan(width/height); small: beyond 0.35 the "
+                  "equivalence is worse than 2%")
+        .unit("rad")
+        .above(0)
+        .atMost(0.5)
+        .example("0.24497866");
+    options.required("radius", loss.radius, "from a corner to the mass centre")
+        .unit("m")
+        .above(0)
+        .example("1.0307764");
+    options.required("amplitude", loss.amplitude, "rotation that the block is released from")
+        .unit("rad")
+        .above(0)
+        .example("0.1");
+    options.check(
+        "amplitude",
+        [&loss]
+        {
+            return loss.amplitude < loss.slenderness
+                       ? ""
+                       : "A block released from beyond its slenderness overturns: amplitude must be "
+                         "below slenderness.";
+        });
+}
+
+void declare(Options& options, Damping& damping)
+{
+    options.optional("massProportional", damping.massProportional, "force over momentum of a block")
+        .unit("1/s")
+        .atLeast(0)
+        .example("0.5");
+    options.optional(
+        "equivalentToHousner", damping.equivalentToHousner,
+        "instead: the massProportional that takes from a rocking block, in the swing to the other "
+        "side, what an impact takes from it; for joints that do not lose it themselves");
+    options.check(
+        "massProportional",
+        [&damping]
+        {
+            return damping.equivalentToHousner && damping.massProportional > 0
+                       ? "massProportional and equivalentToHousner are both given. Remove one of them."
+                       : "";
+        });
+}
+
+void MassDamping::contribute(const EffectContext& context, EffectState&, PlaneConeProgram& program) const
+{
+    for (int body = 0; body < program.bodies; ++body)
+    {
+        program.inertia[static_cast<std::size_t>(body)].diagonal() +=
+            settings.massProportional / context.timeStep * context.structure.mass.segment<3>(3 * body);
+    }
+}
+
+void MassDamping::account(const EffectContext& context, const EffectSolution& solution,
+                          StepEnergy& energy) const
+{
+    energy.dampingLoss += settings.massProportional / context.timeStep
+                          * context.structure.mass.dot(solution.displacement.cwiseAbs2());
+}
+
+std::string MassDamping::startText(const EffectState&) const
+{
+    return fmt::format("Damping: massProportional {:.6g} 1/s{}", settings.massProportional,
+                       settings.equivalentToHousner ? ", equivalent to Housner's loss" : "");
+}
+
+double equivalentDamping(const HousnerLoss& loss, double gravity)
+{
+    const double alpha = loss.slenderness;
+    const double ratio = 1 - 1.5 * std::pow(std::sin(alpha), 2);
+    const double beta0 = alpha - loss.amplitude;
+    const double s0 = std::sqrt(alpha * alpha - beta0 * beta0);
+    const double s1 = ratio * s0;
+    const double beta1 = std::sqrt(alpha * alpha - s1 * s1);
+    const auto swing = [alpha](double s, double beta) // 2 J
+    { return alpha * s - beta * beta * std::acosh(alpha / beta); };
+    const double p = std::sqrt(0.75 * gravity / loss.radius);
+    return p * (1 - ratio * ratio) * s0 * s0 / (swing(s0, beta0) + swing(s1, beta1));
+}
+
+EffectType dampingType()
+{
+    return effectType<Damping>(
+        "damping", "losses beside friction and impact, in motion; absent: none",
+        [](Damping damping, const EffectSource& source) -> std::shared_ptr<const Effect>
+        {
+            if (damping.equivalentToHousner)
+            {
+                damping.massProportional =
+                    equivalentDamping(*damping.equivalentToHousner, source.structure.gravity.norm());
+            }
+            return damping.massProportional > 0 ? std::make_shared<MassDamping>(damping) : nullptr;
+        });
+}
+
+} // namespace drystone

@@ -1,0 +1,99 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Doubts about records of the ground.
+#include "effects/RecordPlausibility.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace drystone
+{
+namespace
+{
+
+/// Peaks of records [m/s2]. Above 2 g there are a handful in all catalogues; below, nobody felt it.
+constexpr double weakestRecord = 0.01;
+constexpr double strongestRecord = 20;
+/// The part of the peak velocity that may be left when a record ends: corrected records leave some percent.
+constexpr double velocityLeft = 0.1;
+
+/// Whether a factor is a multiple of g in m/s2 or cm/s2, or its inverse.
+bool convertsFromG(double scale)
+{
+    const double size = std::abs(scale);
+    const auto isNear = [size](double factor) { return std::abs(size / factor - 1) < 2e-3; };
+    return isNear(standardGravity) || isNear(100 * standardGravity) || isNear(1 / standardGravity);
+}
+
+/// The velocity that a ground at rest at the first kink has at the last one, and its peak between [m/s].
+std::pair<double, double> lastAndPeakVelocity(const GroundAcceleration& history,
+                                              const std::vector<double>& kinks)
+{
+    double velocity = 0;
+    double peak = 0;
+    for (std::size_t i = 0; i + 1 < kinks.size(); ++i)
+    {
+        velocity += history.integral(kinks[i], kinks[i + 1]);
+        peak = std::max(peak, std::abs(velocity));
+    }
+    return {velocity, peak};
+}
+
+} // namespace
+
+std::vector<Doubt> doubtsAboutRecord(const GroundMotion::Component& component, const Dictionary& acceleration)
+{
+    std::vector<Doubt> doubts;
+    if (component.valueUnit == 0)
+    {
+        return doubts;
+    }
+    const GroundAcceleration& history = *component.acceleration;
+    const double peak = history.peak();
+    const double scale = acceleration.getOrDefault<double>("scale", 1);
+    if (component.valueUnit != 1 && convertsFromG(scale))
+    {
+        doubts.push_back(
+            {fmt::format("scale {:g} converts a record that is converted already: a value of 1 in "
+                         "the file is {:g} m/s2, so that the peak is {:.4g} m/s2 = {:.4g} g "
+                         "(without the scale {:.4g} g). Usual is `scale 1;`.",
+                         scale, component.valueUnit, peak, peak / standardGravity,
+                         peak / std::abs(scale) / standardGravity),
+             acceleration.locationOf("scale")});
+    }
+    else if (peak > 0 && (peak < weakestRecord || peak > strongestRecord))
+    {
+        doubts.push_back(
+            {fmt::format("The record has a peak of {:.4g} m/s2 = {:.4g} g, which is unusual: usual "
+                         "is from {:g} to {:g} m/s2. Check unit and scale; the record is used as "
+                         "it stands.",
+                         peak, peak / standardGravity, weakestRecord, strongestRecord),
+             acceleration.locationOf("file")});
+    }
+    const std::vector<double> kinks = history.kinks();
+    const auto [last, largest] = lastAndPeakVelocity(history, kinks);
+    if (std::abs(last) > velocityLeft * largest)
+    {
+        doubts.push_back(
+            {fmt::format(
+                 "The record drifts: its mean acceleration is {:.4g} m/s2, so that the ground still "
+                 "moves at {:.4g} m/s at its end, {:.0f}% of the peak velocity of {:.4g} m/s. Usual is "
+                 "at most {:.0f}%; `baseline constant;` takes the mean away, `baseline linear;` a "
+                 "drift that grows.",
+                 last / (kinks.back() - kinks.front()), last, 100 * std::abs(last) / largest, largest,
+                 100 * velocityLeft),
+             acceleration.locationOf("file")});
+    }
+    return doubts;
+}
+
+void question(const std::vector<Doubt>& doubts)
+{
+    for (const Doubt& doubt : doubts)
+    {
+        printWarningOnce(doubt.text, doubt.place);
+    }
+}
+
+} // namespace drystone

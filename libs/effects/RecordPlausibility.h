@@ -1,0 +1,31 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Questions about a record of the ground that can be computed and may not be what was meant.
+#pragma once
+
+#include "dictionary/Dictionary.h"
+#include "effects/GroundMotion.h"
+
+#include <vector>
+
+namespace drystone
+{
+
+/// A doubt about the input: what is improbable and what is usual, and where it stands.
+struct Doubt
+{
+    std::string text;
+    SourceLocation place;
+};
+
+/// What is improbable of a record: a peak that no earthquake has, a scale that converts a unit which is
+/// converted already, a velocity that is left when the motion ends (the mean acceleration times the
+/// duration).
+/// \param component made from `acceleration`, the sub-dictionary of constant/groundMotion; of another type
+/// than `record` nothing is doubted
+std::vector<Doubt> doubtsAboutRecord(const GroundMotion::Component& component,
+                                     const Dictionary& acceleration);
+
+/// Prints them as warnings, each once in a run.
+void question(const std::vector<Doubt>& doubts);
+
+} // namespace drystone
