@@ -83,6 +83,71 @@ int build(Tree<Dim>& tree, const std::vector<Box<Dim>>& boxes, int first, int la
     return index;
 }
 
+/// The tree of all boxes that are not empty; no nodes where all are.
+template<int Dim>
+Tree<Dim> treeOf(const std::vector<Box<Dim>>& boxes)
+{
+    Tree<Dim> tree;
+    tree.order.reserve(boxes.size());
+    for (int i = 0; i < static_cast<int>(boxes.size()); ++i)
+    {
+        if (!isEmpty(boxes[i]))
+        {
+            tree.order.push_back(i);
+        }
+    }
+    if (tree.order.empty())
+    {
+        return tree;
+    }
+    tree.nodes.reserve(2 * boxes.size() / leafSize + 2);
+    build(tree, boxes, 0, static_cast<int>(tree.order.size()));
+    tree.sorted.reserve(tree.order.size());
+    for (const int i : tree.order)
+    {
+        tree.sorted.push_back(boxes[i]);
+    }
+    return tree;
+}
+
+/// Adds the pairs (i, j) of a box i with boxes j > `after` of the tree that it meets, sorted. \param waiting
+/// scratch
+template<int Dim>
+void addPairs(const Tree<Dim>& tree, const Box<Dim>& box, int i, int after,
+              std::vector<std::pair<int, int>>& pairs, std::vector<int>& waiting)
+{
+    if (isEmpty(box))
+    {
+        return;
+    }
+    const std::size_t before = pairs.size();
+    waiting.assign(1, 0);
+    while (!waiting.empty())
+    {
+        const int index = waiting.back();
+        waiting.pop_back();
+        const Node<Dim>& node = tree.nodes[index];
+        if (!meet(box, node.box))
+        {
+            continue;
+        }
+        if (node.right >= 0)
+        {
+            waiting.push_back(node.right);
+            waiting.push_back(index + 1);
+            continue;
+        }
+        for (int k = node.first; k < node.last; ++k)
+        {
+            if (tree.order[k] > after && meet(box, tree.sorted[k]))
+            {
+                pairs.emplace_back(i, tree.order[k]);
+            }
+        }
+    }
+    std::sort(pairs.begin() + static_cast<std::ptrdiff_t>(before), pairs.end());
+}
+
 } // namespace
 
 BoundingBox boundingBox(const Polygon& polygon)
@@ -109,67 +174,40 @@ template<int Dim>
 std::vector<std::pair<int, int>> findMeetingPairs(const std::vector<Box<Dim>>& boxes)
 {
     std::vector<std::pair<int, int>> pairs;
-    Tree<Dim> tree;
-    tree.order.reserve(boxes.size());
-    for (int i = 0; i < static_cast<int>(boxes.size()); ++i)
-    {
-        if (!isEmpty(boxes[i]))
-        {
-            tree.order.push_back(i);
-        }
-    }
-    if (tree.order.empty())
+    const Tree<Dim> tree = treeOf(boxes);
+    if (tree.nodes.empty())
     {
         return pairs;
     }
-    tree.nodes.reserve(2 * boxes.size() / leafSize + 2);
-    build(tree, boxes, 0, static_cast<int>(tree.order.size()));
-    tree.sorted.reserve(tree.order.size());
-    for (const int i : tree.order)
-    {
-        tree.sorted.push_back(boxes[i]);
-    }
-
     pairs.reserve(4 * boxes.size());
     std::vector<int> waiting;
     for (int i = 0; i < static_cast<int>(boxes.size()); ++i)
     {
-        const Box<Dim>& box = boxes[i];
-        if (isEmpty(box))
-        {
-            continue;
-        }
-        const std::size_t before = pairs.size();
-        waiting.assign(1, 0);
-        while (!waiting.empty())
-        {
-            const int index = waiting.back();
-            waiting.pop_back();
-            const Node<Dim>& node = tree.nodes[index];
-            if (!meet(box, node.box))
-            {
-                continue;
-            }
-            if (node.right >= 0)
-            {
-                waiting.push_back(node.right);
-                waiting.push_back(index + 1);
-                continue;
-            }
-            for (int k = node.first; k < node.last; ++k)
-            {
-                if (tree.order[k] > i && meet(box, tree.sorted[k]))
-                {
-                    pairs.emplace_back(i, tree.order[k]);
-                }
-            }
-        }
-        std::sort(pairs.begin() + static_cast<std::ptrdiff_t>(before), pairs.end());
+        addPairs(tree, boxes[i], i, i, pairs, waiting);
+    }
+    return pairs;
+}
+
+template<int Dim>
+std::vector<std::pair<int, int>> findMeetingPairs(const std::vector<Box<Dim>>& boxes,
+                                                  const std::vector<Box<Dim>>& others)
+{
+    std::vector<std::pair<int, int>> pairs;
+    const Tree<Dim> tree = treeOf(others);
+    std::vector<int> waiting;
+    for (int i = 0; !tree.nodes.empty() && i < static_cast<int>(boxes.size()); ++i)
+    {
+        addPairs(tree, boxes[i], i, -1, pairs, waiting);
     }
     return pairs;
 }
 
 template std::vector<std::pair<int, int>> findMeetingPairs(const std::vector<Box<2>>& boxes);
 template std::vector<std::pair<int, int>> findMeetingPairs(const std::vector<Box<3>>& boxes);
+
+template std::vector<std::pair<int, int>> findMeetingPairs(const std::vector<Box<2>>& boxes,
+                                                           const std::vector<Box<2>>& others);
+template std::vector<std::pair<int, int>> findMeetingPairs(const std::vector<Box<3>>& boxes,
+                                                           const std::vector<Box<3>>& others);
 
 } // namespace drystone

@@ -27,4 +27,9 @@ findMeetingPairs(const std::vector<BoundingBox>& boxes) // also in braces
     return findMeetingPairs<2>(boxes);
 }
 
+/// All pairs (i, j) of boxes[i] and others[j] that meet, sorted, in time of the same order.
+template<int Dim>
+std::vector<std::pair<int, int>> findMeetingPairs(const std::vector<Box<Dim>>& boxes,
+                                                  const std::vector<Box<Dim>>& others);
+
 } // namespace drystone

@@ -46,6 +46,24 @@ void findContacts(benchmark::State& state)
 }
 BENCHMARK(findContacts)->Arg(20)->Arg(80)->Arg(320)->Unit(benchmark::kMillisecond);
 
+/// Bricks of a wall in space, one leaf: as many courses as the wall is bricks long.
+void findContactsInSpace(benchmark::State& state)
+{
+    const Assembly<3> assembly = makeStructure<3>(Dictionary::readString(
+        fmt::format("dimensions 3; texture {{ type walls; unit (0.25 0.125 0.065); bond running; courses "
+                    "{0}; walls {{ front {{ "
+                    "from (0 0); length {0}; }} }} }} supports {{ ground {{ type ground; }} }}",
+                    state.range(0))));
+    std::size_t points = 0;
+    for (auto _ : state)
+    {
+        benchmark::DoNotOptimize(points = findContactPoints(assembly).size());
+    }
+    state.counters["blocks"] = static_cast<double>(assembly.blocks.size());
+    state.counters["points"] = static_cast<double>(points);
+}
+BENCHMARK(findContactsInSpace)->Arg(20)->Arg(80)->Arg(316)->Unit(benchmark::kMillisecond);
+
 void readBlocks(benchmark::State& state)
 {
     const std::string text = assemblyText(makeStructure(squareWall(state.range(0))));

@@ -88,3 +88,39 @@ TEST(BroadPhase, AgreesWithAllPairsOnARegularWall)
     boxes.push_back({{-100, -1}, {100, 0}});
     EXPECT_EQ(findMeetingPairs(boxes), allPairs(boxes));
 }
+
+TEST(BroadPhase, PairsOfTwoListsAreThoseThatAComparisonOfAllFinds)
+{
+    std::mt19937 random(8);
+    std::uniform_real_distribution<double> unit(0, 1);
+    for (int round = 0; round < 40; ++round)
+    {
+        std::vector<Box<3>> lists[2];
+        for (int list = 0; list < 2; ++list)
+        {
+            lists[list].resize(static_cast<std::size_t>(round * (list + 2)));
+            for (Box<3>& box : lists[list])
+            {
+                box.lower = {unit(random), unit(random), unit(random)};
+                box.upper =
+                    box.lower + Vector<3>(std::pow(unit(random), 6), std::pow(unit(random), 3), unit(random));
+            }
+        }
+        if (round > 3)
+        {
+            lists[1][2] = Box<3>(); // empty
+        }
+        std::vector<std::pair<int, int>> expected;
+        for (std::size_t i = 0; i < lists[0].size(); ++i)
+        {
+            for (std::size_t j = 0; j < lists[1].size(); ++j)
+            {
+                if (meet(lists[0][i], lists[1][j]))
+                {
+                    expected.emplace_back(int(i), int(j));
+                }
+            }
+        }
+        EXPECT_EQ(findMeetingPairs<3>(lists[0], lists[1]), expected) << "round " << round;
+    }
+}

@@ -5,12 +5,14 @@
 #include "texture/Texture.h"
 #include "texture/space/Extrusion.h"
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 using namespace drystone;
 using testing::HasSubstr;
@@ -338,6 +340,42 @@ TEST(SpaceTextures, DimensionsSelectThePlaneOrSpace)
     EXPECT_THROW(makeStructure<3>(Dictionary::readString(
                      "dimensions 2; texture { type boxes; blocks (((0 0 0) (1 1 1))); }")),
                  FatalIOError);
+}
+
+TEST(SpaceTextures, TurnedMovedAndScaledStructuresKeepTheirJoints)
+{
+    std::mt19937 random(41);
+    std::normal_distribution<double> normal;
+    for (const std::string& texture :
+         {house, bond("flemish", 4, 6),
+          std::string("type dome; radius 1; thickness 0.1; around 9; rows 5; oculus 15;"),
+          std::string("type crossVault; radius 1; thickness 0.2; voussoirs 8; reach 1.4;"),
+          std::string("type tower; around 7; courses 5; innerRadius 0.8; outerRadius 1; courseHeight 0.25; "
+                      "bond toothed;"),
+          std::string(
+              "type barrelVault; radius 1; thickness 0.15; voussoirs 9; length 2; slices 4; staggered yes;"),
+          std::string("type rubble; size (1 0.5 1); stones 60; seed 5;")})
+    {
+        const Assembly<3> built = structure(texture);
+        for (int trial = 0; trial < 20; ++trial)
+        {
+            const Eigen::Matrix3d rotation =
+                Eigen::Quaterniond(normal(random), normal(random), normal(random), normal(random))
+                    .normalized()
+                    .toRotationMatrix();
+            const double scale = std::pow(10.0, trial % 7 - 3);
+            const Vector<3> shift = scale * Vector<3>(1000, -300, 50);
+            Assembly<3> moved = built;
+            for (Block<3>& block : moved.blocks)
+            {
+                for (Vector<3>& vertex : block.shape.vertices)
+                {
+                    vertex = (scale * (rotation * vertex) + shift).eval();
+                }
+            }
+            EXPECT_EQ(counts(moved), counts(built)) << texture << " trial " << trial;
+        }
+    }
 }
 
 } // namespace

@@ -22,7 +22,39 @@ struct Face
     int index = -1;                       ///< in the block's shape
     Vector<3> normal = Vector<3>::Zero(); ///< outward
     Vector<3> centre = Vector<3>::Zero(); ///< mean of the corners
+    Box<3> box;                           ///< with the distance at which faces still meet
 };
+
+/// All faces that are large enough to have a patch, block by block.
+std::vector<Face> facesOf(const Assembly<3>& assembly, const FacingTolerance& tolerance)
+{
+    std::vector<Face> faces;
+    for (std::size_t block = 0; block < assembly.blocks.size(); ++block)
+    {
+        const Polyhedron& shape = assembly.blocks[block].shape;
+        for (std::size_t i = 0; i < shape.faces.size(); ++i)
+        {
+            const Vector<3> area = areaVector(shape, shape.faces[i]);
+            if (area.squaredNorm() <= std::pow(tolerance.leastLength, 4))
+            {
+                continue;
+            }
+            Face face;
+            face.block = static_cast<int>(block);
+            face.index = static_cast<int>(i);
+            face.normal = area.normalized();
+            for (const int corner : shape.faces[i])
+            {
+                face.centre += shape.vertices[corner];
+                extend<3>(face.box, shape.vertices[corner]);
+            }
+            face.centre /= static_cast<double>(shape.faces[i].size());
+            face.box = enlarged(face.box, tolerance.distance);
+            faces.push_back(face);
+        }
+    }
+    return faces;
+}
 
 /// The corners of a face in the plane of a frame, counter-clockwise seen against the frame's normal.
 Polygon projected(const Polyhedron& shape, const Face& face, const Vector<3>& origin,
@@ -48,13 +80,11 @@ double heightAt(const Face& face, const Vector<3>& point, const Vector<3>& norma
 void findPatches(const Assembly<3>& assembly, const Face& a, const Face& b, const FacingTolerance& tolerance,
                  std::vector<FacingPatch>& patches)
 {
-    const Vector<3> difference = a.normal - b.normal;
-    const Vector<3> normal = difference.normalized(); // out of a's block
-    // Faces apart are most of the pairs: the boxes of a wall's side meet those of its bed joints.
     if ((a.normal + b.normal).norm() > tolerance.angle)
     {
         return;
     }
+    const Vector<3> normal = (a.normal - b.normal).normalized(); // out of a's block
     const Polyhedron& shapeA = assembly.blocks[a.block].shape;
     const Polyhedron& shapeB = assembly.blocks[b.block].shape;
     // Coordinates from a corner, so that a structure far from the origin keeps its digits.
@@ -102,40 +132,40 @@ double meanBlockSize(const Assembly<3>& assembly)
 
 std::vector<FacingPatch> findFacingPatches(const Assembly<3>& assembly, const FacingTolerance& tolerance)
 {
-    std::vector<Face> faces;
-    std::vector<Box<3>> boxes;
-    for (std::size_t block = 0; block < assembly.blocks.size(); ++block)
-    {
-        const Polyhedron& shape = assembly.blocks[block].shape;
-        for (std::size_t i = 0; i < shape.faces.size(); ++i)
-        {
-            const Vector<3> area = areaVector(shape, shape.faces[i]);
-            if (area.squaredNorm() <= std::pow(tolerance.leastLength, 4))
-            {
-                continue;
-            }
-            Face face{static_cast<int>(block), static_cast<int>(i), area.normalized()};
-            Box<3> box;
-            for (const int corner : shape.faces[i])
-            {
-                face.centre += shape.vertices[corner];
-                extend<3>(box, shape.vertices[corner]);
-            }
-            face.centre /= static_cast<double>(shape.faces[i].size());
-            faces.push_back(face);
-            boxes.push_back(enlarged(box, tolerance.distance));
-        }
-    }
-
+    const std::vector<Face> faces = facesOf(assembly, tolerance);
     std::vector<FacingPatch> patches;
-    for (const auto& [first, second] : findMeetingPairs(boxes))
+    for (int axis = 0; axis < 3; ++axis)
     {
-        const Face& a = faces[first]; // faces are in block order: a's block comes first
-        const Face& b = faces[second];
-        const bool bothFixed = assembly.blocks[a.block].support >= 0 && assembly.blocks[b.block].support >= 0;
-        if (a.block != b.block && !bothFixed)
+        // Faces that face each other have opposite normals: the search is one between those that look along
+        // an axis and those that look against it, and leaves out the sides and the neighbours in the same
+        // plane.
+        std::vector<int> indices[2];
+        std::vector<Box<3>> boxes[2];
+        for (std::size_t i = 0; i < faces.size(); ++i)
         {
-            findPatches(assembly, a, b, tolerance, patches);
+            if (std::abs(faces[i].normal[axis])
+                >= faces[i].normal.cwiseAbs().maxCoeff() - 2 * tolerance.angle)
+            {
+                const int side = faces[i].normal[axis] > 0 ? 0 : 1;
+                indices[side].push_back(static_cast<int>(i));
+                boxes[side].push_back(faces[i].box);
+            }
+        }
+        for (const auto& [positive, negative] : findMeetingPairs<3>(boxes[0], boxes[1]))
+        {
+            const int one = indices[0][positive];
+            const int other = indices[1][negative];
+            const Face& a = faces[std::min(one, other)]; // faces are in block order: a's block comes first
+            const Face& b = faces[std::max(one, other)];
+            // Faces between two axes are met along both of them, and count along one.
+            int axisOfPair = 0;
+            (a.normal - b.normal).cwiseAbs().maxCoeff(&axisOfPair);
+            const bool bothFixed =
+                assembly.blocks[a.block].support >= 0 && assembly.blocks[b.block].support >= 0;
+            if (a.block != b.block && axisOfPair == axis && !bothFixed)
+            {
+                findPatches(assembly, a, b, tolerance, patches);
+            }
         }
     }
     std::stable_sort(patches.begin(), patches.end(),
