@@ -277,6 +277,72 @@ TEST(SpaceTextures, RubbleDependsOnItsSeedAloneAndFitsTogether)
     EXPECT_LT(points.back().joint + 1, static_cast<int>(faces));
 }
 
+/// Area of all patches, from the points of each joint in their order round it.
+double jointArea(const std::vector<ContactPoint<3>>& points)
+{
+    Vector<3> twice = Vector<3>::Zero();
+    double area = 0;
+    for (std::size_t i = 0, first = 0; i < points.size(); ++i)
+    {
+        if (points[i].joint != points[first].joint)
+        {
+            first = i;
+            area += twice.norm() / 2;
+            twice.setZero();
+        }
+        else if (i > first + 1)
+        {
+            twice += (points[i - 1].position - points[first].position)
+                         .cross(points[i].position - points[first].position);
+        }
+    }
+    return area + twice.norm() / 2;
+}
+
+TEST(SpaceTextures, RubbleWithoutShortEdgesStillFitsTogether)
+{
+    for (const int seed : {1, 2, 3, 4, 5})
+    {
+        for (const double leastEdge : {0.0, 0.1, 0.25})
+        {
+            const std::string text = fmt::format(
+                "type rubble; size (1 0.5 1); stones 100; seed {}; leastEdge {};", seed, leastEdge);
+            const Assembly<3> rubble = structure(text, "");
+            ASSERT_EQ(rubble.blocks.size(), 100U);
+            EXPECT_NEAR(freeVolume(rubble), 0.5, 1e-12) << text;
+            double surface = 0;
+            int edges = 0;
+            int shortEdges = 0;
+            for (const Block<3>& block : rubble.blocks)
+            {
+                for (const std::vector<int>& face : block.shape.faces)
+                {
+                    surface += areaVector(block.shape, face).norm();
+                    for (std::size_t k = 0; k < face.size(); ++k)
+                    {
+                        const double length = (block.shape.vertices[face[(k + 1) % face.size()]]
+                                               - block.shape.vertices[face[k]])
+                                                  .norm();
+                        ++edges;
+                        shortEdges += length < 0.05 * std::cbrt(0.5 / 100) ? 1 : 0;
+                    }
+                }
+            }
+            // Those that stay are the few without which a stone would be no solid.
+            if (leastEdge > 0)
+            {
+                EXPECT_LT(shortEdges, 0.02 * edges) << text;
+            }
+            else
+            {
+                EXPECT_GT(shortEdges, 0.03 * edges) << text;
+            }
+            // Every face but those on the box (1 x 0.5 x 1) lies on one of another stone.
+            EXPECT_NEAR(jointArea(findContactPoints(rubble)), (surface - 4) / 2, 1e-6) << text;
+        }
+    }
+}
+
 TEST(SpaceTextures, ATaperedColumnIsAFrustum)
 {
     const Assembly<3> column = structure(

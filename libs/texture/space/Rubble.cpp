@@ -3,8 +3,10 @@
 #include "texture/space/Rubble.h"
 
 #include "texture/Voronoi.h"
+#include "texture/space/ShortEdges.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace drystone
 {
@@ -24,6 +26,12 @@ void declare(Options& options, Rubble& rubble)
                   "small faces rarer")
         .atLeast(0)
         .atMost(1000);
+    options
+        .optional("leastEdge", rubble.leastEdge,
+                  "shorter edges shrink to a corner, and small faces vanish with them; in mean sizes of a "
+                  "stone; 0: none")
+        .atLeast(0)
+        .atMost(0.3);
 }
 
 Assembly<3> makeAssembly(const Rubble& rubble)
@@ -36,7 +44,9 @@ Assembly<3> makeAssembly(const Rubble& rubble)
                        [](const Polyhedron& cell) { return volumeProperties(cell).centroid; });
     }
     Assembly<3> assembly;
-    for (Polyhedron& cell : voronoiCells(rubble.size, points))
+    const double mean = std::cbrt(rubble.size.prod() / rubble.stones);
+    for (Polyhedron& cell :
+         withoutShortEdges(voronoiCells(rubble.size, points), rubble.size, rubble.leastEdge * mean))
     {
         assembly.blocks.push_back({std::move(cell)});
     }

@@ -13,14 +13,17 @@ struct Rubble
     Vector<3> size{2, 0.5, 2}; ///< of the wall, from the origin [m]
     int stones = 100;
     int seed = 1;
-    int relaxations = 2; ///< how often points are moved to the centroids of their cells (Lloyd): stones
-                         ///< become rounder and more equal, small faces rarer
+    int relaxations = 2;    ///< how often points are moved to the centroids of their cells (Lloyd): stones
+                            ///< become rounder and more equal, small faces rarer
+    double leastEdge = 0.1; ///< shorter edges shrink to a corner, and faces of such edges vanish; in mean
+                            ///< sizes of a stone, cube root of its volume
 };
 
 void declare(Options& options, Rubble& rubble);
 
 /// The stones, all free, in the order of their points, which depends on the seed alone. Together they fill
-/// the box.
+/// the box. They are convex where no edge was removed (see ShortEdges.h); a face that is no longer plane is
+/// split into triangles.
 Assembly<3> makeAssembly(const Rubble& rubble);
 
 } // namespace drystone

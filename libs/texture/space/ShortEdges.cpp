@@ -1,0 +1,351 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Corners of all solids are numbered together, those at the ends of short edges united, and the faces built
+/// anew.
+#include "texture/space/ShortEdges.h"
+
+#include "geometry/BroadPhase.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <set>
+
+namespace drystone
+{
+
+namespace
+{
+
+/// Sets of corners that have become one.
+struct Clusters
+{
+    std::vector<int> parent;
+
+    explicit Clusters(std::size_t count) : parent(count) { std::iota(parent.begin(), parent.end(), 0); }
+
+    int rootOf(int i)
+    {
+        while (parent[i] != i)
+        {
+            parent[i] = parent[parent[i]];
+            i = parent[i];
+        }
+        return i;
+    }
+
+    void unite(int one, int other)
+    {
+        // The lower number stays, whatever the order of uniting.
+        const int a = rootOf(one);
+        const int b = rootOf(other);
+        parent[std::max(a, b)] = std::min(a, b);
+    }
+};
+
+/// Solids with common corners.
+struct Complex
+{
+    std::vector<Vector<3>> corners;
+    std::vector<std::vector<std::vector<int>>> solids; ///< faces of each, by corner
+};
+
+/// Corners of different cells that are the same but for rounding get one number.
+Complex complexOf(const std::vector<Polyhedron>& cells, double same)
+{
+    std::vector<Vector<3>> all;
+    std::vector<Box<3>> boxes;
+    for (const Polyhedron& cell : cells)
+    {
+        for (const Vector<3>& vertex : cell.vertices)
+        {
+            all.push_back(vertex);
+            boxes.push_back(enlarged<3>({vertex, vertex}, same / 2));
+        }
+    }
+    Clusters clusters(all.size());
+    for (const auto& [one, other] : findMeetingPairs<3>(boxes))
+    {
+        clusters.unite(one, other);
+    }
+    Complex complex;
+    std::vector<int> numbers(all.size(), -1);
+    for (std::size_t i = 0; i < all.size(); ++i)
+    {
+        const int root = clusters.rootOf(static_cast<int>(i)); // not above i
+        if (numbers[root] < 0)
+        {
+            numbers[root] = static_cast<int>(complex.corners.size());
+            complex.corners.push_back(all[root]);
+        }
+        numbers[i] = numbers[root];
+    }
+    int first = 0;
+    for (const Polyhedron& cell : cells)
+    {
+        std::vector<std::vector<int>> faces;
+        for (const std::vector<int>& face : cell.faces)
+        {
+            std::vector<int> numbered;
+            for (const int corner : face)
+            {
+                const int number = numbers[first + corner];
+                if (numbered.empty() || numbered.back() != number)
+                {
+                    numbered.push_back(number);
+                }
+            }
+            while (numbered.size() > 1 && numbered.back() == numbered.front())
+            {
+                numbered.pop_back();
+            }
+            if (numbered.size() >= 3)
+            {
+                faces.push_back(std::move(numbered));
+            }
+        }
+        complex.solids.push_back(std::move(faces));
+        first += static_cast<int>(cell.vertices.size());
+    }
+    return complex;
+}
+
+/// Where the clusters are: the mean of their corners, but on the sides of the box that they touch.
+std::vector<Vector<3>> clusterPlaces(const Complex& complex, Clusters& clusters, const Vector<3>& size,
+                                     double same)
+{
+    std::vector<Vector<3>> places(complex.corners.size(), Vector<3>::Zero());
+    std::vector<int> counts(complex.corners.size(), 0);
+    std::vector<Box<3>> extents(complex.corners.size());
+    for (std::size_t i = 0; i < complex.corners.size(); ++i)
+    {
+        const int root = clusters.rootOf(static_cast<int>(i));
+        places[root] += complex.corners[i];
+        ++counts[root];
+        extend<3>(extents[root], complex.corners[i]);
+    }
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+        if (counts[i] < 2)
+        {
+            continue; // a corner alone keeps its digits
+        }
+        places[i] /= counts[i];
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            if (extents[i].lower[axis] < same)
+            {
+                places[i][axis] = 0;
+            }
+            else if (extents[i].upper[axis] > size[axis] - same)
+            {
+                places[i][axis] = size[axis];
+            }
+        }
+    }
+    return places;
+}
+
+Vector<3> areaOf(const std::vector<int>& face, const std::vector<Vector<3>>& places)
+{
+    Vector<3> twice = Vector<3>::Zero();
+    for (std::size_t i = 1; i + 1 < face.size(); ++i)
+    {
+        twice += (places[face[i]] - places[face[0]]).cross(places[face[i + 1]] - places[face[0]]);
+    }
+    return twice / 2;
+}
+
+/// A face as it is, or in triangles where it is not plane; nothing where it folds over. The triangles are a
+/// fan from the corner with the lowest number for which all are turned as the whole is: the same seen from
+/// both sides.
+std::optional<std::vector<std::vector<int>>> planeParts(const std::vector<int>& face,
+                                                        const std::vector<Vector<3>>& places, double flat)
+{
+    const Vector<3> normal = areaOf(face, places).normalized();
+    Vector<3> centre = Vector<3>::Zero();
+    for (const int corner : face)
+    {
+        centre += places[corner] / static_cast<double>(face.size());
+    }
+    if (std::all_of(face.begin(), face.end(),
+                    [&](int corner) { return std::abs(normal.dot(places[corner] - centre)) <= flat; }))
+    {
+        return {{face}};
+    }
+    std::vector<int> apexes = face;
+    std::sort(apexes.begin(), apexes.end());
+    for (const int apex : apexes)
+    {
+        std::vector<int> turned = face;
+        std::rotate(turned.begin(), std::find(turned.begin(), turned.end(), apex), turned.end());
+        std::vector<std::vector<int>> triangles;
+        bool isFolded = false;
+        for (std::size_t i = 1; i + 1 < turned.size(); ++i)
+        {
+            triangles.push_back({turned[0], turned[i], turned[i + 1]});
+            const Vector<3> area = areaOf(triangles.back(), places);
+            isFolded = isFolded || area.dot(normal) <= 0.3 * area.norm() || area.norm() <= flat * flat;
+        }
+        if (!isFolded)
+        {
+            return triangles;
+        }
+    }
+    return std::nullopt;
+}
+
+std::vector<int> cornersOf(const std::vector<std::vector<int>>& faces)
+{
+    std::vector<int> corners;
+    for (const std::vector<int>& face : faces)
+    {
+        corners.insert(corners.end(), face.begin(), face.end());
+    }
+    return corners;
+}
+
+/// One solid after the corners have been united; nothing when it is none any more. \param culprits the
+/// corners of the face at fault, before they were united, or of all where no single face is
+std::optional<Polyhedron> rebuilt(const std::vector<std::vector<int>>& faces,
+                                  const std::vector<Vector<3>>& places, Clusters& clusters, double flat,
+                                  std::vector<int>& culprits)
+{
+    std::vector<std::vector<int>> parts;
+    culprits = cornersOf(faces);
+    for (const std::vector<int>& face : faces)
+    {
+        std::vector<int> corners;
+        for (const int corner : face)
+        {
+            const int root = clusters.rootOf(corner);
+            if (corners.empty() || corners.back() != root)
+            {
+                corners.push_back(root);
+            }
+        }
+        while (corners.size() > 1 && corners.back() == corners.front())
+        {
+            corners.pop_back();
+        }
+        if (corners.size() < 3)
+        {
+            continue;
+        }
+        const bool isPinched = std::set<int>(corners.begin(), corners.end()).size() != corners.size();
+        const auto split = isPinched ? std::nullopt : planeParts(corners, places, flat);
+        if (!split)
+        {
+            culprits = face;
+            return std::nullopt;
+        }
+        parts.insert(parts.end(), split->begin(), split->end());
+    }
+    Polyhedron solid;
+    std::map<int, int> numbers;
+    std::set<std::pair<int, int>> edges;
+    for (std::vector<int>& part : parts)
+    {
+        for (std::size_t i = 0; i < part.size(); ++i)
+        {
+            if (!edges.emplace(part[i], part[(i + 1) % part.size()]).second)
+            {
+                return std::nullopt;
+            }
+        }
+    }
+    for (std::vector<int>& part : parts)
+    {
+        for (int& corner : part)
+        {
+            const auto [place, isNew] = numbers.emplace(corner, static_cast<int>(numbers.size()));
+            if (isNew)
+            {
+                solid.vertices.push_back(places[corner]);
+            }
+            corner = place->second;
+        }
+    }
+    const bool isClosed = std::all_of(edges.begin(), edges.end(),
+                                      [&](const auto& edge) {
+                                          return edges.contains({edge.second, edge.first});
+                                      });
+    solid.faces = std::move(parts);
+    // Euler's formula for a solid without holes: two surfaces that hang together at a corner are none.
+    const bool isOne = solid.vertices.size() + solid.faces.size() == edges.size() / 2 + 2;
+    if (!isClosed || !isOne || solid.faces.size() < 4 || volumeProperties(solid).volume <= 0)
+    {
+        return std::nullopt;
+    }
+    return solid;
+}
+
+} // namespace
+
+std::vector<Polyhedron> withoutShortEdges(const std::vector<Polyhedron>& cells, const Vector<3>& size,
+                                          double least)
+{
+    if (least <= 0)
+    {
+        return cells;
+    }
+    const double same = 1e-9 * size.maxCoeff();
+    const Complex complex = complexOf(cells, same);
+    std::vector<char> isFixed(complex.corners.size(), 0); // corners that are not united with others
+    for (;;)
+    {
+        Clusters clusters(complex.corners.size());
+        for (const std::vector<std::vector<int>>& faces : complex.solids)
+        {
+            for (const std::vector<int>& face : faces)
+            {
+                for (std::size_t k = 0; k < face.size(); ++k)
+                {
+                    const int from = face[k];
+                    const int to = face[(k + 1) % face.size()];
+                    if (isFixed[from] == 0 && isFixed[to] == 0
+                        && (complex.corners[to] - complex.corners[from]).norm() < least)
+                    {
+                        clusters.unite(from, to);
+                    }
+                }
+            }
+        }
+        const std::vector<Vector<3>> places = clusterPlaces(complex, clusters, size, same);
+        std::vector<Polyhedron> solids;
+        bool isSound = true;
+        for (std::size_t i = 0; i < cells.size(); ++i)
+        {
+            std::vector<int> culprits;
+            std::optional<Polyhedron> solid = rebuilt(complex.solids[i], places, clusters, same, culprits);
+            if (solid)
+            {
+                solids.push_back(std::move(*solid));
+                continue;
+            }
+            for (const std::vector<int>& corners : {culprits, cornersOf(complex.solids[i])})
+            {
+                const bool isNew = std::any_of(corners.begin(), corners.end(),
+                                               [&](int corner) { return isFixed[corner] == 0; });
+                if (isNew)
+                {
+                    isSound = false;
+                    for (const int corner : corners)
+                    {
+                        isFixed[corner] = 1;
+                    }
+                    break;
+                }
+            }
+            solids.push_back(cells[i]); // as it was, when all its corners are
+        }
+        if (isSound)
+        {
+            return solids;
+        }
+    }
+}
+
+} // namespace drystone
