@@ -3,6 +3,7 @@
 #include "dynamics/FirstMeeting.h"
 #include "dynamics/FreeFlight.h"
 #include "dynamics/Impact.h"
+#include "dynamics/Step.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Reading of 0/motion.
 #include "dynamics/InitialMotion.h"
 
 #include "dynamics/StartCheck.h"

@@ -16,7 +16,7 @@ namespace drystone
 
 struct SymbolicAnalysis;
 
-/// The symbolic part of the programs of a motion, made when first asked for. A copy of a motion has one of
+/// The symbolic part of the programs of a motion, made when first requested. A copy of a motion has one of
 /// its own, since threads go on from one motion each for itself.
 class KeptAnalysis
 {

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Declaration and reading of system/schemes.
 #include "dynamics/Schemes.h"
 
 namespace drystone

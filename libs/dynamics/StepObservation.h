@@ -54,7 +54,7 @@ struct StepObservation
     std::span<const Vector<Dim>> contactForces;   ///< one a point: mean over the step with the impulses of
                                                   ///< its impacts, (normal, tangent) [N]
     std::span<const double> frictionCoefficients; ///< one a point
-    std::span<const double> cohesions;            ///< shear beside friction [N], likewise; or empty: none
+    std::span<const double> cohesions; ///< shear in addition to friction [N], likewise; or empty: none
 
     EnergyLedger energy;
     StepResiduals residuals;

@@ -1,13 +1,13 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The theta step: its program, and the programs in turn that lead to its solution.
 #include "dynamics/ThetaStep.h"
 
-#include "conic/CoulombNewton.h"
 #include "conic/form/Form.h"
-
-#include <Eigen/QR>
+#include "dynamics/AcceleratedIteration.h"
+#include "dynamics/CoulombFlow.h"
+#include "dynamics/RestingStep.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace drystone
 {
@@ -22,20 +22,11 @@ constexpr int programsToRestart = 30;
 
 /// Newton's method reaches Coulomb's law exactly, most often from the first program or the second, and is
 /// tried after both, in an impact after the first. From the fourth program on the law may have the error
-/// below. Measured on the paper's walls in collapse, steps of 0.002 s: with `contactTolerance` for it, and
-/// more tries after 4, 8 ... programs, wall 6 took 30 s of CPU a second instead of 7, and walls 4 and 6 and
-/// one of 410 blocks came to steps without an end, for one point of hundreds that would neither slide nor
-/// stick.
+/// below: one point of hundreds that would neither slide nor stick makes steps without an end.
 constexpr int programsToExactFlow = 4;
-constexpr int newtonSteps = 60; // on the paper's walls nearly all that end take less than 50
+constexpr int newtonSteps = 60; // nearly all tries that end take less than 50
 
-/// From the forces of the last step it ends soon or not at all. Wall 1 collapsing at steps of 0.002 s, solved
-/// to 1e-9: in the first 0.2 s 91 of 100 steps end, with 20 factorisations a step instead of 45; when blocks
-/// have left their places, a fourth, and the tries cost what they spare.
-constexpr int newtonStepsFromLastStep = 20;
-
-/// Impacts of a wall hit 150 points at once, where Newton's method seldom ends: with 20 steps of it once 3.8
-/// ms a step of wall 1 falling with restitution, with 60 as in motion, and its tolerance, 23 ms.
+/// Impacts of a wall hit 150 points at once, where Newton's method seldom ends.
 constexpr int newtonStepsOfImpact = 20;
 
 /// The error of mu |u_t| may be this share of what the step changes the motion by, and after so many programs
@@ -44,193 +35,6 @@ constexpr double shareOfStep = 1e-2;
 constexpr double largerShareOfStep = 5e-2;
 constexpr int programsToLargerShare = 15;
 constexpr double nearlySolved = 1000; // times the tolerance
-
-constexpr double closest = 1e-12; // tolerance that every solver but gaussSeidel reaches
-constexpr int mostRelinearisations = 10;
-
-/// mu |u_t| of each point: what the program's flow opens. \param closing A'y
-Eigen::VectorXd dilatancy(const PlaneConeProgram& program, const Eigen::VectorXd& closing,
-                          const Eigen::VectorXd& contactForce)
-{
-    const Eigen::VectorXd gap = program.hasCompliance() ? gapUnder(program, contactForce) : program.gap;
-    Eigen::VectorXd opening(program.points());
-    for (int point = 0; point < program.points(); ++point)
-    {
-        opening[point] = program.friction[static_cast<std::size_t>(point)]
-                         * std::abs(closing[2 * point + 1] - gap[2 * point + 1]);
-    }
-    return opening;
-}
-
-/// How far what a program imposed is from the dilatancy of its solution, where that matters: where a point
-/// presses, or would enter its partner without what is imposed. Everywhere else the point is apart and
-/// without force, which Coulomb's law allows whatever it slides. \param gap of the points [m], without what
-/// is imposed \param least force that counts [N]
-double errorOfFlow(const Eigen::VectorXd& imposed, const Eigen::VectorXd& opening, const Eigen::VectorXd& gap,
-                   const ThetaStep& step, double least)
-{
-    double error = 0;
-    for (Eigen::Index point = 0; point < opening.size(); ++point)
-    {
-        const bool presses = step.contactForce[2 * point] > least;
-        const bool enters = gap[2 * point] < step.closing[2 * point];
-        if (presses || enters)
-        {
-            error = std::max(error, std::abs(opening[point] - imposed[point]));
-        }
-    }
-    return error;
-}
-
-/// Mbar^-1 rows.
-Eigen::VectorXd displacementUnder(const PlaneConeProgram& program, Eigen::VectorXd rows)
-{
-    for (int body = 0; body < program.bodies; ++body)
-    {
-        rows.segment<3>(3 * body).array() /=
-            program.inertia[static_cast<std::size_t>(body)].diagonal().array();
-    }
-    return rows;
-}
-
-/// Fixed-point iteration x = F(x), accelerated (Anderson 1965; Walker & Ni 2011, type II): the next x is the
-/// combination of the last ones at which F(x) - x would vanish were it linear. Plain iteration on a wall that
-/// collapses ends in swinging between two states. Near a threshold, though, F grows faster than x up to where
-/// Coulomb's motion is, thousands of times the associative one: its secant leads back to a fixed point below
-/// zero, and plain iteration away from there.
-class AcceleratedIteration
-{
-public:
-    /// \param x where F was evaluated \param image F(x), not negative \return the next x, not negative
-    Eigen::VectorXd next(const Eigen::VectorXd& x, const Eigen::VectorXd& image)
-    {
-        const Eigen::VectorXd residual = image - x;
-        if (residual_.size() > 0)
-        {
-            if (residualChanges_.size() == depth)
-            {
-                residualChanges_.erase(residualChanges_.begin());
-                imageChanges_.erase(imageChanges_.begin());
-            }
-            residualChanges_.push_back(residual - residual_);
-            imageChanges_.push_back(image - image_);
-        }
-        residual_ = residual;
-        image_ = image;
-        const auto columns = static_cast<Eigen::Index>(residualChanges_.size());
-        if (columns == 0)
-        {
-            return image;
-        }
-        Eigen::MatrixXd changes(residual.size(), columns);
-        for (Eigen::Index column = 0; column < columns; ++column)
-        {
-            changes.col(column) = residualChanges_[static_cast<std::size_t>(column)];
-        }
-        const Eigen::VectorXd weights = changes.colPivHouseholderQr().solve(residual);
-        Eigen::VectorXd result = image;
-        for (Eigen::Index column = 0; column < columns; ++column)
-        {
-            result -= weights[column] * imageChanges_[static_cast<std::size_t>(column)];
-        }
-        result = result.cwiseMax(0.0);
-        const double reached = image.lpNorm<Eigen::Infinity>();
-        if (reached > 2 * x.lpNorm<Eigen::Infinity>() && result.lpNorm<Eigen::Infinity>() < reached / 2)
-        {
-            residualChanges_.clear();
-            imageChanges_.clear();
-            return image;
-        }
-        return result;
-    }
-
-private:
-    static constexpr std::size_t depth = 6;
-    Eigen::VectorXd residual_, image_;
-    std::vector<Eigen::VectorXd> residualChanges_, imageChanges_;
-};
-
-/// No motion, with forces, and how nearly it solves the program.
-struct Rest
-{
-    ConeSolution solution;
-    Certificate certificate;
-};
-
-Rest restWith(const PlaneConeProgram& program, const Eigen::VectorXd& contactForce)
-{
-    Rest rest;
-    rest.solution.displacement = Eigen::VectorXd::Zero(program.load.size());
-    rest.solution.contactForce = contactForce;
-    rest.certificate = certifyOptimal(program, rest.solution);
-    return rest;
-}
-
-/// Whether rest solves the program to the tolerance; then it is the step.
-bool comesToRest(ThetaStep& step, const PlaneConeProgram& program, Rest rest, double tolerance)
-{
-    if (rest.certificate.worst() > tolerance)
-    {
-        return false;
-    }
-    step.status = SolveStatus::optimal;
-    step.certificate = rest.certificate;
-    step.displacement = std::move(rest.solution.displacement);
-    step.contactForce = std::move(rest.solution.contactForce);
-    step.closing = Eigen::VectorXd::Zero(2 * program.points());
-    return true;
-}
-
-ConeSolution solveCounted(ThetaStep& step, const PlaneConeProgram& program, const SolverChoice& solver,
-                          const ConeSolution& start, SymbolicAnalysis* symbolic)
-{
-    ConeSolution solution = solveConeProgram(program, solver, start, symbolic);
-    if (!solution.interior.isEmpty())
-    {
-        step.interior = solution.interior;
-    }
-    step.iterations += solution.iterations;
-    step.factorisations += solution.factorisations;
-    return solution;
-}
-
-/// Largest force among the rows of bodies, moments aside.
-double largestForce(const Eigen::VectorXd& rows)
-{
-    double largest = 0;
-    for (Eigen::Index row = 0; row < rows.size(); row += 3)
-    {
-        largest = std::max(largest, rows.segment<2>(row).lpNorm<Eigen::Infinity>());
-    }
-    return largest;
-}
-
-/// Whether what is out of balance is so small a part of the loads that rest is worth a look.
-bool mayRest(const PlaneConeProgram& program, const Eigen::VectorXd& outOfBalance)
-{
-    constexpr double farFromRest = 0.1;
-    return largestForce(outOfBalance) <= farFromRest * largestForce(program.load);
-}
-
-/// A structure whose forces balance its loads to the tolerance stands still: not by what the solver leaves of
-/// a displacement, which would be an impulse in the next step, but exactly. The gap of a certificate is work,
-/// so of second order in what is out of balance: a solution that is nearly rest may be rest, and is known
-/// when it is solved to the square of the tolerance. Otherwise a wall would move off below its multiplier,
-/// little by little.
-bool standsStill(ThetaStep& step, const PlaneConeProgram& program, const SolverChoice& solver,
-                 const ConeSolution& solution, SymbolicAnalysis* symbolic)
-{
-    const double nearly = std::sqrt(solver.tolerance);
-    Rest rest = restWith(program, solution.contactForce);
-    SolverChoice closer = solver;
-    closer.tolerance = std::max(closest, 0.1 * solver.tolerance * solver.tolerance);
-    if (rest.certificate.worst() > solver.tolerance && rest.certificate.worst() <= nearly
-        && closer.tolerance < solver.tolerance && solver.solver != SolverType::gaussSeidel)
-    {
-        rest = restWith(program, solveCounted(step, program, closer, solution, symbolic).contactForce);
-    }
-    return comesToRest(step, program, std::move(rest), solver.tolerance);
-}
 
 /// \return whether the displacements are those that the contact forces give the blocks
 bool solveOnce(ThetaStep& step, const PlaneConeProgram& program, const SolverChoice& solver,
@@ -267,9 +71,27 @@ bool solveOnce(ThetaStep& step, const PlaneConeProgram& program, const SolverCho
     return isBalanced;
 }
 
-/// With theta below 1 lever arms are those on the way to where the step takes the blocks. They are then right
-/// to the tolerance of the gaps, and angular momentum with them: here both become exact, by displacements
-/// that are less than that tolerance.
+/// Whether another program would go beyond the work allowed.
+bool isWorkUsedUp(const StepSettings& settings, const ThetaStep& step, const PlaneConeProgram& program)
+{
+    return settings.work
+           && settings.work->done
+                      + workOf(step.iterations, step.factorisations, program.points(), program.bodies)
+                  > settings.work->mostOfAttempt;
+}
+
+} // namespace
+
+Eigen::VectorXd displacementUnder(const PlaneConeProgram& program, Eigen::VectorXd rows)
+{
+    for (int body = 0; body < program.bodies; ++body)
+    {
+        rows.segment<3>(3 * body).array() /=
+            program.inertia[static_cast<std::size_t>(body)].diagonal().array();
+    }
+    return rows;
+}
+
 void keepMomenta(ThetaStep& step, PlaneConeProgram& program, const Relinearisation& relinearise)
 {
     constexpr int mostRounds = 4; // each leaves the square of the last, in effect
@@ -288,130 +110,6 @@ void keepMomenta(ThetaStep& step, PlaneConeProgram& program, const Relinearisati
         relinearise(step.displacement, step.contactForce, program);
     }
 }
-
-/// Coulomb's law by Newton's method. \param program its gaps without what the flow opens; with it on return
-/// \return whether it was reached; otherwise the step is as it was but for the work counted
-bool solveFlow(ThetaStep& step, PlaneConeProgram& program, const ConeSolution& start,
-               const StepSettings& settings, double gapTolerance, int mostNewtonSteps)
-{
-    constexpr double beyond = 1e-3; // nearly for nothing: the last Newton step is exact
-    ConeSolution solution = solveCoulombNewton(
-        program, start, {beyond * settings.solver.tolerance, gapTolerance, mostNewtonSteps});
-    step.iterations += solution.iterations;
-    step.factorisations += solution.factorisations;
-    if (solution.status != SolveStatus::optimal)
-    {
-        return false;
-    }
-    solution.displacement =
-        displacementUnder(program, program.load - applyEquilibrium(program, solution.contactForce));
-    Eigen::VectorXd closing = applyTransposed(program, solution.displacement);
-    // Gaps that are right to a tolerance only may as well be those that the points which touch want.
-    for (int point = 0; point < program.points(); ++point)
-    {
-        const double mu = program.friction[static_cast<std::size_t>(point)];
-        const Strength strength =
-            program.hasStrength() ? program.strength[static_cast<std::size_t>(point)] : Strength{};
-        const auto force = solution.contactForce.segment<2>(2 * point);
-        auto gap = program.gap.segment<2>(2 * point);
-        const Eigen::Vector2d open = gap - closing.segment<2>(2 * point);
-        if ((force[0] > -strength.tension || open[0] < 0) && std::abs(open[0]) <= gapTolerance)
-        {
-            gap[0] -= open[0];
-        }
-        if (std::abs(force[1]) < strength.cohesion + mu * force[0] && std::abs(open[1]) <= gapTolerance)
-        {
-            gap[1] -= open[1];
-        }
-        gap[0] += mu * std::abs(closing[2 * point + 1] - gap[1]);
-    }
-    step.certificate = certifyOptimal(program, solution);
-    step.flowError = 0;
-    if (settings.solver.observer)
-    {
-        settings.solver.observer(program, solution);
-    }
-    step.status = SolveStatus::optimal;
-    step.displacement = std::move(solution.displacement);
-    step.contactForce = std::move(solution.contactForce);
-    step.closing = std::move(closing);
-    return true;
-}
-
-/// Of Newton's method for Coulomb's law.
-struct NewtonEffort
-{
-    int steps;           ///< at most, in each program
-    double gapTolerance; ///< error allowed in gaps that no motion closes [m]
-};
-
-/// Likewise with gaps that are right where the blocks end up. Closed rings of blocks are mobile to first
-/// order only: as they move, some points open by the square of their displacements, and which of them carries
-/// what is then decided by less than contactTolerance. So gaps are taken as known to that, or to a thousandth
-/// of what the step changes the motion by, if that is less. \param heading dt v0
-bool solveFlow(ThetaStep& step, PlaneConeProgram program, ConeSolution start, const Eigen::VectorXd& heading,
-               const StepSettings& settings, const Relinearisation& relinearise, const NewtonEffort& effort)
-{
-    constexpr double partOfStep = 1e-3;
-    for (int round = 0; round <= mostRelinearisations; ++round)
-    {
-        PlaneConeProgram flowing = program;
-        const double gapTolerance =
-            relinearise ? std::min(effort.gapTolerance,
-                                   partOfStep * (start.displacement - heading).lpNorm<Eigen::Infinity>())
-                        : 0;
-        if (!solveFlow(step, flowing, start, settings, gapTolerance, effort.steps))
-        {
-            return false;
-        }
-        const bool isRight =
-            !relinearise || relinearise(step.displacement, step.contactForce, program) <= effort.gapTolerance;
-        if (isRight && step.certificate.worst() <= settings.solver.tolerance)
-        {
-            if (relinearise)
-            {
-                keepMomenta(step, program, relinearise);
-            }
-            return true;
-        }
-        if (!relinearise)
-        {
-            return false;
-        }
-        start.displacement = step.displacement;
-        start.contactForce = step.contactForce;
-    }
-    return false;
-}
-
-/// Coulomb's law from the forces of the last step, without a program: with `automatic` alone, since every
-/// other solver is asked for by name, and not near rest, which only a program tells from slow motion.
-bool goesOnFromLastStep(ThetaStep& step, const PlaneConeProgram& program, const ConeSolution& start,
-                        const Eigen::VectorXd& heading, const StepSettings& settings,
-                        const Relinearisation& relinearise)
-{
-    if (settings.solver.solver != SolverType::automatic || program.hasCompliance()
-        || start.contactForce.isZero(0))
-    {
-        return false;
-    }
-    const NewtonEffort effort{
-        newtonStepsFromLastStep,
-        std::min(settings.contactTolerance, settings.solver.tolerance * settings.blockSize)};
-    return solveFlow(step, program, start, heading, settings, relinearise, effort)
-           && !mayRest(program, program.load - applyEquilibrium(program, step.contactForce));
-}
-
-/// Whether another program would go beyond the work allowed.
-bool isWorkUsedUp(const StepSettings& settings, const ThetaStep& step, const PlaneConeProgram& program)
-{
-    return settings.work
-           && settings.work->done
-                      + workOf(step.iterations, step.factorisations, program.points(), program.bodies)
-                  > settings.work->mostOfAttempt;
-}
-
-} // namespace
 
 void setColumns(PlaneConeProgram& program, const std::vector<ContactColumns<2>>& columns)
 {
@@ -535,21 +233,21 @@ ThetaStep solveThetaStep(PlaneConeProgram program, const StepSettings& settings,
             const double exact = std::max(1e-12 * settings.blockSize,
                                           10 * settings.solver.tolerance * opening.lpNorm<Eigen::Infinity>());
             // Otherwise a small part of what the step itself does: with steps so short that gravity moves a
-            // block by less than some length, any force at all would do. Nor less than a program certified to
-            // its tolerance tells.
+            // block by less than some length, any force at all would do. Nor less than what a program
+            // certified to its tolerance determines.
             const double moved =
                 (step.displacement
                  - (guess.displacement.size() > 0 ? guess.displacement
                                                   : Eigen::VectorXd::Zero(step.displacement.size())))
                     .lpNorm<Eigen::Infinity>();
             const double share = step.programs < programsToLargerShare ? shareOfStep : largerShareOfStep;
-            const double told =
+            const double certified =
                 settings.solver.tolerance
                 * std::max(step.displacement.lpNorm<Eigen::Infinity>(), gap.lpNorm<Eigen::Infinity>());
             const bool isExact = !isImpact
                                  && (step.programs < programsToExactFlow
                                      || (!isBalanced && step.programs < programsToLargerShare));
-            stands = stands && change <= (isExact ? exact : std::max({exact, told, share * moved}));
+            stands = stands && change <= (isExact ? exact : std::max({exact, certified, share * moved}));
             step.flowError = change;
             imposed = fixedPoint.next(imposed, opening);
             if (step.programs == programsToRestart)

@@ -39,7 +39,7 @@ PlaneConeProgram thetaStepProgram(const Eigen::VectorXd& mass, const Eigen::Vect
                                   const std::vector<double>& friction, const ThetaScheme& scheme);
 
 /// What a program is of. An impact is a step without loads and with impulses for forces: it leaves no gaps
-/// that later steps would have to mend.
+/// that later steps would have to repair.
 enum class StepKind
 {
     motion,
@@ -112,6 +112,14 @@ struct ThetaStep
 /// \return status `notConverged` after 60 programs or when the work is used up, or when the solver fails
 ThetaStep solveThetaStep(PlaneConeProgram program, const StepSettings& settings, const StepGuess& guess = {},
                          const Relinearisation& relinearise = {}, SymbolicAnalysis* symbolic = nullptr);
+
+/// Mbar^-1 rows: the displacements that forces give the blocks.
+Eigen::VectorXd displacementUnder(const PlaneConeProgram& program, Eigen::VectorXd rows);
+
+/// With theta below 1 lever arms are those on the way to where the step takes the blocks. They are then right
+/// to the tolerance of the gaps, and angular momentum with them: here both become exact, by displacements
+/// that are less than that tolerance.
+void keepMomenta(ThetaStep& step, PlaneConeProgram& program, const Relinearisation& relinearise);
 
 /// Moves the blocks by the displacements of a step and gives them v1 = (y/dt - (1 - theta) v0)/theta.
 /// Rotations are finite: angles of the plane add.

@@ -76,7 +76,7 @@ enum class Review
 struct EffectTraits
 {
     bool isCompliant = false;  ///< contact points give way under force
-    bool holdsJoints = false;  ///< joints have strengths beside friction
+    bool holdsJoints = false;  ///< joints have strengths in addition to friction
     bool actsOnBlocks = false; ///< blocks that touch nothing feel it too
 };
 

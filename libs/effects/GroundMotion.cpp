@@ -15,7 +15,9 @@ Eigen::Vector3d groundAcceleration(const GroundMotion& motion, double time)
 {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (const GroundMotion::Component& component : motion.components)
+    {
         sum += component.acceleration->at(time) * component.direction;
+    }
     return sum;
 }
 
@@ -23,7 +25,9 @@ Eigen::Vector3d meanGroundAcceleration(const GroundMotion& motion, double from, 
 {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (const GroundMotion::Component& component : motion.components)
+    {
         sum += component.acceleration->mean(from, to) * component.direction;
+    }
     return sum;
 }
 
@@ -31,14 +35,18 @@ double peakAcceleration(const GroundMotion& motion)
 {
     double peak = 0;
     for (const GroundMotion::Component& component : motion.components)
+    {
         peak = std::max(peak, component.acceleration->peak());
+    }
     return peak;
 }
 
 std::string summary(const GroundMotion& motion)
 {
     if (motion.components.empty())
+    {
         return "Ground motion: none\n";
+    }
     std::string text;
     for (const GroundMotion::Component& component : motion.components)
     {
@@ -50,10 +58,14 @@ std::string summary(const GroundMotion& motion)
                             history.peak() / standardGravity);
         const std::vector<double> kinks = history.kinks();
         if (kinks.empty())
+        {
             text += "    duration    unlimited\n";
+        }
         else
+        {
             text += fmt::format("    duration    {:.6g} s, from {:.6g} s to {:.6g} s\n",
                                 kinks.back() - kinks.front(), kinks.front(), kinks.back());
+        }
     }
     return text;
 }
@@ -89,11 +101,17 @@ void declare(Options& options, GroundMotionSettings& settings)
                   {
                       const bool single = settings.direction || settings.acceleration;
                       if (single && !settings.components.empty())
+                      {
                           return "Give either direction and acceleration, or components.";
+                      }
                       if (!single && settings.components.empty())
+                      {
                           return "The motion of the ground needs direction and acceleration.";
+                      }
                       if (single && !(settings.direction && settings.acceleration))
+                      {
                           return "The motion of the ground needs both direction and acceleration.";
+                      }
                       return settings.direction && toVector(*settings.direction).norm() == 0
                                  ? "The direction has no length."
                                  : "";
@@ -111,9 +129,13 @@ GroundMotion readGroundMotion(const Dictionary& dictionary, const std::filesyste
         question(doubtsAboutRecord(motion.components.back(), described.subDict("acceleration")));
     };
     if (settings.direction)
+    {
         add(*settings.direction, settings.acceleration, dictionary);
+    }
     for (const auto& [name, component] : settings.components)
+    {
         add(component.direction, component.acceleration, dictionary.subDict("components").subDict(name));
+    }
     return motion;
 }
 

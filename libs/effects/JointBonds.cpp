@@ -16,7 +16,7 @@ namespace drystone
 namespace
 {
 
-/// A solver that is not asked for much leaves forces that much below a strength that is reached.
+/// A solver with a loose tolerance leaves forces that much below a strength that is reached.
 constexpr double nearlyYielding = 1e-3;
 
 /// The ends of an unbroken bond are no farther apart than this, in mean block sizes: what steps leave of

@@ -17,7 +17,7 @@ struct HousnerLoss
 
 void declare(Options& options, HousnerLoss& loss);
 
-/// Losses beside friction and impact: a force of -massProportional M v on each block.
+/// Losses in addition to friction and impact: a force of -massProportional M v on each block.
 struct Damping
 {
     double massProportional = 0; ///< [1/s]

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Motions of the ground: their dictionaries, histories and plausibility.
 #include "effects/GroundMotion.h"
 #include "core/Error.h"
 

@@ -1,0 +1,152 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Coulomb's law by Newton's method, and how far a solution is from it.
+#include "dynamics/CoulombFlow.h"
+
+#include "conic/CoulombNewton.h"
+#include "dynamics/RestingStep.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drystone
+{
+namespace
+{
+
+/// From the forces of the last step it ends soon or not at all.
+constexpr int newtonStepsFromLastStep = 20;
+
+constexpr int mostRelinearisations = 10;
+
+/// With gaps as they are. \param program its gaps without what the flow opens; with it on return
+/// \return whether it was reached; otherwise the step is as it was but for the work counted
+bool solveFlow(ThetaStep& step, PlaneConeProgram& program, const ConeSolution& start,
+               const StepSettings& settings, double gapTolerance, int mostNewtonSteps)
+{
+    constexpr double beyond = 1e-3; // nearly for nothing: the last Newton step is exact
+    ConeSolution solution = solveCoulombNewton(
+        program, start, {beyond * settings.solver.tolerance, gapTolerance, mostNewtonSteps});
+    step.iterations += solution.iterations;
+    step.factorisations += solution.factorisations;
+    if (solution.status != SolveStatus::optimal)
+    {
+        return false;
+    }
+    solution.displacement =
+        displacementUnder(program, program.load - applyEquilibrium(program, solution.contactForce));
+    Eigen::VectorXd closing = applyTransposed(program, solution.displacement);
+    // Gaps that are right to a tolerance only may as well be those that the points which touch want.
+    for (int point = 0; point < program.points(); ++point)
+    {
+        const double mu = program.friction[static_cast<std::size_t>(point)];
+        const Strength strength =
+            program.hasStrength() ? program.strength[static_cast<std::size_t>(point)] : Strength{};
+        const auto force = solution.contactForce.segment<2>(2 * point);
+        auto gap = program.gap.segment<2>(2 * point);
+        const Eigen::Vector2d open = gap - closing.segment<2>(2 * point);
+        if ((force[0] > -strength.tension || open[0] < 0) && std::abs(open[0]) <= gapTolerance)
+        {
+            gap[0] -= open[0];
+        }
+        if (std::abs(force[1]) < strength.cohesion + mu * force[0] && std::abs(open[1]) <= gapTolerance)
+        {
+            gap[1] -= open[1];
+        }
+        gap[0] += mu * std::abs(closing[2 * point + 1] - gap[1]);
+    }
+    step.certificate = certifyOptimal(program, solution);
+    step.flowError = 0;
+    if (settings.solver.observer)
+    {
+        settings.solver.observer(program, solution);
+    }
+    step.status = SolveStatus::optimal;
+    step.displacement = std::move(solution.displacement);
+    step.contactForce = std::move(solution.contactForce);
+    step.closing = std::move(closing);
+    return true;
+}
+
+} // namespace
+
+Eigen::VectorXd dilatancy(const PlaneConeProgram& program, const Eigen::VectorXd& closing,
+                          const Eigen::VectorXd& contactForce)
+{
+    const Eigen::VectorXd gap = program.hasCompliance() ? gapUnder(program, contactForce) : program.gap;
+    Eigen::VectorXd opening(program.points());
+    for (int point = 0; point < program.points(); ++point)
+    {
+        opening[point] = program.friction[static_cast<std::size_t>(point)]
+                         * std::abs(closing[2 * point + 1] - gap[2 * point + 1]);
+    }
+    return opening;
+}
+
+double errorOfFlow(const Eigen::VectorXd& imposed, const Eigen::VectorXd& opening, const Eigen::VectorXd& gap,
+                   const ThetaStep& step, double least)
+{
+    double error = 0;
+    for (Eigen::Index point = 0; point < opening.size(); ++point)
+    {
+        const bool presses = step.contactForce[2 * point] > least;
+        const bool enters = gap[2 * point] < step.closing[2 * point];
+        if (presses || enters)
+        {
+            error = std::max(error, std::abs(opening[point] - imposed[point]));
+        }
+    }
+    return error;
+}
+
+bool solveFlow(ThetaStep& step, PlaneConeProgram program, ConeSolution start, const Eigen::VectorXd& heading,
+               const StepSettings& settings, const Relinearisation& relinearise, const NewtonEffort& effort)
+{
+    constexpr double partOfStep = 1e-3;
+    for (int round = 0; round <= mostRelinearisations; ++round)
+    {
+        PlaneConeProgram flowing = program;
+        const double gapTolerance =
+            relinearise ? std::min(effort.gapTolerance,
+                                   partOfStep * (start.displacement - heading).lpNorm<Eigen::Infinity>())
+                        : 0;
+        if (!solveFlow(step, flowing, start, settings, gapTolerance, effort.steps))
+        {
+            return false;
+        }
+        const bool isRight =
+            !relinearise || relinearise(step.displacement, step.contactForce, program) <= effort.gapTolerance;
+        if (isRight && step.certificate.worst() <= settings.solver.tolerance)
+        {
+            if (relinearise)
+            {
+                keepMomenta(step, program, relinearise);
+            }
+            return true;
+        }
+        if (!relinearise)
+        {
+            return false;
+        }
+        start.displacement = step.displacement;
+        start.contactForce = step.contactForce;
+    }
+    return false;
+}
+
+bool goesOnFromLastStep(ThetaStep& step, const PlaneConeProgram& program, const ConeSolution& start,
+                        const Eigen::VectorXd& heading, const StepSettings& settings,
+                        const Relinearisation& relinearise)
+{
+    if (settings.solver.solver != SolverType::automatic || program.hasCompliance()
+        || start.contactForce.isZero(0))
+    {
+        return false;
+    }
+    const NewtonEffort effort{
+        newtonStepsFromLastStep,
+        std::min(settings.contactTolerance, settings.solver.tolerance * settings.blockSize)};
+    return solveFlow(step, program, start, heading, settings, relinearise, effort)
+           && !mayRest(program, program.load - applyEquilibrium(program, step.contactForce));
+}
+
+} // namespace drystone

@@ -1,0 +1,43 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Coulomb's law in a step: blocks slide without opening, which the program's flow would make them do.
+#pragma once
+
+#include "dynamics/ThetaStep.h"
+
+namespace drystone
+{
+
+/// mu |u_t| of each point: what the program's flow opens. \param closing A'y
+Eigen::VectorXd dilatancy(const PlaneConeProgram& program, const Eigen::VectorXd& closing,
+                          const Eigen::VectorXd& contactForce);
+
+/// How far what a program imposed is from the dilatancy of its solution, where that matters: where a point
+/// presses, or would enter its partner without what is imposed. Everywhere else the point is apart and
+/// without force, which Coulomb's law allows whatever it slides. \param gap of the points [m], without what
+/// is imposed \param least force that counts [N]
+double errorOfFlow(const Eigen::VectorXd& imposed, const Eigen::VectorXd& opening, const Eigen::VectorXd& gap,
+                   const ThetaStep& step, double least);
+
+/// Of Newton's method for Coulomb's law.
+struct NewtonEffort
+{
+    int steps;           ///< at most, in each program
+    double gapTolerance; ///< error allowed in gaps that no motion closes [m]
+};
+
+/// Coulomb's law by Newton's method, with gaps that are right where the blocks end up. Closed rings of blocks
+/// are mobile to first order only: as they move, some points open by the square of their displacements, and
+/// which of them carries what is then decided by less than contactTolerance. So gaps are taken as known to
+/// that, or to a thousandth of what the step changes the motion by, if that is less. \param program its gaps
+/// without what the flow opens \param heading dt v0 \return whether it was reached; otherwise the step is as
+/// it was but for the work counted
+bool solveFlow(ThetaStep& step, PlaneConeProgram program, ConeSolution start, const Eigen::VectorXd& heading,
+               const StepSettings& settings, const Relinearisation& relinearise, const NewtonEffort& effort);
+
+/// Coulomb's law from the forces of the last step, without a program: with `automatic` alone, since every
+/// other solver is requested by name, and not near rest, which only a program tells from slow motion.
+bool goesOnFromLastStep(ThetaStep& step, const PlaneConeProgram& program, const ConeSolution& start,
+                        const Eigen::VectorXd& heading, const StepSettings& settings,
+                        const Relinearisation& relinearise);
+
+} // namespace drystone

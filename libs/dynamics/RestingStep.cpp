@@ -1,0 +1,85 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Steps at rest.
+#include "dynamics/RestingStep.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drystone
+{
+namespace
+{
+
+constexpr double closest = 1e-12; // tolerance that every solver but gaussSeidel reaches
+
+/// Largest force among the rows of bodies, moments aside.
+double largestForce(const Eigen::VectorXd& rows)
+{
+    double largest = 0;
+    for (Eigen::Index row = 0; row < rows.size(); row += 3)
+    {
+        largest = std::max(largest, rows.segment<2>(row).lpNorm<Eigen::Infinity>());
+    }
+    return largest;
+}
+
+} // namespace
+
+Rest restWith(const PlaneConeProgram& program, const Eigen::VectorXd& contactForce)
+{
+    Rest rest;
+    rest.solution.displacement = Eigen::VectorXd::Zero(program.load.size());
+    rest.solution.contactForce = contactForce;
+    rest.certificate = certifyOptimal(program, rest.solution);
+    return rest;
+}
+
+bool comesToRest(ThetaStep& step, const PlaneConeProgram& program, Rest rest, double tolerance)
+{
+    if (rest.certificate.worst() > tolerance)
+    {
+        return false;
+    }
+    step.status = SolveStatus::optimal;
+    step.certificate = rest.certificate;
+    step.displacement = std::move(rest.solution.displacement);
+    step.contactForce = std::move(rest.solution.contactForce);
+    step.closing = Eigen::VectorXd::Zero(2 * program.points());
+    return true;
+}
+
+ConeSolution solveCounted(ThetaStep& step, const PlaneConeProgram& program, const SolverChoice& solver,
+                          const ConeSolution& start, SymbolicAnalysis* symbolic)
+{
+    ConeSolution solution = solveConeProgram(program, solver, start, symbolic);
+    if (!solution.interior.isEmpty())
+    {
+        step.interior = solution.interior;
+    }
+    step.iterations += solution.iterations;
+    step.factorisations += solution.factorisations;
+    return solution;
+}
+
+bool mayRest(const PlaneConeProgram& program, const Eigen::VectorXd& outOfBalance)
+{
+    constexpr double farFromRest = 0.1;
+    return largestForce(outOfBalance) <= farFromRest * largestForce(program.load);
+}
+
+bool standsStill(ThetaStep& step, const PlaneConeProgram& program, const SolverChoice& solver,
+                 const ConeSolution& solution, SymbolicAnalysis* symbolic)
+{
+    const double nearly = std::sqrt(solver.tolerance);
+    Rest rest = restWith(program, solution.contactForce);
+    SolverChoice closer = solver;
+    closer.tolerance = std::max(closest, 0.1 * solver.tolerance * solver.tolerance);
+    if (rest.certificate.worst() > solver.tolerance && rest.certificate.worst() <= nearly
+        && closer.tolerance < solver.tolerance && solver.solver != SolverType::gaussSeidel)
+    {
+        rest = restWith(program, solveCounted(step, program, closer, solution, symbolic).contactForce);
+    }
+    return comesToRest(step, program, std::move(rest), solver.tolerance);
+}
+
+} // namespace drystone
