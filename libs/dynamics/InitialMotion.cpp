@@ -2,6 +2,7 @@
 /// Reading of 0/motion.
 #include "dynamics/InitialMotion.h"
 
+#include "dictionary/EntryLocations.h"
 #include "dynamics/StartCheck.h"
 
 #include <fmt/format.h>
@@ -59,20 +60,15 @@ void declare(Options& options, InitialMotion& motion)
     options.each(motion.blocks, "of the block with this index, or of the blocks that the pattern matches");
 }
 
-DynamicState readInitialMotion(const std::filesystem::path& caseDirectory, const std::string& timeName,
+InitialState readInitialMotion(const std::filesystem::path& caseDirectory, const std::string& timeName,
                                const Assembly<2>& assembly)
 {
     DynamicState state = stateAtRest(assembly);
     const Dictionary dictionary = Dictionary::readFileIfPresent(caseDirectory / timeName / "motion");
     const auto motion = readOptions<InitialMotion>(dictionary);
     const std::vector<int> free = freeIndices(assembly);
-    const auto locationOf = [&](const std::string& name)
-    {
-        const auto& entries = dictionary.entries();
-        const auto entry = std::find_if(entries.begin(), entries.end(),
-                                        [&](const Entry& candidate) { return candidate.keyword() == name; });
-        return entry == entries.end() ? dictionary.location() : entry->location();
-    };
+    const EntryLocations locations(dictionary);
+    std::vector<SourceLocation> places(dictionary.empty() ? 0 : free.size(), dictionary.location());
     std::vector<char> isMatched(motion.blocks.size(), false);
     for (std::size_t block = 0; block < free.size(); ++block)
     {
@@ -98,11 +94,12 @@ DynamicState readInitialMotion(const std::filesystem::path& caseDirectory, const
                 fmt::format("Block {} is fixed: it belongs to the support {}. Only free blocks "
                             "can be given a start.",
                             block, assembly.supports[assembly.blocks[block].support].name),
-                locationOf(index));
+                locations.of(index));
         }
         if (chosen)
         {
             const BlockStart& start = chosen->second;
+            places[block] = locations.of(chosen->first.text);
             state.placements[block] = placementOf(start, assembly.blocks[block]);
             state.velocity.segment<3>(3 * free[block]) << start.velocity, start.angularVelocity;
         }
@@ -110,15 +107,15 @@ DynamicState readInitialMotion(const std::filesystem::path& caseDirectory, const
     for (std::size_t i = 0; i < motion.blocks.size(); ++i)
     {
         const std::string& name = motion.blocks[i].first.text;
-        questionRotation(motion.blocks[i].second, locationOf(name));
+        questionRotation(motion.blocks[i].second, locations.of(name));
         if (!isMatched[i])
         {
             throw FatalIOError(fmt::format("There is no block {}: the assembly has blocks 0 to {}.", name,
                                            assembly.blocks.size() - 1),
-                               locationOf(name));
+                               locations.of(name));
         }
     }
-    return state;
+    return {std::move(state), std::move(places)};
 }
 
 } // namespace drystone

@@ -35,10 +35,18 @@ struct InitialMotion
 };
 void declare(Options& options, InitialMotion& motion);
 
+/// A state as it is read.
+struct InitialState
+{
+    DynamicState state;
+    std::vector<SourceLocation>
+        places; ///< of the entry of each block, or of the file; empty where it is absent
+};
+
 /// The state at the time of `<case>/<time name>/motion`: as built and at rest where the file is absent.
 /// \throws FatalIOError for what is wrong with the file, an index without a block, a pattern that no block
 /// matches, a support that is given a motion
-DynamicState readInitialMotion(const std::filesystem::path& caseDirectory, const std::string& timeName,
+InitialState readInitialMotion(const std::filesystem::path& caseDirectory, const std::string& timeName,
                                const Assembly<2>& assembly);
 
 } // namespace drystone

@@ -4,7 +4,6 @@
 
 #include "contact/AlmostJoints.h"
 #include "contact/Penetration.h"
-#include "dictionary/Dictionary.h"
 
 #include <fmt/format.h>
 
@@ -14,9 +13,9 @@ namespace drystone
 {
 
 void refuseStartOverlaps(const Assembly<2>& assembly, const std::vector<Placement<2>>& placements,
-                         const std::filesystem::path& motionFile)
+                         const std::vector<SourceLocation>& places)
 {
-    if (!std::filesystem::exists(motionFile))
+    if (places.empty())
     {
         return;
     }
@@ -26,7 +25,6 @@ void refuseStartOverlaps(const Assembly<2>& assembly, const std::vector<Placemen
     {
         return;
     }
-    const Dictionary dictionary = Dictionary::readFile(motionFile);
     const auto isDisplaced = [&](int block)
     { return placements[block].rotation != 0 || !placements[block].translation.isZero(0); };
     const int displaced = isDisplaced(deepest.block) ? deepest.block : deepest.neighbour;
@@ -37,7 +35,7 @@ void refuseStartOverlaps(const Assembly<2>& assembly, const std::vector<Placemen
             "displacement and rotation. A block that starts tilted about one of its corners has no "
             "displacement but, beside its rotation, `about (x y);`, the place of that corner as built.",
             blockName(assembly, displaced), deepest.depth, blockName(assembly, other)),
-        dictionary.locationOf(std::to_string(displaced)));
+        places[static_cast<std::size_t>(displaced)]);
 }
 
 void questionRotation(const BlockStart& start, const SourceLocation& place)

@@ -5,17 +5,15 @@
 #include "assembly/Assembly.h"
 #include "dynamics/InitialMotion.h"
 
-#include <filesystem>
-
 namespace drystone
 {
 
 /// Refuses a start inside another block: motion has no answer to it, and would part the blocks or let them
 /// fall through each other. Blocks may be 1e-6 of the mean block size in each other, and as deep as they were
-/// built. \param motionFile that the placements come from; nothing is asked where it does not exist \throws
-/// FatalIOError with both blocks and the depth, at the line of the block that is displaced
+/// built. \param places of InitialState; nothing is checked where there are none
+/// \throws FatalIOError with both blocks and the depth, at the line of the block that is displaced
 void refuseStartOverlaps(const Assembly<2>& assembly, const std::vector<Placement<2>>& placements,
-                         const std::filesystem::path& motionFile);
+                         const std::vector<SourceLocation>& places);
 
 /// Warns of a rotation beyond a quarter of a turn, which looks like degrees.
 void questionRotation(const BlockStart& start, const SourceLocation& place);

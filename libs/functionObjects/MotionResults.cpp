@@ -236,11 +236,11 @@ Motion startOrContinue(const std::filesystem::path& caseDirectory, const Dynamic
                             "system/controlDict.",
                             startName));
         }
-        DynamicState initial = readInitialMotion(caseDirectory, startName, scene.assembly);
+        auto [initial, places] = readInitialMotion(caseDirectory, startName, scene.assembly);
         initial.time = time.startValue();
         if (!scene.schemes.smallDisplacements) // whose geometry is the one as built
         {
-            refuseStartOverlaps(scene.assembly, initial.placements, caseDirectory / startName / "motion");
+            refuseStartOverlaps(scene.assembly, initial.placements, places);
         }
         return startMotion(scene, std::move(initial));
     }

@@ -38,8 +38,9 @@ protected:
         std::ofstream(directory / "0/motion") << "1\n{\n    " << start << "\n}\n";
         try
         {
-            state = readInitialMotion(directory, "0", assembly);
-            refuseStartOverlaps(assembly, state.placements, directory / "0/motion");
+            const InitialState initial = readInitialMotion(directory, "0", assembly);
+            state = initial.state;
+            refuseStartOverlaps(assembly, state.placements, initial.places);
         }
         catch (const FatalIOError& error)
         {
@@ -60,6 +61,15 @@ TEST_F(StartCheck, RefusesAStartInTheGroundWithBothNamesAndTheDepth)
                       HasSubstr("about (x y);"), HasSubstr("0/motion"), HasSubstr("line 1.")));
     EXPECT_THAT(report("rotation 0.05;"), HasSubstr("block 1 is 0.0112"));
     EXPECT_THAT(report("displacement (0 -1e-5);"), HasSubstr("1e-05 m deep"));
+}
+
+TEST_F(StartCheck, NamesThePatternThatPlacedTheBlock)
+{
+    std::ofstream(directory / "0/motion") << "\n\n\"[1-9]\" { displacement (0 -0.1); }\n";
+    const InitialState initial = readInitialMotion(directory, "0", assembly);
+    ASSERT_EQ(initial.places.size(), assembly.blocks.size());
+    EXPECT_EQ(initial.places[1].line, 3);
+    EXPECT_TRUE(readInitialMotion(directory, "1", assembly).places.empty()) << "there is no 1/motion";
 }
 
 TEST_F(StartCheck, RefusesAStartInAnotherFreeBlock)
