@@ -566,6 +566,13 @@ bool FrontalCholesky<Rows>::eliminateColumns(const Front& front)
             }
         }
     }
+    // Tiles that reached beyond the end of a column have left numbers at the top of the next, above its
+    // diagonal. Solves multiply them with zero: they must be finite, and in ill-conditioned fronts they grow
+    // from column to column beyond what a double holds.
+    for (int column = 1; column < width; ++column)
+    {
+        std::fill_n(columns + column * Index{height}, std::min(column, lanes - 1), 0.0);
+    }
     return true;
 }
 

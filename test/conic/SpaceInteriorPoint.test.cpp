@@ -70,7 +70,8 @@ TEST(SecondOrderCone, ScalingTakesOpeningsToForces)
         EXPECT_LE((W.inverse.apply(s) - W.lambda).norm(), 1e-13 / depth * W.lambda.norm());
         EXPECT_LE((W.inverse.apply(W.W.apply(z)) - z).norm(), 1e-13 / depth * z.norm());
         EXPECT_NEAR(s.dot(z), W.lambda.squaredNorm(), 1e-13 / depth * s.dot(z));
-        EXPECT_LE((jordanProduct(s, jordanDivide(s, z)) - z).norm(), 1e-13 / depth * z.norm());
+        EXPECT_LE((jordanProduct(s, jordanDivide(s, determinant(s), z)) - z).norm(),
+                  1e-13 / depth * z.norm());
     }
 }
 
@@ -83,7 +84,7 @@ TEST(SecondOrderCone, TheLongestStepEndsOnTheSurface)
         Eigen::Vector3d x(0, normal(random), normal(random));
         x[0] = x.norm() + std::abs(normal(random));
         const Eigen::Vector3d dx = 3 * Eigen::Vector3d(normal(random), normal(random), normal(random));
-        const double steepest = steepness(coneFrameOf(x), dx).steepest();
+        const double steepest = steepness(coneFrameOf(x, determinant(x)), dx).steepest();
         const double step = steepest > 1 ? 1 / steepest : 1;
         const Eigen::Vector3d end = x + step * dx;
         EXPECT_GE(smallerEigenvalue(end), -1e-13 * x.norm());

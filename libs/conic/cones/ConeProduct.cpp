@@ -98,7 +98,8 @@ void addWithin(const ConeRanges& cones, const VectorOf<Scalar>& change, VectorOf
     for (Eigen::Index round = 0; round < cones.rounds; ++round)
     {
         const Eigen::Index at = cones.at(round);
-        const double steepest = steepness(coneFrameOf(x.template segment<3>(at).template cast<double>()),
+        const Eigen::Vector3d from = x.template segment<3>(at).template cast<double>();
+        const double steepest = steepness(coneFrameOf(from, determinant(from)),
                                           change.template segment<3>(at).template cast<double>())
                                     .steepest();
         x.template segment<3>(at) +=
@@ -161,7 +162,8 @@ bool ConeScaling<Scalar>::update(const ConeRanges& cones, const VectorOf<Scalar>
         weights.rounds[round] = rounds[round].squared(Scalar(rho));
         pulls[round] = weights.rounds[round];
         pulls[round].eigenvalues.array() *= rounds[round].inverse.eigenvalues.array();
-        frames[round] = coneFrameOf(rounds[round].lambda.template cast<double>());
+        frames[round] =
+            coneFrameOf(rounds[round].lambda.template cast<double>(), asDouble(rounds[round].determinant));
         finite = finite && isFinite(weights.rounds[round]);
     }
     return finite;

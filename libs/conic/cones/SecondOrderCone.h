@@ -53,12 +53,13 @@ ConeVector<Scalar> jordanProduct(const ConeVector<Scalar>& x, const ConeVector<S
     return product;
 }
 
-/// The v with x o v = y. \param x inside the cone
+/// The v with x o v = y. \param x inside the cone \param determinantOfX its determinant
 template<class Scalar>
-ConeVector<Scalar> jordanDivide(const ConeVector<Scalar>& x, const ConeVector<Scalar>& y)
+ConeVector<Scalar> jordanDivide(const ConeVector<Scalar>& x, const Scalar& determinantOfX,
+                                const ConeVector<Scalar>& y)
 {
     ConeVector<Scalar> quotient;
-    quotient[0] = (x[0] * y[0] - x[1] * y[1] - x[2] * y[2]) / determinant(x);
+    quotient[0] = (x[0] * y[0] - x[1] * y[1] - x[2] * y[2]) / determinantOfX;
     quotient.template tail<2>() = (y.template tail<2>() - quotient[0] * x.template tail<2>()) / x[0];
     return quotient;
 }
@@ -147,6 +148,7 @@ struct NesterovToddScaling
     FramedMatrix<Scalar> W;       ///< eigenvalues eta spread, eta / spread, eta
     FramedMatrix<Scalar> inverse; ///< W^-1
     ConeVector<Scalar> lambda{Scalar(1), Scalar(0), Scalar(0)};
+    Scalar determinant = 1; ///< of lambda, the root of those of s and z: without the cancellation of its own
 
     /// D = (W^-2 + compliance I)^-1
     FramedMatrix<Scalar> squared(const Scalar& compliance) const
@@ -182,6 +184,7 @@ NesterovToddScaling<Scalar> nesterovToddScaling(const ConeVector<Scalar>& s, con
     scaling.W.eigenvalues = {eta * spread, eta / spread, eta};
     scaling.inverse = {scaling.W.direction, {1 / (eta * spread), spread / eta, 1 / eta}};
     scaling.lambda = scaling.W.apply(z);
+    scaling.determinant = rootS * rootZ;
     return scaling;
 }
 
@@ -195,12 +198,11 @@ struct ConeFrame
     double inverseRoot;
 };
 
-inline ConeFrame coneFrameOf(const Eigen::Vector3d& x)
+inline ConeFrame coneFrameOf(const Eigen::Vector3d& x, double determinantOfX)
 {
     const double radius = x.tail<2>().norm();
-    const double inverseLarger = 1 / (x[0] + radius);
-    const double inverseSmaller = 1 / (x[0] - radius);
-    return {directionOf(x, radius), inverseLarger, inverseSmaller, std::sqrt(inverseLarger * inverseSmaller)};
+    const double larger = x[0] + radius;
+    return {directionOf(x, radius), 1 / larger, larger / determinantOfX, 1 / std::sqrt(determinantOfX)};
 }
 
 /// P dx in coordinates along the eigenvectors and across them. Linear in dx.

@@ -94,8 +94,8 @@ VectorOf<Scalar> mehrotraPull(const State<Rows, Scalar>& state, const ConeScalin
         c[0] += Scalar(aim);
         c = dividedByAnswer<Scalar>(scaling.rounds[round], scaled.forces.template segment<3>(at),
                                     scaled.openings.template segment<3>(at), 1, 1, c);
-        pull.template segment<3>(rays + at) =
-            scaling.pulls[round].apply(jordanDivide(scaling.rounds[round].lambda, c));
+        pull.template segment<3>(rays + at) = scaling.pulls[round].apply(
+            jordanDivide(scaling.rounds[round].lambda, scaling.rounds[round].determinant, c));
     }
     return pull;
 }
@@ -140,7 +140,8 @@ VectorOf<Scalar> gondzioPull(const State<Rows, Scalar>& state, const ConeScaling
         const ConeVector<Scalar> c =
             dividedByAnswer<Scalar>(scaling.rounds[round], scaled.forces.template segment<3>(at),
                                     scaled.openings.template segment<3>(at), primal, dual, asked);
-        pull.template segment<3>(rays + at) = scaling.pulls[round].apply(jordanDivide(lambda, c));
+        pull.template segment<3>(rays + at) =
+            scaling.pulls[round].apply(jordanDivide(lambda, scaling.rounds[round].determinant, c));
     }
     return pull;
 }

@@ -24,6 +24,13 @@ constexpr int mostStalls = 5;
 
 constexpr double fullCorrection = 0.9; ///< a correction gets at least this weight when steps are long
 
+/// Part of the way to the boundary that is gone at least; with rays the more, the nearer the end. A round
+/// cone that comes nearer to its surface than its neighbours bends the scaled space so that steps become
+/// short: walls of English and Flemish bonds take 11 to 17 factorisations with this, up to 70 with that of
+/// rays.
+constexpr double partOfWay = 0.99;
+constexpr double partOfWayOfRounds = 0.98;
+
 /// Solves that a factorisation must cost, in multiplications, for all correctors to be tried; else half of
 /// them are (Gondzio 1996 goes by the same ratio).
 constexpr double expensiveFactorisation = 30;
@@ -295,9 +302,9 @@ template<int Rows, class Scalar>
 void InteriorPointLoop<Rows, Scalar>::move()
 {
     const PhaseTimer timer(trace, Phase::move);
-    const double back = std::max(0.99, 1 - state.mu);
-    const double primalPart = std::min(1.0, back * primal);
-    const double dualPart = std::min(1.0, back * dual);
+    const double nearly = state.cones.rounds > 0 ? partOfWayOfRounds : std::max(partOfWay, 1 - state.mu);
+    const double primalPart = std::min(1.0, nearly * primal);
+    const double dualPart = std::min(1.0, nearly * dual);
     expected =
         primalPart >= wholeStep ? shareLeft * state.missing() : std::numeric_limits<double>::infinity();
     state.at.s += Scalar(primalPart) * step.s;

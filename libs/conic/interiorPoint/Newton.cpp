@@ -13,9 +13,8 @@ namespace
 constexpr double firmComplementarity = 1e-7;
 constexpr int mostRefinements = 3;
 
-/// Complementarity above which a corrector of rays needs no more than single precision: what little it spoils
-/// the next predictor repairs. Weights of a round cone that slides differ by the square of its spread long
-/// before that: they need all digits.
+/// Complementarity above which a corrector needs no more than single precision: what little it spoils the
+/// next predictor repairs.
 constexpr double roughComplementarity = 1e-4;
 
 /// Complementarity below which cancellation often makes a pivot negative.
@@ -142,7 +141,7 @@ void NewtonSystem<Rows, Scalar>::correct(Vector& weightedPull, Iterate<Scalar>& 
     step.y.setConstant(state.load.size(), Scalar(0));
     addForces(state.form, weighted, step.y);
     step.y = -step.y;
-    if (state.mu > roughComplementarity && state.cones.rounds == 0)
+    if (state.mu > roughComplementarity)
     {
         solveRoughly(step.y);
     }
