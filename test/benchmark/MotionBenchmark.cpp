@@ -16,6 +16,7 @@
 #include "core/WholeFile.h"
 #include "dynamics/Advance.h"
 #include "functionObjects/MotionResults.h"
+#include "runControl/Application.h"
 #include "runControl/CommandLine.h"
 
 #include <benchmark/benchmark.h>
