@@ -2,6 +2,8 @@
 /// Numbering of free blocks, mass properties, placed outlines.
 #include "assembly/Assembly.h"
 
+#include <Eigen/Geometry>
+
 #include <cmath>
 
 namespace drystone
@@ -71,6 +73,21 @@ double meanBlockSize(const Assembly<2>& assembly)
     return count > 0 ? std::sqrt(area / count) : 0;
 }
 
+double meanBlockSize(const Assembly<3>& assembly)
+{
+    double volume = 0;
+    int count = 0;
+    for (const Block<3>& block : assembly.blocks)
+    {
+        if (block.support < 0)
+        {
+            volume += std::abs(volumeProperties(block.shape).volume);
+            ++count;
+        }
+    }
+    return count > 0 ? std::cbrt(volume / count) : 0;
+}
+
 std::vector<Placement<2>> moved(std::vector<Placement<2>> placements, const std::vector<int>& free,
                                 const Eigen::VectorXd& displacement, double share)
 {
@@ -107,6 +124,25 @@ Polygon placed(const Polygon& outline, const Vector<2>& centre, const Placement<
 Polygon placedOutline(const Block<2>& block, const Placement<2>& placement)
 {
     return placed(block.outline, areaProperties(block.outline).centroid, placement);
+}
+
+Polyhedron placedShape(const Block<3>& block, const Placement<3>& placement)
+{
+    if (placement.rotation.isZero(0) && placement.translation.isZero(0))
+    {
+        return block.shape;
+    }
+    const Vector<3> centre = volumeProperties(block.shape).centroid;
+    const double angle = placement.rotation.norm();
+    const Eigen::Matrix3d turn = angle > 0
+                                     ? Eigen::AngleAxisd(angle, placement.rotation / angle).toRotationMatrix()
+                                     : Eigen::Matrix3d::Identity();
+    Polyhedron result = block.shape;
+    for (Vector<3>& vertex : result.vertices)
+    {
+        vertex = centre + placement.translation + turn * (vertex - centre);
+    }
+    return result;
 }
 
 } // namespace drystone

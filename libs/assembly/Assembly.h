@@ -80,9 +80,10 @@ BlockMass<Dim> blockMass(const Block<Dim>& block);
 template<int Dim>
 std::vector<BlockMass<Dim>> blockMasses(const Assembly<Dim>& assembly);
 
-/// Square root of the mean area of the free blocks [m], what tolerances relate to: ground of any extent
-/// leaves them as they are. 0 without free blocks.
+/// The mean size of the free blocks [m], what tolerances relate to: square root of their mean area, in space
+/// cube root of their mean volume. Ground of any extent leaves it as it is. 0 without free blocks.
 double meanBlockSize(const Assembly<2>& assembly);
+double meanBlockSize(const Assembly<3>& assembly);
 
 /// Where a block is, relative to as built: turned about its mass centre, then moved. Used by time stepping
 /// (finite rotations) and by every writer.
@@ -96,6 +97,13 @@ struct Placement<2>
     double rotation = 0;                       ///< [rad], positive counter-clockwise
 };
 
+template<>
+struct Placement<3>
+{
+    Vector<3> translation = Vector<3>::Zero(); ///< of the mass centre [m]
+    Vector<3> rotation = Vector<3>::Zero();    ///< rotation vector, its length the angle [rad], right hand
+};
+
 /// The placements moved by displacements of the free blocks, ux uy rz each, times `share`. Rotations are
 /// finite: angles of the plane add. \param free see freeIndices
 std::vector<Placement<2>> moved(std::vector<Placement<2>> placements, const std::vector<int>& free,
@@ -107,5 +115,8 @@ Polygon placed(const Polygon& outline, const Vector<2>& centre, const Placement<
 
 /// The outline of a block where it is now [m].
 Polygon placedOutline(const Block<2>& block, const Placement<2>& placement);
+
+/// The polyhedron of a block where it is now [m]. Unchanged to the last bit where the placement is none.
+Polyhedron placedShape(const Block<3>& block, const Placement<3>& placement);
 
 } // namespace drystone

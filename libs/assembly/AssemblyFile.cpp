@@ -5,6 +5,7 @@
 #include "assembly/AssemblyOrigin.h"
 #include "assembly/Outlines.h"
 #include "assembly/Plausibility.h"
+#include "assembly/Polyhedra.h"
 #include "dictionary/Dictionary.h"
 #include "runControl/Case.h"
 
@@ -55,7 +56,8 @@ std::vector<double> readThickness(const Entry& entry, std::size_t blocks)
     return thickness;
 }
 
-void readSupport(const Entry& entry, Assembly<2>& assembly)
+template<int Dim>
+void readSupport(const Entry& entry, Assembly<Dim>& assembly)
 {
     const Dictionary& dictionary = entry.dictionary();
     const int support = static_cast<int>(assembly.supports.size());
@@ -84,7 +86,8 @@ void readSupport(const Entry& entry, Assembly<2>& assembly)
 /// A jointTolerance beyond this part of the mean block size would close openings that are meant.
 constexpr double largestTolerance = 0.1;
 
-void readJointTolerance(const Entry& entry, Assembly<2>& assembly)
+template<int Dim>
+void readJointTolerance(const Entry& entry, Assembly<Dim>& assembly)
 {
     const auto tolerance = entry.as<double>();
     const double most = largestTolerance * meanBlockSize(assembly);
@@ -98,32 +101,90 @@ void readJointTolerance(const Entry& entry, Assembly<2>& assembly)
     assembly.jointTolerance = tolerance;
 }
 
-} // namespace
-
-Assembly<2> readBlocks(const std::filesystem::path& caseDirectory)
+Dictionary readFileOfBlocks(const std::filesystem::path& caseDirectory)
 {
-    const Dictionary dictionary =
-        Dictionary::readFile(requireCaseFile(caseDirectory, "constant/assembly/blocks",
-                                             "Run blockTexture first: it builds the blocks of this case."));
+    return Dictionary::readFile(
+        requireCaseFile(caseDirectory, "constant/assembly/blocks",
+                        "Run blockTexture first: it builds the blocks of this case."));
+}
+
+int dimensionsOfBlocks(const Dictionary& dictionary)
+{
     const int dimensions = dictionary.get<int>("dimensions");
-    if (dimensions != 2)
+    if (dimensions != 2 && dimensions != 3)
     {
         throw FatalIOError(
-            fmt::format("dimensions {} are not available: this version computes in 2.", dimensions),
+            fmt::format("dimensions {} are not possible: 2 is the plane, 3 is space.", dimensions),
             dictionary.locationOf("dimensions"));
     }
-    Assembly<2> assembly;
+    return dimensions;
+}
+
+constexpr std::string_view noBlock = "There is no block in this assembly. Build it again with blockTexture.";
+
+/// The shapes of the blocks, by the dimension's own keys.
+void readShapes(const Dictionary& dictionary, Assembly<2>& assembly)
+{
     std::vector<Polygon> outlines = dictionary.get<Outlines>("outlines").polygons;
     if (outlines.empty())
     {
-        throw FatalIOError("There is no block in this assembly. Build it again with blockTexture.",
-                           dictionary.locationOf("outlines"));
+        throw FatalIOError(std::string(noBlock), dictionary.locationOf("outlines"));
     }
     const std::vector<double> thickness = readThickness(dictionary.lookup("thickness"), outlines.size());
     for (std::size_t i = 0; i < outlines.size(); ++i)
     {
         assembly.blocks.push_back({std::move(outlines[i]), thickness[i]});
     }
+}
+
+void readShapes(const Dictionary& dictionary, Assembly<3>& assembly)
+{
+    std::vector<Polyhedron> shapes = dictionary.get<Polyhedra>("blocks").shapes;
+    if (shapes.empty())
+    {
+        throw FatalIOError(std::string(noBlock), dictionary.locationOf("blocks"));
+    }
+    for (Polyhedron& shape : shapes)
+    {
+        assembly.blocks.push_back({std::move(shape)});
+    }
+}
+
+template<int Dim>
+std::vector<std::string> keysOfShapes()
+{
+    if constexpr (Dim == 2)
+    {
+        return {"outlines", "thickness"};
+    }
+    else
+    {
+        return {"blocks"};
+    }
+}
+
+} // namespace
+
+int assemblyDimensions(const std::filesystem::path& caseDirectory)
+{
+    return dimensionsOfBlocks(readFileOfBlocks(caseDirectory));
+}
+
+template<int Dim>
+Assembly<Dim> readBlocks(const std::filesystem::path& caseDirectory)
+{
+    const Dictionary dictionary = readFileOfBlocks(caseDirectory);
+    if (const int dimensions = dimensionsOfBlocks(dictionary); dimensions != Dim)
+    {
+        throw FatalIOError(
+            Dim == 2
+                ? "The blocks of this case are in space (dimensions 3): motion in space is not available "
+                  "yet, nor are studies. blockTexture, checkBlocks and limitAnalysis compute in space."
+                : "The blocks of this case are in the plane (dimensions 2), not in space.",
+            dictionary.locationOf("dimensions"));
+    }
+    Assembly<Dim> assembly;
+    readShapes(dictionary, assembly);
     for (const Entry& entry : dictionary.subDict("supports").entries())
     {
         readSupport(entry, assembly);
@@ -133,22 +194,41 @@ Assembly<2> readBlocks(const std::filesystem::path& caseDirectory)
     {
         readJointTolerance(*tolerance, assembly);
     }
-    refuseUnused(dictionary,
-                 {"builtFrom", "dimensions", "thickness", "jointTolerance", "supports", "outlines"});
-    questionSizes(assembly, dictionary.locationOf("outlines"));
+    std::vector<std::string> keys = keysOfShapes<Dim>();
+    keys.insert(keys.end(), {"builtFrom", "dimensions", "jointTolerance", "supports"});
+    refuseUnused(dictionary, keys);
+    questionSizes(assembly, dictionary.locationOf(keys.front()));
     return assembly;
 }
 
-void requireFreeBlock(const Assembly<2>& assembly, const std::filesystem::path& caseDirectory)
+template<>
+std::vector<SourceLocation> blockPlaces<2>(const std::filesystem::path& caseDirectory)
+{
+    return Dictionary::readFile(assemblyFile(caseDirectory)).get<Outlines>("outlines").places;
+}
+
+template<>
+std::vector<SourceLocation> blockPlaces<3>(const std::filesystem::path& caseDirectory)
+{
+    return Dictionary::readFile(assemblyFile(caseDirectory)).get<Polyhedra>("blocks").places;
+}
+
+template<int Dim>
+void requireFreeBlock(const Assembly<Dim>& assembly, const std::filesystem::path& caseDirectory)
 {
     if (std::all_of(assembly.blocks.begin(), assembly.blocks.end(),
-                    [](const Block<2>& block) { return block.support >= 0; }))
+                    [](const Block<Dim>& block) { return block.support >= 0; }))
     {
         throw FatalIOError(
-            "Every block is fixed by a support: there is nothing to compute. Mend the supports of "
+            "Every block is fixed by a support: there is nothing to compute. Correct the supports of "
             "system/blockTextureDict and run blockTexture again.",
             Dictionary::readFile(assemblyFile(caseDirectory)).locationOf("supports"));
     }
 }
+
+template Assembly<2> readBlocks<2>(const std::filesystem::path& caseDirectory);
+template Assembly<3> readBlocks<3>(const std::filesystem::path& caseDirectory);
+template void requireFreeBlock(const Assembly<2>& assembly, const std::filesystem::path& caseDirectory);
+template void requireFreeBlock(const Assembly<3>& assembly, const std::filesystem::path& caseDirectory);
 
 } // namespace drystone

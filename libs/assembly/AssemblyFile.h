@@ -14,24 +14,39 @@ namespace drystone
 /// Where a case keeps its blocks: `<case>/constant/assembly/blocks`.
 std::filesystem::path assemblyFile(const std::filesystem::path& caseDirectory);
 
-/// The text of the file: a FoamFile header, `dimensions`, `thickness` [m] (one number, or a list with one for
-/// each block), `jointTolerance` [m] where the user states one, `supports` with the indices of the blocks
-/// that each of them fixes, and `outlines`, one polygon [m] a line in the order of Assembly::blocks. Numbers
-/// are the shortest that read back as the same bits. \param builtFrom the dictionary that it was built from
+/// The dimensions of the blocks of a case, 2 (plane) or 3 (space): what an application chooses its types
+/// from. \throws FatalIOError when the file is missing or has other dimensions
+int assemblyDimensions(const std::filesystem::path& caseDirectory);
+
+/// The text of the file: a FoamFile header, `dimensions`, `jointTolerance` [m] where the user states one,
+/// `supports` with the indices of the blocks that each of them fixes, and the blocks in the order of
+/// Assembly::blocks. In the plane these are `thickness` [m] (one number, or a list with one for each block)
+/// and `outlines`, one polygon [m] a line; in space `blocks`, each `{ vertices ((x y z) ...); faces ((0 3 2
+/// 1) ...);
+/// }` with vertices in metres and the faces by index, counter-clockwise seen from outside. Numbers are the
+/// shortest that read back as the same bits. \param builtFrom the dictionary that it was built from
 /// (AssemblyOrigin.h); none: the file does not say it
-std::string assemblyText(const Assembly<2>& assembly, const std::vector<InputFile>& builtFrom = {});
+template<int Dim>
+std::string assemblyText(const Assembly<Dim>& assembly, const std::vector<InputFile>& builtFrom = {});
 
 /// Reads the blocks of a case as the file has them, and warns when the dictionary that they were built from
 /// has changed, or sizes are improbable. Outlines may be in either orientation and are turned
 /// counter-clockwise. Computations take readAssembly of contact/ClosedAssembly.h instead, which also closes
 /// joints.
 /// \throws Error with file and line when the file is missing or no dictionary, a key is missing or unknown,
-/// dimensions are not 2, there is no block, a number is not finite, an outline has fewer than three corners,
-/// no area, or crosses or touches itself, a thickness is not positive, a support fixes a block that does not
-/// exist or is fixed already, a jointTolerance is more than a tenth of the mean block size
-Assembly<2> readBlocks(const std::filesystem::path& caseDirectory);
+/// dimensions are not Dim, there is no block, a number is not finite, an outline has fewer than three
+/// corners, no area, or crosses or touches itself, a thickness is not positive, a polyhedron is none (see
+/// findFault of geometry/space/PolyhedronFault.h), a support fixes a block that does not exist or is fixed
+/// already, a jointTolerance is more than a tenth of the mean block size
+template<int Dim>
+Assembly<Dim> readBlocks(const std::filesystem::path& caseDirectory);
+
+/// Where each block stands in the file, for messages.
+template<int Dim>
+std::vector<SourceLocation> blockPlaces(const std::filesystem::path& caseDirectory);
 
 /// For computations. \throws FatalIOError when every block of the assembly is fixed: nothing can move
-void requireFreeBlock(const Assembly<2>& assembly, const std::filesystem::path& caseDirectory);
+template<int Dim>
+void requireFreeBlock(const Assembly<Dim>& assembly, const std::filesystem::path& caseDirectory);
 
 } // namespace drystone

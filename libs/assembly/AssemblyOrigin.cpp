@@ -10,18 +10,48 @@ namespace drystone
 
 namespace fs = std::filesystem;
 
-std::uint64_t fingerprint(const Assembly<2>& assembly)
+namespace
+{
+
+void addShape(Fingerprint& print, const Block<2>& block)
+{
+    print.add(static_cast<double>(block.outline.size()));
+    for (const Vector<2>& corner : block.outline)
+    {
+        print.add(corner.x());
+        print.add(corner.y());
+    }
+    print.add(block.thickness);
+}
+
+void addShape(Fingerprint& print, const Block<3>& block)
+{
+    print.add(static_cast<double>(block.shape.vertices.size()));
+    for (const Vector<3>& vertex : block.shape.vertices)
+    {
+        print.add(vertex.x());
+        print.add(vertex.y());
+        print.add(vertex.z());
+    }
+    for (const std::vector<int>& face : block.shape.faces)
+    {
+        print.add(static_cast<double>(face.size()));
+        for (const int vertex : face)
+        {
+            print.add(static_cast<double>(vertex));
+        }
+    }
+}
+
+} // namespace
+
+template<int Dim>
+std::uint64_t fingerprint(const Assembly<Dim>& assembly)
 {
     Fingerprint print;
-    for (const Block<2>& block : assembly.blocks)
+    for (const Block<Dim>& block : assembly.blocks)
     {
-        print.add(static_cast<double>(block.outline.size()));
-        for (const Vector<2>& corner : block.outline)
-        {
-            print.add(corner.x());
-            print.add(corner.y());
-        }
-        print.add(block.thickness);
+        addShape(print, block);
         print.add(static_cast<double>(block.support));
     }
     for (const Support& support : assembly.supports)
@@ -30,6 +60,9 @@ std::uint64_t fingerprint(const Assembly<2>& assembly)
     }
     return print.value();
 }
+
+template std::uint64_t fingerprint(const Assembly<2>& assembly);
+template std::uint64_t fingerprint(const Assembly<3>& assembly);
 
 std::vector<InputFile> originOf(const fs::path& dictionaryFile, const fs::path& caseDirectory)
 {

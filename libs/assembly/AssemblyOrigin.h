@@ -12,8 +12,9 @@
 namespace drystone
 {
 
-/// Of blocks, thickness and supports, however they are written.
-std::uint64_t fingerprint(const Assembly<2>& assembly);
+/// Of blocks (in the plane their thickness too) and supports, however they are written.
+template<int Dim>
+std::uint64_t fingerprint(const Assembly<Dim>& assembly);
 
 /// The dictionary that an assembly is built from, and the files that it names.
 std::vector<InputFile> originOf(const std::filesystem::path& dictionaryFile,

@@ -17,32 +17,101 @@ std::filesystem::path assemblyFile(const std::filesystem::path& caseDirectory)
     return (caseDirectory / "constant" / "assembly" / "blocks").lexically_normal();
 }
 
-std::string assemblyText(const Assembly<2>& assembly, const std::vector<InputFile>& builtFrom)
+namespace
 {
-    std::string text =
-        "FoamFile\n{\n    version     2.0;\n    format      ascii;\n    class       dictionary;\n"
-        "    location    \"constant/assembly\";\n    object      blocks;\n}\n\ndimensions      2;\n\n"
-        + originText(builtFrom);
-    const auto out = std::back_inserter(text);
-    const std::vector<Block<2>>& blocks = assembly.blocks;
 
+/// `thickness`, one number or a list.
+void writeThickness(std::string& text, const std::vector<Block<2>>& blocks)
+{
+    const auto out = std::back_inserter(text);
     const bool isUniform =
         std::all_of(blocks.begin(), blocks.end(),
                     [&](const Block<2>& block) { return block.thickness == blocks.front().thickness; });
     if (isUniform)
     {
         fmt::format_to(out, "thickness       {};\n\n", blocks.empty() ? 1.0 : blocks.front().thickness);
+        return;
     }
-    else
+    fmt::format_to(out, "thickness       {}\n(\n", blocks.size());
+    for (const Block<2>& block : blocks)
     {
-        fmt::format_to(out, "thickness       {}\n(\n", blocks.size());
-        for (const Block<2>& block : blocks)
-        {
-            fmt::format_to(out, "    {}\n", block.thickness);
-        }
-        text += ");\n\n";
+        fmt::format_to(out, "    {}\n", block.thickness);
     }
+    text += ");\n\n";
+}
 
+void writeThickness(std::string&, const std::vector<Block<3>>&) {}
+
+/// `(0.4 0 0.2)`. Adding 0 turns -0 into 0.
+template<int Dim>
+void writeVector(std::string& text, const Vector<Dim>& vector)
+{
+    const char* separator = "(";
+    for (int i = 0; i < Dim; ++i)
+    {
+        fmt::format_to(std::back_inserter(text), "{}{}", separator, vector[i] + 0.0);
+        separator = " ";
+    }
+    text += ")";
+}
+
+template<int Dim>
+void writeVectors(std::string& text, const std::vector<Vector<Dim>>& vectors)
+{
+    const char* separator = "(";
+    for (const Vector<Dim>& vector : vectors)
+    {
+        text += separator;
+        writeVector<Dim>(text, vector);
+        separator = " ";
+    }
+    text += ")";
+}
+
+/// The key of the list of shapes.
+std::string_view shapesKey(const Assembly<2>&)
+{
+    return "outlines";
+}
+
+std::string_view shapesKey(const Assembly<3>&)
+{
+    return "blocks";
+}
+
+void writeShape(std::string& text, const Block<2>& block)
+{
+    text += "    ";
+    writeVectors<2>(text, block.outline);
+    text += "\n";
+}
+
+void writeShape(std::string& text, const Block<3>& block)
+{
+    text += "    { vertices ";
+    writeVectors<3>(text, block.shape.vertices);
+    text += "; faces ";
+    const char* separator = "(";
+    for (const std::vector<int>& face : block.shape.faces)
+    {
+        fmt::format_to(std::back_inserter(text), "{}({})", separator, fmt::join(face, " "));
+        separator = " ";
+    }
+    text += "); }\n";
+}
+
+} // namespace
+
+template<int Dim>
+std::string assemblyText(const Assembly<Dim>& assembly, const std::vector<InputFile>& builtFrom)
+{
+    std::string text = fmt::format(
+        "FoamFile\n{{\n    version     2.0;\n    format      ascii;\n    class       dictionary;\n"
+        "    location    \"constant/assembly\";\n    object      blocks;\n}}\n\ndimensions      {};\n\n{}",
+        Dim, originText(builtFrom));
+    const auto out = std::back_inserter(text);
+    const std::vector<Block<Dim>>& blocks = assembly.blocks;
+    writeThickness(text, blocks);
     if (assembly.jointTolerance)
     {
         fmt::format_to(out, "jointTolerance  {};\n\n", *assembly.jointTolerance);
@@ -64,21 +133,16 @@ std::string assemblyText(const Assembly<2>& assembly, const std::vector<InputFil
         text += ");\n    }\n";
     }
     text += "}\n\n";
-
-    fmt::format_to(out, "outlines        {}\n(\n", blocks.size());
-    for (const Block<2>& block : blocks)
+    fmt::format_to(out, "{:<16}{}\n(\n", shapesKey(assembly), blocks.size());
+    for (const Block<Dim>& block : blocks)
     {
-        const char* separator = "    (";
-        for (const Vector<2>& vertex : block.outline)
-        {
-            // Adding 0 turns -0 into 0.
-            fmt::format_to(out, "{}({} {})", separator, vertex.x() + 0.0, vertex.y() + 0.0);
-            separator = " ";
-        }
-        text += ")\n";
+        writeShape(text, block);
     }
     text += ");\n";
     return text;
 }
+
+template std::string assemblyText(const Assembly<2>& assembly, const std::vector<InputFile>& builtFrom);
+template std::string assemblyText(const Assembly<3>& assembly, const std::vector<InputFile>& builtFrom);
 
 } // namespace drystone

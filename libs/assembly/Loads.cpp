@@ -2,9 +2,8 @@
 /// Load vectors.
 #include "assembly/Loads.h"
 
+#include "assembly/BlockShape.h"
 #include "assembly/CaseFile.h"
-#include "geometry/BroadPhase.h"
-#include "geometry/PolygonShape.h"
 
 #include <fmt/format.h>
 
@@ -14,40 +13,58 @@
 namespace drystone
 {
 
-Eigen::VectorXd gravityLoad(const Assembly<2>& assembly, const std::vector<double>& masses,
-                            const Vector<2>& gravity)
+namespace
+{
+
+template<int Dim>
+Eigen::Index freeRows(const std::vector<int>& freeIndex)
+{
+    return freedomCount<
+               Dim> * std::count_if(freeIndex.begin(), freeIndex.end(), [](int index) { return index >= 0; });
+}
+
+} // namespace
+
+template<int Dim>
+Eigen::VectorXd gravityLoad(const Assembly<Dim>& assembly, const std::vector<double>& masses,
+                            const std::type_identity_t<Vector<Dim>>& gravity)
 {
     const std::vector<int> freeIndex = freeIndices(assembly);
-    std::vector<double> rows;
+    Eigen::VectorXd load = Eigen::VectorXd::Zero(freeRows<Dim>(freeIndex));
     for (std::size_t i = 0; i < assembly.blocks.size(); ++i)
     {
         if (freeIndex[i] >= 0)
         {
-            rows.insert(rows.end(), {masses[i] * gravity.x(), masses[i] * gravity.y(), 0});
+            load.template segment<Dim>(freedomCount<Dim> * freeIndex[i]) = masses[i] * gravity;
         }
     }
-    return Eigen::VectorXd::Map(rows.data(), static_cast<Eigen::Index>(rows.size()));
+    return load;
 }
 
-Eigen::VectorXd inertialLoad(const Assembly<2>& assembly, const std::vector<double>& masses,
-                             const Vector<2>& gravity, const Vector<2>& direction)
+template<int Dim>
+Eigen::VectorXd inertialLoad(const Assembly<Dim>& assembly, const std::vector<double>& masses,
+                             const std::type_identity_t<Vector<Dim>>& gravity,
+                             const std::type_identity_t<Vector<Dim>>& direction)
 {
     return gravityLoad(assembly, masses, gravity.norm() * direction.normalized());
 }
 
-std::optional<int> findLoadedBlock(const Assembly<2>& assembly, const Vector<2>& point, double tolerance)
+template<int Dim>
+std::optional<int> findLoadedBlock(const Assembly<Dim>& assembly,
+                                   const std::type_identity_t<Vector<Dim>>& point, double tolerance)
 {
     std::optional<int> nearest;
     double least = tolerance;
     for (std::size_t i = 0; i < assembly.blocks.size(); ++i)
     {
-        const Block<2>& block = assembly.blocks[i];
-        if (block.support >= 0 || !contains(enlarged(boundingBox(block.outline), tolerance), {point, point}))
+        const Block<Dim>& block = assembly.blocks[i];
+        if (block.support >= 0
+            || !contains<Dim>(enlarged<Dim>(boundingBox(block), tolerance), {point, point}))
         {
             continue;
         }
         // Inside counts as no distance at all, so that among blocks which hold the point the first is taken.
-        const double away = std::max(0.0, signedDistance(block.outline, point));
+        const double away = distanceFrom(block, point);
         if (away < least || (away <= least && !nearest))
         {
             least = away;
@@ -57,18 +74,20 @@ std::optional<int> findLoadedBlock(const Assembly<2>& assembly, const Vector<2>&
     return nearest;
 }
 
-std::vector<int> findLoadedBlocks(const Assembly<2>& assembly, const Vector<2>& point, double tolerance,
+template<int Dim>
+std::vector<int> findLoadedBlocks(const Assembly<Dim>& assembly,
+                                  const std::type_identity_t<Vector<Dim>>& point, double tolerance,
                                   double same)
 {
     std::vector<std::pair<double, int>> found;
     double least = tolerance;
     for (std::size_t i = 0; i < assembly.blocks.size(); ++i)
     {
-        const Block<2>& block = assembly.blocks[i];
+        const Block<Dim>& block = assembly.blocks[i];
         if (block.support < 0
-            && contains(enlarged(boundingBox(block.outline), tolerance + same), {point, point}))
+            && contains<Dim>(enlarged<Dim>(boundingBox(block), tolerance + same), {point, point}))
         {
-            const double away = std::max(0.0, signedDistance(block.outline, point));
+            const double away = distanceFrom(block, point);
             least = std::min(least, away);
             found.emplace_back(away, static_cast<int>(i));
         }
@@ -84,48 +103,39 @@ std::vector<int> findLoadedBlocks(const Assembly<2>& assembly, const Vector<2>& 
     return blocks;
 }
 
-Eigen::VectorXd pointLoad(const Assembly<2>& assembly, int block, const Vector<2>& point,
-                          const Vector<2>& force)
+template<int Dim>
+Eigen::VectorXd pointLoad(const Assembly<Dim>& assembly, int block,
+                          const std::type_identity_t<Vector<Dim>>& point,
+                          const std::type_identity_t<Vector<Dim>>& force)
 {
     const std::vector<int> freeIndex = freeIndices(assembly);
-    const auto freeBlocks =
-        std::count_if(freeIndex.begin(), freeIndex.end(), [](int index) { return index >= 0; });
-    Eigen::VectorXd load = Eigen::VectorXd::Zero(3 * freeBlocks);
-    const Vector<2> arm = point - blockMass(assembly.blocks[block]).centroid;
-    load.segment<3>(3 * freeIndex[block]) << force, cross(arm, force);
+    Eigen::VectorXd load = Eigen::VectorXd::Zero(freeRows<Dim>(freeIndex));
+    const Vector<Dim> arm = point - blockMass(assembly.blocks[block]).centroid;
+    load.template segment<freedomCount<Dim>>(freedomCount<Dim> * freeIndex[block]) << force,
+        momentOf(arm, force);
     return load;
 }
 
-std::optional<Eigen::VectorXd> lineLoad(const Assembly<2>& assembly, const Vector<2>& from,
-                                        const Vector<2>& to, const Vector<2>& forcePerLength,
-                                        double tolerance)
+template<int Dim>
+std::optional<Eigen::VectorXd>
+lineLoad(const Assembly<Dim>& assembly, const std::type_identity_t<Vector<Dim>>& from,
+         const std::type_identity_t<Vector<Dim>>& to, const std::type_identity_t<Vector<Dim>>& forcePerLength,
+         double tolerance)
 {
-    // Cut wherever the line may pass from one block to another: at their edges, and beside their corners.
-    const Vector<2> along = to - from;
-    const double length = along.norm();
+    // Cut wherever the line may pass from one block to another.
+    const Vector<Dim> along = to - from;
     std::vector<double> cuts{0, 1};
-    const auto cut = [&cuts](double place)
+    const Box<Dim> reach = enlarged<Dim>({from.cwiseMin(to), from.cwiseMax(to)}, tolerance);
+    for (const Block<Dim>& block : assembly.blocks)
     {
-        if (place > 0 && place < 1)
+        if (block.support < 0 && meet<Dim>(reach, boundingBox(block)))
         {
-            cuts.push_back(place);
-        }
-    };
-    const BoundingBox reach = enlarged({from.cwiseMin(to), from.cwiseMax(to)}, tolerance);
-    for (const Block<2>& block : assembly.blocks)
-    {
-        if (block.support >= 0 || !meet(reach, boundingBox(block.outline)))
-        {
-            continue;
-        }
-        for (std::size_t i = 0; i < block.outline.size(); ++i)
-        {
-            const Vector<2> corner = block.outline[i] - from;
-            const Vector<2> edge = block.outline[(i + 1) % block.outline.size()] - block.outline[i];
-            cut(corner.dot(along) / (length * length));
-            if (const double sine = cross(along, edge); std::abs(sine) > 1e-12 * length * edge.norm())
+            for (const double place : placesToCut(block, from, along))
             {
-                cut(cross(corner, edge) / sine);
+                if (place > 0 && place < 1)
+                {
+                    cuts.push_back(place);
+                }
             }
         }
     }
@@ -138,13 +148,14 @@ std::optional<Eigen::VectorXd> lineLoad(const Assembly<2>& assembly, const Vecto
         {
             continue;
         }
-        const Vector<2> middle = from + (cuts[i] + cuts[i + 1]) / 2 * along;
+        const Vector<Dim> middle = from + (cuts[i] + cuts[i + 1]) / 2 * along;
         const std::optional<int> block = findLoadedBlock(assembly, middle, tolerance);
         if (!block)
         {
             return std::nullopt;
         }
-        const Eigen::VectorXd piece = pointLoad(assembly, *block, middle, share * length * forcePerLength);
+        const Eigen::VectorXd piece =
+            pointLoad(assembly, *block, middle, share * along.norm() * forcePerLength);
         load = load ? Eigen::VectorXd(*load + piece) : piece;
     }
     return load;
@@ -153,18 +164,34 @@ std::optional<Eigen::VectorXd> lineLoad(const Assembly<2>& assembly, const Vecto
 namespace
 {
 
+/// `(0 -1000 0)`, in space `(0 0 -1000)`.
+template<int Dim>
+std::string downwards(std::string_view size)
+{
+    return Dim == 2 ? fmt::format("(0 -{} 0)", size) : fmt::format("(0 0 -{})", size);
+}
+
+/// `(0.5 1.2)`, as a dictionary has it.
+template<int Dim>
+std::string asWritten(const Vector<Dim>& point)
+{
+    return fmt::format("({:.6g})", fmt::join(point.data(), point.data() + Dim, " "));
+}
+
 struct GravitySettings
 {
 };
 
 void declare(Options&, GravitySettings&) {}
 
+template<int Dim>
 struct InertialSettings
 {
-    Vector<2> direction{1, 0};
+    Vector<Dim> direction = Vector<Dim>::Unit(0);
 };
 
-void declare(Options& options, InertialSettings& settings)
+template<int Dim>
+void declare(Options& options, InertialSettings<Dim>& settings)
 {
     options.required("direction", settings.direction, "of the load; its length does not matter")
         .example("(1 0 0)");
@@ -177,17 +204,21 @@ void declare(Options& options, InertialSettings& settings)
                   });
 }
 
+template<int Dim>
 struct ForceSettings
 {
-    Vector<2> at{0, 0};
-    Vector<2> value{0, 0};
+    Vector<Dim> at = Vector<Dim>::Zero();
+    Vector<Dim> value = Vector<Dim>::Zero();
     std::optional<int> block;
 };
 
-void declare(Options& options, ForceSettings& settings)
+template<int Dim>
+void declare(Options& options, ForceSettings<Dim>& settings)
 {
-    options.required("at", settings.at, "point in or on a free block").unit("m").example("(0.5 1.2)");
-    options.required("value", settings.value, "force").unit("N").example("(0 -1000 0)");
+    options.required("at", settings.at, "point in or on a free block")
+        .unit("m")
+        .example(Dim == 2 ? "(0.5 1.2)" : "(0.5 0.1 1.2)");
+    options.required("value", settings.value, "force").unit("N").example(downwards<Dim>("1000"));
     options
         .optional(
             "block", settings.block,
@@ -198,25 +229,28 @@ void declare(Options& options, ForceSettings& settings)
                   [&settings]() -> std::string
                   {
                       return settings.value.isZero(0)
-                                 ? "A force cannot be (0 0 0). Write for instance `value (0 -1000 0);`."
+                                 ? fmt::format("A force cannot be (0 0 0). Write for instance `value {};`.",
+                                               downwards<Dim>("1000"))
                                  : "";
                   });
 }
 
+template<int Dim>
 struct LineSettings
 {
-    Vector<2> from{0, 0};
-    Vector<2> to{0, 0};
-    Vector<2> value{0, 0};
+    Vector<Dim> from = Vector<Dim>::Zero();
+    Vector<Dim> to = Vector<Dim>::Zero();
+    Vector<Dim> value = Vector<Dim>::Zero();
 };
 
-void declare(Options& options, LineSettings& settings)
+template<int Dim>
+void declare(Options& options, LineSettings<Dim>& settings)
 {
     options.required("from", settings.from, "start of the line, in or on free blocks")
         .unit("m")
-        .example("(0 1.05)");
-    options.required("to", settings.to, "its end").unit("m").example("(2 1.05)");
-    options.required("value", settings.value, "force per length").unit("N/m").example("(0 -1000 0)");
+        .example(Dim == 2 ? "(0 1.05)" : "(0 0.1 1.05)");
+    options.required("to", settings.to, "its end").unit("m").example(Dim == 2 ? "(2 1.05)" : "(2 0.1 1.05)");
+    options.required("value", settings.value, "force per length").unit("N/m").example(downwards<Dim>("1000"));
     options.check("to",
                   [&settings]() -> std::string
                   {
@@ -226,23 +260,26 @@ void declare(Options& options, LineSettings& settings)
                   });
 }
 
+template<int Dim>
 struct SupportMovementSettings
 {
     std::string support;
-    Vector<2> direction{0, -1};
+    Vector<Dim> direction = -Vector<Dim>::Unit(Dim - 1);
 };
 
-void declare(Options& options, SupportMovementSettings& settings)
+template<int Dim>
+void declare(Options& options, SupportMovementSettings<Dim>& settings)
 {
     options.required("support", settings.support, "name of the support that moves").example("right");
     options.required("direction", settings.direction, "of its movement; its length does not matter")
-        .example("(0 -1 0)");
+        .example(downwards<Dim>("1"));
     options.check("direction",
                   [&settings]() -> std::string
                   {
-                      return settings.direction.isZero(0)
-                                 ? "A direction cannot be (0 0 0). Write for instance `direction (0 -1 0);`."
-                                 : "";
+                      return settings.direction.isZero(0) ? fmt::format(
+                                 "A direction cannot be (0 0 0). Write for instance `direction {};`.",
+                                 downwards<Dim>("1"))
+                                                          : "";
                   });
 }
 
@@ -251,15 +288,17 @@ void declare(Options& options, SupportMovementSettings& settings)
 constexpr double reachOfAForce = 0.05;
 
 /// Points of different blocks that are this near are one [m].
-double widthOfAJoint(const Assembly<2>& assembly)
+template<int Dim>
+double widthOfAJoint(const Assembly<Dim>& assembly)
 {
     return std::max(1e-6 * meanBlockSize(assembly), assembly.closure.tolerance);
 }
 
-LoadMaker makeForce(const ForceSettings& settings, const Dictionary& dictionary)
+template<int Dim>
+LoadMaker<Dim> makeForce(const ForceSettings<Dim>& settings, const Dictionary& dictionary)
 {
     return [settings, place = dictionary.locationOf("at"),
-            blockPlace = dictionary.locationOf("block")](const LoadContext& context) -> Eigen::VectorXd
+            blockPlace = dictionary.locationOf("block")](const LoadContext<Dim>& context) -> Eigen::VectorXd
     {
         const double reach = reachOfAForce * meanBlockSize(context.assembly);
         std::vector<int> blocks =
@@ -268,12 +307,11 @@ LoadMaker makeForce(const ForceSettings& settings, const Dictionary& dictionary)
         {
             if (std::find(blocks.begin(), blocks.end(), *settings.block) == blocks.end())
             {
-                throw FatalIOError(
-                    fmt::format("The force at ({:.6g} {:.6g}) can not act on block {}: this point is "
-                                "in or on block {}.",
-                                settings.at.x(), settings.at.y(), *settings.block,
-                                fmt::join(blocks, " and ")),
-                    blockPlace);
+                throw FatalIOError(fmt::format("The force at {} can not act on block {}: this point is "
+                                               "in or on block {}.",
+                                               asWritten<Dim>(settings.at), *settings.block,
+                                               fmt::join(blocks, " and ")),
+                                   blockPlace);
             }
             blocks = {*settings.block};
         }
@@ -281,28 +319,29 @@ LoadMaker makeForce(const ForceSettings& settings, const Dictionary& dictionary)
         {
             throw FatalIOError(
                 fmt::format(
-                    "The force at ({:.6g} {:.6g}) is on the joint of blocks {}, and may act on either: the "
+                    "The force at {} is on the joint of blocks {}, and may act on either: the "
                     "answers differ. Choose one, for instance `block {};`, or move the point by more than "
                     "{:.3g} m.",
-                    settings.at.x(), settings.at.y(), fmt::join(blocks, " and "), blocks.front(),
+                    asWritten<Dim>(settings.at), fmt::join(blocks, " and "), blocks.front(),
                     widthOfAJoint(context.assembly)),
                 place);
         }
         if (blocks.empty())
         {
-            throw FatalIOError(
-                fmt::format("There is no free block at ({:.6g} {:.6g}): the force needs one to act on. "
-                            "VTK/assembly.vtp shows where the blocks are.",
-                            settings.at.x(), settings.at.y()),
-                place);
+            throw FatalIOError(fmt::format("There is no free block at {}: the force needs one to act on. "
+                                           "VTK/assembly.vtp shows where the blocks are.",
+                                           asWritten<Dim>(settings.at)),
+                               place);
         }
         return pointLoad(context.assembly, blocks.front(), settings.at, settings.value);
     };
 }
 
-LoadMaker makeLine(const LineSettings& settings, const Dictionary& dictionary)
+template<int Dim>
+LoadMaker<Dim> makeLine(const LineSettings<Dim>& settings, const Dictionary& dictionary)
 {
-    return [settings, place = dictionary.locationOf("from")](const LoadContext& context) -> Eigen::VectorXd
+    return
+        [settings, place = dictionary.locationOf("from")](const LoadContext<Dim>& context) -> Eigen::VectorXd
     {
         const double reach = reachOfAForce * meanBlockSize(context.assembly);
         const std::optional<Eigen::VectorXd> load =
@@ -310,64 +349,69 @@ LoadMaker makeLine(const LineSettings& settings, const Dictionary& dictionary)
         if (!load)
         {
             throw FatalIOError(
-                fmt::format(
-                    "The line from ({:.6g} {:.6g}) to ({:.6g} {:.6g}) leaves the free blocks: all of it "
-                    "needs one to act on. VTK/assembly.vtp shows where the blocks are.",
-                    settings.from.x(), settings.from.y(), settings.to.x(), settings.to.y()),
+                fmt::format("The line from {} to {} leaves the free blocks: all of it "
+                            "needs one to act on. VTK/assembly.vtp shows where the blocks are.",
+                            asWritten<Dim>(settings.from), asWritten<Dim>(settings.to)),
                 place);
         }
         return *load;
     };
 }
 
-std::vector<Model<LoadMaker>> singleLoads()
+template<int Dim>
+std::vector<Model<LoadMaker<Dim>>> singleLoads()
 {
     return {
-        model<LoadMaker, GravitySettings>("gravity", "the weight of the blocks",
-                                          [](const GravitySettings&) -> LoadMaker
-                                          {
-                                              return [](const LoadContext& context) {
-                                                  return gravityLoad(context.assembly, context.masses,
-                                                                     context.gravity);
-                                              };
-                                          }),
-        model<LoadMaker, InertialSettings>(
+        model<LoadMaker<Dim>, GravitySettings>("gravity", "the weight of the blocks",
+                                               [](const GravitySettings&) -> LoadMaker<Dim>
+                                               {
+                                                   return [](const LoadContext<Dim>& context) {
+                                                       return gravityLoad(context.assembly, context.masses,
+                                                                          context.gravity);
+                                                   };
+                                               }),
+        model<LoadMaker<Dim>, InertialSettings<Dim>>(
             "inertial", "each block's own weight, turned into a direction",
-            [](const InertialSettings& settings) -> LoadMaker
+            [](const InertialSettings<Dim>& settings) -> LoadMaker<Dim>
             {
-                return [direction = settings.direction](const LoadContext& context)
+                return [direction = settings.direction](const LoadContext<Dim>& context)
                 { return inertialLoad(context.assembly, context.masses, context.gravity, direction); };
             }),
-        model<LoadMaker, ForceSettings>("force", "a force on the block at a point", makeForce),
-        model<LoadMaker, LineSettings>("line", "a force per length on the blocks along a line", makeLine),
+        model<LoadMaker<Dim>, ForceSettings<Dim>>("force", "a force on the block at a point", makeForce<Dim>),
+        model<LoadMaker<Dim>, LineSettings<Dim>>("line", "a force per length on the blocks along a line",
+                                                 makeLine<Dim>),
     };
 }
 
-const Registry<LoadMaker>& singleLoadTypes()
+template<int Dim>
+const Registry<LoadMaker<Dim>>& singleLoadTypes()
 {
-    static const Registry<LoadMaker> registry{"load", singleLoads()};
+    static const Registry<LoadMaker<Dim>> registry{"load", singleLoads<Dim>()};
     return registry;
 }
 
+template<int Dim>
 struct SumSettings
 {
-    std::vector<Named<LoadMaker>> loads;
+    std::vector<Named<LoadMaker<Dim>>> loads;
 };
 
-void declare(Options& options, SumSettings& settings)
+template<int Dim>
+void declare(Options& options, SumSettings<Dim>& settings)
 {
-    options.required("loads", settings.loads, singleLoadTypes(),
+    options.required("loads", settings.loads, singleLoadTypes<Dim>(),
                      "that act together; each has a name of yours");
 }
 
-LoadMaker makeSum(const SumSettings& settings, const Dictionary& dictionary)
+template<int Dim>
+LoadMaker<Dim> makeSum(const SumSettings<Dim>& settings, const Dictionary& dictionary)
 {
     if (settings.loads.empty())
     {
         throw FatalIOError("A sum needs loads. Write for instance `loads { weight { type gravity; } }`.",
                            dictionary.locationOf("loads"));
     }
-    return [loads = settings.loads](const LoadContext& context)
+    return [loads = settings.loads](const LoadContext<Dim>& context)
     {
         Eigen::VectorXd sum = loads.front().second(context);
         for (std::size_t i = 1; i < loads.size(); ++i)
@@ -380,18 +424,19 @@ LoadMaker makeSum(const SumSettings& settings, const Dictionary& dictionary)
 
 } // namespace
 
-const Registry<LoadMaker>& loadTypes()
+template<int Dim>
+const Registry<LoadMaker<Dim>>& loadTypes()
 {
-    static const Registry<LoadMaker> registry = []
+    static const Registry<LoadMaker<Dim>> registry = []
     {
-        Registry<LoadMaker> all{"load", singleLoads()};
+        Registry<LoadMaker<Dim>> all{"load", singleLoads<Dim>()};
         all.models.push_back(
-            model<LoadMaker, SumSettings>("sum", "several loads that act together", makeSum));
-        all.models.push_back(model<LoadMaker, SupportMovementSettings>(
+            model<LoadMaker<Dim>, SumSettings<Dim>>("sum", "several loads that act together", makeSum<Dim>));
+        all.models.push_back(model<LoadMaker<Dim>, SupportMovementSettings<Dim>>(
             "supportMovement", "settlement of a support, of limitAnalysis, instead of a live load",
-            [](const SupportMovementSettings&, const Dictionary& dictionary) -> LoadMaker
+            [](const SupportMovementSettings<Dim>&, const Dictionary& dictionary) -> LoadMaker<Dim>
             {
-                return [place = dictionary.locationOf("type")](const LoadContext&) -> Eigen::VectorXd
+                return [place = dictionary.locationOf("type")](const LoadContext<Dim>&) -> Eigen::VectorXd
                 {
                     throw FatalIOError("supportMovement can only be the live load, by itself and without "
                                        "combinations: its answer is a reaction in N, which no multiplier "
@@ -405,18 +450,20 @@ const Registry<LoadMaker>& loadTypes()
     return registry;
 }
 
-void declare(Options& options, LoadCombination& combination)
+template<int Dim>
+void declare(Options& options, LoadCombination<Dim>& combination)
 {
-    options.required("dead", combination.dead, loadTypes(), "load that acts in full");
-    options.required("live", combination.live, loadTypes(), "load that the multiplier alpha makes grow");
+    options.required("dead", combination.dead, loadTypes<Dim>(), "load that acts in full");
+    options.required("live", combination.live, loadTypes<Dim>(), "load that the multiplier alpha makes grow");
     options.optional("multiplier", combination.multiplier, "of the live load that limitAnalysis looks for");
 }
 
-void declare(Options& options, LoadCases& cases)
+template<int Dim>
+void declare(Options& options, LoadCases<Dim>& cases)
 {
-    options.optional("dead", cases.dead, loadTypes(),
+    options.optional("dead", cases.dead, loadTypes<Dim>(),
                      "load that acts in full; required without combinations");
-    options.optional("live", cases.live, loadTypes(), "load that the multiplier alpha makes grow");
+    options.optional("live", cases.live, loadTypes<Dim>(), "load that the multiplier alpha makes grow");
     options.optional("multiplier", cases.multiplier, "of the live load that limitAnalysis looks for");
     options.optional("combinations", cases.combinations,
                      "instead, of limitAnalysis: several pairs of dead and live load, each with a name of "
@@ -441,7 +488,8 @@ namespace
 {
 
 /// The movement that a live load of type supportMovement asks for.
-std::optional<SupportMovement> readMovement(const Dictionary& loads, const Assembly<2>& assembly)
+template<int Dim>
+std::optional<SupportMovement<Dim>> readMovement(const Dictionary& loads, const Assembly<Dim>& assembly)
 {
     const Entry* live = loads.findExact("live");
     const Entry* type = live ? live->dictionary().find("type") : nullptr;
@@ -449,7 +497,7 @@ std::optional<SupportMovement> readMovement(const Dictionary& loads, const Assem
     {
         return std::nullopt;
     }
-    SupportMovementSettings settings;
+    SupportMovementSettings<Dim> settings;
     Options options;
     options.readElsewhere({"type"});
     declare(options, settings);
@@ -459,7 +507,7 @@ std::optional<SupportMovement> readMovement(const Dictionary& loads, const Assem
     {
         if (support.name == settings.support)
         {
-            return SupportMovement{static_cast<int>(names.size()), settings.direction.normalized()};
+            return SupportMovement<Dim>{static_cast<int>(names.size()), settings.direction.normalized()};
         }
         names.push_back(support.name);
     }
@@ -469,17 +517,20 @@ std::optional<SupportMovement> readMovement(const Dictionary& loads, const Assem
 
 } // namespace
 
-LoadVectors readLoads(const std::filesystem::path& caseDirectory, const LoadContext& context,
-                      LiveLoad liveLoad)
+template<int Dim>
+CaseLoads<Dim> readLoads(const std::filesystem::path& caseDirectory, const LoadContext<Dim>& context,
+                         LiveLoad liveLoad)
 {
     constexpr std::string_view file = "constant/loads";
     if (liveLoad == LiveLoad::optional && !std::filesystem::exists(caseDirectory / file))
     {
-        return {gravityLoad(context.assembly, context.masses, context.gravity), {}};
+        CaseLoads<Dim> weight;
+        weight.dead = gravityLoad(context.assembly, context.masses, context.gravity);
+        return weight;
     }
     const Dictionary dictionary = readCaseFile(
         caseDirectory, file, "dead { type gravity; } live { type inertial; direction (1 0 0); }");
-    const auto cases = readOptions<LoadCases>(dictionary);
+    const auto cases = readOptions<LoadCases<Dim>>(dictionary);
     if (!cases.combinations.empty())
     {
         throw FatalIOError("combinations are for limitAnalysis. Write for instance `dead { type gravity; }` "
@@ -493,7 +544,7 @@ LoadVectors readLoads(const std::filesystem::path& caseDirectory, const LoadCont
             "inertial; direction (1 0 0); }",
             dictionary.location());
     }
-    LoadVectors loads;
+    CaseLoads<Dim> loads;
     loads.multiplier = cases.multiplier;
     loads.dead = cases.dead(context);
     loads.movement = readMovement(dictionary, context.assembly);
@@ -511,8 +562,9 @@ LoadVectors readLoads(const std::filesystem::path& caseDirectory, const LoadCont
     return loads;
 }
 
+template<int Dim>
 std::vector<std::pair<std::string, LoadVectors>>
-readLoadCombinations(const std::filesystem::path& caseDirectory, const LoadContext& context)
+readLoadCombinations(const std::filesystem::path& caseDirectory, const LoadContext<Dim>& context)
 {
     constexpr std::string_view file = "constant/loads";
     std::vector<std::pair<std::string, LoadVectors>> result;
@@ -521,7 +573,7 @@ readLoadCombinations(const std::filesystem::path& caseDirectory, const LoadConte
         return result;
     }
     const Dictionary dictionary = Dictionary::readFile(caseDirectory / file);
-    for (const auto& [name, combination] : readOptions<LoadCases>(dictionary).combinations)
+    for (const auto& [name, combination] : readOptions<LoadCases<Dim>>(dictionary).combinations)
     {
         LoadVectors loads;
         loads.multiplier = combination.multiplier;
@@ -538,5 +590,35 @@ readLoadCombinations(const std::filesystem::path& caseDirectory, const LoadConte
     }
     return result;
 }
+
+template Eigen::VectorXd gravityLoad(const Assembly<2>&, const std::vector<double>&, const Vector<2>&);
+template Eigen::VectorXd inertialLoad(const Assembly<2>&, const std::vector<double>&, const Vector<2>&,
+                                      const Vector<2>&);
+template std::optional<int> findLoadedBlock(const Assembly<2>&, const Vector<2>&, double);
+template std::vector<int> findLoadedBlocks(const Assembly<2>&, const Vector<2>&, double, double);
+template Eigen::VectorXd pointLoad(const Assembly<2>&, int, const Vector<2>&, const Vector<2>&);
+template std::optional<Eigen::VectorXd> lineLoad(const Assembly<2>&, const Vector<2>&, const Vector<2>&,
+                                                 const Vector<2>&, double);
+template const Registry<LoadMaker<2>>& loadTypes();
+template void declare(Options&, LoadCombination<2>&);
+template void declare(Options&, LoadCases<2>&);
+template CaseLoads<2> readLoads(const std::filesystem::path&, const LoadContext<2>&, LiveLoad);
+template std::vector<std::pair<std::string, LoadVectors>> readLoadCombinations(const std::filesystem::path&,
+                                                                               const LoadContext<2>&);
+
+template Eigen::VectorXd gravityLoad(const Assembly<3>&, const std::vector<double>&, const Vector<3>&);
+template Eigen::VectorXd inertialLoad(const Assembly<3>&, const std::vector<double>&, const Vector<3>&,
+                                      const Vector<3>&);
+template std::optional<int> findLoadedBlock(const Assembly<3>&, const Vector<3>&, double);
+template std::vector<int> findLoadedBlocks(const Assembly<3>&, const Vector<3>&, double, double);
+template Eigen::VectorXd pointLoad(const Assembly<3>&, int, const Vector<3>&, const Vector<3>&);
+template std::optional<Eigen::VectorXd> lineLoad(const Assembly<3>&, const Vector<3>&, const Vector<3>&,
+                                                 const Vector<3>&, double);
+template const Registry<LoadMaker<3>>& loadTypes();
+template void declare(Options&, LoadCombination<3>&);
+template void declare(Options&, LoadCases<3>&);
+template CaseLoads<3> readLoads(const std::filesystem::path&, const LoadContext<3>&, LiveLoad);
+template std::vector<std::pair<std::string, LoadVectors>> readLoadCombinations(const std::filesystem::path&,
+                                                                               const LoadContext<3>&);
 
 } // namespace drystone

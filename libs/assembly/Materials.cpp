@@ -16,14 +16,29 @@ namespace
 constexpr double weakestGravity = 1;
 constexpr double strongestGravity = 25;
 
-std::string doubtAbout(const Gravity& gravity)
+/// `(0 0 -9.81)`, as a dictionary has it.
+template<int Dim>
+std::string asWritten(const Vector<Dim>& vector)
 {
-    const Vector<2>& g = gravity.value;
-    if (g.y() > 0)
+    const Vector<Dim> plain = vector + Vector<Dim>::Zero(); // turns -0 into 0
+    return fmt::format("({:g})", fmt::join(plain.data(), plain.data() + Dim, " "));
+}
+
+template<int Dim>
+std::string doubtAbout(const Gravity<Dim>& gravity)
+{
+    const Vector<Dim>& g = gravity.value;
+    const std::string usual = asWritten<Dim>(-9.81 * Vector<Dim>::Unit(Dim - 1));
+    if (g[Dim - 1] > 0)
     {
-        return fmt::format("Gravity ({:g} {:g}) [m/s2] points upwards: the blocks fall away from the ground. "
-                           "Usual is (0 -9.81).",
-                           g.x(), g.y());
+        return fmt::format("Gravity {} [m/s2] points upwards: the blocks fall away from the ground. "
+                           "Usual is {}.",
+                           asWritten<Dim>(g), usual);
+    }
+    if (Dim == 3 && g[1] != 0 && g[0] == 0 && g[2] == 0)
+    {
+        return fmt::format("Gravity {} [m/s2] is horizontal: in space z is up. Usual is {}.",
+                           asWritten<Dim>(g), usual);
     }
     if (const double size = g.norm(); size > 0 && (size < weakestGravity || size > strongestGravity))
     {
@@ -63,16 +78,21 @@ void declare(Options& options, MaterialProperties& material)
                   });
 }
 
-void declare(Options& options, Gravity& gravity)
+template<int Dim>
+void declare(Options& options, Gravity<Dim>& gravity)
 {
     options.readElsewhere({"dimensions"}, "[0 1 -2 0 0 0 0]");
-    options.required("value", gravity.value, "acceleration of gravity").unit("m/s2").example("(0 -9.81 0)");
+    options.required("value", gravity.value, "acceleration of gravity")
+        .unit("m/s2")
+        .example(Dim == 2 ? "(0 -9.81 0)" : "(0 0 -9.81)");
     options.question("value", [&gravity] { return doubtAbout(gravity); });
 }
 
-Vector<2> readGravity(const std::filesystem::path& caseDirectory)
+template<int Dim>
+Vector<Dim> readGravity(const std::filesystem::path& caseDirectory)
 {
-    const Dictionary dictionary = readCaseFile(caseDirectory, "constant/g", "value (0 -9.81 0);");
+    const Dictionary dictionary =
+        readCaseFile(caseDirectory, "constant/g", Dim == 2 ? "value (0 -9.81 0);" : "value (0 0 -9.81);");
     if (const Entry* dimensions = dictionary.find("dimensions"))
     {
         dimensions->markUsed();
@@ -80,11 +100,12 @@ Vector<2> readGravity(const std::filesystem::path& caseDirectory)
         readDimensions(cursor, "m/s2");
         cursor.expectEnd();
     }
-    return readOptions<Gravity>(dictionary).value;
+    return readOptions<Gravity<Dim>>(dictionary).value;
 }
 
-std::vector<double> readDensities(const std::filesystem::path& caseDirectory, const Assembly<2>& assembly,
-                                  const Vector<2>& gravity)
+template<int Dim>
+std::vector<double> readDensities(const std::filesystem::path& caseDirectory, const Assembly<Dim>& assembly,
+                                  const std::type_identity_t<Vector<Dim>>& gravity)
 {
     const Dictionary dictionary = readCaseFile(caseDirectory, "constant/materialProperties", "density 2000;");
     const auto material = readOptions<MaterialProperties>(dictionary);
@@ -98,15 +119,13 @@ std::vector<double> readDensities(const std::filesystem::path& caseDirectory, co
     return std::vector<double>(assembly.blocks.size(), density);
 }
 
-std::vector<double> massesOf(const std::vector<BlockMass<2>>& blocks, const std::vector<double>& densities)
-{
-    std::vector<double> masses;
-    masses.reserve(blocks.size());
-    for (std::size_t i = 0; i < blocks.size(); ++i)
-    {
-        masses.push_back(densities[i] * blocks[i].volume);
-    }
-    return masses;
-}
+template void declare(Options& options, Gravity<2>& gravity);
+template void declare(Options& options, Gravity<3>& gravity);
+template Vector<2> readGravity<2>(const std::filesystem::path& caseDirectory);
+template Vector<3> readGravity<3>(const std::filesystem::path& caseDirectory);
+template std::vector<double> readDensities(const std::filesystem::path& caseDirectory,
+                                           const Assembly<2>& assembly, const Vector<2>& gravity);
+template std::vector<double> readDensities(const std::filesystem::path& caseDirectory,
+                                           const Assembly<3>& assembly, const Vector<3>& gravity);
 
 } // namespace drystone

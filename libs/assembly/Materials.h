@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 namespace drystone
@@ -21,24 +22,38 @@ struct MaterialProperties
 
 void declare(Options& options, MaterialProperties& material);
 
-/// constant/g.
+/// constant/g. In the plane y is up, in space z.
+template<int Dim>
 struct Gravity
 {
-    Vector<2> value{0, -9.81}; ///< [m/s2]
+    Vector<Dim> value = -9.81 * Vector<Dim>::Unit(Dim - 1); ///< [m/s2]
 };
 
-void declare(Options& options, Gravity& gravity);
+template<int Dim>
+void declare(Options& options, Gravity<Dim>& gravity);
 
 /// Gravity of a case [m/s2]. \throws FatalError or FatalIOError when constant/g is missing or faulty
-Vector<2> readGravity(const std::filesystem::path& caseDirectory);
+template<int Dim>
+Vector<Dim> readGravity(const std::filesystem::path& caseDirectory);
 
 /// Density of each block of a case [kg/m3], fixed ones included. Times BlockMass::volume it is the mass,
 /// times BlockMass::inertia the moment of inertia. \throws FatalError or FatalIOError when
 /// constant/materialProperties is missing or faulty, or gives a unit weight where there is no gravity
-std::vector<double> readDensities(const std::filesystem::path& caseDirectory, const Assembly<2>& assembly,
-                                  const Vector<2>& gravity);
+template<int Dim>
+std::vector<double> readDensities(const std::filesystem::path& caseDirectory, const Assembly<Dim>& assembly,
+                                  const std::type_identity_t<Vector<Dim>>& gravity);
 
 /// Mass of each block [kg].
-std::vector<double> massesOf(const std::vector<BlockMass<2>>& blocks, const std::vector<double>& densities);
+template<int Dim>
+std::vector<double> massesOf(const std::vector<BlockMass<Dim>>& blocks, const std::vector<double>& densities)
+{
+    std::vector<double> masses;
+    masses.reserve(blocks.size());
+    for (std::size_t i = 0; i < blocks.size(); ++i)
+    {
+        masses.push_back(densities[i] * blocks[i].volume);
+    }
+    return masses;
+}
 
 } // namespace drystone

@@ -17,41 +17,9 @@ constexpr double largestUsual = 10;
 /// Out of the plane whole vaults are one slice.
 constexpr double thickestUsual = 50;
 
-/// Square root of the mean area of the free blocks; 0 when there are none.
-double meanFreeSize(const Assembly<2>& assembly)
+/// What is improbable of the thickness of plane blocks; blocks in space have none of their own.
+std::string doubtAboutThickness(const Assembly<2>& assembly)
 {
-    double area = 0;
-    int count = 0;
-    for (const Block<2>& block : assembly.blocks)
-    {
-        if (block.support < 0)
-        {
-            area += blockMass(block).volume / block.thickness;
-            ++count;
-        }
-    }
-    return count > 0 ? std::sqrt(area / count) : 0;
-}
-
-} // namespace
-
-std::string doubtAboutSizes(const Assembly<2>& assembly)
-{
-    const double size = meanFreeSize(assembly);
-    if (size > 0 && (size < smallestUsual || size > largestUsual))
-    {
-        return fmt::format(
-            "The blocks have a mean size of {:.4g} m, which is unusual: usual is from {:g} to "
-            "{:g} m. Lengths are in metres{}. They are used as they stand.",
-            size, smallestUsual, largestUsual,
-            size > largestUsual ? fmt::format(
-                "; were they written in millimetres, the mean size would be {:.4g} m", size / 1000)
-                                : "");
-    }
-    if (assembly.blocks.empty())
-    {
-        return {};
-    }
     const auto [least, most] =
         std::minmax_element(assembly.blocks.begin(), assembly.blocks.end(),
                             [](const auto& a, const auto& b) { return a.thickness < b.thickness; });
@@ -65,12 +33,42 @@ std::string doubtAboutSizes(const Assembly<2>& assembly)
     return {};
 }
 
-void questionSizes(const Assembly<2>& assembly, const SourceLocation& place)
+std::string doubtAboutThickness(const Assembly<3>&)
+{
+    return {};
+}
+
+} // namespace
+
+template<int Dim>
+std::string doubtAboutSizes(const Assembly<Dim>& assembly)
+{
+    const double size = meanBlockSize(assembly);
+    if (size > 0 && (size < smallestUsual || size > largestUsual))
+    {
+        return fmt::format(
+            "The blocks have a mean size of {:.4g} m, which is unusual: usual is from {:g} to "
+            "{:g} m. Lengths are in metres{}. They are used as they stand.",
+            size, smallestUsual, largestUsual,
+            size > largestUsual ? fmt::format(
+                "; were they written in millimetres, the mean size would be {:.4g} m", size / 1000)
+                                : "");
+    }
+    return assembly.blocks.empty() ? std::string() : doubtAboutThickness(assembly);
+}
+
+template<int Dim>
+void questionSizes(const Assembly<Dim>& assembly, const SourceLocation& place)
 {
     if (const std::string doubt = doubtAboutSizes(assembly); !doubt.empty())
     {
         printWarningOnce(doubt, place);
     }
 }
+
+template std::string doubtAboutSizes(const Assembly<2>& assembly);
+template std::string doubtAboutSizes(const Assembly<3>& assembly);
+template void questionSizes(const Assembly<2>& assembly, const SourceLocation& place);
+template void questionSizes(const Assembly<3>& assembly, const SourceLocation& place);
 
 } // namespace drystone

@@ -11,10 +11,12 @@ namespace drystone
 {
 
 /// What is improbable of the sizes of blocks, as lengths in millimetres: the mean size of the free blocks, or
-/// the largest or least thickness, and what is usual [m]. Empty when nothing is.
-std::string doubtAboutSizes(const Assembly<2>& assembly);
+/// in the plane the largest or least thickness, and what is usual [m]. Empty when nothing is.
+template<int Dim>
+std::string doubtAboutSizes(const Assembly<Dim>& assembly);
 
 /// Prints it as a warning that points at a place, once in a run.
-void questionSizes(const Assembly<2>& assembly, const SourceLocation& place);
+template<int Dim>
+void questionSizes(const Assembly<Dim>& assembly, const SourceLocation& place);
 
 } // namespace drystone

@@ -1,15 +1,14 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// The search for faces that almost meet, and what is said of them.
+/// What is said of faces that almost meet; the search for them is in plane/ and space/.
 #include "contact/AlmostJoints.h"
 
 #include "assembly/AssemblyFile.h"
-#include "assembly/Outlines.h"
-#include "contact/Penetration.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace drystone
 {
@@ -17,33 +16,47 @@ namespace drystone
 namespace
 {
 
+/// What faces each other: a piece of an edge, a patch of a face.
+template<int Dim>
+using Facing = std::conditional_t<Dim == 2, FacingPiece, FacingPatch>;
+
+/// `(0.5 1.2)`, as a dictionary has it.
+template<int Dim>
+std::string asWritten(const Vector<Dim>& point)
+{
+    return fmt::format("({:.6g})", fmt::join(point.data(), point.data() + Dim, " "));
+}
+
 /// Whether the faces are where the user says that blocks are apart.
-bool isStated(const FacingPiece& piece, const Assembly<2>& assembly)
+template<int Dim>
+bool isStated(const Facing<Dim>& piece, const Assembly<Dim>& assembly)
 {
     return assembly.jointTolerance && isApart(piece) && openness(piece) > *assembly.jointTolerance;
 }
 
 /// The faces that are a fault, the farthest from meeting first.
-std::vector<FacingPiece> faultyPieces(const Assembly<2>& assembly)
+template<int Dim>
+std::vector<Facing<Dim>> faultyPieces(const Assembly<Dim>& assembly)
 {
-    std::vector<FacingPiece> pieces = findAlmostJoints(assembly);
-    std::erase_if(pieces, [&](const FacingPiece& piece) { return isStated(piece, assembly); });
+    std::vector<Facing<Dim>> pieces = findAlmostJoints(assembly);
+    std::erase_if(pieces, [&](const Facing<Dim>& piece) { return isStated<Dim>(piece, assembly); });
     std::stable_sort(pieces.begin(), pieces.end(),
-                     [](const FacingPiece& a, const FacingPiece& b) { return openness(a) > openness(b); });
+                     [](const Facing<Dim>& a, const Facing<Dim>& b) { return openness(a) > openness(b); });
     return pieces;
 }
 
-std::string faultText(const Assembly<2>& assembly, const std::vector<FacingPiece>& pieces)
+template<int Dim>
+std::string faultText(const Assembly<Dim>& assembly, const std::vector<Facing<Dim>>& pieces)
 {
-    const FacingPiece& worst = pieces.front();
+    const Facing<Dim>& worst = pieces.front();
     const double most = openness(worst);
     std::string text = fmt::format(
-        "{} and {} almost meet: at ({:.6g} {:.6g}) their faces are {:.3g} m {}, where joints are closed up "
+        "{} and {} almost meet: at {} their faces are {:.3g} m {}, where joints are closed up "
         "to "
         "{:.3g} m.{} Without these joints the answer would be that of another structure.\n\nCorrect the "
         "coordinates in system/blockTextureDict",
-        blockName(assembly, worst.block), blockName(assembly, worst.neighbour), worst.from.x(),
-        worst.from.y(), most, isApart(worst) ? "apart" : "in each other",
+        blockName(assembly, worst.block), blockName(assembly, worst.neighbour),
+        asWritten<Dim>(placeOf(worst)), most, isApart(worst) ? "apart" : "in each other",
         std::max(assembly.closure.tolerance, CheckLimits{}.jointTolerance * meanBlockSize(assembly)),
         pieces.size() > 1 ? fmt::format(" {} pairs of faces do so.", pieces.size()) : "");
     // One digit more than the faces need.
@@ -59,72 +72,52 @@ std::string faultText(const Assembly<2>& assembly, const std::vector<FacingPiece
 
 } // namespace
 
-double openness(const FacingPiece& piece)
-{
-    return std::max(std::abs(piece.gapAtFrom), std::abs(piece.gapAtTo));
-}
-
-bool isApart(const FacingPiece& piece)
-{
-    return piece.gapAtFrom + piece.gapAtTo > 0;
-}
-
-std::vector<FacingPiece> findAlmostJoints(const Assembly<2>& assembly, const CheckLimits& limits)
-{
-    const double size = meanBlockSize(assembly);
-    const double jointTolerance = limits.jointTolerance * size;
-    FacingTolerance tolerance;
-    tolerance.distance = limits.gap * size;
-    tolerance.angle = limits.gapAngle;
-    tolerance.straight = jointTolerance / 2;
-    tolerance.leastLength = tolerance.distance;
-    std::vector<FacingPiece> pieces = findFacingPieces(assembly, tolerance);
-    std::erase_if(pieces,
-                  [&](const FacingPiece& piece)
-                  {
-                      // Outer faces of thin blocks that lie on each other have passed each other, too.
-                      return openness(piece) <= jointTolerance
-                             || (!isApart(piece)
-                                 && overlapDepth(assembly.blocks[piece.block].outline,
-                                                 assembly.blocks[piece.neighbour].outline)
-                                        <= jointTolerance / 2);
-                  });
-    return pieces;
-}
-
-std::string blockName(const Assembly<2>& assembly, int block)
+template<int Dim>
+std::string blockName(const Assembly<Dim>& assembly, int block)
 {
     const int support = assembly.blocks[block].support;
     return support < 0 ? fmt::format("block {}", block)
                        : fmt::format("block {} (support {})", block, assembly.supports[support].name);
 }
 
-std::string almostJointsText(const Assembly<2>& assembly)
+template<int Dim>
+std::string almostJointsText(const Assembly<Dim>& assembly)
 {
-    const std::vector<FacingPiece> pieces = faultyPieces(assembly);
-    return pieces.empty() ? "" : faultText(assembly, pieces);
+    const std::vector<Facing<Dim>> pieces = faultyPieces(assembly);
+    return pieces.empty() ? "" : faultText<Dim>(assembly, pieces);
 }
 
-void refuseAlmostJoints(const Assembly<2>& assembly, const std::filesystem::path& caseDirectory)
+template<int Dim>
+void refuseAlmostJoints(const Assembly<Dim>& assembly, const std::filesystem::path& caseDirectory)
 {
-    const std::vector<FacingPiece> pieces = faultyPieces(assembly);
+    const std::vector<Facing<Dim>> pieces = faultyPieces(assembly);
     if (!pieces.empty())
     {
-        const Dictionary dictionary = Dictionary::readFile(assemblyFile(caseDirectory));
-        throw FatalIOError(faultText(assembly, pieces),
-                           dictionary.get<Outlines>("outlines").places[pieces.front().neighbour]);
+        throw FatalIOError(faultText<Dim>(assembly, pieces),
+                           blockPlaces<Dim>(caseDirectory)[pieces.front().neighbour]);
     }
 }
 
-int facesApartOnPurpose(const Assembly<2>& assembly)
+template<int Dim>
+int facesApartOnPurpose(const Assembly<Dim>& assembly)
 {
     if (!assembly.jointTolerance)
     {
         return 0;
     }
-    const std::vector<FacingPiece> pieces = findAlmostJoints(assembly);
-    return static_cast<int>(std::count_if(
-        pieces.begin(), pieces.end(), [&](const FacingPiece& piece) { return isStated(piece, assembly); }));
+    const std::vector<Facing<Dim>> pieces = findAlmostJoints(assembly);
+    return static_cast<int>(std::count_if(pieces.begin(), pieces.end(),
+                                          [&](const Facing<Dim>& piece)
+                                          { return isStated<Dim>(piece, assembly); }));
 }
+
+template std::string blockName(const Assembly<2>& assembly, int block);
+template std::string almostJointsText(const Assembly<2>& assembly);
+template void refuseAlmostJoints(const Assembly<2>& assembly, const std::filesystem::path& caseDirectory);
+template int facesApartOnPurpose(const Assembly<2>& assembly);
+template std::string blockName(const Assembly<3>& assembly, int block);
+template std::string almostJointsText(const Assembly<3>& assembly);
+template void refuseAlmostJoints(const Assembly<3>& assembly, const std::filesystem::path& caseDirectory);
+template int facesApartOnPurpose(const Assembly<3>& assembly);
 
 } // namespace drystone

@@ -5,35 +5,54 @@
 
 #include "contact/AssemblyChecks.h"
 #include "contact/Facing.h"
+#include "contact/space/FacingPatches.h"
 
 #include <filesystem>
 
 namespace drystone
 {
 
-/// The larger distance of the two faces at the ends of a piece, or depth in each other [m].
+/// The larger distance of the two faces at the corners of a piece or patch, or depth in each other [m].
 double openness(const FacingPiece& piece);
+double openness(const FacingPatch& patch);
 
 /// Whether the faces of a piece are apart, rather than in each other.
 bool isApart(const FacingPiece& piece);
+bool isApart(const FacingPatch& patch);
 
-/// Faces within CheckLimits::gap of each other that are no joint: openness above CheckLimits::jointTolerance.
+/// Where they are: a corner of the piece [m].
+inline const Vector<2>& placeOf(const FacingPiece& piece)
+{
+    return piece.from;
+}
+inline const Vector<3>& placeOf(const FacingPatch& patch)
+{
+    return patch.corners.front();
+}
+
+/// Faces within CheckLimits::gap of each other that are no joint: openness above CheckLimits::jointTolerance,
+/// in space above Assembly::closure too, whose joints are not moved.
 std::vector<FacingPiece> findAlmostJoints(const Assembly<2>& assembly, const CheckLimits& limits = {});
+std::vector<FacingPatch> findAlmostJoints(const Assembly<3>& assembly, const CheckLimits& limits = {});
 
 /// `block 3`, or `block 57 (support ground)`.
-std::string blockName(const Assembly<2>& assembly, int block);
+template<int Dim>
+std::string blockName(const Assembly<Dim>& assembly, int block);
 
 /// What to say of faces that almost meet: how many, the pair that is farthest from meeting, and the repair.
 /// Faces that are farther apart than a stated Assembly::jointTolerance are apart on purpose and left out.
 /// Empty when there are none.
-std::string almostJointsText(const Assembly<2>& assembly);
+template<int Dim>
+std::string almostJointsText(const Assembly<Dim>& assembly);
 
 /// How many pairs of faces almost meet and are farther apart than a stated Assembly::jointTolerance; 0 where
 /// none is stated.
-int facesApartOnPurpose(const Assembly<2>& assembly);
+template<int Dim>
+int facesApartOnPurpose(const Assembly<Dim>& assembly);
 
 /// For computations, which would otherwise go on without the joints.
-/// \throws FatalIOError with almostJointsText, at the outline of the second block
-void refuseAlmostJoints(const Assembly<2>& assembly, const std::filesystem::path& caseDirectory);
+/// \throws FatalIOError with almostJointsText, at the second block
+template<int Dim>
+void refuseAlmostJoints(const Assembly<Dim>& assembly, const std::filesystem::path& caseDirectory);
 
 } // namespace drystone

@@ -2,12 +2,13 @@
 /// The checks, a function each.
 #include "contact/AssemblyChecks.h"
 
+#include "assembly/BlockShape.h"
 #include "contact/AlmostJoints.h"
 #include "contact/ContactPoint.h"
-#include "contact/Facing.h"
+#include "contact/JointClosure.h"
+#include "contact/ShapeChecks.h"
 #include "contact/SupportPaths.h"
 #include "geometry/BroadPhase.h"
-#include "geometry/PolygonShape.h"
 
 #include <fmt/format.h>
 
@@ -24,17 +25,21 @@ namespace
 
 constexpr std::size_t shownFaults = 5;
 
+template<int Dim>
+using FacingFaces = decltype(findAlmostJoints(std::declval<const Assembly<Dim>&>()));
+
 /// What several checks look at, found once.
+template<int Dim>
 struct Findings
 {
     double size = 0;                       ///< meanBlockSize [m]
-    std::vector<AreaProperties> areas;     ///< of each block
-    std::vector<BoundingBox> boxes;        ///< of each block
+    std::vector<BlockMass<Dim>> masses;    ///< of each block
+    std::vector<Box<Dim>> boxes;           ///< of each block
     std::vector<std::pair<int, int>> near; ///< pairs of blocks whose boxes come within the gap limit
-    std::vector<ContactPoint<2>> points;
-    std::vector<Overlap> overlaps;         ///< of pairs
-    double largestOverlap = 0;             ///< of any pair, relative to the smaller block
-    std::vector<FacingPiece> almostJoints; ///< faces that nearly touch
+    std::vector<ContactPoint<Dim>> points;
+    std::vector<Overlap<Dim>> overlaps; ///< of pairs
+    double largestOverlap = 0;          ///< of any pair, relative to the smaller block
+    FacingFaces<Dim> almostJoints;      ///< faces that nearly touch
 };
 
 void addFault(CheckResult& result, std::string fault)
@@ -46,35 +51,25 @@ void addFault(CheckResult& result, std::string fault)
     }
 }
 
-std::string text(const Vector<2>& point)
+template<int Dim>
+std::string asText(const Vector<Dim>& point)
 {
-    return fmt::format("({:.6g} {:.6g})", point.x(), point.y());
+    return fmt::format("({:.6g})", fmt::join(point.data(), point.data() + Dim, " "));
 }
 
-struct Range
-{
-    double least = std::numeric_limits<double>::infinity();
-    double largest = -std::numeric_limits<double>::infinity();
-
-    void add(double value)
-    {
-        least = std::min(least, value);
-        largest = std::max(largest, value);
-    }
-    bool isEmpty() const { return least > largest; }
-};
-
-CheckResult checkVolumes(const Assembly<2>& assembly, const Findings& findings, const CheckLimits& limits)
+template<int Dim>
+CheckResult checkVolumes(const Assembly<Dim>& assembly, const Findings<Dim>& findings,
+                         const CheckLimits& limits)
 {
     CheckResult result{"volumes", "", 0, {}};
-    Range range;
+    CheckedRange range;
     double total = 0;
     int count = 0;
     for (std::size_t i = 0; i < assembly.blocks.size(); ++i)
     {
         if (assembly.blocks[i].support < 0)
         {
-            const double volume = findings.areas[i].area * assembly.blocks[i].thickness;
+            const double volume = findings.masses[i].volume;
             range.add(volume);
             total += volume;
             ++count;
@@ -82,7 +77,7 @@ CheckResult checkVolumes(const Assembly<2>& assembly, const Findings& findings, 
     }
     for (std::size_t i = 0; i < assembly.blocks.size(); ++i)
     {
-        const double volume = findings.areas[i].area * assembly.blocks[i].thickness;
+        const double volume = findings.masses[i].volume;
         if (count > 0 && !(volume > limits.volumeRatio * total / count))
         {
             addFault(result, fmt::format("{} has the volume {:.6g} m3",
@@ -100,64 +95,77 @@ CheckResult checkVolumes(const Assembly<2>& assembly, const Findings& findings, 
     return result;
 }
 
-CheckResult checkInertia(const Assembly<2>& assembly, const Findings& findings, const CheckLimits& limits)
+/// A check of the shape of each free block.
+template<int Dim, class Check>
+CheckResult checkShapes(const Assembly<Dim>& assembly, std::string name, const Check& faultOf)
 {
-    CheckResult result{"inertia", "", 0, {}};
-    Range range;
+    CheckResult result{std::move(name), "", 0, {}};
     for (std::size_t i = 0; i < assembly.blocks.size(); ++i)
     {
-        if (assembly.blocks[i].support >= 0)
+        if (assembly.blocks[i].support < 0) // a ground may be as thin and long as it likes
         {
-            continue;
-        }
-        const AreaProperties& area = findings.areas[i];
-        const double gyration = area.polarMoment / (area.area * area.area);
-        range.add(gyration);
-        // No shape has less than the circle's 1/(2 pi).
-        if (!(gyration >= 0.5 / EIGEN_PI * (1 - 1e-6) && gyration <= limits.gyration))
-        {
-            addFault(result, fmt::format("block {} has the polar moment {:.6g} m4 on an area of {:.6g} m2", i,
-                                         area.polarMoment, area.area));
+            if (const std::string fault = faultOf(assembly.blocks[i]); !fault.empty())
+            {
+                addFault(result, fmt::format("block {} {}", i, fault));
+            }
         }
     }
-    result.message = range.isEmpty()
-                         ? "Polar moment: no free blocks"
-                         : fmt::format("Polar moment relative to area squared: min = {:.6g} max = {:.6g}",
-                                       range.least, range.largest);
+    return result;
+}
+
+template<int Dim>
+CheckResult checkInertia(const Assembly<Dim>& assembly, const CheckLimits& limits)
+{
+    CheckedRange range;
+    CheckResult result = checkShapes(
+        assembly, "inertia", [&](const Block<Dim>& block) { return inertiaFault(block, limits, range); });
+    result.message = inertiaMessage<Dim>(range);
+    return result;
+}
+
+template<int Dim>
+CheckResult checkSlivers(const Assembly<Dim>& assembly, const CheckLimits& limits)
+{
+    SliverRanges ranges;
+    CheckResult result = checkShapes(
+        assembly, "slivers", [&](const Block<Dim>& block) { return sliverFault(block, limits, ranges); });
+    result.message = sliverMessage<Dim>(ranges);
     return result;
 }
 
 /// Duplicates and overlaps look at the same areas.
-std::pair<CheckResult, CheckResult> checkOverlaps(const Assembly<2>& assembly, const Findings& findings,
-                                                  const CheckLimits& limits)
+template<int Dim>
+std::pair<CheckResult, CheckResult> checkOverlaps(const Assembly<Dim>& assembly,
+                                                  const Findings<Dim>& findings, const CheckLimits& limits)
 {
     CheckResult duplicates{"duplicates", "", 0, {}};
     CheckResult overlaps{"overlaps", "", 0, {}};
     std::set<std::pair<int, int>> listed;
-    for (const Overlap& overlap : findings.overlaps)
+    for (const Overlap<Dim>& overlap : findings.overlaps)
     {
         const auto [i, j, common, fraction] = overlap;
         listed.emplace(i, j);
-        if (common > limits.duplicate * std::max(findings.areas[i].area, findings.areas[j].area))
+        if (common > limits.duplicate * std::max(extentOf(assembly.blocks[i]), extentOf(assembly.blocks[j])))
         {
             addFault(duplicates,
                      fmt::format("{} and {} are the same block twice, at {}", blockName(assembly, i),
-                                 blockName(assembly, j), text(findings.areas[i].centroid)));
+                                 blockName(assembly, j), asText<Dim>(findings.masses[i].centroid)));
         }
         else
         {
-            addFault(overlaps, fmt::format("{} and {} overlap by {:.6g} m2, {:.3g} of the smaller",
-                                           blockName(assembly, i), blockName(assembly, j), common, fraction));
+            addFault(overlaps, fmt::format("{} and {} overlap by {:.6g} {}, {:.3g} of the smaller",
+                                           blockName(assembly, i), blockName(assembly, j), common,
+                                           Dim == 2 ? "m2" : "m3", fraction));
         }
     }
-    for (const FacingPiece& piece : findings.almostJoints)
+    for (const auto& piece : findings.almostJoints)
     {
         if (!isApart(piece) && listed.emplace(piece.block, piece.neighbour).second)
         {
             addFault(overlaps,
                      fmt::format("faces of {} and {} are {:.3g} m in each other at {}: no joint",
                                  blockName(assembly, piece.block), blockName(assembly, piece.neighbour),
-                                 openness(piece), text(piece.from)));
+                                 openness(piece), asText<Dim>(placeOf(piece))));
         }
     }
     duplicates.message = fmt::format("Duplicated blocks: {}", duplicates.failures);
@@ -166,11 +174,12 @@ std::pair<CheckResult, CheckResult> checkOverlaps(const Assembly<2>& assembly, c
     return {duplicates, overlaps};
 }
 
-CheckResult checkGaps(const Assembly<2>& assembly, const Findings& findings, const CheckLimits& limits)
+template<int Dim>
+CheckResult checkGaps(const Assembly<Dim>& assembly, const Findings<Dim>& findings, const CheckLimits& limits)
 {
     CheckResult result{"gaps", "", 0, {}};
     int stated = 0;
-    for (const FacingPiece& piece : findings.almostJoints)
+    for (const auto& piece : findings.almostJoints)
     {
         if (isApart(piece) && assembly.jointTolerance && openness(piece) > *assembly.jointTolerance)
         {
@@ -181,7 +190,7 @@ CheckResult checkGaps(const Assembly<2>& assembly, const Findings& findings, con
             addFault(result,
                      fmt::format("{} and {} are {:.3g} m apart at {}: no joint",
                                  blockName(assembly, piece.block), blockName(assembly, piece.neighbour),
-                                 openness(piece), text(piece.from)));
+                                 openness(piece), asText<Dim>(placeOf(piece))));
         }
     }
     result.message = fmt::format("Faces that nearly touch (within {:.3g} m): {}", limits.gap * findings.size,
@@ -193,92 +202,62 @@ CheckResult checkGaps(const Assembly<2>& assembly, const Findings& findings, con
     return result;
 }
 
-CheckResult checkSlivers(const Assembly<2>& assembly, const Findings& findings, const CheckLimits& limits)
-{
-    CheckResult result{"slivers", "", 0, {}};
-    Range compactness;
-    Range angle;
-    for (std::size_t i = 0; i < assembly.blocks.size(); ++i)
-    {
-        if (assembly.blocks[i].support >= 0)
-        {
-            continue; // a ground may be as thin and long as it likes
-        }
-        const Polygon& outline = assembly.blocks[i].outline;
-        const ShapeQuality quality = shapeQuality(outline);
-        compactness.add(quality.compactness);
-        angle.add(quality.smallestAngle);
-        double shortest = std::numeric_limits<double>::infinity();
-        for (std::size_t k = 0; k < outline.size(); ++k)
-        {
-            shortest = std::min(shortest, (outline[(k + 1) % outline.size()] - outline[k]).norm());
-        }
-        if (quality.compactness < limits.compactness)
-        {
-            addFault(result, fmt::format("block {} is a sliver: 4 pi area/perimeter2 = {:.3g}", i,
-                                         quality.compactness));
-        }
-        else if (quality.smallestAngle < limits.angle)
-        {
-            addFault(result, fmt::format("block {} has a corner of {:.3g} rad", i, quality.smallestAngle));
-        }
-        else if (shortest < limits.edge * std::sqrt(findings.areas[i].area))
-        {
-            addFault(result, fmt::format("block {} has an edge of {:.3g} m", i, shortest));
-        }
-    }
-    result.message = angle.isEmpty()
-                         ? "Slivers: no free blocks"
-                         : fmt::format("Min compactness = {:.3g}. Sharpest corner = {:.4g} degrees",
-                                       compactness.least, angle.least * 180 / EIGEN_PI);
-    return result;
-}
-
-CheckResult checkSupportPaths(const Assembly<2>& assembly, const Findings& findings)
+template<int Dim>
+CheckResult checkSupportPaths(const Assembly<Dim>& assembly, const Findings<Dim>& findings)
 {
     CheckResult result{"supports", "", 0, {}};
     for (const int block : blocksWithoutSupport(assembly, findings.points))
     {
         addFault(result, fmt::format("block {} at {} has no path to a support through the joints", block,
-                                     text(findings.areas[block].centroid)));
+                                     asText<Dim>(findings.masses[block].centroid)));
     }
     result.message = fmt::format("Blocks with no path to a support: {}", result.failures);
     return result;
 }
 
-CheckResult checkJointLengths(const Assembly<2>& assembly, const Findings& findings,
-                              const CheckLimits& limits)
+template<int Dim>
+CheckResult checkJointSizes(const Assembly<Dim>& assembly, const Findings<Dim>& findings,
+                            const CheckLimits& limits)
 {
-    CheckResult result{"shortJoints", "", 0, {}};
-    Range range;
-    for (std::size_t k = 0; k + 1 < findings.points.size(); k += 2)
+    CheckResult result{Dim == 2 ? "shortJoints" : "smallJoints", "", 0, {}};
+    CheckedRange range;
+    const std::vector<ContactPoint<Dim>>& points = findings.points;
+    for (std::size_t first = 0, last = 0; first < points.size(); first = last)
     {
-        const double length = (findings.points[k + 1].position - findings.points[k].position).norm();
-        range.add(length);
-        if (length < limits.jointLength * findings.size)
+        while (last < points.size() && points[last].joint == points[first].joint)
         {
-            addFault(result, fmt::format("the joint of {} and {} at {} is {:.3g} m long",
-                                         blockName(assembly, findings.points[k].block),
-                                         blockName(assembly, findings.points[k].neighbour),
-                                         text(findings.points[k].position), length));
+            ++last;
+        }
+        const double size = jointSize({points.data() + first, last - first});
+        range.add(size);
+        if (size < std::pow(limits.jointLength * findings.size, Dim - 1))
+        {
+            addFault(result, fmt::format("the joint of {} and {} at {} is {:.3g} {}",
+                                         blockName(assembly, points[first].block),
+                                         blockName(assembly, points[first].neighbour),
+                                         asText<Dim>(points[first].position), size,
+                                         Dim == 2 ? "m long" : "m2 large"));
         }
     }
-    result.message = findings.points.empty() ? "No joints"
-                                             : fmt::format("Joint length: min = {:.6g} m max = {:.6g} m",
-                                                           range.least, range.largest);
+    result.message = points.empty() ? "No joints"
+                                    : fmt::format("Joint {0}: min = {1:.6g} {3} max = {2:.6g} {3}",
+                                                  Dim == 2 ? "length" : "area", range.least, range.largest,
+                                                  Dim == 2 ? "m" : "m2");
     return result;
 }
 
-CheckResult checkCornerTouches(const Assembly<2>& assembly, const Findings& findings,
-                               const CheckLimits& limits)
+/// Blocks that touch without a face in common.
+template<int Dim>
+CheckResult checkTouches(const Assembly<Dim>& assembly, const Findings<Dim>& findings,
+                         const CheckLimits& limits)
 {
     const double tolerance = limits.jointTolerance * findings.size;
     std::set<std::pair<int, int>> jointed;
-    for (const ContactPoint<2>& point : findings.points)
+    for (const ContactPoint<Dim>& point : findings.points)
     {
         jointed.emplace(point.block, point.neighbour);
     }
-    CheckResult result{"cornerTouches", "", 0, {}};
+    CheckResult result{Dim == 2 ? "cornerTouches" : "edgeTouches", "", 0, {}};
     for (const auto& [first, second] : findings.near)
     {
         const bool bothFixed = assembly.blocks[first].support >= 0 && assembly.blocks[second].support >= 0;
@@ -288,37 +267,39 @@ CheckResult checkCornerTouches(const Assembly<2>& assembly, const Findings& find
         }
         for (const auto& [one, other] : {std::pair(first, second), std::pair(second, first)})
         {
-            const BoundingBox reach = enlarged(findings.boxes[other], tolerance);
-            const Polygon& outline = assembly.blocks[other].outline;
-            for (const Vector<2>& corner : assembly.blocks[one].outline)
+            const std::vector<Vector<Dim>> places =
+                loneTouches(assembly.blocks[one], assembly.blocks[other], tolerance);
+            for (const Vector<Dim>& place : places)
             {
-                const auto isHere = [&](const Vector<2>& vertex)
-                { return (vertex - corner).norm() <= tolerance; };
-                if (contains(reach, {corner, corner}) && std::none_of(outline.begin(), outline.end(), isHere)
-                    && std::abs(signedDistance(outline, corner)) <= tolerance)
-                {
-                    addFault(result,
-                             fmt::format("a corner of {} touches {} at {} without a joint",
-                                         blockName(assembly, one), blockName(assembly, other), text(corner)));
-                }
+                addFault(result, fmt::format("{}{} touches {} at {} without a joint",
+                                             Dim == 2 ? "a corner of " : "", blockName(assembly, one),
+                                             blockName(assembly, other), asText<Dim>(place)));
+            }
+            if (Dim == 3 && !places.empty())
+            {
+                break; // once for a pair
             }
         }
     }
-    result.message = fmt::format("Corners that touch an edge without a joint: {}", result.failures);
+    result.message =
+        fmt::format(Dim == 2 ? "Corners that touch an edge without a joint: {}"
+                             : "Blocks that touch along an edge or at a corner without a joint: {}",
+                    result.failures);
     return result;
 }
 
-AssemblyStatistics count(const Assembly<2>& assembly, const std::vector<ContactPoint<2>>& points)
+template<int Dim>
+AssemblyStatistics<Dim> count(const Assembly<Dim>& assembly, const std::vector<ContactPoint<Dim>>& points)
 {
-    AssemblyStatistics statistics;
-    BoundingBox freeBox;
-    for (const Block<2>& block : assembly.blocks)
+    AssemblyStatistics<Dim> statistics;
+    Box<Dim> freeBox;
+    for (const Block<Dim>& block : assembly.blocks)
     {
-        statistics.vertices += static_cast<int>(block.outline.size());
-        statistics.concaveBlocks += isConvex(block.outline) ? 0 : 1;
+        statistics.vertices += static_cast<int>(cornersOf(block).size());
+        statistics.concaveBlocks += isConvexBlock(block) ? 0 : 1;
         if (block.support < 0)
         {
-            const BoundingBox box = boundingBox(block.outline);
+            const Box<Dim> box = boundingBox(block);
             ++statistics.freeBlocks;
             freeBox.lower = freeBox.lower.cwiseMin(box.lower);
             freeBox.upper = freeBox.upper.cwiseMax(box.upper);
@@ -337,28 +318,32 @@ AssemblyStatistics count(const Assembly<2>& assembly, const std::vector<ContactP
 }
 
 /// See findOverlaps. \param largest overlap of any pair, relative to the smaller block
-std::vector<Overlap> overlapsOf(const Assembly<2>& assembly, const CheckLimits& limits, double& largest)
+template<int Dim>
+std::vector<Overlap<Dim>> overlapsOf(const Assembly<Dim>& assembly, const CheckLimits& limits,
+                                     double& largest)
 {
     const double size = meanBlockSize(assembly);
-    std::vector<BoundingBox> boxes;
-    for (const Block<2>& block : assembly.blocks)
+    // Joints in space stay as far apart, or in each other, as they were built.
+    const double tolerance =
+        std::max(limits.jointTolerance * size, Dim == 3 ? assembly.closure.tolerance : 0);
+    std::vector<Box<Dim>> boxes;
+    for (const Block<Dim>& block : assembly.blocks)
     {
-        boxes.push_back(boundingBox(block.outline));
+        boxes.push_back(boundingBox(block));
     }
-    std::vector<Overlap> overlaps;
+    std::vector<Overlap<Dim>> overlaps;
     for (const auto& [i, j] : findMeetingPairs(boxes))
     {
-        const Polygon& a = assembly.blocks[i].outline;
-        const Polygon& b = assembly.blocks[j].outline;
-        const double common = overlapArea(a, b);
-        const double areaA = areaProperties(a).area;
-        const double areaB = areaProperties(b).area;
-        const double smaller = std::min(areaA, areaB);
-        const bool isTwice = common > limits.duplicate * std::max(areaA, areaB);
-        // A joint may overlap by its tolerance, over a length of at most the smaller block's box.
+        const Block<Dim>& a = assembly.blocks[i];
+        const Block<Dim>& b = assembly.blocks[j];
+        const double common = commonExtent(a, b, tolerance);
+        const double smaller = std::min(extentOf(a), extentOf(b));
+        const bool isTwice = common > limits.duplicate * std::max(extentOf(a), extentOf(b));
+        // A joint may overlap by its tolerance, over at most the length of the smaller block's box, squared
+        // in space.
         const double length =
             std::min((boxes[i].upper - boxes[i].lower).norm(), (boxes[j].upper - boxes[j].lower).norm());
-        const double allowed = std::min(2 * limits.jointTolerance * size * length, 0.5 * smaller);
+        const double allowed = std::min(2 * tolerance * std::pow(length, Dim - 1), 0.5 * smaller);
         largest = isTwice ? largest : std::max(largest, common / smaller);
         if (isTwice || common > allowed)
         {
@@ -370,60 +355,67 @@ std::vector<Overlap> overlapsOf(const Assembly<2>& assembly, const CheckLimits& 
 
 } // namespace
 
-std::vector<Overlap> findOverlaps(const Assembly<2>& assembly, const CheckLimits& limits)
+template<int Dim>
+std::vector<Overlap<Dim>> findOverlaps(const Assembly<Dim>& assembly, const CheckLimits& limits)
 {
     double largest = 0;
     return overlapsOf(assembly, limits, largest);
 }
 
-AssemblyStatistics countAssembly(const Assembly<2>& assembly)
+template<int Dim>
+AssemblyStatistics<Dim> countAssembly(const Assembly<Dim>& assembly)
 {
-    return count(assembly, findContactPoints(assembly));
+    return count(assembly, findContactPoints(assembly, contactTolerance(assembly)));
 }
 
-AssemblyReport checkAssembly(const Assembly<2>& assembly, CheckExtent extent, const CheckLimits& limits)
+template<int Dim>
+AssemblyReport<Dim> checkAssembly(const Assembly<Dim>& assembly, CheckExtent extent,
+                                  const CheckLimits& limits)
 {
-    Findings findings;
+    Findings<Dim> findings;
     findings.size = meanBlockSize(assembly);
-    std::vector<BoundingBox> enlargedBoxes;
-    for (const Block<2>& block : assembly.blocks)
+    findings.masses = blockMasses(assembly);
+    std::vector<Box<Dim>> enlargedBoxes;
+    for (const Block<Dim>& block : assembly.blocks)
     {
-        findings.areas.push_back(areaProperties(block.outline));
-        findings.boxes.push_back(boundingBox(block.outline));
-        enlargedBoxes.push_back(enlarged(findings.boxes.back(), limits.jointTolerance * findings.size));
+        findings.boxes.push_back(boundingBox(block));
+        enlargedBoxes.push_back(enlarged<Dim>(findings.boxes.back(), limits.jointTolerance * findings.size));
     }
     findings.near = findMeetingPairs(enlargedBoxes);
-    findings.points = findContactPoints(assembly, limits.jointTolerance);
+    findings.points =
+        findContactPoints(assembly, std::max(limits.jointTolerance, contactTolerance(assembly)));
     findings.overlaps = overlapsOf(assembly, limits, findings.largestOverlap);
     findings.almostJoints = findAlmostJoints(assembly, limits);
 
-    AssemblyReport report;
+    AssemblyReport<Dim> report;
     report.statistics = count(assembly, findings.points);
     report.checks.push_back(checkVolumes(assembly, findings, limits));
-    report.checks.push_back(checkInertia(assembly, findings, limits));
+    report.checks.push_back(checkInertia(assembly, limits));
     auto [duplicates, overlaps] = checkOverlaps(assembly, findings, limits);
     report.checks.push_back(std::move(duplicates));
     report.checks.push_back(std::move(overlaps));
     report.checks.push_back(checkGaps(assembly, findings, limits));
-    report.checks.push_back(checkSlivers(assembly, findings, limits));
+    report.checks.push_back(checkSlivers(assembly, limits));
     report.checks.push_back(checkSupportPaths(assembly, findings));
     if (extent == CheckExtent::all)
     {
-        report.checks.push_back(checkJointLengths(assembly, findings, limits));
-        report.checks.push_back(checkCornerTouches(assembly, findings, limits));
+        report.checks.push_back(checkJointSizes(assembly, findings, limits));
+        report.checks.push_back(checkTouches(assembly, findings, limits));
     }
     return report;
 }
 
-int failedChecks(const AssemblyReport& report)
+template<int Dim>
+int failedChecks(const AssemblyReport<Dim>& report)
 {
     return static_cast<int>(std::count_if(report.checks.begin(), report.checks.end(),
                                           [](const CheckResult& check) { return check.failures > 0; }));
 }
 
-std::string printedReport(const Assembly<2>& assembly, const AssemblyReport& report)
+template<int Dim>
+std::string printedReport(const Assembly<Dim>& assembly, const AssemblyReport<Dim>& report)
 {
-    const AssemblyStatistics& statistics = report.statistics;
+    const AssemblyStatistics<Dim>& statistics = report.statistics;
     std::string text = "Assembly stats\n";
     const auto line = [&text](std::string_view name, const auto& value)
     { text += fmt::format("    {:<18}{}\n", fmt::format("{}:", name), value); };
@@ -436,14 +428,14 @@ std::string printedReport(const Assembly<2>& assembly, const AssemblyReport& rep
     line("supports", statistics.supports);
     for (std::size_t i = 0; i < assembly.supports.size(); ++i)
     {
-        const auto count =
+        const auto fixed =
             std::count_if(assembly.blocks.begin(), assembly.blocks.end(),
-                          [&](const Block<2>& block) { return block.support == static_cast<int>(i); });
+                          [&](const Block<Dim>& block) { return block.support == static_cast<int>(i); });
         text += fmt::format("        {} ({}), {} blocks\n", assembly.supports[i].name,
-                            assembly.supports[i].type, count);
+                            assembly.supports[i].type, fixed);
     }
     text += fmt::format("\nChecking geometry...\n    Bounding box of the free blocks {} {} m\n",
-                        drystone::text(statistics.lower), drystone::text(statistics.upper));
+                        asText<Dim>(statistics.lower), asText<Dim>(statistics.upper));
     for (const CheckResult& check : report.checks)
     {
         text += check.failures == 0 ? fmt::format("    {} OK.\n", check.message)
@@ -462,5 +454,18 @@ std::string printedReport(const Assembly<2>& assembly, const AssemblyReport& rep
     text += failed == 0 ? "\nAssembly OK." : fmt::format("\nFailed {} checks.", failed);
     return text;
 }
+
+template std::vector<Overlap<2>> findOverlaps(const Assembly<2>& assembly, const CheckLimits& limits);
+template AssemblyStatistics<2> countAssembly(const Assembly<2>& assembly);
+template AssemblyReport<2> checkAssembly(const Assembly<2>& assembly, CheckExtent extent,
+                                         const CheckLimits& limits);
+template int failedChecks(const AssemblyReport<2>& report);
+template std::string printedReport(const Assembly<2>& assembly, const AssemblyReport<2>& report);
+template std::vector<Overlap<3>> findOverlaps(const Assembly<3>& assembly, const CheckLimits& limits);
+template AssemblyStatistics<3> countAssembly(const Assembly<3>& assembly);
+template AssemblyReport<3> checkAssembly(const Assembly<3>& assembly, CheckExtent extent,
+                                         const CheckLimits& limits);
+template int failedChecks(const AssemblyReport<3>& report);
+template std::string printedReport(const Assembly<3>& assembly, const AssemblyReport<3>& report);
 
 } // namespace drystone

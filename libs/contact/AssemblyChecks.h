@@ -23,26 +23,30 @@ struct CheckLimits
     double gap = 1e-2;            ///< edges nearer than this that are no joint are taken for a fault
     double gapAngle = 0.02;       ///< of the edges of such a gap, from parallel [rad]
     double volumeRatio = 1e-10;   ///< least volume of a block, relative to the mean
-    double gyration = 1e4;        ///< largest polar moment of area relative to the area squared (square: 1/6)
-    double compactness = 1e-2;    ///< least 4 pi area / perimeter^2
-    double angle = 1e-2;          ///< least angle at a corner [rad]
-    double edge = 1e-4; ///< least length of an edge, relative to the square root of the block's area
+    double gyration = 1e4; ///< largest polar moment of area relative to the area squared (square: 1/6); in
+                           ///< space trace of the inertia relative to the volume^(5/3) (cube: 1/2)
+    double compactness = 1e-2; ///< least 4 pi area / perimeter^2, in space 36 pi volume^2 / surface^3
+    double angle = 1e-2;       ///< least angle at a corner [rad]
+    double edge = 1e-4; ///< least length of an edge, relative to the square root of the block's area, or the
+                        ///< cube root of its volume
     double duplicate =
         1 - 1e-6; ///< blocks that overlap by more than this part of both are the same block twice
     double jointLength = 1e-3; ///< least length of a joint
 };
 
 /// Two blocks that share space.
+template<int Dim>
 struct Overlap
 {
     int block = -1;
     int neighbour = -1;  ///< block < neighbour
-    double area = 0;     ///< [m2]
-    double fraction = 0; ///< of the smaller block's area
+    double common = 0;   ///< area of the common part [m2], in space its volume [m3]
+    double fraction = 0; ///< of the smaller block's
 };
 
 /// Pairs of blocks that share more than the joint tolerance explains, the same block twice among them.
-std::vector<Overlap> findOverlaps(const Assembly<2>& assembly, const CheckLimits& limits = {});
+template<int Dim>
+std::vector<Overlap<Dim>> findOverlaps(const Assembly<Dim>& assembly, const CheckLimits& limits = {});
 
 /// The outcome of one check.
 struct CheckResult
@@ -54,6 +58,7 @@ struct CheckResult
 };
 
 /// Counts of an assembly.
+template<int Dim>
 struct AssemblyStatistics
 {
     int blocks = 0;
@@ -63,28 +68,33 @@ struct AssemblyStatistics
     int concaveBlocks = 0;
     int joints = 0;
     int contactPoints = 0;
-    Vector<2> lower = Vector<2>::Zero(); ///< corner of the box round the free blocks [m]
-    Vector<2> upper = Vector<2>::Zero(); ///< [m]
+    Vector<Dim> lower = Vector<Dim>::Zero(); ///< corner of the box round the free blocks [m]
+    Vector<Dim> upper = Vector<Dim>::Zero(); ///< [m]
 };
 
 /// Counts an assembly, joints and contact points included.
-AssemblyStatistics countAssembly(const Assembly<2>& assembly);
+template<int Dim>
+AssemblyStatistics<Dim> countAssembly(const Assembly<Dim>& assembly);
 
+template<int Dim>
 struct AssemblyReport
 {
-    AssemblyStatistics statistics;
+    AssemblyStatistics<Dim> statistics;
     std::vector<CheckResult> checks;
 };
 
-/// Runs the checks, in the order in which they are printed. Outlines must be simple and counter-clockwise, as
-/// readAssembly makes sure.
-AssemblyReport checkAssembly(const Assembly<2>& assembly, CheckExtent extent = CheckExtent::standard,
-                             const CheckLimits& limits = {});
+/// Runs the checks, in the order in which they are printed. Outlines must be simple and counter-clockwise,
+/// polyhedra solids, as readAssembly makes sure.
+template<int Dim>
+AssemblyReport<Dim> checkAssembly(const Assembly<Dim>& assembly, CheckExtent extent = CheckExtent::standard,
+                                  const CheckLimits& limits = {});
 
 /// Number of checks that failed.
-int failedChecks(const AssemblyReport& report);
+template<int Dim>
+int failedChecks(const AssemblyReport<Dim>& report);
 
 /// The report as `checkBlocks` prints it, ending in `Assembly OK.` or `Failed N checks.`
-std::string printedReport(const Assembly<2>& assembly, const AssemblyReport& report);
+template<int Dim>
+std::string printedReport(const Assembly<Dim>& assembly, const AssemblyReport<Dim>& report);
 
 } // namespace drystone

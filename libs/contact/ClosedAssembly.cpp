@@ -3,7 +3,6 @@
 #include "contact/ClosedAssembly.h"
 
 #include "assembly/AssemblyFile.h"
-#include "assembly/Outlines.h"
 #include "contact/JointClosure.h"
 
 #include <fmt/format.h>
@@ -11,31 +10,40 @@
 namespace drystone
 {
 
-Assembly<2> readAssembly(const std::filesystem::path& caseDirectory)
+template<int Dim>
+Assembly<Dim> readAssembly(const std::filesystem::path& caseDirectory)
 {
-    Assembly<2> assembly = readBlocks(caseDirectory);
+    Assembly<Dim> assembly = readBlocks<Dim>(caseDirectory);
     closeJoints(assembly);
     return assembly;
 }
 
-std::string overlapText(const Overlap& overlap)
+template<int Dim>
+std::string overlapText(const Overlap<Dim>& overlap)
 {
     return fmt::format(
-        "Blocks {} and {} overlap by {:.6g} m2, {:.3g} of the smaller one. Blocks may touch, but not "
+        "Blocks {} and {} overlap by {:.6g} {}, {:.3g} of the smaller one. Blocks may touch, but not "
         "overlap: "
         "correct system/blockTextureDict and run blockTexture again (checkBlocks lists all overlaps).",
-        overlap.block, overlap.neighbour, overlap.area, overlap.fraction);
+        overlap.block, overlap.neighbour, overlap.common, Dim == 2 ? "m2" : "m3", overlap.fraction);
 }
 
-void refuseOverlaps(const Assembly<2>& assembly, const std::filesystem::path& caseDirectory)
+template<int Dim>
+void refuseOverlaps(const Assembly<Dim>& assembly, const std::filesystem::path& caseDirectory)
 {
-    const std::vector<Overlap> overlaps = findOverlaps(assembly);
+    const std::vector<Overlap<Dim>> overlaps = findOverlaps(assembly);
     if (!overlaps.empty())
     {
-        const Dictionary dictionary = Dictionary::readFile(assemblyFile(caseDirectory));
         throw FatalIOError(overlapText(overlaps.front()),
-                           dictionary.get<Outlines>("outlines").places[overlaps.front().neighbour]);
+                           blockPlaces<Dim>(caseDirectory)[overlaps.front().neighbour]);
     }
 }
+
+template Assembly<2> readAssembly<2>(const std::filesystem::path& caseDirectory);
+template Assembly<3> readAssembly<3>(const std::filesystem::path& caseDirectory);
+template std::string overlapText(const Overlap<2>& overlap);
+template std::string overlapText(const Overlap<3>& overlap);
+template void refuseOverlaps(const Assembly<2>& assembly, const std::filesystem::path& caseDirectory);
+template void refuseOverlaps(const Assembly<3>& assembly, const std::filesystem::path& caseDirectory);
 
 } // namespace drystone

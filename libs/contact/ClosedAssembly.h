@@ -13,14 +13,17 @@ namespace drystone
 
 /// The blocks of a case (readBlocks of assembly/AssemblyFile.h). Joints whose faces do not quite meet are
 /// closed (JointClosure.h); say so with printClosure. \throws Error as readBlocks
-Assembly<2> readAssembly(const std::filesystem::path& caseDirectory);
+template<int Dim>
+Assembly<Dim> readAssembly(const std::filesystem::path& caseDirectory);
 
 /// What to say of an overlap, with the repair.
-std::string overlapText(const Overlap& overlap);
+template<int Dim>
+std::string overlapText(const Overlap<Dim>& overlap);
 
 /// For computations that need sound geometry.
-/// \throws FatalIOError at the outline's line when two blocks of the assembly, as read from this case, share
-/// more than rounding explains: what `checkBlocks` calls an overlap
-void refuseOverlaps(const Assembly<2>& assembly, const std::filesystem::path& caseDirectory);
+/// \throws FatalIOError at the line of the block when two blocks of the assembly, as read from this case,
+/// share more than rounding explains: what `checkBlocks` calls an overlap
+template<int Dim>
+void refuseOverlaps(const Assembly<Dim>& assembly, const std::filesystem::path& caseDirectory);
 
 } // namespace drystone

@@ -42,6 +42,14 @@ inline Vector<2> tangent(const ContactPoint<2>& point)
     return {point.normal.y(), -point.normal.x()};
 }
 
+/// Directions of a contact force in the plane, columns normal and tangent.
+inline Eigen::Matrix2d contactFrame(const ContactPoint<2>& point)
+{
+    Eigen::Matrix2d frame;
+    frame << point.normal, tangent(point);
+    return frame;
+}
+
 /// Directions of a contact force in space, columns normal, tangent1, tangent2, by the normal alone (see
 /// frameOf): tangent1 is horizontal, and x where the normal is vertical.
 inline Eigen::Matrix3d contactFrame(const ContactPoint<3>& point)

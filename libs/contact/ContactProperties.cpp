@@ -76,6 +76,35 @@ void declare(Options& options, ContactModel& model)
                      "forces at points of a joint, or the stress resultants N, T, M of the whole joint");
 }
 
+void declare(Options& options, PointGrid& grid)
+{
+    options.optional("perSide", grid.perSide, "points along each side of a joint").atLeast(2).atMost(100);
+}
+
+namespace
+{
+
+struct CornersAlone
+{
+};
+
+void declare(Options&, CornersAlone&) {}
+
+} // namespace
+
+const Registry<std::optional<PointGrid>>& jointPointTypes()
+{
+    static const Registry<std::optional<PointGrid>> registry{
+        "jointPoints",
+        {model<std::optional<PointGrid>, CornersAlone>("corners", "the corners of each joint",
+                                                       [](const CornersAlone&) -> std::optional<PointGrid>
+                                                       { return std::nullopt; }),
+         model<std::optional<PointGrid>, PointGrid>(
+             "grid", "a grid of points over each joint, beside its corners",
+             [](const PointGrid& grid) -> std::optional<PointGrid> { return grid; })}};
+    return registry;
+}
+
 void declare(Options& options, JointFriction& friction)
 {
     options.required("mu", friction.mu, "friction coefficient")
@@ -108,12 +137,15 @@ void declare(Options& options, ContactProperties& properties)
     options.optional("crushing", properties.crushing, "pressure that the joints bear; absent: any");
     options.optional("contact", properties.contact, "what limitAnalysis knows of a joint; absent: points");
     options
-        .optional("pointsPerJoint", properties.pointsPerJoint,
-                  "contact points along each joint, of limitAnalysis; absent: its ends, and where it "
-                  "crushes as many as that takes")
+        .optional(
+            "pointsPerJoint", properties.pointsPerJoint,
+            "contact points along each joint of the plane, of limitAnalysis; absent: its ends, and where it "
+            "crushes as many as that takes")
         .atLeast(2)
         .atMost(1000)
         .example("11");
+    options.optional("jointPoints", properties.jointPoints, jointPointTypes(),
+                     "contact points of each joint in space, of limitAnalysis; absent: its corners");
     options.optional(
         "joints", properties.joints,
         "what some joints have instead: by name, as 3-7 for that of blocks 3 and 7, 12-ground for "

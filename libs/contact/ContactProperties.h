@@ -83,6 +83,17 @@ struct ContactModel
 
 void declare(Options& options, ContactModel& model);
 
+/// Contact points of the joints in space: a grid over each, beside its corners.
+struct PointGrid
+{
+    int perSide = 5; ///< points along each side of a joint
+};
+
+void declare(Options& options, PointGrid& grid);
+
+/// The points that `jointPoints { type ...; }` chooses from; nothing: the corners alone.
+const Registry<std::optional<PointGrid>>& jointPointTypes();
+
 /// What some joints have instead of what all have; the effects that it does not name stay as they are.
 struct JointProperties
 {
@@ -105,7 +116,8 @@ struct ContactProperties
     std::optional<ContactModel> contact;     ///< absent: points; in limit analysis only
     /// By name (see jointName), exact names before the last pattern that matches.
     std::vector<std::pair<NamePattern, JointProperties>> joints;
-    std::optional<int> pointsPerJoint; ///< absent: the ends, and hinges that crush
+    std::optional<int> pointsPerJoint;    ///< of the plane; absent: the ends, and hinges that crush
+    std::optional<PointGrid> jointPoints; ///< of space; absent: the corners
 };
 
 void declare(Options& options, ContactProperties& properties);

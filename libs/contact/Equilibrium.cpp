@@ -5,31 +5,38 @@
 namespace drystone
 {
 
-template<>
-std::vector<ContactColumns<2>> equilibriumColumns(const Assembly<2>& assembly,
-                                                  const std::vector<BlockMass<2>>& masses,
-                                                  const std::vector<ContactPoint<2>>& points)
+template<int Dim>
+std::vector<ContactColumns<Dim>> equilibriumColumns(const Assembly<Dim>& assembly,
+                                                    const std::vector<BlockMass<Dim>>& masses,
+                                                    const std::vector<ContactPoint<Dim>>& points)
 {
     const std::vector<int> freeIndex = freeIndices(assembly);
-    std::vector<ContactColumns<2>> columns;
+    std::vector<ContactColumns<Dim>> columns;
     columns.reserve(points.size());
-    for (const ContactPoint<2>& point : points)
+    for (const ContactPoint<Dim>& point : points)
     {
-        ContactColumns<2> entry;
+        ContactColumns<Dim> entry;
         entry.block = freeIndex[point.block];
         entry.neighbour = freeIndex[point.neighbour];
-        const Vector<2> armOnBlock = point.position - masses[point.block].centroid;
-        const Vector<2> armOnNeighbour = point.position - masses[point.neighbour].centroid;
-        const Vector<2> directions[] = {point.normal, tangent(point)};
-        for (int j = 0; j < 2; ++j)
+        const Vector<Dim> armOnBlock = point.position - masses[point.block].centroid;
+        const Vector<Dim> armOnNeighbour = point.position - masses[point.neighbour].centroid;
+        const Eigen::Matrix<double, Dim, Dim> directions = contactFrame(point);
+        for (int j = 0; j < Dim; ++j)
         {
-            const Vector<2>& force = directions[j];
-            entry.onBlock.col(j) << -force, -cross(armOnBlock, force);
-            entry.onNeighbour.col(j) << force, cross(armOnNeighbour, force);
+            const Vector<Dim> force = directions.col(j);
+            entry.onBlock.col(j) << -force, -momentOf(armOnBlock, force);
+            entry.onNeighbour.col(j) << force, momentOf(armOnNeighbour, force);
         }
         columns.push_back(entry);
     }
     return columns;
 }
+
+template std::vector<ContactColumns<2>> equilibriumColumns(const Assembly<2>& assembly,
+                                                           const std::vector<BlockMass<2>>& masses,
+                                                           const std::vector<ContactPoint<2>>& points);
+template std::vector<ContactColumns<3>> equilibriumColumns(const Assembly<3>& assembly,
+                                                           const std::vector<BlockMass<3>>& masses,
+                                                           const std::vector<ContactPoint<3>>& points);
 
 } // namespace drystone

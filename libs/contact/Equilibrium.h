@@ -11,7 +11,8 @@ namespace drystone
 ///
 /// A column is MINUS the generalised force of a unit contact force about the block's centroid, so that
 /// equilibrium under the loads f reads A0 c = f and the gaps after displacements dx are g0 - A0' dx. Rows ux
-/// uy rz [-, -, m], columns normal tangent; on the neighbour the force is reversed.
+/// uy rz [-, -, m], columns normal tangent; in space ux uy uz rx ry rz, columns normal tangent1 tangent2. On
+/// the neighbour the force is reversed.
 template<int Dim>
 struct ContactColumns
 {
@@ -23,9 +24,9 @@ struct ContactColumns
     Matrix onNeighbour = Matrix::Zero();
 };
 
-/// Columns of A0, one entry for each contact point in their order: A0 is 3b x 2k in 2D, b free blocks, k
-/// points. \param masses of all blocks, fixed ones included, in the order of Assembly::blocks (only centroids
-/// are used)
+/// Columns of A0, one entry for each contact point in their order: A0 is 3b x 2k in the plane and 6b x 3k in
+/// space, b free blocks, k points. \param masses of all blocks, fixed ones included, in the order of
+/// Assembly::blocks (only centroids are used)
 template<int Dim>
 std::vector<ContactColumns<Dim>> equilibriumColumns(const Assembly<Dim>& assembly,
                                                     const std::vector<BlockMass<Dim>>& masses,

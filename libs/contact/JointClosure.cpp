@@ -434,7 +434,24 @@ void closeJoints(Assembly<2>& assembly)
     assembly = std::move(closed);
 }
 
-void printClosure(const Assembly<2>& assembly)
+void closeJoints(Assembly<3>& assembly)
+{
+    assembly.closure = {0, 0, assembly.jointTolerance.value_or(usualTolerance * meanBlockSize(assembly)), 0};
+}
+
+double contactTolerance(const Assembly<2>&)
+{
+    return usualTolerance;
+}
+
+double contactTolerance(const Assembly<3>& assembly)
+{
+    const double size = meanBlockSize(assembly);
+    return size > 0 ? std::max(usualTolerance, assembly.closure.tolerance / size) : usualTolerance;
+}
+
+template<int Dim>
+void printClosure(const Assembly<Dim>& assembly)
 {
     const JointClosure& closure = assembly.closure;
     if (closure.joints > 0)
@@ -455,5 +472,8 @@ void printClosure(const Assembly<2>& assembly)
              apart, *assembly.jointTolerance);
     }
 }
+
+template void printClosure(const Assembly<2>& assembly);
+template void printClosure(const Assembly<3>& assembly);
 
 } // namespace drystone

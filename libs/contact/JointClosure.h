@@ -30,10 +30,20 @@ JointTolerance jointTolerance(const Assembly<2>& assembly);
 /// closed so is left alone, for checkAssembly to find.
 ///
 /// Fills in Assembly::closure. Time of order n log n in the number of edges.
+///
+/// In space no corner is moved: faces within the tolerance, 1e-6 of the mean block size or the one that the
+/// user states, are joints where they are.
 void closeJoints(Assembly<2>& assembly);
+void closeJoints(Assembly<3>& assembly);
+
+/// The tolerance that findContactPoints needs, relative to the mean block size, once joints are closed: in
+/// the plane their faces meet, in space they may be as far apart as closeJoints allows.
+double contactTolerance(const Assembly<2>& assembly);
+double contactTolerance(const Assembly<3>& assembly);
 
 /// Says on the log which joints were closed: `Joints: 82 closed whose faces were up to 1.1e-06 m from
 /// meeting, ...`, and how many faces almost meet and are apart on purpose; nothing where there are none.
-void printClosure(const Assembly<2>& assembly);
+template<int Dim>
+void printClosure(const Assembly<Dim>& assembly);
 
 } // namespace drystone

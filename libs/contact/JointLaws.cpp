@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace drystone
 {
@@ -55,7 +56,8 @@ const NamedJoint* entryOf(const ContactProperties& properties, const std::string
 
 } // namespace
 
-std::string jointName(const Assembly<2>& assembly, int block, int neighbour)
+template<int Dim>
+std::string jointName(const Assembly<Dim>& assembly, int block, int neighbour)
 {
     const auto isFixed = [&](int index) { return assembly.blocks[index].support >= 0; };
     const auto nameOf = [&](int index) {
@@ -95,9 +97,58 @@ std::vector<double> pointAreas(const Assembly<2>& assembly, const std::vector<Co
     return areas;
 }
 
+namespace
+{
+
+/// Adds the areas of the corners [first, last) of one patch.
+void addPatchAreas(const std::vector<ContactPoint<3>>& points, std::size_t first, std::size_t last,
+                   std::vector<double>& areas)
+{
+    const Vector<3>& normal = points[first].normal;
+    const Vector<3>& origin = points[first].position;
+    const auto arm = [&](std::size_t i) -> Vector<3>
+    { return points[i < last ? i : first].position - origin; };
+    double area = 0;
+    Vector<3> moment = Vector<3>::Zero();
+    for (std::size_t i = first; i < last; ++i)
+    {
+        const double part = normal.dot(momentOf(arm(i), arm(i + 1))) / 2;
+        area += part;
+        moment += part / 3 * (arm(i) + arm(i + 1));
+    }
+    const Vector<3> centroid = moment / area;
+    for (std::size_t i = first; i < last; ++i)
+    {
+        // Of the sign of the whole, whichever way round the corners run.
+        const Vector<3> from = arm(i) - centroid;
+        const Vector<3> to = arm(i + 1) - centroid;
+        const double part = normal.dot(momentOf(from, to)) / 2;
+        const double half = std::copysign(part, part * area) / 2;
+        areas[i] += half;
+        areas[i + 1 < last ? i + 1 : first] += half;
+    }
+}
+
+} // namespace
+
+std::vector<double> pointAreas(const Assembly<3>&, const std::vector<ContactPoint<3>>& points)
+{
+    std::vector<double> areas(points.size(), 0);
+    for (std::size_t first = 0, last = 0; first < points.size(); first = last)
+    {
+        while (last < points.size() && points[last].joint == points[first].joint)
+        {
+            ++last;
+        }
+        addPatchAreas(points, first, last, areas);
+    }
+    return areas;
+}
+
+template<int Dim>
 std::vector<PointLaw> pointLaws(const std::filesystem::path& caseDirectory,
-                                const ContactProperties& properties, const Assembly<2>& assembly,
-                                const std::vector<ContactPoint<2>>& points)
+                                const ContactProperties& properties, const Assembly<Dim>& assembly,
+                                const std::vector<ContactPoint<Dim>>& points)
 {
     std::vector<PointLaw> laws(points.size());
     const std::vector<double> areas = pointAreas(assembly, points);
@@ -154,5 +205,14 @@ std::vector<PointLaw> pointLaws(const std::filesystem::path& caseDirectory,
     }
     return laws;
 }
+
+template std::string jointName(const Assembly<2>& assembly, int block, int neighbour);
+template std::string jointName(const Assembly<3>& assembly, int block, int neighbour);
+template std::vector<PointLaw> pointLaws(const std::filesystem::path& caseDirectory,
+                                         const ContactProperties& properties, const Assembly<2>& assembly,
+                                         const std::vector<ContactPoint<2>>& points);
+template std::vector<PointLaw> pointLaws(const std::filesystem::path& caseDirectory,
+                                         const ContactProperties& properties, const Assembly<3>& assembly,
+                                         const std::vector<ContactPoint<3>>& points);
 
 } // namespace drystone

@@ -10,7 +10,8 @@
 namespace drystone
 {
 
-/// Limits to the force (n, t) of a point: -tension <= n <= crushing, |t| <= cohesion + mu n.
+/// Limits to the force (n, t) of a point: -tension <= n <= crushing, |t| <= cohesion + mu n; in space t has
+/// two components.
 struct PointLaw
 {
     double mu = 0;                                             ///< friction coefficient
@@ -21,19 +22,24 @@ struct PointLaw
 
 /// Name of the joint of two blocks, for patterns and messages: `3-7`, lower index first; a fixed block goes
 /// by the name of its support and comes last, `12-ground`.
-std::string jointName(const Assembly<2>& assembly, int block, int neighbour);
+template<int Dim>
+std::string jointName(const Assembly<Dim>& assembly, int block, int neighbour);
 
-/// Area that each point stands for [m2]: thickness times half the way to its neighbours in the joint. The
-/// thickness is the lesser of the two blocks', or that of the free one.
+/// Area that each point stands for [m2]. In the plane: thickness times half the way to its neighbours in the
+/// joint. The thickness is the lesser of the two blocks', or that of the free one. In space, for points at
+/// the corners of a patch: the triangles from the centroid of the patch to its edges, half of each for either
+/// end, so that the areas add up to that of the patch and their moments to its own.
 ///
 /// With the ends among the points a block of uniform pressure from one end inwards has its resultant where it
 /// belongs to second order in their distance.
 std::vector<double> pointAreas(const Assembly<2>& assembly, const std::vector<ContactPoint<2>>& points);
+std::vector<double> pointAreas(const Assembly<3>& assembly, const std::vector<ContactPoint<3>>& points);
 
 /// The law of each point.
 /// \throws FatalIOError for a name of `joints` that no joint has, a tension beyond cohesion / mu
+template<int Dim>
 std::vector<PointLaw> pointLaws(const std::filesystem::path& caseDirectory,
-                                const ContactProperties& properties, const Assembly<2>& assembly,
-                                const std::vector<ContactPoint<2>>& points);
+                                const ContactProperties& properties, const Assembly<Dim>& assembly,
+                                const std::vector<ContactPoint<Dim>>& points);
 
 } // namespace drystone

@@ -2,10 +2,9 @@
 /// Paths through joints.
 #include "contact/SupportPaths.h"
 
+#include "assembly/BlockShape.h"
 #include "contact/AlmostJoints.h"
-#include "contact/Facing.h"
 #include "geometry/BroadPhase.h"
-#include "geometry/PolygonShape.h"
 
 #include <fmt/format.h>
 
@@ -20,21 +19,10 @@ namespace
 
 constexpr std::size_t shownBlocks = 10;
 
-/// Whether a corner of one outline lies on the other, within a tolerance [m].
-bool touches(const Polygon& one, const Polygon& other, double tolerance)
-{
-    const auto isOn = [tolerance](const Polygon& outline)
-    {
-        return [&outline, tolerance](const Vector<2>& corner)
-        { return std::abs(signedDistance(outline, corner)) <= tolerance; };
-    };
-    return std::any_of(one.begin(), one.end(), isOn(other))
-           || std::any_of(other.begin(), other.end(), isOn(one));
-}
-
 /// `block 4 block 2 (support ground)`: the first pair, of a block that nothing holds and one that it touches,
 /// or nothing.
-std::string cornerTouch(const Assembly<2>& assembly, const std::vector<int>& loose)
+template<int Dim>
+std::string cornerTouch(const Assembly<Dim>& assembly, const std::vector<int>& loose)
 {
     const double tolerance = CheckLimits{}.jointTolerance * meanBlockSize(assembly);
     std::vector<char> isLoose(assembly.blocks.size(), false);
@@ -42,16 +30,15 @@ std::string cornerTouch(const Assembly<2>& assembly, const std::vector<int>& loo
     {
         isLoose[block] = true;
     }
-    std::vector<BoundingBox> boxes;
-    for (const Block<2>& block : assembly.blocks)
+    std::vector<Box<Dim>> boxes;
+    for (const Block<Dim>& block : assembly.blocks)
     {
-        boxes.push_back(enlarged(boundingBox(block.outline), tolerance));
+        boxes.push_back(enlarged<Dim>(boundingBox(block), tolerance));
     }
     for (const auto& [one, other] : findMeetingPairs(boxes))
     {
         // Between two that are held, or two that are not, it decides nothing.
-        if (isLoose[one] != isLoose[other]
-            && touches(assembly.blocks[one].outline, assembly.blocks[other].outline, tolerance))
+        if (isLoose[one] != isLoose[other] && touch(assembly.blocks[one], assembly.blocks[other], tolerance))
         {
             return fmt::format("{} touches {}", blockName(assembly, isLoose[one] ? one : other),
                                blockName(assembly, isLoose[one] ? other : one));
@@ -62,7 +49,9 @@ std::string cornerTouch(const Assembly<2>& assembly, const std::vector<int>& loo
 
 } // namespace
 
-std::vector<int> blocksWithoutSupport(const Assembly<2>& assembly, const std::vector<ContactPoint<2>>& points)
+template<int Dim>
+std::vector<int> blocksWithoutSupport(const Assembly<Dim>& assembly,
+                                      const std::vector<ContactPoint<Dim>>& points)
 {
     // Groups of blocks that joints hold together, as trees of parents; fixed blocks are one group.
     std::vector<int> parent(assembly.blocks.size() + 1);
@@ -84,7 +73,7 @@ std::vector<int> blocksWithoutSupport(const Assembly<2>& assembly, const std::ve
             parent[root(static_cast<int>(i))] = root(fixed);
         }
     }
-    for (const ContactPoint<2>& point : points)
+    for (const ContactPoint<Dim>& point : points)
     {
         parent[root(point.block)] = root(point.neighbour);
     }
@@ -99,10 +88,11 @@ std::vector<int> blocksWithoutSupport(const Assembly<2>& assembly, const std::ve
     return loose;
 }
 
-std::string instabilityCause(const Assembly<2>& assembly, const std::vector<ContactPoint<2>>& points)
+template<int Dim>
+std::string instabilityCause(const Assembly<Dim>& assembly, const std::vector<ContactPoint<Dim>>& points)
 {
     if (std::all_of(assembly.blocks.begin(), assembly.blocks.end(),
-                    [](const Block<2>& block) { return block.support < 0; }))
+                    [](const Block<Dim>& block) { return block.support < 0; }))
     {
         return "Cause: no block is fixed. State supports in system/blockTextureDict, for instance `supports "
                "{ ground "
@@ -120,12 +110,25 @@ std::string instabilityCause(const Assembly<2>& assembly, const std::vector<Cont
                     loose.size() == 1 ? "a block" : fmt::format("{} blocks", loose.size()),
                     fmt::join(loose.begin(), loose.begin() + static_cast<std::ptrdiff_t>(shown), " "),
                     shown < loose.size() ? " ..." : "", loose.size() == 1 ? "it" : "them");
-    if (const std::string touch = cornerTouch(assembly, loose); !touch.empty())
+    if (const std::string touching = cornerTouch(assembly, loose); !touching.empty())
     {
         text += fmt::format(
-            " {} at a corner only: a joint needs a face, along which two edges lie on each other.", touch);
+            Dim == 2 ? " {} at a corner only: a joint needs a face, along which two edges lie on "
+                       "each other."
+                     : " {} along an edge or at a corner only: a joint needs two faces that lie on "
+                       "each other.",
+            touching);
     }
     return text;
 }
+
+template std::vector<int> blocksWithoutSupport(const Assembly<2>& assembly,
+                                               const std::vector<ContactPoint<2>>& points);
+template std::vector<int> blocksWithoutSupport(const Assembly<3>& assembly,
+                                               const std::vector<ContactPoint<3>>& points);
+template std::string instabilityCause(const Assembly<2>& assembly,
+                                      const std::vector<ContactPoint<2>>& points);
+template std::string instabilityCause(const Assembly<3>& assembly,
+                                      const std::vector<ContactPoint<3>>& points);
 
 } // namespace drystone

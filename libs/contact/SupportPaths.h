@@ -11,12 +11,18 @@ namespace drystone
 {
 
 /// Blocks from which no path through joints leads to a fixed block, by index.
-std::vector<int> blocksWithoutSupport(const Assembly<2>& assembly,
-                                      const std::vector<ContactPoint<2>>& points);
+template<int Dim>
+std::vector<int> blocksWithoutSupport(const Assembly<Dim>& assembly,
+                                      const std::vector<ContactPoint<Dim>>& points);
 
 /// What is known, from the joints alone, of why a structure cannot stand: no block is fixed, or some have no
 /// path to a support through joints, those among them named that touch others at corners only. Lines for the
 /// log, each with the repair; empty when all blocks are held, and only equilibrium tells.
-std::string instabilityCause(const Assembly<2>& assembly, const std::vector<ContactPoint<2>>& points);
+template<int Dim>
+std::string instabilityCause(const Assembly<Dim>& assembly, const std::vector<ContactPoint<Dim>>& points);
+
+/// Whether two blocks touch within a tolerance [m], if only at a corner or, in space, along an edge.
+bool touch(const Block<2>& one, const Block<2>& other, double tolerance);
+bool touch(const Block<3>& one, const Block<3>& other, double tolerance);
 
 } // namespace drystone

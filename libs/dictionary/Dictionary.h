@@ -102,9 +102,16 @@ struct PossiblyInfinite
 };
 void read(TokenCursor& cursor, PossiblyInfinite& value);
 
-/// Numbers of a vector, `( x y )`. A vector of two takes three as long as the third is 0 (out of the plane);
-/// a vector of three takes two.
-void readComponents(TokenCursor& cursor, double* components, std::size_t count);
+/// Whether a vector of three numbers may be given by two.
+enum class ThirdComponent
+{
+    optional, ///< 0 where it is absent: a direction that a plane structure reads as well
+    required  ///< a place in space, where (x y) may be one of the plane that was not thought over
+};
+
+/// Numbers of a vector, `( x y )`. A vector of two takes three as long as the third is 0 (out of the plane).
+void readComponents(TokenCursor& cursor, double* components, std::size_t count,
+                    ThirdComponent third = ThirdComponent::optional);
 
 namespace detail
 {
@@ -141,7 +148,8 @@ void read(TokenCursor& cursor, std::array<double, Count>& value)
 template<detail::FixedVector Value>
 void read(TokenCursor& cursor, Value& value)
 {
-    readComponents(cursor, value.data(), static_cast<std::size_t>(Value::SizeAtCompileTime));
+    readComponents(cursor, value.data(), static_cast<std::size_t>(Value::SizeAtCompileTime),
+                   ThirdComponent::required);
 }
 
 template<detail::NamedEnumeration Enumeration>

@@ -312,7 +312,7 @@ void read(TokenCursor& cursor, std::string& value)
         cursor.fail("A name with `/` goes between quotes: \"constant/record.AT2\".");
 }
 
-void readComponents(TokenCursor& cursor, double* components, std::size_t count)
+void readComponents(TokenCursor& cursor, double* components, std::size_t count, ThirdComponent third)
 {
     const TokenCursor before = cursor;
     if (!cursor.isNext('('))
@@ -339,8 +339,13 @@ void readComponents(TokenCursor& cursor, double* components, std::size_t count)
                 fmt::format("The vector of {} has more than {} numbers.", cursor.entry().keyword(), count));
         ++found;
     }
-    if (found == 2 && count == 3)
+    if (found == 2 && count == 3 && third == ThirdComponent::optional)
         components[found++] = 0;
+    if (found == 2 && count == 3)
+        before.fail(
+            fmt::format("The vector of {} has 2 numbers, but 3 are expected: the case is in space. Give "
+                        "x, y and z (up).",
+                        cursor.entry().keyword()));
     if (found < count)
         before.fail(fmt::format("The vector of {} has {} numbers, but {} are expected.",
                                 cursor.entry().keyword(), found, count));

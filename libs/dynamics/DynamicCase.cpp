@@ -49,7 +49,7 @@ frictionOfJoints(const std::filesystem::path& caseDirectory, const ContactProper
 /// Refuses effects that motion does not simulate, so that nobody takes a result for what it is not.
 void refuseCrushing(const CaseEffects& read)
 {
-    for (const std::string name : {"crushing", "pointsPerJoint", "contact"})
+    for (const std::string name : {"crushing", "pointsPerJoint", "jointPoints", "contact"})
     {
         if (read.locations.has(name))
         {
@@ -78,14 +78,14 @@ DynamicCase readDynamicCase(const std::filesystem::path& caseDirectory, const st
     DynamicCase scene;
     scene.schemes = readSchemes(caseDirectory);
     scene.solution = readOptions<SolverChoice>(readSolution(caseDirectory, "contactDynamics"));
-    Assembly<2> assembly = readAssembly(caseDirectory);
+    Assembly<2> assembly = readAssembly<2>(caseDirectory);
     refuseOverlaps(assembly, caseDirectory);
     refuseAlmostJoints(assembly, caseDirectory);
     const CaseEffects read = readCaseEffects(caseDirectory, types);
     refuseCrushing(read);
     scene.contact = read.contact;
     scene.effectNames = effectNames(read);
-    scene.gravity = readGravity(caseDirectory);
+    scene.gravity = readGravity<2>(caseDirectory);
     scene.jointFriction = frictionOfJoints(caseDirectory, scene.contact, assembly);
     const std::vector<double> densities = readDensities(caseDirectory, assembly, scene.gravity);
     setStructure(scene, std::move(assembly), densities);
@@ -94,7 +94,7 @@ DynamicCase readDynamicCase(const std::filesystem::path& caseDirectory, const st
                            scene.schemes.timeIntegration.theta, scene.solution.solver});
     const std::vector<double> masses = massesOf(scene.blocks, densities);
     scene.deadLoad =
-        readLoads(caseDirectory, {scene.assembly, masses, scene.gravity}, LiveLoad::optional).dead;
+        readLoads<2>(caseDirectory, {scene.assembly, masses, scene.gravity}, LiveLoad::optional).dead;
     if (const auto file = caseDirectory / "constant/groundMotion"; std::filesystem::exists(file))
     {
         scene.groundMotion = readGroundMotion(Dictionary::readFile(file), caseDirectory);

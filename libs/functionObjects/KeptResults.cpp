@@ -27,7 +27,8 @@ InputFile solutionOf(const std::filesystem::path& caseDirectory, const std::stri
     return {"system/solution", fingerprint(readSolution(caseDirectory, application), {"writeProgram"})};
 }
 
-std::vector<InputFile> inputOf(const std::filesystem::path& caseDirectory, const Assembly<2>& assembly,
+template<int Dim>
+std::vector<InputFile> inputOf(const std::filesystem::path& caseDirectory, const Assembly<Dim>& assembly,
                                const std::string& application, const std::vector<std::string>& names)
 {
     std::vector<InputFile> files = inputFiles(caseDirectory, names);
@@ -63,13 +64,19 @@ InputFile inputOfSteps(const Time& time)
     return {"system/controlDict", steps.value()};
 }
 
+template<int Dim>
 std::vector<InputFile> inputOfLimitAnalysis(const std::filesystem::path& caseDirectory,
-                                            const Assembly<2>& assembly)
+                                            const Assembly<Dim>& assembly)
 {
     return inputOf(
         caseDirectory, assembly, "limitAnalysis",
         {"constant/contactProperties", "constant/g", "constant/loads", "constant/materialProperties"});
 }
+
+template std::vector<InputFile> inputOfLimitAnalysis(const std::filesystem::path& caseDirectory,
+                                                     const Assembly<2>& assembly);
+template std::vector<InputFile> inputOfLimitAnalysis(const std::filesystem::path& caseDirectory,
+                                                     const Assembly<3>& assembly);
 
 void compareWithInput(const State& start, const std::vector<InputFile>& now, const Time& time)
 {

@@ -23,8 +23,9 @@ std::vector<InputFile> inputOfMotion(const std::filesystem::path& caseDirectory,
 InputFile inputOfSteps(const Time& time);
 
 /// What limitAnalysis answers from.
+template<int Dim>
 std::vector<InputFile> inputOfLimitAnalysis(const std::filesystem::path& caseDirectory,
-                                            const Assembly<2>& assembly);
+                                            const Assembly<Dim>& assembly);
 
 /// Where a state keeps its input.
 inline constexpr const char* inputInState = "input";

@@ -31,7 +31,8 @@ namespace drystone
 namespace
 {
 
-std::string statusText(const LimitAnalysisCase& structure, const LimitAnalysis& result)
+template<int Dim>
+std::string statusText(const LimitAnalysisCase<Dim>& structure, const LimitAnalysis& result)
 {
     switch (result.status)
     {
@@ -50,7 +51,8 @@ std::string statusText(const LimitAnalysisCase& structure, const LimitAnalysis& 
 }
 
 /// The status in the caption of the picture.
-std::string caption(const LimitAnalysisCase& structure, const LimitAnalysis& result)
+template<int Dim>
+std::string caption(const LimitAnalysisCase<Dim>& structure, const LimitAnalysis& result)
 {
     switch (result.status)
     {
@@ -84,7 +86,8 @@ double tabledAlpha(const LimitAnalysis& result)
     return result.alpha;
 }
 
-std::string tableText(const LimitAnalysisCase& structure, const std::vector<LimitAnalysis>& results,
+template<int Dim>
+std::string tableText(const LimitAnalysisCase<Dim>& structure, const std::vector<LimitAnalysis>& results,
                       double cpuTime)
 {
     std::string text =
@@ -104,7 +107,8 @@ std::string tableText(const LimitAnalysisCase& structure, const std::vector<Limi
     return text;
 }
 
-std::vector<double> cohesionsOf(const PlaneConeProgram& program)
+template<int Rows, int Forces>
+std::vector<double> cohesionsOf(const ConeProgram<Rows, Forces>& program)
 {
     std::vector<double> cohesions;
     for (const Strength& strength : program.strength)
@@ -154,6 +158,49 @@ std::string thrustText(const std::vector<ContactPoint<2>>& points, const std::ve
     return text;
 }
 
+/// The same in space: force on the first block at the centre of pressure, its parts normal and tangential to
+/// the joint, and the moment about the normal through the centre.
+std::string thrustText(const std::vector<ContactPoint<3>>& points, const std::vector<Vector<3>>& forces)
+{
+    double largest = 0;
+    for (const Vector<3>& force : forces)
+    {
+        largest = std::max(largest, force.norm());
+    }
+    std::string text = "# x[m] y[m] z[m] fx[N] fy[N] fz[N] normalForce[N] shearForce[N] torsion[Nm] block[-] "
+                       "neighbour[-]\n";
+    for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end)
+    {
+        Vector<3> force = Vector<3>::Zero();
+        Vector<3> centre = Vector<3>::Zero();
+        double pressure = 0;
+        for (end = begin; end < points.size() && points[end].joint == points[begin].joint; ++end)
+        {
+            force += contactFrame(points[end]) * forces[end];
+            centre += forces[end].x() * points[end].position;
+            pressure += forces[end].x();
+        }
+        if (force.norm() <= 1e-6 * largest || !(pressure > 0))
+        {
+            continue;
+        }
+        centre /= pressure;
+        double torsion = 0;
+        for (std::size_t i = begin; i < end; ++i)
+        {
+            const Vector<3> arm = points[i].position - centre;
+            const Vector<3> at = contactFrame(points[i]) * forces[i];
+            torsion += points[begin].normal.dot(momentOf(arm, at));
+        }
+        const double normalForce = force.dot(points[begin].normal);
+        const double shear = (force - normalForce * points[begin].normal).norm();
+        text += fmt::format("{:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {} {}\n",
+                            centre.x(), centre.y(), centre.z(), force.x(), force.y(), force.z(), normalForce,
+                            shear, torsion, points[begin].block, points[begin].neighbour);
+    }
+    return text;
+}
+
 std::string coulombText(const CoulombRange& range)
 {
     return fmt::format(
@@ -164,7 +211,8 @@ std::string coulombText(const CoulombRange& range)
 
 } // namespace
 
-void printLimitAnalysisCase(const LimitAnalysisCase& structure)
+template<int Dim>
+void printLimitAnalysisCase(const LimitAnalysisCase<Dim>& structure)
 {
     ContactProperties atRest = structure.contact;
     atRest.restitution.reset(); // there are no impacts
@@ -212,7 +260,8 @@ std::vector<std::string> suffixes(const std::vector<LimitAnalysis>& results)
 
 } // namespace
 
-void printLimitAnalysis(const LimitAnalysisCase& structure, const std::vector<LimitAnalysis>& results)
+template<int Dim>
+void printLimitAnalysis(const LimitAnalysisCase<Dim>& structure, const std::vector<LimitAnalysis>& results)
 {
     for (const LimitAnalysis& result : results)
     {
@@ -286,6 +335,15 @@ void checkFunctions(const Dictionary& controlDict, const std::filesystem::path& 
     }
 }
 
+void checkFunctions(const Dictionary& controlDict, const std::filesystem::path&, const Assembly<3>&)
+{
+    if (const Entry* functions = controlDict.find("functions"))
+    {
+        info("Functions of system/controlDict apply to time stepping, which is not available in space: {}\n",
+             fmt::join(functions->dictionary().keywords(), " "));
+    }
+}
+
 void confirmResults(const std::filesystem::path& caseDirectory)
 {
     const std::filesystem::path table = limitAnalysisTable(caseDirectory);
@@ -328,8 +386,9 @@ void removeLimitAnalysisTable(const std::filesystem::path& caseDirectory)
     reportRemoved(removeEarlierResults(caseDirectory, {}));
 }
 
-void writeLimitAnalysisProgram(const std::filesystem::path& caseDirectory, const LimitAnalysisCase& structure,
-                               const LimitAnalysis& result)
+template<int Dim>
+void writeLimitAnalysisProgram(const std::filesystem::path& caseDirectory,
+                               const LimitAnalysisCase<Dim>& structure, const LimitAnalysis& result)
 {
     const WriteProgram when = structure.solution.writeProgram;
     if (when == WriteProgram::always
@@ -343,28 +402,30 @@ namespace
 {
 
 /// The line of thrust: a point at each centre of pressure, with the force there [N].
-PolyData thrustFrame(const std::vector<JointForce>& joints)
+template<int Dim>
+PolyData<Dim> thrustFrame(const std::vector<JointForce<Dim>>& joints)
 {
-    PolyData data;
+    PolyData<Dim> data;
     data.kind = CellKind::point;
-    Field force{"jointForce", 2, {}};
-    for (const JointForce& joint : joints)
+    Field force{"jointForce", Dim, {}};
+    for (const JointForce<Dim>& joint : joints)
     {
         data.points.push_back(joint.centre);
-        force.values.insert(force.values.end(), {joint.force.x(), joint.force.y()});
+        force.values.insert(force.values.end(), joint.force.data(), joint.force.data() + Dim);
     }
     data.fields.push_back(std::move(force));
     return data;
 }
 
 /// Writes mechanism, forces and thrust of one answer. \param suffix of the file names
-void writeAnswer(const std::filesystem::path& caseDirectory, const LimitAnalysisCase& structure,
+template<int Dim>
+void writeAnswer(const std::filesystem::path& caseDirectory, const LimitAnalysisCase<Dim>& structure,
                  const LimitAnalysis& result, const std::string& suffix)
 {
-    const Assembly<2>& assembly = structure.assembly;
+    const Assembly<Dim>& assembly = structure.assembly;
     const auto file = [&](const std::string& name, const std::string& extension)
     { return limitAnalysisTable(caseDirectory).replace_filename(name + suffix + extension); };
-    Eigen::Matrix3Xd rates = ratesOfAllBlocks(assembly, result.mechanism);
+    Rates<Dim> rates = ratesOfAllBlocks(assembly, result.mechanism);
     if (structure.movement && result.status == CollapseStatus::optimal)
     {
         // The mechanism corresponds to a unit movement of the support.
@@ -372,14 +433,15 @@ void writeAnswer(const std::filesystem::path& caseDirectory, const LimitAnalysis
         {
             if (assembly.blocks[block].support == structure.movement->support)
             {
-                rates.col(static_cast<Eigen::Index>(block)).head<2>() = structure.movement->direction;
+                rates.col(static_cast<Eigen::Index>(block)).template head<Dim>() =
+                    structure.movement->direction;
             }
         }
     }
     VtkSeries blocks(caseDirectory / "VTK", "blocks" + suffix, 0);
     writeMechanism(blocks, assembly, rates);
 
-    const std::vector<Vector<2>> forces = pointForces(result.contactForce);
+    const std::vector<Vector<Dim>> forces = pointForces<Dim>(result.contactForce);
     VtkSeries contacts(caseDirectory / "VTK", "contacts" + suffix, 0);
     contacts.write(0,
                    contactFrame(structure.points, forces,
@@ -394,9 +456,12 @@ void writeAnswer(const std::filesystem::path& caseDirectory, const LimitAnalysis
                                    structure.freeBlocks, structure.points.size());
     writeMechanismPicture(file("mechanism", ".svg"), assembly,
                           mechanismPlacements(assembly, rates, 0.5 * meanBlockSize(assembly)), picture);
-    picture.thrust = jointForces(structure.points, forces);
-    writeMechanismPicture(file("thrust", ".svg"), assembly, std::vector<Placement<2>>(assembly.blocks.size()),
-                          picture);
+    if constexpr (Dim == 2)
+    {
+        picture.thrust = jointForces(structure.points, forces);
+        writeMechanismPicture(file("thrust", ".svg"), assembly,
+                              std::vector<Placement<2>>(assembly.blocks.size()), picture);
+    }
     if (result.coulomb)
     {
         writeWholeFile(file("coulomb", ".dat"), coulombText(*result.coulomb));
@@ -405,7 +470,9 @@ void writeAnswer(const std::filesystem::path& caseDirectory, const LimitAnalysis
 
 } // namespace
 
-void writeLimitAnalysisResults(const std::filesystem::path& caseDirectory, const LimitAnalysisCase& structure,
+template<int Dim>
+void writeLimitAnalysisResults(const std::filesystem::path& caseDirectory,
+                               const LimitAnalysisCase<Dim>& structure,
                                const std::vector<LimitAnalysis>& results, double cpuTime)
 {
     const std::vector<std::string> names = suffixes(results);
@@ -453,7 +520,7 @@ std::string endText(PushoverEnd end)
 
 } // namespace
 
-bool runPushover(const std::filesystem::path& caseDirectory, const LimitAnalysisCase& structure)
+bool runPushover(const std::filesystem::path& caseDirectory, const LimitAnalysisCase<2>& structure)
 {
     constexpr double frames = 100;
     const double between = std::max(structure.pushover->step, meanBlockSize(structure.assembly) / frames);
@@ -496,5 +563,22 @@ bool runPushover(const std::filesystem::path& caseDirectory, const LimitAnalysis
          pushover.curve.empty() ? "" : fmt::format(", at d = {:.6g} m", pushover.curve.back().displacement));
     return pushover.end != PushoverEnd::notConverged;
 }
+
+template void printLimitAnalysisCase(const LimitAnalysisCase<2>& structure);
+template void printLimitAnalysis(const LimitAnalysisCase<2>& structure,
+                                 const std::vector<LimitAnalysis>& results);
+template void writeLimitAnalysisProgram(const std::filesystem::path& caseDirectory,
+                                        const LimitAnalysisCase<2>& structure, const LimitAnalysis& result);
+template void writeLimitAnalysisResults(const std::filesystem::path& caseDirectory,
+                                        const LimitAnalysisCase<2>& structure,
+                                        const std::vector<LimitAnalysis>& results, double cpuTime);
+template void printLimitAnalysisCase(const LimitAnalysisCase<3>& structure);
+template void printLimitAnalysis(const LimitAnalysisCase<3>& structure,
+                                 const std::vector<LimitAnalysis>& results);
+template void writeLimitAnalysisProgram(const std::filesystem::path& caseDirectory,
+                                        const LimitAnalysisCase<3>& structure, const LimitAnalysis& result);
+template void writeLimitAnalysisResults(const std::filesystem::path& caseDirectory,
+                                        const LimitAnalysisCase<3>& structure,
+                                        const std::vector<LimitAnalysis>& results, double cpuTime);
 
 } // namespace drystone

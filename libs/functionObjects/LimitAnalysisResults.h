@@ -11,10 +11,12 @@ namespace drystone
 {
 
 /// Counts, effects and solver, for the log before the solution.
-void printLimitAnalysisCase(const LimitAnalysisCase& structure);
+template<int Dim>
+void printLimitAnalysisCase(const LimitAnalysisCase<Dim>& structure);
 
 /// Multiplier, status and certificate. No multiplier is printed for what did not converge.
-void printLimitAnalysis(const LimitAnalysisCase& structure, const std::vector<LimitAnalysis>& results);
+template<int Dim>
+void printLimitAnalysis(const LimitAnalysisCase<Dim>& structure, const std::vector<LimitAnalysis>& results);
 
 /// postProcessing/limitAnalysis/0/limitAnalysis.dat
 std::filesystem::path limitAnalysisTable(const std::filesystem::path& caseDirectory);
@@ -23,10 +25,12 @@ std::filesystem::path limitAnalysisTable(const std::filesystem::path& caseDirect
 std::filesystem::path limitAnalysisInput(const std::filesystem::path& caseDirectory);
 
 /// Checks the functions of controlDict and reports that they are not run: they follow motion, which limit
-/// analysis does not have.
+/// analysis does not have. In space, where there is no motion yet, they are named and not checked.
 /// \throws FatalIOError for faults in them
 void checkFunctions(const Dictionary& controlDict, const std::filesystem::path& caseDirectory,
                     const Assembly<2>& assembly);
+void checkFunctions(const Dictionary& controlDict, const std::filesystem::path& caseDirectory,
+                    const Assembly<3>& assembly);
 
 /// For `-postProcess`: the solver has already written all its results.
 /// \throws FatalError when there are no results
@@ -42,8 +46,9 @@ void removeLimitAnalysisTable(const std::filesystem::path& caseDirectory);
 
 /// Writes the cone program as postProcessing/limitAnalysis/0/coneProgram, when `writeProgram` of
 /// system/solution requests it.
-void writeLimitAnalysisProgram(const std::filesystem::path& caseDirectory, const LimitAnalysisCase& structure,
-                               const LimitAnalysis& result);
+template<int Dim>
+void writeLimitAnalysisProgram(const std::filesystem::path& caseDirectory,
+                               const LimitAnalysisCase<Dim>& structure, const LimitAnalysis& result);
 
 /// Writes
 /// - postProcessing/limitAnalysis/0/limitAnalysis.dat, a row of figures; alpha is `inf` for unbounded and
@@ -51,8 +56,8 @@ void writeLimitAnalysisProgram(const std::filesystem::path& caseDirectory, const
 /// - postProcessing/limitAnalysis/0/coulomb.dat for the non-associative flow rule: the range of collapses
 /// found;
 /// - postProcessing/limitAnalysis/0/mechanism.svg, the mechanism over the structure as built;
-/// - postProcessing/limitAnalysis/0/thrust.dat and thrust.svg: stress resultants and centre of pressure of
-/// each joint that carries a load, the line of thrust;
+/// - postProcessing/limitAnalysis/0/thrust.dat and, in the plane, thrust.svg: stress resultants and centre of
+/// pressure of each joint that carries a load, the line of thrust;
 /// - VTK/blocks.vtp.series, the mechanism growing from the structure as built, with displacement rates;
 /// - VTK/contacts.vtp.series, contact forces at collapse, gap and state;
 /// - VTK/thrust.vtp.series, the line of thrust: centres of pressure with the force of the joint.
@@ -61,7 +66,9 @@ void writeLimitAnalysisProgram(const std::filesystem::path& caseDirectory, const
 /// names. With combinations of loads each has its row and `_<name>` in the names of its files;
 /// combinations.dat lists names, multipliers and statuses.
 /// \param cpuTime of the solution [s] \throws FatalError naming what cannot be written
-void writeLimitAnalysisResults(const std::filesystem::path& caseDirectory, const LimitAnalysisCase& structure,
+template<int Dim>
+void writeLimitAnalysisResults(const std::filesystem::path& caseDirectory,
+                               const LimitAnalysisCase<Dim>& structure,
                                const std::vector<LimitAnalysis>& results, double cpuTime);
 
 /// Follows the capacity curve of a case and writes
@@ -69,6 +76,6 @@ void writeLimitAnalysisResults(const std::filesystem::path& caseDirectory, const
 /// - VTK/pushover.vtp.series, the blocks in at most about 100 of the positions, displacement as time.
 ///
 /// Prints how it ends. \return whether the curve is complete: false where the solver failed
-bool runPushover(const std::filesystem::path& caseDirectory, const LimitAnalysisCase& structure);
+bool runPushover(const std::filesystem::path& caseDirectory, const LimitAnalysisCase<2>& structure);
 
 } // namespace drystone

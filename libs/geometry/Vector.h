@@ -27,6 +27,17 @@ inline double cross(const Vector<2>& a, const Vector<2>& b)
     return a.x() * b.y() - a.y() * b.x();
 }
 
+/// Moment of a force at the end of an arm: one row in the plane, three in space.
+inline Eigen::Matrix<double, 1, 1> momentOf(const Vector<2>& arm, const Vector<2>& force)
+{
+    return Eigen::Matrix<double, 1, 1>(cross(arm, force));
+}
+inline Vector<3> momentOf(const Vector<3>& arm, const Vector<3>& force)
+{
+    return {arm.y() * force.z() - arm.z() * force.y(), arm.z() * force.x() - arm.x() * force.z(),
+            arm.x() * force.y() - arm.y() * force.x()};
+}
+
 /// The vector turned by +90 degrees.
 inline Vector<2> perpendicular(const Vector<2>& a)
 {

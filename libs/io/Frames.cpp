@@ -2,7 +2,9 @@
 /// Turns blocks and contacts into cells with fields, so that VtkFile knows nothing of masonry.
 #include "io/Frames.h"
 
+#include "assembly/BlockShape.h"
 #include "core/Error.h"
+#include "geometry/space/FacePolygon.h"
 
 #include <fmt/format.h>
 
@@ -45,48 +47,49 @@ void spread(Field& field, const std::vector<std::size_t>& blockOfCell, std::size
     field.values = std::move(values);
 }
 
-/// The extent of the ground that is shown, in x [m]: it is wide enough to catch falling blocks, and shown
-/// whole it would leave little room in the window for the structure.
-struct GroundView
+/// The corners of a block where it is.
+std::vector<Vector<2>> placedCorners(const Block<2>& block, const Placement<2>& placement)
 {
-    double lower = std::numeric_limits<double>::max();
-    double upper = std::numeric_limits<double>::lowest();
-};
+    return placedOutline(block, placement);
+}
 
-bool isGround(const Assembly<2>& assembly, const Block<2>& block)
+std::vector<Vector<3>> placedCorners(const Block<3>& block, const Placement<3>& placement)
+{
+    return placedShape(block, placement).vertices;
+}
+
+template<int Dim>
+bool isGround(const Assembly<Dim>& assembly, const Block<Dim>& block)
 {
     return block.support >= 0 && assembly.supports[static_cast<std::size_t>(block.support)].type == "ground";
 }
 
-/// \param placed outlines of the blocks at present
-GroundView groundView(const Assembly<2>& assembly, const std::vector<Polygon>& placed)
+/// The extent of the ground that is shown, along the horizontal axes [m]: it is wide enough to catch falling
+/// blocks, and shown whole it would leave little room in the window for the structure. \param placed corners
+/// of the blocks at present
+template<int Dim>
+Box<Dim> groundView(const Assembly<Dim>& assembly, const std::vector<std::vector<Vector<Dim>>>& placed)
 {
-    GroundView view;
-    double bottom = std::numeric_limits<double>::max();
-    double top = std::numeric_limits<double>::lowest();
+    Box<Dim> box;
     for (std::size_t i = 0; i < placed.size(); ++i)
     {
-        if (isGround(assembly, assembly.blocks[i]))
+        if (!isGround(assembly, assembly.blocks[i]))
         {
-            continue;
-        }
-        for (const Polygon& outline : {assembly.blocks[i].outline, placed[i]})
-        {
-            for (const Vector<2>& vertex : outline)
+            for (const std::vector<Vector<Dim>>& corners : {cornersOf(assembly.blocks[i]), placed[i]})
             {
-                view.lower = std::min(view.lower, vertex.x());
-                view.upper = std::max(view.upper, vertex.x());
-                bottom = std::min(bottom, vertex.y());
-                top = std::max(top, vertex.y());
+                for (const Vector<Dim>& corner : corners)
+                {
+                    extend<Dim>(box, corner);
+                }
             }
         }
     }
-    if (view.lower > view.upper) // nothing but ground
+    if (box.lower.x() > box.upper.x()) // nothing but ground
     {
-        return {std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max()};
+        return {Vector<Dim>::Constant(std::numeric_limits<double>::lowest()),
+                Vector<Dim>::Constant(std::numeric_limits<double>::max())};
     }
-    const double margin = 0.25 * std::max(view.upper - view.lower, top - bottom);
-    return {view.lower - margin, view.upper + margin};
+    return enlarged<Dim>(box, 0.25 * (box.upper - box.lower).maxCoeff());
 }
 
 /// Twice the area of a triangle, positive when it runs counter-clockwise.
@@ -156,10 +159,60 @@ std::vector<Polygon> fans(Polygon outline)
     return pieces;
 }
 
+/// The polygons that show a block, from its corners where it is.
+std::vector<Polygon> cellsOf(const Block<2>&, const std::vector<Vector<2>>& corners)
+{
+    return fans(corners);
+}
+
+std::vector<std::vector<Vector<3>>> cellsOf(const Block<3>& block, const std::vector<Vector<3>>& corners)
+{
+    std::vector<std::vector<Vector<3>>> cells;
+    const Polyhedron placed{corners, block.shape.faces};
+    for (const std::vector<int>& indices : placed.faces)
+    {
+        const FacePolygon face = facePolygon(placed, indices);
+        if (isCoveredByFan(face.outline, 0))
+        {
+            std::vector<Vector<3>>& cell = cells.emplace_back();
+            for (const int index : indices)
+            {
+                cell.push_back(corners[static_cast<std::size_t>(index)]);
+            }
+            continue;
+        }
+        for (const Polygon& piece : fans(face.outline))
+        {
+            std::vector<Vector<3>>& cell = cells.emplace_back();
+            for (const Vector<2>& corner : piece)
+            {
+                cell.emplace_back(face.origin + face.frame.rightCols<2>() * corner);
+            }
+        }
+    }
+    return cells;
+}
+
+void addVector(Field& field, const double* values)
+{
+    field.values.insert(field.values.end(), values, values + field.components);
+}
+
+void addRotation(Field& field, const Placement<2>& placement)
+{
+    addVector(field, &placement.rotation);
+}
+
+void addRotation(Field& field, const Placement<3>& placement)
+{
+    addVector(field, placement.rotation.data());
+}
+
 } // namespace
 
-PolyData blockFrame(const Assembly<2>& assembly, const std::vector<Placement<2>>& placements,
-                    std::vector<Field> fields)
+template<int Dim>
+PolyData<Dim> blockFrame(const Assembly<Dim>& assembly, const std::vector<Placement<Dim>>& placements,
+                         std::vector<Field> fields)
 {
     const std::size_t count = assembly.blocks.size();
     if (!placements.empty() && placements.size() != count)
@@ -169,40 +222,42 @@ PolyData blockFrame(const Assembly<2>& assembly, const std::vector<Placement<2>>
 
     Field blockId = emptyField("blockId", 1, count, FieldType::integer);
     Field support = emptyField("support", 1, count, FieldType::integer);
-    Field displacement = emptyField("displacement", 2, count);
-    Field rotation = emptyField("rotation", 1, count);
-    PolyData data;
+    Field displacement = emptyField("displacement", Dim, count);
+    Field rotation = emptyField("rotation", rotationCount<Dim>, count);
+    PolyData<Dim> data;
     data.kind = CellKind::polygon;
     std::vector<std::size_t> blockOfCell;
-    std::vector<Polygon> placed;
+    std::vector<std::vector<Vector<Dim>>> placed;
     placed.reserve(count);
     for (std::size_t i = 0; i < count; ++i)
     {
-        placed.push_back(placements.empty() ? assembly.blocks[i].outline
-                                            : placedOutline(assembly.blocks[i], placements[i]));
+        placed.push_back(placements.empty() ? cornersOf(assembly.blocks[i])
+                                            : placedCorners(assembly.blocks[i], placements[i]));
     }
-    const GroundView shown = groundView(assembly, placed);
+    const Box<Dim> shown = groundView(assembly, placed);
     for (std::size_t i = 0; i < count; ++i)
     {
-        const Placement<2> placement = placements.empty() ? Placement<2>{} : placements[i];
+        const Placement<Dim> placement = placements.empty() ? Placement<Dim>{} : placements[i];
         if (isGround(assembly, assembly.blocks[i]))
         {
-            for (Vector<2>& vertex : placed[i])
+            for (Vector<Dim>& vertex : placed[i])
             {
-                vertex.x() = std::clamp(vertex.x(), shown.lower, shown.upper);
+                for (int axis = 0; axis < Dim - 1; ++axis)
+                {
+                    vertex[axis] = std::clamp(vertex[axis], shown.lower[axis], shown.upper[axis]);
+                }
             }
         }
-        for (const Polygon& piece : fans(placed[i]))
+        for (const std::vector<Vector<Dim>>& cell : cellsOf(assembly.blocks[i], placed[i]))
         {
-            data.cellSizes.push_back(static_cast<int>(piece.size()));
-            data.points.insert(data.points.end(), piece.begin(), piece.end());
+            data.cellSizes.push_back(static_cast<int>(cell.size()));
+            data.points.insert(data.points.end(), cell.begin(), cell.end());
             blockOfCell.push_back(i);
         }
         blockId.values.push_back(static_cast<double>(i));
         support.values.push_back(assembly.blocks[i].support);
-        displacement.values.push_back(placement.translation.x());
-        displacement.values.push_back(placement.translation.y());
-        rotation.values.push_back(placement.rotation);
+        addVector(displacement, placement.translation.data());
+        addRotation(rotation, placement);
     }
     data.fields = {std::move(blockId), std::move(support), std::move(displacement), std::move(rotation)};
     std::move(fields.begin(), fields.end(), std::back_inserter(data.fields));
@@ -216,8 +271,10 @@ PolyData blockFrame(const Assembly<2>& assembly, const std::vector<Placement<2>>
     return data;
 }
 
-PolyData contactFrame(const std::vector<ContactPoint<2>>& points, const std::vector<Vector<2>>& forces,
-                      const std::vector<ContactState>& states, std::vector<Field> fields)
+template<int Dim>
+PolyData<Dim> contactFrame(const std::vector<ContactPoint<Dim>>& points,
+                           const std::vector<Vector<Dim>>& forces, const std::vector<ContactState>& states,
+                           std::vector<Field> fields)
 {
     const std::size_t count = points.size();
     if (forces.size() != count || states.size() != count)
@@ -226,10 +283,10 @@ PolyData contactFrame(const std::vector<ContactPoint<2>>& points, const std::vec
                                      forces.size(), states.size(), count));
     }
 
-    PolyData data;
+    PolyData<Dim> data;
     data.kind = CellKind::point;
     data.points.reserve(count);
-    Field contactForce = emptyField("contactForce", 2, count);
+    Field contactForce = emptyField("contactForce", Dim, count);
     Field normalForce = emptyField("normalForce", 1, count);
     Field tangentialForce = emptyField("tangentialForce", 1, count);
     Field gap = emptyField("gap", 1, count);
@@ -238,13 +295,13 @@ PolyData contactFrame(const std::vector<ContactPoint<2>>& points, const std::vec
     Field neighbour = emptyField("neighbour", 1, count, FieldType::integer);
     for (std::size_t i = 0; i < count; ++i)
     {
-        const ContactPoint<2>& point = points[i];
-        const Vector<2> force = forces[i].x() * point.normal + forces[i].y() * tangent(point);
+        const ContactPoint<Dim>& point = points[i];
+        const Vector<Dim> force = contactFrame(point) * forces[i];
         data.points.push_back(point.position);
-        contactForce.values.push_back(force.x());
-        contactForce.values.push_back(force.y());
+        addVector(contactForce, force.data());
         normalForce.values.push_back(forces[i].x());
-        tangentialForce.values.push_back(forces[i].y());
+        tangentialForce.values.push_back(Dim == 2 ? forces[i].y()
+                                                  : forces[i].template tail<Dim - 1>().norm());
         gap.values.push_back(point.gap);
         state.values.push_back(static_cast<double>(states[i]));
         block.values.push_back(point.block);
@@ -257,9 +314,23 @@ PolyData contactFrame(const std::vector<ContactPoint<2>>& points, const std::vec
     return data;
 }
 
-void writeAssembly(const std::filesystem::path& file, const Assembly<2>& assembly)
+template<int Dim>
+void writeAssembly(const std::filesystem::path& file, const Assembly<Dim>& assembly)
 {
     writeVtp(file, blockFrame(assembly));
 }
+
+template PolyData<2> blockFrame(const Assembly<2>& assembly, const std::vector<Placement<2>>& placements,
+                                std::vector<Field> fields);
+template PolyData<2> contactFrame(const std::vector<ContactPoint<2>>& points,
+                                  const std::vector<Vector<2>>& forces,
+                                  const std::vector<ContactState>& states, std::vector<Field> fields);
+template void writeAssembly(const std::filesystem::path& file, const Assembly<2>& assembly);
+template PolyData<3> blockFrame(const Assembly<3>& assembly, const std::vector<Placement<3>>& placements,
+                                std::vector<Field> fields);
+template PolyData<3> contactFrame(const std::vector<ContactPoint<3>>& points,
+                                  const std::vector<Vector<3>>& forces,
+                                  const std::vector<ContactState>& states, std::vector<Field> fields);
+template void writeAssembly(const std::filesystem::path& file, const Assembly<3>& assembly);
 
 } // namespace drystone

@@ -12,25 +12,30 @@
 namespace drystone
 {
 
-/// One polygon per block, in the order of Assembly::blocks, with the cell data `blockId`, `support` (index,
-/// -1 for a free block), `displacement` [m] of the mass centre and `rotation` [rad], followed by `fields`,
-/// each with one value per block. A concave block without a corner from which all of it is visible is written
-/// as several triangles, each with the values of the block, since viewers would fill it incorrectly
-/// otherwise. The ground is shown only under the structure and a little to its sides.
+/// The blocks in the order of Assembly::blocks, in the plane one polygon each, in space one for each face,
+/// with the cell data `blockId`, `support` (index, -1 for a free block), `displacement` [m] of the mass
+/// centre and `rotation` [rad] (in space the rotation vector), followed by `fields`, each with one value per
+/// block. A concave polygon without a corner from which all of it is visible is written as several triangles,
+/// since viewers would fill it incorrectly otherwise. The ground is shown only under the structure and a
+/// little to its sides.
 ///
 /// \param placements one per block, or none at all for the structure as built
-PolyData blockFrame(const Assembly<2>& assembly, const std::vector<Placement<2>>& placements = {},
-                    std::vector<Field> fields = {});
+template<int Dim>
+PolyData<Dim> blockFrame(const Assembly<Dim>& assembly, const std::vector<Placement<Dim>>& placements = {},
+                         std::vector<Field> fields = {});
 
 /// One point per contact, at its position, with the point data `contactForce` (on `block`, global frame) [N],
-/// `state` (0 open, 1 sticking, 2 sliding), `normalForce`, `tangentialForce` [N], `gap` [m], `block`,
-/// `neighbour`, followed by `fields`.
+/// `state` (0 open, 1 sticking, 2 sliding), `normalForce`, `tangentialForce` [N] (in space its size), `gap`
+/// [m], `block`, `neighbour`, followed by `fields`.
 ///
-/// \param forces (normal, tangent) of each point [N]
-PolyData contactFrame(const std::vector<ContactPoint<2>>& points, const std::vector<Vector<2>>& forces,
-                      const std::vector<ContactState>& states, std::vector<Field> fields = {});
+/// \param forces (normal, tangent) of each point, in space (normal, tangent1, tangent2) [N]
+template<int Dim>
+PolyData<Dim> contactFrame(const std::vector<ContactPoint<Dim>>& points,
+                           const std::vector<Vector<Dim>>& forces, const std::vector<ContactState>& states,
+                           std::vector<Field> fields = {});
 
 /// The structure as built, as `VTK/assembly.vtp`.
-void writeAssembly(const std::filesystem::path& file, const Assembly<2>& assembly);
+template<int Dim>
+void writeAssembly(const std::filesystem::path& file, const Assembly<Dim>& assembly);
 
 } // namespace drystone

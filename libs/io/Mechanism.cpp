@@ -3,7 +3,7 @@
 /// presentation.
 #include "io/Mechanism.h"
 
-#include "contact/Facing.h"
+#include "assembly/BlockShape.h"
 #include "core/Error.h"
 #include "io/Frames.h"
 
@@ -18,7 +18,8 @@ namespace drystone
 namespace
 {
 
-void checkShape(const Assembly<2>& assembly, const Eigen::Matrix3Xd& rates)
+template<int Dim>
+void checkShape(const Assembly<Dim>& assembly, const Rates<Dim>& rates)
 {
     if (rates.cols() != static_cast<Eigen::Index>(assembly.blocks.size()))
     {
@@ -31,71 +32,98 @@ void checkShape(const Assembly<2>& assembly, const Eigen::Matrix3Xd& rates)
     }
 }
 
+/// Rate of a corner from that of its block.
+Vector<2> cornerRate(const Eigen::Vector3d& rate, const Vector<2>& arm)
+{
+    return rate.head<2>() + rate.z() * perpendicular(arm);
+}
+
+Vector<3> cornerRate(const Eigen::Matrix<double, 6, 1>& rate, const Vector<3>& arm)
+{
+    const Vector<3> spin = rate.tail<3>();
+    return rate.head<3>() + momentOf(spin, arm); // the cross product
+}
+
 } // namespace
 
-Eigen::Matrix3Xd ratesOfAllBlocks(const Assembly<2>& assembly, const Eigen::VectorXd& freeRates)
+template<int Dim>
+Rates<Dim> ratesOfAllBlocks(const Assembly<Dim>& assembly, const Eigen::VectorXd& freeRates)
 {
+    constexpr int rows = freedomCount<Dim>;
     const std::vector<int> freeIndex = freeIndices(assembly);
     const auto freeBlocks =
         std::count_if(freeIndex.begin(), freeIndex.end(), [](int index) { return index >= 0; });
-    if (freeRates.size() != 3 * freeBlocks)
+    if (freeRates.size() != rows * freeBlocks)
     {
         throw FatalError(fmt::format("{} displacement rates were given for {} free blocks.", freeRates.size(),
                                      freeBlocks));
     }
-    Eigen::Matrix3Xd rates = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(freeIndex.size()));
+    Rates<Dim> rates = Rates<Dim>::Zero(rows, static_cast<Eigen::Index>(freeIndex.size()));
     for (std::size_t i = 0; i < freeIndex.size(); ++i)
     {
         if (freeIndex[i] >= 0)
         {
-            rates.col(static_cast<Eigen::Index>(i)) = freeRates.segment<3>(3 * freeIndex[i]);
+            rates.col(static_cast<Eigen::Index>(i)) = freeRates.segment<rows>(rows * freeIndex[i]);
         }
     }
     return rates;
 }
 
-double largestDisplacement(const Assembly<2>& assembly, const Eigen::Matrix3Xd& rates)
+template<int Dim>
+double largestDisplacement(const Assembly<Dim>& assembly, const std::type_identity_t<Rates<Dim>>& rates)
 {
-    checkShape(assembly, rates);
+    checkShape<Dim>(assembly, rates);
     double largest = 0;
     for (std::size_t i = 0; i < assembly.blocks.size(); ++i)
     {
-        const auto rate = rates.col(static_cast<Eigen::Index>(i));
-        const Vector<2> centroid = areaProperties(assembly.blocks[i].outline).centroid;
-        for (const Vector<2>& vertex : assembly.blocks[i].outline)
+        const Vector<Dim> centroid = blockMass(assembly.blocks[i]).centroid;
+        for (const Vector<Dim>& vertex : cornersOf(assembly.blocks[i]))
         {
-            largest =
-                std::max(largest, (rate.head<2>() + rate.z() * perpendicular(vertex - centroid)).norm());
+            const Vector<Dim> arm = vertex - centroid;
+            largest = std::max(largest, cornerRate(rates.col(static_cast<Eigen::Index>(i)), arm).norm());
         }
     }
     return largest;
 }
 
-std::vector<Placement<2>> mechanismPlacements(const Assembly<2>& assembly, const Eigen::Matrix3Xd& rates,
-                                              double amplitude)
+template<int Dim>
+std::vector<Placement<Dim>> mechanismPlacements(const Assembly<Dim>& assembly,
+                                                const std::type_identity_t<Rates<Dim>>& rates,
+                                                double amplitude)
 {
     const double largest = largestDisplacement(assembly, rates);
     const double factor = largest > 0 ? amplitude / largest : 0;
-    std::vector<Placement<2>> placements(assembly.blocks.size());
+    std::vector<Placement<Dim>> placements(assembly.blocks.size());
     for (std::size_t i = 0; i < placements.size(); ++i)
     {
         const auto rate = rates.col(static_cast<Eigen::Index>(i));
-        placements[i] = {factor * rate.head<2>(), factor * rate.z()};
+        placements[i].translation = factor * rate.template head<Dim>();
+        if constexpr (Dim == 2)
+        {
+            placements[i].rotation = factor * rate.z();
+        }
+        else
+        {
+            placements[i].rotation = factor * rate.template tail<3>();
+        }
     }
     return placements;
 }
 
-void writeMechanism(VtkSeries& series, const Assembly<2>& assembly, const Eigen::Matrix3Xd& rates, int frames)
+template<int Dim>
+void writeMechanism(VtkSeries& series, const Assembly<Dim>& assembly,
+                    const std::type_identity_t<Rates<Dim>>& rates, int frames)
 {
     const double largest = largestDisplacement(assembly, rates);
     const double factor = largest > 0 ? 1 / largest : 0;
-    Field displacementRate{"displacementRate", 2, {}, FieldType::real};
-    Field rotationRate{"rotationRate", 1, {}, FieldType::real};
+    Field displacementRate{"displacementRate", Dim, {}, FieldType::real};
+    Field rotationRate{"rotationRate", rotationCount<Dim>, {}, FieldType::real};
     for (Eigen::Index i = 0; i < rates.cols(); ++i)
     {
-        displacementRate.values.push_back(factor * rates(0, i));
-        displacementRate.values.push_back(factor * rates(1, i));
-        rotationRate.values.push_back(factor * rates(2, i));
+        for (int row = 0; row < freedomCount<Dim>; ++row)
+        {
+            (row < Dim ? displacementRate : rotationRate).values.push_back(factor * rates(row, i));
+        }
     }
     const double amplitude = 0.5 * meanBlockSize(assembly);
     const int last = largest > 0 ? std::max(1, frames - 1) : 0;
@@ -106,5 +134,18 @@ void writeMechanism(VtkSeries& series, const Assembly<2>& assembly, const Eigen:
                                       {displacementRate, rotationRate}));
     }
 }
+
+template Rates<2> ratesOfAllBlocks(const Assembly<2>& assembly, const Eigen::VectorXd& freeRates);
+template double largestDisplacement(const Assembly<2>& assembly, const Rates<2>& rates);
+template std::vector<Placement<2>> mechanismPlacements(const Assembly<2>& assembly, const Rates<2>& rates,
+                                                       double amplitude);
+template void writeMechanism(VtkSeries& series, const Assembly<2>& assembly, const Rates<2>& rates,
+                             int frames);
+template Rates<3> ratesOfAllBlocks(const Assembly<3>& assembly, const Eigen::VectorXd& freeRates);
+template double largestDisplacement(const Assembly<3>& assembly, const Rates<3>& rates);
+template std::vector<Placement<3>> mechanismPlacements(const Assembly<3>& assembly, const Rates<3>& rates,
+                                                       double amplitude);
+template void writeMechanism(VtkSeries& series, const Assembly<3>& assembly, const Rates<3>& rates,
+                             int frames);
 
 } // namespace drystone

@@ -1,295 +1,32 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Lays out the structure on the page and paints it from back to front, with SVG as the only dependency.
+/// Resultants of joints, for pictures and tables; the pictures themselves are in plane/ and space/.
 #include "io/MechanismPicture.h"
 
-#include "contact/Facing.h"
 #include "core/Error.h"
-#include "core/WholeFile.h"
-#include "io/Frames.h"
-#include "io/Svg.h"
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
 
 namespace drystone
 {
 
-namespace
-{
-
-using Box = Eigen::AlignedBox2d;
-
-/// From metres, y upwards, to pixels, y downwards.
-struct View
-{
-    Box world;        ///< [m]
-    Vector<2> corner; ///< of the drawing area, upper left [px]
-    double scale = 1; ///< [px/m]
-
-    Vector<2> operator()(const Vector<2>& point) const
-    {
-        return corner + scale * Vector<2>(point.x() - world.min().x(), world.max().y() - point.y());
-    }
-    Polygon operator()(Polygon outline) const
-    {
-        for (Vector<2>& vertex : outline)
-        {
-            vertex = (*this)(vertex);
-        }
-        return outline;
-    }
-};
-
-/// Fill colour from light to dark clay, darker with increasing displacement: 0 to 1.
-std::string clayColour(double value)
-{
-    constexpr std::array<std::array<double, 3>, 4> stops{
-        {{247, 240, 230}, {236, 198, 158}, {214, 137, 94}, {165, 73, 47}}};
-    const double position = std::clamp(value, 0.0, 1.0) * (stops.size() - 1);
-    const auto below = std::min(static_cast<std::size_t>(position), stops.size() - 2);
-    const double part = position - static_cast<double>(below);
-    std::array<int, 3> colour{};
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-        colour[i] = static_cast<int>(std::lround((1 - part) * stops[below][i] + part * stops[below + 1][i]));
-    }
-    return fmt::format("#{:02x}{:02x}{:02x}", colour[0], colour[1], colour[2]);
-}
-
-/// The displacement of each block, as the mean over its corners [m].
-std::vector<double> meanDisplacements(const Assembly<2>& assembly,
-                                      const std::vector<Placement<2>>& placements)
-{
-    std::vector<double> result;
-    for (std::size_t i = 0; i < placements.size(); ++i)
-    {
-        const Polygon& before = assembly.blocks[i].outline;
-        const Polygon after = placedOutline(assembly.blocks[i], placements[i]);
-        double sum = 0;
-        for (std::size_t k = 0; k < before.size(); ++k)
-        {
-            sum += (after[k] - before[k]).norm();
-        }
-        result.push_back(before.empty() ? 0 : sum / static_cast<double>(before.size()));
-    }
-    return result;
-}
-
-/// The area to be shown [m]. Ground may extend far down and to the sides: it does not enlarge the picture.
-Box shownArea(const Assembly<2>& assembly, const std::vector<Placement<2>>& placements, double blockSize)
-{
-    Box free;
-    Box fixed;
-    for (std::size_t i = 0; i < assembly.blocks.size(); ++i)
-    {
-        const Block<2>& block = assembly.blocks[i];
-        const bool isGround =
-            block.support >= 0 && assembly.supports[static_cast<std::size_t>(block.support)].type == "ground";
-        Box& box = isGround ? fixed : free;
-        for (const Vector<2>& vertex : block.outline)
-        {
-            box.extend(vertex);
-        }
-        for (const Vector<2>& vertex : placedOutline(block, placements[i]))
-        {
-            box.extend(vertex);
-        }
-    }
-    if (free.isEmpty())
-    {
-        free = fixed;
-    }
-    if (free.isEmpty())
-    {
-        free = Box(Vector<2>::Zero(), Vector<2>::Ones());
-    }
-    Box area(free.min() - Vector<2>::Constant(0.6 * blockSize),
-             free.max() + Vector<2>::Constant(0.6 * blockSize));
-    if (!(area.sizes().minCoeff() > 0))
-    {
-        area = Box(area.min() - Vector<2>::Constant(0.5), area.max() + Vector<2>::Constant(0.5));
-    }
-    return area;
-}
-
-/// Edges of the structure as built that belong to one block only: its outline and those of its openings.
-/// Edges are compared by the line they cover, because blocks of a masonry bond share only parts of edges.
-struct Piece
-{
-    Vector<2> from;
-    Vector<2> to;
-};
-
-std::vector<Piece> outlinePieces(const Assembly<2>& assembly, double tolerance)
-{
-    struct Edge
-    {
-        Vector<2> from;
-        Vector<2> to;
-        Vector<2> lower;
-        Vector<2> upper;
-    };
-    std::vector<Edge> edges;
-    for (const Block<2>& block : assembly.blocks)
-    {
-        if (block.support >= 0)
-        {
-            continue;
-        }
-        for (std::size_t i = 0; i < block.outline.size(); ++i)
-        {
-            const Vector<2>& from = block.outline[i];
-            const Vector<2>& to = block.outline[(i + 1) % block.outline.size()];
-            edges.push_back({from, to, from.cwiseMin(to), from.cwiseMax(to)});
-        }
-    }
-    std::vector<std::size_t> byLeftEnd(edges.size());
-    for (std::size_t i = 0; i < edges.size(); ++i)
-    {
-        byLeftEnd[i] = i;
-    }
-    std::sort(byLeftEnd.begin(), byLeftEnd.end(),
-              [&](std::size_t a, std::size_t b) { return edges[a].lower.x() < edges[b].lower.x(); });
-    double widest = 0;
-    for (const Edge& edge : edges)
-    {
-        widest = std::max(widest, edge.upper.x() - edge.lower.x());
-    }
-
-    std::vector<Piece> pieces;
-    for (const Edge& edge : edges)
-    {
-        const Vector<2> along = edge.to - edge.from;
-        const double length = along.norm();
-        if (length <= tolerance)
-        {
-            continue;
-        }
-        // Intervals of this edge, as fractions, that lie on an edge of another block.
-        std::vector<std::pair<double, double>> covered;
-        const auto first =
-            std::lower_bound(byLeftEnd.begin(), byLeftEnd.end(), edge.lower.x() - widest - tolerance,
-                             [&](std::size_t i, double x) { return edges[i].lower.x() < x; });
-        for (auto it = first; it != byLeftEnd.end() && edges[*it].lower.x() <= edge.upper.x() + tolerance;
-             ++it)
-        {
-            const Edge& other = edges[*it];
-            if (other.lower.y() > edge.upper.y() + tolerance || other.upper.y() < edge.lower.y() - tolerance
-                || along.dot(other.to - other.from) >= 0) // neighbours run in the opposite direction
-            {
-                continue;
-            }
-            const auto distance = [&](const Vector<2>& p)
-            { return std::abs(cross(along, p - edge.from)) / length; };
-            if (distance(other.from) > tolerance || distance(other.to) > tolerance)
-            {
-                continue;
-            }
-            covered.emplace_back(along.dot(other.to - edge.from) / (length * length),
-                                 along.dot(other.from - edge.from) / (length * length));
-        }
-        std::sort(covered.begin(), covered.end());
-        double position = 0;
-        const auto add = [&](double end)
-        {
-            if ((end - position) * length > tolerance)
-            {
-                pieces.push_back({edge.from + position * along, edge.from + end * along});
-            }
-        };
-        for (const auto& [begin, end] : covered)
-        {
-            add(std::min(begin, 1.0));
-            position = std::max(position, end);
-        }
-        add(1);
-    }
-    return pieces;
-}
-
-void paintFixedBlocks(SvgDrawing& drawing, const Assembly<2>& assembly, const View& view)
-{
-    // The hatch is one strip behind all of them, because the joints between ground segments have no meaning.
-    for (const Block<2>& block : assembly.blocks)
-    {
-        if (block.support >= 0)
-        {
-            drawing.polygon(view(block.outline), {.fill = "url(#fixed)"});
-        }
-    }
-    for (const Block<2>& block : assembly.blocks)
-    {
-        if (block.support < 0)
-        {
-            continue;
-        }
-        if (assembly.supports[static_cast<std::size_t>(block.support)].type != "ground")
-        {
-            drawing.polygon(view(block.outline), {.stroke = "#333333", .strokeWidth = 1.2});
-            continue;
-        }
-        // Of the ground only the surface is drawn: the edges on top.
-        double top = block.outline.empty() ? 0 : block.outline.front().y();
-        for (const Vector<2>& vertex : block.outline)
-        {
-            top = std::max(top, vertex.y());
-        }
-        for (std::size_t i = 0; i < block.outline.size(); ++i)
-        {
-            const Vector<2>& from = block.outline[i];
-            const Vector<2>& to = block.outline[(i + 1) % block.outline.size()];
-            if (from.y() == top && to.y() == top)
-            {
-                drawing.line(view(from), view(to), {.stroke = "#333333", .strokeWidth = 1.6});
-            }
-        }
-    }
-}
-
-void paintThrust(SvgDrawing& drawing, const std::vector<JointForce>& thrust, const View& view,
-                 double blockSize)
-{
-    double largest = 0;
-    for (const JointForce& joint : thrust)
-    {
-        largest = std::max(largest, joint.force.norm());
-    }
-    for (const JointForce& joint : thrust)
-    {
-        const double share = joint.force.norm() / largest;
-        if (!(share > 1e-3))
-        {
-            continue;
-        }
-        const Vector<2> half = 0.55 * blockSize * std::sqrt(share) * joint.force.normalized();
-        drawing.line(view(joint.centre - half), view(joint.centre + half),
-                     {.stroke = "#1b4f8f", .strokeWidth = 0.8 + 3.2 * std::sqrt(share), .opacity = 0.85});
-    }
-}
-
-} // namespace
-
-std::vector<JointForce> jointForces(const std::vector<ContactPoint<2>>& points,
-                                    const std::vector<Vector<2>>& forces)
+template<int Dim>
+std::vector<JointForce<Dim>> jointForces(const std::vector<ContactPoint<Dim>>& points,
+                                         const std::vector<Vector<Dim>>& forces)
 {
     if (forces.size() != points.size())
     {
         throw FatalError(
             fmt::format("{} forces were given for {} contact points.", forces.size(), points.size()));
     }
-    std::vector<JointForce> joints;
+    std::vector<JointForce<Dim>> joints;
     for (std::size_t begin = 0; begin < points.size();)
     {
-        JointForce joint;
+        JointForce<Dim> joint;
         double pressure = 0;
         std::size_t i = begin;
         for (; i < points.size() && points[i].joint == points[begin].joint; ++i)
         {
-            joint.force += forces[i].x() * points[i].normal + forces[i].y() * tangent(points[i]);
+            joint.force += contactFrame(points[i]) * forces[i];
             joint.centre += forces[i].x() * points[i].position;
             pressure += forces[i].x();
         }
@@ -303,96 +40,9 @@ std::vector<JointForce> jointForces(const std::vector<ContactPoint<2>>& points,
     return joints;
 }
 
-std::string mechanismSvg(const Assembly<2>& assembly, const std::vector<Placement<2>>& placements,
-                         const MechanismPicture& picture)
-{
-    if (placements.size() != assembly.blocks.size())
-    {
-        throw FatalError(fmt::format("{} placements were given for {} blocks.", placements.size(),
-                                     assembly.blocks.size()));
-    }
-
-    const double blockSize = meanBlockSize(assembly);
-    View view;
-    view.world = shownArea(assembly, placements, blockSize);
-    constexpr double margin = 16;
-    const double head = picture.title.empty() && picture.subtitle.empty() ? margin : 64;
-    const Vector<2> world = view.world.sizes();
-    view.scale = std::min((picture.width - 2 * margin) / world.x(), 1.4 * picture.width / world.y());
-    const Vector<2> room = view.scale * world;
-    view.corner = {(picture.width - room.x()) / 2, head};
-    const double legend = 44;
-    SvgDrawing drawing(picture.width, head + room.y() + legend);
-
-    if (!picture.title.empty())
-    {
-        drawing.text({picture.width / 2, 28}, picture.title,
-                     {.size = 17, .anchor = TextAnchor::middle, .weight = "bold"});
-    }
-    if (!picture.subtitle.empty())
-    {
-        drawing.text({picture.width / 2, 50}, picture.subtitle, {.size = 14, .anchor = TextAnchor::middle});
-    }
-
-    const std::vector<double> moved = meanDisplacements(assembly, placements);
-    const double furthest = moved.empty() ? 0 : *std::max_element(moved.begin(), moved.end());
-    drawing.defineHatch("fixed", "#9a9a9a", 7);
-    drawing.beginClip("view", view.corner, room.x(), room.y());
-    paintFixedBlocks(drawing, assembly, view);
-    for (std::size_t i = 0; i < assembly.blocks.size(); ++i)
-    {
-        if (assembly.blocks[i].support < 0)
-        {
-            drawing.polygon(view(placedOutline(assembly.blocks[i], placements[i])),
-                            {.fill = clayColour(furthest > 0 ? moved[i] / furthest : 0),
-                             .stroke = "#3b2a22",
-                             .strokeWidth = 0.9});
-        }
-    }
-    if (furthest > 0)
-    {
-        for (const Piece& piece : outlinePieces(assembly, 1e-6 * blockSize))
-        {
-            drawing.line(view(piece.from), view(piece.to),
-                         {.stroke = "#222222", .strokeWidth = 1, .dash = "5 4"});
-        }
-    }
-    paintThrust(drawing, picture.thrust, view, blockSize);
-    drawing.endClip();
-
-    const double y = head + room.y() + 14;
-    double x = view.corner.x() + 4;
-    if (furthest > 0)
-    {
-        const SvgText small{.size = 12};
-        drawing.text({x, y + 11}, "at rest", small);
-        x += textWidth("at rest", 12) + 6;
-        constexpr int steps = 24;
-        for (int i = 0; i < steps; ++i)
-        {
-            drawing.rectangle({x + 5 * i, y}, 5.2, 13,
-                              {.fill = clayColour(static_cast<double>(i) / (steps - 1))});
-        }
-        drawing.rectangle({x, y}, 5 * steps, 13, {.stroke = "#3b2a22", .strokeWidth = 0.8});
-        x += 5 * steps + 8;
-        drawing.text({x, y + 11}, "moves most", small);
-        x += textWidth("moves most", 12) + 18;
-        drawing.line({x, y + 7}, {x + 30, y + 7}, {.stroke = "#222222", .strokeWidth = 1, .dash = "5 4"});
-        drawing.text({x + 36, y + 11}, "as built", small);
-        x += 36 + textWidth("as built", 12) + 18;
-    }
-    if (!picture.thrust.empty())
-    {
-        drawing.line({x, y + 7}, {x + 24, y + 7}, {.stroke = "#1b4f8f", .strokeWidth = 3, .opacity = 0.85});
-        drawing.text({x + 30, y + 11}, "joint forces", {.size = 12});
-    }
-    return drawing.document();
-}
-
-void writeMechanismPicture(const std::filesystem::path& file, const Assembly<2>& assembly,
-                           const std::vector<Placement<2>>& placements, const MechanismPicture& picture)
-{
-    writeWholeFile(file, mechanismSvg(assembly, placements, picture));
-}
+template std::vector<JointForce<2>> jointForces(const std::vector<ContactPoint<2>>& points,
+                                                const std::vector<Vector<2>>& forces);
+template std::vector<JointForce<3>> jointForces(const std::vector<ContactPoint<3>>& points,
+                                                const std::vector<Vector<3>>& forces);
 
 } // namespace drystone

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "contact/ContactPoint.h"
+#include "core/WholeFile.h"
 
 #include <filesystem>
 #include <string>
@@ -12,36 +13,47 @@ namespace drystone
 {
 
 /// The resultant contact force of one joint.
+template<int Dim>
 struct JointForce
 {
-    Vector<2> centre = Vector<2>::Zero(); ///< centre of pressure [m]
-    Vector<2> force = Vector<2>::Zero();  ///< on the first block of the joint [N]
+    Vector<Dim> centre = Vector<Dim>::Zero(); ///< centre of pressure [m]
+    Vector<Dim> force = Vector<Dim>::Zero();  ///< on the first block of the joint [N]
 };
 
 /// Resultant and centre of pressure of each joint that carries a load.
 /// \param points points of one joint follow each other
-/// \param forces (normal, tangent) of each point [N]
-std::vector<JointForce> jointForces(const std::vector<ContactPoint<2>>& points,
-                                    const std::vector<Vector<2>>& forces);
+/// \param forces (normal, tangent) of each point, in space (normal, tangent1, tangent2) [N]
+template<int Dim>
+std::vector<JointForce<Dim>> jointForces(const std::vector<ContactPoint<Dim>>& points,
+                                         const std::vector<Vector<Dim>>& forces);
 
 struct MechanismPicture
 {
     std::string title = "";    ///< for instance "masonryPanels/wall1"
     std::string subtitle = ""; ///< for instance "alpha = 0.642859, 33 blocks, 174 contact points"
     double width = 640;        ///< [px]; the height follows from the structure, up to 1.4 times the width
-    /// Drawn at the joints as built, as strokes whose length and width grow with the force; none when empty.
-    std::vector<JointForce> thrust = {};
+    /// In the plane drawn at the joints as built, as strokes whose length and width grow with the force; none
+    /// when empty.
+    std::vector<JointForce<2>> thrust = {};
 };
 
 /// The displaced blocks, shaded by their displacement, over the dashed outline of the structure as built;
-/// fixed blocks are hatched. Text of an SVG file.
+/// fixed blocks are hatched. In space seen from above and from the front's right, without perspective, hidden
+/// faces behind others (MechanismPicture.cpp in space/) and without the outline as built; fixed blocks are
+/// grey. Text of an SVG file.
 ///
 /// \param placements one per block
 std::string mechanismSvg(const Assembly<2>& assembly, const std::vector<Placement<2>>& placements,
                          const MechanismPicture& picture);
+std::string mechanismSvg(const Assembly<3>& assembly, const std::vector<Placement<3>>& placements,
+                         const MechanismPicture& picture);
 
 /// The same as a file, written whole or not at all.
-void writeMechanismPicture(const std::filesystem::path& file, const Assembly<2>& assembly,
-                           const std::vector<Placement<2>>& placements, const MechanismPicture& picture);
+template<int Dim>
+void writeMechanismPicture(const std::filesystem::path& file, const Assembly<Dim>& assembly,
+                           const std::vector<Placement<Dim>>& placements, const MechanismPicture& picture)
+{
+    writeWholeFile(file, mechanismSvg(assembly, placements, picture));
+}
 
 } // namespace drystone

@@ -98,7 +98,8 @@ protected:
     }
 };
 
-void check(const PolyData& data)
+template<int Dim>
+void check(const PolyData<Dim>& data)
 {
     std::size_t points = data.points.size();
     if (data.kind == CellKind::polygon)
@@ -178,7 +179,8 @@ vtkSmartPointer<vtkDataArray> array(const Field& field)
     return result;
 }
 
-vtkSmartPointer<vtkCellArray> cells(const PolyData& data)
+template<int Dim>
+vtkSmartPointer<vtkCellArray> cells(const PolyData<Dim>& data)
 {
     // Every cell owns its points, so that the connectivity just counts them.
     const auto count = static_cast<vtkIdType>(cellCount(data));
@@ -204,12 +206,14 @@ vtkSmartPointer<vtkCellArray> cells(const PolyData& data)
 
 } // namespace
 
-std::size_t cellCount(const PolyData& data)
+template<int Dim>
+std::size_t cellCount(const PolyData<Dim>& data)
 {
     return data.kind == CellKind::point ? data.points.size() : data.cellSizes.size();
 }
 
-std::string vtpBytes(const PolyData& data)
+template<int Dim>
+std::string vtpBytes(const PolyData<Dim>& data)
 {
     check(data);
 
@@ -217,11 +221,12 @@ std::string vtpBytes(const PolyData& data)
     coordinates->SetNumberOfComponents(3);
     coordinates->SetNumberOfTuples(static_cast<vtkIdType>(data.points.size()));
     float* out = coordinates->GetPointer(0);
-    for (const Vector<2>& point : data.points)
+    for (const Vector<Dim>& point : data.points)
     {
-        *out++ = static_cast<float>(point.x());
-        *out++ = static_cast<float>(point.y());
-        *out++ = 0;
+        for (int i = 0; i < 3; ++i)
+        {
+            *out++ = i < Dim ? static_cast<float>(point[i]) : 0.0F;
+        }
     }
     vtkNew<vtkPoints> points;
     points->SetData(coordinates);
@@ -269,9 +274,17 @@ std::string vtpBytes(const PolyData& data)
     return writer->GetOutputString();
 }
 
-void writeVtp(const std::filesystem::path& file, const PolyData& data)
+template<int Dim>
+void writeVtp(const std::filesystem::path& file, const PolyData<Dim>& data)
 {
     writeWholeFile(file, vtpBytes(data));
 }
+
+template std::size_t cellCount(const PolyData<2>& data);
+template std::string vtpBytes(const PolyData<2>& data);
+template void writeVtp(const std::filesystem::path& file, const PolyData<2>& data);
+template std::size_t cellCount(const PolyData<3>& data);
+template std::string vtpBytes(const PolyData<3>& data);
+template void writeVtp(const std::filesystem::path& file, const PolyData<3>& data);
 
 } // namespace drystone

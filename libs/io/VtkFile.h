@@ -33,16 +33,18 @@ enum class CellKind
     point,   ///< a single point; fields are point data, as ParaView's glyphs require
 };
 
-/// Cells in the plane z = 0, each with its own points.
+/// Cells, of the plane z = 0 or of space, each with its own points.
+template<int Dim>
 struct PolyData
 {
     CellKind kind = CellKind::polygon;
-    std::vector<int> cellSizes;    ///< vertices of each polygon; left empty for points
-    std::vector<Vector<2>> points; ///< polygon by polygon [m]
-    std::vector<Field> fields;     ///< the first scalar and the first vector are what ParaView shows first
+    std::vector<int> cellSizes;      ///< vertices of each polygon; left empty for points
+    std::vector<Vector<Dim>> points; ///< polygon by polygon [m]
+    std::vector<Field> fields;       ///< the first scalar and the first vector are what ParaView shows first
 };
 
-std::size_t cellCount(const PolyData& data);
+template<int Dim>
+std::size_t cellCount(const PolyData<Dim>& data);
 
 /// The bytes of a .vtp file: VTK's XML, raw appended, compressed in zlib's format. Coordinates are written in
 /// single precision, since they are only displayed, fields in double precision, since they are also used in
@@ -50,9 +52,11 @@ std::size_t cellCount(const PolyData& data);
 ///
 /// \throws FatalError when a value is not finite, a field has not one value a cell, or sizes do not
 /// add up; the message names the field and the cell
-std::string vtpBytes(const PolyData& data);
+template<int Dim>
+std::string vtpBytes(const PolyData<Dim>& data);
 
 /// The same as a file, written whole or not at all.
-void writeVtp(const std::filesystem::path& file, const PolyData& data);
+template<int Dim>
+void writeVtp(const std::filesystem::path& file, const PolyData<Dim>& data);
 
 } // namespace drystone

@@ -147,7 +147,8 @@ void VtkSeries::cutFrom(std::size_t first)
     }
 }
 
-void VtkSeries::write(double time, const PolyData& data)
+template<int Dim>
+void VtkSeries::write(double time, const PolyData<Dim>& data)
 {
     if (!std::isfinite(time))
     {
@@ -178,6 +179,9 @@ void VtkSeries::write(double time, const PolyData& data)
     frames.push_back(frame);
     appendToList(frame);
 }
+
+template void VtkSeries::write(double time, const PolyData<2>& data);
+template void VtkSeries::write(double time, const PolyData<3>& data);
 
 void VtkSeries::writeList()
 {

@@ -28,7 +28,8 @@ public:
 
     /// Adds a frame at a time [s]. Frames of this time or later, if present, are replaced by it.
     /// \throws FatalError as vtpBytes and writeWholeFile; the list is then unchanged
-    void write(double time, const PolyData& data);
+    template<int Dim>
+    void write(double time, const PolyData<Dim>& data);
 
     /// Times of the frames in the list, ascending [s].
     std::vector<double> times() const;

@@ -17,13 +17,14 @@ Eigen::VectorXd normalised(const Eigen::VectorXd& mechanism)
 
 } // namespace
 
-PlaneConeProgram limitAnalysisProgram(int freeBlocks, const std::vector<ContactColumns<2>>& columns,
-                                      const std::vector<double>& friction, const LoadVectors& loads)
+template<int Dim>
+StaticProgram<Dim> limitAnalysisProgram(int freeBlocks, const std::vector<ContactColumns<Dim>>& columns,
+                                        const std::vector<double>& friction, const LoadVectors& loads)
 {
-    PlaneConeProgram program;
+    StaticProgram<Dim> program;
     program.bodies = freeBlocks;
     program.contacts.reserve(columns.size());
-    for (const ContactColumns<2>& column : columns)
+    for (const ContactColumns<Dim>& column : columns)
     {
         program.contacts.push_back({column.block, column.neighbour, column.onBlock, column.onNeighbour});
     }
@@ -33,19 +34,21 @@ PlaneConeProgram limitAnalysisProgram(int freeBlocks, const std::vector<ContactC
     return program;
 }
 
-LimitAnalysis solveLimitAnalysis(const PlaneConeProgram& program, const InteriorPointSettings& settings)
+template<int Rows, int Forces>
+LimitAnalysis solveLimitAnalysis(const ConeProgram<Rows, Forces>& program,
+                                 const InteriorPointSettings& settings)
 {
     SymbolicAnalysis symbolic;
     const ConeSolution solution = solveInteriorPoint(program, settings, &symbolic);
     LimitAnalysis result;
-    result.variables = 2 * program.points() + 1;
+    result.variables = Forces * program.points() + 1;
     result.iterations = solution.iterations;
     result.factorisations = solution.factorisations;
     result.solves = solution.solves;
-    result.contactForce = Eigen::VectorXd::Zero(2 * program.points());
-    result.mechanism = Eigen::VectorXd::Zero(3 * program.bodies);
+    result.contactForce = Eigen::VectorXd::Zero(Forces * program.points());
+    result.mechanism = Eigen::VectorXd::Zero(Rows * program.bodies);
 
-    PlaneConeProgram dead = program;
+    ConeProgram<Rows, Forces> dead = program;
     dead.liveLoad.resize(0);
     const auto unstable = [&](const Eigen::VectorXd& ray)
     {
@@ -74,7 +77,7 @@ LimitAnalysis solveLimitAnalysis(const PlaneConeProgram& program, const Interior
         // sought. Where no multiplier was found, that may be why.
         ConeSolution resting;
         resting.contactForce = solution.forceOfLoadAlone;
-        resting.displacement = Eigen::VectorXd::Zero(3 * program.bodies);
+        resting.displacement = Eigen::VectorXd::Zero(Rows * program.bodies);
         const bool isCarried = solution.forceOfLoadAlone.size() > 0
                                && certifyOptimal(dead, resting).worst() <= settings.tolerance;
         if (!isCarried)
@@ -110,5 +113,14 @@ LimitAnalysis solveLimitAnalysis(const PlaneConeProgram& program, const Interior
     }
     return result;
 }
+
+template PlaneConeProgram limitAnalysisProgram(int freeBlocks, const std::vector<ContactColumns<2>>& columns,
+                                               const std::vector<double>& friction, const LoadVectors& loads);
+template SpaceConeProgram limitAnalysisProgram(int freeBlocks, const std::vector<ContactColumns<3>>& columns,
+                                               const std::vector<double>& friction, const LoadVectors& loads);
+template LimitAnalysis solveLimitAnalysis(const PlaneConeProgram& program,
+                                          const InteriorPointSettings& settings);
+template LimitAnalysis solveLimitAnalysis(const SpaceConeProgram& program,
+                                          const InteriorPointSettings& settings);
 
 } // namespace drystone

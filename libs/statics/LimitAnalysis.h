@@ -4,8 +4,8 @@
 
 #include "assembly/Loads.h"
 #include "conic/Certificate.h"
-#include "conic/InteriorPoint.h"
 #include "contact/Equilibrium.h"
+#include "statics/StaticProgram.h"
 
 #include <optional>
 #include <string>
@@ -13,10 +13,12 @@
 namespace drystone
 {
 
-/// The program of Portioli & Cascini 2017, eq. 10: max alpha with A0 c = fD + alpha fL and |t| <= mu n.
-/// \param friction mu of each contact point \param loads dead and live, 3 rows a free block
-PlaneConeProgram limitAnalysisProgram(int freeBlocks, const std::vector<ContactColumns<2>>& columns,
-                                      const std::vector<double>& friction, const LoadVectors& loads);
+/// The program of Portioli & Cascini 2017, eq. 10: max alpha with A0 c = fD + alpha fL and |t| <= mu n, in
+/// space with the Euclidean norm of the two components of t. \param friction mu of each contact point \param
+/// loads dead and live, 3 rows a free block, in space 6
+template<int Dim>
+StaticProgram<Dim> limitAnalysisProgram(int freeBlocks, const std::vector<ContactColumns<Dim>>& columns,
+                                        const std::vector<double>& friction, const LoadVectors& loads);
 
 /// What a structure does under dead + alpha live load.
 enum class CollapseStatus
@@ -42,15 +44,16 @@ struct LimitAnalysis
 {
     CollapseStatus status = CollapseStatus::notConverged;
     double alpha = 0; ///< collapse load multiplier, for `optimal`; of a settlement the base reaction [N]
-    Eigen::VectorXd contactForce; ///< (n, t) of each contact point at collapse [N]; zero for `unstable`
-    Eigen::VectorXd mechanism; ///< (ux uy rz) of each free block, largest entry 1, but of a settlement for a
-                               ///< unit movement; zero for `unbounded`
-    Certificate certificate;   ///< of what the status claims
-    int iterations = 0;        ///< of the solver, all programs together
-    int factorisations = 0;    ///< likewise, of Schur matrices
-    int solves = 0;            ///< likewise, with those factors
-    int variables = 0;         ///< forces and the multiplier
-    std::string combination;   ///< of loads that this is the answer for; empty where there is one only
+    Eigen::VectorXd contactForce; ///< (n, t), in space (n, t1, t2), of each contact point at collapse [N];
+                                  ///< zero for `unstable`
+    Eigen::VectorXd mechanism;    ///< (ux uy rz), in space (ux uy uz rx ry rz), of each free block, largest
+                                  ///< entry 1, but of a settlement for a unit movement; zero for `unbounded`
+    Certificate certificate;      ///< of what the status claims
+    int iterations = 0;           ///< of the solver, all programs together
+    int factorisations = 0;       ///< likewise, of Schur matrices
+    int solves = 0;               ///< likewise, with those factors
+    int variables = 0;            ///< forces and the multiplier
+    std::string combination;      ///< of loads that this is the answer for; empty where there is one only
     std::optional<CoulombRange>
         coulomb; ///< for the non-associative flow rule; the rest is of its lowest collapse
 };
@@ -59,6 +62,8 @@ struct LimitAnalysis
 /// interval, and `optimal` means that 0 lies in it and alpha is its upper end. `unstable` carries a mechanism
 /// that the dead load alone sets going, `unbounded` contact forces that balance the live load alone; both are
 /// verified by Certificate.h.
-LimitAnalysis solveLimitAnalysis(const PlaneConeProgram& program, const InteriorPointSettings& settings = {});
+template<int Rows, int Forces>
+LimitAnalysis solveLimitAnalysis(const ConeProgram<Rows, Forces>& program,
+                                 const InteriorPointSettings& settings = {});
 
 } // namespace drystone

@@ -5,6 +5,7 @@
 #include "assembly/Materials.h"
 #include "contact/AlmostJoints.h"
 #include "contact/ClosedAssembly.h"
+#include "contact/JointClosure.h"
 #include "contact/JointLaws.h"
 #include "effects/EffectList.h"
 #include "runControl/Solution.h"
@@ -14,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 namespace drystone
 {
@@ -30,6 +30,12 @@ std::vector<ContactPoint<2>> contactPoints(const Assembly<2>& assembly, const Co
 {
     std::vector<ContactPoint<2>> ends = findContactPoints(assembly);
     return contact.pointsPerJoint.value_or(2) > 2 ? divideJoints(ends, *contact.pointsPerJoint) : ends;
+}
+
+std::vector<ContactPoint<3>> contactPoints(const Assembly<3>& assembly, const ContactProperties& contact)
+{
+    std::vector<ContactPoint<3>> corners = findContactPoints(assembly, contactTolerance(assembly));
+    return contact.jointPoints ? divideJoints(corners, contact.jointPoints->perSide) : corners;
 }
 
 /// Empty where no point has any: cones cost less.
@@ -52,9 +58,10 @@ FlowRule flowRuleOf(const ContactProperties& contact)
 }
 
 /// The program of the points that the structure has.
-PlaneConeProgram programOf(const LimitAnalysisCase& structure, std::vector<Strength> strengths)
+template<int Dim>
+StaticProgram<Dim> programOf(const LimitAnalysisCase<Dim>& structure, std::vector<Strength> strengths)
 {
-    PlaneConeProgram program = limitAnalysisProgram(
+    StaticProgram<Dim> program = limitAnalysisProgram(
         structure.freeBlocks,
         equilibriumColumns(structure.assembly, blockMasses(structure.assembly), structure.points),
         structure.friction, structure.loads);
@@ -73,7 +80,7 @@ bool isSurfaceContact(const ContactProperties& contact)
 }
 
 /// Refuses what contact by surfaces is not formulated for.
-void requireSurfaceContact(const LimitAnalysisCase& structure, const std::filesystem::path& caseDirectory)
+void requireSurfaceContact(const LimitAnalysisCase<2>& structure, const std::filesystem::path& caseDirectory)
 {
     const Dictionary dictionary = Dictionary::readFile(caseDirectory / "constant/contactProperties");
     const SourceLocation place = dictionary.subDict("contact").locationOf("formulation");
@@ -94,7 +101,7 @@ void requireSurfaceContact(const LimitAnalysisCase& structure, const std::filesy
 }
 
 /// Refuses what a capacity curve does not follow.
-void requirePushover(const LimitAnalysisCase& structure, const std::filesystem::path& caseDirectory)
+void requirePushover(const LimitAnalysisCase<2>& structure, const std::filesystem::path& caseDirectory)
 {
     refuseEffects(caseDirectory, "pushover", {"cohesion", "tension", "crushing", "pointsPerJoint", "joints"});
     const SourceLocation place = readSolution(caseDirectory, "limitAnalysis").locationOf("pushover");
@@ -111,7 +118,7 @@ void requirePushover(const LimitAnalysisCase& structure, const std::filesystem::
                            "combinations of constant/loads.",
                            place);
     }
-    const LoadVectors& loads = structure.loads;
+    const CaseLoads<2>& loads = structure.loads;
     bool hasMoments = loads.movement.has_value();
     for (Eigen::Index row = 2; row < loads.dead.size() && !hasMoments; row += 3)
     {
@@ -126,7 +133,71 @@ void requirePushover(const LimitAnalysisCase& structure, const std::filesystem::
     }
 }
 
-LimitAnalysis solveWithPoints(const LimitAnalysisCase& structure)
+/// Refuses what the case asks for and the plane does not have.
+void requireAvailable(const LimitAnalysisCase<2>& structure, const std::filesystem::path& caseDirectory)
+{
+    if (structure.contact.jointPoints)
+    {
+        throw FatalIOError(
+            "jointPoints are for structures in space. Write `pointsPerJoint 11;`, or remove the entry.",
+            Dictionary::readFile(caseDirectory / "constant/contactProperties").locationOf("jointPoints"));
+    }
+    if (structure.pushover)
+    {
+        requirePushover(structure, caseDirectory);
+    }
+    if (isSurfaceContact(structure.contact))
+    {
+        requireSurfaceContact(structure, caseDirectory);
+    }
+}
+
+/// Refuses what the case asks for and space does not have.
+void requireAvailable(const LimitAnalysisCase<3>& structure, const std::filesystem::path& caseDirectory)
+{
+    const Dictionary contact = Dictionary::readFile(caseDirectory / "constant/contactProperties");
+    if (structure.contact.pointsPerJoint)
+    {
+        throw FatalIOError(
+            "pointsPerJoint divides joints of the plane. In space write `jointPoints { type grid; "
+            "perSide 5; }`, or remove the entry: points inside a joint add nothing with friction alone.",
+            contact.locationOf("pointsPerJoint"));
+    }
+    if (structure.program.hasCrushing())
+    {
+        throw FatalIOError("Joints that crush are not available in space yet. Remove crushing.",
+                           contact.locationOf(contact.found("crushing") ? "crushing" : "joints"));
+    }
+    if (structure.program.hasStrength() && structure.contact.jointPoints)
+    {
+        throw FatalIOError(
+            "A grid of points has no strengths. Remove jointPoints: at the corners the strengths "
+            "of a joint have the moments of those over its face.",
+            contact.locationOf("jointPoints"));
+    }
+    if (flowRuleOf(structure.contact) == FlowRule::nonAssociative)
+    {
+        throw FatalIOError(
+            "The non-associative flow rule is not available in space yet. Write `flowRule associative;`: "
+            "its multiplier is never below that of Coulomb's law.",
+            contact.subDict("friction").locationOf("flowRule"));
+    }
+    if (isSurfaceContact(structure.contact))
+    {
+        throw FatalIOError(
+            "`formulation surface;` is for joints of the plane. Remove it: points at the corners of a "
+            "joint carry the same as its whole face.",
+            contact.subDict("contact").locationOf("formulation"));
+    }
+    if (structure.pushover)
+    {
+        throw FatalIOError(
+            "pushover follows motion, and motion in space is not available yet. Remove pushover.",
+            readSolution(caseDirectory, "limitAnalysis").locationOf("pushover"));
+    }
+}
+
+LimitAnalysis solveWithPoints(const LimitAnalysisCase<2>& structure)
 {
     InteriorPointSettings solver = interiorPointSettings(structure.solution);
     if (isSurfaceContact(structure.contact))
@@ -158,16 +229,24 @@ LimitAnalysis solveWithPoints(const LimitAnalysisCase& structure)
                : solveLimitAnalysis(structure.program, solver);
 }
 
-std::vector<LimitAnalysis> solveAllWithPoints(const LimitAnalysisCase& structure)
+LimitAnalysis solveWithPoints(const LimitAnalysisCase<3>& structure)
+{
+    const InteriorPointSettings solver = interiorPointSettings(structure.solution);
+    return structure.movement ? solveSettlement(structure.program, solver)
+                              : solveLimitAnalysis(structure.program, solver);
+}
+
+template<int Dim>
+std::vector<LimitAnalysis> solveAllWithPoints(const LimitAnalysisCase<Dim>& structure)
 {
     std::vector<LimitAnalysis> results;
     if (!structure.combinations.empty())
     {
         for (const auto& [name, loads] : structure.combinations)
         {
-            LimitAnalysisCase single = structure;
+            LimitAnalysisCase<Dim> single = structure;
             single.combinations.clear();
-            single.loads = loads;
+            static_cast<LoadVectors&>(single.loads) = loads;
             single.multiplier = loads.multiplier;
             single.program.load = loads.dead;
             single.program.liveLoad = loads.live;
@@ -185,7 +264,7 @@ std::vector<LimitAnalysis> solveAllWithPoints(const LimitAnalysisCase& structure
     }
     if (structure.multiplier != Multiplier::positive)
     {
-        LimitAnalysisCase reversed = structure;
+        LimitAnalysisCase<Dim> reversed = structure;
         reversed.program.liveLoad *= -1;
         reversed.loads.live *= -1;
         results.push_back(solveWithPoints(reversed));
@@ -195,7 +274,7 @@ std::vector<LimitAnalysis> solveAllWithPoints(const LimitAnalysisCase& structure
 }
 
 /// Adds points where joints crush in the answers, which are those of one structure. \return whether any was
-bool addHinges(LimitAnalysisCase& structure, const std::vector<LimitAnalysis>& results)
+bool addHinges(LimitAnalysisCase<2>& structure, const std::vector<LimitAnalysis>& results)
 {
     if (structure.contact.pointsPerJoint || !structure.program.hasStrength())
     {
@@ -220,10 +299,15 @@ bool addHinges(LimitAnalysisCase& structure, const std::vector<LimitAnalysis>& r
     return true;
 }
 
+/// Joints in space do not crush yet.
+bool addHinges(LimitAnalysisCase<3>&, const std::vector<LimitAnalysis>&)
+{
+    return false;
+}
+
 /// Solves until no joint bears more than it can. \return the answers; `notConverged` when that takes too long
-std::vector<LimitAnalysis>
-solveWithHinges(LimitAnalysisCase& structure,
-                const std::function<std::vector<LimitAnalysis>(const LimitAnalysisCase&)>& solve)
+template<int Dim, class Solve>
+std::vector<LimitAnalysis> solveWithHinges(LimitAnalysisCase<Dim>& structure, const Solve& solve)
 {
     std::vector<LimitAnalysis> results = solve(structure);
     for (int round = 0; addHinges(structure, results); ++round)
@@ -259,10 +343,11 @@ void declare(Options& options, LimitAnalysisControls& controls)
                      "capacity curve: the multiplier as the structure moves on, until it needs none");
 }
 
-LimitAnalysisCase readLimitAnalysisCase(const std::filesystem::path& caseDirectory,
-                                        std::optional<int> pointsPerJoint)
+template<int Dim>
+LimitAnalysisCase<Dim> readLimitAnalysisCase(const std::filesystem::path& caseDirectory,
+                                             std::optional<int> pointsPerJoint)
 {
-    LimitAnalysisCase result;
+    LimitAnalysisCase<Dim> result;
     const auto controls = readOptions<LimitAnalysisControls>(readSolution(caseDirectory, "limitAnalysis"));
     result.solution = controls.solver;
     result.nonAssociative = controls.nonAssociative;
@@ -274,7 +359,7 @@ LimitAnalysisCase readLimitAnalysisCase(const std::filesystem::path& caseDirecto
                            readSolution(caseDirectory, "limitAnalysis").locationOf("solver"));
     }
     result.solution.solver = SolverType::interiorPoint;
-    result.assembly = readAssembly(caseDirectory);
+    result.assembly = readAssembly<Dim>(caseDirectory);
     refuseOverlaps(result.assembly, caseDirectory);
     refuseAlmostJoints(result.assembly, caseDirectory);
     requireFreeBlock(result.assembly, caseDirectory);
@@ -284,15 +369,21 @@ LimitAnalysisCase readLimitAnalysisCase(const std::filesystem::path& caseDirecto
     {
         result.contact.pointsPerJoint = pointsPerJoint;
     }
-    const Vector<2> gravity = readGravity(caseDirectory);
-    const std::vector<BlockMass<2>> blocks = blockMasses(result.assembly);
+    const Vector<Dim> gravity = readGravity<Dim>(caseDirectory);
+    const std::vector<BlockMass<Dim>> blocks = blockMasses(result.assembly);
     const std::vector<double> masses =
         massesOf(blocks, readDensities(caseDirectory, result.assembly, gravity));
-    const LoadContext context{result.assembly, masses, gravity};
+    const LoadContext<Dim> context{result.assembly, masses, gravity};
     result.combinations = readLoadCombinations(caseDirectory, context);
-    const LoadVectors loads = result.combinations.empty()
-                                  ? readLoads(caseDirectory, context, LiveLoad::required)
-                                  : result.combinations.front().second;
+    CaseLoads<Dim> loads;
+    if (result.combinations.empty())
+    {
+        loads = readLoads(caseDirectory, context, LiveLoad::required);
+    }
+    else
+    {
+        static_cast<LoadVectors&>(loads) = result.combinations.front().second;
+    }
 
     result.points = contactPoints(result.assembly, result.contact);
     const std::vector<PointLaw> laws =
@@ -301,18 +392,11 @@ LimitAnalysisCase readLimitAnalysisCase(const std::filesystem::path& caseDirecto
     {
         result.friction.push_back(law.mu);
     }
-    result.freeBlocks = static_cast<int>(loads.dead.size()) / 3;
+    result.freeBlocks = static_cast<int>(loads.dead.size()) / freedomCount<Dim>;
     result.loads = loads;
     result.movement = loads.movement;
     result.program = programOf(result, strengthsOf(laws));
-    if (result.pushover)
-    {
-        requirePushover(result, caseDirectory);
-    }
-    if (isSurfaceContact(result.contact))
-    {
-        requireSurfaceContact(result, caseDirectory);
-    }
+    requireAvailable(result, caseDirectory);
     result.multiplier = loads.multiplier;
     if (loads.movement)
     {
@@ -344,23 +428,34 @@ LimitAnalysisCase readLimitAnalysisCase(const std::filesystem::path& caseDirecto
     return result;
 }
 
-LimitAnalysis solveLimitAnalysis(LimitAnalysisCase& structure)
+template<int Dim>
+LimitAnalysis solveLimitAnalysis(LimitAnalysisCase<Dim>& structure)
 {
-    return solveWithHinges(structure, [](const LimitAnalysisCase& with)
+    return solveWithHinges(structure, [](const LimitAnalysisCase<Dim>& with)
                            { return std::vector<LimitAnalysis>{solveWithPoints(with)}; })
         .front();
 }
 
-std::vector<LimitAnalysis> solveLimitAnalyses(LimitAnalysisCase& structure)
+template<int Dim>
+std::vector<LimitAnalysis> solveLimitAnalyses(LimitAnalysisCase<Dim>& structure)
 {
-    return solveWithHinges(structure, solveAllWithPoints);
+    return solveWithHinges(structure, solveAllWithPoints<Dim>);
 }
 
-Pushover solvePushover(const LimitAnalysisCase& structure, const PushoverObserver& observe)
+Pushover solvePushover(const LimitAnalysisCase<2>& structure, const PushoverObserver& observe)
 {
     const double mu = structure.contact.friction ? structure.contact.friction->mu : 0;
     return solvePushover({structure.assembly, mu, structure.loads}, *structure.pushover,
                          interiorPointSettings(structure.solution), observe);
 }
+
+template LimitAnalysisCase<2> readLimitAnalysisCase(const std::filesystem::path& caseDirectory,
+                                                    std::optional<int> pointsPerJoint);
+template LimitAnalysis solveLimitAnalysis(LimitAnalysisCase<2>& structure);
+template std::vector<LimitAnalysis> solveLimitAnalyses(LimitAnalysisCase<2>& structure);
+template LimitAnalysisCase<3> readLimitAnalysisCase(const std::filesystem::path& caseDirectory,
+                                                    std::optional<int> pointsPerJoint);
+template LimitAnalysis solveLimitAnalysis(LimitAnalysisCase<3>& structure);
+template std::vector<LimitAnalysis> solveLimitAnalyses(LimitAnalysisCase<3>& structure);
 
 } // namespace drystone

@@ -24,29 +24,31 @@ struct LimitAnalysisControls
 void declare(Options& options, LimitAnalysisControls& controls);
 
 /// A structure with its loads, read and checked.
+template<int Dim>
 struct LimitAnalysisCase
 {
-    Assembly<2> assembly;
+    Assembly<Dim> assembly;
     ContactProperties contact;
-    std::vector<ContactPoint<2>> points; ///< of the structure as built
-    std::vector<double> friction;        ///< mu of each point
+    std::vector<ContactPoint<Dim>> points; ///< of the structure as built
+    std::vector<double> friction;          ///< mu of each point
     int freeBlocks = 0;
-    PlaneConeProgram program;
+    StaticProgram<Dim> program;
     SolverChoice solution;
     NonAssociativeSettings nonAssociative;
     Multiplier multiplier = Multiplier::positive;                  ///< which ends of the range are asked for
-    std::optional<SupportMovement> movement;                       ///< instead of a live load
+    std::optional<SupportMovement<Dim>> movement;                  ///< instead of a live load
     std::optional<PushoverSettings> pushover;                      ///< the capacity curve is asked for
-    LoadVectors loads;                                             ///< with combinations those of the first
+    CaseLoads<Dim> loads;                                          ///< with combinations those of the first
     std::vector<std::pair<std::string, LoadVectors>> combinations; ///< mostly none
 };
 
 /// Reads constant/assembly, g, materialProperties, contactProperties, loads and system/solution.
-/// \param pointsPerJoint instead of what the case has; for studies
+/// \param pointsPerJoint instead of what the case has; for studies of the plane
 /// \throws FatalIOError with the first thing that is wrong: blocks that overlap, a live load that is missing,
-/// a solver that is none for limit analysis
-LimitAnalysisCase readLimitAnalysisCase(const std::filesystem::path& caseDirectory,
-                                        std::optional<int> pointsPerJoint = {});
+/// a solver that is none for limit analysis, what is not available in space
+template<int Dim>
+LimitAnalysisCase<Dim> readLimitAnalysisCase(const std::filesystem::path& caseDirectory,
+                                             std::optional<int> pointsPerJoint = {});
 
 /// Collapse by the flow rule of the case, for a positive multiplier; for a support that moves, settlement.
 ///
@@ -54,14 +56,16 @@ LimitAnalysisCase readLimitAnalysisCase(const std::filesystem::path& caseDirecto
 /// (`pointsPerJoint`), points are added to where the hinges are, until no joint bears a resultant nearer to
 /// its end than it can, to 1e-7 of its length or ten times the tolerance of the solver (CrushingHinges.h).
 /// \param structure gets these points
-LimitAnalysis solveLimitAnalysis(LimitAnalysisCase& structure);
+template<int Dim>
+LimitAnalysis solveLimitAnalysis(LimitAnalysisCase<Dim>& structure);
 
 /// The capacity curve of a case that asks for one.
-Pushover solvePushover(const LimitAnalysisCase& structure, const PushoverObserver& observe);
+Pushover solvePushover(const LimitAnalysisCase<2>& structure, const PushoverObserver& observe);
 
 /// One answer for each end of the range that the case asks for, the positive one first; for each combination
 /// of loads in turn. Multipliers of the negative end have their sign.
 /// \param structure gets points where joints crush, see solveLimitAnalysis
-std::vector<LimitAnalysis> solveLimitAnalyses(LimitAnalysisCase& structure);
+template<int Dim>
+std::vector<LimitAnalysis> solveLimitAnalyses(LimitAnalysisCase<Dim>& structure);
 
 } // namespace drystone

@@ -2,21 +2,23 @@
 #include "statics/Settlement.h"
 
 #include "conic/form/Form.h"
+#include "geometry/space/Frame.h"
 
 namespace drystone
 {
 
-Eigen::VectorXd settlementGaps(const Assembly<2>& assembly, const std::vector<ContactPoint<2>>& points,
-                               const SupportMovement& movement)
+template<int Dim>
+Eigen::VectorXd settlementGaps(const Assembly<Dim>& assembly, const std::vector<ContactPoint<Dim>>& points,
+                               const SupportMovement<Dim>& movement)
 {
-    Eigen::VectorXd gaps = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(points.size()));
+    Eigen::VectorXd gaps = Eigen::VectorXd::Zero(Dim * static_cast<Eigen::Index>(points.size()));
     const auto moves = [&](int block) { return assembly.blocks[block].support == movement.support; };
     for (std::size_t i = 0; i < points.size(); ++i)
     {
         // The normal points into `block`: what moves that block opens, what moves the neighbour closes.
         const double sign = moves(points[i].block) ? 1 : moves(points[i].neighbour) ? -1 : 0;
-        gaps.segment<2>(2 * static_cast<Eigen::Index>(i)) << sign * points[i].normal.dot(movement.direction),
-            sign * tangent(points[i]).dot(movement.direction);
+        gaps.segment<Dim>(Dim * static_cast<Eigen::Index>(i)) =
+            sign * (contactFrame(points[i]).transpose() * movement.direction);
     }
     return gaps;
 }
@@ -24,17 +26,65 @@ Eigen::VectorXd settlementGaps(const Assembly<2>& assembly, const std::vector<Co
 namespace
 {
 
+/// Frictionless rollers that keep a body in a guide along `direction`: forces to either side across it, each
+/// with moments of either sense about every axis, so that sums of them are any force across and any moment.
+std::vector<ConeColumns<3, 2>> rollersOfGuide(int body, const Vector<2>& direction, double lever)
+{
+    std::vector<ConeColumns<3, 2>> rollers;
+    const Vector<2> across(-direction.y(), direction.x());
+    for (const double side : {1.0, -1.0})
+    {
+        for (const double arm : {lever, -lever})
+        {
+            ConeColumns<3, 2> roller;
+            roller.first = body;
+            roller.onFirst << side * across.x(), side * direction.x(), side * across.y(),
+                side * direction.y(), side * arm, 0;
+            rollers.push_back(roller);
+        }
+    }
+    return rollers;
+}
+
+std::vector<ConeColumns<6, 3>> rollersOfGuide(int body, const Vector<3>& direction, double lever)
+{
+    std::vector<ConeColumns<6, 3>> rollers;
+    const Eigen::Matrix3d frame = frameOf(direction);
+    for (const int across : {1, 2})
+    {
+        for (const double side : {1.0, -1.0})
+        {
+            for (int axis = 0; axis < 3; ++axis)
+            {
+                for (const double arm : {lever, -lever})
+                {
+                    ConeColumns<6, 3> roller;
+                    roller.first = body;
+                    roller.onFirst.col(0).head<3>() = side * frame.col(across);
+                    roller.onFirst.col(0).tail<3>() = arm * frame.col(axis);
+                    roller.onFirst.col(1).head<3>() = side * frame.col(3 - across);
+                    roller.onFirst.col(2).head<3>() = frame.col(0);
+                    rollers.push_back(roller);
+                }
+            }
+        }
+    }
+    return rollers;
+}
+
 /// The support as a body without weight in a frictionless guide along its movement d, pushed by alpha d. At a
 /// point of it the gap g of a unit movement is F'd, F the part of the free body's columns in its rows of
 /// forces, and -F the support's. So its balance along d is -g'c = alpha, and the largest alpha is -R.
-PlaneConeProgram withGuidedSupport(PlaneConeProgram program)
+template<int Rows, int Forces>
+ConeProgram<Rows, Forces> withGuidedSupport(ConeProgram<Rows, Forces> program)
 {
+    using Force = Eigen::Matrix<double, Forces, 1>;
     const double lever = meanLeverArm(program);
     const int support = program.bodies++;
-    Vector<2> direction(0, 0);
+    Force direction = Force::Zero();
     for (int point = 0; point < program.points(); ++point)
     {
-        const Eigen::Vector2d gap = program.gap.segment<2>(2 * point);
+        const Force gap = program.gap.template segment<Forces>(Forces * point);
         if (gap.isZero(0))
         {
             continue;
@@ -45,54 +95,47 @@ PlaneConeProgram withGuidedSupport(PlaneConeProgram program)
             std::swap(columns.first, columns.second);
             std::swap(columns.onFirst, columns.onSecond);
         }
-        const Eigen::Matrix2d forces = columns.onFirst.topRows<2>();
+        const Eigen::Matrix<double, Forces, Forces> forces = columns.onFirst.template topRows<Forces>();
         direction = forces * gap;
         // The guide bears moments, so that lever arms on the support do not matter.
         columns.second = support;
         columns.onSecond.setZero();
-        columns.onSecond.topRows<2>() = -forces;
+        columns.onSecond.template topRows<Forces>() = -forces;
     }
-    const Vector<2> across(-direction.y(), direction.x());
-    for (const double side : {1.0, -1.0})
+    for (const ConeColumns<Rows, Forces>& roller : rollersOfGuide(support, direction, lever))
     {
-        for (const double arm : {lever, -lever})
+        program.contacts.push_back(roller);
+        program.friction.push_back(0);
+        if (program.hasStrength())
         {
-            ConeColumns<3, 2> roller;
-            roller.first = support;
-            roller.onFirst << side * across.x(), side * direction.x(), side * across.y(),
-                side * direction.y(), side * arm, 0;
-            program.contacts.push_back(roller);
-            program.friction.push_back(0);
-            if (program.hasStrength())
-            {
-                program.strength.emplace_back();
-            }
+            program.strength.emplace_back();
         }
     }
-    program.load.conservativeResize(3 * program.bodies);
-    program.load.tail<3>().setZero();
-    program.liveLoad = Eigen::VectorXd::Zero(3 * program.bodies);
-    program.liveLoad.tail<3>() << direction, 0;
+    program.load.conservativeResize(Rows * program.bodies);
+    program.load.template tail<Rows>().setZero();
+    program.liveLoad = Eigen::VectorXd::Zero(Rows * program.bodies);
+    program.liveLoad.template segment<Forces>(Rows * support) = direction;
     program.gap.resize(0);
     return program;
 }
 
 } // namespace
 
-LimitAnalysis solveSettlement(const PlaneConeProgram& program, const InteriorPointSettings& settings)
+template<int Rows, int Forces>
+LimitAnalysis solveSettlement(const ConeProgram<Rows, Forces>& program, const InteriorPointSettings& settings)
 {
     SymbolicAnalysis symbolic;
     ConeSolution solution = solveInteriorPoint(program, settings, &symbolic);
     LimitAnalysis result;
-    result.variables = 2 * program.points();
+    result.variables = Forces * program.points();
     result.iterations = solution.iterations;
     result.factorisations = solution.factorisations;
     result.solves = solution.solves;
-    result.contactForce = Eigen::VectorXd::Zero(2 * program.points());
+    result.contactForce = Eigen::VectorXd::Zero(Forces * program.points());
     if (solution.status != SolveStatus::optimal)
     {
         // Does it stand at all? Gaps have no part in that.
-        PlaneConeProgram dead = program;
+        ConeProgram<Rows, Forces> dead = program;
         dead.gap.resize(0);
         const ConeSolution standing = solveInteriorPoint(dead, settings, &symbolic);
         result.iterations += standing.iterations;
@@ -106,7 +149,7 @@ LimitAnalysis solveSettlement(const PlaneConeProgram& program, const InteriorPoi
             return result;
         }
         // Is the support locked in, so that it can be pushed against its neighbours with any force?
-        const PlaneConeProgram guided = withGuidedSupport(program);
+        const ConeProgram<Rows, Forces> guided = withGuidedSupport(program);
         const ConeSolution pushed = solveInteriorPoint(guided, settings);
         result.iterations += pushed.iterations;
         result.factorisations += pushed.factorisations;
@@ -115,8 +158,8 @@ LimitAnalysis solveSettlement(const PlaneConeProgram& program, const InteriorPoi
         {
             result.status = CollapseStatus::unbounded;
             result.certificate = certify(guided, pushed);
-            result.contactForce = pushed.contactForce.head(2 * program.points());
-            result.mechanism = Eigen::VectorXd::Zero(3 * program.bodies);
+            result.contactForce = pushed.contactForce.head(Forces * program.points());
+            result.mechanism = Eigen::VectorXd::Zero(Rows * program.bodies);
             return result;
         }
         if (pushed.status == SolveStatus::optimal)
@@ -124,8 +167,8 @@ LimitAnalysis solveSettlement(const PlaneConeProgram& program, const InteriorPoi
             // L'y = 1 is the unit movement.
             ConeSolution settled = solution;
             settled.status = SolveStatus::optimal;
-            settled.contactForce = pushed.contactForce.head(2 * program.points());
-            settled.displacement = pushed.displacement.head(3 * program.bodies);
+            settled.contactForce = pushed.contactForce.head(Forces * program.points());
+            settled.displacement = pushed.displacement.head(Rows * program.bodies);
             if (certifyOptimal(program, settled).worst() <= settings.tolerance)
             {
                 solution = std::move(settled);
@@ -140,5 +183,16 @@ LimitAnalysis solveSettlement(const PlaneConeProgram& program, const InteriorPoi
     result.mechanism = std::move(solution.displacement);
     return result;
 }
+
+template Eigen::VectorXd settlementGaps(const Assembly<2>& assembly,
+                                        const std::vector<ContactPoint<2>>& points,
+                                        const SupportMovement<2>& movement);
+template Eigen::VectorXd settlementGaps(const Assembly<3>& assembly,
+                                        const std::vector<ContactPoint<3>>& points,
+                                        const SupportMovement<3>& movement);
+template LimitAnalysis solveSettlement(const PlaneConeProgram& program,
+                                       const InteriorPointSettings& settings);
+template LimitAnalysis solveSettlement(const SpaceConeProgram& program,
+                                       const InteriorPointSettings& settings);
 
 } // namespace drystone

@@ -8,9 +8,11 @@
 namespace drystone
 {
 
-/// Gaps that open at the points (normal, tangent ...) when a support moves by a unit and all blocks stay.
-Eigen::VectorXd settlementGaps(const Assembly<2>& assembly, const std::vector<ContactPoint<2>>& points,
-                               const SupportMovement& movement);
+/// Gaps that open at the points (normal, tangent ...; in space normal, tangent1, tangent2 ...) when a support
+/// moves by a unit and all blocks stay.
+template<int Dim>
+Eigen::VectorXd settlementGaps(const Assembly<Dim>& assembly, const std::vector<ContactPoint<Dim>>& points,
+                               const SupportMovement<Dim>& movement);
 
 /// Settlement of a support (Portioli & Cascini 2016): the least reaction R against the movement with which
 /// the structure still stands. With g the gaps of a unit movement, g'c is that reaction (the work of c on g),
@@ -25,6 +27,8 @@ Eigen::VectorXd settlementGaps(const Assembly<2>& assembly, const std::vector<Co
 /// support is locked in, any force can push it against its neighbours and R has no lower bound: `unbounded`.
 /// \return alpha: R [N]; mechanism: y, for a unit movement; `unstable` as in solveLimitAnalysis; of
 /// `unbounded` the contact forces of a unit push
-LimitAnalysis solveSettlement(const PlaneConeProgram& program, const InteriorPointSettings& settings = {});
+template<int Rows, int Forces>
+LimitAnalysis solveSettlement(const ConeProgram<Rows, Forces>& program,
+                              const InteriorPointSettings& settings = {});
 
 } // namespace drystone

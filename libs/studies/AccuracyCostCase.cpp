@@ -53,7 +53,7 @@ void requirePossible(const AccuracyCase& study, QuantityKind kind, const RunSett
 {
     if (kind == QuantityKind::limitAnalysis)
     {
-        const LimitAnalysisCase& structure = study.structures.at(setting.pointsPerJoint);
+        const LimitAnalysisCase<2>& structure = study.structures.at(setting.pointsPerJoint);
         if (setting.flowRule == FlowRule::nonAssociative
             && (structure.program.hasStrength() || structure.movement))
         {
@@ -453,14 +453,14 @@ AccuracyStudy readAccuracyStudy(const fs::path& caseDirectory)
         {
             study.scene.structures.emplace(
                 pointsPerJoint,
-                readLimitAnalysisCase(caseDirectory,
-                                      pointsPerJoint > 0 ? std::optional(pointsPerJoint) : std::nullopt));
+                readLimitAnalysisCase<2>(caseDirectory,
+                                         pointsPerJoint > 0 ? std::optional(pointsPerJoint) : std::nullopt));
         }
     };
     if (ofKind(QuantityKind::limitAnalysis))
     {
         structureWith(0);
-        const LimitAnalysisCase& structure = study.scene.structures.at(0);
+        const LimitAnalysisCase<2>& structure = study.scene.structures.at(0);
         ofCollapse.flowRule =
             structure.contact.friction ? structure.contact.friction->flowRule : FlowRule::associative;
         ofCollapse.solver = SolverType::interiorPoint;

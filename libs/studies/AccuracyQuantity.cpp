@@ -535,7 +535,7 @@ void declare(Options& options, CollapseMultiplier& settings)
 
 Measurement measureMultiplier(const AccuracyCase& study, const RunSetting& setting)
 {
-    LimitAnalysisCase structure = study.structures.at(setting.pointsPerJoint);
+    LimitAnalysisCase<2> structure = study.structures.at(setting.pointsPerJoint);
     structure.solution.solver = SolverType::interiorPoint;
     structure.solution.tolerance = setting.tolerance;
     if (structure.contact.friction)

@@ -77,8 +77,8 @@ struct AccuracyCase
     std::filesystem::path caseDirectory;
     std::optional<DynamicCase> scene; ///< where a quantity is one of motion
     DynamicState start;
-    double endTime = 0;                          ///< [s]
-    std::map<int, LimitAnalysisCase> structures; ///< by points per joint, 0: as specified in the case
+    double endTime = 0;                             ///< [s]
+    std::map<int, LimitAnalysisCase<2>> structures; ///< by points per joint, 0: as specified in the case
 };
 
 /// The value that a figure is compared with.

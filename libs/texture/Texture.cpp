@@ -13,6 +13,7 @@
 #include "texture/space/CrossVault.h"
 #include "texture/space/Dome.h"
 #include "texture/space/Extrusion.h"
+#include "texture/space/PolyhedronBlocks.h"
 #include "texture/space/Rubble.h"
 #include "texture/space/Stair.h"
 #include "texture/space/Tower.h"
@@ -78,6 +79,7 @@ const Registry<Texture<3>>& textureTypes()
         "texture",
         {
             spaceModel<Boxes>("boxes", "boxes along the axes, corner by corner"),
+            spaceModel<PolyhedronBlocks>("polyhedra", "blocks of any shape, by vertices and faces"),
             spaceModel<Extrusion>("extrusion", "a texture of the plane, given depth"),
             spaceModel<Walls>("walls", "walls of bricks in a bond, toothed where they meet"),
             spaceModel<BarrelVault>("barrelVault", "an arch, given length, in slices"),

@@ -92,7 +92,7 @@ std::vector<Example> examples()
                                   "How the applications solve: a sub-dictionary for each of them, which may "
                                   "be absent.",
                                   {"limitAnalysis", "contactDynamics"}),
-        example<Gravity>("constant/g", "Gravity."),
+        example<Gravity<2>>("constant/g", "Gravity."),
         example<MaterialProperties>("constant/materialProperties", "What the blocks weigh: one of the two.",
                                     {"density"}),
         example<CaseEffects>(
@@ -100,9 +100,9 @@ std::vector<Example> examples()
             "One sub-dictionary for each effect that is simulated; without friction contacts "
             "are frictionless.",
             {"friction"}),
-        example<LoadCases>("constant/loads",
-                           "Dead load, and the live load that limit analysis multiplies by alpha.",
-                           {"dead", "live"}),
+        example<LoadCases<2>>("constant/loads",
+                              "Dead load, and the live load that limit analysis multiplies by alpha.",
+                              {"dead", "live"}),
         example<GroundMotionSettings>(
             "constant/groundMotion",
             "How the ground moves; without this file it does not. Results are relative to "

@@ -39,7 +39,7 @@ protected:
         write(text);
         try
         {
-            readBlocks(directory);
+            readBlocks<2>(directory);
         }
         catch (const FatalError& error)
         {
@@ -65,7 +65,7 @@ TEST_F(AssemblyFile, ReadsBackBitByBit)
         block.thickness = uniform(random);
     }
     write(assemblyText(assembly));
-    const Assembly<2> back = readBlocks(directory);
+    const Assembly<2> back = readBlocks<2>(directory);
     ASSERT_EQ(back.blocks.size(), assembly.blocks.size());
     for (std::size_t i = 0; i < back.blocks.size(); ++i)
     {
@@ -84,7 +84,7 @@ TEST_F(AssemblyFile, AStructureWithoutSupportsReadsBack)
 {
     Assembly<2> assembly{{{{{0, 0}, {1, 0}, {0, 1}}, 0.5}}, {}};
     write(assemblyText(assembly));
-    EXPECT_EQ(readBlocks(directory).blocks.front().support, -1);
+    EXPECT_EQ(readBlocks<2>(directory).blocks.front().support, -1);
 }
 
 TEST_F(AssemblyFile, OpenFoamReadsIt)
@@ -103,7 +103,7 @@ TEST_F(AssemblyFile, OpenFoamReadsIt)
 TEST_F(AssemblyFile, ClockwiseOutlinesAreTurned)
 {
     write(head + "outlines ( ((0 0) (0 1) (1 1) (1 0)) ((0 0) (1 0) (1 -1) (0 -1)) );");
-    for (const Block<2>& block : readBlocks(directory).blocks)
+    for (const Block<2>& block : readBlocks<2>(directory).blocks)
     {
         EXPECT_DOUBLE_EQ(areaProperties(block.outline).area, 1);
         EXPECT_EQ(block.outline.front(), Vector<2>(0, 0));
@@ -114,7 +114,7 @@ TEST_F(AssemblyFile, AMissingFileAsksForBlockTexture)
 {
     try
     {
-        readBlocks(directory);
+        readBlocks<2>(directory);
         FAIL();
     }
     catch (const FatalError& error)
@@ -189,7 +189,7 @@ TEST_F(AssemblyFile, RandomDamageNeverCrashes)
         write(text);
         try
         {
-            for (const Block<2>& block : readBlocks(directory).blocks)
+            for (const Block<2>& block : readBlocks<2>(directory).blocks)
             {
                 EXPECT_GT(areaProperties(block.outline).area, 0);
             }

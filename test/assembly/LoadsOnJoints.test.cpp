@@ -37,7 +37,7 @@ protected:
         try
         {
             const Eigen::VectorXd live =
-                readLoads(directory, {assembly, masses, {0, -10}}, LiveLoad::required).live;
+                readLoads<2>(directory, {assembly, masses, {0, -10}}, LiveLoad::required).live;
             for (int block = 0; block < 3; ++block)
             {
                 if (live[3 * block + 1] != 0)

@@ -40,7 +40,7 @@ protected:
             << fmt::format("((0 {}) (1 {}) (1 1) (0 1))\n);", left, right);
         try
         {
-            const Assembly<2> assembly = readAssembly(directory);
+            const Assembly<2> assembly = readAssembly<2>(directory);
             refuseOverlaps(assembly, directory);
             refuseAlmostJoints(assembly, directory);
         }
@@ -81,10 +81,10 @@ TEST_F(AlmostJoints, AreNoneWhereFacesMeetOrBlocksAreApart)
 TEST_F(AlmostJoints, AreJointsOrApartOnPurposeByAStatedTolerance)
 {
     EXPECT_EQ(report(1e-4, 1e-4, "jointTolerance 2e-4;"), "no error");
-    EXPECT_EQ(readAssembly(directory).closure.joints, 1);
+    EXPECT_EQ(readAssembly<2>(directory).closure.joints, 1);
     EXPECT_EQ(report(1e-4, 1e-4, "jointTolerance 5e-5;"), "no error");
-    EXPECT_EQ(readAssembly(directory).closure.joints, 0);
-    EXPECT_EQ(facesApartOnPurpose(readAssembly(directory)), 1);
+    EXPECT_EQ(readAssembly<2>(directory).closure.joints, 0);
+    EXPECT_EQ(facesApartOnPurpose(readAssembly<2>(directory)), 1);
     EXPECT_THAT(report(0, 0, "jointTolerance 1;"), HasSubstr("jointTolerance 1 is out of range"));
     EXPECT_THAT(report(0, 0, "jointTolerance -1e-4;"), HasSubstr("out of range"));
 }

@@ -134,7 +134,7 @@ TEST(AssemblyChecks, AFloatingBlockAndItsNeighbourFailSupports)
 {
     const Assembly<2> assembly =
         onGround({rectangle(0, 0, 1, 1), rectangle(0, 2, 1, 3), rectangle(1, 2, 2, 3)});
-    const AssemblyReport report = checkAssembly(assembly);
+    const AssemblyReport<2> report = checkAssembly(assembly);
     EXPECT_THAT(failed(assembly), ElementsAre("supports"));
     EXPECT_EQ(report.checks.back().failures, 2);
     EXPECT_THAT(printedReport(assembly, report), HasSubstr("block 1 at (0.5 2.5) has no path to a support"));

@@ -56,7 +56,7 @@ protected:
     std::string loadReport(const std::string& text)
     {
         write("constant/loads", text);
-        return report([&] { readLoads(directory, {assembly, masses, {0, -10}}, LiveLoad::required); });
+        return report([&] { readLoads<2>(directory, {assembly, masses, {0, -10}}, LiveLoad::required); });
     }
 
     std::filesystem::path directory;
@@ -69,14 +69,14 @@ protected:
 TEST_F(CaseProperties, GravityMayHaveTwoOrThreeComponentsAndDimensions)
 {
     write("constant/g", "value (0 -9.81);");
-    EXPECT_EQ(readGravity(directory), Vector<2>(0, -9.81));
+    EXPECT_EQ(readGravity<2>(directory), Vector<2>(0, -9.81));
     write("constant/g", "dimensions [0 1 -2 0 0 0 0]; value (1 -10 0);");
-    EXPECT_EQ(readGravity(directory), Vector<2>(1, -10));
+    EXPECT_EQ(readGravity<2>(directory), Vector<2>(1, -10));
 }
 
 TEST_F(CaseProperties, FaultsOfGravityAreNamed)
 {
-    const auto act = [&] { readGravity(directory); };
+    const auto act = [&] { readGravity<2>(directory); };
     EXPECT_THAT(report(act), HasSubstr("There is no"));
     write("constant/g", "\nvalue (0 -9.81 1);");
     EXPECT_THAT(report(act), HasSubstr("line 2."));
@@ -92,7 +92,7 @@ TEST_F(CaseProperties, DensityAndUnitWeightGiveTheSameMass)
     const std::vector<double> byDensity = readDensities(directory, assembly, {0, -10});
     write("constant/materialProperties", "unitWeight 20000;");
     EXPECT_EQ(readDensities(directory, assembly, {0, -10}), byDensity);
-    EXPECT_THAT(massesOf({blockMass(assembly.blocks[0]), blockMass(assembly.blocks[1])}, byDensity),
+    EXPECT_THAT(massesOf<2>({blockMass(assembly.blocks[0]), blockMass(assembly.blocks[1])}, byDensity),
                 ElementsAre(2000, 20000));
 }
 
@@ -153,14 +153,14 @@ TEST_F(CaseProperties, AnEffectThatIsNotSimulatedIsRefusedByName)
 TEST_F(CaseProperties, LoadsAreRead)
 {
     write("constant/loads", "dead { type gravity; } live { type force; at (0.5 2 0); value (100 0 0); }");
-    const LoadVectors loads = readLoads(directory, {assembly, masses, {0, -10}}, LiveLoad::required);
+    const CaseLoads<2> loads = readLoads<2>(directory, {assembly, masses, {0, -10}}, LiveLoad::required);
     EXPECT_EQ(loads.dead, Eigen::Vector3d(0, -20000, 0));
     EXPECT_EQ(loads.live, Eigen::Vector3d(100, 0, -100));
 }
 
 TEST_F(CaseProperties, WithoutALoadsFileThereIsGravityWhereALiveLoadIsOptional)
 {
-    const LoadContext context{assembly, masses, {0, -10}};
+    const LoadContext<2> context{assembly, masses, {0, -10}};
     EXPECT_EQ(readLoads(directory, context, LiveLoad::optional).dead, Eigen::Vector3d(0, -20000, 0));
     EXPECT_EQ(readLoads(directory, context, LiveLoad::optional).live.size(), 0);
     EXPECT_THAT(report([&] { readLoads(directory, context, LiveLoad::required); }),
@@ -204,7 +204,7 @@ TEST_F(CaseProperties, LoadsMayBeSumsAndSupportsMayMove)
           "dead { type sum; loads { weight { type gravity; } top { type line; from (0 2); to "
           "(0.5 2); value (0 -100 0); } } }\nlive { type supportMovement; support ground; "
           "direction (0 -3 0); }");
-    const LoadVectors loads = readLoads(directory, {assembly, masses, {0, -10}}, LiveLoad::required);
+    const CaseLoads<2> loads = readLoads<2>(directory, {assembly, masses, {0, -10}}, LiveLoad::required);
     EXPECT_EQ(loads.dead, Eigen::Vector3d(0, -20050, 12.5));
     EXPECT_EQ(loads.live.size(), 0);
     ASSERT_TRUE(loads.movement);
@@ -217,9 +217,9 @@ TEST_F(CaseProperties, OverlapsAreRefusedAtTheLineOfTheSecondBlock)
     const std::string head =
         "dimensions 2; thickness 1; supports {}\noutlines\n(\n((0 0) (1 0) (1 1) (0 1))\n";
     write("constant/assembly/blocks", head + "((1 0) (2 0) (2 1) (1 1))\n);");
-    EXPECT_EQ(report([&] { refuseOverlaps(readAssembly(directory), directory); }), "no error");
+    EXPECT_EQ(report([&] { refuseOverlaps(readAssembly<2>(directory), directory); }), "no error");
     write("constant/assembly/blocks", head + "((0.9 0) (2 0) (2 1) (0.9 1))\n);");
-    EXPECT_THAT(report([&] { refuseOverlaps(readAssembly(directory), directory); }),
+    EXPECT_THAT(report([&] { refuseOverlaps(readAssembly<2>(directory), directory); }),
                 AllOf(HasSubstr("Blocks 0 and 1 overlap by 0.1 m2"), HasSubstr("line 5.")));
 }
 

@@ -42,8 +42,8 @@ TEST(ContactState, ForcesComeInPairs)
 {
     Eigen::VectorXd stacked(4);
     stacked << 10, 6.5, 4, -1;
-    EXPECT_EQ(pointForces(stacked), (Forces{{10, 6.5}, {4, -1}}));
-    EXPECT_THROW(pointForces(stacked.head(3)), FatalError);
+    EXPECT_EQ(pointForces<2>(stacked), (Forces{{10, 6.5}, {4, -1}}));
+    EXPECT_THROW(pointForces<2>(stacked.head(3)), FatalError);
 }
 
 TEST(Placement, TurnsABlockAboutItsMassCentreAndMovesIt)

@@ -45,7 +45,7 @@ protected:
     LimitAnalysis solve(const std::string& live)
     {
         writeWholeFile(directory / "constant/loads", "dead { type gravity; } live { " + live + " }");
-        LimitAnalysisCase structure = readLimitAnalysisCase(directory);
+        LimitAnalysisCase structure = readLimitAnalysisCase<2>(directory);
         const LimitAnalysis result =
             solveLimitAnalysis(structure.program, interiorPointSettings(structure.solution));
         writeLimitAnalysisResults(directory, structure, {result}, 0.5);
@@ -99,7 +99,7 @@ TEST_F(LimitAnalysisResults, OfCombinationsOfLoadsHaveARowEach)
                    "combinations { bare { dead { type gravity; } live { type inertial; direction (1 0); } } "
                    "full { dead { type sum; loads { w { type gravity; } p { type force; at (0.5 2); value "
                    "(0 -20000); } } } live { type inertial; direction (1 0); } multiplier both; } }");
-    LimitAnalysisCase structure = readLimitAnalysisCase(directory);
+    LimitAnalysisCase structure = readLimitAnalysisCase<2>(directory);
     const std::vector<LimitAnalysis> results = solveLimitAnalyses(structure);
     ASSERT_EQ(results.size(), 3U);
     EXPECT_EQ(results[0].combination, "bare");
@@ -124,7 +124,7 @@ TEST_F(LimitAnalysisResults, OfContactBySurfacesAreCertifiedInStressResultants)
             fmt::format("friction {{ type Coulomb; mu {}; }} contact {{ formulation surface; }}", mu));
         writeWholeFile(directory / "constant/loads",
                        "dead { type gravity; } live { type inertial; direction (1 0 0); } multiplier both;");
-        LimitAnalysisCase structure = readLimitAnalysisCase(directory);
+        LimitAnalysisCase structure = readLimitAnalysisCase<2>(directory);
         for (const LimitAnalysis& result : solveLimitAnalyses(structure))
         {
             EXPECT_EQ(result.status, CollapseStatus::optimal);
@@ -141,7 +141,7 @@ TEST_F(LimitAnalysisResults, ACertificateInStressResultantsTellsAWrongAnswer)
                    "friction { type Coulomb; mu 0.7; } contact { formulation surface; }");
     writeWholeFile(directory / "constant/loads",
                    "dead { type gravity; } live { type inertial; direction (1 0 0); }");
-    LimitAnalysisCase structure = readLimitAnalysisCase(directory);
+    LimitAnalysisCase structure = readLimitAnalysisCase<2>(directory);
     const LimitAnalysis right = solveLimitAnalysis(structure);
     const auto worst = [&](const LimitAnalysis& result)
     {
@@ -216,12 +216,12 @@ TEST_F(LimitAnalysisResults, OfOtherLoadsAreRemovedAndNothingElse)
 
 TEST_F(LimitAnalysisResults, OfBlocksThatNothingHoldsNameTheCause)
 {
-    Assembly<2> assembly = readAssembly(directory);
+    Assembly<2> assembly = readAssembly<2>(directory);
     assembly.blocks.push_back({{{0, 3}, {1, 3}, {1, 4}, {0, 4}}, 1, -1});
     writeWholeFile(assemblyFile(directory), assemblyText(assembly));
     const LimitAnalysis result = solve("type inertial; direction (1 0 0);");
     testing::internal::CaptureStdout();
-    printLimitAnalysis(readLimitAnalysisCase(directory), {result});
+    printLimitAnalysis(readLimitAnalysisCase<2>(directory), {result});
     const std::string log = testing::internal::GetCapturedStdout();
     EXPECT_NE(log.find("Status: unstable (the blocks cannot carry the dead load: the mechanism is written)\n"
                        "Cause: a block with no path to a support through joints: 2."),

@@ -34,7 +34,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     {
         return 0;
     }
-    fuzz::tryReading([&] { readLimitAnalysisCase(sound.path()); });
+    fuzz::tryReading([&] { readLimitAnalysisCase<2>(sound.path()); });
+    fuzz::tryReading([&] { readLimitAnalysisCase<3>(sound.path()); });
     fuzz::tryReading([&] { Time time(sound.path()); });
     fuzz::tryReading(
         [&]

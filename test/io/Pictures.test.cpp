@@ -115,7 +115,7 @@ TEST(MechanismPicture, DrawsAnArchWithItsThrust)
     Assembly<2> arch;
     arch.supports.push_back({"springers", "blocks"});
     std::vector<Placement<2>> placements;
-    std::vector<JointForce> thrust;
+    std::vector<JointForce<2>> thrust;
     constexpr int voussoirs = 27;
     const double pi = std::acos(-1.0);
     const auto at = [&](double radius, double part)

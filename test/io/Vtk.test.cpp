@@ -105,7 +105,7 @@ TEST(Vtp, ABlockTurnsAboutItsCentroidAsARigidBody)
 }
 
 /// Area painted by a viewer for cell i: a fan of triangles, none of which may be turned over.
-double paintedArea(const PolyData& data, std::size_t cell)
+double paintedArea(const PolyData<2>& data, std::size_t cell)
 {
     std::size_t first = 0;
     for (std::size_t i = 0; i < cell; ++i)
@@ -141,7 +141,7 @@ TEST(Vtp, ConcaveBlocksArePaintedAsTheyAre)
     }
     std::vector<Placement<2>> placements(assembly.blocks.size());
     placements[2].rotation = 1;
-    const PolyData data = blockFrame(assembly, placements, {area});
+    const PolyData<2> data = blockFrame(assembly, placements, {area});
 
     std::vector<double> painted(assembly.blocks.size());
     std::vector<int> cells(assembly.blocks.size());
@@ -174,7 +174,7 @@ TEST(Vtp, GroundIsShownAsFarAsTheStructureReaches)
     {
         std::vector<Placement<2>> placements(assembly.blocks.size());
         placements[0].translation.x() = displacement;
-        const PolyData data = blockFrame(assembly, placements);
+        const PolyData<2> data = blockFrame(assembly, placements);
         EXPECT_EQ(data.cellSizes.size(),
                   assembly.blocks.size()); // also those out of view: one cell per block
         std::pair range{0.0, 0.0};
@@ -220,7 +220,7 @@ TEST(Vtp, AnEmptyAssemblyGivesAFileThatVtkReads)
     const ScratchFolder folder;
     writeAssembly(folder / "VTK/assembly.vtp", Assembly<2>{});
     EXPECT_EQ(readBack(folder / "VTK/assembly.vtp")->GetNumberOfCells(), 0);
-    writeVtp(folder / "contacts.vtp", contactFrame({}, {}, {}));
+    writeVtp(folder / "contacts.vtp", contactFrame<2>({}, {}, {}));
     EXPECT_EQ(readBack(folder / "contacts.vtp")->GetNumberOfCells(), 0);
 }
 
@@ -467,7 +467,7 @@ TEST(VtkSeries, ARefusedFrameLeavesTheListAsItWas)
     const Assembly<2> wall = test::wall(2, 2);
     series.write(0, blockFrame(wall));
     const std::string before = content(series.listFile());
-    PolyData bad = blockFrame(wall);
+    PolyData<2> bad = blockFrame(wall);
     bad.points[0].x() = std::numeric_limits<double>::quiet_NaN();
     EXPECT_THROW(series.write(1, bad), FatalError);
     EXPECT_THROW(series.write(std::numeric_limits<double>::quiet_NaN(), blockFrame(wall)), FatalError);

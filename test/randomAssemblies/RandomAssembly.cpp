@@ -339,7 +339,7 @@ RandomAssembly randomSettlement(unsigned seed)
             }
         }
     }
-    made.loads.movement = SupportMovement{
+    made.loads.movement = SupportMovement<2>{
         touching[static_cast<std::size_t>(random.upTo(static_cast<int>(touching.size()) - 1))],
         random.happens(0.6) ? Vector<2>(0, -1) : Vector<2>(std::cos(angle), std::sin(angle))};
     return made;

@@ -21,7 +21,7 @@ struct RandomAssembly
     std::vector<double> masses; ///< of all blocks [kg]
     std::vector<int> free;      ///< see freeIndices
     std::vector<ContactPoint<2>> points;
-    LoadVectors loads;
+    CaseLoads<2> loads;
 
     int freeBlocks() const { return static_cast<int>(loads.dead.size()) / 3; }
 };

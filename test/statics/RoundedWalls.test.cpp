@@ -55,7 +55,7 @@ std::pair<std::size_t, LimitAnalysis> analysed(Assembly<2> assembly, double angl
     write(
         "constant/loads",
         fmt::format("dead {{ type gravity; }} live {{ type inertial; direction ({} {} 0); }}", cosine, sine));
-    LimitAnalysisCase structure = readLimitAnalysisCase(directory);
+    LimitAnalysisCase<2> structure = readLimitAnalysisCase<2>(directory);
     LimitAnalysis result = solveLimitAnalysis(structure);
     std::filesystem::remove_all(directory);
     return {structure.points.size(), std::move(result)};

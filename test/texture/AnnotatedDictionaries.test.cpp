@@ -21,10 +21,10 @@ TEST(AnnotatedDictionaries, CanBeUsedAsTheyStand)
     EXPECT_GT(assembly.blocks.size(), 0U);
     EXPECT_GT(makeStructure<3>(Dictionary::readFile(folder / "space/system/blockTextureDict")).blocks.size(),
               0U);
-    const Vector<2> gravity = readGravity(folder);
+    const Vector<2> gravity = readGravity<2>(folder);
     EXPECT_TRUE(readContactProperties(folder).friction);
     const std::vector<double> masses(assembly.blocks.size(), 1);
-    EXPECT_GT(readLoads(folder, {assembly, masses, gravity}, LiveLoad::required).live.norm(), 0);
+    EXPECT_GT(readLoads<2>(folder, {assembly, masses, gravity}, LiveLoad::required).live.norm(), 0);
 }
 
 } // namespace

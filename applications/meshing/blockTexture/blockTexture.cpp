@@ -19,9 +19,10 @@ namespace
 {
 
 /// What the blocks will be refused for.
-void warnOfFaults(const Assembly<2>& assembly, const Dictionary& dictionary)
+template<int Dim>
+void warnOfFaults(const Assembly<Dim>& assembly, const Dictionary& dictionary)
 {
-    if (const std::vector<Overlap> overlaps = findOverlaps(assembly); !overlaps.empty())
+    if (const std::vector<Overlap<Dim>> overlaps = findOverlaps(assembly); !overlaps.empty())
     {
         printWarning(overlapText(overlaps.front()), dictionary.locationOf("texture"));
     }
@@ -31,22 +32,15 @@ void warnOfFaults(const Assembly<2>& assembly, const Dictionary& dictionary)
     }
 }
 
-int run(const CommandLine& commandLine)
+template<int Dim>
+int runIn(const CommandLine& commandLine, const Dictionary& dictionary)
 {
     const std::filesystem::path& directory = commandLine.caseDirectory;
-    const std::filesystem::path file = commandLine.dictionaryFile("system/blockTextureDict");
-    const Dictionary dictionary = Dictionary::readFile(file);
-    if (dimensionsOf(dictionary) == 3)
-    {
-        throw FatalIOError(
-            "A structure of dimensions 3 cannot be written by this version: only its libraries build "
-            "it. Give dimensions 2.",
-            dictionary.locationOf("dimensions"));
-    }
-    const Assembly<2> assembly = makeStructure(dictionary);
-    Assembly<2> closed = assembly; // as it will be read; the file keeps the coordinates as they were written
+    const Assembly<Dim> assembly = makeStructure<Dim>(dictionary);
+    Assembly<Dim> closed =
+        assembly; // as it will be read; the file keeps the coordinates as they were written
     closeJoints(closed);
-    const AssemblyStatistics statistics = countAssembly(closed);
+    const AssemblyStatistics<Dim> statistics = countAssembly(closed);
     info("Blocks: {} free, {} fixed", statistics.freeBlocks, statistics.blocks - statistics.freeBlocks);
     info("Joints: {} with {} contact points", statistics.joints, statistics.contactPoints);
     printClosure(closed);
@@ -58,11 +52,19 @@ int run(const CommandLine& commandLine)
     requireWritable(assemblyFile(directory).parent_path());
     requireWritable(picture.parent_path());
     writeAssembly(picture, assembly);
+    const std::filesystem::path file = commandLine.dictionaryFile("system/blockTextureDict");
     writeWholeFile(assemblyFile(directory), assemblyText(assembly, originOf(file, directory)));
     info("Wrote {} and {}\n", assemblyFile(directory).string(), picture.string());
     printExecutionTime();
     printEnd();
     return 0;
+}
+
+int run(const CommandLine& commandLine)
+{
+    const Dictionary dictionary = Dictionary::readFile(commandLine.dictionaryFile("system/blockTextureDict"));
+    return dimensionsOf(dictionary) == 3 ? runIn<3>(commandLine, dictionary)
+                                         : runIn<2>(commandLine, dictionary);
 }
 
 } // namespace

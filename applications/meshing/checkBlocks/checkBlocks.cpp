@@ -1,5 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// checkBlocks: reports whether the blocks of a case are suitable for computation.
+#include "assembly/AssemblyFile.h"
 #include "contact/AssemblyChecks.h"
 #include "contact/ClosedAssembly.h"
 #include "contact/JointClosure.h"
@@ -11,14 +12,20 @@ using namespace drystone;
 namespace
 {
 
-int run(const CommandLine& commandLine)
+template<int Dim>
+int runIn(const CommandLine& commandLine)
 {
-    const Assembly<2> assembly = readAssembly(commandLine.caseDirectory);
+    const Assembly<Dim> assembly = readAssembly<Dim>(commandLine.caseDirectory);
     printClosure(assembly);
     const CheckExtent extent = commandLine.has("allChecks") ? CheckExtent::all : CheckExtent::standard;
-    const AssemblyReport report = checkAssembly(assembly, extent);
+    const AssemblyReport<Dim> report = checkAssembly(assembly, extent);
     printLine(printedReport(assembly, report)); // its last line is the verdict
     return failedChecks(report) == 0 ? 0 : 1;
+}
+
+int run(const CommandLine& commandLine)
+{
+    return assemblyDimensions(commandLine.caseDirectory) == 3 ? runIn<3>(commandLine) : runIn<2>(commandLine);
 }
 
 } // namespace

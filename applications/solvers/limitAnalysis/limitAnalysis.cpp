@@ -1,6 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// limitAnalysis: max alpha with A0 c = fD + alpha fL and |t| <= mu n (Portioli, Cascini & Landolfo 2017, eq.
 /// 10).
+#include "assembly/AssemblyFile.h"
 #include "assembly/Loads.h"
 #include "assembly/Materials.h"
 #include "core/Log.h"
@@ -21,11 +22,12 @@ bool hasNoAnswer(const LimitAnalysis& result)
     return result.status == CollapseStatus::notConverged;
 }
 
-int run(const CommandLine& commandLine)
+template<int Dim>
+int runIn(const CommandLine& commandLine)
 {
     const std::filesystem::path& directory = commandLine.caseDirectory;
     const Time time(directory); // nothing moves, but a fault in controlDict is reported here too
-    LimitAnalysisCase structure = readLimitAnalysisCase(directory);
+    auto structure = readLimitAnalysisCase<Dim>(directory);
     if (!commandLine.noFunctionObjects)
     {
         checkFunctions(time.controlDict(), directory, structure.assembly);
@@ -53,14 +55,22 @@ int run(const CommandLine& commandLine)
             return 2;
         }
         writeLimitAnalysisResults(directory, structure, results, used);
-        if (structure.pushover && !runPushover(directory, structure))
+        if constexpr (Dim == 2)
         {
-            return 2;
+            if (structure.pushover && !runPushover(directory, structure))
+            {
+                return 2;
+            }
         }
     }
     printExecutionTime();
     printEnd();
     return 0;
+}
+
+int run(const CommandLine& commandLine)
+{
+    return assemblyDimensions(commandLine.caseDirectory) == 3 ? runIn<3>(commandLine) : runIn<2>(commandLine);
 }
 
 } // namespace
@@ -78,8 +88,8 @@ int main(int argc, char* argv[])
         return fmt::format(
             "constant/g:\n{}\nconstant/materialProperties:\n{}\nconstant/contactProperties:\n{}\n"
             "constant/loads:\n{}\nsystem/solution/limitAnalysis:\n{}",
-            helpText(describeOptions<Gravity>()), helpText(describeOptions<MaterialProperties>()),
-            helpText(describeOptions<CaseEffects>()), helpText(describeOptions<LoadCases>()),
+            helpText(describeOptions<Gravity<2>>()), helpText(describeOptions<MaterialProperties>()),
+            helpText(describeOptions<CaseEffects>()), helpText(describeOptions<LoadCases<2>>()),
             helpText(describeOptions<LimitAnalysisControls>()));
     };
     return runApplication(argc, argv, description, run);

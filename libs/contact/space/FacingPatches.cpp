@@ -115,21 +115,6 @@ void findPatches(const Assembly<3>& assembly, const Face& a, const Face& b, cons
 
 } // namespace
 
-double meanBlockSize(const Assembly<3>& assembly)
-{
-    double volume = 0;
-    int count = 0;
-    for (const Block<3>& block : assembly.blocks)
-    {
-        if (block.support < 0)
-        {
-            volume += std::abs(volumeProperties(block.shape).volume);
-            ++count;
-        }
-    }
-    return count > 0 ? std::cbrt(volume / count) : 0;
-}
-
 std::vector<FacingPatch> findFacingPatches(const Assembly<3>& assembly, const FacingTolerance& tolerance)
 {
     const std::vector<Face> faces = facesOf(assembly, tolerance);

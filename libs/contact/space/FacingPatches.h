@@ -32,7 +32,4 @@ struct FacingPatch
 /// number of faces. `tolerance.oblique` is not used.
 std::vector<FacingPatch> findFacingPatches(const Assembly<3>& assembly, const FacingTolerance& tolerance);
 
-/// Cube root of the mean volume of the free blocks [m], what tolerances relate to. 0 without free blocks.
-double meanBlockSize(const Assembly<3>& assembly);
-
 } // namespace drystone

@@ -1,0 +1,72 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// What the checks of an assembly ask of the shapes of its blocks; the answers are in plane/ and space/.
+#pragma once
+
+#include "contact/AssemblyChecks.h"
+#include "contact/ContactPoint.h"
+
+#include <algorithm>
+#include <limits>
+#include <span>
+#include <string>
+
+namespace drystone
+{
+
+/// The least and the largest of the figures that a check has seen.
+struct CheckedRange
+{
+    double least = std::numeric_limits<double>::infinity();
+    double largest = -std::numeric_limits<double>::infinity();
+
+    void add(double value)
+    {
+        least = std::min(least, value);
+        largest = std::max(largest, value);
+    }
+    bool isEmpty() const { return least > largest; }
+};
+
+struct SliverRanges
+{
+    CheckedRange compactness;
+    CheckedRange angle; ///< of the corners [rad], of the plane
+};
+
+/// Area of a block of the plane [m2], volume of one of space [m3].
+double extentOf(const Block<2>& block);
+double extentOf(const Block<3>& block);
+
+/// Area or volume of the common part of two blocks. \param tolerance depth up to which blocks of space do not
+/// count as overlapping; not used in the plane [m]
+double commonExtent(const Block<2>& one, const Block<2>& other, double tolerance);
+double commonExtent(const Block<3>& one, const Block<3>& other, double tolerance);
+
+bool isConvexBlock(const Block<2>& block);
+bool isConvexBlock(const Block<3>& block);
+
+/// What is wrong with the inertia of a block, as a predicate that continues `block 3 `; empty when nothing
+/// is.
+std::string inertiaFault(const Block<2>& block, const CheckLimits& limits, CheckedRange& range);
+std::string inertiaFault(const Block<3>& block, const CheckLimits& limits, CheckedRange& range);
+template<int Dim>
+std::string inertiaMessage(const CheckedRange& range);
+
+/// What makes a block a sliver, likewise.
+std::string sliverFault(const Block<2>& block, const CheckLimits& limits, SliverRanges& ranges);
+std::string sliverFault(const Block<3>& block, const CheckLimits& limits, SliverRanges& ranges);
+template<int Dim>
+std::string sliverMessage(const SliverRanges& ranges);
+
+/// Length of a joint of the plane [m], area of one of space [m2]. \param points of one joint, as
+/// findContactPoints gives them
+double jointSize(std::span<const ContactPoint<2>> points);
+double jointSize(std::span<const ContactPoint<3>> points);
+
+/// Where one block touches another that it has no joint with: in the plane each corner of the one that lies
+/// on an edge of the other and not at its corner; in space one such corner, or a place between them where
+/// edges cross.
+std::vector<Vector<2>> loneTouches(const Block<2>& one, const Block<2>& other, double tolerance);
+std::vector<Vector<3>> loneTouches(const Block<3>& one, const Block<3>& other, double tolerance);
+
+} // namespace drystone

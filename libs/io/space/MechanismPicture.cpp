@@ -1,0 +1,346 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Axonometric picture of a structure in space, painted from back to front.
+///
+/// Of two blocks one is in front if a plane of a face of either has the blocks on its two sides: the one on
+/// the viewer's side. Faces that look away from the viewer are left out. Blocks are painted in an order that
+/// obeys all of these relations (topological sorting); where there is none, because blocks overlap each other
+/// in a ring, the one whose centre is farthest goes first.
+#include "io/MechanismPicture.h"
+
+#include "core/Error.h"
+#include "geometry/BroadPhase.h"
+#include "io/ClayColour.h"
+#include "io/Svg.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <queue>
+
+namespace drystone
+{
+
+namespace
+{
+
+/// A view without perspective.
+struct View
+{
+    Vector<3> right; ///< unit vectors
+    Vector<3> up;
+    Vector<3> towardsViewer;
+    Box<2> world;     ///< what is shown, along right and up [m]
+    Vector<2> corner; ///< of the drawing area, upper left [px]
+    double scale = 1; ///< [px/m]
+
+    Vector<2> seen(const Vector<3>& point) const { return {right.dot(point), up.dot(point)}; }
+    Vector<2> onPage(const Vector<3>& point) const
+    {
+        const Vector<2> place = seen(point);
+        return corner + scale * Vector<2>(place.x() - world.lower.x(), world.upper.y() - place.y());
+    }
+};
+
+View axonometricView()
+{
+    // From the front's right (the front looks towards -y), and from above.
+    const double azimuth = -55 * EIGEN_PI / 180;
+    const double elevation = 25 * EIGEN_PI / 180;
+    View view;
+    view.right = {-std::sin(azimuth), std::cos(azimuth), 0};
+    view.towardsViewer = {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
+                          std::sin(elevation)};
+    view.up = momentOf(view.towardsViewer, view.right); // the cross product
+    return view;
+}
+
+struct ShownBlock
+{
+    Polyhedron shape;
+    Vector<3> centre = Vector<3>::Zero();
+    Box<2> box;       ///< as it is seen [m]
+    double moved = 0; ///< mean displacement of its corners [m]
+    bool isFixed = false;
+};
+
+bool isGround(const Assembly<3>& assembly, const Block<3>& block)
+{
+    return block.support >= 0 && assembly.supports[static_cast<std::size_t>(block.support)].type == "ground";
+}
+
+double meanDisplacement(const Polyhedron& before, const Polyhedron& after)
+{
+    double sum = 0;
+    for (std::size_t i = 0; i < before.vertices.size(); ++i)
+    {
+        sum += (after.vertices[i] - before.vertices[i]).norm();
+    }
+    return before.vertices.empty() ? 0 : sum / static_cast<double>(before.vertices.size());
+}
+
+std::vector<ShownBlock> shownBlocks(const Assembly<3>& assembly, const std::vector<Placement<3>>& placements,
+                                    const View& view)
+{
+    std::vector<ShownBlock> shown;
+    for (std::size_t i = 0; i < assembly.blocks.size(); ++i)
+    {
+        const Block<3>& block = assembly.blocks[i];
+        if (isGround(assembly, block))
+        {
+            continue;
+        }
+        ShownBlock entry;
+        entry.shape = placedShape(block, placements[i]);
+        entry.isFixed = block.support >= 0;
+        entry.moved = meanDisplacement(block.shape, entry.shape);
+        for (const Vector<3>& vertex : entry.shape.vertices)
+        {
+            entry.centre += vertex / static_cast<double>(entry.shape.vertices.size());
+            extend<2>(entry.box, view.seen(vertex));
+        }
+        shown.push_back(std::move(entry));
+    }
+    return shown;
+}
+
+/// How far `other` is in front of a plane of a face of `one`: positive when all of it is.
+double leastHeight(const ShownBlock& other, const Vector<3>& origin, const Vector<3>& normal)
+{
+    double least = std::numeric_limits<double>::max();
+    for (const Vector<3>& vertex : other.shape.vertices)
+    {
+        least = std::min(least, normal.dot(vertex - origin));
+    }
+    return least;
+}
+
+/// Whether `one` is to be painted before `other`.
+bool isBehind(const ShownBlock& one, const ShownBlock& other, const View& view)
+{
+    // The plane that has the most room between the two decides; rounding must not.
+    double best = -std::numeric_limits<double>::max();
+    bool result = view.towardsViewer.dot(one.centre) < view.towardsViewer.dot(other.centre);
+    for (const auto& [owner, stranger] : {std::pair(&one, &other), std::pair(&other, &one)})
+    {
+        for (const std::vector<int>& face : owner->shape.faces)
+        {
+            const Vector<3> normal = areaVector(owner->shape, face).normalized();
+            const double slope = normal.dot(view.towardsViewer);
+            if (std::abs(slope) < 1e-3)
+            {
+                continue;
+            }
+            const double room =
+                leastHeight(*stranger, owner->shape.vertices[static_cast<std::size_t>(face.front())], normal);
+            if (room > best)
+            {
+                best = room;
+                // The stranger is beyond the face: in front of the owner if the face looks at the viewer.
+                result = (slope > 0) == (owner == &one);
+            }
+        }
+    }
+    return result;
+}
+
+/// Indices of the blocks from back to front.
+std::vector<int> paintingOrder(const std::vector<ShownBlock>& shown, const View& view)
+{
+    std::vector<Box<2>> boxes;
+    std::vector<double> depth;
+    for (const ShownBlock& block : shown)
+    {
+        boxes.push_back(block.box);
+        depth.push_back(view.towardsViewer.dot(block.centre));
+    }
+    std::vector<std::vector<int>> after(shown.size());
+    std::vector<int> before(shown.size(), 0);
+    for (const auto& [one, other] : findMeetingPairs(boxes))
+    {
+        const bool oneFirst = isBehind(shown[one], shown[other], view);
+        after[oneFirst ? one : other].push_back(oneFirst ? other : one);
+        ++before[oneFirst ? other : one];
+    }
+    // The farthest of those that may be painted; where none may, the farthest of all that are left.
+    using Entry = std::pair<double, int>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> ready;
+    std::vector<Entry> all;
+    for (std::size_t i = 0; i < shown.size(); ++i)
+    {
+        all.emplace_back(depth[i], static_cast<int>(i));
+        if (before[i] == 0)
+        {
+            ready.push(all.back());
+        }
+    }
+    std::sort(all.begin(), all.end());
+    std::vector<char> isPainted(shown.size(), false);
+    std::vector<int> order;
+    auto left = all.begin();
+    while (order.size() < shown.size())
+    {
+        int next = -1;
+        if (!ready.empty())
+        {
+            next = ready.top().second;
+            ready.pop();
+        }
+        else
+        {
+            while (isPainted[left->second])
+            {
+                ++left;
+            }
+            next = left->second;
+        }
+        if (isPainted[next])
+        {
+            continue;
+        }
+        isPainted[next] = true;
+        order.push_back(next);
+        for (const int other : after[next])
+        {
+            if (--before[other] == 0 && !isPainted[other])
+            {
+                ready.emplace(depth[other], other);
+            }
+        }
+    }
+    return order;
+}
+
+void paintBlock(SvgDrawing& drawing, const ShownBlock& block, const View& view, double value)
+{
+    std::vector<std::pair<double, const std::vector<int>*>> faces;
+    for (const std::vector<int>& face : block.shape.faces)
+    {
+        if (areaVector(block.shape, face).dot(view.towardsViewer) > 0)
+        {
+            double depth = 0;
+            for (const int vertex : face)
+            {
+                depth +=
+                    view.towardsViewer.dot(block.shape.vertices[vertex]) / static_cast<double>(face.size());
+            }
+            faces.emplace_back(depth, &face);
+        }
+    }
+    std::sort(faces.begin(), faces.end());
+    for (const auto& [depth, face] : faces)
+    {
+        const Vector<3> normal = areaVector(block.shape, *face).normalized();
+        // Light from above, the front brighter than the side.
+        const double light = 0.80 + 0.20 * normal.z() - 0.08 * normal.y() - 0.06 * normal.x();
+        Polygon outline;
+        for (const int vertex : *face)
+        {
+            outline.push_back(view.onPage(block.shape.vertices[vertex]));
+        }
+        const int grey = static_cast<int>(std::clamp(205 * light + 20, 0.0, 255.0));
+        drawing.polygon(outline, {.fill = block.isFixed ? fmt::format("#{0:02x}{0:02x}{0:02x}", grey)
+                                                        : clayColour(value, light + 0.04),
+                                  .stroke = "#3b2a22",
+                                  .strokeWidth = 0.7});
+    }
+}
+
+/// The ground under the structure as a plane strip.
+void paintGround(SvgDrawing& drawing, const Assembly<3>& assembly, const View& view, double blockSize)
+{
+    Box<3> box;
+    double top = 0;
+    bool hasGround = false;
+    for (const Block<3>& block : assembly.blocks)
+    {
+        for (const Vector<3>& vertex : block.shape.vertices)
+        {
+            if (isGround(assembly, block))
+            {
+                top = hasGround ? std::max(top, vertex.z()) : vertex.z();
+                hasGround = true;
+            }
+            else
+            {
+                extend<3>(box, vertex);
+            }
+        }
+    }
+    if (!hasGround || box.lower.x() > box.upper.x())
+    {
+        return;
+    }
+    const double margin = 0.8 * blockSize;
+    Polygon outline;
+    for (const auto& [x, y] : {std::pair(box.lower.x() - margin, box.lower.y() - margin),
+                               std::pair(box.upper.x() + margin, box.lower.y() - margin),
+                               std::pair(box.upper.x() + margin, box.upper.y() + margin),
+                               std::pair(box.lower.x() - margin, box.upper.y() + margin)})
+    {
+        outline.push_back(view.onPage({x, y, top}));
+    }
+    drawing.polygon(outline, {.fill = "#e6e6e2", .stroke = "#9a9a9a", .strokeWidth = 0.8});
+}
+
+} // namespace
+
+std::string mechanismSvg(const Assembly<3>& assembly, const std::vector<Placement<3>>& placements,
+                         const MechanismPicture& picture)
+{
+    if (placements.size() != assembly.blocks.size())
+    {
+        throw FatalError(fmt::format("{} placements were given for {} blocks.", placements.size(),
+                                     assembly.blocks.size()));
+    }
+    const double blockSize = meanBlockSize(assembly);
+    View view = axonometricView();
+    const std::vector<ShownBlock> shown = shownBlocks(assembly, placements, view);
+    for (const ShownBlock& block : shown)
+    {
+        extend<2>(view.world, block.box.lower);
+        extend<2>(view.world, block.box.upper);
+    }
+    if (shown.empty())
+    {
+        view.world = {Vector<2>::Zero(), Vector<2>::Ones()};
+    }
+    view.world = enlarged<2>(view.world, blockSize);
+    constexpr double margin = 16;
+    const double head = picture.title.empty() && picture.subtitle.empty() ? margin : 64;
+    const Vector<2> world = view.world.upper - view.world.lower;
+    view.scale = std::min((picture.width - 2 * margin) / world.x(), 1.4 * picture.width / world.y());
+    const Vector<2> room = view.scale * world;
+    view.corner = {(picture.width - room.x()) / 2, head};
+    const double legend = 44;
+    SvgDrawing drawing(picture.width, head + room.y() + legend);
+    if (!picture.title.empty())
+    {
+        drawing.text({picture.width / 2, 28}, picture.title,
+                     {.size = 17, .anchor = TextAnchor::middle, .weight = "bold"});
+    }
+    if (!picture.subtitle.empty())
+    {
+        drawing.text({picture.width / 2, 50}, picture.subtitle, {.size = 14, .anchor = TextAnchor::middle});
+    }
+    double furthest = 0;
+    for (const ShownBlock& block : shown)
+    {
+        furthest = std::max(furthest, block.moved);
+    }
+    drawing.beginClip("view", view.corner, room.x(), room.y());
+    paintGround(drawing, assembly, view, blockSize);
+    for (const int i : paintingOrder(shown, view))
+    {
+        paintBlock(drawing, shown[i], view, furthest > 0 ? shown[i].moved / furthest : 0);
+    }
+    drawing.endClip();
+    if (furthest > 0)
+    {
+        paintClayLegend(drawing, {view.corner.x() + 4, head + room.y() + 14});
+    }
+    return drawing.document();
+}
+
+} // namespace drystone

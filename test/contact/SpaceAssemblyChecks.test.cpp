@@ -1,0 +1,147 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Every check of checkBlocks has a case in space that fails it, and only it where that is possible.
+#include "contact/AlmostJoints.h"
+#include "contact/AssemblyChecks.h"
+#include "contact/ContactState.h"
+#include "contact/JointClosure.h"
+#include "contact/JointLaws.h"
+#include "contact/SupportPaths.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+using namespace drystone;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+namespace
+{
+
+Assembly<3> onGround(const std::vector<Polyhedron>& shapes)
+{
+    Assembly<3> assembly;
+    for (const Polyhedron& shape : shapes)
+    {
+        assembly.blocks.push_back({shape});
+    }
+    assembly.blocks.push_back({makeBox({-10, -10, -1}, {10, 10, 0}), 0});
+    assembly.supports = {{"ground", "ground"}};
+    closeJoints(assembly);
+    return assembly;
+}
+
+std::vector<std::string> failed(const Assembly<3>& assembly, CheckExtent extent = CheckExtent::standard)
+{
+    std::vector<std::string> names;
+    for (const CheckResult& check : checkAssembly(assembly, extent).checks)
+    {
+        if (check.failures > 0)
+        {
+            names.push_back(check.name);
+        }
+    }
+    return names;
+}
+
+const Polyhedron cube = makeBox({0, 0, 0}, {1, 1, 1});
+
+TEST(SpaceAssemblyChecks, SoundBlocksPass)
+{
+    const Assembly<3> assembly = onGround({cube, makeBox({0.5, 0, 1}, {1.5, 1, 2})});
+    EXPECT_THAT(failed(assembly, CheckExtent::all), IsEmpty());
+    const AssemblyStatistics<3> statistics = countAssembly(assembly);
+    EXPECT_EQ(statistics.freeBlocks, 2);
+    EXPECT_EQ(statistics.joints, 2);
+    EXPECT_EQ(statistics.contactPoints, 8);
+    EXPECT_THAT(printedReport(assembly, checkAssembly(assembly)), HasSubstr("(0 0 0) (1.5 1 2) m"));
+}
+
+TEST(SpaceAssemblyChecks, OverlapsAndDuplicatesAreFound)
+{
+    const Assembly<3> overlapping = onGround({cube, makeBox({0.9, 0, 0}, {1.9, 1, 1})});
+    EXPECT_THAT(failed(overlapping), ElementsAre("overlaps"));
+    const std::vector<Overlap<3>> overlaps = findOverlaps(overlapping);
+    ASSERT_EQ(overlaps.size(), 1U);
+    EXPECT_NEAR(overlaps.front().common, 0.1, 1e-12);
+    EXPECT_THAT(failed(onGround({cube, cube})), ElementsAre("duplicates"));
+    // Sunk into the ground.
+    EXPECT_THAT(failed(onGround({makeBox({0, 0, -0.05}, {1, 1, 1})})), ElementsAre("overlaps", "supports"));
+}
+
+TEST(SpaceAssemblyChecks, FacesThatAlmostMeetAreAGapUnlessThatIsStated)
+{
+    Assembly<3> assembly = onGround({makeBox({0, 0, 0.003}, {1, 1, 1})});
+    EXPECT_THAT(failed(assembly), ElementsAre("gaps", "supports"));
+    EXPECT_THAT(almostJointsText(assembly), HasSubstr("block 0 and block 1 (support ground) almost meet"));
+    assembly.jointTolerance = 1e-3;
+    closeJoints(assembly);
+    EXPECT_EQ(facesApartOnPurpose(assembly), 1);
+    assembly.jointTolerance = 5e-3;
+    closeJoints(assembly);
+    EXPECT_THAT(failed(assembly), IsEmpty());
+    EXPECT_EQ(findContactPoints(assembly, contactTolerance(assembly)).size(), 4U);
+}
+
+TEST(SpaceAssemblyChecks, SliversAreFound)
+{
+    EXPECT_THAT(failed(onGround({cube, makeBox({2, 0, 0}, {3, 1, 0.0005})})), ElementsAre("slivers"));
+}
+
+TEST(SpaceAssemblyChecks, BlocksThatTouchAlongAnEdgeAreNotHeld)
+{
+    const Assembly<3> assembly = onGround({cube, makeBox({1, 0, 1}, {2, 1, 2})});
+    EXPECT_THAT(failed(assembly, CheckExtent::all), ElementsAre("supports", "edgeTouches"));
+    EXPECT_THAT(blocksWithoutSupport(assembly, findContactPoints(assembly)), ElementsAre(1));
+    EXPECT_THAT(instabilityCause(assembly, findContactPoints(assembly)),
+                HasSubstr("block 1 touches block 0 along an edge or at a corner only"));
+}
+
+TEST(SpaceAssemblyChecks, SmallJointsAreFound)
+{
+    const Assembly<3> assembly = onGround({cube, makeBox({0.9995, 0.9995, 1}, {1.9995, 1.9995, 2})});
+    EXPECT_THAT(failed(assembly, CheckExtent::all), ElementsAre("smallJoints"));
+}
+
+TEST(SpaceAssemblyChecks, ConcaveBlocksMayHoldOthersInTheirNotch)
+{
+    const Polyhedron corner = makePrism({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}},
+                                        {{0, 0, 1}, {2, 0, 1}, {2, 1, 1}, {1, 1, 1}, {1, 2, 1}, {0, 2, 1}});
+    const Assembly<3> assembly = onGround({corner, makeBox({1, 1, 0}, {2, 2, 1})});
+    EXPECT_THAT(failed(assembly, CheckExtent::all), IsEmpty());
+    EXPECT_EQ(countAssembly(assembly).concaveBlocks, 1);
+}
+
+TEST(SpaceJointLaws, AreasOfPointsHaveTheAreaAndTheCentroidOfTheirPatch)
+{
+    for (const Polyhedron& shape :
+         {makeBox({1, 2, 0}, {4, 4, 1}), makePrism({{0, 0, 0}, {3, 0, 0}, {4, 1, 0}, {1, 3, 0}},
+                                                   {{0, 0, 1}, {3, 0, 1}, {4, 1, 1}, {1, 3, 1}})})
+    {
+        const Assembly<3> assembly = onGround({shape});
+        const std::vector<ContactPoint<3>> points = findContactPoints(assembly);
+        const std::vector<double> areas = pointAreas(assembly, points);
+        const double area = std::accumulate(areas.begin(), areas.end(), 0.0);
+        EXPECT_NEAR(area, volumeProperties(shape).volume, 1e-12); // it is 1 m high
+        Vector<3> centroid = Vector<3>::Zero();
+        for (std::size_t i = 0; i < points.size(); ++i)
+        {
+            EXPECT_GT(areas[i], 0);
+            centroid += areas[i] / area * points[i].position;
+        }
+        EXPECT_LE((centroid.head<2>() - volumeProperties(shape).centroid.head<2>()).norm(), 1e-12);
+    }
+}
+
+TEST(SpaceContactState, ShearIsTheLengthOfItsTwoComponents)
+{
+    const std::vector<Vector<3>> forces = pointForces<3>(
+        Eigen::VectorXd::Map(std::vector<double>{10, 3, 4, 10, 0, 0, 0, 0, 0, 10, 3, 3.9}.data(), 12));
+    EXPECT_THAT(contactStates(forces, std::vector<double>(4, 0.5)),
+                ElementsAre(ContactState::sliding, ContactState::sticking, ContactState::open,
+                            ContactState::sticking));
+}
+
+} // namespace

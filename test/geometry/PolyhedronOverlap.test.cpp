@@ -1,0 +1,101 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometry/space/PolyhedronOverlap.h"
+#include "geometry/space/FacePolygon.h"
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace drystone
+{
+namespace
+{
+
+Polyhedron moved(Polyhedron shape, const Eigen::Matrix3d& turn, const Vector<3>& move)
+{
+    for (Vector<3>& vertex : shape.vertices)
+    {
+        vertex = turn * vertex + move;
+    }
+    return shape;
+}
+
+/// An L of three unit cubes.
+Polyhedron corner()
+{
+    return makePrism({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}},
+                     {{0, 0, 1}, {2, 0, 1}, {2, 1, 1}, {1, 1, 1}, {1, 2, 1}, {0, 2, 1}});
+}
+
+TEST(PolyhedronOverlap, OfBoxesIsTheirCommonBoxHoweverTheyAreTurned)
+{
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> chance(0.1, 1);
+    for (int i = 0; i < 100; ++i)
+    {
+        const Vector<3> upper(chance(random), chance(random), chance(random));
+        const Vector<3> lower = upper.cwiseProduct(Vector<3>(chance(random), chance(random), chance(random)));
+        const Vector<3> far = upper + Vector<3>(chance(random), chance(random), chance(random));
+        const Eigen::Matrix3d turn =
+            Eigen::AngleAxisd(chance(random), Vector<3>(chance(random), chance(random), 1).normalized())
+                .toRotationMatrix();
+        const Polyhedron a = moved(makeBox({0, 0, 0}, upper), turn, {5, 6, 7});
+        const Polyhedron b = moved(makeBox(lower, far), turn, {5, 6, 7});
+        EXPECT_NEAR(overlapVolume(a, b), (upper - lower).prod(), 1e-12) << i;
+        EXPECT_NEAR(overlapVolume(b, a), (upper - lower).prod(), 1e-12) << i;
+        EXPECT_NEAR(overlapDepth(a, b), (upper - lower).minCoeff(), 1e-12) << i;
+    }
+}
+
+TEST(PolyhedronOverlap, BlocksThatTouchOrLieApartHaveNone)
+{
+    const Polyhedron cube = makeBox({0, 0, 0}, {1, 1, 1});
+    for (const Vector<3>& move :
+         {Vector<3>(1, 0, 0), Vector<3>(1, 1, 0), Vector<3>(1, 1, 1), Vector<3>(3, 0, 0)})
+    {
+        const Polyhedron other = moved(cube, Eigen::Matrix3d::Identity(), move);
+        EXPECT_EQ(overlapDepth(cube, other), 0);
+        EXPECT_NEAR(overlapVolume(cube, other), 0, 1e-14);
+    }
+    // Edge across edge, parted by neither's faces: only the direction across both edges parts them.
+    const Eigen::Matrix3d onEdge = Eigen::AngleAxisd(EIGEN_PI / 4, Vector<3>::UnitX()).toRotationMatrix();
+    const Polyhedron lower = moved(makeBox({-2, -0.5, -0.5}, {2, 0.5, 0.5}), onEdge, {0, 0, 0});
+    const Eigen::Matrix3d across = Eigen::AngleAxisd(EIGEN_PI / 2, Vector<3>::UnitZ()).toRotationMatrix();
+    const double top = std::sqrt(0.5);
+    EXPECT_EQ(overlapDepth(lower, moved(lower, across, {0, 0, 2 * top + 1e-6})), 0);
+    EXPECT_NEAR(overlapDepth(lower, moved(lower, across, {0, 0, 2 * top - 0.01})), 0.01, 1e-12);
+}
+
+TEST(PolyhedronOverlap, OfConcaveBlocksCountsTheirSolidOnly)
+{
+    const Polyhedron angle = corner();
+    EXPECT_FALSE(isConvex(angle));
+    EXPECT_TRUE(isConvex(makeBox({0, 0, 0}, {1, 2, 3})));
+    EXPECT_NEAR(overlapVolume(angle, makeBox({1, 1, 0}, {2, 2, 1})), 0, 1e-14); // in the notch
+    EXPECT_NEAR(overlapVolume(angle, makeBox({0.9, 0.8, -1}, {2, 2, 0.5})), 0.5 * (1.1 * 0.2 + 0.1 * 1),
+                1e-12);
+    EXPECT_EQ(overlapDepth(angle, makeBox({1, 1, 0}, {2, 2, 1})), 0);
+    EXPECT_NEAR(overlapDepth(angle, makeBox({0.9, 0.9, 0.1}, {2, 2, 0.9})), 0.1, 1e-12);
+}
+
+TEST(PolyhedronOverlap, DistancesOfPointsAreFromTheSolid)
+{
+    const Polyhedron angle = corner();
+    EXPECT_EQ(distance(angle, {0.5, 0.5, 0.5}), 0);
+    EXPECT_NEAR(distance(angle, {1.5, 1.5, 0.5}), 0.5, 1e-12); // in the notch
+    EXPECT_NEAR(distance(angle, {-3, -4, 0.5}), 5, 1e-12);
+    EXPECT_NEAR(distance(angle, {1, 1, 2}), 1, 1e-12);
+    EXPECT_NEAR(distance(angle, {2, 0.5, 0.5}), 0, 1e-12);
+}
+
+TEST(PolyhedronOverlap, ABallIsMostCompact)
+{
+    EXPECT_NEAR(solidQuality(makeBox({0, 0, 0}, {1, 1, 1})).compactness, EIGEN_PI / 6, 1e-12);
+    EXPECT_LT(solidQuality(makeBox({0, 0, 0}, {1, 1, 1e-3})).compactness, 1e-4);
+    EXPECT_NEAR(solidQuality(makeBox({0, 0, 0}, {1, 2, 0.25})).shortestEdge, 0.25, 1e-15);
+}
+
+} // namespace
+} // namespace drystone

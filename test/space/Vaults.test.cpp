@@ -1,0 +1,149 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+// Laws of vaults and of walls that the plane knows too, and bonds that are hard to solve.
+#include "SpaceStructures.h"
+#include "dictionary/Dictionary.h"
+#include "texture/Texture.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace drystone
+{
+namespace
+{
+
+using test::collapse;
+using test::multiplier;
+using test::pushed;
+
+Assembly<3> structure(const std::string& texture)
+{
+    return makeStructure<3>(Dictionary::readString("dimensions 3; texture { " + texture
+                                                       + " } supports { ground { type ground; } }",
+                                                   "blockTextureDict"));
+}
+
+/// Multiplier of a structure of the plane, of unit weight, pushed along x; tolerance as tight as it is
+/// solved.
+double planeMultiplier(const Assembly<2>& assembly, double mu)
+{
+    std::vector<double> masses;
+    for (const BlockMass<2>& block : blockMasses(assembly))
+    {
+        masses.push_back(block.volume);
+    }
+    const std::vector<ContactPoint<2>> points = findContactPoints(assembly);
+    const LoadVectors loads{gravityLoad(assembly, masses, {0, -1}),
+                            inertialLoad(assembly, masses, {0, -1}, {1, 0})};
+    const LimitAnalysis result =
+        solveLimitAnalysis(limitAnalysisProgram(static_cast<int>(loads.dead.size()) / 3,
+                                                equilibriumColumns(assembly, blockMasses(assembly), points),
+                                                std::vector<double>(points.size(), mu), loads),
+                           {.tolerance = 1e-10});
+    EXPECT_EQ(result.status, CollapseStatus::optimal);
+    return result.alpha;
+}
+
+// Law 2, with the walls of the paper: to 1e-8 of the plane.
+TEST(LawsOfVaults, TheSixWallsExtrudedEqualThePlaneOnes)
+{
+    for (int wall = 1; wall <= 6; ++wall)
+    {
+        const Dictionary dictionary = Dictionary::readFile(
+            fmt::format("{}/tutorials/limitAnalysis/masonryPanels/wall{}/system/blockTextureDict",
+                        DRYSTONE_SOURCE_DIR, wall));
+        const Assembly<2> plane = makeStructure<2>(dictionary);
+        const Assembly<3> space =
+            structure("type extrusion; of { " + toText(dictionary.subDict("texture")) + " } thickness 0.3;");
+        const LimitAnalysis result = solveLimitAnalysis(
+            test::programOf(space, findContactPoints(space), 0.65, pushed(space, {1, 0, 0})),
+            {.tolerance = 1e-10});
+        EXPECT_EQ(result.status, CollapseStatus::optimal) << wall;
+        EXPECT_NEAR(result.alpha, planeMultiplier(plane, 0.65), 1e-8) << wall;
+    }
+}
+
+// Law 3.
+TEST(LawsOfVaults, ABarrelInAnyBondEqualsThePlaneArch)
+{
+    test::Chance chance(11);
+    for (int i = 0; i < 20; ++i)
+    {
+        const std::string arch =
+            fmt::format("radius 1; thickness {:.17g}; voussoirs {}; ", chance(0.15, 0.25), 9 + i % 9);
+        const Assembly<2> plane = makeStructure<2>(
+            Dictionary::readString("texture { type arch; profile circular; " + arch
+                                       + "depth 1; angle 180; } supports { ground { type ground; } }",
+                                   "blockTextureDict"));
+        const double alpha = planeMultiplier(plane, 10);
+        for (const char* bond : {"slices 1;", "slices 3;", "slices 3; staggered yes;"})
+        {
+            const Assembly<3> barrel = structure("type barrelVault; " + arch
+                                                 + fmt::format("length {:.17g}; ", chance(0.5, 2)) + bond);
+            EXPECT_NEAR(multiplier(barrel, 10, {1, 0, 0}), alpha, 1e-6) << "instance " << i << ", " << bond;
+        }
+    }
+}
+
+// Law 8.
+TEST(LawsOfVaults, TheLeastThicknessOfAHemisphereIsThatOfOneLune)
+{
+    for (const auto& [top, least] :
+         {std::pair("cap 10;", 0.0418166170), std::pair("oculus 20;", 0.0340512141)})
+    {
+        for (const auto& [factor, expected] :
+             {std::pair(1 + 1e-5, CollapseStatus::optimal), std::pair(1 - 1e-5, CollapseStatus::unstable)})
+        {
+            const Assembly<3> dome = structure(fmt::format(
+                "type dome; radius 1; thickness {:.17g}; around 8; rows 8; {}", factor * least, top));
+            EXPECT_EQ(collapse(dome, findContactPoints(dome), 0.7, pushed(dome, {1, 0, 0})).status, expected)
+                << top << " " << factor;
+        }
+    }
+}
+
+TEST(LawsOfVaults, ADomePushedOutwardsHasTheMultiplierOfItsLunes)
+{
+    const Assembly<3> dome = structure("type dome; radius 1; thickness 0.1; around 8; rows 8; cap 10;");
+    LoadVectors loads = pushed(dome, {1, 0, 0});
+    const std::vector<BlockMass<3>> masses = blockMasses(dome);
+    const std::vector<int> free = freeIndices(dome);
+    for (std::size_t i = 0; i < masses.size(); ++i)
+    {
+        if (free[i] >= 0)
+        {
+            const Vector<2> radius = masses[i].centroid.head<2>();
+            loads.live.segment<2>(6 * free[i]) =
+                radius.norm() > 1e-9 ? Vector<2>(masses[i].volume * radius.normalized()) : Vector<2>(0, 0);
+        }
+    }
+    const LimitAnalysis result = collapse(dome, findContactPoints(dome), 0.7, loads);
+    EXPECT_EQ(result.status, CollapseStatus::optimal);
+    EXPECT_NEAR(result.alpha, 0.2744416, 1e-6);
+}
+
+// 403 iterations without an end, or an infinite residual, before rays and round cones had one solver.
+TEST(LawsOfVaults, HighWallsInFlemishBondAreSolvedInEveryDirection)
+{
+    for (const auto& [length, courses] : {std::pair(6, 10), std::pair(6, 8)})
+    {
+        const Assembly<3> wall =
+            structure(fmt::format("type walls; unit (0.24 0.12 0.08); bond flemish; courses {}; "
+                                  "walls {{ wall {{ from (0 0); length {}; }} }}",
+                                  courses, length));
+        const std::vector<ContactPoint<3>> points = findContactPoints(wall);
+        for (const double degrees : {0.0, 45.0, 90.0})
+        {
+            const double angle = degrees * EIGEN_PI / 180;
+            const LimitAnalysis result =
+                collapse(wall, points, 0.6, pushed(wall, {std::cos(angle), std::sin(angle), 0}));
+            EXPECT_EQ(result.status, CollapseStatus::optimal) << length << " " << courses << " " << degrees;
+            EXPECT_LE(result.certificate.worst(), 1e-9) << length << " " << courses << " " << degrees;
+        }
+    }
+}
+
+} // namespace
+} // namespace drystone
