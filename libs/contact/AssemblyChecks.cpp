@@ -281,10 +281,10 @@ CheckResult checkTouches(const Assembly<Dim>& assembly, const Findings<Dim>& fin
             }
         }
     }
-    result.message =
-        fmt::format(Dim == 2 ? "Corners that touch an edge without a joint: {}"
-                             : "Blocks that touch along an edge or at a corner without a joint: {}",
-                    result.failures);
+    result.message = fmt::format("{} without a joint: {}",
+                                 Dim == 2 ? "Corners that touch an edge"
+                                          : "Blocks that touch along an edge or at a corner",
+                                 result.failures);
     return result;
 }
 

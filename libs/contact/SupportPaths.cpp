@@ -113,11 +113,11 @@ std::string instabilityCause(const Assembly<Dim>& assembly, const std::vector<Co
     if (const std::string touching = cornerTouch(assembly, loose); !touching.empty())
     {
         text += fmt::format(
-            Dim == 2 ? " {} at a corner only: a joint needs a face, along which two edges lie on "
-                       "each other."
-                     : " {} along an edge or at a corner only: a joint needs two faces that lie on "
-                       "each other.",
-            touching);
+            " {} {}.", touching,
+            Dim == 2 ? "at a corner only: a joint needs a face, along which two edges lie on each "
+                       "other"
+                     : "along an edge or at a corner only: a joint needs two faces that lie on each "
+                       "other");
     }
     return text;
 }
