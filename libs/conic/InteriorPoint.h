@@ -19,7 +19,7 @@ enum class Arithmetic
     standard  ///< double precision only
 };
 
-/// Keys of `solver interiorPoint;`, but for the last two.
+/// Keys of `solver interiorPoint;`, but for the last and `arithmetic`.
 struct InteriorPointSettings
 {
     double tolerance = 1e-9;     ///< on every figure of the certificate
@@ -27,7 +27,9 @@ struct InteriorPointSettings
     int correctors = 8;          ///< higher-order corrections tried with one factorisation; half of them
                                  ///< where it is cheap compared with its solves
     Arithmetic arithmetic = Arithmetic::adaptive;
-    IterationTrace* trace = nullptr; ///< filled in where there is one (interiorPoint/Trace.h); not owned
+    bool writeIterations =
+        false; ///< a line for each into the log, why they ended, and the time of each phase
+    IterationTrace* trace = nullptr; ///< the same for the caller (interiorPoint/Trace.h); not owned
 };
 
 /// Solves a program of the plane or of space from a cold start (Mehrotra 1992 predictor-corrector with

@@ -50,6 +50,9 @@ void declare(Options& options, SolverChoice& choice)
         .atLeast(1);
     options.optional("writeProgram", choice.writeProgram,
                      "which cone programs are written into postProcessing/, as solveProgram reads them");
+    options.optional("writeIterations", choice.writeIterations,
+                     "whether each iteration of interiorPoint gets a line in the log, with the reason for "
+                     "stopping and the time of each phase");
     options.optional("correctors", choice.correctors, "of interiorPoint, tried with one factorisation")
         .atLeast(0)
         .atMost(20);
@@ -57,7 +60,9 @@ void declare(Options& options, SolverChoice& choice)
 
 InteriorPointSettings interiorPointSettings(const SolverChoice& choice)
 {
-    return {choice.tolerance, choice.maximumIterations, choice.correctors};
+    InteriorPointSettings settings{choice.tolerance, choice.maximumIterations, choice.correctors};
+    settings.writeIterations = choice.writeIterations;
+    return settings;
 }
 
 bool solvesMotionOnly(SolverType solver)

@@ -97,6 +97,7 @@ struct SolverChoice
     int maximumFactorisations =
         5000; ///< of one step in time, all its programs and attempts (dynamics/StepWork.h)
     WriteProgram writeProgram = WriteProgram::never;
+    bool writeIterations = false; ///< of interiorPoint, into the log
     SolveObserver observer =
         {}; ///< called by solveConeProgram; no key: applications set it, or leave it empty
 };

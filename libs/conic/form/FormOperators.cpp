@@ -34,24 +34,37 @@ RowsOf<Rows, Scalar> onFirst(const ColumnOf<Rows, Scalar>& column)
 template<int Rows, class Scalar>
 RowsOf<Rows, Scalar> onSecond(const ColumnOf<Rows, Scalar>& column)
 {
-    RowsOf<Rows, Scalar> rows;
-    rows << -column.template head<Form<Rows>::forces>(), column.template tail<Form<Rows>::moments>();
-    return rows;
+    if constexpr (Rows == 3) // at once: parts written one by one are slow to read back as a whole
+    {
+        return {-column[0], -column[1], column[3]};
+    }
+    else
+    {
+        RowsOf<Rows, Scalar> rows;
+        rows << -column.template head<Form<Rows>::forces>(), column.template tail<Form<Rows>::moments>();
+        return rows;
+    }
 }
 
 /// How the displacements of two bodies close a point of both: what its columns are multiplied with.
 template<int Rows, class Scalar>
 ColumnOf<Rows, Scalar> closingOf(const typename Form<Rows>::Group& group, const VectorOf<Scalar>& y)
 {
-    constexpr int forces = Form<Rows>::forces;
-    constexpr int moments = Form<Rows>::moments;
     const auto first = y.template segment<Rows>(Rows * group.first);
     const auto second = y.template segment<Rows>(Rows * group.second);
-    ColumnOf<Rows, Scalar> closing;
-    closing.template head<forces>() = first.template head<forces>() - second.template head<forces>();
-    closing.template segment<moments>(forces) = first.template tail<moments>();
-    closing.template tail<moments>() = second.template tail<moments>();
-    return closing;
+    if constexpr (Rows == 3)
+    {
+        return {first[0] - second[0], first[1] - second[1], first[2], second[2]};
+    }
+    else
+    {
+        constexpr int forces = Form<Rows>::forces;
+        constexpr int moments = Form<Rows>::moments;
+        ColumnOf<Rows, Scalar> closing;
+        closing << first.template head<forces>() - second.template head<forces>(),
+            first.template tail<moments>(), second.template tail<moments>();
+        return closing;
+    }
 }
 
 /// Stiffness that a limit adds to what it limits, q = e^2 / d_w, and what is left of the weights: eliminating

@@ -15,17 +15,15 @@ namespace
 /// their steps short. The p of all rays are the rows of the bodies together, which is about half for those
 /// that press, and nothing for those that are open: p = s / (2 (s + z)), so that the sum is (z (s + ds) + (s
 /// + 2z)(z + dz)) / (2z (s + z)). Its root is taken, since other rays answer too.
-auto answerOfProducts(const Eigen::Ref<const Eigen::VectorXd>& s, const Eigen::Ref<const Eigen::VectorXd>& z,
-                      const Eigen::Ref<const Eigen::VectorXd>& ds,
-                      const Eigen::Ref<const Eigen::VectorXd>& dz, double primal, double dual)
+/// \return an expression of parts of vectors, which must outlive it
+template<class Part>
+auto answerOfProducts(const Part& s, const Part& z, const Part& ds, const Part& dz, double primal,
+                      double dual)
 {
     constexpr double least = 0.2;
-    const auto force = (s.array() + primal * ds.array()).max(0);
-    const auto opening = (z.array() + dual * dz.array()).max(0);
-    return Eigen::ArrayXd(
-        ((z.array() * force + (s.array() + 2 * z.array()) * opening) / (2 * z.array() * (s + z).array()))
-            .max(least)
-            .sqrt());
+    const auto force = (s + primal * ds).max(0);
+    const auto opening = (z + dual * dz).max(0);
+    return ((z * force + (s + 2 * z) * opening) / (2 * z * (s + z))).max(least).sqrt();
 }
 
 /// Likewise for a round cone, by the eigenvectors of its scaling: with ds and dz scaled, both from lambda, of
@@ -76,10 +74,12 @@ VectorOf<Scalar> mehrotraPull(const State<Rows, Scalar>& state, const ConeScalin
     const Eigen::Index rays = cones.rays;
     if constexpr (std::is_same_v<Scalar, double>)
     {
-        const auto answer = answerOfProducts(state.at.s.head(rays), state.at.z.head(rays), step.s.head(rays),
-                                             step.z.head(rays), 1, 1);
-        pull.head(rays).array() = (aim - step.s.head(rays).array() * step.z.head(rays).array()) / answer
-                                  * scaling.flexibility.array();
+        const auto ds = step.s.head(rays).array();
+        const auto dz = step.z.head(rays).array();
+        pull.head(rays).array() =
+            (aim - ds * dz)
+            / answerOfProducts(state.at.s.head(rays).array(), state.at.z.head(rays).array(), ds, dz, 1, 1)
+            * scaling.flexibility.array();
     }
     else
     {
@@ -112,11 +112,13 @@ VectorOf<Scalar> gondzioPull(const State<Rows, Scalar>& state, const ConeScaling
     const Eigen::Index rays = cones.rays;
     if constexpr (std::is_same_v<Scalar, double>)
     {
-        const auto product = (state.at.s.head(rays) + primal * step.s.head(rays)).array()
-                             * (state.at.z.head(rays) + dual * step.z.head(rays)).array();
-        const auto answer = answerOfProducts(state.at.s.head(rays), state.at.z.head(rays), step.s.head(rays),
-                                             step.z.head(rays), primal, dual);
-        pull.head(rays).array() = (least - product).max((largest - product).min(0.0).max(-largest)) / answer
+        const auto s = state.at.s.head(rays).array();
+        const auto z = state.at.z.head(rays).array();
+        const auto ds = step.s.head(rays).array();
+        const auto dz = step.z.head(rays).array();
+        const auto product = (s + primal * ds) * (z + dual * dz);
+        pull.head(rays).array() = (least - product).max((largest - product).min(0.0).max(-largest))
+                                  / answerOfProducts(s, z, ds, dz, primal, dual)
                                   * scaling.flexibility.array();
     }
     else

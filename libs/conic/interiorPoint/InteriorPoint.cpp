@@ -8,6 +8,8 @@
 #include "conic/UpperBounds.h"
 #include "conic/form/Form.h"
 #include "conic/interiorPoint/SolveOnce.h"
+#include "conic/interiorPoint/Trace.h"
+#include "core/Log.h"
 
 #include <limits>
 #include <stdexcept>
@@ -219,12 +221,9 @@ bool isLargeMultiplierCarried(const ConeProgram<Rows, Forces>& program, const In
     return balanced.worst <= settings.tolerance;
 }
 
-} // namespace
-
 template<int Rows, int Forces>
-ConeSolution solveInteriorPoint(const ConeProgram<Rows, Forces>& program,
-                                const InteriorPointSettings& settings, SymbolicAnalysis* kept,
-                                const ConeSolution* near)
+ConeSolution solveAndProve(const ConeProgram<Rows, Forces>& program, const InteriorPointSettings& settings,
+                           SymbolicAnalysis* kept, const ConeSolution* near)
 {
     SymbolicAnalysis own;
     SymbolicAnalysis& symbolic = kept ? *kept : own;
@@ -319,6 +318,28 @@ ConeSolution solveInteriorPoint(const ConeProgram<Rows, Forces>& program,
         boundMultiplier(program, settings, solution);
     }
     return std::move(solution);
+}
+
+} // namespace
+
+template<int Rows, int Forces>
+ConeSolution solveInteriorPoint(const ConeProgram<Rows, Forces>& program,
+                                const InteriorPointSettings& settings, SymbolicAnalysis* kept,
+                                const ConeSolution* near)
+{
+    if (!settings.writeIterations)
+    {
+        return solveAndProve(program, settings, kept, near);
+    }
+    IterationTrace trace;
+    InteriorPointSettings traced = settings;
+    traced.trace = settings.trace ? settings.trace : &trace;
+    ConeSolution solution = solveAndProve(program, traced, kept, near);
+    for (const std::string& line : traced.trace->text())
+    {
+        printLine(line);
+    }
+    return solution;
 }
 
 template ConeSolution solveInteriorPoint(const PlaneConeProgram&, const InteriorPointSettings&,
