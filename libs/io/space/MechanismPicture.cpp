@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <queue>
 
 namespace drystone
@@ -145,6 +146,59 @@ bool isBehind(const ShownBlock& one, const ShownBlock& other, const View& view)
     return result;
 }
 
+/// Whether two blocks hide parts of each other, as far as their hulls go: no line along an edge of either, as
+/// it is seen, has them on its two sides. Where they do not, either may be painted first, and a relation
+/// between them would only close rings of others.
+bool isOverlapping(const ShownBlock& one, const ShownBlock& other, const View& view)
+{
+    const auto seen = [&view](const ShownBlock& block)
+    {
+        Polygon places;
+        for (const Vector<3>& vertex : block.shape.vertices)
+        {
+            places.push_back(view.seen(vertex));
+        }
+        return places;
+    };
+    const Polygon ofOne = seen(one);
+    const Polygon ofOther = seen(other);
+    const Vector<2> extent = one.box.upper - one.box.lower + other.box.upper - other.box.lower;
+    const double touching = 1e-6 * extent.maxCoeff(); // neighbours that only touch hide nothing
+    const auto rangeAlong = [](const Polygon& places, const Vector<2>& direction)
+    {
+        double least = std::numeric_limits<double>::max();
+        double most = -least;
+        for (const Vector<2>& place : places)
+        {
+            least = std::min(least, direction.dot(place));
+            most = std::max(most, direction.dot(place));
+        }
+        return std::pair(least, most);
+    };
+    for (const auto& [shape, places] : {std::pair(&one.shape, &ofOne), std::pair(&other.shape, &ofOther)})
+    {
+        for (const std::vector<int>& face : shape->faces)
+        {
+            for (std::size_t corner = 0; corner < face.size(); ++corner)
+            {
+                const Vector<2> edge = (*places)[face[(corner + 1) % face.size()]] - (*places)[face[corner]];
+                if (edge.norm() <= touching)
+                {
+                    continue;
+                }
+                const Vector<2> across = Vector<2>(edge.y(), -edge.x()).normalized();
+                const auto [leastOne, mostOne] = rangeAlong(ofOne, across);
+                const auto [leastOther, mostOther] = rangeAlong(ofOther, across);
+                if (std::min(mostOne, mostOther) - std::max(leastOne, leastOther) <= touching)
+                {
+                    return false;
+                }
+            }
+        }
+    }
+    return true;
+}
+
 /// Indices of the blocks from back to front.
 std::vector<int> paintingOrder(const std::vector<ShownBlock>& shown, const View& view)
 {
@@ -159,6 +213,10 @@ std::vector<int> paintingOrder(const std::vector<ShownBlock>& shown, const View&
     std::vector<int> before(shown.size(), 0);
     for (const auto& [one, other] : findMeetingPairs(boxes))
     {
+        if (!isOverlapping(shown[one], shown[other], view))
+        {
+            continue;
+        }
         const bool oneFirst = isBehind(shown[one], shown[other], view);
         after[oneFirst ? one : other].push_back(oneFirst ? other : one);
         ++before[oneFirst ? other : one];
