@@ -25,9 +25,9 @@ struct Regularisation
 /// steps where rho s exceeds z = mu / s, so it is a number over the square of the largest force: harmless
 /// down to a mu of this order. Flexibilities of 1e8 leave the system no longer definite for rounding.
 template<class Scalar>
-constexpr Regularisation regularisation{1e-9, 1e-10, 1e-15, 1e-6, 1e5, 4};
+inline constexpr Regularisation regularisation{1e-9, 1e-10, 1e-15, 1e-6, 1e5, 4};
 template<>
-constexpr Regularisation regularisation<DoubleDouble>{1e-28, 0, 1e-31, 1e-24, 1e5, 0};
+inline constexpr Regularisation regularisation<DoubleDouble>{1e-28, 0, 1e-31, 1e-24, 1e5, 0};
 
 /// With R the fraction of the residuals to remove and p a pull on s and z:
 ///
