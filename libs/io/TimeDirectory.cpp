@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <iterator>
 #include <unistd.h>
@@ -88,8 +89,10 @@ std::string stateText(const State& state, WriteFormat format)
         for (const std::string& line : texts)
         {
             if (line.find_first_of("\"\\\n") != std::string::npos)
+            {
                 throw FatalError(fmt::format("{} of the state to be written cannot be put between quotes: {}",
                                              name, line));
+            }
             fmt::format_to(out, "\"{}\"\n", line);
         }
         text += ");\n";
@@ -152,6 +155,17 @@ State readState(const fs::path& file)
             if (entry.keyword() == "FoamFile")
             {
                 continue;
+            }
+            // The grammar's keywords may hold brackets, which would not read back as they are written.
+            const bool isName =
+                std::all_of(entry.keyword().begin(), entry.keyword().end(),
+                            [](char letter)
+                            { return std::isalnum(static_cast<unsigned char>(letter)) || letter == '_'; });
+            if (!isName)
+            {
+                throw FatalIOError(fmt::format("{} is no name of an entry of a state: the file is damaged.",
+                                               entry.keyword()),
+                                   entry.location());
             }
             const std::vector<Token>& value = entry.tokens();
             const bool isList = !value.empty()

@@ -251,6 +251,9 @@ TEST(TimeDirectory, ErrorsOfAStateNameFileAndLine)
     EXPECT_THAT(read("a 99999999999999(1);\n"), HasSubstr("says that it has 99999999999999 values"));
     EXPECT_THAT(read("a -1(1);\n"), HasSubstr("A list cannot have -1 values"));
     EXPECT_THAT(read("\n\n/* never\n"), HasSubstr("not closed"));
+    // A name that is damaged into a comment leaves its list alone.
+    EXPECT_THAT(read("time 1;\n//ntactGap 2\n(\n0.2\n0\n);\n"),
+                HasSubstr("is no name of an entry of a state"));
     EXPECT_THAT(messageOf([&] { readState(folder / "absent/state"); }), HasSubstr("absent/state"));
     EXPECT_THAT(messageOf([&] { readState(folder.path()); }), HasSubstr("is a directory"));
     EXPECT_THAT(read(std::string("\x7f"
