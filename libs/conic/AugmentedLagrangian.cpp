@@ -100,7 +100,6 @@ private:
     VectorXd pressing; ///< w projected onto the cones, and no more than a ray or a disc may carry
     VectorXd gradient; ///< M y - f + B pressing
     ConeWeights<double> d;                 ///< sigma times the derivative of the projection
-    VectorXd raysInFactor;                 ///< d.rays of the last factorisation
     VectorXd direction, closing, momentum; ///< Newton's step, B' and M of it
     double curvature = 0;                  ///< direction' M direction
     double slope = 0;                      ///< direction' (M y - f), without the cones
@@ -113,11 +112,9 @@ template<int Rows>
 void AugmentedLagrangian<Rows>::computeGradient()
 {
     pressing = w.cwiseMax(0.0);
-    d.rays = (w.head(cones.rays).array() > 0).select(VectorXd::Constant(cones.rays, sigma), 0.0);
     if (bounds.rays.size() > 0)
     {
         pressing.head(cones.rays) = pressing.head(cones.rays).cwiseMin(bounds.rays).eval();
-        d.rays = (w.head(cones.rays).array() < bounds.rays.array()).select(d.rays, 0.0).eval();
     }
     coneRounding = 0;
     for (std::size_t round = 0; round < d.rounds.size(); ++round)
@@ -142,12 +139,18 @@ void AugmentedLagrangian<Rows>::computeGradient()
 template<int Rows>
 bool AugmentedLagrangian<Rows>::factorise()
 {
+    const auto ofRays = w.head(cones.rays).array();
+    VectorXd weights = (ofRays > 0).select(VectorXd::Constant(cones.rays, sigma), 0.0);
+    if (bounds.rays.size() > 0)
+    {
+        weights = (ofRays < bounds.rays.array()).select(weights, 0.0).eval();
+    }
     // Rays are either in or out: the factor serves until one changes.
-    if (factorisations > 0 && cones.rounds == 0 && d.rays == raysInFactor)
+    if (factorisations > 0 && cones.rounds == 0 && weights == d.rays)
     {
         return true;
     }
-    raysInFactor = d.rays;
+    d.rays = std::move(weights);
     double rounding = 0;
     do
     {

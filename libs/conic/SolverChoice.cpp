@@ -29,7 +29,7 @@ constexpr double attainable = 1e-10;
 constexpr std::array penaltiesOfLastDigits{1e7, 1e5, 1e3, 1e9};
 
 /// Down to here the interior point is tried once more where the active set does not settle, with all digits
-/// asked for: wall 6 under a record, to 1e-12.
+/// requested: wall 6 under a record, to 1e-12.
 constexpr double lastDigits = 1e-13;
 
 } // namespace

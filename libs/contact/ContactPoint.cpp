@@ -10,11 +10,8 @@ namespace drystone
 template<>
 std::vector<ContactPoint<2>> findContactPoints(const Assembly<2>& assembly, double relativeTolerance)
 {
-    FacingTolerance tolerance;
-    tolerance.distance = relativeTolerance * meanBlockSize(assembly);
-    tolerance.straight = tolerance.distance / 2;
-    tolerance.leastLength = tolerance.distance;
-    const std::vector<FacingPiece> joints = findFacingPieces(assembly, tolerance);
+    const double distance = relativeTolerance * meanBlockSize(assembly);
+    const std::vector<FacingPiece> joints = findFacingPieces(assembly, facingTolerance(distance, distance));
 
     std::vector<ContactPoint<2>> points;
     points.reserve(2 * joints.size());

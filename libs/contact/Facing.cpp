@@ -73,6 +73,15 @@ bool findPiece(const OutlineEdge& a, const OutlineEdge& b, const FacingTolerance
 
 } // namespace
 
+FacingTolerance facingTolerance(double distance, double joint)
+{
+    FacingTolerance tolerance;
+    tolerance.distance = distance;
+    tolerance.straight = joint / 2;
+    tolerance.leastLength = distance;
+    return tolerance;
+}
+
 std::vector<OutlineEdge> outlineEdges(const Assembly<2>& assembly, const FacingTolerance& tolerance)
 {
     std::vector<OutlineEdge> edges;

@@ -45,6 +45,11 @@ struct FacingTolerance
                         ///< an axis; directions may then differ by what such distances turn the edges by
 };
 
+/// Pieces are at least as long as their largest gap; what is straight is so to half of a joint's tolerance.
+/// \param distance largest gap or overlap [m] \param joint up to which gaps and overlaps are those of a joint
+/// [m]
+FacingTolerance facingTolerance(double distance, double joint);
+
 /// The edges of all blocks that are long enough to have a piece, block by block and round each outline.
 std::vector<OutlineEdge> outlineEdges(const Assembly<2>& assembly, const FacingTolerance& tolerance);
 

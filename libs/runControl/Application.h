@@ -20,8 +20,8 @@ namespace drystone
 {
 
 /// A time step frees its arrays and the next asks for the same again. Given back to the system and fetched
-/// anew, page by page, they cost a seventh of the time of a wall of 146 blocks, so that the C library is told
-/// to keep them. Where there is no such thing, nothing is lost but that.
+/// anew, page by page, they cost a seventh of the time of a wall of 146 blocks, so that the C library is
+/// instructed to keep them. Where there is no such thing, nothing is lost but that.
 void keepFreedMemory();
 
 /// The main of every application: reads the command line, answers `-help`, prints the banner, runs `program`

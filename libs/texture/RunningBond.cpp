@@ -3,6 +3,7 @@
 #include "texture/RunningBond.h"
 
 #include "texture/Limits.h"
+#include "texture/OpeningsCheck.h"
 
 #include <fmt/format.h>
 
@@ -121,19 +122,8 @@ void declare(Options& options, RunningBond& bond)
                        bond.length, bond.courses, maximumBlocks)
                                                               : "";
         });
-    options.check("openings",
-                  [&bond]() -> std::string
-                  {
-                      for (std::size_t i = 0; i < bond.openings.size(); ++i)
-                      {
-                          const std::string fault = openingFault(bond, bond.openings[i]);
-                          if (!fault.empty())
-                          {
-                              return fmt::format("Opening {} {}", i, fault);
-                          }
-                      }
-                      return {};
-                  });
+    checkOpenings(options, bond.openings,
+                  [&bond](const auto& opening) { return openingFault(bond, opening); });
 }
 
 Assembly<2> makeAssembly(const RunningBond& bond)

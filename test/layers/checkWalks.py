@@ -9,7 +9,7 @@ by which, or of which, it is included.
 
 A file is named from the root or from libs/. A header stands for its .cpp as well.
 
-checkWalks.py [ROOT]        prints each file that does not exist, or is not included as told; exit status 1 then
+checkWalks.py [ROOT]        prints each file that does not exist, or is not included as listed; exit status 1 then
 checkWalks.py --self-test   plants faults in a scratch tree and demands that each is found
 """
 import pathlib

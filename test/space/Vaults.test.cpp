@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <tuple>
 
 namespace drystone
 {
@@ -16,6 +17,7 @@ namespace
 
 using test::collapse;
 using test::multiplier;
+using test::programOf;
 using test::pushed;
 
 Assembly<3> structure(const std::string& texture)
@@ -124,23 +126,32 @@ TEST(LawsOfVaults, ADomePushedOutwardsHasTheMultiplierOfItsLunes)
     EXPECT_NEAR(result.alpha, 0.2744416, 1e-6);
 }
 
-// 403 iterations without an end, or an infinite residual, before rays and round cones had one solver.
-TEST(LawsOfVaults, HighWallsInFlemishBondAreSolvedInEveryDirection)
+// Many points of their joints carry nothing or slide: 403 iterations without an end, or an infinite residual,
+// before rays and round cones had one solver, and up to 70 factorisations while iterates came too near the
+// round ones.
+TEST(LawsOfVaults, BondedWallsAreSolvedInEveryDirectionByFewFactorisations)
 {
-    for (const auto& [length, courses] : {std::pair(6, 10), std::pair(5, 14)})
+    for (const auto& [bond, length, courses] :
+         {std::tuple("flemish", 6, 10), std::tuple("flemish", 5, 14), std::tuple("english", 4, 6)})
     {
         const Assembly<3> wall =
-            structure(fmt::format("type walls; unit (0.24 0.12 0.08); bond flemish; courses {}; "
+            structure(fmt::format("type walls; unit (0.24 0.12 0.08); bond {}; courses {}; "
                                   "walls {{ wall {{ from (0 0); length {}; }} }}",
-                                  courses, length));
+                                  bond, courses, length));
         const std::vector<ContactPoint<3>> points = findContactPoints(wall);
-        for (const double degrees : {0.0, 45.0, 90.0})
+        for (int direction = 0; direction < 8; ++direction)
         {
-            const double angle = degrees * EIGEN_PI / 180;
-            const LimitAnalysis result =
-                collapse(wall, points, 0.6, pushed(wall, {std::cos(angle), std::sin(angle), 0}));
-            EXPECT_EQ(result.status, CollapseStatus::optimal) << length << " " << courses << " " << degrees;
-            EXPECT_LE(result.certificate.worst(), 1e-9) << length << " " << courses << " " << degrees;
+            SCOPED_TRACE(fmt::format("{} {} x {}, direction {} of 8", bond, length, courses, direction));
+            const double angle = direction * EIGEN_PI / 4;
+            const LoadVectors loads = pushed(wall, {std::cos(angle), std::sin(angle), 0});
+            const LimitAnalysis result = collapse(wall, points, 0.6, loads);
+            EXPECT_EQ(result.status, CollapseStatus::optimal);
+            EXPECT_LE(result.certificate.worst(), 1e-9);
+            const SpaceConeProgram program = programOf(wall, points, 0.6, loads);
+            const ConeSolution solution = solveInteriorPoint(program, {.tolerance = 1e-9});
+            EXPECT_EQ(solution.status, SolveStatus::optimal);
+            EXPECT_LE(certifyOptimal(program, solution).worst(), 1e-9);
+            EXPECT_LE(solution.factorisations, 25);
         }
     }
 }

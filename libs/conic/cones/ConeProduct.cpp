@@ -27,12 +27,6 @@ bool isFinite(const FramedMatrix<Scalar>& matrix)
 } // namespace
 
 template<class Scalar>
-bool ConeWeights<Scalar>::allFinite() const
-{
-    return std::all_of(rounds.begin(), rounds.end(), isFinite<Scalar>);
-}
-
-template<class Scalar>
 VectorOf<Scalar> unitOf(const ConeRanges& cones)
 {
     VectorOf<Scalar> unit = VectorOf<Scalar>::Constant(cones.size(), Scalar(0));
@@ -184,8 +178,6 @@ void ConeScaling<Scalar>::scale(const ConeRanges& cones, const VectorOf<Scalar>&
     }
 }
 
-template struct ConeWeights<double>;
-template struct ConeWeights<DoubleDouble>;
 template struct ConeScaling<double>;
 template struct ConeScaling<DoubleDouble>;
 template VectorOf<double> unitOf<double>(const ConeRanges&);

@@ -55,8 +55,6 @@ struct ConeWeights
             x.template segment<3>(at) += rounds[round].apply(v.template segment<3>(at));
         }
     }
-
-    bool allFinite() const;
 };
 
 /// The unit e: 1 for each ray, (1 0 0) for each round cone.

@@ -17,7 +17,7 @@ struct Centring
     double partOfCube; ///< sigma over Mehrotra's
     double aim;        ///< of the correctors, times sigma mu, but at least this times mu:
     double leastAim;
-    double relativeGrowth; ///< of the step asked for,
+    double relativeGrowth; ///< of the step requested,
     double stepGrowth;     ///< and so much on top
     double leastProduct;   ///< of the box, times the aim
     double largestProduct;

@@ -118,7 +118,7 @@ void answerInExtendedPrecision(const ConeProgram<Rows, Forces>& program,
 
 /// Where r of the least-squares program does not vanish but is small, its y is good for a proof only if it is
 /// exact to the square of r: that takes an active set. Loads out of balance by 1e-5 of their size at best are
-/// so told from such as are carried.
+/// so distinguished from such as are carried.
 /// \param moving the program with unit inertia \param moved its solution, nearly
 template<int Rows, int Forces>
 void answerExactly(const ConeProgram<Rows, Forces>& program, const ConeProgram<Rows, Forces>& moving,

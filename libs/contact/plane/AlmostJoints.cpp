@@ -24,11 +24,8 @@ std::vector<FacingPiece> findAlmostJoints(const Assembly<2>& assembly, const Che
 {
     const double size = meanBlockSize(assembly);
     const double jointTolerance = limits.jointTolerance * size;
-    FacingTolerance tolerance;
-    tolerance.distance = limits.gap * size;
+    FacingTolerance tolerance = facingTolerance(limits.gap * size, jointTolerance);
     tolerance.angle = limits.gapAngle;
-    tolerance.straight = jointTolerance / 2;
-    tolerance.leastLength = tolerance.distance;
     std::vector<FacingPiece> pieces = findFacingPieces(assembly, tolerance);
     std::erase_if(pieces,
                   [&](const FacingPiece& piece)

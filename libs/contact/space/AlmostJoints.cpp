@@ -30,11 +30,8 @@ std::vector<FacingPatch> findAlmostJoints(const Assembly<3>& assembly, const Che
 {
     const double size = meanBlockSize(assembly);
     const double jointTolerance = std::max(limits.jointTolerance * size, assembly.closure.tolerance);
-    FacingTolerance tolerance;
-    tolerance.distance = limits.gap * size;
+    FacingTolerance tolerance = facingTolerance(limits.gap * size, jointTolerance);
     tolerance.angle = limits.gapAngle;
-    tolerance.straight = jointTolerance / 2;
-    tolerance.leastLength = tolerance.distance;
     std::vector<FacingPatch> patches = findFacingPatches(assembly, tolerance);
     std::erase_if(patches,
                   [&](const FacingPatch& patch)

@@ -14,11 +14,8 @@ namespace drystone
 template<>
 std::vector<ContactPoint<3>> findContactPoints(const Assembly<3>& assembly, double relativeTolerance)
 {
-    FacingTolerance tolerance;
-    tolerance.distance = relativeTolerance * meanBlockSize(assembly);
-    tolerance.straight = tolerance.distance / 2;
-    tolerance.leastLength = tolerance.distance;
-    const std::vector<FacingPatch> joints = findFacingPatches(assembly, tolerance);
+    const double distance = relativeTolerance * meanBlockSize(assembly);
+    const std::vector<FacingPatch> joints = findFacingPatches(assembly, facingTolerance(distance, distance));
 
     std::vector<ContactPoint<3>> points;
     points.reserve(4 * joints.size());

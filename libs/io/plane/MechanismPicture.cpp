@@ -4,6 +4,7 @@
 
 #include "core/Error.h"
 #include "io/ClayColour.h"
+#include "io/PicturePage.h"
 #include "io/Svg.h"
 
 #include <Eigen/Geometry>
@@ -266,29 +267,15 @@ std::string mechanismSvg(const Assembly<2>& assembly, const std::vector<Placemen
     const double blockSize = meanBlockSize(assembly);
     View view;
     view.world = shownArea(assembly, placements, blockSize);
-    constexpr double margin = 16;
-    const double head = picture.title.empty() && picture.subtitle.empty() ? margin : 64;
-    const Vector<2> world = view.world.sizes();
-    view.scale = std::min((picture.width - 2 * margin) / world.x(), 1.4 * picture.width / world.y());
-    const Vector<2> room = view.scale * world;
-    view.corner = {(picture.width - room.x()) / 2, head};
-    const double legend = 44;
-    SvgDrawing drawing(picture.width, head + room.y() + legend);
-
-    if (!picture.title.empty())
-    {
-        drawing.text({picture.width / 2, 28}, picture.title,
-                     {.size = 17, .anchor = TextAnchor::middle, .weight = "bold"});
-    }
-    if (!picture.subtitle.empty())
-    {
-        drawing.text({picture.width / 2, 50}, picture.subtitle, {.size = 14, .anchor = TextAnchor::middle});
-    }
+    PicturePage page = makePicturePage(picture, view.world.sizes());
+    view.scale = page.scale;
+    view.corner = page.corner;
+    SvgDrawing& drawing = page.drawing;
 
     const std::vector<double> moved = meanDisplacements(assembly, placements);
     const double furthest = moved.empty() ? 0 : *std::max_element(moved.begin(), moved.end());
     drawing.defineHatch("fixed", "#9a9a9a", 7);
-    drawing.beginClip("view", view.corner, room.x(), room.y());
+    drawing.beginClip("view", page.corner, page.room.x(), page.room.y());
     paintFixedBlocks(drawing, assembly, view);
     for (std::size_t i = 0; i < assembly.blocks.size(); ++i)
     {
@@ -311,7 +298,7 @@ std::string mechanismSvg(const Assembly<2>& assembly, const std::vector<Placemen
     paintThrust(drawing, picture.thrust, view, blockSize);
     drawing.endClip();
 
-    const double y = head + room.y() + 14;
+    const double y = page.legend();
     double x = view.corner.x() + 4;
     if (furthest > 0)
     {

@@ -10,6 +10,7 @@
 #include "core/Error.h"
 #include "geometry/BroadPhase.h"
 #include "io/ClayColour.h"
+#include "io/PicturePage.h"
 #include "io/Svg.h"
 
 #include <fmt/format.h>
@@ -365,29 +366,16 @@ std::string mechanismSvg(const Assembly<3>& assembly, const std::vector<Placemen
         view.world = {Vector<2>::Zero(), Vector<2>::Ones()};
     }
     view.world = enlarged<2>(view.world, blockSize);
-    constexpr double margin = 16;
-    const double head = picture.title.empty() && picture.subtitle.empty() ? margin : 64;
-    const Vector<2> world = view.world.upper - view.world.lower;
-    view.scale = std::min((picture.width - 2 * margin) / world.x(), 1.4 * picture.width / world.y());
-    const Vector<2> room = view.scale * world;
-    view.corner = {(picture.width - room.x()) / 2, head};
-    const double legend = 44;
-    SvgDrawing drawing(picture.width, head + room.y() + legend);
-    if (!picture.title.empty())
-    {
-        drawing.text({picture.width / 2, 28}, picture.title,
-                     {.size = 17, .anchor = TextAnchor::middle, .weight = "bold"});
-    }
-    if (!picture.subtitle.empty())
-    {
-        drawing.text({picture.width / 2, 50}, picture.subtitle, {.size = 14, .anchor = TextAnchor::middle});
-    }
+    PicturePage page = makePicturePage(picture, view.world.upper - view.world.lower);
+    view.scale = page.scale;
+    view.corner = page.corner;
+    SvgDrawing& drawing = page.drawing;
     double furthest = 0;
     for (const ShownBlock& block : shown)
     {
         furthest = std::max(furthest, block.moved);
     }
-    drawing.beginClip("view", view.corner, room.x(), room.y());
+    drawing.beginClip("view", page.corner, page.room.x(), page.room.y());
     paintGround(drawing, assembly, view, blockSize);
     for (const int i : paintingOrder(shown, view))
     {
@@ -396,7 +384,7 @@ std::string mechanismSvg(const Assembly<3>& assembly, const std::vector<Placemen
     drawing.endClip();
     if (furthest > 0)
     {
-        paintClayLegend(drawing, {view.corner.x() + 4, head + room.y() + 14});
+        paintClayLegend(drawing, {view.corner.x() + 4, page.legend()});
     }
     return drawing.document();
 }

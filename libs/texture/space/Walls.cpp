@@ -3,6 +3,7 @@
 #include "texture/space/Walls.h"
 
 #include "texture/Limits.h"
+#include "texture/OpeningsCheck.h"
 #include "texture/space/WallBond.h"
 
 #include <fmt/format.h>
@@ -297,19 +298,8 @@ void declare(Options& options, Walls& walls)
                       findCrossings(walls, wallsInPlan(walls), fault);
                       return fault;
                   });
-    options.check("openings",
-                  [&walls]() -> std::string
-                  {
-                      for (std::size_t i = 0; i < walls.openings.size(); ++i)
-                      {
-                          const std::string fault = openingFault(walls, walls.openings[i]);
-                          if (!fault.empty())
-                          {
-                              return fmt::format("Opening {} {}", i, fault);
-                          }
-                      }
-                      return {};
-                  });
+    checkOpenings(options, walls.openings,
+                  [&walls](const auto& opening) { return openingFault(walls, opening); });
 }
 
 Assembly<3> makeAssembly(const Walls& settings)
