@@ -79,10 +79,10 @@ std::vector<ContactPoint<Dim>> findContactPoints(const Assembly<Dim>& assembly, 
 /// points of each joint, as findContactPoints gives them
 std::vector<ContactPoint<2>> divideJoints(const std::vector<ContactPoint<2>>& ends, int pointsPerJoint);
 
-/// The same joints with a grid of points each: the corners first, then the points of a grid of `perSide` x
-/// `perSide` over the patch's bounding rectangle, along its longest edge, as far as they lie in the patch and
-/// are not a corner of it. A rectangular patch has exactly the points of the grid. \param corners the points
-/// of each joint in order round it, as findContactPoints gives them \param perSide at least 2
+/// The same joints with a grid of points each: the corners first, then where the lines of a grid of `perSide`
+/// x `perSide` points over the patch's bounding rectangle, along its longest edge, cross each other within it
+/// and its edges. A rectangular patch has exactly the points of the grid. \param corners the points of each
+/// joint in order round it, as findContactPoints gives them \param perSide at least 2
 std::vector<ContactPoint<3>> divideJoints(const std::vector<ContactPoint<3>>& corners, int perSide);
 
 } // namespace drystone

@@ -100,7 +100,7 @@ const Registry<std::optional<PointGrid>>& jointPointTypes()
                                                        [](const CornersAlone&) -> std::optional<PointGrid>
                                                        { return std::nullopt; }),
          model<std::optional<PointGrid>, PointGrid>(
-             "grid", "a grid of points over each joint, beside its corners",
+             "grid", "a grid of points over each joint, each with its part of the area",
              [](const PointGrid& grid) -> std::optional<PointGrid> { return grid; })}};
     return registry;
 }
@@ -144,8 +144,11 @@ void declare(Options& options, ContactProperties& properties)
         .atLeast(2)
         .atMost(1000)
         .example("11");
-    options.optional("jointPoints", properties.jointPoints, jointPointTypes(),
-                     "contact points of each joint in space, of limitAnalysis; absent: its corners");
+    options.optional(
+        "jointPoints", properties.jointPoints, jointPointTypes(),
+        "contact points of each joint in space, of limitAnalysis; absent: its corners, and where it "
+        "crushes as many as that takes. Twisting a joint with cohesion, or one that crushes, takes "
+        "more at its corners than over its face: then compare grids");
     options.optional(
         "joints", properties.joints,
         "what some joints have instead: by name, as 3-7 for that of blocks 3 and 7, 12-ground for "

@@ -148,10 +148,10 @@ std::vector<double> pointAreas(const Assembly<3>&, const std::vector<ContactPoin
 template<int Dim>
 std::vector<PointLaw> pointLaws(const std::filesystem::path& caseDirectory,
                                 const ContactProperties& properties, const Assembly<Dim>& assembly,
-                                const std::vector<ContactPoint<Dim>>& points)
+                                const std::vector<ContactPoint<Dim>>& points,
+                                const std::vector<double>& areas)
 {
     std::vector<PointLaw> laws(points.size());
-    const std::vector<double> areas = pointAreas(assembly, points);
     std::vector<char> isMatched(properties.joints.size(), false);
     const NamedJoint* entry = nullptr;
     for (std::size_t i = 0; i < points.size(); ++i)
@@ -210,9 +210,11 @@ template std::string jointName(const Assembly<2>& assembly, int block, int neigh
 template std::string jointName(const Assembly<3>& assembly, int block, int neighbour);
 template std::vector<PointLaw> pointLaws(const std::filesystem::path& caseDirectory,
                                          const ContactProperties& properties, const Assembly<2>& assembly,
-                                         const std::vector<ContactPoint<2>>& points);
+                                         const std::vector<ContactPoint<2>>& points,
+                                         const std::vector<double>& areas);
 template std::vector<PointLaw> pointLaws(const std::filesystem::path& caseDirectory,
                                          const ContactProperties& properties, const Assembly<3>& assembly,
-                                         const std::vector<ContactPoint<3>>& points);
+                                         const std::vector<ContactPoint<3>>& points,
+                                         const std::vector<double>& areas);
 
 } // namespace drystone

@@ -28,7 +28,8 @@ std::string jointName(const Assembly<Dim>& assembly, int block, int neighbour);
 /// Area that each point stands for [m2]. In the plane: thickness times half the way to its neighbours in the
 /// joint. The thickness is the lesser of the two blocks', or that of the free one. In space, for points at
 /// the corners of a patch: the triangles from the centroid of the patch to its edges, half of each for either
-/// end, so that the areas add up to that of the patch and their moments to its own.
+/// end, so that the areas add up to that of the patch and their moments to its own (vertexAreas of
+/// space/PatchCells.h, which also has those of points within it and of concave patches).
 ///
 /// With the ends among the points a block of uniform pressure from one end inwards has its resultant where it
 /// belongs to second order in their distance.
@@ -36,10 +37,19 @@ std::vector<double> pointAreas(const Assembly<2>& assembly, const std::vector<Co
 std::vector<double> pointAreas(const Assembly<3>& assembly, const std::vector<ContactPoint<3>>& points);
 
 /// The law of each point.
+/// \param areas that each stands for [m2]; without them those of pointAreas
 /// \throws FatalIOError for a name of `joints` that no joint has, a tension beyond cohesion / mu
 template<int Dim>
 std::vector<PointLaw> pointLaws(const std::filesystem::path& caseDirectory,
                                 const ContactProperties& properties, const Assembly<Dim>& assembly,
-                                const std::vector<ContactPoint<Dim>>& points);
+                                const std::vector<ContactPoint<Dim>>& points,
+                                const std::vector<double>& areas);
+template<int Dim>
+std::vector<PointLaw> pointLaws(const std::filesystem::path& caseDirectory,
+                                const ContactProperties& properties, const Assembly<Dim>& assembly,
+                                const std::vector<ContactPoint<Dim>>& points)
+{
+    return pointLaws(caseDirectory, properties, assembly, points, pointAreas(assembly, points));
+}
 
 } // namespace drystone

@@ -26,16 +26,48 @@ namespace
 constexpr double hingeTolerance = 1e-7;
 constexpr int mostHingeRounds = 30;
 
-std::vector<ContactPoint<2>> contactPoints(const Assembly<2>& assembly, const ContactProperties& contact)
+/// Finds the points and reads what each carries.
+std::vector<PointLaw> setContactPoints(const std::filesystem::path& caseDirectory,
+                                       LimitAnalysisCase<2>& structure)
 {
-    std::vector<ContactPoint<2>> ends = findContactPoints(assembly);
-    return contact.pointsPerJoint.value_or(2) > 2 ? divideJoints(ends, *contact.pointsPerJoint) : ends;
+    const int pointsPerJoint = structure.contact.pointsPerJoint.value_or(2);
+    structure.points = findContactPoints(structure.assembly);
+    if (pointsPerJoint > 2)
+    {
+        structure.points = divideJoints(structure.points, pointsPerJoint);
+    }
+    return pointLaws(caseDirectory, structure.contact, structure.assembly, structure.points);
 }
 
-std::vector<ContactPoint<3>> contactPoints(const Assembly<3>& assembly, const ContactProperties& contact)
+/// Whether any joint is given a cohesion, a tension or a pressure that it bears.
+bool namesStrength(const ContactProperties& contact)
 {
-    std::vector<ContactPoint<3>> corners = findContactPoints(assembly, contactTolerance(assembly));
-    return contact.jointPoints ? divideJoints(corners, contact.jointPoints->perSide) : corners;
+    const auto isAmong = [](const auto& properties)
+    { return properties.cohesion || properties.tension || properties.crushing; };
+    return isAmong(contact)
+           || std::any_of(contact.joints.begin(), contact.joints.end(),
+                          [&](const auto& joint) { return isAmong(joint.second); });
+}
+
+std::vector<PointLaw> setContactPoints(const std::filesystem::path& caseDirectory,
+                                       LimitAnalysisCase<3>& structure)
+{
+    structure.points = findContactPoints(structure.assembly, contactTolerance(structure.assembly));
+    if (!structure.contact.jointPoints && !namesStrength(structure.contact))
+    {
+        return pointLaws(caseDirectory, structure.contact, structure.assembly, structure.points);
+    }
+    structure.patches = patchCells(structure.points);
+    if (structure.contact.jointPoints)
+    {
+        for (PatchCells& patch : structure.patches)
+        {
+            cutIntoGrid(patch, structure.contact.jointPoints->perSide);
+        }
+    }
+    structure.points = pointsOf(structure.patches);
+    return pointLaws(caseDirectory, structure.contact, structure.assembly, structure.points,
+                     areasOf(structure.patches));
 }
 
 /// Empty where no point has any: cones cost less.
@@ -163,18 +195,6 @@ void requireAvailable(const LimitAnalysisCase<3>& structure, const std::filesyst
             "perSide 5; }`, or remove the entry: points inside a joint add nothing with friction alone.",
             contact.locationOf("pointsPerJoint"));
     }
-    if (structure.program.hasCrushing())
-    {
-        throw FatalIOError("Joints that crush are not available in space yet. Remove crushing.",
-                           contact.locationOf(contact.found("crushing") ? "crushing" : "joints"));
-    }
-    if (structure.program.hasStrength() && structure.contact.jointPoints)
-    {
-        throw FatalIOError(
-            "A grid of points has no strengths. Remove jointPoints: at the corners the strengths "
-            "of a joint have the moments of those over its face.",
-            contact.locationOf("jointPoints"));
-    }
     if (flowRuleOf(structure.contact) == FlowRule::nonAssociative)
     {
         throw FatalIOError(
@@ -273,10 +293,21 @@ std::vector<LimitAnalysis> solveAllWithPoints(const LimitAnalysisCase<Dim>& stru
     return results;
 }
 
-/// Adds points where joints crush in the answers, which are those of one structure. \return whether any was
-bool addHinges(LimitAnalysisCase<2>& structure, const std::vector<LimitAnalysis>& results)
+JointPoints<2> jointPointsOf(const LimitAnalysisCase<2>& structure)
 {
-    if (structure.contact.pointsPerJoint || !structure.program.hasStrength())
+    return {structure.points, structure.friction, structure.program.strength};
+}
+
+JointPoints<3> jointPointsOf(const LimitAnalysisCase<3>& structure)
+{
+    return {structure.patches, structure.points, structure.friction, structure.program.strength};
+}
+
+/// Adds points where joints crush in the answers, which are those of one structure. \return whether any was
+template<int Dim>
+bool addHinges(LimitAnalysisCase<Dim>& structure, const std::vector<LimitAnalysis>& results)
+{
+    if (structure.contact.pointsPerJoint || structure.contact.jointPoints || !structure.program.hasCrushing())
     {
         return false;
     }
@@ -288,21 +319,19 @@ bool addHinges(LimitAnalysisCase<2>& structure, const std::vector<LimitAnalysis>
             forces.push_back(result.contactForce);
         }
     }
-    JointPoints joints{structure.points, structure.friction, structure.program.strength};
+    JointPoints<Dim> joints = jointPointsOf(structure);
     if (!addCrushingHinges(joints, forces, std::max(hingeTolerance, 10 * structure.solution.tolerance)))
     {
         return false;
+    }
+    if constexpr (Dim == 3)
+    {
+        structure.patches = std::move(joints.patches);
     }
     structure.points = std::move(joints.points);
     structure.friction = std::move(joints.friction);
     structure.program = programOf(structure, std::move(joints.strength));
     return true;
-}
-
-/// Joints in space do not crush yet.
-bool addHinges(LimitAnalysisCase<3>&, const std::vector<LimitAnalysis>&)
-{
-    return false;
 }
 
 /// Solves until no joint bears more than it can. \return the answers; `notConverged` when that takes too long
@@ -385,9 +414,7 @@ LimitAnalysisCase<Dim> readLimitAnalysisCase(const std::filesystem::path& caseDi
         static_cast<LoadVectors&>(loads) = result.combinations.front().second;
     }
 
-    result.points = contactPoints(result.assembly, result.contact);
-    const std::vector<PointLaw> laws =
-        pointLaws(caseDirectory, result.contact, result.assembly, result.points);
+    const std::vector<PointLaw> laws = setContactPoints(caseDirectory, result);
     for (const PointLaw& law : laws)
     {
         result.friction.push_back(law.mu);

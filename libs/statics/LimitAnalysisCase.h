@@ -4,6 +4,7 @@
 
 #include "conic/SolverChoice.h"
 #include "contact/ContactProperties.h"
+#include "contact/space/PatchCells.h"
 #include "statics/NonAssociative.h"
 #include "statics/Pushover.h"
 
@@ -30,6 +31,7 @@ struct LimitAnalysisCase
     Assembly<Dim> assembly;
     ContactProperties contact;
     std::vector<ContactPoint<Dim>> points; ///< of the structure as built
+    std::vector<PatchCells> patches;       ///< of space: the joints, where these have strengths or a grid
     std::vector<double> friction;          ///< mu of each point
     int freeBlocks = 0;
     StaticProgram<Dim> program;
@@ -53,8 +55,9 @@ LimitAnalysisCase<Dim> readLimitAnalysisCase(const std::filesystem::path& caseDi
 /// Collapse by the flow rule of the case, for a positive multiplier; for a support that moves, settlement.
 ///
 /// Joints that crush turn about points within them. Unless the case says how many points they have
-/// (`pointsPerJoint`), points are added to where the hinges are, until no joint bears a resultant nearer to
-/// its end than it can, to 1e-7 of its length or ten times the tolerance of the solver (CrushingHinges.h).
+/// (`pointsPerJoint`, in space `jointPoints`), points are added to where the hinges are, until no joint bears
+/// a resultant nearer to its edge than it can, to 1e-7 of its length or ten times the tolerance of the solver
+/// (CrushingHinges.h).
 /// \param structure gets these points
 template<int Dim>
 LimitAnalysis solveLimitAnalysis(LimitAnalysisCase<Dim>& structure);

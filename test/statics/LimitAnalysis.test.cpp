@@ -209,7 +209,7 @@ TEST(LimitAnalysis, OfAMonolithWhoseToeCrushesIsExactWithAPointWhereTheHingeIs)
     {
         for (const double strength : {2.5e3, 1e4, 1e5, 1e7, 1e9})
         {
-            JointPoints joints{ends, {3, 3}, {}};
+            JointPoints<2> joints{ends, {3, 3}, {}};
             joints.strength.assign(2, {3 * tension / 2, tension / 2, strength * 0.5 / 2});
             const double resultant = 1000 + tension;
             const double depth = 0.5 * resultant / (strength * 0.5 + tension);
@@ -240,7 +240,7 @@ TEST(CrushingHinges, LeaveJointsThatBearAnyPressureAsTheyAre)
     assembly.supports = {{"ground", "ground"}};
     assembly.blocks = {rectangle(0, 0, 0.5, 2), rectangle(-1, -1, 2, 0, 0)};
     const Structure structure(std::move(assembly));
-    JointPoints joints{structure.points, {3, 3}, {Strength{1, 0}, Strength{1, 0}}};
+    JointPoints<2> joints{structure.points, {3, 3}, {Strength{1, 0}, Strength{1, 0}}};
     Eigen::VectorXd atOneEnd(4);
     atOneEnd << 1000, 0, 0, 0;
     EXPECT_FALSE(addCrushingHinges(joints, {atOneEnd}, 1e-9));

@@ -22,7 +22,7 @@ struct Joint
     double length() const { return place.back(); }
 };
 
-Joint jointFrom(const JointPoints& joints, std::size_t first)
+Joint jointFrom(const JointPoints<2>& joints, std::size_t first)
 {
     Joint joint;
     joint.first = joint.last = first;
@@ -75,10 +75,10 @@ void findHinge(const Joint& joint, const Eigen::VectorXd& forces, double toleran
 
 } // namespace
 
-bool addCrushingHinges(JointPoints& joints, const std::vector<Eigen::VectorXd>& contactForces,
+bool addCrushingHinges(JointPoints<2>& joints, const std::vector<Eigen::VectorXd>& contactForces,
                        double tolerance)
 {
-    JointPoints result;
+    JointPoints<2> result;
     for (std::size_t first = 0; first < joints.points.size();)
     {
         const Joint joint = jointFrom(joints, first);
