@@ -886,7 +886,12 @@ std::filesystem::path etcDirectory()
 {
     if (const char* directory = std::getenv("DRYSTONE_ETC"))
         return directory;
-    return DRYSTONE_ETC_DIRECTORY;
+    // An installed application has it beside its folder.
+    std::error_code unknown;
+    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", unknown);
+    const std::filesystem::path installed =
+        program.parent_path().parent_path() / "share" / "drystone" / "etc";
+    return !unknown && std::filesystem::is_directory(installed, unknown) ? installed : DRYSTONE_ETC_DIRECTORY;
 }
 
 } // namespace drystone

@@ -8,6 +8,13 @@
 namespace drystone
 {
 
+void declare(Options& options, ControlDictSettings& settings)
+{
+    declare(options, settings.controls);
+    options.optional("functions", settings.functions, functionTypes(),
+                     "what is written beside the animation; each has a name of yours");
+}
+
 template<>
 FunctionList<2>::FunctionList(const Dictionary& dictionary, const std::filesystem::path& caseDirectory,
                               const std::string& startName, const TimePoint& begin, double startTime,

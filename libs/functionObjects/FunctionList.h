@@ -11,6 +11,7 @@
 #include "dictionary/Registry.h"
 #include "functionObjects/FunctionObject.h"
 #include "runControl/OutputControl.h"
+#include "runControl/Time.h"
 
 #include <functional>
 #include <memory>
@@ -37,6 +38,15 @@ struct FunctionPlan
 
 /// All types of function object: energy, blockMotion, contactForces, residuals.
 const Registry<FunctionPlan<2>>& functionTypes();
+
+/// system/controlDict as a whole, for -help and the annotated dictionaries: time reads the one part of it,
+/// function objects the other.
+struct ControlDictSettings
+{
+    TimeControls controls;
+    std::vector<Named<FunctionPlan<2>>> functions;
+};
+void declare(Options& options, ControlDictSettings& settings);
 
 /// The function objects of a run.
 template<int Dim>

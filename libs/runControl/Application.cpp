@@ -38,17 +38,22 @@ std::string fullName(const std::filesystem::path& directory)
     return path.has_filename() ? path.string() : path.parent_path().string();
 }
 
+/// Name, version and, where git knew it at configuration, commit.
+std::string versionText()
+{
+    const std::string_view revision = DRYSTONE_REVISION;
+    return fmt::format("Drystone {}{}{}", DRYSTONE_VERSION, revision.empty() ? "" : " at ", revision);
+}
+
 /// Who runs what, where and when: name, version and commit, command, date, host, process, case, threads.
 void printBanner(const CommandLine& commandLine)
 {
-    const std::string_view revision = DRYSTONE_REVISION;
     const std::time_t now = std::time(nullptr);
     std::tm local = {};
     ::localtime_r(&now, &local);
     char date[64] = "";
     std::strftime(date, sizeof(date), "%Y-%m-%d %H:%M:%S", &local);
-    info("Drystone {}{}{}: structures of rigid blocks with dry joints", DRYSTONE_VERSION,
-         revision.empty() ? "" : " at ", revision);
+    info("{}: structures of rigid blocks with dry joints", versionText());
     printLine();
     info("Exec    : {}", commandLine.typed.empty() ? commandLine.application : commandLine.typed);
     info("Date    : {}", date);
@@ -68,6 +73,11 @@ int runCommandLine(int argc, const char* const* argv, const ApplicationDescripti
     if (commandLine.help)
     {
         fmt::print("{}", helpText(description));
+        return 0;
+    }
+    if (commandLine.version)
+    {
+        fmt::print("{}\n", versionText());
         return 0;
     }
     std::error_code ignored;

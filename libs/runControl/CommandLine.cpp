@@ -3,6 +3,7 @@
 #include "runControl/CommandLine.h"
 
 #include "core/Error.h"
+#include "core/Paragraph.h"
 
 #include <fmt/format.h>
 
@@ -29,6 +30,7 @@ std::vector<CommandLineOption> allOptions(const ApplicationDescription& descript
     options.push_back({"case", "DIR", "the case directory (default: here)"});
     options.push_back({"noFunctionObjects", "", "leave the functions of controlDict out"});
     options.push_back({"parallel", "", "refused: there is no parallel mode"});
+    options.push_back({"version", "", "print name, version and commit, and exit"});
     options.push_back({"help", "", "print this and exit"});
     return options;
 }
@@ -45,11 +47,11 @@ std::string withoutDashes(const std::string& argument)
     return argument.substr(argument.starts_with("--") ? 2 : 1);
 }
 
-bool asksForHelp(const std::vector<std::string>& arguments)
+bool asksFor(const std::vector<std::string>& arguments, const std::string& option)
 {
     return std::any_of(arguments.begin(), arguments.end(),
-                       [](const std::string& argument)
-                       { return argument == "-help" || argument == "--help" || argument == "-h"; });
+                       [&](const std::string& argument)
+                       { return argument == "-" + option || argument == "--" + option; });
 }
 
 [[noreturn]] void failUnknownOption(const std::string& argument, const ApplicationDescription& description,
@@ -161,22 +163,41 @@ std::string helpText(const ApplicationDescription& description)
     std::string text = "\nUsage: " + description.name;
     for (const CommandLineOption& argument : description.arguments)
         text += " " + argument.name;
-    text += " [options]\n\n" + description.summary + "\n";
+    text += " [options]\n\n" + paragraph(description.summary, widthOfHelp);
 
-    constexpr int width = 24;
+    constexpr int describedAt = 26;
+    const auto describe = [&](const std::string& term, const std::string& what)
+    { text += hangingParagraph("  " + term, what, describedAt, widthOfHelp); };
     if (!description.arguments.empty())
+    {
         text += "\nArguments:\n";
+    }
     for (const CommandLineOption& argument : description.arguments)
-        text += fmt::format("  {:<{}}{}\n", argument.name, width, argument.summary);
+    {
+        describe(argument.name, argument.summary);
+    }
     text += "\nOptions:\n";
     for (const CommandLineOption& option : options)
     {
-        const std::string form =
-            fmt::format("-{}{}{}", option.name, option.argument.empty() ? "" : " ", option.argument);
-        text += fmt::format("  {:<{}}{}\n", form, width, option.summary);
+        describe(fmt::format("-{}{}{}", option.name, option.argument.empty() ? "" : " ", option.argument),
+                 option.summary);
     }
-    if (description.details)
-        text.append("\n").append(description.details());
+    if (!description.examples.empty())
+    {
+        text += "\nExamples:\n";
+    }
+    for (const std::string& example : description.examples)
+    {
+        text += "  " + example + "\n";
+    }
+    if (!description.tutorial.empty())
+    {
+        text += fmt::format("\nA tutorial to copy: tutorials/{}\n", description.tutorial);
+    }
+    for (const DescribedDictionary& dictionary : description.dictionaries)
+    {
+        text += fmt::format("\n{}:\n{}", dictionary.name, helpText(dictionary.describe()));
+    }
     return text;
 }
 
@@ -190,9 +211,10 @@ CommandLine readCommandLine(int argc, const char* const* argv, const Application
     result.typed = description.name;
     for (const std::string& argument : given)
         result.typed += " " + argument;
-    if (asksForHelp(given))
+    result.help = asksFor(given, "help") || asksFor(given, "h");
+    result.version = asksFor(given, "version");
+    if (result.help || result.version)
     {
-        result.help = true;
         return result;
     }
 

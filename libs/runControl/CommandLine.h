@@ -2,6 +2,8 @@
 /// The command line of an application: its options and arguments, and what -help says of them.
 #pragma once
 
+#include "dictionary/Options.h"
+
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -12,7 +14,7 @@
 namespace drystone
 {
 
-/// Decides which options an application has beside `-case -help -parallel -noFunctionObjects`.
+/// Decides which options an application has beside `-case -help -version -parallel -noFunctionObjects`.
 enum class ApplicationKind
 {
     preProcessor, ///< also `-dict FILE`
@@ -35,6 +37,14 @@ enum class Output
     answer ///< scripts too: nothing but what was asked for
 };
 
+/// A dictionary that an application reads, as -help describes it: `{"constant/g",
+/// describeOptions<Gravity<2>>}`.
+struct DescribedDictionary
+{
+    std::string name; ///< its file in the case directory, and what makes it special: `constant/g in space`
+    std::function<std::vector<OptionDescription>()> describe; ///< called by -help alone
+};
+
 /// What an application says of itself.
 struct ApplicationDescription
 {
@@ -45,8 +55,11 @@ struct ApplicationDescription
     std::vector<CommandLineOption> options; ///< its own
     /// The arguments without a dash, all required, in their order; `name` is in capitals, `argument` unused.
     std::vector<CommandLineOption> arguments;
-    /// Closes -help: the keys of the dictionaries that the application reads, for instance. Called only then.
-    std::function<std::string()> details;
+    /// Lines of a shell that show it at work, each with what it does after a `#`.
+    std::vector<std::string> examples;
+    /// The tutorial to copy for a first case of one's own, as `limitAnalysis/masonryPanels`; empty for none.
+    std::string tutorial;
+    std::vector<DescribedDictionary> dictionaries; ///< those it reads: they close -help
 };
 
 /// What the user asked for.
@@ -56,6 +69,7 @@ struct CommandLine
     std::string typed;                         ///< the whole line, for the banner
     std::filesystem::path caseDirectory = "."; ///< as the user wrote it, made free of `.` and `..`
     bool help = false;
+    bool version = false; ///< print name, version and commit
     bool noFunctionObjects = false;
     bool postProcess = false;
     bool dryRun = false;                       ///< read and check everything, run nothing
@@ -72,12 +86,12 @@ struct CommandLine
     std::filesystem::path dictionaryFile(const std::filesystem::path& defaultFile) const;
 };
 
-/// Reads the command line. With `-help` the other arguments are not looked at.
+/// Reads the command line. With `-help` or `-version` the other arguments are not looked at.
 /// \throws FatalError for an unknown option (naming the nearest), a missing or repeated one, and for
 /// `-parallel`, which no application has
 CommandLine readCommandLine(int argc, const char* const* argv, const ApplicationDescription& description);
 
-/// What `-help` prints.
+/// What `-help` prints: no line is longer than 80 characters.
 std::string helpText(const ApplicationDescription& description);
 
 } // namespace drystone

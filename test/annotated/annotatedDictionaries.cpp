@@ -53,19 +53,6 @@ Example example(const std::string& file, const std::string& doc, const std::vect
             [](const Dictionary& dictionary) { readOptions<Settings>(dictionary); }};
 }
 
-/// system/controlDict with its functions, which are read by function objects and not by time.
-struct ControlDictSettings
-{
-    TimeControls controls;
-    std::vector<Named<FunctionPlan<2>>> functions;
-};
-void declare(Options& options, ControlDictSettings& settings)
-{
-    declare(options, settings.controls);
-    options.optional("functions", settings.functions, functionTypes(),
-                     "what is written beside the animation; each has a name of yours");
-}
-
 /// system/solution, of which each application reads its own sub-dictionary.
 struct SolutionSettings
 {

@@ -8,6 +8,7 @@
 #include <csignal>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sstream>
 
 namespace drystone
 {
@@ -135,6 +136,31 @@ TEST(CommandLine, PutsHelpBeforeEverythingElse)
     for (const char* part : {"Usage: dryApplication [options]", "Does it dryly.", "-case DIR", "-set VALUE",
                              "-allChecks", "-postProcess", "-dry-run", "-noFunctionObjects"})
         EXPECT_THAT(text, HasSubstr(part));
+}
+
+TEST(CommandLine, PrintsHelpWithinEightyColumns)
+{
+    ApplicationDescription description = describe(ApplicationKind::solver);
+    description.summary = std::string(40, 'a') + " " + std::string(60, 'b');
+    description.options.push_back({"long", "", std::string(50, 'c') + " " + std::string(30, 'd')});
+    description.examples = {"dryApplication -case wall"};
+    description.tutorial = "limitAnalysis/arch";
+    const std::string text = helpText(description);
+    EXPECT_THAT(text, HasSubstr("\nExamples:\n  dryApplication -case wall\n"));
+    EXPECT_THAT(text, HasSubstr("tutorials/limitAnalysis/arch"));
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);)
+    {
+        EXPECT_LE(line.size(), 80U) << line;
+    }
+}
+
+TEST(CommandLine, ReadsVersionBeforeEverythingElse)
+{
+    const ApplicationDescription description = describe(ApplicationKind::solver);
+    EXPECT_TRUE(readLine({"-version"}, description).version);
+    EXPECT_TRUE(readLine({"-nonsense", "--version"}, description).version);
+    EXPECT_FALSE(readLine({}, description).version);
 }
 
 TEST(CommandLine, FindsADictionaryHereOrInTheCase)

@@ -77,11 +77,10 @@ int main(int argc, char* argv[])
         "Generates the blocks of a structure from system/blockTextureDict and writes them to "
         "constant/assembly/ and VTK/assembly.vtp.";
     description.kind = ApplicationKind::preProcessor;
-    description.details = []
-    {
-        return fmt::format("system/blockTextureDict in the plane:\n{}\nsystem/blockTextureDict in space:\n{}",
-                           helpText(describeOptions<BlockTexture<2>>()),
-                           helpText(describeOptions<BlockTexture<3>>()));
-    };
+    description.examples = {"blockTexture -case wall",
+                            "blockTexture -dict system/otherDict   # relative to the case directory"};
+    description.tutorial = "blockTexture/runningBond";
+    description.dictionaries = {{"system/blockTextureDict in the plane", describeOptions<BlockTexture<2>>},
+                                {"system/blockTextureDict in space", describeOptions<BlockTexture<3>>}};
     return runApplication(argc, argv, description, run);
 }

@@ -38,5 +38,6 @@ int main(int argc, char* argv[])
         "Checks the blocks in constant/assembly/: volumes, inertia, duplicates, overlaps, gaps, "
         "slivers, and blocks with no path to a support. The exit status is 1 when a check fails.";
     description.options = {{"allChecks", "", "also short joints, and corners that touch without a joint"}};
+    description.examples = {"checkBlocks -case wall -allChecks"};
     return runApplication(argc, argv, description, run);
 }

@@ -1,11 +1,14 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// contactDynamics: steps a structure of rigid blocks with dry joints through time (Portioli, Cascini &
 /// Landolfo 2017, eq. 1-9).
+#include "assembly/Loads.h"
+#include "assembly/Materials.h"
 #include "core/Error.h"
 #include "core/Log.h"
 #include "core/Signals.h"
 #include "dynamics/Advance.h"
 #include "dynamics/GroundMotionPlausibility.h"
+#include "dynamics/InitialMotion.h"
 #include "functionObjects/EffectAdvice.h"
 #include "functionObjects/MotionLog.h"
 #include "functionObjects/MotionResults.h"
@@ -74,10 +77,19 @@ int main(int argc, char* argv[])
         "Motion of the blocks in constant/assembly/ under their dead load and the motion of "
         "the ground: time directories, tables of system/controlDict/functions, VTK series.";
     description.kind = ApplicationKind::solver;
-    description.details = []
-    {
-        return fmt::format("system/schemes:\n{}\nsystem/solution/contactDynamics:\n{}",
-                           helpText(describeOptions<Schemes>()), helpText(describeOptions<SolverChoice>()));
-    };
+    description.examples = {"contactDynamics                 # in a case directory, after blockTexture",
+                            "contactDynamics -dry-run        # checks all, says which effects are needed",
+                            "contactDynamics -postProcess    # the functions again, from stored states"};
+    description.tutorial = "contactDynamics/archUnderPulse";
+    description.dictionaries = {{"constant/g", describeOptions<Gravity<2>>},
+                                {"constant/materialProperties", describeOptions<MaterialProperties>},
+                                {"constant/contactProperties", describeOptions<CaseEffects>},
+                                {"constant/loads", describeOptions<LoadCases<2>>},
+                                {"constant/groundMotion", describeOptions<GroundMotionSettings>},
+                                {"constant/supportMotion", describeOptions<SupportMotionFile>},
+                                {"0/motion", describeOptions<InitialMotion>},
+                                {"system/controlDict", describeOptions<ControlDictSettings>},
+                                {"system/schemes", describeOptions<Schemes>},
+                                {"system/solution/contactDynamics", describeOptions<SolverChoice>}};
     return runApplication(argc, argv, description, run);
 }

@@ -83,14 +83,14 @@ int main(int argc, char* argv[])
         "Collapse load multiplier, mechanism and contact forces of the blocks in constant/assembly/ "
         "under constant/loads, with a certificate.";
     description.kind = ApplicationKind::solver;
-    description.details = []
-    {
-        return fmt::format(
-            "constant/g:\n{}\nconstant/materialProperties:\n{}\nconstant/contactProperties:\n{}\n"
-            "constant/loads:\n{}\nsystem/solution/limitAnalysis:\n{}",
-            helpText(describeOptions<Gravity<2>>()), helpText(describeOptions<MaterialProperties>()),
-            helpText(describeOptions<CaseEffects>()), helpText(describeOptions<LoadCases<2>>()),
-            helpText(describeOptions<LimitAnalysisControls>()));
-    };
+    description.examples = {"limitAnalysis                       # in a case directory, after blockTexture",
+                            "limitAnalysis -case wall -dry-run   # checks every dictionary, solves nothing"};
+    description.tutorial = "limitAnalysis/masonryPanels";
+    description.dictionaries = {{"constant/g", describeOptions<Gravity<2>>},
+                                {"constant/materialProperties", describeOptions<MaterialProperties>},
+                                {"constant/contactProperties", describeOptions<CaseEffects>},
+                                {"constant/loads", describeOptions<LoadCases<2>>},
+                                {"constant/loads in space", describeOptions<LoadCases<3>>},
+                                {"system/solution/limitAnalysis", describeOptions<LimitAnalysisControls>}};
     return runApplication(argc, argv, description, run);
 }

@@ -52,10 +52,9 @@ int main(int argc, char* argv[])
         "Repeats the motion that contactDynamics computes over a growing ground acceleration and finds the "
         "least one that meets a criterion, as log, table and picture. The runs use all cores.";
     description.kind = ApplicationKind::solver;
-    description.details = []
-    {
-        return fmt::format("system/incrementalDynamicsDict:\n{}",
-                           helpText(describeOptions<IncrementalDynamicsSettings>()));
-    };
+    description.examples = {"incrementalDynamics -case wall"};
+    description.tutorial = "incrementalDynamics/masonryPanels";
+    description.dictionaries = {
+        {"system/incrementalDynamicsDict", describeOptions<IncrementalDynamicsSettings>}};
     return runApplication(argc, argv, description, run);
 }

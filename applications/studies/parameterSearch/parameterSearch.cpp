@@ -46,10 +46,8 @@ int main(int argc, char* argv[])
         "in "
         "copies of the case and lets algorithms of NLopt choose the points. Started again, it continues.";
     description.kind = ApplicationKind::solver;
-    description.details = []
-    {
-        return fmt::format("system/parameterSearchDict:\n{}",
-                           helpText(describeOptions<ParameterSearchSettings>()));
-    };
+    description.examples = {"parameterSearch -case arch"};
+    description.tutorial = "parameterSearch/archThickness";
+    description.dictionaries = {{"system/parameterSearchDict", describeOptions<ParameterSearchSettings>}};
     return runApplication(argc, argv, description, run);
 }

@@ -79,7 +79,7 @@ int main(int argc, char* argv[])
     ApplicationDescription description;
     description.name = "caseDictionary";
     description.summary =
-        "Prints the contents of a dictionary, macros and directives expanded, or edits one entry of it\n"
+        "Prints the contents of a dictionary, macros and directives expanded, or edits one entry of it "
         "and keeps comments and layout.";
     description.output = Output::answer;
     description.arguments = {{"DICTIONARY", "", "the file, relative to the case directory"}};
@@ -93,5 +93,7 @@ int main(int argc, char* argv[])
         {"add", "VALUE", "add the entry with this value; an existing one is left unchanged"},
         {"remove", "", "remove the entry"},
     };
+    description.examples = {"caseDictionary system/controlDict -entry endTime -value",
+                            "caseDictionary constant/contactProperties -entry friction/mu -set 0.6"};
     return runApplication(argc, argv, description, run);
 }

@@ -67,15 +67,15 @@ int main(int argc, char* argv[])
     description.name = "solveProgram";
     description.summary =
         "Solves a cone program stored in a file, as `writeProgram always;` in system/solution writes them "
-        "to\n"
-        "postProcessing/, and prints status, objective (1/2 r'Mbar^-1 r + g'c - alpha) and certificate.";
+        "to postProcessing/, and prints status, objective (1/2 r'Mbar^-1 r + g'c - alpha) and certificate.";
     description.arguments = {{"PROGRAM", "", "the file, relative to the case directory"}};
     description.options = {
         {"solver", "NAME",
-         "automatic, interiorPoint, augmentedLagrangian or gaussSeidel (default: automatic)"},
+         "one of automatic interiorPoint augmentedLagrangian gaussSeidel; default automatic"},
         {"tolerance", "NUMBER", "on every figure of the certificate (default: 1e-9)"},
         {"maximumIterations", "N", "of each solver (default: 200)"},
         {"maximumSweeps", "N", "of gaussSeidel (default: 10000)"},
     };
+    description.examples = {"solveProgram postProcessing/limitAnalysis/0/coneProgram -tolerance 1e-12"};
     return runApplication(argc, argv, description, run);
 }

@@ -1,0 +1,43 @@
+# What `cmake --install` and the Debian package hold: applications, manual pages, completion, tutorials, and the files of
+# etc/ that cases use. Paths are relative, so that the prefix can be chosen when installing.
+include(GNUInstallDirs)
+
+get_property(drystone_applications GLOBAL PROPERTY DRYSTONE_APPLICATIONS)
+set(share ${CMAKE_INSTALL_DATADIR}/drystone)
+install(TARGETS ${drystone_applications} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(DIRECTORY tutorials DESTINATION ${share} USE_SOURCE_PERMISSIONS)
+install(DIRECTORY etc/annotated etc/tools DESTINATION ${share}/etc USE_SOURCE_PERMISSIONS)
+install(FILES README.md CHANGELOG.md LICENSE CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES etc/bash_completion DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME blockTexture)
+
+# A tutorial that was copied elsewhere finds RunFunctions beside the applications: in bin/ of the build and of the
+# installation. bash-completion looks for a file by the name of the command.
+file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+file(CREATE_LINK ${PROJECT_SOURCE_DIR}/etc/tools/RunFunctions ${CMAKE_BINARY_DIR}/bin/drystoneRunFunctions SYMBOLIC)
+install(CODE "
+    set(prefix \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}\")
+    file(CREATE_LINK ../${share}/etc/tools/RunFunctions \"\${prefix}/${CMAKE_INSTALL_BINDIR}/drystoneRunFunctions\" SYMBOLIC)
+    file(MAKE_DIRECTORY \"\${prefix}/${CMAKE_INSTALL_MANDIR}/man1\")
+    foreach(application ${drystone_applications})
+        if(NOT application STREQUAL blockTexture)
+            file(CREATE_LINK blockTexture
+                \"\${prefix}/${CMAKE_INSTALL_DATADIR}/bash-completion/completions/\${application}\" SYMBOLIC)
+        endif()
+        execute_process(
+            COMMAND bash \"${PROJECT_SOURCE_DIR}/etc/tools/manualPage\" \"\${prefix}/${CMAKE_INSTALL_BINDIR}/\${application}\"
+            OUTPUT_FILE \"\${prefix}/${CMAKE_INSTALL_MANDIR}/man1/\${application}.1\" COMMAND_ERROR_IS_FATAL ANY)
+    endforeach()
+")
+
+# cpack -G DEB, in the build folder. The shared libraries that the package depends on are found by dpkg-shlibdeps.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME drystone)
+set(CPACK_PACKAGE_CONTACT "the Drystone authors <drystone@localhost>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "limit analysis and dynamics of structures of rigid blocks with dry joints")
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_DEPENDS bash)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+include(CPack)

@@ -1,0 +1,99 @@
+# Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+"""Installs into a folder of its own and uses what is there as a user would, without the source tree in any variable."""
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+build, cmake = sys.argv.pop(1), sys.argv.pop(1)
+system = "/usr/bin:/bin"
+
+
+def bash(script, folder, path):
+    environment = {"PATH": path, "HOME": folder, "LANG": "C.UTF-8"}
+    return subprocess.run(["bash", "-c", script], cwd=folder, env=environment, capture_output=True, text=True,
+                          timeout=200, check=False)
+
+
+class Installation(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.root = tempfile.TemporaryDirectory()
+        cls.prefix = os.path.join(cls.root.name, "prefix")
+        subprocess.run([cmake, "--install", build, "--prefix", cls.prefix], check=True, stdout=subprocess.DEVNULL)
+        cls.path = os.path.join(cls.prefix, "bin") + ":" + system
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.root.cleanup()
+
+    def copyOfTutorial(self, name):
+        folder = tempfile.mkdtemp(dir=self.root.name)
+        return shutil.copytree(os.path.join(self.prefix, "share/drystone/tutorials", name), os.path.join(folder, "mine"),
+                               ignore=shutil.ignore_patterns("log.*", "postProcessing", "VTK", "assembly"))
+
+    def testATutorialCopiedElsewhereRuns(self):
+        folder = self.copyOfTutorial("limitAnalysis/arch")
+        done = bash("./Allrun", folder, self.path)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertIn("Status: optimal", done.stdout)
+        self.assertIn("Status: unstable", done.stdout)
+        self.assertEqual(bash("./Allclean", folder, self.path).returncode, 0)
+        self.assertFalse(os.path.exists(os.path.join(folder, "stands", "log.limitAnalysis")))
+
+    def testACopiedTutorialEndsWhereNothingIsInstalled(self):
+        done = bash("./Allrun", self.copyOfTutorial("limitAnalysis/arch"), system)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("drystoneRunFunctions", done.stderr)
+        self.assertNotIn("runApplication", done.stderr)
+
+    def testVersionNamesNameVersionAndCommit(self):
+        done = bash("limitAnalysis -version", self.root.name, self.path)
+        self.assertRegex(done.stdout, r"^Drystone \d+\.\d+\.\d+( at [0-9a-f]+)?\n$")
+
+    def testEveryApplicationHasHelpOfEightyColumnsAndAManualPage(self):
+        for name in os.listdir(os.path.join(self.prefix, "bin")):
+            if name == "drystoneRunFunctions":
+                continue
+            text = bash(name + " -help", self.root.name, self.path).stdout
+            self.assertIn("Usage: " + name, text)
+            self.assertEqual([line for line in text.splitlines() if len(line) > 80], [], name)
+            with open(os.path.join(self.prefix, "share/man/man1", name + ".1"), encoding="utf-8") as page:
+                roff = page.read()
+            self.assertRegex(roff, r"\A\.TH " + name.upper() + " 1 ")
+            self.assertIn(".SH Options", roff)
+            # Every key of -help is on the page.
+            keys = re.findall(r"^ +([a-zA-Z]+) {2}", text, re.MULTILINE)
+            self.assertEqual([key for key in keys if key not in roff], [])
+
+    def complete(self, line, *files):
+        """What completion offers behind `line`."""
+        folder = tempfile.mkdtemp(dir=self.root.name)
+        for name, text in files:
+            os.makedirs(os.path.join(folder, os.path.dirname(name)), exist_ok=True)
+            with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
+                file.write(text)
+        words = line.split(" ")
+        script = (f". '{self.prefix}/share/bash-completion/completions/{words[0]}'\n"
+                  f"COMP_WORDS=({' '.join(repr(word) for word in words)}); COMP_CWORD={len(words) - 1}\n"
+                  f"_drystone {words[0]}; printf '%s\\n' \"${{COMPREPLY[@]}}\"")
+        done = bash(script, folder, self.path)
+        self.assertEqual(done.stderr, "")
+        return sorted(done.stdout.split())
+
+    def testCompletionOffersWhatTheApplicationTakes(self):
+        self.assertIn("-dry-run", self.complete("limitAnalysis -"))
+        self.assertNotIn("-parallel", self.complete("limitAnalysis -"))
+        self.assertEqual(self.complete("solveProgram program -solver g"), ["gaussSeidel"])
+        self.assertEqual(self.complete("solveProgram program -tolerance "), [])
+        dictionary = ("system/solution", "limitAnalysis { solver interiorPoint; tolerance 1e-9; }\n")
+        self.assertEqual(self.complete("caseDictionary system/solution -entry l", dictionary), ["limitAnalysis"])
+        self.assertEqual(self.complete("caseDictionary system/solution -entry limitAnalysis/", dictionary),
+                         ["limitAnalysis/solver", "limitAnalysis/tolerance"])
+
+
+if __name__ == "__main__":
+    unittest.main()
