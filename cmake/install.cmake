@@ -5,7 +5,10 @@ include(GNUInstallDirs)
 get_property(drystone_applications GLOBAL PROPERTY DRYSTONE_APPLICATIONS)
 set(share ${CMAKE_INSTALL_DATADIR}/drystone)
 install(TARGETS ${drystone_applications} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(DIRECTORY tutorials DESTINATION ${share} USE_SOURCE_PERMISSIONS)
+# As git has them: without what a run in the source tree left.
+install(DIRECTORY tutorials DESTINATION ${share} USE_SOURCE_PERMISSIONS
+    PATTERN VTK EXCLUDE PATTERN postProcessing EXCLUDE PATTERN constant/assembly EXCLUDE PATTERN "log.*" EXCLUDE
+    PATTERN parameterSearch/points EXCLUDE REGEX "/[0-9]+\\.[0-9.e+-]*$" EXCLUDE)
 install(DIRECTORY etc/annotated etc/tools DESTINATION ${share}/etc USE_SOURCE_PERMISSIONS)
 install(FILES README.md CHANGELOG.md LICENSE CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES etc/bash_completion DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME blockTexture)

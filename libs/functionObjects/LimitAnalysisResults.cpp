@@ -16,10 +16,12 @@
 #include "functionObjects/ColumnFile.h"
 #include "functionObjects/FunctionList.h"
 #include "functionObjects/KeptResults.h"
+#include "functionObjects/LoadMeaning.h"
 #include "io/Frames.h"
 #include "io/Mechanism.h"
 #include "io/MechanismPicture.h"
 #include "io/Plot.h"
+#include "runControl/CaseFiles.h"
 
 #include <fmt/format.h>
 
@@ -277,6 +279,10 @@ void printLimitAnalysis(const LimitAnalysisCase<Dim>& structure, const std::vect
                      structure.assembly.supports[structure.movement->support].name, result.alpha);
             }
             info("Collapse load multiplier alpha = {:.9g}", result.alpha);
+            for (const std::string& sentence : loadMeaning(structure, result))
+            {
+                printLine(sentence);
+            }
         }
         if (result.coulomb)
         {
@@ -451,7 +457,7 @@ void writeAnswer(const std::filesystem::path& caseDirectory, const LimitAnalysis
     thrust.write(0, thrustFrame(jointForces(structure.points, forces)));
 
     MechanismPicture picture;
-    picture.title = std::filesystem::absolute(caseDirectory).lexically_normal().filename().string();
+    picture.title = caseName(caseDirectory);
     picture.subtitle = fmt::format("{}, {} blocks, {} contact points", caption(structure, result),
                                    structure.freeBlocks, structure.points.size());
     writeMechanismPicture(file("mechanism", ".svg"), assembly,
@@ -493,6 +499,11 @@ void writeLimitAnalysisResults(const std::filesystem::path& caseDirectory,
     }
     writeInput(limitAnalysisInput(caseDirectory), inputOfLimitAnalysis(caseDirectory, structure.assembly));
     writeWholeFile(limitAnalysisTable(caseDirectory), tableText(structure, results, cpuTime));
+    info("Wrote {}: limitAnalysis.dat (table), mechanism.svg and thrust.{} (pictures{})",
+         limitAnalysisTable(caseDirectory).parent_path().lexically_normal().string(),
+         Dim == 2 ? "svg" : "dat", results.size() > 1 ? ", one an answer" : "");
+    info("Wrote {}: blocks (mechanism), contacts (forces), thrust; .vtp.series opens in ParaView\n",
+         (caseDirectory / "VTK").lexically_normal().string());
 }
 
 namespace
@@ -551,8 +562,7 @@ bool runPushover(const std::filesystem::path& caseDirectory, const LimitAnalysis
     if (pushover.curve.size() > 1)
     {
         Plot plot;
-        plot.title = "Capacity curve of "
-                     + std::filesystem::absolute(caseDirectory).lexically_normal().filename().string();
+        plot.title = "Capacity curve of " + caseName(caseDirectory);
         plot.subtitle = endText(pushover.end);
         plot.x.label = "displacement of the live load [m]";
         plot.y.label = "alpha [-]";

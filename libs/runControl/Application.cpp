@@ -30,14 +30,6 @@ std::string hostName()
     return name;
 }
 
-/// Without the blank last part that `.` leaves.
-std::string fullName(const std::filesystem::path& directory)
-{
-    std::error_code ignored;
-    const auto path = std::filesystem::absolute(directory, ignored).lexically_normal();
-    return path.has_filename() ? path.string() : path.parent_path().string();
-}
-
 /// Name, version and, where git knew it at configuration, commit.
 std::string versionText()
 {
@@ -59,7 +51,7 @@ void printBanner(const CommandLine& commandLine)
     info("Date    : {}", date);
     info("Host    : {}", hostName());
     info("PID     : {}", ::getpid());
-    info("Case    : {}", fullName(commandLine.caseDirectory));
+    info("Case    : {}", fullName(commandLine.caseDirectory).string());
     info("nProcs  : 1");
     info("Threads : {}", threadCount());
     printLine();

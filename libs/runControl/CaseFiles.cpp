@@ -102,6 +102,18 @@ std::vector<std::string> namesIn(const fs::path& folder)
     return names;
 }
 
+std::filesystem::path fullName(const std::filesystem::path& caseDirectory)
+{
+    std::error_code ignored;
+    const std::filesystem::path path = std::filesystem::absolute(caseDirectory, ignored).lexically_normal();
+    return path.has_filename() ? path : path.parent_path();
+}
+
+std::string caseName(const std::filesystem::path& caseDirectory)
+{
+    return fullName(caseDirectory).filename().string();
+}
+
 const std::vector<CaseFolder>& caseFolders()
 {
     static const std::vector<CaseFolder> folders{

@@ -13,6 +13,12 @@ namespace drystone
 /// read.
 std::vector<std::string> namesIn(const std::filesystem::path& folder);
 
+/// The case directory as an absolute path without `.` and a closing `/`.
+std::filesystem::path fullName(const std::filesystem::path& caseDirectory);
+
+/// Name of the case for titles: that of its folder, whichever way the directory was given (`.`, `wall/`).
+std::string caseName(const std::filesystem::path& caseDirectory);
+
 /// What applications read from a folder of a case.
 struct CaseFolder
 {

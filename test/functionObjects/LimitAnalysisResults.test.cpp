@@ -5,9 +5,12 @@
 #include "contact/ClosedAssembly.h"
 #include "core/Error.h"
 #include "core/WholeFile.h"
+#include "functionObjects/LoadMeaning.h"
+#include "runControl/CaseFiles.h"
 #include "statics/SurfaceContact.h"
 
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -227,6 +230,41 @@ TEST_F(LimitAnalysisResults, OfBlocksThatNothingHoldsNameTheCause)
                        "Cause: a block with no path to a support through joints: 2."),
               std::string::npos)
         << log;
+}
+
+TEST_F(LimitAnalysisResults, StatesTheMultiplierInForces)
+{
+    // 20 kN, pushed at its top corner by 1 kN: it rocks at 20 x 0.5 / 2 = 5 kN.
+    const LimitAnalysis result = solve("type force; at (0 2); value (1000 0);");
+    const LimitAnalysisCase structure = readLimitAnalysisCase<2>(directory);
+    EXPECT_THAT(loadMeaning(structure, result),
+                testing::ElementsAre("Dead load: 20 kN along (0 -1)",
+                                     "Live load: 1 kN along (1 0); at collapse 5 kN, 0.25 of the dead load"));
+}
+
+TEST_F(LimitAnalysisResults, SaysThatACoupleHasNoResultant)
+{
+    const LimitAnalysis result = solve("type sum; loads { a { type force; at (0 2); value (1000 0); } "
+                                       "b { type force; at (0 1); value (-1000 0); } }");
+    const LimitAnalysisCase structure = readLimitAnalysisCase<2>(directory);
+    EXPECT_THAT(loadMeaning(structure, result),
+                testing::Contains("Live load: its forces cancel, there is no resultant"));
+}
+
+TEST_F(LimitAnalysisResults, NamesTheCaseInTitlesHoweverItsDirectoryIsGiven)
+{
+    EXPECT_EQ(caseName("/somewhere/wall"), "wall");
+    EXPECT_EQ(caseName("/somewhere/wall/"), "wall");
+    EXPECT_EQ(caseName("/somewhere/wall/."), "wall");
+    EXPECT_EQ(caseName("."), std::filesystem::current_path().filename().string());
+}
+
+TEST(ForceText, ChoosesTheUnit)
+{
+    EXPECT_EQ(forceText(0), "0 N");
+    EXPECT_EQ(forceText(312.04), "312 N");
+    EXPECT_EQ(forceText(-48999.6478), "-49 kN");
+    EXPECT_EQ(forceText(1.2041e6), "1.204 MN");
 }
 
 } // namespace

@@ -1,0 +1,111 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Multipliers in forces.
+#include "functionObjects/LoadMeaning.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace drystone
+{
+
+namespace
+{
+
+/// The loads that an answer belongs to.
+template<int Dim>
+const LoadVectors& loadsOf(const LimitAnalysisCase<Dim>& structure, const LimitAnalysis& result)
+{
+    const auto named =
+        std::find_if(structure.combinations.begin(), structure.combinations.end(),
+                     [&](const auto& combination) { return combination.first == result.combination; });
+    return named == structure.combinations.end() ? structure.loads : named->second;
+}
+
+template<int Dim>
+std::string directionText(const Vector<Dim>& force)
+{
+    std::string text = "(";
+    for (int row = 0; row < Dim; ++row)
+    {
+        // Rounding leaves no -0 and no 1e-17.
+        const double component = std::round(1e4 * force(row) / force.norm()) / 1e4;
+        text += fmt::format("{}{:g}", row == 0 ? "" : " ", component == 0 ? 0 : component);
+    }
+    return text + ")";
+}
+
+} // namespace
+
+std::string forceText(double force)
+{
+    const double size = std::abs(force);
+    if (size >= 1e6)
+    {
+        return fmt::format("{:.4g} MN", force / 1e6);
+    }
+    return size >= 1e3 ? fmt::format("{:.4g} kN", force / 1e3) : fmt::format("{:.4g} N", force);
+}
+
+template<int Dim>
+Vector<Dim> resultantOf(const Eigen::VectorXd& load)
+{
+    Vector<Dim> resultant = Vector<Dim>::Zero();
+    for (Eigen::Index row = 0; row < load.size(); row += freedomCount<Dim>)
+    {
+        resultant += load.segment<Dim>(row);
+    }
+    return resultant;
+}
+
+template<int Dim>
+std::vector<std::string> loadMeaning(const LimitAnalysisCase<Dim>& structure, const LimitAnalysis& result)
+{
+    const LoadVectors& loads = loadsOf(structure, result);
+    const Vector<Dim> dead = resultantOf<Dim>(loads.dead);
+    std::vector<std::string> sentences{
+        fmt::format("Dead load: {} along {}", forceText(dead.norm()), directionText<Dim>(dead))};
+    if (dead.norm() == 0)
+    {
+        sentences.front() = "Dead load: no resultant force";
+    }
+    if (structure.movement)
+    {
+        if (dead.norm() > 0)
+        {
+            sentences.push_back(fmt::format("The support bears {}, {:.4g} of the dead load",
+                                            forceText(result.alpha), result.alpha / dead.norm()));
+        }
+        return sentences;
+    }
+    const Vector<Dim> live = resultantOf<Dim>(loads.live);
+    // Of forces that cancel, rounding leaves a little.
+    if (live.norm() <= 1e-9 * loads.live.template lpNorm<1>())
+    {
+        sentences.emplace_back("Live load: its forces cancel, there is no resultant");
+        return sentences;
+    }
+    const Vector<Dim> atCollapse = result.alpha * live;
+    std::string sentence = fmt::format("Live load: {} along {}; at collapse {}", forceText(live.norm()),
+                                       directionText<Dim>(live), forceText(atCollapse.norm()));
+    if (result.alpha < 0)
+    {
+        sentence += " against that";
+    }
+    if (dead.norm() > 0)
+    {
+        sentence += fmt::format(", {:.4g} of the dead load", atCollapse.norm() / dead.norm());
+    }
+    sentences.push_back(std::move(sentence));
+    return sentences;
+}
+
+template Vector<2> resultantOf<2>(const Eigen::VectorXd& load);
+template Vector<3> resultantOf<3>(const Eigen::VectorXd& load);
+template std::vector<std::string> loadMeaning(const LimitAnalysisCase<2>& structure,
+                                              const LimitAnalysis& result);
+template std::vector<std::string> loadMeaning(const LimitAnalysisCase<3>& structure,
+                                              const LimitAnalysis& result);
+
+} // namespace drystone

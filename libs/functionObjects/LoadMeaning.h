@@ -1,0 +1,27 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// What a multiplier means in forces, for logs and reports: an engineer asks for 49.0 kN, not for alpha
+/// = 48.9996.
+#pragma once
+
+#include "statics/LimitAnalysisCase.h"
+
+#include <string>
+#include <vector>
+
+namespace drystone
+{
+
+/// A force with four digits in the unit that suits it: `312 N`, `49 kN`, `1.204 MN`. \param force [N]
+std::string forceText(double force);
+
+/// The resultant of the force rows of a load vector [N]. \param load rows ux uy rz (ux uy uz rx ry rz) of
+/// each free block
+template<int Dim>
+Vector<Dim> resultantOf(const Eigen::VectorXd& load);
+
+/// Sentences on an optimal answer: the live load in all, at collapse, and as a part of the dead load; of a
+/// settling support its reaction. A live load without resultant, such as a couple, is said to have none.
+template<int Dim>
+std::vector<std::string> loadMeaning(const LimitAnalysisCase<Dim>& structure, const LimitAnalysis& result);
+
+} // namespace drystone
