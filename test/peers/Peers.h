@@ -45,6 +45,9 @@ std::optional<Peer> glpk();
 std::optional<Peer> clp();
 /// CVXOPT's cone solver on all programs, as a program of its own through files.
 std::optional<Peer> cvxopt();
+/// ECOS on limit analysis, as a package of R (Debian's r-cran-ecosolver), through files; for benchmarks, not
+/// among installedPeers.
+std::optional<Peer> ecos();
 /// Siconos' block Gauss-Seidel on steps with Coulomb's law, plane and space.
 std::optional<Peer> siconosGaussSeidel();
 /// Siconos' method of Lemke on plane steps with Coulomb's law.

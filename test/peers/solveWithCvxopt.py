@@ -47,10 +47,67 @@ def parse(text):
     return entries
 
 
+def solve_in_forces(program, tolerance):
+    """Limit analysis of points with strengths, in the forces c and alpha, both over the largest load:
+      minimise -alpha   subject to   A c - alpha L = f,   -T <= c_n <= N,   |c_t| <= C + mu c_n
+    The multipliers of the equations are -y."""
+    forces = int(program["dimensions"])
+    rows = 3 if forces == 2 else 6
+    contacts = program["contacts"]
+    points = len(contacts)
+    size = rows * int(program["bodies"])
+    scale = max(map(abs, program["load"] + program["liveLoad"])) or 1.0
+    unknowns = forces * points + 1
+    i, j, x = [], [], []
+    for point, (one, other, onOne, onOther) in enumerate(contacts):
+        for body, part in ((int(one), onOne), (int(other), onOther)):
+            for row in range(rows if body >= 0 else 0):
+                for k in range(forces):
+                    if part[row * forces + k]:
+                        i.append(rows * body + row)
+                        j.append(forces * point + k)
+                        x.append(part[row * forces + k])
+    for row, entry in enumerate(program["liveLoad"]):
+        if entry:
+            i.append(row)
+            j.append(unknowns - 1)
+            x.append(-entry / scale)
+    a = spmatrix(x, i, j, (size, unknowns))
+    b = matrix([entry / scale for entry in program["load"]])
+    # Linear rows first, then the cones (C + mu n, t): G x + s = h.
+    i, j, x, h = [], [], [], []
+    for point, (_, tension, crushing) in enumerate(program["strength"]):
+        for sign, limit in ((-1.0, tension), (1.0, crushing)):
+            if limit != float("inf"):
+                i.append(len(h))
+                j.append(forces * point)
+                x.append(sign)
+                h.append(limit / scale)
+    linear = len(h)
+    for point, (cohesion, _, _) in enumerate(program["strength"]):
+        for k in range(forces):
+            i.append(len(h))
+            j.append(forces * point + k)
+            x.append(-1.0 if k else -program["friction"][point])
+            h.append(0.0 if k else cohesion / scale)
+    g = spmatrix(x, i, j, (len(h), unknowns))
+    q = matrix([0.0] * (unknowns - 1) + [-1.0])
+    dims = {"l": linear, "q": [forces] * points, "s": []}
+    solvers.options.update(show_progress=False, abstol=tolerance, reltol=tolerance, feastol=tolerance, maxiters=100)
+    start = time.process_time()
+    answer = solvers.conelp(q, g, matrix(h), dims, a, b)
+    seconds = time.process_time() - start
+    return (seconds, answer["iterations"], answer["x"][unknowns - 1], [scale * c for c in answer["x"][:unknowns - 1]],
+            [-entry / scale for entry in answer["y"]])
+
+
 def main():
     with open(sys.argv[1], encoding="utf-8") as file:
         program = parse(file.read())
     tolerance = float(sys.argv[3])
+    if "strength" in program and "liveLoad" in program and "inertia" not in program and "gap" not in program:
+        write(*solve_in_forces(program, tolerance))
+        return
     forces = int(program["dimensions"])
     rows = 3 if forces == 2 else 6
     bodies = int(program["bodies"])
@@ -109,9 +166,13 @@ def main():
         force += [scale * sum(cone[k][column] * s[column] for column in range(forces)) for k in range(forces)]
     # L over `scale` does unit work on y, so L itself does `scale`.
     y = [entry * length / (scale if live else 1.0) for entry in answer["x"]]
+    write(seconds, answer["iterations"], -answer["y"][0] if live else 0.0, force, y)
+
+
+def write(seconds, iterations, alpha, force, displacement):
     with open(sys.argv[2], "w", encoding="utf-8") as file:
-        print(seconds, answer["iterations"], -answer["y"][0] if live else 0.0, file=file)
-        for entry in force + y:
+        print(seconds, iterations, alpha, file=file)
+        for entry in force + displacement:
             print(repr(float(entry)), file=file)
 
 

@@ -197,6 +197,28 @@ TEST(LawsOfSpace, OfEqualBoxesOnEachOtherTheWholeStackRocks)
     }
 }
 
+TEST(LawsOfSpace, AnyStackOfEqualBoxesRocksAsAWholeOrSlides)
+{
+    Chance chance(13);
+    for (int i = 0; i < instances; ++i)
+    {
+        const double a = chance(0.1, 0.4);
+        const double b = chance(0.1, 0.4);
+        const double h = chance(0.05, 0.3);
+        const double mu = chance(0.1, 1.5);
+        const double q = chance(0.05, 1.5);
+        const int count = 2 + i % 5;
+        std::vector<Polyhedron> boxes;
+        for (int k = 0; k < count; ++k)
+        {
+            boxes.push_back(makeBox({-a, -b, 2 * h * k}, {a, b, 2 * h * (k + 1)}));
+        }
+        const double expected = std::min({mu, a / (count * h * std::cos(q)), b / (count * h * std::sin(q))});
+        EXPECT_NEAR(multiplier(onGround(boxes), mu, {std::cos(q), std::sin(q), 0}), expected, exact)
+            << "instance " << i;
+    }
+}
+
 TEST(LawsOfSpace, APrismOverturnsAboutAFaceOrACorner)
 {
     Chance chance(5);
@@ -373,11 +395,40 @@ TEST(LawsOfSpace, AStepBuiltInBetweenFixedBlocksNeverCollapses)
     EXPECT_LE(result.certificate.worst(), 1e-9);
 }
 
-/// A slab on pads, whose middle one sinks.
-LimitAnalysis settle(const std::vector<Polyhedron>& pads, std::size_t sinking, double mu)
+TEST(LawsOfSpace, StepsBuiltInAnyDepthNeverCollapse)
+{
+    Chance chance(10);
+    for (int i = 0; i < instances; ++i)
+    {
+        const double depth = chance(0.05, 0.25);
+        const double thickness = chance(0.1, 0.3);
+        const double width = chance(0.5, 2);
+        Assembly<3> assembly;
+        // Below, above and on both sides of what is built in, y in [1 - depth, 1].
+        assembly.blocks = {{makeBox({0, 0, 0}, {width, 1, thickness}), -1},
+                           {makeBox({-0.5, 1 - depth, -0.5}, {width + 0.5, 1, 0}), 0},
+                           {makeBox({-0.5, 1 - depth, thickness}, {width + 0.5, 1, 1}), 0},
+                           {makeBox({-0.5, 1 - depth, 0}, {0, 1, thickness}), 0},
+                           {makeBox({width, 1 - depth, 0}, {width + 0.5, 1, thickness}), 0},
+                           {makeBox({-0.5, 1, -0.5}, {width + 0.5, 1.2, 1}), 0}};
+        assembly.supports = {{"wall", "blocks"}};
+        LoadVectors loads = pushed(assembly, {1, 0, 0});
+        const double angle = chance(0, 2 * EIGEN_PI);
+        // Anywhere on its free end, in any direction of that face.
+        loads.live = pointLoad(assembly, 0, {chance(0, width), 0, chance(0, thickness)},
+                               {std::cos(angle), 0, std::sin(angle)});
+        const LimitAnalysis result = collapse(assembly, findContactPoints(assembly), chance(0.1, 1), loads);
+        EXPECT_EQ(result.status, CollapseStatus::unbounded) << "instance " << i;
+        EXPECT_LE(result.certificate.worst(), 1e-9) << "instance " << i;
+    }
+}
+
+/// A slab on pads, one of which sinks: its reaction.
+LimitAnalysis settle(const Polyhedron& slab, const std::vector<Polyhedron>& pads, std::size_t sinking,
+                     double mu)
 {
     Assembly<3> assembly;
-    assembly.blocks.push_back({makeBox({0, 0, 0}, {2, 1, 0.2}), -1});
+    assembly.blocks.push_back({slab, -1});
     for (std::size_t i = 0; i < pads.size(); ++i)
     {
         assembly.blocks.push_back({pads[i], i == sinking ? 1 : 0});
@@ -393,16 +444,50 @@ LimitAnalysis settle(const std::vector<Polyhedron>& pads, std::size_t sinking, d
 
 TEST(LawsOfSpace, ASupportThatNeedNotCarryAnythingHasNoReaction)
 {
-    const std::vector<Polyhedron> pads{makeBox({0, 0, -0.1}, {0.2, 1, 0}),
-                                       makeBox({0.9, 0, -0.1}, {1.1, 1, 0}),
-                                       makeBox({1.8, 0, -0.1}, {2, 1, 0})};
-    const LimitAnalysis result = settle(pads, 1, 0.5);
-    EXPECT_EQ(result.status, CollapseStatus::optimal);
-    EXPECT_NEAR(result.alpha, 0, 1e-9);
-    // An outer one bears what the middle one cannot.
-    const LimitAnalysis outer = settle({pads[0], pads[2]}, 1, 0.5);
-    EXPECT_EQ(outer.status, CollapseStatus::optimal);
-    EXPECT_GT(outer.alpha, 0.1);
+    Chance chance(12);
+    for (int i = 0; i < instances; ++i)
+    {
+        // Pads under both ends, and one or two between them, of which one sinks.
+        const double length = chance(1.5, 3);
+        const double width = chance(0.2, 1);
+        const double pad = chance(0.1, 0.3);
+        const auto at = [&](double from, double depth) {
+            return makeBox({from, 0, -0.1}, {from + pad, depth, 0});
+        };
+        std::vector<Polyhedron> pads{at(0, width), at(chance(0.35, 0.6) * length, chance(0.3, 1) * width),
+                                     at(length - pad, width)};
+        if (i % 2 == 1)
+        {
+            pads.push_back(at(0.15 * length, width));
+        }
+        const Polyhedron slab = makeBox({0, 0, 0}, {length, width, chance(0.05, 0.3)});
+        const LimitAnalysis result = settle(slab, pads, 1, chance(0.1, 1));
+        EXPECT_EQ(result.status, CollapseStatus::optimal) << "instance " << i;
+        EXPECT_NEAR(result.alpha, 0, 1e-9) << "instance " << i;
+        EXPECT_LE(result.certificate.worst(), 1e-9) << "instance " << i;
+        // An outer one bears what the middle one cannot.
+        const LimitAnalysis outer = settle(slab, {pads[0], pads[2]}, 1, 0.5);
+        EXPECT_EQ(outer.status, CollapseStatus::optimal) << "instance " << i;
+        const double weight = volumeProperties(slab).volume;
+        EXPECT_NEAR(outer.alpha, weight * (length / 2 - pad) / (length - pad), exact) << "instance " << i;
+    }
+}
+
+// Slab 2 x 1 x 0.2 on pads of 0.2 x 0.2: two at the corners of the front, one in the middle of the back.
+TEST(LawsOfSpace, ASlabOnThreePadsTurnsAboutTheCornersOfTwo)
+{
+    const Polyhedron slab = makeBox({0, 0, 0}, {2, 1, 0.2});
+    const std::vector<Polyhedron> pads{makeBox({0, 0, -0.1}, {0.2, 0.2, 0}),
+                                       makeBox({0.9, 0.8, -0.1}, {1.1, 1, 0}),
+                                       makeBox({1.8, 0, -0.1}, {2, 0.2, 0})};
+    // Of a pair: the axis runs from (1.8, 0) to (0.9, 0.8); of the single one along y = 0.2.
+    for (const auto& [sinking, expected] :
+         {std::pair(0U, 0.131944444), std::pair(1U, 0.375), std::pair(2U, 0.131944444)})
+    {
+        const LimitAnalysis result = settle(slab, pads, sinking, 0.5);
+        EXPECT_EQ(result.status, CollapseStatus::optimal) << sinking;
+        EXPECT_NEAR(result.alpha / 0.4, expected, exact) << sinking;
+    }
 }
 
 } // namespace
