@@ -4,12 +4,14 @@
 #include "dictionary/DictionaryGrammar.h"
 #include "dictionary/DictionaryPattern.h"
 #include "dictionary/Expression.h"
+#include "dictionary/FilesInMemory.h"
 
 #include <algorithm>
 #include <cstdlib>
 #include <fmt/format.h>
 #include <fstream>
 #include <optional>
+#include <set>
 
 namespace drystone
 {
@@ -75,6 +77,13 @@ std::filesystem::path caseOf(const std::filesystem::path& file)
 
 std::string contentOf(const std::filesystem::path& file, const SourceLocation& whence)
 {
+    if (const FilesInMemory* files = FilesInMemory::current())
+    {
+        if (const std::string* text = files->textOf(file))
+        {
+            return *text;
+        }
+    }
     const auto fail = [&](const std::string& message) -> FatalIOError {
         return FatalIOError(message, whence.file.empty() ? SourceLocation{file.string(), "", 0} : whence);
     };
@@ -112,6 +121,15 @@ public:
         caseDirectory = caseOf(path);
         openFiles.push_back(path);
         return readRoot(file);
+    }
+
+    /// Of all files that were read so far, those that were included among them.
+    std::set<std::string> sourceNames() const
+    {
+        std::set<std::string> names;
+        for (const SourceFile& file : source->files)
+            names.insert(std::filesystem::path(file.name).lexically_normal().string());
+        return names;
     }
 
     Dictionary readText(std::string_view text, const std::string& name)
@@ -792,13 +810,21 @@ private:
 
 Dictionary Dictionary::readFile(const std::filesystem::path& file, Expansion expansion)
 {
-    return Reader(expansion).readFile(file);
+    FilesInMemory* files = expansion == Expansion::all ? FilesInMemory::current() : nullptr;
+    if (!files)
+        return Reader(expansion).readFile(file);
+    if (const Dictionary* known = files->find(file))
+        return *known;
+    Reader reader(expansion);
+    Dictionary dictionary = reader.readFile(file);
+    files->keep(file, dictionary, reader.sourceNames());
+    return dictionary;
 }
 
 Dictionary Dictionary::readFileIfPresent(const std::filesystem::path& file, Expansion expansion)
 {
     std::error_code error;
-    if (!std::filesystem::exists(file, error) && !error)
+    if (!isInMemory(file) && !std::filesystem::exists(file, error) && !error)
         return Dictionary(SourceLocation{file.lexically_normal().string(), "", 0});
     return readFile(file, expansion);
 }

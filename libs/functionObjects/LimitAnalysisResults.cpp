@@ -21,6 +21,7 @@
 #include "io/Mechanism.h"
 #include "io/MechanismPicture.h"
 #include "io/Plot.h"
+#include "quantities/LimitAnalysisFigures.h"
 #include "runControl/CaseFiles.h"
 
 #include <fmt/format.h>
@@ -72,39 +73,19 @@ std::string caption(const LimitAnalysisCase<Dim>& structure, const LimitAnalysis
     return "not converged";
 }
 
-/// The column alpha[-]: a number where there is one.
-double tabledAlpha(const LimitAnalysis& result)
-{
-    switch (result.status)
-    {
-    case CollapseStatus::unbounded:
-        return std::numeric_limits<double>::infinity();
-    case CollapseStatus::unstable:
-    case CollapseStatus::notConverged:
-        return std::numeric_limits<double>::quiet_NaN();
-    case CollapseStatus::optimal:
-        break;
-    }
-    return result.alpha;
-}
-
 template<int Dim>
 std::string tableText(const LimitAnalysisCase<Dim>& structure, const std::vector<LimitAnalysis>& results,
                       double cpuTime)
 {
-    std::string text =
-        "# alpha[-] status[-] blocks[-] contactPoints[-] variables[-] iterations[-] primalResidual[-] "
-        "dualResidual[-] gap[-] cpuTime[s]\n";
+    std::string text = fmt::format("# {}\n", fmt::join(limitAnalysisHeadings(), " "));
     for (const LimitAnalysis& result : results)
     {
-        text += fmt::format("{:.12g} {} {} {} {} {} {:.3e} {:.3e} {:.3e} {:.6g}\n",
-                            // The least reaction of a support has no lower bound.
-                            structure.movement && result.status == CollapseStatus::unbounded
-                                ? -tabledAlpha(result)
-                                : tabledAlpha(result),
-                            static_cast<int>(result.status), structure.freeBlocks, structure.points.size(),
-                            result.variables, result.iterations, result.certificate.primalResidual,
-                            result.certificate.dualResidual, result.certificate.gap, cpuTime);
+        std::string row;
+        for (const TabledFigure& figure : limitAnalysisFigures(structure, result, cpuTime))
+        {
+            row += (row.empty() ? "" : " ") + figure.text;
+        }
+        text += row + "\n";
     }
     return text;
 }

@@ -3,6 +3,7 @@
 #include "runControl/Case.h"
 
 #include "core/Error.h"
+#include "dictionary/FilesInMemory.h"
 
 #include <fmt/format.h>
 
@@ -33,6 +34,10 @@ fs::path requireCaseFile(const fs::path& caseDirectory, const fs::path& file, co
 {
     requireCase(caseDirectory);
     fs::path path = (caseDirectory / file).lexically_normal();
+    if (isInMemory(path))
+    {
+        return path;
+    }
     std::error_code ignored;
     if (!fs::exists(path, ignored))
         throw FatalIOError(fmt::format("There is no {}.\n\n{}", file.string(), repair),

@@ -376,6 +376,13 @@ template<int Dim>
 LimitAnalysisCase<Dim> readLimitAnalysisCase(const std::filesystem::path& caseDirectory,
                                              std::optional<int> pointsPerJoint)
 {
+    return readLimitAnalysisCase(caseDirectory, readAssembly<Dim>(caseDirectory), pointsPerJoint);
+}
+
+template<int Dim>
+LimitAnalysisCase<Dim> readLimitAnalysisCase(const std::filesystem::path& caseDirectory,
+                                             Assembly<Dim> assembly, std::optional<int> pointsPerJoint)
+{
     LimitAnalysisCase<Dim> result;
     const auto controls = readOptions<LimitAnalysisControls>(readSolution(caseDirectory, "limitAnalysis"));
     result.solution = controls.solver;
@@ -388,7 +395,7 @@ LimitAnalysisCase<Dim> readLimitAnalysisCase(const std::filesystem::path& caseDi
                            readSolution(caseDirectory, "limitAnalysis").locationOf("solver"));
     }
     result.solution.solver = SolverType::interiorPoint;
-    result.assembly = readAssembly<Dim>(caseDirectory);
+    result.assembly = std::move(assembly);
     refuseOverlaps(result.assembly, caseDirectory);
     refuseAlmostJoints(result.assembly, caseDirectory);
     requireFreeBlock(result.assembly, caseDirectory);
@@ -478,10 +485,14 @@ Pushover solvePushover(const LimitAnalysisCase<2>& structure, const PushoverObse
 
 template LimitAnalysisCase<2> readLimitAnalysisCase(const std::filesystem::path& caseDirectory,
                                                     std::optional<int> pointsPerJoint);
+template LimitAnalysisCase<2> readLimitAnalysisCase(const std::filesystem::path& caseDirectory,
+                                                    Assembly<2> assembly, std::optional<int> pointsPerJoint);
 template LimitAnalysis solveLimitAnalysis(LimitAnalysisCase<2>& structure);
 template std::vector<LimitAnalysis> solveLimitAnalyses(LimitAnalysisCase<2>& structure);
 template LimitAnalysisCase<3> readLimitAnalysisCase(const std::filesystem::path& caseDirectory,
                                                     std::optional<int> pointsPerJoint);
+template LimitAnalysisCase<3> readLimitAnalysisCase(const std::filesystem::path& caseDirectory,
+                                                    Assembly<3> assembly, std::optional<int> pointsPerJoint);
 template LimitAnalysis solveLimitAnalysis(LimitAnalysisCase<3>& structure);
 template std::vector<LimitAnalysis> solveLimitAnalyses(LimitAnalysisCase<3>& structure);
 

@@ -52,6 +52,12 @@ template<int Dim>
 LimitAnalysisCase<Dim> readLimitAnalysisCase(const std::filesystem::path& caseDirectory,
                                              std::optional<int> pointsPerJoint = {});
 
+/// The same of blocks that are not read from constant/assembly. \param assembly joints closed, as by
+/// readAssembly
+template<int Dim>
+LimitAnalysisCase<Dim> readLimitAnalysisCase(const std::filesystem::path& caseDirectory,
+                                             Assembly<Dim> assembly, std::optional<int> pointsPerJoint = {});
+
 /// Collapse by the flow rule of the case, for a positive multiplier; for a support that moves, settlement.
 ///
 /// Joints that crush turn about points within them. Unless the case says how many points they have

@@ -13,12 +13,12 @@
 #include "dynamics/InitialMotion.h"
 #include "dynamics/Schemes.h"
 #include "effects/GroundMotion.h"
+#include "ensembles/AccuracySettings.h"
+#include "ensembles/IncrementalDynamics.h"
+#include "ensembles/ParameterSearch.h"
 #include "functionObjects/FunctionList.h"
 #include "runControl/Time.h"
 #include "statics/LimitAnalysisCase.h"
-#include "studies/AccuracySettings.h"
-#include "studies/IncrementalDynamics.h"
-#include "studies/ParameterSearch.h"
 #include "texture/Texture.h"
 
 #include <algorithm>

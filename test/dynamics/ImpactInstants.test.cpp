@@ -2,7 +2,7 @@
 /// Impacts within steps: how errors fall with the step when blocks collide where they meet.
 #include "Scenes.h"
 
-#include "studies/References.h"
+#include "ensembles/References.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 /// A rocking block against Housner's equation: impact, period, order of convergence, overturning.
 #include "Scenes.h"
 
-#include "studies/References.h"
+#include "ensembles/References.h"
 
 #include <gtest/gtest.h>
 

@@ -1,16 +1,16 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// A sound case in which one file read by studies and function objects is any text, named by the first
+/// A sound case in which one file read by ensembles and function objects is any text, named by the first
 /// character (see SoundCase). The readers may only reject it with a FatalError.
 #include "SoundCase.h"
 
+#include "ensembles/AccuracyCostCase.h"
+#include "ensembles/CaseRuns.h"
+#include "ensembles/IncrementalDynamicsCase.h"
+#include "ensembles/ParameterSearchCase.h"
 #include "functionObjects/LimitAnalysisResults.h"
 #include "io/VtkSeries.h"
 #include "runControl/CommandLine.h"
 #include "runControl/Time.h"
-#include "studies/AccuracyCostCase.h"
-#include "studies/CaseRuns.h"
-#include "studies/IncrementalDynamicsCase.h"
-#include "studies/ParameterSearchCase.h"
 
 #include <array>
 #include <cstdint>

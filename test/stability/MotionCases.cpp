@@ -5,7 +5,7 @@
 
 #include "contact/Penetration.h"
 #include "dynamics/Scenes.h"
-#include "studies/References.h"
+#include "ensembles/References.h"
 #include "texture/Arch.h"
 
 #include <Eigen/Geometry>

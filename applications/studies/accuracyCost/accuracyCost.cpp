@@ -4,8 +4,8 @@
 #include "core/Error.h"
 #include "core/Log.h"
 #include "core/Signals.h"
+#include "ensembles/AccuracyCostCase.h"
 #include "runControl/Application.h"
-#include "studies/AccuracyCostCase.h"
 
 using namespace drystone;
 

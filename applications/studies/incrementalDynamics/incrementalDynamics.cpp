@@ -4,9 +4,9 @@
 #include "core/Error.h"
 #include "core/Log.h"
 #include "core/Signals.h"
+#include "ensembles/IncrementalDynamicsCase.h"
 #include "functionObjects/LimitAnalysisResults.h"
 #include "runControl/Application.h"
-#include "studies/IncrementalDynamicsCase.h"
 
 using namespace drystone;
 

@@ -3,8 +3,8 @@
 #include "core/Error.h"
 #include "core/Log.h"
 #include "core/Signals.h"
+#include "ensembles/ParameterSearchCase.h"
 #include "runControl/Application.h"
-#include "studies/ParameterSearchCase.h"
 
 using namespace drystone;
 

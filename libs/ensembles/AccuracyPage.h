@@ -1,0 +1,46 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The page, table and pictures of accuracyCost: presentation, separate from measurement and evaluation.
+#pragma once
+
+#include "ensembles/AccuracyCostCase.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace drystone
+{
+
+/// `deltaT 0.01, theta 1, nonAssociative, automatic, tolerance 1e-09, large`.
+std::string settingText(const RunSetting& setting, QuantityKind kind);
+
+/// The same with only the keys that differ between some settings; `all` where nothing does.
+std::string settingText(const RunSetting& setting, const std::vector<RunSetting>& among);
+
+/// `0.1%`
+std::string percentText(double level);
+
+/// The cheapest setting that reaches a level of error.
+struct CheapestRow
+{
+    std::size_t quantity = 0;
+    double level = 0;
+    ErrorMeasure measure = ErrorMeasure::worst;
+    std::optional<AccuracyPoint> point; ///< nothing when none of the settings does
+};
+
+/// For each quantity 5%, 1% and 0.1%, over all its sweeps; for motions by the median and by the worst phase,
+/// of the settings with the largest number of phases.
+std::vector<CheapestRow> cheapestRows(const AccuracyStudy& study, const AccuracyResults& results);
+
+/// accuracyCost.csv: a row for each setting of each sweep.
+std::string accuracyTable(const AccuracyStudy& study, const AccuracyResults& results);
+
+/// The pictures that the page refers to. \throws FatalError naming what cannot be written
+void writePictures(const std::filesystem::path& folder, const AccuracyStudy& study,
+                   const AccuracyResults& results);
+
+/// accuracyCost.md.
+std::string accuracyPage(const AccuracyStudy& study, const AccuracyResults& results);
+
+} // namespace drystone

@@ -1,0 +1,166 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Figures of a case whose errors accuracyCost measures, and their references.
+///
+/// Periods, distances, energies, thresholds and multipliers, which the equations determine. The path of a
+/// structure that rocks for a long time is not among them, because it depends on rounding.
+#pragma once
+
+#include "dictionary/Registry.h"
+#include "dynamics/Motion.h"
+#include "ensembles/References.h"
+#include "statics/LimitAnalysisCase.h"
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace drystone
+{
+
+enum class QuantityKind
+{
+    motion,       ///< of runs in time, as contactDynamics makes them
+    limitAnalysis ///< of collapse, as limitAnalysis finds it
+};
+
+/// How a case is computed. Settings that do not apply to a kind of quantity are 0 (or the first enumerator).
+struct RunSetting
+{
+    double deltaT = 0; ///< [s]
+    double theta = 0;
+    FlowRule flowRule = FlowRule::associative;
+    SolverType solver = SolverType::automatic;
+    double tolerance = 0;
+    int pointsPerJoint = 0;
+    Displacements displacements = Displacements::large;
+    ContactFormulation formulation = ContactFormulation::points;
+
+    friend auto operator<=>(const RunSetting&, const RunSetting&) = default;
+};
+
+/// The phase of the steps at which the motion begins: the first step is shortened, so that impacts occur at
+/// different phases of the steps.
+struct StepPhase
+{
+    int index = 0;
+    int count = 1;
+    double firstStep() const { return count > 1 ? (index + 0.5) / count : 1; } ///< [deltaT]
+
+    friend auto operator<=>(const StepPhase&, const StepPhase&) = default;
+};
+
+enum class RunEnd
+{
+    done,
+    unsolved, ///< a step, or the program, was not solved to the tolerance
+    missing,  ///< the run has no such figure: the block did not return before endTime
+    interrupted
+};
+
+/// The result of one run.
+struct Measurement
+{
+    double value = 0;         ///< nan unless done
+    double hover = 0;         ///< largest gap at a point that carries force, at the end of a step [m]
+    double steps = 0;         ///< in time, or iterations of the solver
+    double cpuTime = 0;       ///< [s]
+    double worstResidual = 0; ///< of any step: primal, dual or gap
+    RunEnd end = RunEnd::done;
+};
+
+/// The structure to be computed, read once; no run changes it.
+struct AccuracyCase
+{
+    std::filesystem::path caseDirectory;
+    std::optional<DynamicCase> scene; ///< where a quantity is one of motion
+    DynamicState start;
+    double endTime = 0;                             ///< [s]
+    std::map<int, LimitAnalysisCase<2>> structures; ///< by points per joint, 0: as specified in the case
+};
+
+/// The value that a figure is compared with.
+struct Reference
+{
+    double value = 0;
+    double uncertainty = 0; ///< estimated error of the reference itself
+    std::string text;       ///< where it comes from, for the page
+};
+
+/// A figure ready to be measured.
+struct Quantity
+{
+    std::string summary; ///< `time at which block 1 is upright again for the 3rd time`
+    std::string unit;
+    /// One run. Depends only on its arguments, except for `cpuTime` and signals.
+    std::function<Measurement(const AccuracyCase&, const RunSetting&, const StepPhase&)> measure;
+    /// The figure from Housner's equation; empty where that does not give it.
+    std::function<double(const AccuracyCase&)> housner = {};
+};
+
+/// The contents of `reference { type ...; }`.
+struct ReferencePlan
+{
+    enum class Kind
+    {
+        Housner,
+        value,
+        finest
+    };
+    Kind kind = Kind::finest;
+    double value = 0;
+    std::string source;
+    // of the finest run; absent: the value of the case
+    std::optional<double> deltaT;
+    std::optional<double> theta;
+    std::optional<FlowRule> flowRule;
+    std::optional<SolverType> solver;
+    std::optional<double> tolerance;
+    std::optional<int> pointsPerJoint;
+    std::optional<Displacements> displacements;
+    std::optional<ContactFormulation> formulation;
+    int phases = 20;
+    SourceLocation location;
+};
+const Registry<ReferencePlan>& referenceTypes();
+
+/// A quantity of the dictionary.
+struct QuantityPlan
+{
+    QuantityKind kind = QuantityKind::motion;
+    ReferencePlan reference;
+    /// \throws FatalIOError for a block that does not exist, or is fixed
+    std::function<Quantity(const AccuracyCase&)> make;
+};
+
+/// All types: returnTime, displacement, energy, threshold, multiplier.
+const Registry<QuantityPlan>& quantityTypes();
+
+/// The block of a case to which Housner's equation applies: one free rectangle on a fixed ground, whose only
+/// rebound is that of the impact, with its initial rotation.
+struct HousnerCase
+{
+    RockingBlock block;
+    RockingState start;
+    int index = 0; ///< of the block
+};
+/// \throws FatalError naming the property of the case that does not agree with Housner's equation
+HousnerCase housnerCase(const AccuracyCase& study);
+
+/// Steps a case with a setting, and reports each state.
+/// \param observe called before the first step with a step of 0, and after each one; false ends the run
+/// \return how the run ended, with its costs; `value` remains 0
+using MotionObserver = std::function<bool(const Motion& motion, double timeStep)>;
+Measurement stepThrough(const DynamicCase& scene, const AccuracyCase& study, const RunSetting& setting,
+                        const StepPhase& phase, const MotionObserver& observe);
+
+/// The scene of a case with a setting in place of its own.
+DynamicCase sceneWith(const AccuracyCase& study, const RunSetting& setting);
+
+/// F: CPU time of one assembly, factorisation and solution of the Schur matrix of the case, that of its first
+/// step or of its collapse [s].
+double unitOfWork(const AccuracyCase& study, const RunSetting& setting, QuantityKind kind);
+
+} // namespace drystone

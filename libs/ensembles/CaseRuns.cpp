@@ -1,0 +1,257 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The operating system's part of a study: files, processes and signals.
+#include "ensembles/CaseRuns.h"
+
+#include "core/Error.h"
+#include "core/Signals.h"
+#include "runControl/Case.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace drystone
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+
+/// Whether an entry of a case directory is a result, or belongs to a search.
+bool isLeftOut(const fs::path& path)
+{
+    const std::string name = path.filename().string();
+    if (name == "VTK" || name == "postProcessing" || name == "parameterSearch" || name.starts_with("log.")
+        || name.starts_with("."))
+    {
+        return true;
+    }
+    char* end = nullptr;
+    const double time = std::strtod(name.c_str(), &end);
+    return end != name.c_str() && *end == 0 && time != 0 && fs::is_directory(path);
+}
+
+void copyInto(const fs::path& from, const fs::path& to)
+{
+    fs::create_directories(to);
+    for (const fs::directory_entry& entry : fs::directory_iterator(from))
+    {
+        if (isLeftOut(entry.path()))
+        {
+            continue;
+        }
+        if (entry.is_directory())
+        {
+            copyInto(entry.path(), to / entry.path().filename());
+        }
+        else if (entry.is_regular_file())
+        {
+            fs::copy_file(entry.path(), to / entry.path().filename(), fs::copy_options::overwrite_existing);
+        }
+    }
+}
+
+std::string contentOf(const fs::path& file)
+{
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+void listFiles(const fs::path& folder, std::vector<fs::path>& files)
+{
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    {
+        if (isLeftOut(entry.path()))
+        {
+            continue;
+        }
+        if (entry.is_directory())
+        {
+            listFiles(entry.path(), files);
+        }
+        else if (entry.is_regular_file())
+        {
+            files.push_back(entry.path());
+        }
+    }
+}
+
+/// The last lines of a file, without blank ones.
+std::string lastLines(const fs::path& file, std::size_t count)
+{
+    std::ifstream stream(file);
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(stream, line);)
+    {
+        if (!line.empty())
+        {
+            lines.push_back("    " + line);
+        }
+    }
+    const std::size_t skipped = lines.size() > count ? lines.size() - count : 0;
+    lines.erase(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(skipped));
+    return fmt::format("{}", fmt::join(lines, "\n"));
+}
+
+/// The directory of this program, which also contains the other applications.
+fs::path applicationFolder()
+{
+    return fs::read_symlink("/proc/self/exe").parent_path();
+}
+
+} // namespace
+
+void copyCase(const fs::path& caseDirectory, const fs::path& target)
+{
+    try
+    {
+        fs::remove_all(target);
+        copyInto(caseDirectory, target);
+    }
+    catch (const fs::filesystem_error& error)
+    {
+        throw FatalError(
+            fmt::format("Cannot copy the case to {}: {}.", target.string(), error.code().message()));
+    }
+}
+
+std::uint64_t fingerprint(const fs::path& caseDirectory, const std::string& leftOut)
+{
+    std::vector<fs::path> files;
+    listFiles(caseDirectory, files);
+    std::sort(files.begin(), files.end());
+    std::string all;
+    for (const fs::path& file : files)
+    {
+        const fs::path name = file.lexically_relative(caseDirectory);
+        if (name != leftOut)
+        {
+            all += name.string() + '\0' + contentOf(file) + '\0';
+        }
+    }
+    return fingerprint(all);
+}
+
+std::vector<std::vector<double>> readHistory(const fs::path& file, const std::string& heading,
+                                             std::size_t numbers, const std::string& study)
+{
+    std::vector<std::vector<double>> rows;
+    if (!fs::exists(file))
+    {
+        return rows;
+    }
+    const std::string text = contentOf(file);
+    if (!text.starts_with(heading))
+    {
+        throw FatalError(fmt::format("{} belongs to another {}: the files of the case, or the settings, were "
+                                     "different from now, so that it cannot be continued. Remove "
+                                     "postProcessing/{} to start again.",
+                                     file.string(), study, study));
+    }
+    std::istringstream lines(text.substr(heading.size()));
+    int lineNumber = static_cast<int>(std::count(heading.begin(), heading.end(), '\n'));
+    for (std::string line; std::getline(lines, line);)
+    {
+        ++lineNumber;
+        std::vector<double> row;
+        const char* at = line.c_str();
+        for (char* end = nullptr;; at = end)
+        {
+            const double value = std::strtod(at, &end);
+            if (end == at)
+            {
+                break;
+            }
+            row.push_back(value);
+        }
+        if (row.size() != numbers
+            || line.find_first_not_of(" \t", static_cast<std::size_t>(at - line.c_str())) != line.npos)
+        {
+            throw FatalIOError(fmt::format("A row of the history has {} numbers and not something else.\n\n"
+                                           "Remove the row, or postProcessing/{} to start again.",
+                                           numbers, study),
+                               {file.string(), "", lineNumber});
+        }
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+ApplicationRun runInCase(const std::string& application, const fs::path& caseDirectory,
+                         const std::vector<std::string>& options)
+{
+    const std::string program = (applicationFolder() / application).string();
+    if (::access(program.c_str(), X_OK) != 0)
+    {
+        throw FatalError(
+            fmt::format("The application {} was not found with the others: {}. Build all of them.",
+                        application, program));
+    }
+    const std::string log = (caseDirectory / ("log." + application)).string();
+    const std::string errors = log + ".errors";
+    const std::string directory = caseDirectory.string();
+    std::vector<const char*> arguments{program.c_str(), "-case", directory.c_str()};
+    for (const std::string& option : options)
+    {
+        arguments.push_back(option.c_str());
+    }
+    arguments.push_back(nullptr);
+
+    const pid_t child = ::fork();
+    if (child < 0)
+    {
+        throw FatalError(fmt::format("Cannot start {}: {}.", application, std::strerror(errno)));
+    }
+    if (child == 0)
+    {
+        // Between fork and exec only functions that are safe in signal handlers may be called.
+        const int output = ::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
+        const int complaints = ::open(errors.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
+        const int input = ::open("/dev/null", O_RDONLY);
+        if (output < 0 || complaints < 0 || input < 0)
+        {
+            ::_exit(127);
+        }
+        ::dup2(input, 0);
+        ::dup2(output, 1);
+        ::dup2(complaints, 2);
+        ::execv(program.c_str(), const_cast<char* const*>(arguments.data()));
+        ::_exit(127);
+    }
+
+    ApplicationRun run;
+    int status = 0;
+    int wait = 0; // [ms]
+    while (::waitpid(child, &status, WNOHANG) == 0)
+    {
+        if (stopSignal() != 0 && !run.isInterrupted)
+        {
+            run.isInterrupted = true;
+            ::kill(child, stopSignal());
+        }
+        wait = std::min(wait + 1, 10);
+        ::poll(nullptr, 0, wait);
+    }
+    run.isInterrupted = run.isInterrupted || stopSignal() != 0;
+    run.status = WIFSIGNALED(status) ? exitStatusOfSignal(WTERMSIG(status)) : WEXITSTATUS(status);
+    run.errorOutput = lastLines(errors, 12);
+    std::error_code ignored;
+    if (run.errorOutput.empty())
+    {
+        fs::remove(errors, ignored);
+    }
+    return run;
+}
+
+} // namespace drystone

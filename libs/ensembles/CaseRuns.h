@@ -1,0 +1,49 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Copies of a case, applications run in them, and numbers read from their tables: common to all studies that
+/// repeat whole cases.
+#pragma once
+
+#include "dictionary/Fingerprint.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace drystone
+{
+
+/// Copies the input of a case: all but results (VTK, postProcessing, logs, times other than 0) and the files
+/// of a search (parameterSearch). An existing `target` is removed first. \throws FatalError
+void copyCase(const std::filesystem::path& caseDirectory, const std::filesystem::path& target);
+
+/// A fingerprint of the files that copyCase copies. \param leftOut a file that is ignored, in the case
+/// directory
+std::uint64_t fingerprint(const std::filesystem::path& caseDirectory, const std::string& leftOut);
+
+/// The rows that an interrupted study has written.
+/// \param heading comment lines that identify what the rows depend on
+/// \param numbers in a row
+/// \param study name of its folder in postProcessing, for messages
+/// \return nothing when there is no such file
+/// \throws FatalError when the heading differs, or a row cannot be read
+std::vector<std::vector<double>> readHistory(const std::filesystem::path& file, const std::string& heading,
+                                             std::size_t numbers, const std::string& study);
+
+/// The result of an application.
+struct ApplicationRun
+{
+    int status = 0;             ///< exit status; 128 + signal when a signal has ended it
+    bool isInterrupted = false; ///< this process was requested to stop while it ran
+    std::string errorOutput;    ///< on standard error
+};
+
+/// Runs an application of Drystone, from the folder of the running executable, in a case; its output goes to
+/// log.<application> there. A signal that requests this program to stop is passed on.
+/// \throws FatalError when there is no such application
+ApplicationRun runInCase(const std::string& application, const std::filesystem::path& caseDirectory,
+                         const std::vector<std::string>& options);
+
+} // namespace drystone

@@ -1,0 +1,215 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Runs the motions of an incremental analysis on several threads.
+#include "ensembles/IncrementalDynamics.h"
+
+#include "core/Signals.h"
+#include "ensembles/Executor.h"
+
+#include <algorithm>
+#include <ctime>
+
+namespace drystone
+{
+namespace
+{
+
+/// CPU time of this thread [s].
+double threadCpuTime()
+{
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// A run to be carried out.
+struct Job
+{
+    std::size_t motion = 0;
+    double intensity = 0;
+};
+
+/// Carries out the runs, several at a time, and reports each as soon as all before it are complete.
+std::vector<IncrementalRun> runAll(const IncrementalDynamics& study, const std::vector<Job>& jobs,
+                                   const RunReport& report)
+{
+    std::vector<IncrementalRun> runs(jobs.size());
+    carryOutAll(
+        jobs.size(), study.jobs,
+        [&](std::size_t job)
+        { runs[job] = runAt(study, study.motions[jobs[job].motion], jobs[job].intensity); },
+        [&](std::size_t job)
+        {
+            if (report && runs[job].verdict != Verdict::interrupted)
+            {
+                report(jobs[job].motion, runs[job]);
+            }
+        });
+    return runs;
+}
+
+std::vector<Trial> trialsOf(const IncrementalCurve& curve)
+{
+    std::vector<Trial> trials;
+    for (const IncrementalRun& run : curve)
+    {
+        trials.push_back({run.intensity, run.verdict});
+    }
+    return trials;
+}
+
+} // namespace
+
+void declare(Options& options, StudyRecord& record)
+{
+    options.optional("direction", record.direction, "of the acceleration; its length does not matter");
+    declare(options, record.record);
+    options.check("direction",
+                  [&record]
+                  {
+                      const Eigen::Map<const Eigen::Vector3d> direction(record.direction.data());
+                      return direction.norm() > 0 ? "" : "The direction has no length.";
+                  });
+    options.check(
+        "scale", [&record]
+        { return record.record.scale == 1 ? "" : "The intensity is the peak of the record: remove scale."; });
+    options.check("peakAcceleration",
+                  [&record]
+                  {
+                      return !record.record.peakAcceleration
+                                 ? ""
+                                 : "The intensity is the peak of the record: remove peakAcceleration.";
+                  });
+}
+
+void declare(Options& options, IncrementalDynamicsSettings& settings)
+{
+    options.required("intensity", settings.intensity, intensityTypes(),
+                     "peak accelerations of the ground that are tried");
+    options.required("criterion", settings.criterion, criterionTypes(), "when a run has gone too far");
+    options.optional("records", settings.records,
+                     "instead of constant/groundMotion: one analysis for each; any names");
+    options.check("records",
+                  [&settings]() -> std::string
+                  {
+                      for (const auto& [name, record] : settings.records)
+                      {
+                          if (name.find('/') != std::string::npos || name == "leastIntensity")
+                          {
+                              return "The name " + name + " cannot be that of a table: choose another one.";
+                          }
+                      }
+                      return "";
+                  });
+    options.optional("jobs", settings.jobs, "concurrent runs; absent: the number of cores")
+        .atLeast(1)
+        .atMost(1024)
+        .example("2");
+    options.optional("stopWhenMet", settings.stopWhenMet,
+                     "a run ends as soon as it meets the criterion; no: it continues to endTime, for the "
+                     "largest figure over the whole motion");
+}
+
+IncrementalRun runAt(const IncrementalDynamics& study, const StudyMotion& ground, double intensity)
+{
+    const double cpuTimeBefore = threadCpuTime();
+    DynamicCase scene = study.scene;
+    scene.groundMotion = ground.ground;
+    scene.groundFactor = study.factor(ground, intensity);
+    Motion motion = study.start;
+    Time time(study.controls, study.startTime);
+
+    IncrementalRun run;
+    run.intensity = intensity;
+    run.factor = scene.groundFactor;
+    run.endTime = time.value();
+    while (time.loop())
+    {
+        if (stopSignal() != 0)
+        {
+            run.verdict = Verdict::interrupted;
+            break;
+        }
+        const bool isSolved = advance(scene, motion, time);
+        run.worstResidual = std::max({run.worstResidual, motion.residuals.primalResidual,
+                                      motion.residuals.dualResidual, motion.residuals.gap});
+        if (!isSolved)
+        {
+            run.verdict = Verdict::notConverged;
+            run.endTime = time.value();
+            break;
+        }
+        ++run.steps;
+        run.largest = std::max(run.largest, study.criterion.figure.at(study.start.state, motion));
+        if (run.verdict == Verdict::stands)
+        {
+            run.endTime = time.value();
+        }
+        if (run.largest > study.criterion.limit)
+        {
+            run.verdict = Verdict::meets;
+            if (study.stopWhenMet)
+            {
+                break;
+            }
+        }
+    }
+    run.cpuTime = threadCpuTime() - cpuTimeBefore;
+    return run;
+}
+
+std::vector<IncrementalCurve> carryOut(const IncrementalDynamics& study, const RunReport& report)
+{
+    std::vector<IncrementalCurve> curves(study.motions.size());
+    for (;;)
+    {
+        std::vector<Job> jobs;
+        for (std::size_t motion = 0; motion < curves.size(); ++motion)
+        {
+            for (const double intensity : study.intensity.next(trialsOf(curves[motion])))
+            {
+                jobs.push_back({motion, intensity});
+            }
+        }
+        if (jobs.empty() || stopSignal() != 0)
+        {
+            break;
+        }
+        const std::vector<IncrementalRun> runs = runAll(study, jobs, report);
+        for (std::size_t job = 0; job < jobs.size(); ++job)
+        {
+            curves[jobs[job].motion].push_back(runs[job]);
+        }
+    }
+    for (IncrementalCurve& curve : curves)
+    {
+        std::sort(curve.begin(), curve.end(),
+                  [](const IncrementalRun& a, const IncrementalRun& b) { return a.intensity < b.intensity; });
+    }
+    return curves;
+}
+
+LeastIntensity leastIntensity(const IncrementalCurve& curve)
+{
+    return leastIntensity(trialsOf(curve));
+}
+
+int exitStatus(const std::vector<IncrementalCurve>& curves)
+{
+    if (stopSignal() != 0)
+    {
+        return exitStatusOfSignal(stopSignal());
+    }
+    for (const IncrementalCurve& curve : curves)
+    {
+        for (const IncrementalRun& run : curve)
+        {
+            if (run.verdict == Verdict::notConverged)
+            {
+                return 2;
+            }
+        }
+    }
+    return 0;
+}
+
+} // namespace drystone

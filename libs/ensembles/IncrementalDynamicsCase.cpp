@@ -1,0 +1,284 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Reads, prints and writes an incremental analysis.
+#include "ensembles/IncrementalDynamicsCase.h"
+
+#include "core/Log.h"
+#include "core/WholeFile.h"
+#include "dynamics/GroundMotionPlausibility.h"
+#include "functionObjects/ColumnFile.h"
+#include "functionObjects/MotionLog.h"
+#include "functionObjects/MotionResults.h"
+#include "io/Plot.h"
+#include "runControl/Case.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drystone
+{
+namespace
+{
+
+constexpr const char* applicationName = "incrementalDynamics";
+
+/// The ground motions, each with a peak that can be scaled.
+std::vector<StudyMotion> studyMotions(const std::filesystem::path& caseDirectory, const GroundMotion& ofCase,
+                                      const IncrementalDynamicsSettings& settings,
+                                      const Dictionary& dictionary)
+{
+    std::vector<StudyMotion> motions;
+    for (const auto& [name, record] : settings.records)
+    {
+        GroundMotion::Component component{
+            recordedAcceleration(record.record, caseDirectory),
+            Eigen::Map<const Eigen::Vector3d>(record.direction.data()).normalized()};
+        question(doubtsAboutRecord(component, dictionary.subDict("records").subDict(name)));
+        motions.push_back({name, {{std::move(component)}}, 0});
+    }
+    if (motions.empty())
+    {
+        motions.push_back({applicationName, ofCase, 0});
+    }
+    for (StudyMotion& motion : motions)
+    {
+        motion.peak = peakAcceleration(motion.ground);
+        if (!(motion.peak > 0))
+        {
+            throw FatalError(
+                settings.records.empty()
+                    ? "The ground does not move, so that there is nothing to make stronger. Say in "
+                      "constant/groundMotion how it moves (etc/annotated/constant/groundMotion is an "
+                      "example), or give `records` in system/incrementalDynamicsDict."
+                    : fmt::format("The record {} is zero throughout: it cannot be made stronger.",
+                                  motion.name));
+        }
+    }
+    return motions;
+}
+
+const char* textOf(Verdict verdict)
+{
+    switch (verdict)
+    {
+    case Verdict::stands:
+        return "stands";
+    case Verdict::meets:
+        return "meets the criterion";
+    case Verdict::notConverged:
+        return "DID NOT CONVERGE";
+    case Verdict::interrupted:
+        break;
+    }
+    return "was interrupted";
+}
+
+/// Runs interrupted by a signal have no verdict.
+IncrementalCurve finishedRuns(const IncrementalCurve& curve)
+{
+    IncrementalCurve finished;
+    std::copy_if(curve.begin(), curve.end(), std::back_inserter(finished),
+                 [](const IncrementalRun& run) { return run.verdict != Verdict::interrupted; });
+    return finished;
+}
+
+void writeTable(const std::filesystem::path& file, const IncrementalDynamics& study,
+                const IncrementalCurve& curve)
+{
+    ColumnFile table(file, {fmt::format("intensity[{}]", nameOf(study.intensity.unit)), "factor[-]",
+                            fmt::format("{}[{}]", study.criterion.figure.name, study.criterion.figure.unit),
+                            "verdict[-]", "endTime[s]", "steps[-]", "residual[-]", "cpuTime[s]"});
+    for (const IncrementalRun& run : curve)
+    {
+        table.write({{run.intensity, run.factor, run.largest, static_cast<double>(run.verdict), run.endTime,
+                      static_cast<double>(run.steps), run.worstResidual, run.cpuTime}});
+    }
+}
+
+void writePicture(const std::filesystem::path& file, const IncrementalDynamics& study,
+                  const std::vector<IncrementalCurve>& curves)
+{
+    const Criterion& criterion = study.criterion;
+    Plot plot;
+    plot.title = fmt::format("Largest {} over the run", criterion.figure.name);
+    plot.subtitle =
+        fmt::format("criterion: {}; deltaT {:g} s to {:g} s, tolerance {:g}", criterion.summary,
+                    study.controls.deltaT, study.controls.endTime, study.scene.solution.tolerance);
+    plot.x.label = fmt::format("intensity: peak ground acceleration [{}]", nameOf(study.intensity.unit));
+    plot.y.label = fmt::format("{} [{}]", criterion.figure.name, criterion.figure.unit);
+    plot.references.push_back({"limit", ReferenceDirection::horizontal, criterion.limit});
+    for (std::size_t motion = 0; motion < curves.size(); ++motion)
+    {
+        PlotCurve curve;
+        curve.name = study.motions[motion].name;
+        for (const IncrementalRun& run : curves[motion])
+        {
+            if (run.verdict != Verdict::notConverged)
+            {
+                curve.x.push_back(run.intensity);
+                curve.y.push_back(run.largest);
+            }
+        }
+        plot.curves.push_back(std::move(curve));
+        const LeastIntensity least = leastIntensity(curves[motion]);
+        if (curves.size() == 1 && least.kind == LeastIntensity::Kind::found)
+        {
+            plot.references.push_back(
+                {fmt::format("a_g = {:.9g} {}", least.value, nameOf(study.intensity.unit)),
+                 ReferenceDirection::vertical, least.value});
+        }
+    }
+    writePlot(file, plot);
+}
+
+} // namespace
+
+IncrementalDynamics readIncrementalDynamics(const std::filesystem::path& caseDirectory, Time& time)
+{
+    const Dictionary dictionary = Dictionary::readFile(
+        requireCaseFile(caseDirectory, "system/incrementalDynamicsDict",
+                        "It specifies which accelerations to try and when a run counts as failed; "
+                        "etc/annotated/system/incrementalDynamicsDict is one to copy."));
+    const auto settings = readOptions<IncrementalDynamicsSettings>(dictionary);
+    if (time.controls().stopAt != StopAt::endTime)
+    {
+        throw FatalIOError("Every run of an incremental analysis ends at endTime: set `stopAt endTime;`.",
+                           time.controlDict().locationOf("stopAt"));
+    }
+
+    IncrementalDynamics study;
+    study.scene = readDynamicCase(caseDirectory);
+    study.start = startOrContinue(caseDirectory, study.scene, time);
+    study.controls = time.controls();
+    study.startTime = time.state();
+    study.gravity = study.scene.gravity.norm();
+    study.intensity = settings.intensity;
+    study.criterion = settings.criterion(study.scene.assembly);
+    study.motions = studyMotions(caseDirectory, study.scene.groundMotion, settings, dictionary);
+    for (const StudyMotion& motion : study.motions)
+    {
+        question(doubtsAboutTimes(motion.ground, study.scene.schemes, time.controls(), time.controlDict()));
+    }
+    study.jobs = settings.jobs.value_or(threadCount());
+    study.stopWhenMet = settings.stopWhenMet;
+    if (study.intensity.unit == IntensityUnit::g && !(study.gravity > 0))
+    {
+        throw FatalIOError("Without gravity there is no acceleration g: give intensities with `unit m/s2;`.",
+                           dictionary.subDict("intensity").locationOf("unit"));
+    }
+    requireWritable(incrementalDynamicsFolder(caseDirectory, time));
+    return study;
+}
+
+void printStudy(const IncrementalDynamics& study)
+{
+    auto [simulated, absent] = study.scene.effectNames;
+    simulated.emplace_back("groundMotion");
+    (study.scene.schemes.smallDisplacements ? absent : simulated).emplace_back("largeDisplacements");
+    printEffects(simulated, absent);
+    for (const StudyMotion& motion : study.motions)
+    {
+        if (study.motions.size() > 1)
+        {
+            printLine(motion.name + ":");
+        }
+        info("{}", summary(motion.ground));
+    }
+    info("Blocks: {} free, contact points: {}", study.scene.mass.size() / 3, study.start.points.size());
+    info("Each run: theta {:g}, deltaT {:g} s, to {:g} s; solver {}, tolerance {:g}",
+         study.scene.schemes.timeIntegration.theta, study.controls.deltaT, study.controls.endTime,
+         nameOf(study.scene.solution.solver), study.scene.solution.tolerance);
+    info("Intensity: peak of the ground's acceleration in {}",
+         study.intensity.unit == IntensityUnit::g ? fmt::format("g = {:g} m/s2", study.gravity) : "m/s2");
+    info("Criterion: {}", study.criterion.summary);
+    info("Runs at a time: {}", study.jobs);
+    printLine();
+}
+
+void printRun(const IncrementalDynamics& study, std::size_t motion, const IncrementalRun& run)
+{
+    info("{}intensity = {:.9g} {}  {} = {:.4g} {}  {}{}  ({} steps, residual {:.2g}, {:.2f} s)",
+         study.motions.size() > 1 ? study.motions[motion].name + ": " : "", run.intensity,
+         nameOf(study.intensity.unit), study.criterion.figure.name, run.largest, study.criterion.figure.unit,
+         textOf(run.verdict), run.verdict == Verdict::stands ? "" : fmt::format(" at {:g} s", run.endTime),
+         run.steps, run.worstResidual, run.cpuTime);
+}
+
+void printLeast(const IncrementalDynamics& study, const std::vector<IncrementalCurve>& curves)
+{
+    const std::string_view unit = nameOf(study.intensity.unit);
+    printLine();
+    for (std::size_t motion = 0; motion < curves.size(); ++motion)
+    {
+        const std::string name = study.motions.size() > 1 ? study.motions[motion].name + ": " : "";
+        const IncrementalCurve finished = finishedRuns(curves[motion]);
+        if (finished.size() < curves[motion].size() || finished.empty())
+        {
+            info("{}Stopped before the least acceleration that meets the criterion was known", name);
+            continue;
+        }
+        const LeastIntensity least = leastIntensity(finished);
+        switch (least.kind)
+        {
+        case LeastIntensity::Kind::found:
+            info("{}Least acceleration that meets the criterion a_g = {:.9g} {}", name, least.value, unit);
+            break;
+        case LeastIntensity::Kind::belowRange:
+            info("{}The lowest acceleration tried, {:.9g} {}, meets the criterion already: try lower ones",
+                 name, least.value, unit);
+            break;
+        case LeastIntensity::Kind::aboveRange:
+            info("{}No acceleration up to {:.9g} {} meets the criterion", name, least.value, unit);
+            break;
+        case LeastIntensity::Kind::notConverged:
+            info("{}The least acceleration that meets the criterion is not known: a run below it did not "
+                 "converge",
+                 name);
+            break;
+        }
+        if (!least.isMonotone)
+        {
+            info("{}At some higher accelerations the structure stands again: see the table", name);
+        }
+        const auto failed =
+            std::count_if(finished.begin(), finished.end(),
+                          [](const IncrementalRun& run) { return run.verdict == Verdict::notConverged; });
+        if (failed > 0)
+        {
+            info("{}{} of {} runs did not converge", name, failed, finished.size());
+        }
+    }
+}
+
+std::filesystem::path incrementalDynamicsFolder(const std::filesystem::path& caseDirectory, const Time& time)
+{
+    return postProcessingFolder(caseDirectory, applicationName, time.startName());
+}
+
+void writeIncrementalDynamics(const std::filesystem::path& folder, const IncrementalDynamics& study,
+                              const std::vector<IncrementalCurve>& curves)
+{
+    const std::string unit(nameOf(study.intensity.unit));
+    ColumnFile answers(folder / "leastIntensity.dat", {"motion[-]", fmt::format("leastIntensity[{}]", unit),
+                                                       fmt::format("below[{}]", unit), "kind[-]", "runs[-]"});
+    std::vector<IncrementalCurve> finished;
+    for (std::size_t motion = 0; motion < curves.size(); ++motion)
+    {
+        finished.push_back(finishedRuns(curves[motion]));
+        if (finished.back().empty())
+        {
+            continue;
+        }
+        writeTable(folder / (study.motions[motion].name + ".dat"), study, finished.back());
+        const LeastIntensity least = leastIntensity(finished.back());
+        const bool isKnown =
+            least.kind == LeastIntensity::Kind::found || least.kind == LeastIntensity::Kind::belowRange;
+        answers.write({{static_cast<double>(motion), isKnown ? least.value : std::nan(""), least.below,
+                        static_cast<double>(least.kind), static_cast<double>(finished.back().size())}});
+    }
+    if (std::none_of(finished.begin(), finished.end(), [](const auto& curve) { return curve.empty(); }))
+    {
+        writePicture(folder / "incrementalDynamics.svg", study, finished);
+    }
+}
+
+} // namespace drystone

@@ -1,0 +1,43 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// An incremental analysis in a case directory: its input, its log and its files.
+#pragma once
+
+#include "ensembles/IncrementalDynamics.h"
+
+#include <filesystem>
+#include <vector>
+
+namespace drystone
+{
+
+/// Reads the input of contactDynamics (including the solver's settings: system/solution/contactDynamics), the
+/// state that it would start from, and system/incrementalDynamicsDict.
+/// \param time of this case, its controlDict required
+/// \throws FatalIOError or FatalError for the first fault found
+IncrementalDynamics readIncrementalDynamics(const std::filesystem::path& caseDirectory, Time& time);
+
+/// Before the first run: effects, motions of the ground, criterion, jobs.
+void printStudy(const IncrementalDynamics& study);
+
+/// One line for a completed run.
+void printRun(const IncrementalDynamics& study, std::size_t motion, const IncrementalRun& run);
+
+/// `Least acceleration that meets the criterion a_g = 0.643 g`, or why there is none; for each motion.
+void printLeast(const IncrementalDynamics& study, const std::vector<IncrementalCurve>& curves);
+
+/// postProcessing/incrementalDynamics/<startTime>/ of a case.
+std::filesystem::path incrementalDynamicsFolder(const std::filesystem::path& caseDirectory, const Time& time);
+
+/// Writes into incrementalDynamicsFolder
+/// - <motion>.dat for each motion of the ground (incrementalDynamics.dat for constant/groundMotion), a row a
+///   run by increasing intensity: `intensity[g] factor[-] displacement[m] verdict[-] endTime[s] steps[-]
+///   residual[-] cpuTime[s]`; verdict 0 stands, 1 meets the criterion, 2 did not converge;
+/// - leastIntensity.dat, a row a motion: `motion[-] leastIntensity[g] below[g] kind[-] runs[-]`, where kind
+///   is 0 found, 1 the lowest one tried meets it already, 2 none meets it, 3 not known; leastIntensity is
+///   `nan` but for the first two;
+/// - incrementalDynamics.svg, the quantity of the criterion over the intensity.
+/// \throws FatalError naming what cannot be written
+void writeIncrementalDynamics(const std::filesystem::path& folder, const IncrementalDynamics& study,
+                              const std::vector<IncrementalCurve>& curves);
+
+} // namespace drystone

@@ -1,0 +1,240 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The registry of intensity plans, and the conclusion from their trials.
+#include "ensembles/Intensity.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace drystone
+{
+namespace
+{
+
+/// More runs than this are taken for a mistake in the dictionary.
+constexpr int mostIntensities = 100000;
+
+/// Number of steps from one intensity to another, rounded up; a very small remainder is rounding.
+long stepsBetween(double from, double to, double step)
+{
+    return std::lround(std::ceil((to - from) / step - 1e-6));
+}
+
+void declareUnit(Options& options, IntensityUnit& unit)
+{
+    options.optional("unit", unit, "of the intensities; g is the gravity of constant/g");
+}
+
+std::string faultOfRange(double lowest, double highest, double step, const char* names)
+{
+    if (!(highest > lowest))
+    {
+        return fmt::format("{}: the range is empty.", names);
+    }
+    return (highest - lowest) / step > mostIntensities
+               ? fmt::format("{} make more than {} intensities.", names, mostIntensities)
+               : "";
+}
+
+struct StepSettings
+{
+    IntensityUnit unit = IntensityUnit::g;
+    double from = 0;
+    double to = 0;
+    double step = 0;
+};
+
+void declare(Options& options, StepSettings& settings)
+{
+    declareUnit(options, settings.unit);
+    options.required("from", settings.from, "the lowest intensity").above(0).example("0.3");
+    options.required("to", settings.to, "the highest one").above(0).example("0.4");
+    options.required("step", settings.step, "between them").above(0).example("0.001");
+    options.check("step", [&settings]
+                  { return faultOfRange(settings.from, settings.to, settings.step, "from, to and step"); });
+}
+
+IntensityPlan planSteps(const StepSettings& settings)
+{
+    return {settings.unit, [settings](const std::vector<Trial>& trials)
+            {
+                std::vector<double> intensities;
+                if (trials.empty())
+                {
+                    const auto last =
+                        static_cast<long>(std::floor((settings.to - settings.from) / settings.step + 1e-6));
+                    for (long i = 0; i <= last; ++i)
+                    {
+                        intensities.push_back(settings.from + static_cast<double>(i) * settings.step);
+                    }
+                }
+                return intensities;
+            }};
+}
+
+struct BisectionSettings
+{
+    IntensityUnit unit = IntensityUnit::g;
+    double low = 0;
+    double high = 0;
+    double tolerance = 0;
+};
+
+void declare(Options& options, BisectionSettings& settings)
+{
+    declareUnit(options, settings.unit);
+    options.required("low", settings.low, "an intensity that does not meet the criterion")
+        .above(0)
+        .example("0.3");
+    options.required("high", settings.high, "one that does").above(0).example("0.4");
+    options
+        .required("tolerance", settings.tolerance,
+                  "width of the bracket at the end: only multiples of it above low are tried")
+        .above(0)
+        .example("0.001");
+    options.check(
+        "tolerance", [&settings]
+        { return faultOfRange(settings.low, settings.high, settings.tolerance, "low, high and tolerance"); });
+}
+
+/// Halves the bracket on the grid low + i tolerance: the answer is the one that `step` finds if the verdict
+/// changes only once.
+IntensityPlan planBisection(const BisectionSettings& settings)
+{
+    const auto at = [settings](long i) { return settings.low + static_cast<double>(i) * settings.tolerance; };
+    return {settings.unit,
+            [settings, at](const std::vector<Trial>& trials) -> std::vector<double>
+            {
+                long below = 0;
+                long above = stepsBetween(settings.low, settings.high, settings.tolerance);
+                if (trials.empty())
+                {
+                    return {at(below), at(above)};
+                }
+                bool lowestMeets = false;
+                bool highestMeets = false;
+                const long last = above;
+                for (const Trial& trial : trials)
+                {
+                    const long i = std::lround((trial.intensity - settings.low) / settings.tolerance);
+                    if (trial.verdict == Verdict::meets)
+                    {
+                        above = std::min(above, i);
+                        lowestMeets = lowestMeets || i == 0;
+                        highestMeets = highestMeets || i == last;
+                    }
+                    else if (trial.verdict == Verdict::stands)
+                    {
+                        below = std::max(below, i);
+                    }
+                    else
+                    {
+                        return {}; // the half to be searched next is unknown
+                    }
+                }
+                if (lowestMeets || !highestMeets || above - below <= 1)
+                {
+                    return {};
+                }
+                return {at(below + (above - below) / 2)};
+            }};
+}
+
+struct ListSettings
+{
+    IntensityUnit unit = IntensityUnit::g;
+    std::vector<double> values;
+};
+
+void declare(Options& options, ListSettings& settings)
+{
+    declareUnit(options, settings.unit);
+    options.required("values", settings.values, "the intensities").above(0).example("(0.1 0.2 0.5)");
+    options.check("values",
+                  [&settings]
+                  {
+                      std::vector<double> sorted = settings.values;
+                      std::sort(sorted.begin(), sorted.end());
+                      return sorted.empty() ? "The list of intensities is empty."
+                             : std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()
+                                 ? "An intensity occurs twice in the list."
+                                 : "";
+                  });
+}
+
+IntensityPlan planList(const ListSettings& settings)
+{
+    return {settings.unit, [settings](const std::vector<Trial>& trials)
+            { return trials.empty() ? settings.values : std::vector<double>{}; }};
+}
+
+} // namespace
+
+void read(TokenCursor& cursor, IntensityUnit& unit)
+{
+    const TokenCursor before = cursor;
+    std::string word;
+    while (!cursor.atEnd()) // m / s2 are three tokens
+    {
+        word += cursor.take().text;
+    }
+    std::vector<std::string> names;
+    for (const auto& [name, named] : namesOf(unit))
+    {
+        if (word == name)
+        {
+            unit = named;
+            return;
+        }
+        names.emplace_back(name);
+    }
+    if (before.atEnd())
+    {
+        before.failExpected("a unit, g or m/s2,");
+    }
+    detail::failUnknownWord(before, word, names);
+}
+
+std::string_view nameOf(IntensityUnit unit)
+{
+    return unit == IntensityUnit::g ? "g" : "m/s2";
+}
+
+const Registry<IntensityPlan>& intensityTypes()
+{
+    static const Registry<IntensityPlan> registry{
+        "intensity",
+        {model<IntensityPlan, StepSettings>("step", "equal steps", planSteps),
+         model<IntensityPlan, BisectionSettings>("bisection", "halves a bracket of the least that meets it",
+                                                 planBisection),
+         model<IntensityPlan, ListSettings>("list", "these", planList)}};
+    return registry;
+}
+
+LeastIntensity leastIntensity(std::vector<Trial> trials)
+{
+    std::sort(trials.begin(), trials.end(),
+              [](const Trial& a, const Trial& b) { return a.intensity < b.intensity; });
+    const auto first = std::find_if(trials.begin(), trials.end(),
+                                    [](const Trial& trial) { return trial.verdict == Verdict::meets; });
+    const bool isKnown = std::all_of(trials.begin(), first,
+                                     [](const Trial& trial) { return trial.verdict == Verdict::stands; });
+    LeastIntensity least;
+    if (first == trials.end())
+    {
+        least.kind = isKnown ? LeastIntensity::Kind::aboveRange : LeastIntensity::Kind::notConverged;
+        least.value = trials.back().intensity;
+        return least;
+    }
+    least.value = first->intensity;
+    least.kind = !isKnown                  ? LeastIntensity::Kind::notConverged
+                 : first == trials.begin() ? LeastIntensity::Kind::belowRange
+                                           : LeastIntensity::Kind::found;
+    least.below = first == trials.begin() ? 0 : std::prev(first)->intensity;
+    least.isMonotone = std::none_of(first, trials.end(),
+                                    [](const Trial& trial) { return trial.verdict == Verdict::stands; });
+    return least;
+}
+
+} // namespace drystone

@@ -1,0 +1,542 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Evaluates, records and reports the points of a search by running applications in a copy of the case.
+#include "ensembles/ParameterSearchCase.h"
+
+#include "core/Log.h"
+#include "core/Signals.h"
+#include "core/WholeFile.h"
+#include "ensembles/CaseRuns.h"
+#include "functionObjects/ColumnFile.h"
+#include "io/Plot.h"
+#include "runControl/Case.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <sys/resource.h>
+
+namespace drystone
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+
+constexpr const char* applicationName = "parameterSearch";
+
+fs::path resultsFolder(const fs::path& caseDirectory)
+{
+    return postProcessingFolder(caseDirectory, applicationName, "0");
+}
+
+/// `thickness = 0.1067  mu = 0.4`
+std::string pointText(const ParameterSearchSettings& settings, const std::vector<double>& variables)
+{
+    std::string text;
+    for (std::size_t i = 0; i < variables.size(); ++i)
+    {
+        text += fmt::format("{}{} = {:.9g}", i > 0 ? "  " : "", settings.variables[i].first, variables[i]);
+    }
+    return text;
+}
+
+/// Everything that the points of a history depend on.
+std::string historyHeading(const ParameterSearch& search)
+{
+    const ParameterSearchSettings& settings = search.settings;
+    std::string text = fmt::format("# case {:016x} applications {} in {}", search.caseFingerprint,
+                                   fmt::join(settings.applications, " "), fmt::join(settings.cases, " "));
+    for (const auto& [name, variable] : settings.variables)
+    {
+        text += fmt::format("; {} = {}/{}", name, variable.place.file, variable.place.entry);
+    }
+    for (const auto& [name, result] : settings.results)
+    {
+        text += fmt::format("; {} = {} {} {}", name, result.figure.table, result.figure.column,
+                            int(result.figure.take));
+    }
+    text += "\n#";
+    for (const auto& [name, variable] : settings.variables)
+    {
+        text += " " + name;
+    }
+    for (const auto& [name, result] : settings.results)
+    {
+        text += " " + name;
+    }
+    return text + " exitStatus[-] cpuTime[s]\n";
+}
+
+/// Reports why there is no number, and how to continue.
+[[noreturn]] void failResult(const ParameterSearch& search, std::size_t index,
+                             const std::vector<double>& variables, const std::string& reason)
+{
+    const std::string& name = search.settings.results[index].first;
+    throw FatalIOError(
+        fmt::format(
+            "There is no finite number for the result {} at {}.\n{}\n\nThe files of this point are in "
+            "{}. A search that may reach such points needs a value to continue with: `otherwise` in "
+            "this result.",
+            name, pointText(search.settings, variables), reason,
+            (search.caseDirectory / "parameterSearch/evaluation").string()),
+        search.dictionary.subDict("results").locationOf(name));
+}
+
+/// Results with `otherwise` in place of what is missing.
+std::vector<double> completed(const ParameterSearch& search, const std::vector<double>& variables,
+                              std::vector<double> results, const std::string& reason)
+{
+    for (std::size_t i = 0; i < results.size(); ++i)
+    {
+        if (!std::isfinite(results[i]))
+        {
+            const std::optional<double>& otherwise = search.settings.results[i].second.otherwise;
+            if (!otherwise)
+            {
+                failResult(search, i, variables, reason);
+            }
+            results[i] = *otherwise;
+        }
+    }
+    return results;
+}
+
+/// The outcome of the applications at a point.
+struct PointRun
+{
+    std::vector<double> results; ///< nan where there is none
+    std::string failure;         ///< which application failed; empty when none did
+    std::string errorOutput;     ///< of that application
+    int failureStatus = 0;
+    bool isInterrupted = false;
+};
+
+PointRun runPoint(const ParameterSearch& search, const std::vector<double>& variables)
+{
+    const ParameterSearchSettings& settings = search.settings;
+    const fs::path folder = search.caseDirectory / "parameterSearch/evaluation";
+    copyCase(search.caseDirectory, folder);
+    for (std::size_t i = 0; i < variables.size(); ++i)
+    {
+        setEntry(folder, settings.variables[i].second.place, fmt::format("{}", variables[i]));
+    }
+    PointRun run;
+    for (const std::string& directory : settings.cases)
+    {
+        const fs::path caseDirectory = (folder / directory).lexically_normal();
+        for (const std::string& application : settings.applications)
+        {
+            const ApplicationRun done = runInCase(application, caseDirectory, search.options);
+            if (done.isInterrupted)
+            {
+                run.isInterrupted = true;
+                return run;
+            }
+            if (done.status != 0)
+            {
+                run.failure = fmt::format(
+                    "{} ended with exit status {} (parameterSearch/evaluation/{}log.{})", application,
+                    done.status, directory == "." ? "" : directory + "/", application);
+                run.failureStatus = done.status;
+                run.errorOutput = done.errorOutput;
+                // A table of an earlier application may be from before the failure.
+                break;
+            }
+        }
+        if (!run.failure.empty())
+        {
+            break;
+        }
+    }
+    for (std::size_t i = 0; i < settings.results.size(); ++i)
+    {
+        const auto& [name, result] = settings.results[i];
+        std::optional<std::vector<double>> column;
+        try
+        {
+            column = readColumn(folder / result.figure.table, result.figure.column);
+        }
+        catch (const FatalError& error)
+        {
+            throw FatalIOError(error.what(),
+                               search.dictionary.subDict("results").subDict(name).locationOf("column"));
+        }
+        if (!column && run.failure.empty())
+        {
+            throw FatalIOError(fmt::format("The applications have not written the table {}.\n\nDo they write "
+                                           "it, and does a function "
+                                           "of controlDict? Their files are in {}.",
+                                           result.figure.table, folder.string()),
+                               search.dictionary.subDict("results").subDict(name).locationOf("table"));
+        }
+        run.results.push_back(column ? taken(*column, result.figure.take) : std::nan(""));
+    }
+    return run;
+}
+
+/// CPU time of the applications that have ended [s].
+double childrenCpuTime()
+{
+    rusage usage{};
+    getrusage(RUSAGE_CHILDREN, &usage);
+    const auto seconds = [](const timeval& time)
+    { return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec); };
+    return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+void keepAsBest(const ParameterSearch& search)
+{
+    const fs::path folder = search.caseDirectory / "parameterSearch";
+    std::error_code ignored;
+    fs::remove_all(folder / "best", ignored);
+    fs::rename(folder / "evaluation", folder / "best", ignored);
+}
+
+std::string outcomeText(const ParameterSearchSettings& settings, const Evaluation& found)
+{
+    std::string text = pointText(settings, found.variables);
+    for (std::size_t i = 0; i < found.results.size(); ++i)
+    {
+        text += fmt::format("  {} = {:.9g}", settings.results[i].first, found.results[i]);
+    }
+    return text
+           + fmt::format(
+               "  objective = {:.9g}{}", found.objective,
+               found.violation > 0 ? fmt::format("  violates a constraint by {:.3g}", found.violation) : "");
+}
+
+/// Whether the search has ended without finding what it was to find.
+bool isShort(const SearchOutcome& outcome)
+{
+    return outcome.end == SearchEnd::failed || outcome.end == SearchEnd::astray
+           || (outcome.end == SearchEnd::evaluations && !isGlobal(outcome.stages.back().first));
+}
+
+const char* statusText(const SearchOutcome& outcome)
+{
+    switch (outcome.end)
+    {
+    case SearchEnd::converged:
+        return "converged";
+    case SearchEnd::astray:
+        return "not converged: the last algorithm ended at a point that violates the constraints";
+    case SearchEnd::evaluations:
+        return isShort(outcome) ? "not converged: raise maximumEvaluations" : "all evaluations made";
+    case SearchEnd::failed:
+        return "not converged: the last algorithm failed";
+    case SearchEnd::interrupted:
+        break;
+    }
+    return "interrupted";
+}
+
+} // namespace
+
+ParameterSearch readParameterSearch(const fs::path& caseDirectory, const CommandLine& commandLine)
+{
+    ParameterSearch search;
+    search.caseDirectory = caseDirectory;
+    search.dictionary =
+        Dictionary::readFile(requireCaseFile(caseDirectory, "system/parameterSearchDict",
+                                             "It specifies which entries to vary and what to find; "
+                                             "etc/annotated/system/parameterSearchDict is one to copy."));
+    search.settings = readOptions<ParameterSearchSettings>(search.dictionary);
+    std::error_code unknown; // a name that no file can have is not a file
+    for (const std::string& directory : search.settings.cases)
+    {
+        if (!fs::is_directory(caseDirectory / directory, unknown))
+        {
+            throw FatalIOError(
+                fmt::format("There is no directory {} in this case: name one that is.", directory),
+                search.dictionary.locationOf("cases"));
+        }
+    }
+    for (const auto& [name, variable] : search.settings.variables)
+    {
+        const Dictionary& own = search.dictionary.subDict("variables").subDict(name);
+        const Entry entry = lookUp(caseDirectory, variable.place, own);
+        double value = 0;
+        try
+        {
+            value = entry.as<double>();
+        }
+        catch (const FatalIOError& error)
+        {
+            throw FatalIOError(fmt::format("The entry {} of {} cannot be varied: it has to be a number.\n{}",
+                                           variable.place.entry, variable.place.file, error.what()),
+                               own.locationOf("entry"));
+        }
+        search.start.push_back(
+            variable.start.value_or(std::clamp(value, variable.bounds[0], variable.bounds[1])));
+    }
+    requireWritable(resultsFolder(caseDirectory));
+    requireWritable(caseDirectory / "parameterSearch");
+    search.caseFingerprint = fingerprint(caseDirectory, "system/parameterSearchDict");
+    if (commandLine.noFunctionObjects)
+    {
+        search.options.emplace_back("-noFunctionObjects");
+    }
+    return search;
+}
+
+SearchHistory::SearchHistory(const ParameterSearch& parameterSearch)
+    : search(parameterSearch), file(resultsFolder(search.caseDirectory) / "history.dat")
+{
+    const std::size_t numbers = search.settings.variables.size() + search.settings.results.size() + 2;
+    for (const std::vector<double>& row : readHistory(file, historyHeading(search), numbers, applicationName))
+    {
+        const auto variables = static_cast<std::ptrdiff_t>(search.settings.variables.size());
+        SearchRecord record{{row.begin(), row.begin() + variables},
+                            {row.begin() + variables, row.end() - 2},
+                            static_cast<int>(row.end()[-2]),
+                            row.back()};
+        places[record.variables] = knownRecords.size();
+        knownRecords.push_back(std::move(record));
+    }
+}
+
+const SearchRecord* SearchHistory::find(const std::vector<double>& variables) const
+{
+    const auto found = places.find(variables);
+    return found == places.end() ? nullptr : &knownRecords[found->second];
+}
+
+void SearchHistory::add(SearchRecord record)
+{
+    places[record.variables] = knownRecords.size();
+    knownRecords.push_back(std::move(record));
+    std::string text = historyHeading(search);
+    for (const SearchRecord& known : knownRecords)
+    {
+        // The fewest digits that read back as the same number.
+        text += fmt::format("{}  {}  {}  {:.3g}\n", fmt::join(known.variables, "  "),
+                            fmt::join(known.results, "  "), known.exitStatus, known.cpuTime);
+    }
+    writeWholeFile(file, text);
+}
+
+void printSearch(const ParameterSearch& search, const SearchHistory& history)
+{
+    const ParameterSearchSettings& settings = search.settings;
+    info("Applications: {}{}", fmt::join(settings.applications, " "),
+         settings.cases == std::vector<std::string>{"."}
+             ? ""
+             : fmt::format(", in {}", fmt::join(settings.cases, " ")));
+    info("Variables:");
+    for (std::size_t i = 0; i < settings.variables.size(); ++i)
+    {
+        const auto& [name, variable] = settings.variables[i];
+        info("    {}: {}/{} from {:g} to {:g}, start {:g}", name, variable.place.file, variable.place.entry,
+             variable.bounds[0], variable.bounds[1], search.start[i]);
+    }
+    info("Objective: {} {}", settings.objective.goal == SearchGoal::minimise ? "minimise" : "maximise",
+         settings.objective.value);
+    for (const auto& [name, constraint] : settings.constraints)
+    {
+        info("Constraint {}: {}{}{}", name, constraint.value,
+             constraint.atLeast ? fmt::format(", at least {:g}", *constraint.atLeast) : "",
+             constraint.atMost ? fmt::format(", at most {:g}", *constraint.atMost) : "");
+    }
+    std::string algorithms;
+    for (const SearchStage& stage : settings.search)
+    {
+        algorithms += fmt::format("{}{} (up to {} evaluations)", algorithms.empty() ? "" : ", then ",
+                                  nameOf(stage.algorithm), stage.maximumEvaluations);
+    }
+    info("Search: {}", algorithms);
+    if (!history.records().empty())
+    {
+        info("Continuing: {} points are known from postProcessing/parameterSearch/0/history.dat",
+             history.records().size());
+    }
+    printLine();
+}
+
+SearchOutcome carryOut(const ParameterSearch& search, SearchHistory& history)
+{
+    const ParameterSearchSettings& settings = search.settings;
+    std::optional<double> bestObjective;
+    double bestViolation = std::numeric_limits<double>::infinity();
+    int number = 0;
+    const Evaluator evaluator = [&](const std::vector<double>& variables) -> std::optional<Evaluation>
+    {
+        if (stopSignal() != 0)
+        {
+            return {};
+        }
+        ++number;
+        const auto report = [&](const Evaluation& found, const std::string& remark)
+        {
+            info("Evaluation {}: {}{}", number, outcomeText(settings, found), remark);
+            const double sign = settings.objective.sign();
+            const bool isBest =
+                !bestObjective || found.violation < bestViolation
+                || (found.violation == bestViolation && sign * found.objective < sign * *bestObjective);
+            if (isBest)
+            {
+                bestObjective = found.objective;
+                bestViolation = found.violation;
+            }
+            return isBest;
+        };
+        if (const SearchRecord* known = history.find(variables))
+        {
+            const Evaluation found =
+                evaluate(settings, variables,
+                         completed(search, variables, known->results, "The history of the search has none."));
+            report(found, "  (known)");
+            return found;
+        }
+        const double before = childrenCpuTime();
+        const PointRun run = runPoint(search, variables);
+        if (run.isInterrupted)
+        {
+            return {};
+        }
+        if (!run.failure.empty() && run.failureStatus == 1 && history.records().empty())
+        {
+            throw FatalError(
+                fmt::format("The first point of the search cannot be computed: {}.\n{}\n\nAt {}.",
+                            run.failure, run.errorOutput, pointText(settings, variables)));
+        }
+        const std::string reason =
+            run.failure.empty()
+                ? "The table says so: the structure does not stand there, or any load is carried."
+                : run.failure + ".\n" + run.errorOutput;
+        const double cpuTime = childrenCpuTime() - before;
+        const Evaluation found =
+            evaluate(settings, variables, completed(search, variables, run.results, reason));
+        history.add({variables, run.results, run.failureStatus, cpuTime});
+        if (report(found,
+                   fmt::format("{}  ({:.2f} s)", run.failure.empty() ? "" : "  " + run.failure, cpuTime)))
+        {
+            keepAsBest(search);
+        }
+        return found;
+    };
+    SearchOutcome outcome = searchBest(settings, search.start, evaluator);
+    std::error_code ignored;
+    fs::remove_all(search.caseDirectory / "parameterSearch/evaluation", ignored);
+    return outcome;
+}
+
+void printOutcome(const ParameterSearch& search, const SearchHistory& history, const SearchOutcome& outcome)
+{
+    const ParameterSearchSettings& settings = search.settings;
+    printLine();
+    if (outcome.end == SearchEnd::interrupted)
+    {
+        info("Stopped before the end of the search; started again, it continues from here");
+    }
+    if (!outcome.best)
+    {
+        return;
+    }
+    if (outcome.best->violation > 0)
+    {
+        info("No point that was tried meets the constraints; the nearest one violates them by {:.6g}:",
+             outcome.best->violation);
+    }
+    else
+    {
+        info("{} {} = {:.9g}", settings.objective.goal == SearchGoal::minimise ? "Least" : "Largest",
+             settings.objective.value, outcome.best->objective);
+    }
+    for (std::size_t i = 0; i < settings.variables.size(); ++i)
+    {
+        const auto& [name, variable] = settings.variables[i];
+        const double value = outcome.best->variables[i];
+        info("    {} = {:.9g}{}", name, value,
+             value == variable.bounds[0]   ? "  (at its lower bound)"
+             : value == variable.bounds[1] ? "  (at its upper bound)"
+                                           : "");
+    }
+    for (std::size_t i = 0; i < settings.results.size(); ++i)
+    {
+        info("    {} = {:.9g}", settings.results[i].first, outcome.best->results[i]);
+    }
+    std::string stages;
+    for (const auto& [algorithm, evaluations] : outcome.stages)
+    {
+        stages += fmt::format("{}{} {}", stages.empty() ? "" : ", ", nameOf(algorithm), evaluations);
+    }
+    const auto failed = std::count_if(history.records().begin(), history.records().end(),
+                                      [](const SearchRecord& record) { return record.exitStatus != 0; });
+    if (failed > 0)
+    {
+        info("At {} of {} points an application failed, and `otherwise` was used: see exitStatus in "
+             "history.dat",
+             failed, history.records().size());
+    }
+    info("Status: {} (evaluations: {})", statusText(outcome), stages);
+}
+
+void writeOutcome(const ParameterSearch& search, const SearchHistory& history, const SearchOutcome& outcome)
+{
+    if (!outcome.best)
+    {
+        return;
+    }
+    const ParameterSearchSettings& settings = search.settings;
+    const fs::path folder = resultsFolder(search.caseDirectory);
+    std::vector<std::string> columns;
+    std::vector<double> row;
+    const auto add = [&](const std::string& name, double value)
+    {
+        columns.push_back(name);
+        row.push_back(value);
+    };
+    for (std::size_t i = 0; i < settings.variables.size(); ++i)
+    {
+        add(settings.variables[i].first, outcome.best->variables[i]);
+    }
+    for (std::size_t i = 0; i < settings.results.size(); ++i)
+    {
+        add(settings.results[i].first, outcome.best->results[i]);
+    }
+    add("objective", outcome.best->objective);
+    add("violation", outcome.best->violation);
+    add("end", static_cast<double>(outcome.end));
+    add("evaluations", static_cast<double>(history.records().size()));
+    ColumnFile(folder / "best.dat", columns, 12).write(row);
+
+    Plot plot;
+    plot.title = fmt::format("{} {}", settings.objective.goal == SearchGoal::minimise ? "Least" : "Largest",
+                             settings.objective.value);
+    plot.subtitle =
+        fmt::format("{:.9g} at {}", outcome.best->objective, pointText(settings, outcome.best->variables));
+    plot.y.label = settings.objective.value;
+    PlotCurve met{"evaluations", {}, {}, CurveLine::none, CurveMarker::circle, {}};
+    PlotCurve missed{"violate a constraint", {}, {}, CurveLine::none, CurveMarker::diamond, {}};
+    const bool overVariable = settings.variables.size() == 1;
+    plot.x.label = overVariable ? settings.variables.front().first : "evaluation";
+    for (std::size_t i = 0; i < history.records().size(); ++i)
+    {
+        const SearchRecord& record = history.records()[i];
+        const Evaluation found =
+            evaluate(settings, record.variables, completed(search, record.variables, record.results, ""));
+        PlotCurve& curve = found.violation > 0 ? missed : met;
+        curve.x.push_back(overVariable ? record.variables.front() : static_cast<double>(i + 1));
+        curve.y.push_back(found.objective);
+    }
+    for (PlotCurve* curve : {&met, &missed})
+    {
+        if (!curve->x.empty())
+        {
+            plot.curves.push_back(std::move(*curve));
+        }
+    }
+    writePlot(folder / "parameterSearch.svg", plot);
+}
+
+int exitStatus(const SearchOutcome& outcome)
+{
+    if (outcome.end == SearchEnd::interrupted)
+    {
+        return exitStatusOfSignal(stopSignal());
+    }
+    return isShort(outcome) || !outcome.best || outcome.best->violation > 0 ? 2 : 0;
+}
+
+} // namespace drystone

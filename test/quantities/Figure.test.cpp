@@ -1,0 +1,121 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Figures of a run by name: of tables, of collapse, of a motion.
+#include "quantities/Figure.h"
+#include "core/Error.h"
+#include "quantities/LimitAnalysisFigures.h"
+#include "quantities/MotionFigures.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace drystone;
+using testing::HasSubstr;
+
+namespace
+{
+
+Figure figureOf(const std::string& text)
+{
+    return figureTypes().select(Dictionary::readString(text, "dict"));
+}
+
+/// A block of 0.5 x 2 m on the ground.
+DynamicCase blockOnGround()
+{
+    DynamicCase scene;
+    scene.assembly.supports.push_back({"ground", "ground"});
+    scene.assembly.blocks.push_back({{{-5, -1}, {5, -1}, {5, 0}, {-5, 0}}, 1, 0});
+    scene.assembly.blocks.push_back({{{0, 0}, {0.5, 0}, {0.5, 2}, {0, 2}}, 1, -1});
+    scene.blocks = blockMasses(scene.assembly);
+    scene.free = freeIndices(scene.assembly);
+    return scene;
+}
+
+/// The value after the block has been at some placements.
+double valueAfter(const std::string& text, const std::vector<Placement<2>>& placements)
+{
+    const DynamicCase scene = blockOnGround();
+    Motion motion;
+    motion.state = stateAtRest(scene.assembly);
+    const auto watch = figureOf(text).watch(scene, motion);
+    watch->observe(motion, 0);
+    for (const Placement<2>& placement : placements)
+    {
+        motion.state.placements[1] = placement;
+        watch->observe(motion, 0.01);
+    }
+    return watch->value();
+}
+
+} // namespace
+
+TEST(Taken, IsOneNumberOfSeveral)
+{
+    const std::vector<double> values{1, -4, 3};
+    EXPECT_EQ(taken(values, Take::first), 1);
+    EXPECT_EQ(taken(values, Take::last), 3);
+    EXPECT_EQ(taken(values, Take::minimum), -4);
+    EXPECT_EQ(taken(values, Take::maximum), 3);
+    EXPECT_EQ(taken(values, Take::largest), 4);
+    EXPECT_EQ(taken(values, Take::mean), 0);
+    EXPECT_TRUE(std::isnan(taken({}, Take::last)));
+    EXPECT_TRUE(std::isnan(taken({1, std::nan("")}, Take::maximum)));
+}
+
+TEST(Figure, OfAMotionIsTheLargestUnlessAnotherIsTaken)
+{
+    const std::vector<Placement<2>> way{{{0.3, 0.4}, -0.2}, {{0.1, -0.2}, 0.1}};
+    EXPECT_DOUBLE_EQ(valueAfter("type displacement;", way), 0.5);
+    EXPECT_DOUBLE_EQ(valueAfter("type displacement; block 1; direction (-2 0 0); take last;", way), -0.1);
+    EXPECT_DOUBLE_EQ(valueAfter("type rotation; block 1;", way), 0.2);
+    EXPECT_DOUBLE_EQ(valueAfter("type rotation; take last;", way), 0.1);
+    EXPECT_DOUBLE_EQ(valueAfter("type drop;", way), 0.2);
+    EXPECT_TRUE(std::isnan(valueAfter("type returnTime; block 1;", {way.front()}))); // it leans still
+}
+
+TEST(Figure, RefusesBlocksThatAreNotThereOrNeverMove)
+{
+    EXPECT_THROW(valueAfter("type displacement; block 2;", {}), FatalIOError);
+    EXPECT_THROW(valueAfter("type rotation; block 0;", {}), FatalIOError);
+    EXPECT_THROW(figureOf("type displacement; direction (1 0 0);"), FatalIOError);
+    EXPECT_THROW(figureOf("type energy; part heat;"), FatalIOError);
+}
+
+TEST(Figure, OfTheTableOfLimitAnalysisIsKnownWithoutTheTable)
+{
+    const Figure figure = figureOf("type table; table \"postProcessing/limitAnalysis/0/limitAnalysis.dat\"; "
+                                   "column iterations; take first;");
+    EXPECT_EQ(figure.ofCollapse, "iterations");
+    EXPECT_EQ(figureOf("type multiplier;").ofCollapse, "alpha");
+    EXPECT_FALSE(
+        figureOf("type table; table \"postProcessing/energy/0/energy.dat\"; column kinetic;").ofCollapse);
+    EXPECT_THROW(figureOf("type table; table \"../other.dat\"; column a;"), FatalIOError);
+}
+
+TEST(Figure, WithATableNeedsNoType)
+{
+    Dictionary dictionary =
+        Dictionary::readString("results { a { table t; column c; } b { type multiplier; } }");
+    sayTable(dictionary, "results");
+    EXPECT_EQ(dictionary.subDict("results").subDict("a").get<std::string>("type"), "table");
+    EXPECT_EQ(dictionary.subDict("results").subDict("b").get<std::string>("type"), "multiplier");
+}
+
+TEST(LimitAnalysisFigures, AreTheColumnsOfTheTable)
+{
+    LimitAnalysis result;
+    result.status = CollapseStatus::optimal;
+    result.alpha = 0.642859123456789;
+    const auto figures = limitAnalysisFigures(LimitAnalysisCase<2>(), result, 0.5);
+    EXPECT_EQ(figures.front().heading, "alpha[-]");
+    EXPECT_EQ(figures.front().text, "0.642859123457");
+    EXPECT_EQ(figures.back().text, "0.5");
+    EXPECT_EQ(limitAnalysisHeadings().size(), figures.size());
+    result.status = CollapseStatus::unstable;
+    EXPECT_EQ(limitAnalysisFigures(LimitAnalysisCase<2>(), result, 0).front().text, "nan");
+    EXPECT_TRUE(isColumn("alpha[-]", "alpha"));
+    EXPECT_TRUE(isColumn("alpha[-]", "alpha[-]"));
+    EXPECT_FALSE(isColumn("alphaOfDead[-]", "alpha"));
+}
