@@ -46,34 +46,11 @@ bool sameTime(double a, double b)
 
 } // namespace
 
-VtkSeries::VtkSeries(std::filesystem::path seriesFolder, std::string seriesName, double startTime)
-    : folder(std::move(seriesFolder)), name(std::move(seriesName)), frames(readList())
+std::vector<SeriesFrame> readSeries(const std::filesystem::path& folder, const std::string& name)
 {
-    const auto later = std::find_if(frames.begin(), frames.end(),
-                                    [&](const Frame& frame)
-                                    { return frame.time > startTime && !sameTime(frame.time, startTime); });
-    cutFrom(static_cast<std::size_t>(later - frames.begin()));
-}
-
-std::filesystem::path VtkSeries::listFile() const
-{
-    return folder / (name + ".vtp.series");
-}
-
-std::vector<double> VtkSeries::times() const
-{
-    std::vector<double> result;
-    for (const Frame& frame : frames)
-    {
-        result.push_back(frame.time);
-    }
-    return result;
-}
-
-std::vector<VtkSeries::Frame> VtkSeries::readList() const
-{
-    std::vector<Frame> listed;
-    std::ifstream list(listFile(), std::ios::binary);
+    const std::filesystem::path listFile = folder / (name + ".vtp.series");
+    std::vector<SeriesFrame> listed;
+    std::ifstream list(listFile, std::ios::binary);
     if (!list.is_open())
     {
         return listed;
@@ -83,7 +60,7 @@ std::vector<VtkSeries::Frame> VtkSeries::readList() const
     {
         throw FatalIOError("This is not a list of frames and their times: " + what
                                + ".\n\nTo start a new series, remove the file.",
-                           {listFile().string(), "", line});
+                           {listFile.string(), "", line});
     };
     nlohmann::json series;
     try
@@ -117,7 +94,7 @@ std::vector<VtkSeries::Frame> VtkSeries::readList() const
                             &frame - &series["files"].front()),
                 0);
         }
-        const Frame known{frame["name"].get<std::string>(), frame["time"].get<double>()};
+        const SeriesFrame known{frame["name"].get<std::string>(), frame["time"].get<double>()};
         // A frame that was removed to save space is skipped, and so is a name that no file can have.
         std::error_code unknown;
         if (std::filesystem::exists(folder / known.file, unknown))
@@ -126,8 +103,32 @@ std::vector<VtkSeries::Frame> VtkSeries::readList() const
         }
     }
     std::stable_sort(listed.begin(), listed.end(),
-                     [](const Frame& a, const Frame& b) { return a.time < b.time; });
+                     [](const SeriesFrame& a, const SeriesFrame& b) { return a.time < b.time; });
     return listed;
+}
+
+VtkSeries::VtkSeries(std::filesystem::path seriesFolder, std::string seriesName, double startTime)
+    : folder(std::move(seriesFolder)), name(std::move(seriesName)), frames(readSeries(folder, name))
+{
+    const auto later = std::find_if(frames.begin(), frames.end(),
+                                    [&](const SeriesFrame& frame)
+                                    { return frame.time > startTime && !sameTime(frame.time, startTime); });
+    cutFrom(static_cast<std::size_t>(later - frames.begin()));
+}
+
+std::filesystem::path VtkSeries::listFile() const
+{
+    return folder / (name + ".vtp.series");
+}
+
+std::vector<double> VtkSeries::times() const
+{
+    std::vector<double> result;
+    for (const SeriesFrame& frame : frames)
+    {
+        result.push_back(frame.time);
+    }
+    return result;
 }
 
 void VtkSeries::cutFrom(std::size_t first)
@@ -136,11 +137,11 @@ void VtkSeries::cutFrom(std::size_t first)
     {
         return;
     }
-    const std::vector<Frame> removed(frames.begin() + static_cast<std::ptrdiff_t>(first), frames.end());
+    const std::vector<SeriesFrame> removed(frames.begin() + static_cast<std::ptrdiff_t>(first), frames.end());
     frames.resize(first);
     // First the list, then the files, so that the list never names a file that does not exist.
     writeList();
-    for (const Frame& frame : removed)
+    for (const SeriesFrame& frame : removed)
     {
         std::error_code ignored; // a file that cannot be removed is overwritten or left over, but not listed
         std::filesystem::remove(folder / frame.file, ignored);
@@ -157,9 +158,9 @@ void VtkSeries::write(double time, const PolyData<Dim>& data)
     }
     const std::string bytes = vtpBytes(data); // before anything is changed: it may throw
 
-    const auto first =
-        std::find_if(frames.begin(), frames.end(),
-                     [&](const Frame& frame) { return frame.time > time || sameTime(frame.time, time); });
+    const auto first = std::find_if(frames.begin(), frames.end(),
+                                    [&](const SeriesFrame& frame)
+                                    { return frame.time > time || sameTime(frame.time, time); });
     cutFrom(static_cast<std::size_t>(first - frames.begin()));
 
     // Numbered from the last frame, not from the count, since frames may have been removed by hand.
@@ -174,7 +175,7 @@ void VtkSeries::write(double time, const PolyData<Dim>& data)
         }
         ++number;
     }
-    const Frame frame{fmt::format("{}_{:06}.vtp", name, number), time};
+    const SeriesFrame frame{fmt::format("{}_{:06}.vtp", name, number), time};
     writeWholeFile(folder / frame.file, bytes);
     frames.push_back(frame);
     appendToList(frame);
@@ -198,7 +199,7 @@ void VtkSeries::writeList()
 /// Replaces the end of the list by one more line and the end, in one system call of some hundred bytes.
 /// Writing the whole list for every frame would cost as much as the frame itself (a rename over an existing
 /// file makes the file system allocate immediately), and more with each frame.
-void VtkSeries::appendToList(const Frame& frame)
+void VtkSeries::appendToList(const SeriesFrame& frame)
 {
     std::error_code unknown;
     if (listSize == 0 || frames.size() < 2 || std::filesystem::file_size(listFile(), unknown) != listSize

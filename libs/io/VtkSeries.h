@@ -11,6 +11,17 @@
 namespace drystone
 {
 
+/// A frame of a series.
+struct SeriesFrame
+{
+    std::string file; ///< its name, beside the list
+    double time;      ///< [s], of a mechanism its part from 0 to 1
+};
+
+/// The frames that `<folder>/<name>.vtp.series` lists and that are there, by time; none without a list.
+/// \throws FatalIOError for a file that is no such list
+std::vector<SeriesFrame> readSeries(const std::filesystem::path& folder, const std::string& name);
+
 /// Writes `<folder>/<name>.vtp.series`, the list of frames and their times, and `<folder>/<name>_000000.vtp`
 /// and so on, one file per frame. The list names complete files only, at any moment, because ParaView may
 /// open a running case.
@@ -38,20 +49,13 @@ public:
     std::filesystem::path listFile() const;
 
 private:
-    struct Frame
-    {
-        std::string file;
-        double time;
-    };
-
-    std::vector<Frame> readList() const;
     void cutFrom(std::size_t first);
     void writeList();
-    void appendToList(const Frame& frame);
+    void appendToList(const SeriesFrame& frame);
 
     std::filesystem::path folder;
     std::string name;
-    std::vector<Frame> frames;
+    std::vector<SeriesFrame> frames;
     std::size_t listSize = 0; ///< bytes of the list file as we wrote it; 0 when it is not known
 };
 

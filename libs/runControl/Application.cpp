@@ -30,13 +30,6 @@ std::string hostName()
     return name;
 }
 
-/// Name, version and, where git knew it at configuration, commit.
-std::string versionText()
-{
-    const std::string_view revision = DRYSTONE_REVISION;
-    return fmt::format("Drystone {}{}{}", DRYSTONE_VERSION, revision.empty() ? "" : " at ", revision);
-}
-
 /// Who runs what, where and when: name, version and commit, command, date, host, process, case, threads.
 void printBanner(const CommandLine& commandLine)
 {
@@ -94,6 +87,12 @@ int runCommandLine(int argc, const char* const* argv, const ApplicationDescripti
 }
 
 } // namespace
+
+std::string versionText()
+{
+    const std::string_view revision = DRYSTONE_REVISION;
+    return fmt::format("Drystone {}{}{}", DRYSTONE_VERSION, revision.empty() ? "" : " at ", revision);
+}
 
 void keepFreedMemory()
 {

@@ -14,6 +14,7 @@
 
 #include "runControl/CommandLine.h"
 
+#include <string>
 #include <string_view>
 
 namespace drystone
@@ -23,6 +24,10 @@ namespace drystone
 /// anew, page by page, they cost a seventh of the time of a wall of 146 blocks, so that the C library is
 /// instructed to keep them. Where there is no such thing, nothing is lost but that.
 void keepFreedMemory();
+
+/// Name, version and, where git knew it when the build was configured, commit: `Drystone 0.1.0 at
+/// 25beebf30d2e`.
+std::string versionText();
 
 /// The main of every application: reads the command line, answers `-help`, prints the banner, runs `program`
 /// in a case directory that exists, and turns what it throws into the message on standard error and the exit

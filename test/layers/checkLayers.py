@@ -29,6 +29,8 @@ below = {
     "quantities": "core dictionary runControl timeSeries geometry assembly conic contact effects statics dynamics",
     "functionObjects": "core dictionary runControl timeSeries geometry assembly conic contact effects statics dynamics "
                        "quantities io",
+    "report": "core dictionary runControl timeSeries geometry assembly texture conic contact effects statics dynamics io "
+              "quantities functionObjects",
     "ensembles": "core dictionary runControl timeSeries geometry texture assembly conic contact effects statics dynamics "
                  "quantities io functionObjects",
 }

@@ -12,6 +12,7 @@
 #include "functionObjects/EffectAdvice.h"
 #include "functionObjects/MotionLog.h"
 #include "functionObjects/MotionResults.h"
+#include "report/CaseReport.h"
 #include "runControl/Application.h"
 #include "runControl/Case.h"
 
@@ -63,6 +64,10 @@ int run(const CommandLine& commandLine)
     progress.clear();
     printIntegrationError(scene, motion);
     printStageTimes(motion.stageTimes);
+    if (commandLine.has("report"))
+    {
+        writeReport(commandLine.caseDirectory, reportFile(commandLine.caseDirectory));
+    }
     printStopOrEnd(time);
     return time.exitStatus();
 }
@@ -77,6 +82,7 @@ int main(int argc, char* argv[])
         "Motion of the blocks in constant/assembly/ under their dead load and the motion of "
         "the ground: time directories, tables of system/controlDict/functions, VTK series.";
     description.kind = ApplicationKind::solver;
+    description.options = {{"report", "", "also write report.html, as the application report does"}};
     description.examples = {"contactDynamics                 # in a case directory, after blockTexture",
                             "contactDynamics -dry-run        # checks all, says which effects are needed",
                             "contactDynamics -postProcess    # the functions again, from stored states"};

@@ -7,6 +7,7 @@
 #include "core/Log.h"
 #include "functionObjects/KeptResults.h"
 #include "functionObjects/LimitAnalysisResults.h"
+#include "report/CaseReport.h"
 #include "runControl/Application.h"
 #include "runControl/Time.h"
 
@@ -63,6 +64,10 @@ int runIn(const CommandLine& commandLine)
             }
         }
     }
+    if (commandLine.has("report") && !commandLine.dryRun)
+    {
+        writeReport(directory, reportFile(directory));
+    }
     printExecutionTime();
     printEnd();
     return 0;
@@ -83,6 +88,7 @@ int main(int argc, char* argv[])
         "Collapse load multiplier, mechanism and contact forces of the blocks in constant/assembly/ "
         "under constant/loads, with a certificate.";
     description.kind = ApplicationKind::solver;
+    description.options = {{"report", "", "also write report.html, as the application report does"}};
     description.examples = {"limitAnalysis                       # in a case directory, after blockTexture",
                             "limitAnalysis -case wall -dry-run   # checks every dictionary, solves nothing"};
     description.tutorial = "limitAnalysis/masonryPanels";

@@ -1,0 +1,34 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// report: one self-contained page of a case and its results.
+#include "core/Log.h"
+#include "report/CaseReport.h"
+#include "runControl/Application.h"
+
+using namespace drystone;
+
+namespace
+{
+
+int run(const CommandLine& commandLine)
+{
+    const std::filesystem::path& directory = commandLine.caseDirectory;
+    const auto output = commandLine.get("output");
+    writeReport(directory, output ? std::filesystem::path(*output) : reportFile(directory));
+    printExecutionTime();
+    printEnd();
+    return 0;
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+    ApplicationDescription description;
+    description.name = "report";
+    description.summary =
+        "Writes report.html into the case: input with units, results with their meaning and certificate, "
+        "pictures, time histories and a viewer in three dimensions, in one file that needs no other.";
+    description.options = {{"output", "FILE", "instead of report.html in the case directory"}};
+    description.examples = {"report -case wall        # after limitAnalysis or contactDynamics"};
+    return runApplication(argc, argv, description, run);
+}

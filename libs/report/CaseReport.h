@@ -1,0 +1,20 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The report of a case: one page for those who did not run it.
+#pragma once
+
+#include <filesystem>
+
+namespace drystone
+{
+
+/// Writes a self-contained page of a case: structure, results with what they mean and their certificate,
+/// pictures, time histories, a viewer of the motion in three dimensions, all input with units, warnings of
+/// the logs, and how to repeat it. What a case does not have is left out; what is left out for its size is
+/// named. \param file of the page, made whole or not at all \throws FatalError where the case has no results,
+/// and what reading its input throws
+void writeReport(const std::filesystem::path& caseDirectory, const std::filesystem::path& file);
+
+/// The page of a case: report.html in its directory.
+std::filesystem::path reportFile(const std::filesystem::path& caseDirectory);
+
+} // namespace drystone

@@ -1,0 +1,131 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Reads tables and draws them over time.
+#include "report/Histories.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+namespace drystone
+{
+
+namespace
+{
+
+/// `kinetic[J]` as name and unit.
+std::pair<std::string, std::string> nameAndUnit(const std::string& heading)
+{
+    const std::size_t bracket = heading.find('[');
+    if (bracket == std::string::npos || heading.back() != ']')
+    {
+        return {heading, ""};
+    }
+    return {heading.substr(0, bracket), heading.substr(bracket + 1, heading.size() - bracket - 2)};
+}
+
+std::vector<double> numbersOf(const std::string& line)
+{
+    std::istringstream stream(line);
+    std::vector<double> numbers;
+    for (std::string word; stream >> word;)
+    {
+        char* end = nullptr;
+        numbers.push_back(std::strtod(word.c_str(), &end));
+        if (*end != '\0')
+        {
+            return {};
+        }
+    }
+    return numbers;
+}
+
+} // namespace
+
+NumberTable readNumberTable(const std::filesystem::path& file)
+{
+    NumberTable table;
+    std::ifstream stream(file);
+    std::string line;
+    if (!std::getline(stream, line) || !line.starts_with("# "))
+    {
+        return table;
+    }
+    std::istringstream headings(line.substr(2));
+    for (std::string heading; headings >> heading;)
+    {
+        const auto [name, unit] = nameAndUnit(heading);
+        table.names.push_back(name);
+        table.units.push_back(unit);
+    }
+    table.columns.resize(table.names.size());
+    while (std::getline(stream, line))
+    {
+        const std::vector<double> numbers = numbersOf(line);
+        if (numbers.size() != table.names.size())
+        {
+            continue;
+        }
+        for (std::size_t column = 0; column < numbers.size(); ++column)
+        {
+            table.columns[column].push_back(numbers[column]);
+        }
+    }
+    return table;
+}
+
+std::vector<Plot> historyPlots(const NumberTable& table, const std::string& title)
+{
+    constexpr std::size_t mostPoints = 2000;
+    std::vector<Plot> plots;
+    if (table.names.size() < 2 || table.names.front() != "Time" || table.columns.front().size() < 2)
+    {
+        return plots;
+    }
+    const std::vector<double>& times = table.columns.front();
+    const std::size_t stride = times.size() / mostPoints + 1;
+    std::vector<std::string> drawn;
+    for (std::size_t first = 1; first < table.names.size(); ++first)
+    {
+        const std::string& unit = table.units[first];
+        if (std::find(drawn.begin(), drawn.end(), unit) != drawn.end())
+        {
+            continue;
+        }
+        drawn.push_back(unit);
+        Plot plot;
+        plot.title = title;
+        plot.x.label = "time [s]";
+        plot.y.label = fmt::format("[{}]", unit);
+        for (std::size_t column = first; column < table.names.size(); ++column)
+        {
+            const std::vector<double>& values = table.columns[column];
+            const bool isZero =
+                std::all_of(values.begin(), values.end(), [](double value) { return value == 0; });
+            const bool isFinite =
+                std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+            if (table.units[column] != unit || isZero || !isFinite)
+            {
+                continue;
+            }
+            PlotCurve curve;
+            curve.name = table.names[column];
+            curve.marker = CurveMarker::none;
+            for (std::size_t row = 0; row < times.size(); row += stride)
+            {
+                curve.x.push_back(times[row]);
+                curve.y.push_back(values[row]);
+            }
+            plot.curves.push_back(std::move(curve));
+        }
+        if (!plot.curves.empty())
+        {
+            plots.push_back(std::move(plot));
+        }
+    }
+    return plots;
+}
+
+} // namespace drystone

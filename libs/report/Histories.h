@@ -1,0 +1,30 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The tables under postProcessing/ as curves over time.
+#pragma once
+
+#include "io/Plot.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace drystone
+{
+
+/// A table of numbers: `# Time[s] kinetic[J] ...`, then a row of numbers for each time.
+struct NumberTable
+{
+    std::vector<std::string> names; ///< of the columns, without units
+    std::vector<std::string> units;
+    std::vector<std::vector<double>> columns;
+};
+
+/// Reads a table; rows that are no numbers, such as the last of a run that was killed, are left out. Empty
+/// for a file that is no such table.
+NumberTable readNumberTable(const std::filesystem::path& file);
+
+/// A plot over the first column for the columns of each unit, with at most some thousand points each: columns
+/// that are zero throughout are left out. None for a table whose first column is no time.
+std::vector<Plot> historyPlots(const NumberTable& table, const std::string& title);
+
+} // namespace drystone

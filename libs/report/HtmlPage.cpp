@@ -1,0 +1,114 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Writes HTML.
+#include "report/HtmlPage.h"
+
+#include <fmt/format.h>
+
+namespace drystone
+{
+
+namespace
+{
+
+constexpr std::string_view style = R"(
+body { font: 15px/1.5 system-ui, sans-serif; color: #222; max-width: 62em; margin: 2em auto; padding: 0 1em; }
+h1 { font-size: 1.7em; } h2 { font-size: 1.25em; margin-top: 2em; border-bottom: 1px solid #ccc; }
+table { border-collapse: collapse; margin: 0.8em 0; } td, th { padding: 0.15em 0.8em 0.15em 0; text-align: left;
+vertical-align: top; border-bottom: 1px solid #e6e6e6; } td { font-variant-numeric: tabular-nums; }
+figure { margin: 1em 0; } figure svg { max-width: 100%; height: auto; } figcaption { color: #555; }
+pre { background: #f6f6f4; padding: 0.6em; overflow-x: auto; }
+.viewer canvas { border: 1px solid #ccc; touch-action: none; } .viewer .controls > * { margin-right: 0.8em; }
+@media print { .viewer { display: none; } figure { break-inside: avoid; } }
+)";
+
+} // namespace
+
+std::string htmlText(std::string_view text)
+{
+    std::string escaped;
+    for (const char character : text)
+    {
+        switch (character)
+        {
+        case '&':
+            escaped += "&amp;";
+            break;
+        case '<':
+            escaped += "&lt;";
+            break;
+        case '>':
+            escaped += "&gt;";
+            break;
+        case '"':
+            escaped += "&quot;";
+            break;
+        default:
+            escaped += character;
+        }
+    }
+    return escaped;
+}
+
+void HtmlPage::heading(std::string_view text)
+{
+    body += fmt::format("<h2>{}</h2>\n", htmlText(text));
+}
+
+void HtmlPage::paragraph(std::string_view text)
+{
+    body += fmt::format("<p>{}</p>\n", htmlText(text));
+}
+
+void HtmlPage::table(const std::vector<std::string>& head, const std::vector<std::vector<std::string>>& rows)
+{
+    const auto line = [&](const std::vector<std::string>& cells, std::string_view tag)
+    {
+        body += "<tr>";
+        for (const std::string& cell : cells)
+        {
+            body += fmt::format("<{0}>{1}</{0}>", tag, htmlText(cell));
+        }
+        body += "</tr>\n";
+    };
+    body += "<table>\n";
+    if (!head.empty())
+    {
+        line(head, "th");
+    }
+    for (const std::vector<std::string>& row : rows)
+    {
+        line(row, "td");
+    }
+    body += "</table>\n";
+}
+
+void HtmlPage::verbatim(std::string_view text)
+{
+    body += fmt::format("<pre>{}</pre>\n", htmlText(text));
+}
+
+void HtmlPage::picture(std::string_view svg, std::string_view caption)
+{
+    // Inside of a page the drawing begins with its own element, not with the declaration of a file.
+    const std::size_t begin = svg.find("<svg");
+    if (begin != std::string_view::npos)
+    {
+        svg.remove_prefix(begin);
+    }
+    body += fmt::format("<figure>\n{}\n<figcaption>{}</figcaption>\n</figure>\n", svg, htmlText(caption));
+}
+
+void HtmlPage::markup(std::string_view html)
+{
+    body += html;
+}
+
+std::string HtmlPage::text() const
+{
+    return fmt::format(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>{0}</title>\n"
+        "<style>{1}</style>\n</head>\n<body>\n<h1>{0}</h1>\n{2}</body>\n</html>\n",
+        htmlText(title), style, body);
+}
+
+} // namespace drystone

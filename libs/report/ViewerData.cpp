@@ -1,0 +1,146 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Writes what the viewer reads.
+#include "report/ViewerData.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+
+namespace drystone
+{
+
+namespace
+{
+
+/// A block of the plane as the prism that it is.
+Polyhedron solidOf(const Block<2>& block)
+{
+    std::vector<Vector<3>> back;
+    std::vector<Vector<3>> front;
+    for (const Vector<2>& corner : block.outline)
+    {
+        back.emplace_back(corner.x(), corner.y(), -block.thickness / 2);
+        front.emplace_back(corner.x(), corner.y(), block.thickness / 2);
+    }
+    return makePrism(back, front);
+}
+
+const Polyhedron& solidOf(const Block<3>& block)
+{
+    return block.shape;
+}
+
+template<int Dim>
+Vector<3> inSpace(const Vector<Dim>& point)
+{
+    Vector<3> placed = Vector<3>::Zero();
+    placed.template head<Dim>() = point;
+    return placed;
+}
+
+std::string number(double value)
+{
+    return std::isfinite(value) ? fmt::format("{:.6g}", value) : "null";
+}
+
+/// Numbers of a matrix, column by column.
+std::string list(const Eigen::Ref<const Eigen::Matrix3Xd>& values)
+{
+    std::vector<std::string> numbers;
+    for (const double value : values.reshaped())
+    {
+        numbers.push_back(number(value));
+    }
+    return fmt::format("[{}]", fmt::join(numbers, ","));
+}
+
+std::string blockJson(const Polyhedron& solid, const Vector<3>& centre, bool isFixed)
+{
+    Eigen::Matrix3Xd vertices(3, static_cast<Eigen::Index>(solid.vertices.size()));
+    for (std::size_t i = 0; i < solid.vertices.size(); ++i)
+    {
+        vertices.col(static_cast<Eigen::Index>(i)) = solid.vertices[i];
+    }
+    std::vector<std::string> faces;
+    for (const std::vector<int>& face : solid.faces)
+    {
+        faces.push_back(fmt::format("[{}]", fmt::join(face, ",")));
+    }
+    return fmt::format(R"({{"vertices":{},"faces":[{}],"centre":{},"fixed":{}}})", list(vertices),
+                       fmt::join(faces, ","), list(centre), isFixed);
+}
+
+} // namespace
+
+template<int Dim>
+std::string viewerJson(const Assembly<Dim>& assembly, const std::vector<BlockFrame>& frames,
+                       const AnimationTime& time)
+{
+    std::vector<std::string> blocks;
+    for (const Block<Dim>& block : assembly.blocks)
+    {
+        blocks.push_back(
+            blockJson(solidOf(block), inSpace<Dim>(blockMass<Dim>(block).centroid), block.support >= 0));
+    }
+    std::vector<std::string> moments;
+    for (const BlockFrame& frame : frames)
+    {
+        moments.push_back(fmt::format(R"({{"time":{},"displacement":{},"rotation":{}}})", number(frame.time),
+                                      list(frame.displacement), list(frame.rotation)));
+    }
+    return fmt::format(
+        R"({{"dimensions":{},"timeName":"{}","timeUnit":"{}","magnification":{},"blocks":[{}],"frames":[{}]}})",
+        Dim, time.name, time.unit, number(time.magnification), fmt::join(blocks, ",\n"),
+        fmt::join(moments, ",\n"));
+}
+
+std::optional<std::string> viewerScript()
+{
+    std::error_code unknown;
+    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", unknown);
+    std::ifstream stream(program.parent_path().parent_path() / "share" / "drystone" / "viewer.js",
+                         std::ios::binary);
+    const std::string script{std::istreambuf_iterator<char>(stream), {}};
+    if (unknown || script.empty())
+    {
+        return std::nullopt;
+    }
+    // The end of the element that the script stands in must not stand in the script.
+    const std::string_view closing = "</script";
+    std::string text;
+    std::size_t from = 0;
+    for (std::size_t at = script.find(closing); at != std::string::npos; at = script.find(closing, from))
+    {
+        text.append(script, from, at - from).append("<\\/script");
+        from = at + closing.size();
+    }
+    return text.append(script, from);
+}
+
+std::string viewerMarkup(std::string_view json, std::string_view id)
+{
+    return fmt::format(R"(<div class="viewer" data-motion="{1}">
+<canvas></canvas>
+<div class="controls">
+<button name="play" type="button">Play</button>
+<label>moment <input name="frame" type="range" min="0" max="0" step="any" value="0"></label>
+<label>magnification <input name="magnification" type="number" min="0" step="any" value="1" size="8"></label>
+<label>colour <select name="quantity"><option value="none">none</option><option>displacement</option>
+<option>rotation</option></select></label>
+</div>
+<p class="readout"></p>
+</div>
+<script id="{1}" type="application/json">{0}</script>
+)",
+                       json, id);
+}
+
+template std::string viewerJson(const Assembly<2>& assembly, const std::vector<BlockFrame>& frames,
+                                const AnimationTime& time);
+template std::string viewerJson(const Assembly<3>& assembly, const std::vector<BlockFrame>& frames,
+                                const AnimationTime& time);
+
+} // namespace drystone

@@ -1,0 +1,114 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The parts of a report: HTML, tables of input, histories, the data of the viewer.
+#include "contact/ContactProperties.h"
+#include "core/WholeFile.h"
+#include "effects/EffectList.h"
+#include "report/Histories.h"
+#include "report/HtmlPage.h"
+#include "report/InputTable.h"
+#include "report/ViewerData.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <unistd.h>
+
+namespace drystone
+{
+namespace
+{
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+TEST(HtmlPage, EscapesTextAndKeepsMarkup)
+{
+    EXPECT_EQ(htmlText("a < b & \"c\">"), "a &lt; b &amp; &quot;c&quot;&gt;");
+    HtmlPage page("<wall>");
+    page.paragraph("1 < 2");
+    page.table({"key", "value"}, {{"a", "<b>"}});
+    page.picture("<?xml version=\"1.0\"?>\n<svg/>", "A & B");
+    const std::string text = page.text();
+    EXPECT_THAT(text, HasSubstr("<title>&lt;wall&gt;</title>"));
+    EXPECT_THAT(text, HasSubstr("<p>1 &lt; 2</p>"));
+    EXPECT_THAT(text, HasSubstr("<td>&lt;b&gt;</td>"));
+    EXPECT_THAT(text, HasSubstr("<figure>\n<svg/>\n<figcaption>A &amp; B</figcaption>"));
+    EXPECT_THAT(text, testing::Not(HasSubstr("<?xml")));
+}
+
+TEST(InputTable, GivesEachValueItsUnitAndItsMeaning)
+{
+    const Dictionary dictionary =
+        Dictionary::readString("FoamFile { version 2.0; }\nfriction { type Coulomb; mu 0.65; } "
+                               "crushing { strength 1e6; } unheardOf (1 2);");
+    const auto rows = inputRows(dictionary, describeOptions<CaseEffects>());
+    ASSERT_EQ(rows.size(), 4U);
+    EXPECT_EQ(rows[0][0], "friction/type");
+    EXPECT_THAT(rows[1], ElementsAre("friction/mu", "0.65", "-", "friction coefficient"));
+    EXPECT_THAT(rows[2], ElementsAre("crushing/strength", "1e6", "Pa", "of a joint over its area"));
+    EXPECT_THAT(rows[3], ElementsAre("unheardOf", "(1 2)", "", ""));
+}
+
+class Histories : public testing::Test
+{
+protected:
+    void TearDown() override { std::filesystem::remove(file); }
+    NumberTable tableOf(const std::string& text)
+    {
+        writeWholeFile(file, text);
+        return readNumberTable(file);
+    }
+    std::filesystem::path file =
+        std::filesystem::temp_directory_path() / ("drystone-histories-" + std::to_string(::getpid()));
+};
+
+TEST_F(Histories, ReadsATableUpToARowThatIsCutOff)
+{
+    const NumberTable table = tableOf("# Time[s] ux[m] vx[m/s]\n0 1 2\n0.1 nan inf\n0.2 3\n");
+    EXPECT_THAT(table.names, ElementsAre("Time", "ux", "vx"));
+    EXPECT_THAT(table.units, ElementsAre("s", "m", "m/s"));
+    ASSERT_EQ(table.columns[0].size(), 2U);
+    EXPECT_TRUE(std::isnan(table.columns[1][1]));
+    EXPECT_TRUE(tableOf("no table\n1 2\n").names.empty());
+    EXPECT_TRUE(readNumberTable("/nowhere/at/all").names.empty());
+}
+
+TEST_F(Histories, DrawsColumnsOfOneUnitTogetherAndThoseThatAreZeroNot)
+{
+    const auto plots = historyPlots(
+        tableOf("# Time[s] ux[m] uy[m] vx[m/s] wz[rad/s]\n0 0 0 1 0\n1 2 3 1 0\n2 4 3 1 0\n"), "block");
+    ASSERT_EQ(plots.size(), 2U);
+    EXPECT_EQ(plots[0].y.label, "[m]");
+    ASSERT_EQ(plots[0].curves.size(), 2U);
+    EXPECT_THAT(plots[0].curves[1].y, ElementsAre(0, 3, 3));
+    ASSERT_EQ(plots[1].curves.size(), 1U);
+    EXPECT_TRUE(historyPlots(tableOf("# alpha[-] x[m]\n1 2\n2 3\n"), "").empty()); // not over time
+}
+
+TEST(ViewerData, HoldsBlocksAndFrames)
+{
+    Assembly<2> plane;
+    plane.blocks = {{{{0, 0}, {2, 0}, {2, 1}}, 0.5, -1}, {{{-1, -1}, {3, -1}, {3, 0}, {-1, 0}}, 1, 0}};
+    BlockFrame frame{0.25, Eigen::Matrix3Xd::Zero(3, 2), Eigen::Matrix3Xd::Zero(3, 2)};
+    frame.displacement(1, 0) = 0.125;
+    frame.rotation.col(1).setConstant(std::numeric_limits<double>::quiet_NaN());
+    const std::string json = viewerJson(plane, {frame}, {"time", " s", 3});
+    EXPECT_THAT(
+        json, testing::StartsWith(R"({"dimensions":2,"timeName":"time","timeUnit":" s","magnification":3,)"));
+    // A prism of the thickness about z = 0: three corners behind, three in front, five faces.
+    EXPECT_THAT(json, HasSubstr(R"("vertices":[0,0,-0.25,2,0,-0.25,2,1,-0.25,0,0,0.25,2,0,0.25,2,1,0.25])"));
+    EXPECT_THAT(json, HasSubstr(R"("faces":[[2,1,0],[3,4,5],[0,1,4,3],[1,2,5,4],[2,0,3,5]])"));
+    EXPECT_THAT(json, HasSubstr(R"("fixed":false},)"));
+    EXPECT_THAT(
+        json,
+        HasSubstr(R"({"time":0.25,"displacement":[0,0.125,0,0,0,0],"rotation":[0,0,0,null,null,null]})"));
+
+    Assembly<3> space;
+    space.blocks = {{makeBox({0, 0, 0}, {1, 2, 4}), -1}};
+    EXPECT_THAT(viewerJson(space, {}, {}), HasSubstr(R"("centre":[0.5,1,2])"));
+}
+
+} // namespace
+} // namespace drystone

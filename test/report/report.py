@@ -1,0 +1,113 @@
+# Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+"""A whole report: what its page holds, that it requests nothing, and its viewer driven in headless Chromium."""
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import unittest
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+from caseTest import CaseTest, applications, tutorial  # noqa: E402
+
+viewer = os.path.join(applications, "../share/drystone/viewer.js")
+
+# Moves the slider, clicks into the middle and leaves what it saw in the title, which is printed with the page.
+drive = """<script>
+addEventListener("load", () => {
+    const element = document.querySelector(".viewer"), canvas = element.querySelector("canvas");
+    const control = (name) => element.querySelector(`[name=${name}]`);
+    const seen = { ready: element.dataset.ready, pictures: [], readouts: [] };
+    const look = () => { seen.pictures.push(canvas.toDataURL()); seen.readouts.push(element.querySelector(".readout").textContent); };
+    const set = (name, value) => { control(name).value = value; control(name).dispatchEvent(new Event("input")); };
+    look();
+    set("frame", 0); look();
+    set("frame", control("frame").max); look();
+    set("quantity", "displacement"); look();
+    set("magnification", 0); look();
+    const box = canvas.getBoundingClientRect();
+    const at = { clientX: box.left + box.width / 2, clientY: box.top + box.height / 2, pointerId: 1, bubbles: true };
+    canvas.setPointerCapture = canvas.releasePointerCapture = () => {};
+    for (const type of ["pointerdown", "pointerup"]) { canvas.dispatchEvent(new PointerEvent(type, at)); }
+    look();
+    seen.pictures = seen.pictures.map((picture) => seen.pictures.indexOf(picture));
+    const result = document.createElement("pre");
+    result.id = "seen";
+    result.textContent = JSON.stringify(seen);
+    document.body.append(result);
+});
+</script>"""
+
+
+class Report(CaseTest):
+    application = "report"
+
+    def runIn(self, name, case, *options):
+        done = subprocess.run([os.path.join(applications, name), "-case", case, *options], capture_output=True,
+                              text=True, timeout=120, check=False)
+        self.assertEqual(done.returncode, 0, done.stdout[-1000:] + done.stderr)
+        return done
+
+    def wall(self):
+        case = os.path.join(self.root.name, self.id().rsplit(".", 1)[-1])
+        self.copyInput(os.path.join(tutorial, "wall1"), case)
+        self.runIn("blockTexture", case)
+        return case
+
+    def testHoldsInputResultAndHowToRepeatIt(self):
+        case = self.wall()
+        with open(os.path.join(case, "log.limitAnalysis"), "w", encoding="utf-8") as log:
+            log.write(self.runIn("limitAnalysis", case).stdout + "--> DRYSTONE Warning :\nA <doubt>.\n\nfile: x at line 1.\n\n")
+        self.assertIn("Wrote " + os.path.join(case, "report.html"), self.run_(case).stdout)
+        page = self.read(case, "report.html")
+        for part in ("alpha = 0.642859", "at collapse 1.35 kN", "primal residual", "33 free, 10 fixed",
+                     "<td>friction/mu</td><td>0.65</td><td>-</td>", "A &lt;doubt&gt;.", "limitAnalysis -case", "<svg"):
+            self.assertIn(part, page)
+        # It requests nothing: no element names a file or an address.
+        markup = re.sub(r"<script.*?</script>", "", page, flags=re.DOTALL)
+        self.assertEqual(re.findall(r"<(?:link|img|script|iframe)[^>]*(?:src|href)=", markup), [])
+
+    def testOfACaseWithoutResultsSaysWhatToRun(self):
+        case = self.wall()
+        shutil.rmtree(os.path.join(case, "VTK"))
+        done = self.run_(case, status=1)
+        self.assertIn("has no results", done.stderr)
+        self.assertFalse(os.path.exists(os.path.join(case, "report.html")))
+
+    def testIsWrittenByTheSolverAndElsewhereOnRequest(self):
+        case = self.wall()
+        self.runIn("limitAnalysis", case, "-report")
+        page = self.read(case, "report.html")
+        self.run_(case, "-output", os.path.join(case, "other.html"))
+        # But for the log, which is not there, they are the same.
+        self.assertEqual(page, self.read(case, "other.html"))
+
+    @unittest.skipUnless(shutil.which("chromium"), "viewer not tested: chromium is not installed")
+    @unittest.skipUnless(os.path.exists(viewer) and os.path.getsize(viewer) > 0,
+                         "viewer not tested: built without npm")
+    def testTheViewerFollowsSliderAndClick(self):
+        case = self.wall()
+        self.runIn("limitAnalysis", case, "-report")
+        page = self.read(case, "report.html").replace("</body>", drive + "</body>")
+        with open(os.path.join(case, "driven.html"), "w", encoding="utf-8") as file:
+            file.write(page)
+        done = subprocess.run(["chromium", "--headless", "--no-sandbox", "--disable-dev-shm-usage", "--use-gl=angle",
+                               "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--virtual-time-budget=10000",
+                               "--user-data-dir=" + os.path.join(case, "chromium"), "--dump-dom",
+                               "file://" + os.path.join(case, "driven.html")],
+                              capture_output=True, text=True, timeout=200, check=False)
+        found = re.search(r'<pre id="seen">(.*?)</pre>', done.stdout, re.DOTALL)
+        self.assertTrue(found, done.stderr[-2000:])
+        seen = json.loads(found.group(1))
+        self.assertEqual(seen["ready"], "yes")
+        # Shown first is the whole mechanism: as built it looks different, at its end again the same; colours and
+        # magnification change the picture, and a click the colour of the block.
+        self.assertEqual(seen["pictures"], [0, 1, 0, 3, 4, 5])
+        self.assertIn("part of the mechanism 1.000.", seen["readouts"][0])
+        self.assertIn("part of the mechanism 0.000.", seen["readouts"][1])
+        self.assertRegex(seen["readouts"][5], r"Block \d+: displacement \([-0-9.e ]+\) m, rotation [0-9.e-]+ rad")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
