@@ -18,6 +18,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -191,20 +192,34 @@ std::vector<std::vector<double>> readHistory(const fs::path& file, const std::st
 ApplicationRun runInCase(const std::string& application, const fs::path& caseDirectory,
                          const std::vector<std::string>& options)
 {
-    const std::string program = (applicationFolder() / application).string();
+    const bool isScript = application.find('/') != std::string::npos;
+    const std::string program =
+        (isScript ? fs::absolute(caseDirectory / application) : applicationFolder() / application).string();
+    if (isScript && ::access(program.c_str(), X_OK) != 0)
+    {
+        throw FatalError(
+            fmt::format("The script {} of the case cannot be run: {}. Is it there, and executable "
+                        "(chmod +x)?",
+                        application, std::strerror(errno)));
+    }
     if (::access(program.c_str(), X_OK) != 0)
     {
         throw FatalError(
             fmt::format("The application {} was not found with the others: {}. Build all of them.",
                         application, program));
     }
-    const std::string log = (caseDirectory / ("log." + application)).string();
+    const std::string log =
+        fs::absolute(caseDirectory / ("log." + fs::path(application).filename().string())).string();
     const std::string errors = log + ".errors";
     const std::string directory = caseDirectory.string();
-    std::vector<const char*> arguments{program.c_str(), "-case", directory.c_str()};
-    for (const std::string& option : options)
+    std::vector<const char*> arguments{program.c_str()};
+    if (!isScript)
     {
-        arguments.push_back(option.c_str());
+        arguments.insert(arguments.end(), {"-case", directory.c_str()});
+        for (const std::string& option : options)
+        {
+            arguments.push_back(option.c_str());
+        }
     }
     arguments.push_back(nullptr);
 
@@ -216,6 +231,11 @@ ApplicationRun runInCase(const std::string& application, const fs::path& caseDir
     if (child == 0)
     {
         // Between fork and exec only functions that are safe in signal handlers may be called.
+        ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+        if (isScript && ::chdir(directory.c_str()) != 0)
+        {
+            ::_exit(127);
+        }
         const int output = ::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
         const int complaints = ::open(errors.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
         const int input = ::open("/dev/null", O_RDONLY);

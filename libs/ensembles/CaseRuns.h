@@ -41,7 +41,8 @@ struct ApplicationRun
 };
 
 /// Runs an application of Drystone, from the folder of the running executable, in a case; its output goes to
-/// log.<application> there. A signal that requests this program to stop is passed on.
+/// log.<application> there. A name with a slash is a script in the case, which is run there without options.
+/// The application ends when this process does. A signal that requests this program to stop is passed on.
 /// \throws FatalError when there is no such application
 ApplicationRun runInCase(const std::string& application, const std::filesystem::path& caseDirectory,
                          const std::vector<std::string>& options);

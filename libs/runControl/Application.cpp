@@ -8,6 +8,7 @@
 #include "runControl/CaseFiles.h"
 #include "runControl/CaseLock.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <ctime>
 #include <optional>
@@ -71,7 +72,10 @@ int runCommandLine(int argc, const char* const* argv, const ApplicationDescripti
                                      "{} inside of one.",
                                      commandLine.caseDirectory.string(), description.name));
     std::optional<CaseLock> lock;
-    if (description.kind != ApplicationKind::utility && !commandLine.dryRun)
+    const bool isShared = commandLine.parallel
+                          || std::any_of(description.sharing.begin(), description.sharing.end(),
+                                         [&](const std::string& option) { return commandLine.has(option); });
+    if (description.kind != ApplicationKind::utility && !commandLine.dryRun && !isShared)
     {
         lock.emplace(commandLine.caseDirectory, description.name);
     }

@@ -29,7 +29,9 @@ std::vector<CommandLineOption> allOptions(const ApplicationDescription& descript
     }
     options.push_back({"case", "DIR", "the case directory (default: here)"});
     options.push_back({"noFunctionObjects", "", "leave the functions of controlDict out"});
-    options.push_back({"parallel", "", "refused: there is no parallel mode"});
+    options.push_back(
+        {"parallel", "",
+         description.parallel.empty() ? "refused: there is no parallel mode" : description.parallel});
     options.push_back({"version", "", "print name, version and commit, and exit"});
     options.push_back({"help", "", "print this and exit"});
     return options;
@@ -221,13 +223,14 @@ CommandLine readCommandLine(int argc, const char* const* argv, const Application
     GivenArguments arguments = sortArguments(given, description, options);
     requireArguments(arguments.positional, description);
     const auto isGiven = [&](const std::string& name) { return arguments.options.contains(name); };
-    if (isGiven("parallel"))
+    if (isGiven("parallel") && description.parallel.empty())
     {
         throw FatalError(fmt::format("{} has no parallel mode.\n\nLeave out -parallel: it uses the cores of "
                                      "this machine by itself where that pays.",
                                      description.name));
     }
     result.noFunctionObjects = isGiven("noFunctionObjects");
+    result.parallel = isGiven("parallel");
     result.postProcess = isGiven("postProcess");
     result.dryRun = isGiven("dry-run");
     if (isGiven("case"))

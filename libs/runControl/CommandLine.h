@@ -53,6 +53,10 @@ struct ApplicationDescription
     ApplicationKind kind = ApplicationKind::utility;
     Output output = Output::log;
     std::vector<CommandLineOption> options; ///< its own
+    /// What `-parallel` is for, half a line; empty where it is refused.
+    std::string parallel;
+    /// Options of its own with which several processes may be at work in one case, as with `-parallel`.
+    std::vector<std::string> sharing;
     /// The arguments without a dash, all required, in their order; `name` is in capitals, `argument` unused.
     std::vector<CommandLineOption> arguments;
     /// Lines of a shell that show it at work, each with what it does after a `#`.
@@ -72,6 +76,7 @@ struct CommandLine
     bool version = false; ///< print name, version and commit
     bool noFunctionObjects = false;
     bool postProcess = false;
+    bool parallel = false;
     bool dryRun = false;                       ///< read and check everything, run nothing
     std::optional<std::filesystem::path> dict; ///< instead of the dictionary in system/; see `dictionaryFile`
     std::map<std::string, std::string> options; ///< those of the application's own that were given; a switch
@@ -88,7 +93,7 @@ struct CommandLine
 
 /// Reads the command line. With `-help` or `-version` the other arguments are not looked at.
 /// \throws FatalError for an unknown option (naming the nearest), a missing or repeated one, and for
-/// `-parallel`, which no application has
+/// `-parallel` where the application has no parallel mode
 CommandLine readCommandLine(int argc, const char* const* argv, const ApplicationDescription& description);
 
 /// What `-help` prints: no line is longer than 80 characters.

@@ -14,6 +14,7 @@
 #include "dynamics/Schemes.h"
 #include "effects/GroundMotion.h"
 #include "ensembles/AccuracySettings.h"
+#include "ensembles/EnsembleSettings.h"
 #include "ensembles/IncrementalDynamics.h"
 #include "ensembles/ParameterSearch.h"
 #include "functionObjects/FunctionList.h"
@@ -109,6 +110,10 @@ std::vector<Example> examples()
             "Which entries parameterSearch varies, what of the results is to be least or largest, and how it "
             "searches.",
             {"variables", "results", "objective", "search"}),
+        example<EnsembleSettings>(
+            "system/ensembleDict",
+            "Which entries of the case are uncertain, how many samples there are, and what is made of them.",
+            {"variables", "results", "statistics"}),
         example<AccuracySettings>(
             "system/accuracyCostDict",
             "Which figures of the case accuracyCost measures, what they are compared with, and over which "

@@ -1,0 +1,182 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// ensemble: many samples of one case, by processes on one machine, under mpirun or srun, or as a Slurm
+/// array.
+#include "core/Error.h"
+#include "core/Log.h"
+#include "core/Signals.h"
+#include "ensembles/EnsembleResults.h"
+#include "ensembles/Evaluate.h"
+#include "ensembles/Submit.h"
+#include "ensembles/Workers.h"
+#include "runControl/Application.h"
+
+#include <cstdlib>
+
+#include <unistd.h>
+
+using namespace drystone;
+
+namespace
+{
+
+int results(const Ensemble& ensemble)
+{
+    std::map<long, SampleRow> rows;
+    const SampleTable table = collectSamples(ensemble, rows);
+    return writeEnsemble(ensemble, rows, table);
+}
+
+/// `Samples: 1200 of 100000, 3 attempts failed, 2100/s, 47 s left`
+void printProgress(const EnsembleProgress& progress)
+{
+    const auto left = static_cast<double>(progress.samples - progress.done);
+    info("Samples: {} of {}{}{}", progress.done, progress.samples,
+         progress.failed > 0 ? fmt::format(", {} attempts ended", progress.failed) : "",
+         progress.rate > 0
+             ? fmt::format(", {:.3g}/s, {} left", progress.rate, durationText(left / progress.rate))
+             : "");
+    std::fflush(stdout);
+}
+
+int jobsOf(const CommandLine& commandLine)
+{
+    if (const auto jobs = commandLine.get("jobs"))
+    {
+        const int count = std::atoi(jobs->c_str());
+        if (count < 1 || count > 1024)
+        {
+            throw FatalError(fmt::format("-jobs {} is no number of processes: give 1 to 1024.", *jobs));
+        }
+        return count;
+    }
+    if (!commandLine.parallel)
+    {
+        return threadCount();
+    }
+    // The launcher has as many of us as there are cores, unless it gives each of us several.
+    const char* cores = std::getenv("SLURM_CPUS_PER_TASK");
+    return cores ? std::max(std::atoi(cores), 1) : 1;
+}
+
+int run(const CommandLine& commandLine)
+{
+    if (const auto files = commandLine.get("evaluate"))
+    {
+        const std::size_t end = files->find('\n');
+        if (end == std::string::npos)
+        {
+            throw FatalError("-evaluate takes two files: that of the parameters and that of the results.");
+        }
+        return evaluateSample(commandLine.caseDirectory, files->substr(0, end), files->substr(end + 1));
+    }
+    const Ensemble ensemble =
+        readEnsemble(commandLine.caseDirectory, commandLine.noFunctionObjects
+                                                    ? std::vector<std::string>{"-noFunctionObjects"}
+                                                    : std::vector<std::string>());
+    const LaunchedAs launched = commandLine.parallel ? launchedAs() : LaunchedAs();
+    const bool isFirst = launched.rank == 0;
+    if (isFirst || launched.isArray)
+    {
+        printEnsemble(ensemble);
+    }
+    if (commandLine.dryRun)
+    {
+        printEnd();
+        return 0;
+    }
+    if (commandLine.has("submit"))
+    {
+        submitToSlurm(ensemble, *commandLine.get("submit"));
+        printEnd();
+        return 0;
+    }
+    if (commandLine.postProcess)
+    {
+        const int status = results(ensemble);
+        printExecutionTime();
+        printEnd();
+        return status;
+    }
+
+    catchStopSignals();
+    SampleStore store(ensemble.caseDirectory, ensemble.plan, ensemble.samples());
+    WorkerSettings workers{jobsOf(commandLine), launched, isFirst && !launched.isArray};
+    if (isFirst || launched.isArray)
+    {
+        info("Processes: {}{}", workers.jobs,
+             launched.size > 1 ? fmt::format(" in each of {} programs", launched.size) : "");
+    }
+    const bool isComplete = computeSamples(ensemble, store, workers,
+                                           [&](const EnsembleProgress& progress)
+                                           {
+                                               if (isFirst || launched.isArray)
+                                               {
+                                                   printProgress(progress);
+                                               }
+                                           });
+    int status = 0;
+    if (workers.waitsForOthers && (isComplete || stopSignal() != 0))
+    {
+        status = results(ensemble);
+    }
+    printExecutionTime();
+    printStopOrEnd("Started again, it continues.");
+    return stopSignal() != 0 ? exitStatusOfSignal(stopSignal()) : status;
+}
+
+/// Samples run side by side: a library that starts threads of its own in each would only slow them down.
+void requireOneThread(char* argv[])
+{
+    if (!std::getenv("OPENBLAS_NUM_THREADS"))
+    {
+        ::setenv("OPENBLAS_NUM_THREADS", "1", 1);
+        ::execv("/proc/self/exe", argv); // libraries read it when they are loaded
+    }
+}
+
+/// The two files of -evaluate as one argument, a line each: other options have one.
+std::vector<std::string> joined(int argc, char* argv[])
+{
+    std::vector<std::string> arguments(argv, argv + argc);
+    for (std::size_t i = 0; i + 2 < arguments.size(); ++i)
+    {
+        if (arguments[i] == "-evaluate" || arguments[i] == "--evaluate")
+        {
+            arguments[i + 1] += "\n" + arguments[i + 2];
+            arguments.erase(arguments.begin() + static_cast<std::ptrdiff_t>(i) + 2);
+            break;
+        }
+    }
+    return arguments;
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+    requireOneThread(argv);
+    ApplicationDescription description;
+    description.name = "ensemble";
+    description.summary =
+        "Computes many samples of a case with uncertain entries: Monte Carlo, fragility, incremental dynamic "
+        "analysis, sensitivity. Uses all cores; started again, it continues.";
+    description.kind = ApplicationKind::solver;
+    description.parallel = "share the samples with the other processes of mpirun, srun or a Slurm array";
+    description.options = {
+        {"jobs", "N", "worker processes; the number of cores unless given"},
+        {"submit", "OPTIONS", "write and submit a Slurm script with these options, such as \"--array=1-32\""},
+        {"evaluate", "PARAMETERS RESULTS", "answer one sample of Dakota or quoFEM"}};
+    description.sharing = {"evaluate"};
+    description.examples = {
+        "ensemble -case wall                  # on all cores; started again, it continues",
+        "mpirun -np 64 ensemble -case wall -parallel",
+        "ensemble -case wall -submit \"--array=1-32 --cpus-per-task=8\"    # Slurm"};
+    description.dictionaries = {{"system/ensembleDict", describeOptions<EnsembleSettings>}};
+    const std::vector<std::string> arguments = joined(argc, argv);
+    std::vector<const char*> given;
+    for (const std::string& argument : arguments)
+    {
+        given.push_back(argument.c_str());
+    }
+    return runApplication(static_cast<int>(given.size()), given.data(), description, run);
+}

@@ -1,0 +1,201 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Reads an ensemble.
+#include "ensembles/Ensemble.h"
+
+#include "core/Log.h"
+#include "core/WholeFile.h"
+#include "ensembles/CaseRuns.h"
+#include "functionObjects/ColumnFile.h"
+#include "quantities/LimitAnalysisFigures.h"
+#include "runControl/Case.h"
+
+#include <algorithm>
+
+namespace drystone
+{
+
+namespace fs = std::filesystem;
+
+namespace
+{
+
+bool contains(const std::vector<std::string>& applications, const std::string& name)
+{
+    return std::find(applications.begin(), applications.end(), name) != applications.end();
+}
+
+/// Whether each result is known to a chain of applications without files.
+bool canRunInProcess(const EnsembleSettings& settings)
+{
+    std::vector<std::string> rest = settings.applications;
+    for (const char* application : {"blockTexture", "limitAnalysis", "contactDynamics"})
+    {
+        if (!rest.empty() && rest.front() == application)
+        {
+            rest.erase(rest.begin());
+        }
+    }
+    return rest.empty()
+           && std::all_of(
+               settings.results.begin(), settings.results.end(),
+               [&](const Named<Figure>& result)
+               {
+                   return (result.second.ofCollapse && contains(settings.applications, "limitAnalysis"))
+                          || (result.second.watch && contains(settings.applications, "contactDynamics"));
+               });
+}
+
+/// Refuses results that the applications do not have.
+void requireResults(const Ensemble& ensemble)
+{
+    for (const auto& [name, figure] : ensemble.settings.results)
+    {
+        const SourceLocation place = ensemble.dictionary.subDict("results").locationOf(name);
+        if (figure.watch && !ensemble.isInProcess)
+        {
+            throw FatalIOError(
+                fmt::format(
+                    "The result {} is a figure of a motion, known to `applications (contactDynamics);` or "
+                    "`(blockTexture contactDynamics);` when all results are such figures. Give the table "
+                    "and column of a function object instead, or change applications.",
+                    name),
+                place);
+        }
+        if (figure.ofCollapse && contains(ensemble.settings.applications, "limitAnalysis"))
+        {
+            const std::vector<std::string_view> headings = limitAnalysisHeadings();
+            const std::string& wanted = *figure.ofCollapse;
+            if (std::none_of(headings.begin(), headings.end(),
+                             [&](std::string_view heading) { return isColumn(heading, wanted); }))
+            {
+                throw FatalIOError(fmt::format("{} has no column {}.\n\nIts columns: {}",
+                                               limitAnalysisTableName, wanted, fmt::join(headings, " ")),
+                                   ensemble.dictionary.subDict("results").subDict(name).locationOf("column"));
+            }
+        }
+        else if (figure.ofCollapse && !contains(ensemble.settings.applications, "parameterSearch")
+                 && std::none_of(ensemble.settings.applications.begin(), ensemble.settings.applications.end(),
+                                 [](const std::string& word) { return word.find('/') != word.npos; }))
+        {
+            throw FatalIOError(fmt::format("The result {} is one of limitAnalysis, which is not among the "
+                                           "applications.",
+                                           name),
+                               place);
+        }
+    }
+}
+
+/// All that the samples depend on. With random and sobol more samples extend the earlier ones.
+std::string planOf(const Ensemble& ensemble)
+{
+    const EnsembleSettings& settings = ensemble.settings;
+    std::string design;
+    for (const Entry& entry : ensemble.dictionary.subDict("design").entries())
+    {
+        const bool isExtended =
+            settings.design.type == DesignType::random || settings.design.type == DesignType::sobol;
+        if (entry.keyword() != "samples" || !isExtended)
+        {
+            design += toText(entry);
+        }
+    }
+    std::string results;
+    for (const auto& [name, figure] : settings.results)
+    {
+        results += toText(ensemble.dictionary.subDict("results").lookup(name));
+    }
+    const Entry* correlations = ensemble.dictionary.find("correlations");
+    return fmt::format(
+        "case {:016x}\napplications {} {}\nvariables {:016x}\ncorrelations {}\ndesign {:016x}\nresults "
+        "{:016x}\nattempts {}\n",
+        fingerprint(ensemble.caseDirectory, "system/ensembleDict"), fmt::join(settings.applications, " "),
+        fmt::join(ensemble.options, " "), fingerprint(toText(ensemble.dictionary.subDict("variables"))),
+        correlations ? correlations->valueText() : "none", fingerprint(design), fingerprint(results),
+        settings.failures.attempts);
+}
+
+} // namespace
+
+std::string_view textOf(SampleStatus status)
+{
+    switch (status)
+    {
+    case SampleStatus::done:
+        return "done";
+    case SampleStatus::notFinite:
+        return "a result is no finite number";
+    case SampleStatus::failed:
+        return "an application ended with an error";
+    case SampleStatus::notConverged:
+        return "a solver did not converge";
+    case SampleStatus::crashed:
+        return "crashed";
+    case SampleStatus::timeExceeded:
+        return "took longer than maximumTime";
+    case SampleStatus::outOfMemory:
+        break;
+    }
+    return "ran out of memory";
+}
+
+fs::path ensembleFolder(const fs::path& caseDirectory)
+{
+    return postProcessingFolder(caseDirectory, "ensemble", "0");
+}
+
+fs::path ensembleWork(const fs::path& caseDirectory)
+{
+    return ensembleFolder(caseDirectory) / "work";
+}
+
+Ensemble readEnsemble(const fs::path& caseDirectory, const std::vector<std::string>& options)
+{
+    Ensemble ensemble;
+    ensemble.caseDirectory = caseDirectory;
+    ensemble.options = options;
+    ensemble.dictionary = Dictionary::readFile(
+        requireCaseFile(caseDirectory, "system/ensembleDict",
+                        "It specifies which entries are uncertain and what is made of the samples; "
+                        "etc/annotated/system/ensembleDict is one to copy."));
+    sayTable(ensemble.dictionary, "results");
+    ensemble.settings = readOptions<EnsembleSettings>(ensemble.dictionary);
+    for (const auto& [name, variable] : ensemble.settings.variables)
+    {
+        lookUp(caseDirectory, variable.place, ensemble.dictionary.subDict("variables").subDict(name));
+    }
+    ensemble.sampler =
+        std::make_shared<Sampler>(ensemble.settings.variables, ensemble.settings.correlations,
+                                  ensemble.settings.design, ensemble.dictionary, caseDirectory);
+    ensemble.isInProcess = canRunInProcess(ensemble.settings);
+    requireResults(ensemble);
+    requireWritable(ensembleFolder(caseDirectory));
+    ensemble.plan = planOf(ensemble);
+    return ensemble;
+}
+
+void printEnsemble(const Ensemble& ensemble)
+{
+    const EnsembleSettings& settings = ensemble.settings;
+    info("Applications: {}{}", fmt::join(settings.applications, " "),
+         ensemble.isInProcess ? ", without files" : ", each sample in a copy of the case");
+    info("Variables:");
+    for (const auto& [name, variable] : settings.variables)
+    {
+        info("    {}: {}/{}{}", name, variable.place.file, variable.place.entry,
+             variable.distribution ? ", " + variable.distribution->summary : "");
+    }
+    for (const Correlation& correlation : settings.correlations)
+    {
+        info("    correlation of {} and {}: {:g}", correlation.one, correlation.other, correlation.value);
+    }
+    std::string results;
+    for (const auto& [name, figure] : settings.results)
+    {
+        results += " " + name;
+    }
+    info("Results:{}", results);
+    info("Samples: {}", ensemble.samples());
+    printLine();
+}
+
+} // namespace drystone

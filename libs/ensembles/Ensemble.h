@@ -1,0 +1,86 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// An ensemble in a case directory, read and checked: the same in all processes that compute its samples.
+#pragma once
+
+#include "ensembles/EnsembleSettings.h"
+
+#include <filesystem>
+#include <memory>
+
+namespace drystone
+{
+
+/// How a sample came out; the numbers stand in the tables.
+enum class SampleStatus
+{
+    done = 0,         ///< all results are there
+    notFinite = 1,    ///< it was computed, and a result is no finite number: the structure does not stand
+    failed = 2,       ///< an application ended with an error
+    notConverged = 3, ///< a solver did not reach its tolerance
+    crashed = 4,      ///< a signal ended it
+    timeExceeded = 5, ///< it took longer than maximumTime
+    outOfMemory = 6
+};
+inline constexpr int sampleStatuses = 7;
+std::string_view textOf(SampleStatus status);
+/// Whether there are no results that count.
+inline bool isFailure(SampleStatus status)
+{
+    return status != SampleStatus::done && status != SampleStatus::notFinite;
+}
+
+struct Ensemble
+{
+    std::filesystem::path caseDirectory;
+    EnsembleSettings settings;
+    Dictionary dictionary; ///< system/ensembleDict, for the location in messages
+    std::shared_ptr<const Sampler> sampler;
+    bool isInProcess = false;         ///< no copies of the case are made
+    std::vector<std::string> options; ///< for the applications
+    std::string plan;                 ///< all that the samples depend on, as text
+
+    long samples() const { return sampler->size(); }
+};
+
+/// Reads system/ensembleDict and looks up the entries that it names.
+/// \param options for the applications, -noFunctionObjects
+/// \throws FatalIOError for faults in it
+Ensemble readEnsemble(const std::filesystem::path& caseDirectory, const std::vector<std::string>& options);
+
+/// postProcessing/ensemble/0/ of a case, and the folder in it that processes share.
+std::filesystem::path ensembleFolder(const std::filesystem::path& caseDirectory);
+std::filesystem::path ensembleWork(const std::filesystem::path& caseDirectory);
+
+/// Before the first sample: applications, variables, design, results.
+void printEnsemble(const Ensemble& ensemble);
+
+/// What came of one sample.
+struct SampleOutcome
+{
+    SampleStatus status = SampleStatus::failed;
+    std::vector<double> results; ///< nan where there is none
+    std::string message;         ///< why it failed
+};
+
+/// Computes samples, one after the other.
+class SampleRunner
+{
+public:
+    /// \param scratch folder for copies of the case, where the ensemble makes any
+    SampleRunner(const Ensemble& ensemble, std::filesystem::path scratch);
+    ~SampleRunner();
+
+    /// The results of a sample with these values. Faults of the sample are in its outcome; nothing is thrown
+    /// but std::bad_alloc.
+    SampleOutcome run(const std::vector<SampleValue>& values);
+
+private:
+    struct InProcess;
+    SampleOutcome runByApplications(const std::vector<SampleValue>& values);
+
+    const Ensemble& ensemble;
+    std::filesystem::path scratch;
+    std::unique_ptr<InProcess> inProcess;
+};
+
+} // namespace drystone

@@ -1,0 +1,135 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Declares the keys of system/ensembleDict.
+#include "ensembles/EnsembleSettings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace drystone
+{
+namespace
+{
+
+const std::vector<std::string>& knownApplications()
+{
+    static const std::vector<std::string> names{"blockTexture",    "checkBlocks",         "limitAnalysis",
+                                                "contactDynamics", "incrementalDynamics", "parameterSearch"};
+    return names;
+}
+
+/// A program of the user's own: `./prepare`, in the case.
+bool isScript(const std::string& application)
+{
+    return application.find('/') != std::string::npos;
+}
+
+std::string faultOfApplications(const std::vector<std::string>& applications)
+{
+    if (applications.empty())
+    {
+        return "Nothing is run: give applications.";
+    }
+    for (const std::string& application : applications)
+    {
+        const auto& known = knownApplications();
+        if (isScript(application) ? !isInsideCase(application)
+                                  : std::find(known.begin(), known.end(), application) == known.end())
+        {
+            return unknownWordMessage("application", application, known)
+                   + "\n\nA script of your own in the case is given with its folder: \"./prepare\".";
+        }
+    }
+    return "";
+}
+
+} // namespace
+
+void declare(Options& options, FailureSettings& failures)
+{
+    options
+        .optional(
+            "attempts", failures.attempts,
+            "of a sample that crashes, hangs or runs out of memory; one that ends with a message is not "
+            "repeated")
+        .atLeast(1)
+        .atMost(100);
+    options.optional("maximumTime", failures.maximumTime, "of an attempt, which is ended then; absent: any")
+        .unit("s")
+        .above(0)
+        .example("600");
+    options
+        .optional("maximumMemory", failures.maximumMemory,
+                  "that a process may take, in megabytes; absent: any")
+        .atLeast(64)
+        .example("2000");
+    options
+        .optional("maximumPart", failures.maximumPart,
+                  "of the samples that may fail; when there are more, the exit status is 2")
+        .atLeast(0)
+        .atMost(1);
+}
+
+void declare(Options& options, EnsembleSettings& settings)
+{
+    options
+        .required("applications", settings.applications,
+                  "run one after the other for each sample; a script in the case as \"./prepare\"")
+        .example("(blockTexture limitAnalysis)");
+    options.required("variables", settings.variables, "entries of the case that are uncertain; any names")
+        .example("mu");
+    options.optional("correlations", settings.correlations, "of two variables with numbers (Nataf)")
+        .example("((mu unit 0.3))");
+    options.required("design", settings.design, designTypes(), "which values the samples have");
+    options.required("results", settings.results, figureTypes(), "figures of each sample; any names")
+        .example("alpha");
+    options.optional("failures", settings.failures, "samples that fail");
+    options
+        .optional("statistics", settings.statistics, statisticTypes(),
+                  "what is made of the samples; any names, also used for files")
+        .example("capacity");
+    options.check("applications", [&settings] { return faultOfApplications(settings.applications); });
+    options.check("variables",
+                  [&settings]() -> std::string
+                  {
+                      std::set<std::string> places;
+                      for (const auto& [name, variable] : settings.variables)
+                      {
+                          if (std::string fault = faultOfName(name); !fault.empty())
+                          {
+                              return fault;
+                          }
+                          if (!places.insert(variable.place.file + ":" + variable.place.entry).second)
+                          {
+                              return fmt::format("Two variables set {} of {}: remove one of them.",
+                                                 variable.place.entry, variable.place.file);
+                          }
+                      }
+                      return settings.variables.empty() ? "There is no variable." : "";
+                  });
+    options.check("results",
+                  [&settings]() -> std::string
+                  {
+                      std::set<std::string> names;
+                      for (const auto& [name, variable] : settings.variables)
+                      {
+                          names.insert(name);
+                      }
+                      for (const auto& [name, result] : settings.results)
+                      {
+                          if (std::string fault = faultOfName(name); !fault.empty())
+                          {
+                              return fault;
+                          }
+                          if (!names.insert(name).second)
+                          {
+                              return fmt::format(
+                                  "Two variables or results have the name {}: choose another one.", name);
+                          }
+                      }
+                      return settings.results.empty() ? "There is no result." : "";
+                  });
+}
+
+} // namespace drystone

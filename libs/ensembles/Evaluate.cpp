@@ -1,0 +1,186 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Reads parameter files, answers with result files.
+#include "ensembles/Evaluate.h"
+
+#include "core/Log.h"
+#include "core/WholeFile.h"
+#include "ensembles/Ensemble.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <new>
+#include <sstream>
+
+#include <sys/time.h>
+#include <unistd.h>
+
+namespace drystone
+{
+
+namespace fs = std::filesystem;
+
+namespace
+{
+
+SampleValue valueOfText(std::string text)
+{
+    if (text.size() >= 2 && text.front() == '"' && text.back() == '"')
+    {
+        return valueOf(text.substr(1, text.size() - 2));
+    }
+    char* end = nullptr;
+    const double number = std::strtod(text.c_str(), &end);
+    const bool isNumber = !text.empty() && end == text.c_str() + text.size() && std::isfinite(number);
+    return isNumber ? SampleValue{std::move(text), number} : valueOf(text);
+}
+
+std::vector<std::string> wordsOf(const std::string& line)
+{
+    std::istringstream stream(line);
+    std::vector<std::string> words;
+    for (std::string word; stream >> word;)
+    {
+        words.push_back(word);
+    }
+    return words;
+}
+
+bool isCount(const std::string& word)
+{
+    return !word.empty()
+           && std::all_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+/// Lines with two words each. \param valueFirst `value name`, else `name value`
+void takePairs(const std::vector<std::vector<std::string>>& lines, std::size_t begin, std::size_t count,
+               bool valueFirst, const fs::path& file, std::map<std::string, SampleValue>& values)
+{
+    for (std::size_t i = begin; i < begin + count; ++i)
+    {
+        if (i >= lines.size() || lines[i].size() < 2)
+        {
+            throw FatalIOError(fmt::format("{} variables are announced, and there are {}.", count, i - begin),
+                               {file.string(), "", static_cast<int>(i) + 1});
+        }
+        values[lines[i][valueFirst ? 1 : 0]] = valueOfText(lines[i][valueFirst ? 0 : 1]);
+    }
+}
+
+} // namespace
+
+std::map<std::string, SampleValue> readParameters(const fs::path& file)
+{
+    std::ifstream stream(file);
+    if (!stream)
+    {
+        throw FatalIOError("The file of the parameters cannot be read.", {file.string(), "", 0});
+    }
+    std::vector<std::vector<std::string>> lines;
+    for (std::string line; std::getline(stream, line);)
+    {
+        if (std::vector<std::string> words = wordsOf(line); !words.empty())
+        {
+            lines.push_back(std::move(words));
+        }
+    }
+    std::map<std::string, SampleValue> values;
+    const bool isAprepro = !lines.empty() && lines.front().front().starts_with("{");
+    if (isAprepro)
+    {
+        for (const std::vector<std::string>& words : lines)
+        {
+            if (words.size() == 5 && words[0] == "{" && words[2] == "=" && !words[1].starts_with("DAKOTA_")
+                && !words[1].starts_with("ASV_") && !words[1].starts_with("DVV_")
+                && !words[1].starts_with("AC_"))
+            {
+                values[words[1]] = valueOfText(words[3]);
+            }
+        }
+        return values;
+    }
+    if (!lines.empty() && isCount(lines.front().front()))
+    {
+        const auto count = static_cast<std::size_t>(std::stoul(lines.front().front().substr(0, 9)));
+        const bool isDakota = lines.front().size() == 2 && lines.front()[1] == "variables";
+        if (isDakota || lines.front().size() == 1)
+        {
+            takePairs(lines, 1, count, isDakota, file, values);
+            return values;
+        }
+    }
+    throw FatalIOError(
+        "This is no file of parameters: Dakota's begins with `2 variables` or `{ DAKOTA_VARS = 2 }`, "
+        "quoFEM's with their number alone.",
+        {file.string(), "", 1});
+}
+
+int evaluateSample(const fs::path& caseDirectory, const fs::path& parameters, const fs::path& results)
+{
+    const Ensemble ensemble = readEnsemble(caseDirectory, {});
+    std::map<std::string, SampleValue> given = readParameters(parameters);
+    std::vector<SampleValue> values;
+    for (const auto& [name, variable] : ensemble.settings.variables)
+    {
+        const auto found = given.find(name);
+        if (found == given.end())
+        {
+            std::vector<std::string> names;
+            for (const auto& [other, value] : given)
+            {
+                names.push_back(other);
+            }
+            throw FatalIOError(
+                fmt::format("The variable {} of system/ensembleDict is not among the parameters: {}.", name,
+                            fmt::join(names, " ")),
+                {parameters.string(), "", 0});
+        }
+        values.push_back(found->second);
+        given.erase(found);
+    }
+    if (!given.empty())
+    {
+        std::vector<std::string> names;
+        for (const auto& [name, variable] : ensemble.settings.variables)
+        {
+            names.push_back(name);
+        }
+        throw FatalIOError(unknownWordMessage("variable", given.begin()->first, names),
+                           {parameters.string(), "", 0});
+    }
+    // What stands there if this process does not come to its end.
+    writeWholeFile(results, "FAIL\n");
+    if (const auto& limit = ensemble.settings.failures.maximumTime)
+    {
+        itimerval timer{};
+        timer.it_value.tv_sec = static_cast<time_t>(std::ceil(*limit));
+        ::setitimer(ITIMER_REAL, &timer, nullptr);
+    }
+    SampleRunner runner(ensemble, ensembleWork(caseDirectory) / fmt::format("case.evaluate.{}", ::getpid()));
+    SampleOutcome outcome;
+    try
+    {
+        outcome = runner.run(values);
+    }
+    catch (const std::bad_alloc&)
+    {
+        outcome = {SampleStatus::outOfMemory, {}, "out of memory"};
+    }
+    if (outcome.status != SampleStatus::done)
+    {
+        info("FAIL: {}{}", textOf(outcome.status), outcome.message.empty() ? "" : ": " + outcome.message);
+        return 0;
+    }
+    std::string line;
+    for (const double result : outcome.results)
+    {
+        line += fmt::format("{}{}", line.empty() ? "" : " ", result);
+    }
+    writeWholeFile(results, line + "\n");
+    info("Results: {}", line);
+    return 0;
+}
+
+} // namespace drystone

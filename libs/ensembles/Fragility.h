@@ -1,0 +1,46 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Fragility curves: P(failure | intensity x) = Phi(ln(x/theta)/beta), by maximum likelihood (Baker 2015,
+/// Efficient analytical fragility function fitting using dynamic structural analysis).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace drystone
+{
+
+/// Runs at one intensity.
+struct Stripe
+{
+    double intensity = 0; ///< above 0
+    long runs = 0;
+    long exceeded = 0; ///< of them
+};
+
+/// Median and dispersion, with the standard errors of their logarithms, from the observed information.
+struct FragilityFit
+{
+    double theta = 0;
+    double beta = 0;
+    double logThetaError = 0;
+    double logBetaError = 0;
+
+    double probability(double intensity) const;
+};
+
+/// Binomial likelihood of stripes (Baker's equation 11). \return nothing where it has no maximum: no run that
+/// failed lies below one that stood, or failures do not grow with the intensity
+std::optional<FragilityFit> fitStripes(const std::vector<Stripe>& stripes);
+
+/// Likelihood of intensities at which structures failed, and of others that stood at the highest one tried
+/// (Baker's equation 6). \param failing intensities, above 0 \param standing how many stood \param limit that
+/// they stood at. \return nothing where it has no maximum: none failed, or all at one intensity and none
+/// stood
+std::optional<FragilityFit> fitTruncated(const std::vector<double>& failing, long standing, double limit);
+
+/// Each run of a stripe drawn again with replacement. \param replicate number of the drawing
+std::vector<Stripe> resampled(const std::vector<Stripe>& stripes, std::uint64_t seed,
+                              std::uint32_t replicate);
+
+} // namespace drystone

@@ -1,0 +1,415 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The statistic `fragility`: samples into stripes, or into the intensities at which curves first fail.
+#include "ensembles/Fragility.h"
+#include "ensembles/Philox.h"
+#include "ensembles/StatisticTypes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace drystone
+{
+namespace
+{
+
+enum class FragilityMethod
+{
+    multipleStripe,
+    truncatedIDA
+};
+std::array<std::pair<std::string_view, FragilityMethod>, 2> namesOf(FragilityMethod)
+{
+    return {{{"multipleStripe", FragilityMethod::multipleStripe},
+             {"truncatedIDA", FragilityMethod::truncatedIDA}}};
+}
+
+struct FragilitySettings
+{
+    std::string intensity;
+    std::string exceeded;
+    FragilityMethod method = FragilityMethod::multipleStripe;
+    std::optional<std::string> curve;
+    int bootstrap = 1000;
+    int seed = 1;
+};
+void declare(Options& options, FragilitySettings& settings)
+{
+    options
+        .required("intensity", settings.intensity, "the variable or result that measures the ground motion")
+        .example("ag");
+    options
+        .required("exceeded", settings.exceeded,
+                  "when a sample has failed: a comparison of variables and results")
+        .example("\"drift > 0.05\"");
+    options.optional(
+        "method", settings.method,
+        "multipleStripe: samples at each intensity; truncatedIDA: the lowest intensity at which each "
+        "curve fails, or that it stands at the highest one");
+    options
+        .optional("curve", settings.curve,
+                  "of truncatedIDA: the variable that samples of one curve have in common")
+        .example("record");
+    options.optional("bootstrap", settings.bootstrap, "samples drawn again for the confidence band")
+        .atLeast(0)
+        .atMost(100000);
+    options.optional("seed", settings.seed, "of the drawing").atLeast(0);
+    options.check(
+        "curve",
+        [&settings]
+        {
+            return settings.method == FragilityMethod::truncatedIDA && !settings.curve
+                       ? "truncatedIDA needs to know which samples are one curve: give the variable "
+                         "they have in common, as `curve record;`."
+                       : "";
+        });
+}
+
+/// Whether failed samples, whose result is not known, count as exceeded.
+enum class FailedAs
+{
+    standing,
+    fallen
+};
+
+/// The samples of a fragility: intensity, and whether they exceeded.
+struct Observations
+{
+    std::vector<double> intensity;
+    std::vector<char> exceeded;
+    std::vector<std::string> curve; ///< empty without curves
+    std::size_t failures = 0;
+};
+
+Observations observationsOf(const FragilitySettings& settings, const SampleTable& table, FailedAs failedAs)
+{
+    Observations found;
+    const std::vector<double> intensities = valuesOf(settings.intensity, table);
+    const std::vector<double> exceeded = valuesOf(settings.exceeded, table);
+    const std::size_t curve =
+        settings.curve ? static_cast<std::size_t>(
+            std::find(table.names.begin(), table.names.end(), *settings.curve) - table.names.begin())
+                       : 0;
+    for (std::size_t row = 0; row < table.rows(); ++row)
+    {
+        const bool isUnknown = table.isFailed[row] || std::isnan(exceeded[row]);
+        found.failures += isUnknown;
+        found.intensity.push_back(intensities[row]);
+        found.exceeded.push_back(isUnknown ? failedAs == FailedAs::fallen : exceeded[row] != 0);
+        if (settings.curve)
+        {
+            found.curve.push_back(table.texts[curve][row]);
+        }
+    }
+    return found;
+}
+
+std::vector<Stripe> stripesOf(const Observations& observations)
+{
+    std::map<double, Stripe> stripes;
+    for (std::size_t i = 0; i < observations.intensity.size(); ++i)
+    {
+        Stripe& stripe = stripes[observations.intensity[i]];
+        stripe.intensity = observations.intensity[i];
+        ++stripe.runs;
+        stripe.exceeded += observations.exceeded[i] != 0;
+    }
+    std::vector<Stripe> sorted;
+    for (const auto& [intensity, stripe] : stripes)
+    {
+        sorted.push_back(stripe);
+    }
+    return sorted;
+}
+
+/// The lowest intensity at which each curve fails.
+struct Truncated
+{
+    std::vector<double> failing;
+    long standing = 0;
+    double limit = 0; ///< highest intensity tried
+};
+
+Truncated truncatedOf(const Observations& observations)
+{
+    Truncated result;
+    std::map<std::string, double> lowest; // infinite where a curve stands
+    for (std::size_t i = 0; i < observations.intensity.size(); ++i)
+    {
+        result.limit = std::max(result.limit, observations.intensity[i]);
+        auto& least = lowest.try_emplace(observations.curve[i], HUGE_VAL).first->second;
+        least = observations.exceeded[i] ? std::min(least, observations.intensity[i]) : least;
+    }
+    for (const auto& [curve, intensity] : lowest)
+    {
+        if (std::isfinite(intensity))
+        {
+            result.failing.push_back(intensity);
+        }
+        else
+        {
+            ++result.standing;
+        }
+    }
+    return result;
+}
+
+/// As many curves as there are, each one of them.
+Truncated resampledCurves(const Truncated& truncated, std::uint64_t seed, std::uint32_t replicate)
+{
+    Truncated drawn;
+    drawn.limit = truncated.limit;
+    const std::size_t curves = truncated.failing.size() + static_cast<std::size_t>(truncated.standing);
+    for (std::size_t i = 0; i < curves; ++i)
+    {
+        const double place = uniform(seed, Stream::bootstrap, replicate, i) * static_cast<double>(curves);
+        const auto chosen = static_cast<std::size_t>(place);
+        if (chosen < truncated.failing.size())
+        {
+            drawn.failing.push_back(truncated.failing[chosen]);
+        }
+        else
+        {
+            ++drawn.standing;
+        }
+    }
+    return drawn;
+}
+
+std::optional<FragilityFit> fitOf(FragilityMethod method, const Observations& observations)
+{
+    if (method == FragilityMethod::multipleStripe)
+    {
+        return fitStripes(stripesOf(observations));
+    }
+    const Truncated truncated = truncatedOf(observations);
+    return fitTruncated(truncated.failing, truncated.standing, truncated.limit);
+}
+
+/// Fits of samples that are drawn again: of stripes run by run, of curves curve by curve.
+std::vector<FragilityFit> bootstrap(const FragilitySettings& settings, const Observations& observations)
+{
+    std::vector<FragilityFit> fits;
+    const auto seed = static_cast<std::uint64_t>(settings.seed);
+    const auto add = [&fits](const std::optional<FragilityFit>& fit)
+    {
+        if (fit)
+        {
+            fits.push_back(*fit);
+        }
+    };
+    const std::vector<Stripe> stripes = stripesOf(observations);
+    const Truncated truncated = observations.curve.empty() ? Truncated() : truncatedOf(observations);
+    for (int replicate = 0; replicate < settings.bootstrap; ++replicate)
+    {
+        const auto number = static_cast<std::uint32_t>(replicate);
+        if (settings.method == FragilityMethod::multipleStripe)
+        {
+            add(fitStripes(resampled(stripes, seed, number)));
+            continue;
+        }
+        // Each curve is one that failed, or one that stood: draw as many as there are.
+        const Truncated drawn = resampledCurves(truncated, seed, number);
+        add(fitTruncated(drawn.failing, drawn.standing, drawn.limit));
+    }
+    return fits;
+}
+
+std::pair<double, double> interval(std::vector<double> values)
+{
+    if (values.size() < 20)
+    {
+        return {std::nan(""), std::nan("")};
+    }
+    std::sort(values.begin(), values.end());
+    return {fractile(values, 0.025), fractile(values, 0.975)};
+}
+
+template<class Figure>
+std::pair<double, double> intervalOf(const std::vector<FragilityFit>& fits, const Figure& figure)
+{
+    std::vector<double> values;
+    for (const FragilityFit& fit : fits)
+    {
+        values.push_back(figure(fit));
+    }
+    return interval(std::move(values));
+}
+
+void addRows(StatisticResult& result, const std::string& suffix, const FragilityFit& fit,
+             const std::vector<FragilityFit>& fits)
+{
+    const auto theta = intervalOf(fits, [](const FragilityFit& drawn) { return drawn.theta; });
+    const auto beta = intervalOf(fits, [](const FragilityFit& drawn) { return drawn.beta; });
+    const double none = std::nan("");
+    result.rows.push_back(
+        {"theta" + suffix, fit.theta, fit.theta * fit.logThetaError, theta.first, theta.second});
+    result.rows.push_back({"beta" + suffix, fit.beta, fit.beta * fit.logBetaError, beta.first, beta.second});
+    result.rows.push_back({"logThetaStandardError" + suffix, fit.logThetaError, none, none, none});
+    result.rows.push_back({"logBetaStandardError" + suffix, fit.logBetaError, none, none, none});
+}
+
+/// The curve with its band, and the part of each stripe, or of the curves, that has failed.
+void draw(StatisticResult& result, const std::string& name, const FragilitySettings& settings,
+          const Observations& observations, const FragilityFit& fit, const std::vector<FragilityFit>& fits)
+{
+    Plot plot;
+    plot.title = fmt::format("{}: probability of {}", name, settings.exceeded);
+    plot.x.label = settings.intensity;
+    plot.y.label = "probability";
+    plot.y.lower = 0;
+    plot.y.upper = 1;
+    PlotCurve curve{fmt::format("theta {:.4g}, beta {:.4g}", fit.theta, fit.beta),
+                    {},
+                    {},
+                    CurveLine::solid,
+                    CurveMarker::none,
+                    {}};
+    PlotCurve low{"band of 95% (bootstrap)", {}, {}, CurveLine::dashed, CurveMarker::none, "#888888"};
+    PlotCurve high{"", {}, {}, CurveLine::dashed, CurveMarker::none, "#888888"};
+    const double highest = *std::max_element(observations.intensity.begin(), observations.intensity.end());
+    for (int i = 0; i <= 60; ++i)
+    {
+        const double x = 1.1 * highest * i / 60;
+        curve.x.push_back(x);
+        curve.y.push_back(fit.probability(x));
+        const auto band = intervalOf(fits, [x](const FragilityFit& drawn) { return drawn.probability(x); });
+        if (std::isfinite(band.first))
+        {
+            low.x.push_back(x);
+            low.y.push_back(band.first);
+            high.x.push_back(x);
+            high.y.push_back(band.second);
+        }
+    }
+    plot.curves = {curve};
+    if (!low.x.empty())
+    {
+        plot.curves.push_back(low);
+        plot.curves.push_back(high);
+    }
+    PlotCurve parts{settings.method == FragilityMethod::multipleStripe ? "stripes"
+                                                                       : "curves that have failed",
+                    {},
+                    {},
+                    CurveLine::none,
+                    CurveMarker::circle,
+                    {}};
+    result.table.columns = {"intensity", "runs", "exceeded", "part", "fitted"};
+    if (settings.method == FragilityMethod::multipleStripe)
+    {
+        for (const Stripe& stripe : stripesOf(observations))
+        {
+            const double part = static_cast<double>(stripe.exceeded) / static_cast<double>(stripe.runs);
+            parts.x.push_back(stripe.intensity);
+            parts.y.push_back(part);
+            result.table.rows.push_back({stripe.intensity, static_cast<double>(stripe.runs),
+                                         static_cast<double>(stripe.exceeded), part,
+                                         fit.probability(stripe.intensity)});
+        }
+    }
+    else
+    {
+        Truncated truncated = truncatedOf(observations);
+        std::sort(truncated.failing.begin(), truncated.failing.end());
+        const double curves =
+            static_cast<double>(truncated.failing.size()) + static_cast<double>(truncated.standing);
+        for (std::size_t i = 0; i < truncated.failing.size(); ++i)
+        {
+            const double intensity = truncated.failing[i];
+            const double part = static_cast<double>(i + 1) / curves;
+            parts.x.push_back(intensity);
+            parts.y.push_back(part);
+            result.table.rows.push_back(
+                {intensity, curves, static_cast<double>(i + 1), part, fit.probability(intensity)});
+        }
+    }
+    plot.curves.push_back(std::move(parts));
+    result.pictures.emplace_back("", std::move(plot));
+}
+
+StatisticResult evaluateFragility(const FragilitySettings& settings, const std::string& name,
+                                  const SampleTable& table)
+{
+    StatisticResult result;
+    const Observations standing = observationsOf(settings, table, FailedAs::standing);
+    const double none = std::nan("");
+    result.rows.push_back({"samples", static_cast<double>(table.rows()), none, none, none});
+    result.rows.push_back({"failed", static_cast<double>(standing.failures), none, none, none});
+    if (std::any_of(standing.intensity.begin(), standing.intensity.end(), [](double x) { return !(x > 0); }))
+    {
+        result.remarks.push_back(
+            fmt::format("{} is not above 0 in all samples: there is no lognormal curve", settings.intensity));
+        return result;
+    }
+    const auto fitAndAdd = [&](const std::string& suffix, const Observations& observations, bool isDrawn)
+    {
+        const std::optional<FragilityFit> fit =
+            observations.intensity.empty() ? std::nullopt : fitOf(settings.method, observations);
+        if (!fit)
+        {
+            result.remarks.emplace_back(
+                settings.method == FragilityMethod::multipleStripe
+                    ? "The likelihood has no maximum: samples that exceed and samples that do not have to "
+                      "overlap, "
+                      "and their part has to grow with the intensity. Take more samples, or other intensities"
+                    : "The likelihood has no maximum: no curve fails, or all fail at one intensity. Take "
+                      "more "
+                      "curves, or more intensities");
+            return;
+        }
+        const std::vector<FragilityFit> fits = bootstrap(settings, observations);
+        if (static_cast<int>(fits.size()) < settings.bootstrap)
+        {
+            result.remarks.push_back(
+                fmt::format("{} of {} bootstrap drawings have no maximum and are left out of the band",
+                            settings.bootstrap - static_cast<int>(fits.size()), settings.bootstrap));
+        }
+        addRows(result, suffix, *fit, fits);
+        if (isDrawn)
+        {
+            draw(result, name, settings, observations, *fit, fits);
+        }
+    };
+    fitAndAdd(standing.failures > 0 ? "FailedAsStanding" : "", standing, standing.failures == 0);
+    if (standing.failures > 0)
+    {
+        result.remarks.push_back(
+            fmt::format("{} samples have no result: the curve is given with them as standing "
+                        "and as fallen; the picture is the latter",
+                        standing.failures));
+        fitAndAdd("FailedAsFallen", observationsOf(settings, table, FailedAs::fallen), true);
+    }
+    return result;
+}
+
+} // namespace
+
+Model<Statistic> fragilityStatistic()
+{
+    return model<Statistic, FragilitySettings>(
+        "fragility", "probability of failure over the intensity, a lognormal curve by maximum likelihood",
+        [](const FragilitySettings& settings, const Dictionary& dictionary)
+        {
+            Statistic statistic;
+            statistic.check =
+                [settings, intensity = dictionary.locationOf("intensity"),
+                 exceeded = dictionary.locationOf("exceeded"),
+                 curve = dictionary.locationOf("curve")](const std::vector<std::string>& names, bool)
+            {
+                requireExpression(settings.intensity, names, intensity);
+                requireExpression(settings.exceeded, names, exceeded);
+                if (settings.curve && std::find(names.begin(), names.end(), *settings.curve) == names.end())
+                {
+                    throw FatalIOError(unknownWordMessage("variable", *settings.curve, names), curve);
+                }
+            };
+            statistic.evaluate = [settings](const std::string& name, const SampleTable& table)
+            { return evaluateFragility(settings, name, table); };
+            return statistic;
+        });
+}
+
+} // namespace drystone

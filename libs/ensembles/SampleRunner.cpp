@@ -1,0 +1,309 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// One sample: in this process without any file, or by applications in a copy of the case.
+#include "ensembles/Ensemble.h"
+
+#include "assembly/AssemblyFile.h"
+#include "contact/ClosedAssembly.h"
+#include "contact/JointClosure.h"
+#include "dictionary/DictionaryEdit.h"
+#include "dictionary/FilesInMemory.h"
+#include "dynamics/Advance.h"
+#include "ensembles/CaseRuns.h"
+#include "functionObjects/MotionResults.h"
+#include "quantities/LimitAnalysisFigures.h"
+#include "texture/Texture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <new>
+
+namespace drystone
+{
+
+namespace fs = std::filesystem;
+
+namespace
+{
+
+bool contains(const std::vector<std::string>& applications, const std::string& name)
+{
+    return std::find(applications.begin(), applications.end(), name) != applications.end();
+}
+
+/// As a dictionary has it: words with signs between quotes.
+std::string entryText(const SampleValue& value)
+{
+    const bool isPlain =
+        !std::isnan(value.number)
+        || std::all_of(value.text.begin(), value.text.end(),
+                       [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; });
+    return isPlain ? value.text : fmt::format("\"{}\"", value.text);
+}
+
+SampleOutcome outcomeOf(std::vector<double> results)
+{
+    const bool isFinite =
+        std::all_of(results.begin(), results.end(), [](double value) { return std::isfinite(value); });
+    return {isFinite ? SampleStatus::done : SampleStatus::notFinite, std::move(results), {}};
+}
+
+/// The first line of a message.
+std::string firstLine(const std::string& text)
+{
+    return text.substr(0, text.find('\n'));
+}
+
+/// What a solver without an answer throws, in this file alone.
+struct NotConverged
+{
+    std::string message;
+};
+
+} // namespace
+
+/// Samples without files: the dictionaries of the case in memory, those with variables anew for each sample.
+struct SampleRunner::InProcess
+{
+    explicit InProcess(const Ensemble& of) : ensemble(of), results(of.settings.results.size(), std::nan(""))
+    {
+    }
+
+    std::vector<double> run(const std::vector<SampleValue>& values)
+    {
+        std::fill(results.begin(), results.end(), std::nan(""));
+        setEntries(values);
+        if (contains(ensemble.settings.applications, "blockTexture"))
+        {
+            const Dictionary dictionary =
+                Dictionary::readFile(ensemble.caseDirectory / "system/blockTextureDict");
+            dimensionsOf(dictionary) == 3 ? runBuilt<3>(dictionary) : runBuilt<2>(dictionary);
+        }
+        else
+        {
+            assemblyDimensions(ensemble.caseDirectory) == 3 ? analyse<3>({}) : analyse<2>({});
+        }
+        return results;
+    }
+
+    void setEntries(const std::vector<SampleValue>& values)
+    {
+        std::map<std::string, std::string> changed;
+        for (std::size_t k = 0; k < values.size(); ++k)
+        {
+            const CaseEntry& place = ensemble.settings.variables[k].second.place;
+            auto [text, isNew] = changed.try_emplace(place.file);
+            if (isNew)
+            {
+                text->second = original(place.file);
+            }
+            text->second = withEntrySet(text->second, place.file, place.entry, entryText(values[k]));
+        }
+        for (auto& [file, text] : changed)
+        {
+            files.set(ensemble.caseDirectory / file, std::move(text));
+        }
+    }
+
+    const std::string& original(const std::string& file)
+    {
+        const auto [text, isNew] = originals.try_emplace(file);
+        if (isNew)
+        {
+            std::ifstream stream(ensemble.caseDirectory / file, std::ios::binary);
+            text->second.assign(std::istreambuf_iterator<char>(stream), {});
+        }
+        return text->second;
+    }
+
+    template<int Dim>
+    void runBuilt(const Dictionary& dictionary)
+    {
+        Assembly<Dim> assembly = makeStructure<Dim>(dictionary);
+        if (contains(ensemble.settings.applications, "contactDynamics"))
+        {
+            files.set(assemblyFile(ensemble.caseDirectory), assemblyText(assembly));
+        }
+        closeJoints(assembly);
+        analyse<Dim>(std::move(assembly));
+    }
+
+    /// \param assembly as built, joints closed; nothing: as the case has it
+    template<int Dim>
+    void analyse(std::optional<Assembly<Dim>> assembly)
+    {
+        const fs::path& directory = ensemble.caseDirectory;
+        if (contains(ensemble.settings.applications, "limitAnalysis"))
+        {
+            LimitAnalysisCase<Dim> structure =
+                assembly ? readLimitAnalysisCase<Dim>(directory, std::move(*assembly))
+                         : readLimitAnalysisCase<Dim>(directory);
+            const std::vector<LimitAnalysis> answers = solveLimitAnalyses(structure);
+            for (const LimitAnalysis& answer : answers)
+            {
+                if (answer.status == CollapseStatus::notConverged)
+                {
+                    throw NotConverged{"limitAnalysis did not converge"};
+                }
+            }
+            takeFigures(structure, answers);
+        }
+        if (contains(ensemble.settings.applications, "contactDynamics"))
+        {
+            if constexpr (Dim == 2)
+            {
+                move();
+            }
+            else
+            {
+                throw FatalError("Motion in space is not available to ensembles yet.");
+            }
+        }
+    }
+
+    template<int Dim>
+    void takeFigures(const LimitAnalysisCase<Dim>& structure, const std::vector<LimitAnalysis>& answers)
+    {
+        std::vector<std::vector<TabledFigure>> rows;
+        for (const LimitAnalysis& answer : answers)
+        {
+            rows.push_back(limitAnalysisFigures(structure, answer, 0));
+        }
+        for (std::size_t i = 0; i < results.size(); ++i)
+        {
+            const Figure& figure = ensemble.settings.results[i].second;
+            if (!figure.ofCollapse)
+            {
+                continue;
+            }
+            std::vector<double> column;
+            for (const std::vector<TabledFigure>& row : rows)
+            {
+                const auto found = std::find_if(row.begin(), row.end(),
+                                                [&](const TabledFigure& tabled)
+                                                { return isColumn(tabled.heading, *figure.ofCollapse); });
+                // Of the text, so that a sample has the same number as one that a table is read for.
+                column.push_back(std::strtod(found->text.c_str(), nullptr));
+            }
+            results[i] = taken(column, figure.table->take);
+        }
+    }
+
+    void move()
+    {
+        const fs::path& directory = ensemble.caseDirectory;
+        Time time(directory, ControlDict::required);
+        const DynamicCase scene = readDynamicCase(directory);
+        Motion motion = startOrContinue(directory, scene, time);
+        std::vector<std::pair<std::size_t, std::unique_ptr<MotionWatch>>> watches;
+        for (std::size_t i = 0; i < results.size(); ++i)
+        {
+            if (const Figure& figure = ensemble.settings.results[i].second; figure.watch)
+            {
+                watches.emplace_back(i, figure.watch(scene, motion));
+                watches.back().second->observe(motion, 0);
+            }
+        }
+        while (time.loop())
+        {
+            const double before = motion.state.time;
+            if (!advance(scene, motion, time))
+            {
+                throw NotConverged{fmt::format("contactDynamics: the step at {:g} s was not solved", before)};
+            }
+            for (const auto& [index, watch] : watches)
+            {
+                watch->observe(motion, motion.state.time - before);
+            }
+        }
+        for (const auto& [index, watch] : watches)
+        {
+            results[index] = watch->value();
+        }
+    }
+
+    const Ensemble& ensemble;
+    FilesInMemory files;
+    std::map<std::string, std::string> originals;
+    std::vector<double> results;
+};
+
+SampleRunner::SampleRunner(const Ensemble& of, fs::path folder) : ensemble(of), scratch(std::move(folder))
+{
+    if (ensemble.isInProcess)
+    {
+        inProcess = std::make_unique<InProcess>(ensemble);
+    }
+}
+
+SampleRunner::~SampleRunner()
+{
+    std::error_code ignored;
+    fs::remove_all(scratch, ignored);
+}
+
+SampleOutcome SampleRunner::run(const std::vector<SampleValue>& values)
+{
+    const std::vector<double> none(ensemble.settings.results.size(), std::nan(""));
+    try
+    {
+        return inProcess ? outcomeOf(inProcess->run(values)) : runByApplications(values);
+    }
+    catch (const NotConverged& error)
+    {
+        return {SampleStatus::notConverged, none, error.message};
+    }
+    catch (const FatalError& error)
+    {
+        return {SampleStatus::failed, none, firstLine(error.what())};
+    }
+    catch (const std::bad_alloc&)
+    {
+        throw;
+    }
+    catch (const std::exception& error)
+    {
+        return {SampleStatus::failed, none, firstLine(error.what())};
+    }
+}
+
+SampleOutcome SampleRunner::runByApplications(const std::vector<SampleValue>& values)
+{
+    const std::size_t count = ensemble.settings.results.size();
+    copyCase(ensemble.caseDirectory, scratch);
+    for (std::size_t k = 0; k < values.size(); ++k)
+    {
+        setEntry(scratch, ensemble.settings.variables[k].second.place, entryText(values[k]));
+    }
+    for (const std::string& application : ensemble.settings.applications)
+    {
+        const ApplicationRun done = runInCase(application, scratch, ensemble.options);
+        if (done.status != 0)
+        {
+            const SampleStatus status = done.status > 128  ? SampleStatus::crashed
+                                        : done.status == 2 ? SampleStatus::notConverged
+                                                           : SampleStatus::failed;
+            return {status, std::vector<double>(count, std::nan("")),
+                    fmt::format("{} ended with exit status {}: {}", application, done.status,
+                                firstLine(done.errorOutput))};
+        }
+    }
+    std::vector<double> results;
+    for (const auto& [name, figure] : ensemble.settings.results)
+    {
+        const auto column = readColumn(scratch / figure.table->table, figure.table->column);
+        if (!column)
+        {
+            throw FatalError(
+                fmt::format("The applications have not written the table {}.", figure.table->table));
+        }
+        results.push_back(taken(*column, figure.table->take));
+    }
+    return outcomeOf(std::move(results));
+}
+
+} // namespace drystone

@@ -1,0 +1,321 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Files, locks and journals of an ensemble.
+#include "ensembles/SampleStore.h"
+
+#include "core/WholeFile.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <ctime>
+#include <fstream>
+#include <iterator>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace drystone
+{
+
+namespace fs = std::filesystem;
+
+namespace
+{
+
+[[noreturn]] void refuse(const fs::path& file)
+{
+    throw FatalError(fmt::format("Cannot write {}: {}.", file.string(), std::strerror(errno)));
+}
+
+std::string contentOf(const fs::path& file)
+{
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// A lock on one byte of a file for this process. \return 0, or the error
+int lockByte(int descriptor, long byte, short type, int command)
+{
+    struct flock lock = {};
+    lock.l_type = type;
+    lock.l_whence = SEEK_SET;
+    lock.l_start = byte;
+    lock.l_len = 1;
+    while (::fcntl(descriptor, command, &lock) != 0)
+    {
+        if (errno != EINTR)
+        {
+            return errno;
+        }
+    }
+    return 0;
+}
+
+void writeAll(int descriptor, std::string_view text, const fs::path& file)
+{
+    while (!text.empty())
+    {
+        const ssize_t written = ::write(descriptor, text.data(), text.size());
+        if (written < 0 && errno != EINTR)
+        {
+            refuse(file);
+        }
+        text.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(written, 0)));
+    }
+}
+
+int openFile(const fs::path& file, int flags)
+{
+    const int descriptor = ::open(file.c_str(), flags | O_CREAT | O_CLOEXEC, 0666);
+    if (descriptor < 0)
+    {
+        refuse(file);
+    }
+    return descriptor;
+}
+
+/// Closes what it holds.
+struct OpenFile
+{
+    int descriptor = -1;
+    ~OpenFile() { ::close(descriptor); }
+};
+
+/// Numbers of a line that ends with ` ;`; empty when it is incomplete.
+std::vector<double> numbersOf(const std::string& line)
+{
+    std::vector<double> numbers;
+    if (!line.ends_with(" ;"))
+    {
+        return numbers;
+    }
+    const char* at = line.c_str();
+    for (char* end = nullptr;; at = end)
+    {
+        const double value = std::strtod(at, &end);
+        if (end == at)
+        {
+            return std::string_view(at) == " ;" ? numbers : std::vector<double>();
+        }
+        numbers.push_back(value);
+    }
+}
+
+} // namespace
+
+double monotonicTime()
+{
+    timespec now{};
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+SampleStore::SampleStore(const fs::path& caseDirectory, const std::string& plan, long samples)
+    : work(ensembleWork(caseDirectory)), count(samples), chunkSize(std::clamp(samples / 1024, 1L, 256L))
+{
+    std::error_code error;
+    fs::create_directories(work, error);
+    // One process prepares, the others wait. Where there are no locks, both write the same.
+    OpenFile preparing{openFile(work / "lock", O_RDWR)};
+    lockByte(preparing.descriptor, 0, F_WRLCK, F_SETLKW);
+    const fs::path planFile = work / "plan";
+    if (fs::exists(planFile, error))
+    {
+        if (contentOf(planFile) != plan)
+        {
+            throw FatalError(fmt::format(
+                "{} belongs to another ensemble: the files of the case, or the variables, the design, the "
+                "results "
+                "or the applications, were different from now, so that it cannot be continued. Remove "
+                "postProcessing/ensemble to start again.",
+                work.string()));
+        }
+    }
+    else
+    {
+        writeWholeFile(planFile, plan);
+    }
+    const fs::path chunkName = work / fmt::format("chunks.{}", count);
+    chunkFile = openFile(chunkName, O_RDWR);
+    struct stat status = {};
+    ::fstat(chunkFile, &status);
+    if (status.st_size < chunks() && ::ftruncate(chunkFile, chunks()) != 0)
+    {
+        refuse(chunkName);
+    }
+}
+
+SampleStore::~SampleStore()
+{
+    ::close(chunkFile);
+}
+
+std::pair<long, long> SampleStore::range(long chunk) const
+{
+    return {chunk * chunkSize, std::min((chunk + 1) * chunkSize, count)};
+}
+
+std::vector<char> SampleStore::completed() const
+{
+    std::vector<char> bytes(static_cast<std::size_t>(chunks()), 0);
+    [[maybe_unused]] const ssize_t read = ::pread(chunkFile, bytes.data(), bytes.size(), 0);
+    return bytes;
+}
+
+SampleStore::Claim SampleStore::claim(long chunk)
+{
+    const int error = lockByte(chunkFile, chunk, F_WRLCK, F_SETLK);
+    if (error == EACCES || error == EAGAIN)
+    {
+        return Claim::refused;
+    }
+    if (error != 0)
+    {
+        return Claim::noLocks;
+    }
+    // Completed by another process since we looked?
+    char byte = 0;
+    if (::pread(chunkFile, &byte, 1, chunk) == 1 && byte != 0)
+    {
+        release(chunk);
+        return Claim::refused;
+    }
+    return Claim::taken;
+}
+
+void SampleStore::release(long chunk)
+{
+    lockByte(chunkFile, chunk, F_UNLCK, F_SETLK);
+}
+
+void SampleStore::complete(long chunk)
+{
+    const char done = 1;
+    if (::pwrite(chunkFile, &done, 1, chunk) != 1)
+    {
+        refuse(work / "chunks");
+    }
+    release(chunk);
+}
+
+Journal::Journal(const fs::path& path) : file(path), descriptor(openFile(path, O_WRONLY | O_APPEND))
+{
+    // After a worker that was ended in the middle of a row.
+    pending.push_back('\n');
+}
+
+Journal::~Journal()
+{
+    ::close(descriptor);
+}
+
+void Journal::add(long sample, const SampleRow& row)
+{
+    // The fewest digits that read back as the same number.
+    pending +=
+        fmt::format("{} {} {} {:.3g}", sample, static_cast<int>(row.status), row.attempts, row.cpuTime);
+    for (const double result : row.results)
+    {
+        pending += fmt::format(" {}", result);
+    }
+    pending += " ;\n";
+    if (monotonicTime() - lastFlush > 0.1)
+    {
+        flush();
+    }
+}
+
+void Journal::flush()
+{
+    writeAll(descriptor, pending, file);
+    pending.clear();
+    lastFlush = monotonicTime();
+}
+
+void Journal::sync()
+{
+    flush();
+    if (::fdatasync(descriptor) != 0 && errno != EINVAL && errno != EROFS)
+    {
+        refuse(file);
+    }
+}
+
+void readJournal(const fs::path& file, std::size_t results, std::map<long, SampleRow>& rows)
+{
+    std::ifstream stream(file);
+    for (std::string line; std::getline(stream, line);)
+    {
+        const std::vector<double> numbers = numbersOf(line);
+        const bool isRow = numbers.size() == 4 + results && numbers[0] >= 0 && numbers[1] >= 0
+                           && numbers[1] < sampleStatuses;
+        if (isRow)
+        {
+            rows.try_emplace(static_cast<long>(numbers[0]),
+                             SampleRow{static_cast<SampleStatus>(static_cast<int>(numbers[1])),
+                                       static_cast<int>(numbers[2]),
+                                       numbers[3],
+                                       {numbers.begin() + 4, numbers.end()}});
+        }
+    }
+}
+
+std::map<long, SampleRow> readJournals(const fs::path& work, std::size_t results)
+{
+    std::map<long, SampleRow> rows;
+    std::vector<fs::path> files;
+    std::error_code error;
+    for (fs::directory_iterator file(work, error), end; !error && file != end; file.increment(error))
+    {
+        if (file->path().filename().string().starts_with("journal."))
+        {
+            files.push_back(file->path());
+        }
+    }
+    std::sort(files.begin(), files.end());
+    for (const fs::path& file : files)
+    {
+        readJournal(file, results, rows);
+    }
+    return rows;
+}
+
+void addFailure(const fs::path& work, const FailedAttempt& attempt)
+{
+    std::string message = attempt.message.substr(0, 300);
+    std::replace(message.begin(), message.end(), '\n', ' ');
+    const fs::path file = work / "failures";
+    const OpenFile opened{openFile(file, O_WRONLY | O_APPEND)};
+    writeAll(opened.descriptor,
+             fmt::format("{} {} {} {}\n", attempt.sample, static_cast<int>(attempt.status),
+                         attempt.isFromOutside ? 1 : 0, message),
+             file);
+}
+
+std::vector<FailedAttempt> readFailures(const fs::path& work)
+{
+    std::vector<FailedAttempt> attempts;
+    std::ifstream stream(work / "failures");
+    for (std::string line; std::getline(stream, line);)
+    {
+        FailedAttempt attempt;
+        int status = 0;
+        int isFromOutside = 0;
+        int end = 0;
+        if (std::sscanf(line.c_str(), "%ld %d %d %n", &attempt.sample, &status, &isFromOutside, &end)
+                == 3 // NOLINT
+            && status >= 0 && status < sampleStatuses)
+        {
+            attempt.status = static_cast<SampleStatus>(status);
+            attempt.isFromOutside = isFromOutside != 0;
+            attempt.message = line.substr(static_cast<std::size_t>(end));
+            attempts.push_back(std::move(attempt));
+        }
+    }
+    return attempts;
+}
+
+} // namespace drystone

@@ -1,0 +1,300 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The registry of statistics, and the distribution of a value.
+#include "ensembles/Statistic.h"
+
+#include "dictionary/Expression.h"
+#include "ensembles/Distribution.h"
+#include "ensembles/StatisticTypes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+
+namespace drystone
+{
+namespace
+{
+
+/// Places of the names that occur in an expression.
+std::vector<std::size_t> usedNames(const std::string& expression, const std::vector<std::string>& names)
+{
+    std::vector<std::size_t> used;
+    const auto isPart = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+    for (std::size_t begin = 0; begin < expression.size();)
+    {
+        std::size_t end = begin;
+        while (end < expression.size() && isPart(expression[end]))
+        {
+            ++end;
+        }
+        const auto found = std::find(names.begin(), names.end(), expression.substr(begin, end - begin));
+        if (found != names.end())
+        {
+            used.push_back(static_cast<std::size_t>(found - names.begin()));
+        }
+        begin = std::max(end, begin + 1);
+    }
+    return used;
+}
+
+struct DistributionSettings
+{
+    std::string value;
+    std::vector<double> fractiles{0.05, 0.5, 0.95};
+};
+void declare(Options& options, DistributionSettings& settings)
+{
+    options.required("value", settings.value, "arithmetic of variables and results").example("alpha");
+    options.optional("fractiles", settings.fractiles, "parts of the samples").above(0).below(1);
+}
+
+/// Mean and standard deviation.
+std::pair<double, double> moments(const std::vector<double>& values)
+{
+    double mean = 0;
+    for (const double value : values)
+    {
+        mean += value / static_cast<double>(values.size());
+    }
+    double squares = 0;
+    for (const double value : values)
+    {
+        squares += (value - mean) * (value - mean);
+    }
+    return {mean, values.size() > 1 ? std::sqrt(squares / static_cast<double>(values.size() - 1)) : 0};
+}
+
+/// Steps of equal width, with the lognormal density (or the normal one where values are not all positive).
+Plot histogram(const std::string& name, const std::string& value, const std::vector<double>& sorted,
+               StatisticTable& table)
+{
+    const double low = sorted.front();
+    const double high = sorted.back();
+    const auto count = static_cast<double>(sorted.size());
+    const int bins = std::clamp(static_cast<int>(std::lround(2 * std::cbrt(count))), 5, 60);
+    const double width = high > low ? (high - low) / bins : 1;
+    std::vector<double> frequency(static_cast<std::size_t>(bins), 0.0);
+    for (const double sample : sorted)
+    {
+        const int bin = std::min(static_cast<int>((sample - low) / width), bins - 1);
+        frequency[static_cast<std::size_t>(bin)] += 1 / (count * width);
+    }
+    PlotCurve steps{
+        fmt::format("{} samples", sorted.size()), {low}, {0}, CurveLine::solid, CurveMarker::none, {}};
+    table.columns = {"from", "to", "density"};
+    for (int bin = 0; bin < bins; ++bin)
+    {
+        const double density = frequency[static_cast<std::size_t>(bin)];
+        const double from = low + bin * width;
+        steps.x.insert(steps.x.end(), {from, from + width});
+        steps.y.insert(steps.y.end(), {density, density});
+        table.rows.push_back({from, from + width, density});
+    }
+    steps.x.push_back(low + bins * width);
+    steps.y.push_back(0);
+    Plot plot;
+    plot.title = fmt::format("{}: distribution of {}", name, value);
+    plot.x.label = value;
+    plot.y.label = "probability density";
+    plot.curves.push_back(std::move(steps));
+    const bool isPositive = low > 0;
+    std::vector<double> fitted = sorted;
+    if (isPositive)
+    {
+        std::transform(fitted.begin(), fitted.end(), fitted.begin(), [](double x) { return std::log(x); });
+    }
+    const auto [mean, deviation] = moments(fitted);
+    if (deviation > 0)
+    {
+        PlotCurve curve{isPositive
+                            ? fmt::format("lognormal, median {:.4g}, beta {:.4g}", std::exp(mean), deviation)
+                            : fmt::format("normal, mean {:.4g}, deviation {:.4g}", mean, deviation),
+                        {},
+                        {},
+                        CurveLine::dashed,
+                        CurveMarker::none,
+                        {}};
+        for (int i = 0; i <= 100; ++i)
+        {
+            const double x = low + (high - low) * i / 100;
+            const double z = ((isPositive ? std::log(x) : x) - mean) / deviation;
+            curve.x.push_back(x);
+            curve.y.push_back(std::exp(-z * z / 2)
+                              / (std::sqrt(2 * M_PI) * deviation * (isPositive ? x : 1)));
+        }
+        plot.curves.push_back(std::move(curve));
+    }
+    return plot;
+}
+
+StatisticResult evaluateDistribution(const DistributionSettings& settings, const std::string& name,
+                                     const SampleTable& table)
+{
+    StatisticResult result;
+    std::vector<double> sorted;
+    long failed = 0;
+    const std::vector<double> values = valuesOf(settings.value, table);
+    for (std::size_t row = 0; row < values.size(); ++row)
+    {
+        failed += table.isFailed[row];
+        if (!table.isFailed[row] && std::isfinite(values[row]))
+        {
+            sorted.push_back(values[row]);
+        }
+    }
+    const auto known = static_cast<long>(sorted.size());
+    const long missing = static_cast<long>(values.size()) - failed - known;
+    const double none = std::nan("");
+    result.rows.push_back({"samples", static_cast<double>(known), none, none, none});
+    result.rows.push_back({"failed", static_cast<double>(failed), none, none, none});
+    result.rows.push_back({"notFinite", static_cast<double>(missing), none, none, none});
+    if (failed + missing > 0)
+    {
+        result.remarks.push_back(
+            fmt::format("{} samples without a number are left out: {} failed, of {} {} is not finite",
+                        failed + missing, failed, missing, settings.value));
+    }
+    if (sorted.empty())
+    {
+        result.remarks.emplace_back("No sample has a number: there is no distribution");
+        return result;
+    }
+    std::sort(sorted.begin(), sorted.end());
+    const auto [mean, deviation] = moments(sorted);
+    const double error = deviation / std::sqrt(static_cast<double>(known));
+    result.rows.push_back({"mean", mean, error, mean - 1.96 * error, mean + 1.96 * error});
+    result.rows.push_back({"standardDeviation", deviation, none, none, none});
+    result.rows.push_back({"minimum", sorted.front(), none, none, none});
+    result.rows.push_back({"maximum", sorted.back(), none, none, none});
+    for (const double part : settings.fractiles)
+    {
+        // The number of samples below the fractile is binomial: its interval is one of order statistics.
+        const double spread = 1.96 * std::sqrt(part * (1 - part) / static_cast<double>(known));
+        result.rows.push_back({fmt::format("fractile{:g}", part), fractile(sorted, part), none,
+                               fractile(sorted, std::max(part - spread, 0.0)),
+                               fractile(sorted, std::min(part + spread, 1.0))});
+    }
+    if (sorted.front() > 0 && deviation > 0)
+    {
+        std::vector<double> logarithms = sorted;
+        std::transform(logarithms.begin(), logarithms.end(), logarithms.begin(),
+                       [](double x) { return std::log(x); });
+        const auto [centre, beta] = moments(logarithms);
+        const double theta = std::exp(centre);
+        const double logError = beta / std::sqrt(static_cast<double>(known));
+        result.rows.push_back({"lognormalMedian", theta, theta * logError, theta * std::exp(-1.96 * logError),
+                               theta * std::exp(1.96 * logError)});
+        const double betaError = beta / std::sqrt(2.0 * static_cast<double>(std::max(known - 1, 1L)));
+        result.rows.push_back(
+            {"lognormalBeta", beta, betaError, beta - 1.96 * betaError, beta + 1.96 * betaError});
+    }
+    result.pictures.emplace_back("", histogram(name, settings.value, sorted, result.table));
+    return result;
+}
+
+} // namespace
+
+Model<Statistic> distributionStatistic()
+{
+    return model<Statistic, DistributionSettings>(
+        "distribution", "mean, deviation, fractiles and histogram of a value",
+        [](const DistributionSettings& settings, const Dictionary& dictionary)
+        {
+            Statistic statistic;
+            statistic.check = [settings, place = dictionary.locationOf("value")](
+                                  const std::vector<std::string>& names, bool)
+            { requireExpression(settings.value, names, place); };
+            statistic.evaluate = [settings](const std::string& name, const SampleTable& table)
+            { return evaluateDistribution(settings, name, table); };
+            return statistic;
+        });
+}
+
+const Registry<Statistic>& statisticTypes()
+{
+    static const Registry<Statistic> registry{
+        "statistic",
+        {distributionStatistic(), fractilesStatistic(), fragilityStatistic(), sensitivityStatistic()}};
+    return registry;
+}
+
+double fractile(const std::vector<double>& sorted, double part)
+{
+    const double place = part * static_cast<double>(sorted.size() - 1);
+    const auto below = static_cast<std::size_t>(place);
+    const std::size_t above = std::min(below + 1, sorted.size() - 1);
+    const double share = place - static_cast<double>(below);
+    // Not of infinities, whose difference is no number.
+    return share == 0 || sorted[below] == sorted[above]
+               ? sorted[below]
+               : sorted[below] + share * (sorted[above] - sorted[below]);
+}
+
+std::vector<double> valuesOf(const std::string& expression, const SampleTable& table)
+{
+    const auto named = std::find(table.names.begin(), table.names.end(), expression);
+    if (named != table.names.end())
+    {
+        return table.columns[static_cast<std::size_t>(named - table.names.begin())];
+    }
+    // A comparison with what is not a number would be false, not unknown: look at the names that are used.
+    const std::vector<std::size_t> used = usedNames(expression, table.names);
+    std::vector<double> values;
+    std::map<std::string, double> names;
+    for (std::size_t row = 0; row < table.rows(); ++row)
+    {
+        bool isKnown = true;
+        for (const std::size_t k : used)
+        {
+            names[table.names[k]] = table.columns[k][row];
+            isKnown = isKnown && !std::isnan(table.columns[k][row]);
+        }
+        if (!isKnown)
+        {
+            values.push_back(std::nan(""));
+            continue;
+        }
+        try
+        {
+            values.push_back(evaluateExpression(expression, names));
+        }
+        catch (const std::invalid_argument&)
+        {
+            values.push_back(std::nan("")); // not finite with these values
+        }
+    }
+    return values;
+}
+
+void requireExpression(const std::string& expression, const std::vector<std::string>& names,
+                       const SourceLocation& location)
+{
+    std::map<std::string, double> values;
+    for (const std::string& name : names)
+    {
+        values[name] = 0.5123; // at which hardly any expression is undefined
+    }
+    try
+    {
+        evaluateExpression(expression, values);
+    }
+    catch (const std::invalid_argument& error)
+    {
+        if (std::string_view(error.what()).find("finite") == std::string_view::npos)
+        {
+            std::string reason = error.what();
+            reason.erase(reason.find_last_not_of('.') + 1);
+            throw FatalIOError(
+                fmt::format("`{}` is not arithmetic of variables and results: {}.\n\nVariables and "
+                            "results: {}",
+                            expression, reason, fmt::join(names, " ")),
+                location);
+        }
+    }
+}
+
+} // namespace drystone

@@ -1,0 +1,711 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// A supervisor and its workers. The supervisor claims chunks and watches; a worker computes the samples of
+/// one chunk after the other. They share a page of memory, which says what each worker does.
+#include "ensembles/Workers.h"
+
+#include "core/Signals.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <climits>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <ctime>
+#include <new>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace drystone
+{
+
+namespace fs = std::filesystem;
+
+namespace
+{
+
+/// How often a sample whose worker was killed from outside is begun again: the system may have killed it for
+/// the memory it takes.
+constexpr int mostOutsideKills = 5;
+
+/// What a worker does, in memory that it shares with its supervisor.
+struct Activity
+{
+    std::atomic<long> sample{-1};           ///< in hand; -1: none
+    std::atomic<double> since{0};           ///< monotonic time at which the attempt began [s]
+    std::atomic<long> done{0};              ///< samples of the chunk in hand that are done
+    std::atomic<bool> stops{false};         ///< finish the sample in hand and end
+    std::atomic<bool> isFromOutside{false}; ///< the signal that ended the worker was sent by somebody
+};
+
+struct Worker
+{
+    pid_t process = -1;
+    int orders = -1;  ///< to the worker: numbers of chunks
+    int answers = -1; ///< from it: a byte when a chunk is complete; its end when the worker has died
+    long chunk = -1;  ///< in hand
+    Activity* activity = nullptr;
+    fs::path journal;
+    fs::path messages;
+    fs::path scratch;
+    SampleStatus endedFor = SampleStatus::crashed; ///< when the supervisor itself ends it
+    bool isEnded = false;
+};
+
+/// Of this process, for the handler of signals, which has nowhere else to leave its note.
+Activity* ownActivity = nullptr;
+
+/// A fault of the program has a positive code; a signal that somebody has sent has none.
+extern "C" void noteFault(int signal, siginfo_t* info, void*)
+{
+    ownActivity->isFromOutside = info->si_code <= 0 && info->si_pid != ::getpid();
+    ::signal(signal, SIG_DFL);
+    ::raise(signal);
+}
+
+/// \param stack for the handler, as that of the program may be what is exhausted
+void noteFaults(Activity& activity, std::vector<char>& stack)
+{
+    ownActivity = &activity;
+    stack_t alternative = {};
+    alternative.ss_sp = stack.data();
+    alternative.ss_size = stack.size();
+    ::sigaltstack(&alternative, nullptr);
+    struct sigaction action = {};
+    action.sa_sigaction = noteFault;
+    action.sa_flags = SA_SIGINFO | SA_ONSTACK;
+    for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL})
+    {
+        ::sigaction(signal, &action, nullptr);
+    }
+}
+
+double cpuTimeOfAll()
+{
+    timespec now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    rusage children{};
+    getrusage(RUSAGE_CHILDREN, &children);
+    const auto seconds = [](const timeval& time)
+    { return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec); };
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec)
+           + seconds(children.ru_utime) + seconds(children.ru_stime);
+}
+
+/// The failed attempts of the samples of a chunk.
+struct Attempts
+{
+    std::map<long, int> own;     ///< by fault of the sample
+    std::map<long, int> outside; ///< its process was killed by somebody
+    std::map<long, SampleStatus> lastStatus;
+};
+
+Attempts attemptsOf(const fs::path& work, std::pair<long, long> range)
+{
+    Attempts attempts;
+    for (const FailedAttempt& failed : readFailures(work))
+    {
+        if (failed.sample >= range.first && failed.sample < range.second)
+        {
+            ++(failed.isFromOutside ? attempts.outside : attempts.own)[failed.sample];
+            attempts.lastStatus[failed.sample] = failed.status;
+        }
+    }
+    return attempts;
+}
+
+/// Computes one sample until it succeeds or has no attempts left. \param failed attempts so far
+SampleRow computeSample(const Ensemble& ensemble, const fs::path& work, SampleRunner& runner,
+                        Activity& activity, long sample, int failed)
+{
+    for (;;)
+    {
+        activity.since = monotonicTime();
+        activity.sample = sample;
+        const double begin = cpuTimeOfAll();
+        SampleOutcome outcome;
+        try
+        {
+            outcome = runner.run(ensemble.sampler->at(sample));
+        }
+        catch (const std::bad_alloc&)
+        {
+            outcome = {SampleStatus::outOfMemory,
+                       std::vector<double>(ensemble.settings.results.size(), std::nan("")), "out of memory"};
+        }
+        const SampleRow row{outcome.status, failed + 1, cpuTimeOfAll() - begin, std::move(outcome.results)};
+        activity.sample = -1;
+        if (!isFailure(row.status))
+        {
+            return row;
+        }
+        addFailure(work, {sample, row.status, false, outcome.message});
+        const bool mayBeRepeated =
+            row.status == SampleStatus::outOfMemory || row.status == SampleStatus::crashed;
+        if (!mayBeRepeated || row.attempts >= ensemble.settings.failures.attempts)
+        {
+            return row;
+        }
+        ++failed;
+    }
+}
+
+void computeChunk(const Ensemble& ensemble, const SampleStore& store, long chunk, SampleRunner& runner,
+                  Activity& activity, Journal& journal, const std::map<long, SampleRow>& known)
+{
+    const auto [begin, end] = store.range(chunk);
+    const Attempts attempts = attemptsOf(store.folder(), {begin, end});
+    const auto countOf = [](const std::map<long, int>& counts, long sample)
+    {
+        const auto found = counts.find(sample);
+        return found == counts.end() ? 0 : found->second;
+    };
+    activity.done = 0;
+    for (long sample = begin; sample < end; ++sample)
+    {
+        if (activity.stops || stopSignal() != 0)
+        {
+            journal.sync();
+            ::_exit(0);
+        }
+        const auto found = known.find(sample);
+        if (found == known.end())
+        {
+            const int own = countOf(attempts.own, sample);
+            const int outside = countOf(attempts.outside, sample);
+            if (own >= ensemble.settings.failures.attempts || outside >= mostOutsideKills)
+            {
+                journal.add(sample, {attempts.lastStatus.at(sample), own + (own > 0 ? 0 : outside), 0,
+                                     std::vector<double>(ensemble.settings.results.size(), std::nan(""))});
+            }
+            else
+            {
+                journal.add(sample, computeSample(ensemble, store.folder(), runner, activity, sample, own));
+            }
+        }
+        ++activity.done;
+    }
+    journal.sync();
+}
+
+/// The life of a worker: chunks until there is no other. Never returns.
+[[noreturn]] void work(const Ensemble& ensemble, const SampleStore& store, const Worker& worker,
+                       const std::map<long, SampleRow>& knownBefore)
+{
+    std::vector<char> stack(65536);
+    noteFaults(*worker.activity, stack);
+    try
+    {
+        std::map<long, SampleRow> known = knownBefore;
+        readJournal(worker.journal, ensemble.settings.results.size(), known);
+        Journal journal(worker.journal);
+        SampleRunner runner(ensemble, worker.scratch);
+        for (long chunk = 0; ::read(worker.orders, &chunk, sizeof(chunk)) == sizeof(chunk);)
+        {
+            computeChunk(ensemble, store, chunk, runner, *worker.activity, journal, known);
+            const char done = 1;
+            if (::write(worker.answers, &done, 1) != 1)
+            {
+                break;
+            }
+        }
+    }
+    catch (const FatalError& error)
+    {
+        // Of the folder, not of a sample: the supervisor reads it.
+        const std::string report = error.report();
+        [[maybe_unused]] const auto written = ::write(2, report.data(), report.size());
+        ::_exit(3);
+    }
+    ::_exit(0);
+}
+
+void redirect(const fs::path& file, int descriptor)
+{
+    const int opened = ::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0666);
+    if (opened >= 0)
+    {
+        ::dup2(opened, descriptor);
+        ::close(opened);
+    }
+}
+
+class Supervisor
+{
+public:
+    Supervisor(const Ensemble& of, SampleStore& sharedStore, const WorkerSettings& wanted)
+        : ensemble(of), store(sharedStore), settings(wanted), memory(mapped(wanted.jobs))
+    {
+        known = readJournals(store.folder(), ensemble.settings.results.size());
+        completeKnown();
+        char host[HOST_NAME_MAX + 1] = "";
+        ::gethostname(host, sizeof(host) - 1);
+        removeCopiesOfTheDead(fmt::format("case.{}.", host));
+        for (int i = 0; i < settings.jobs; ++i)
+        {
+            Worker worker;
+            worker.activity = new (memory + i) Activity;
+            const std::string name = fmt::format("{}.{}.{}", host, ::getpid(), i);
+            worker.journal = store.folder() / ("journal." + name);
+            worker.messages = store.folder() / ("messages." + name);
+            worker.scratch = store.folder() / ("case." + name);
+            workers.push_back(std::move(worker));
+        }
+    }
+
+    ~Supervisor()
+    {
+        for (Worker& worker : workers)
+        {
+            end(worker);
+            std::error_code ignored;
+            if (fs::is_regular_file(worker.messages, ignored) && fs::file_size(worker.messages, ignored) == 0)
+            {
+                fs::remove(worker.messages, ignored);
+            }
+            fs::remove_all(worker.scratch, ignored);
+        }
+        ::munmap(memory, sizeof(Activity) * static_cast<std::size_t>(settings.jobs));
+    }
+    Supervisor(const Supervisor&) = delete;
+    Supervisor& operator=(const Supervisor&) = delete;
+
+    bool run(const std::function<void(const EnsembleProgress&)>& report)
+    {
+        double lastReport = monotonicTime();
+        double lastLook = 0;
+        while (stopSignal() == 0)
+        {
+            bool isBusy = false;
+            for (Worker& worker : workers)
+            {
+                if (worker.chunk < 0)
+                {
+                    worker.chunk = nextChunk(lastLook);
+                    if (worker.chunk >= 0)
+                    {
+                        order(worker);
+                    }
+                }
+                isBusy = isBusy || worker.chunk >= 0;
+            }
+            if (!isBusy)
+            {
+                completed = store.completed();
+                if (isComplete() || !settings.waitsForOthers)
+                {
+                    break;
+                }
+            }
+            listen();
+            endLateOnes();
+            if (monotonicTime() - lastReport > 2)
+            {
+                lastReport = monotonicTime();
+                report(progress());
+            }
+        }
+        if (stopSignal() != 0)
+        {
+            stopWorkers();
+        }
+        completed = store.completed();
+        report(progress());
+        return isComplete();
+    }
+
+private:
+    /// Copies of the case that programs of this machine have left when they were killed.
+    void removeCopiesOfTheDead(const std::string& prefix) const
+    {
+        std::error_code error;
+        std::vector<fs::path> left;
+        for (fs::directory_iterator entry(store.folder(), error), end; !error && entry != end;
+             entry.increment(error))
+        {
+            const std::string name = entry->path().filename().string();
+            const int process = name.starts_with(prefix) ? std::atoi(name.c_str() + prefix.size()) : 0;
+            if (process > 0 && ::kill(process, 0) != 0 && errno == ESRCH)
+            {
+                left.push_back(entry->path());
+            }
+        }
+        for (const fs::path& copy : left)
+        {
+            fs::remove_all(copy, error);
+        }
+    }
+
+    static Activity* mapped(int jobs)
+    {
+        void* memory = ::mmap(nullptr, sizeof(Activity) * static_cast<std::size_t>(jobs),
+                              PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+        if (memory == MAP_FAILED)
+        {
+            throw FatalError("There is no memory to share with worker processes.");
+        }
+        return static_cast<Activity*>(memory);
+    }
+
+    bool isComplete() const
+    {
+        return std::all_of(completed.begin(), completed.end(), [](char done) { return done != 0; });
+    }
+
+    /// Chunks all of whose samples are in journals, after an interruption or for a longer table.
+    void completeKnown()
+    {
+        completed = store.completed();
+        for (long chunk = 0; chunk < store.chunks(); ++chunk)
+        {
+            const auto [begin, end] = store.range(chunk);
+            bool isKnown = completed[static_cast<std::size_t>(chunk)] == 0;
+            for (long sample = begin; sample < end && isKnown; ++sample)
+            {
+                isKnown = known.contains(sample);
+            }
+            if (isKnown && store.claim(chunk) != SampleStore::Claim::refused)
+            {
+                store.complete(chunk);
+            }
+        }
+        completed = store.completed();
+        doneAtStart = samplesCompleted();
+        begun.assign(completed.size(), 0);
+        place = static_cast<long>(completed.size()) * settings.launched.rank / settings.launched.size;
+    }
+
+    long samplesCompleted() const
+    {
+        long done = 0;
+        for (long chunk = 0; chunk < store.chunks(); ++chunk)
+        {
+            if (completed[static_cast<std::size_t>(chunk)])
+            {
+                done += store.range(chunk).second - store.range(chunk).first;
+            }
+        }
+        return done;
+    }
+
+    /// Claims the next chunk that nobody has; -1 when there is none now. Programs begin at different places.
+    /// \param lastLook when all chunks were last asked for, so that waiting for others costs little
+    long nextChunk(double& lastLook)
+    {
+        if (isExhausted && monotonicTime() - lastLook < 0.3)
+        {
+            return -1;
+        }
+        const long count = store.chunks();
+        if (isExhausted)
+        {
+            completed = store.completed();
+        }
+        lastLook = monotonicTime();
+        for (long tried = 0; tried < count; ++tried)
+        {
+            const long chunk = (place + tried) % count;
+            const auto index = static_cast<std::size_t>(chunk);
+            if (completed[index] || begun[index])
+            {
+                continue;
+            }
+            const SampleStore::Claim claim = store.claim(chunk);
+            // Without locks each program has chunks of its own.
+            const bool isOurs = claim == SampleStore::Claim::taken
+                                || (claim == SampleStore::Claim::noLocks
+                                    && chunk % settings.launched.size == settings.launched.rank);
+            if (isOurs)
+            {
+                place = (chunk + 1) % count;
+                begun[index] = 1;
+                isExhausted = false;
+                return chunk;
+            }
+        }
+        isExhausted = true;
+        return -1;
+    }
+
+    void start(Worker& worker)
+    {
+        int orders[2];
+        int answers[2];
+        if (::pipe2(orders, O_CLOEXEC) != 0 || ::pipe2(answers, O_CLOEXEC) != 0)
+        {
+            throw FatalError(fmt::format("Cannot start a worker process: {}.", std::strerror(errno)));
+        }
+        worker.isEnded = false;
+        worker.activity->sample = -1;
+        worker.activity->isFromOutside = false;
+        const pid_t supervisor = ::getpid();
+        const pid_t child = ::fork();
+        if (child < 0)
+        {
+            throw FatalError(fmt::format("Cannot start a worker process: {}.", std::strerror(errno)));
+        }
+        if (child == 0)
+        {
+            ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+            if (::getppid() != supervisor)
+            {
+                ::_exit(0); // it has died meanwhile
+            }
+            ::setpgid(0, 0);           // with what it starts it is ended as one
+            ::signal(SIGINT, SIG_IGN); // Ctrl-C is the supervisor's
+            ::close(orders[1]);
+            ::close(answers[0]);
+            for (const Worker& other : workers)
+            {
+                ::close(other.orders);
+                ::close(other.answers);
+            }
+            redirect("/dev/null", 1);
+            redirect(worker.messages, 2);
+            if (const auto& limit = ensemble.settings.failures.maximumMemory)
+            {
+                const auto bytes = static_cast<rlim_t>(*limit * 1e6);
+                const rlimit limits{bytes, bytes};
+                ::setrlimit(RLIMIT_AS, &limits);
+            }
+            worker.orders = orders[0];
+            worker.answers = answers[1];
+            work(ensemble, store, worker, known);
+        }
+        ::close(orders[0]);
+        ::close(answers[1]);
+        worker.process = child;
+        worker.orders = orders[1];
+        worker.answers = answers[0];
+    }
+
+    void order(Worker& worker)
+    {
+        if (worker.process < 0)
+        {
+            start(worker);
+        }
+        if (::write(worker.orders, &worker.chunk, sizeof(worker.chunk)) != sizeof(worker.chunk)
+            && errno != EPIPE)
+        {
+            throw FatalError(fmt::format("Cannot reach a worker process: {}.", std::strerror(errno)));
+        }
+    }
+
+    /// Waits a little for answers.
+    void listen()
+    {
+        std::vector<pollfd> polled;
+        for (const Worker& worker : workers)
+        {
+            polled.push_back({worker.answers, POLLIN, 0});
+        }
+        if (::poll(polled.data(), polled.size(), 50) <= 0)
+        {
+            return;
+        }
+        for (std::size_t i = 0; i < workers.size(); ++i)
+        {
+            Worker& worker = workers[i];
+            if (polled[i].revents == 0 || worker.process < 0)
+            {
+                continue;
+            }
+            char byte = 0;
+            if (::read(worker.answers, &byte, 1) == 1)
+            {
+                store.complete(worker.chunk);
+                completed[static_cast<std::size_t>(worker.chunk)] = 1;
+                worker.chunk = -1;
+                worker.activity->done = 0;
+                continue;
+            }
+            bury(worker);
+            if (worker.chunk >= 0)
+            {
+                order(worker); // the rest of its chunk
+            }
+        }
+    }
+
+    /// Takes note of a worker that has died.
+    void bury(Worker& worker)
+    {
+        int status = 0;
+        ::waitpid(worker.process, &status, 0);
+        ::kill(-worker.process, SIGKILL); // what it has started
+        ::close(worker.orders);
+        ::close(worker.answers);
+        worker.process = worker.orders = worker.answers = -1;
+        if (WIFEXITED(status) && WEXITSTATUS(status) == 3)
+        {
+            throw FatalError(fmt::format("A worker process cannot go on: see {}.", worker.messages.string()));
+        }
+        const long sample = worker.activity->sample;
+        if (sample < 0)
+        {
+            return;
+        }
+        const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+        const bool isOutside =
+            !worker.isEnded
+            && (worker.activity->isFromOutside || signal == SIGKILL || signal == SIGTERM || signal == SIGHUP);
+        addFailure(store.folder(),
+                   {sample, worker.isEnded ? worker.endedFor : SampleStatus::crashed, isOutside,
+                    worker.isEnded ? "took longer than maximumTime"
+                    : signal != 0  ? fmt::format("ended by signal {} ({})", signal, ::strsignal(signal))
+                                   : "ended without an answer"});
+        ++failedAttempts;
+    }
+
+    void endLateOnes()
+    {
+        const auto& limit = ensemble.settings.failures.maximumTime;
+        if (!limit)
+        {
+            return;
+        }
+        for (Worker& worker : workers)
+        {
+            if (worker.process >= 0 && !worker.isEnded && worker.activity->sample >= 0
+                && monotonicTime() - worker.activity->since > *limit)
+            {
+                worker.isEnded = true;
+                worker.endedFor = SampleStatus::timeExceeded;
+                killWith(worker);
+            }
+        }
+    }
+
+    /// A worker and the applications that it runs.
+    static void killWith(const Worker& worker)
+    {
+        ::kill(worker.process, SIGKILL);
+        ::kill(-worker.process, SIGKILL);
+    }
+
+    /// After a signal: workers finish the sample in hand, but not for long.
+    void stopWorkers()
+    {
+        for (Worker& worker : workers)
+        {
+            worker.activity->stops = true;
+            ::close(worker.orders);
+            worker.orders = -1;
+        }
+        const double until = monotonicTime() + 2;
+        for (bool isAny = true; isAny && monotonicTime() < until;)
+        {
+            isAny = false;
+            for (Worker& worker : workers)
+            {
+                int status = 0;
+                if (worker.process >= 0 && ::waitpid(worker.process, &status, WNOHANG) == worker.process)
+                {
+                    worker.process = -1;
+                }
+                isAny = isAny || worker.process >= 0;
+            }
+            ::poll(nullptr, 0, 10);
+        }
+    }
+
+    void end(Worker& worker)
+    {
+        ::close(worker.orders);
+        if (worker.process >= 0)
+        {
+            if (worker.chunk >= 0)
+            {
+                killWith(worker);
+            }
+            ::waitpid(worker.process, nullptr, 0);
+        }
+        ::close(worker.answers);
+    }
+
+    EnsembleProgress progress()
+    {
+        completed = store.completed();
+        EnsembleProgress now;
+        now.samples = store.samples();
+        now.done = samplesCompleted();
+        for (const Worker& worker : workers)
+        {
+            now.done += worker.chunk >= 0 ? worker.activity->done.load() : 0;
+        }
+        now.failed = failedAttempts;
+        const double elapsed = monotonicTime() - began;
+        now.rate = elapsed > 0 ? static_cast<double>(now.done - doneAtStart) / elapsed : 0;
+        return now;
+    }
+
+    const Ensemble& ensemble;
+    SampleStore& store;
+    WorkerSettings settings;
+    Activity* memory;
+    std::vector<Worker> workers;
+    std::map<long, SampleRow> known; ///< of all journals when this program began
+    std::vector<char> completed;     ///< chunks
+    std::vector<char> begun;         ///< chunks that this program has taken
+    long place = 0;                  ///< where the next chunk is looked for
+    bool isExhausted = false;
+    long doneAtStart = 0;
+    long failedAttempts = 0;
+    double began = monotonicTime();
+};
+
+int numberIn(const char* variable, int otherwise)
+{
+    const char* text = std::getenv(variable);
+    return text && *text ? std::atoi(text) : otherwise;
+}
+
+} // namespace
+
+LaunchedAs launchedAs()
+{
+    const std::pair<const char*, const char*> launchers[] = {{"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"},
+                                                             {"PMI_RANK", "PMI_SIZE"},
+                                                             {"SLURM_PROCID", "SLURM_NTASKS"}};
+    LaunchedAs launched;
+    for (const auto& [rank, size] : launchers)
+    {
+        if (std::getenv(rank) && std::getenv(size))
+        {
+            launched.rank = numberIn(rank, 0);
+            launched.size = std::max(numberIn(size, 1), 1);
+            break;
+        }
+    }
+    if (std::getenv("SLURM_ARRAY_TASK_ID"))
+    {
+        launched.isArray = true;
+        const int first = numberIn("SLURM_ARRAY_TASK_MIN", 0);
+        const int step = std::max(numberIn("SLURM_ARRAY_TASK_STEP", 1), 1);
+        const int task = (numberIn("SLURM_ARRAY_TASK_ID", 0) - first) / step;
+        launched.rank += launched.size * task;
+        launched.size *= std::max(numberIn("SLURM_ARRAY_TASK_COUNT", 1), 1);
+    }
+    launched.rank = std::clamp(launched.rank, 0, launched.size - 1);
+    return launched;
+}
+
+bool computeSamples(const Ensemble& ensemble, SampleStore& store, const WorkerSettings& settings,
+                    const std::function<void(const EnsembleProgress&)>& report)
+{
+    ::signal(SIGPIPE, SIG_IGN); // a worker that died is noticed where its answer is read
+    return Supervisor(ensemble, store, settings).run(report);
+}
+
+} // namespace drystone

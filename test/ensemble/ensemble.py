@@ -1,0 +1,249 @@
+#!/usr/bin/env python3
+# Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+"""ensemble in a case: the same table for any number of processes, after kills, crashes and Ctrl-C.
+
+ensemble.py BIN CASE       CASE: the tutorial masonryPanels
+"""
+import hashlib
+import os
+import random
+import shutil
+import signal
+import subprocess
+import sys
+import time
+import unittest
+
+sys.path.insert(0, os.path.join(os.path.dirname(__file__), ".."))
+from caseTest import CaseTest, applications, tutorial, header
+
+dictionary = header % "ensembleDict" + """
+applications (%(applications)s);
+variables
+{
+    mu { file "constant/contactProperties"; entry "friction/mu";
+         distribution { type lognormal; median 0.65; beta 0.15; minimum 0.2; maximum 1.2; } }
+    unit { file "system/blockTextureDict"; entry "unitLength"; distribution { type uniform; minimum 0.35; maximum 0.45; } }
+}
+design { type %(design)s; samples %(samples)d; seed 1; }
+results { alpha { table "postProcessing/limitAnalysis/0/limitAnalysis.dat"; column alpha; } }
+failures { %(failures)s }
+statistics { %(statistics)s }
+"""
+good = {"applications": "blockTexture limitAnalysis", "design": "latinHypercube", "samples": 300, "failures": "",
+        "statistics": "capacity { type distribution; value alpha; }"}
+
+
+class Ensemble(CaseTest):
+    application = "ensemble"
+
+    def case(self, name, **changes):
+        case = os.path.join(self.root.name, name)
+        self.copyInput(os.path.join(tutorial, "wall1"), case)
+        texture = os.path.join(case, "system/blockTextureDict")
+        with open(texture, encoding="utf-8") as file:
+            text = file.read()
+        with open(texture, "w", encoding="utf-8") as file:
+            file.write(text.replace("dimensions      2;", "dimensions      2;\nunitLength 0.4;")
+                       .replace("(0.4 0.175)", "($unitLength 0.175)"))
+        self.set(case, **changes)
+        return case
+
+    @staticmethod
+    def set(case, **changes):
+        with open(os.path.join(case, "system/ensembleDict"), "w", encoding="utf-8") as file:
+            file.write(dictionary % {**good, **changes})
+
+    def table(self, case):
+        """samples.dat without the CPU times."""
+        lines = self.read(case, "postProcessing/ensemble/0/samples.dat").splitlines()
+        return [line.split()[:-1] for line in lines]
+
+    def digest(self, case):
+        return hashlib.md5(repr(self.table(case)).encode()).hexdigest()
+
+    def start(self, case, *options):
+        return subprocess.Popen([os.path.join(applications, "ensemble"), "-case", case, *options],
+                                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+
+    @staticmethod
+    def rowsOf(case):
+        """Rows of the journals so far."""
+        work = os.path.join(case, "postProcessing/ensemble/0/work")
+        count = 0
+        for name in os.listdir(work) if os.path.isdir(work) else []:
+            if name.startswith("journal."):
+                with open(os.path.join(work, name), encoding="utf-8") as file:
+                    count += sum(line.endswith(" ;\n") for line in file)
+        return count
+
+    @staticmethod
+    def childrenOf(process):
+        with open(f"/proc/{process}/task/{process}/children", encoding="utf-8") as file:
+            return [int(word) for word in file.read().split()]
+
+    @classmethod
+    def reference(cls):
+        """The table of one process."""
+        if not hasattr(cls, "known"):
+            test = cls("testItsTableAndStatistics")
+            case = test.case("reference")
+            test.run_(case, "-jobs", "1")
+            cls.known = test.digest(case)
+        return cls.known
+
+    def waitFor(self, condition, process, seconds=60):
+        end = time.monotonic() + seconds
+        while not condition() and time.monotonic() < end and process.poll() is None:
+            time.sleep(0.005)
+
+    def testItsTableAndStatistics(self):
+        case = self.case("plain")
+        done = self.run_(case, "-jobs", "2")
+        table = self.table(case)
+        self.assertEqual(table[0], "# sample[-] mu unit alpha status[-] attempts[-]".split())
+        self.assertEqual(len(table), 301)
+        self.assertEqual([row[0] for row in table[1:]], [str(i) for i in range(300)])
+        self.assertTrue(all(row[4:] == ["0", "1"] for row in table[1:]))
+        alphas = [float(row[3]) for row in table[1:]]
+        statistics = dict((line.split()[1], float(line.split()[2])) for line in
+                          self.read(case, "postProcessing/ensemble/0/statistics.dat").splitlines()[1:])
+        self.assertAlmostEqual(statistics["mean"], sum(alphas) / 300, places=9)
+        self.assertIn("</svg>", self.read(case, "postProcessing/ensemble/0/capacity.svg"))
+        csv = self.read(case, "postProcessing/ensemble/0/samples.csv").splitlines()
+        self.assertEqual(csv[0], "sample,mu,unit,alpha,status,attempts,cpuTime")
+        self.assertEqual(csv[1].split(",")[:-1], table[1])
+        self.assertRegex(done.stdout, r"Samples: 300 of 300")
+        self.assertEqual(self.digest(case), self.reference())
+        # Nothing is left to do, and nothing of it changes.
+        again = self.run_(case)
+        self.assertEqual(self.digest(case), self.reference())
+        self.assertRegex(again.stdout, r"Samples: 300 of 300")
+        # Statistics may change afterwards.
+        self.set(case, statistics="tail { type distribution; value \"alpha / mu\"; }")
+        self.assertIn("tail", self.run_(case, "-postProcess").stdout)
+        # The samples may not.
+        self.set(case, samples=400)
+        refused = self.run_(case, status=1)
+        self.assertIn("belongs to another ensemble", refused.stderr)
+
+    def testItsSamplesAreThoseOfTheApplications(self):
+        case = self.case("byFiles", applications="blockTexture checkBlocks limitAnalysis", samples=6)
+        self.run_(case)
+        self.assertIn("in a copy of the case", self.run_(case, "-dry-run").stdout)
+        inProcess = self.case("inProcess", samples=6)
+        self.run_(inProcess)
+        self.assertEqual(self.table(case), self.table(inProcess))
+        self.assertEqual(os.path.exists(os.path.join(inProcess, "constant/assembly")), False)
+
+    def testMoreRandomSamplesExtendTheTable(self):
+        for design in ("random", "sobol"):
+            case = self.case("more" + design, design=design, samples=20)
+            self.run_(case)
+            few = self.table(case)
+            self.set(case, design=design, samples=30)
+            self.run_(case)
+            self.assertEqual(self.table(case)[:21], few)
+            self.assertEqual(len(self.table(case)), 31)
+
+    def testKillsLoseNothing(self):
+        case = self.case("killed")
+        random.seed(1)
+        for kills in range(8):
+            process = self.start(case, "-jobs", "2")
+            before = self.rowsOf(case)
+            self.waitFor(lambda: self.rowsOf(case) > before + random.randint(0, 40), process)
+            if process.poll() is not None:
+                break
+            victims = self.childrenOf(process.pid) + [process.pid]
+            victim = random.choice(victims)
+            os.kill(victim, signal.SIGKILL)
+            if victim == process.pid:
+                process.wait()
+            else:
+                self.waitFor(lambda: self.rowsOf(case) > before + 60, process)
+                process.kill()
+                process.wait()
+        self.run_(case, "-jobs", "3")
+        self.assertEqual(self.digest(case), self.reference())
+
+    def testAWorkerThatCrashesIsReplaced(self):
+        case = self.case("crashed")
+        process = self.start(case, "-jobs", "2")
+        self.waitFor(lambda: self.rowsOf(case) > 20, process)
+        if process.poll() is None:
+            os.kill(self.childrenOf(process.pid)[0], signal.SIGSEGV)
+        self.assertEqual(process.wait(), 0)
+        self.assertEqual(self.digest(case), self.reference())
+
+    def testCtrlCStopsAndItContinues(self):
+        case = self.case("stopped")
+        process = self.start(case, "-jobs", "1")
+        self.waitFor(lambda: self.rowsOf(case) > 20, process)
+        process.send_signal(signal.SIGINT)
+        self.assertEqual(process.wait(), 130)
+        self.assertLess(len(self.table(case)), 301)
+        self.run_(case)
+        self.assertEqual(self.digest(case), self.reference())
+
+    @unittest.skipUnless(shutil.which("mpirun"), "mpirun is not installed")
+    def testMpirunSharesTheSamples(self):
+        case = self.case("mpi")
+        done = subprocess.run(["mpirun", "--allow-run-as-root", "--oversubscribe", "-np", "2",
+                               os.path.join(applications, "ensemble"), "-case", case, "-parallel"],
+                              capture_output=True, text=True, timeout=120, check=False)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertEqual(self.digest(case), self.reference())
+        work = os.path.join(case, "postProcessing/ensemble/0/work")
+        self.assertEqual(sum(name.startswith("journal.") for name in os.listdir(work)), 2)
+
+    def testSamplesThatFailAreCountedAndListed(self):
+        case = self.case("failing", applications="blockTexture \"./act\" limitAnalysis", samples=8,
+                         failures="attempts 2; maximumTime 1; maximumPart 0.3;",
+                         statistics="capacity { type distribution; value alpha; }")
+        script = os.path.join(case, "act")
+        with open(script, "w", encoding="utf-8") as file:
+            # By the stratum of the unit length, which is different in each of the 8 samples.
+            file.write("#!/bin/bash\n"
+                       "length=$(grep -o '^unitLength *0[.][0-9]*' system/blockTextureDict | grep -o '0[.][0-9]*')\n"
+                       "case $(awk -v l=$length 'BEGIN { print int((l - 0.35) / 0.0125) }') in\n"
+                       "0) kill -SEGV $$ ;;\n1) sleep 100 ;;\n2) echo nonsense >&2; exit 1 ;;\n3) exit 2 ;;\nesac\nexit 0\n")
+        os.chmod(script, 0o755)
+        done = self.run_(case, status=2)
+        self.assertRegex(done.stdout, r"4 of 8 samples have failed")
+        rows = {int((float(row[2]) - 0.35) / 0.0125): row for row in self.table(case)[1:]}
+        self.assertEqual([rows[i][4:] for i in range(8)],
+                         [["4", "2"], ["5", "2"], ["2", "1"], ["3", "1"]] + 4 * [["0", "1"]])
+        self.assertTrue(all(rows[i][3] == "nan" for i in range(4)))
+        self.assertIn("nonsense", done.stdout)
+        self.assertFalse([name for name in os.listdir(os.path.join(case, "postProcessing/ensemble/0/work"))
+                          if name.startswith("case.")])
+
+    def testEvaluateAnswersDakotaAndQuoFEM(self):
+        case = self.case("driver")
+        formats = {
+            "dakota": "   2 variables\n 6.5e-01 mu\n 4.0e-01 unit\n 1 functions\n 1 ASV_1:f\n 2 derivative_variables\n",
+            "aprepro": "{ DAKOTA_VARS = 2 }\n{ mu = 6.5e-01 }\n{ unit = 4.0e-01 }\n{ DAKOTA_FNS = 1 }\n",
+            "quofem": "2\nmu 0.65\nunit 0.4\n"}
+        results = os.path.join(case, "results.out")
+        for name, text in formats.items():
+            parameters = os.path.join(case, name + ".in")
+            with open(parameters, "w", encoding="utf-8") as file:
+                file.write(text)
+            self.run_(case, "-evaluate", parameters, results)
+            with open(results, encoding="utf-8") as file:
+                self.assertAlmostEqual(float(file.read()), 0.642859, places=6, msg=name)
+        for text, says in (("2\nmu 0.65\nunti 0.4\n", "unit"), ("nothing", "no file of parameters"),
+                           ("3\nmu 0.65\nunit 0.4\nnu 1\n", "Unknown variable nu")):
+            with open(parameters, "w", encoding="utf-8") as file:
+                file.write(text)
+            self.assertIn(says, self.run_(case, "-evaluate", parameters, results, status=1).stderr)
+        with open(parameters, "w", encoding="utf-8") as file:
+            file.write("2\nmu -1\nunit 0.4\n")
+        self.run_(case, "-evaluate", parameters, results)
+        with open(results, encoding="utf-8") as file:
+            self.assertEqual(file.read(), "FAIL\n")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

@@ -1,0 +1,299 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Statistics of samples whose results are known in closed form or were computed by others.
+#include "ensembles/Statistic.h"
+#include "core/Error.h"
+#include "ensembles/Distribution.h"
+#include "ensembles/Fragility.h"
+#include "ensembles/Philox.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace drystone;
+using testing::HasSubstr;
+
+namespace
+{
+
+StatisticResult evaluated(const std::string& text, const SampleTable& table)
+{
+    const Statistic statistic = statisticTypes().select(Dictionary::readString(text, "system/ensembleDict"));
+    statistic.check(table.names, table.sensitivityRuns > 0);
+    return statistic.evaluate("test", table);
+}
+
+StatisticRow rowOf(const StatisticResult& result, const std::string& quantity)
+{
+    const auto found = std::find_if(result.rows.begin(), result.rows.end(),
+                                    [&](const StatisticRow& row) { return row.quantity == quantity; });
+    EXPECT_NE(found, result.rows.end()) << quantity;
+    return found == result.rows.end() ? StatisticRow() : *found;
+}
+
+/// One variable x and one result y.
+SampleTable tableOf(const std::vector<double>& x, const std::vector<double>& y)
+{
+    SampleTable table;
+    table.names = {"x", "y"};
+    table.variables = 1;
+    table.columns = {x, y};
+    table.texts.resize(1);
+    for (const double value : x)
+    {
+        table.texts[0].push_back(std::to_string(value));
+    }
+    table.isFailed.assign(x.size(), 0);
+    table.asked = static_cast<long>(x.size());
+    return table;
+}
+
+const std::vector<double> intensities{.2, .3, .4, .6, .7, .8, .9, 1.0};
+const std::vector<long> collapses{0, 0, 0, 4, 6, 13, 12, 16};
+
+/// 40 records at each intensity: y is 1 where it collapses.
+SampleTable collapseTable()
+{
+    std::vector<double> x;
+    std::vector<double> y;
+    for (std::size_t stripe = 0; stripe < intensities.size(); ++stripe)
+    {
+        for (long run = 0; run < 40; ++run)
+        {
+            x.push_back(intensities[stripe]);
+            y.push_back(run < collapses[stripe] ? 1 : 0);
+        }
+    }
+    return tableOf(x, y);
+}
+
+} // namespace
+
+TEST(Fragility, OfStripesIsThatOfBaker)
+{
+    std::vector<Stripe> stripes;
+    for (std::size_t i = 0; i < intensities.size(); ++i)
+    {
+        stripes.push_back({intensities[i], 40, collapses[i]});
+    }
+    const auto fit = fitStripes(stripes);
+    ASSERT_TRUE(fit);
+    EXPECT_NEAR(fit->theta, 1.076116, 1e-6);
+    EXPECT_NEAR(fit->beta, 0.429237, 1e-6);
+    EXPECT_NEAR(fit->logThetaError, 0.0717, 5e-5);
+    EXPECT_NEAR(fit->logBetaError, 0.1954, 5e-5);
+    EXPECT_DOUBLE_EQ(fit->probability(fit->theta), 0.5);
+}
+
+TEST(Fragility, OfTruncatedCurvesIsThatOfBaker)
+{
+    const auto fit = fitTruncated({.31, .42, .55, .61, .80}, 3, .9);
+    ASSERT_TRUE(fit);
+    EXPECT_NEAR(fit->theta, 0.726176, 1e-6);
+    EXPECT_NEAR(fit->beta, 0.550963, 1e-6);
+    EXPECT_NEAR(fit->logThetaError, 0.215601, 1e-5); // of the second derivatives by differences
+    EXPECT_NEAR(fit->logBetaError, 0.346890, 1e-5);
+    // Without curves that stand it is mean and deviation of the logarithms.
+    const auto all = fitTruncated({0.5, 2}, 0, 2);
+    ASSERT_TRUE(all);
+    EXPECT_NEAR(all->theta, 1, 1e-12);
+    EXPECT_NEAR(all->beta, std::log(2), 1e-12);
+}
+
+TEST(Fragility, DoesNotDependOnTheUnitOfTheIntensity)
+{
+    for (const double unit : {1e-6, 9.81, 1e6})
+    {
+        std::vector<Stripe> stripes;
+        for (std::size_t i = 0; i < intensities.size(); ++i)
+        {
+            stripes.push_back({unit * intensities[i], 40, collapses[i]});
+        }
+        const auto fit = fitStripes(stripes);
+        ASSERT_TRUE(fit) << unit;
+        EXPECT_NEAR(fit->theta / unit, 1.0761158, 1e-6);
+        EXPECT_NEAR(fit->beta, 0.4292372, 1e-6);
+    }
+}
+
+TEST(Fragility, HasNoMaximumWhereItHasNone)
+{
+    EXPECT_FALSE(fitStripes({{0.1, 10, 0}, {0.2, 10, 10}})); // no overlap: a step anywhere between
+    EXPECT_FALSE(fitStripes({{0.1, 10, 0}, {0.2, 10, 3}, {0.3, 10, 10}})); // one intensity alone is mixed
+    EXPECT_FALSE(fitStripes({{0.1, 10, 0}, {0.2, 10, 0}}));
+    EXPECT_FALSE(fitStripes({{0.1, 10, 10}, {0.2, 10, 10}}));
+    EXPECT_FALSE(fitStripes({{0.1, 10, 6}, {0.2, 10, 3}})); // fewer fail in a stronger motion
+    EXPECT_FALSE(fitStripes({}));
+    EXPECT_FALSE(fitTruncated({}, 8, 1));
+    EXPECT_FALSE(fitTruncated({0.5, 0.5}, 0, 1));
+    EXPECT_TRUE(fitTruncated({0.5}, 3, 1));
+}
+
+TEST(FragilityStatistic, CountsStripesAndDrawsABand)
+{
+    const StatisticResult result =
+        evaluated("type fragility; intensity x; exceeded \"y > 0.5\"; bootstrap 200;", collapseTable());
+    EXPECT_NEAR(rowOf(result, "theta").value, 1.076116, 1e-6);
+    EXPECT_NEAR(rowOf(result, "logThetaStandardError").value, 0.0717, 5e-5);
+    EXPECT_LT(rowOf(result, "theta").lower, 1.0);
+    EXPECT_GT(rowOf(result, "theta").upper, 1.15);
+    EXPECT_EQ(result.table.rows.size(), 8u);
+    ASSERT_EQ(result.pictures.size(), 1u);
+    EXPECT_THAT(plotSvg(result.pictures.front().second), HasSubstr("stripes"));
+}
+
+TEST(FragilityStatistic, GivesFailedSamplesBothWays)
+{
+    SampleTable table = collapseTable();
+    for (const std::size_t row : {130u, 170u, 290u}) // one has no result, two failed
+    {
+        table.isFailed[row] = row != 290;
+        table.columns[1][row] = std::nan("");
+    }
+    const StatisticResult result =
+        evaluated("type fragility; intensity x; exceeded \"y > 0.5\"; bootstrap 0;", table);
+    EXPECT_EQ(rowOf(result, "failed").value, 3);
+    EXPECT_LT(rowOf(result, "thetaFailedAsFallen").value, rowOf(result, "thetaFailedAsStanding").value);
+}
+
+TEST(FragilityStatistic, OfCurvesTakesTheLowestIntensityThatFails)
+{
+    std::vector<double> x;
+    std::vector<double> y;
+    SampleTable table = tableOf({}, {});
+    const std::vector<double> tried{.31, .42, .55, .61, .80, .9};
+    for (int curve = 0; curve < 8; ++curve)
+    {
+        for (const double intensity : tried)
+        {
+            table.columns[0].push_back(intensity);
+            table.columns[1].push_back(curve < 5 && intensity >= tried[static_cast<std::size_t>(curve)] ? 1
+                                                                                                        : 0);
+            table.texts[0].push_back(std::to_string(curve));
+            table.isFailed.push_back(0);
+        }
+    }
+    const StatisticResult result = evaluated(
+        "type fragility; intensity x; exceeded \"y > 0.5\"; method truncatedIDA; curve x; bootstrap 100;",
+        table);
+    EXPECT_NEAR(rowOf(result, "theta").value, 0.726176, 1e-6);
+    EXPECT_NEAR(rowOf(result, "beta").value, 0.550963, 1e-6);
+}
+
+TEST(FragilityStatistic, SaysWhereThereIsNoCurve)
+{
+    const StatisticResult result =
+        evaluated("type fragility; intensity x; exceeded \"y > 0.5\";", tableOf({0.1, 0.2, 0.3}, {0, 0, 1}));
+    EXPECT_THAT(result.remarks, testing::Contains(HasSubstr("no maximum")));
+    EXPECT_THROW(evaluated("type fragility; intensity z; exceeded \"y > 0.5\";", collapseTable()),
+                 FatalIOError);
+    EXPECT_THROW(evaluated("type fragility; intensity x; exceeded \"y >\";", collapseTable()), FatalIOError);
+    EXPECT_THROW(evaluated("type fragility; intensity x; exceeded y; method truncatedIDA;", collapseTable()),
+                 FatalIOError);
+}
+
+TEST(DistributionStatistic, HasMomentsAndFractiles)
+{
+    std::vector<double> values;
+    for (int i = 0; i < 10001; ++i)
+    {
+        values.push_back(2 * std::exp(0.4 * normalQuantile((i + 0.5) / 10001)));
+    }
+    SampleTable table = tableOf(values, values);
+    table.columns[1][0] = std::nan("");
+    table.isFailed[1] = 1;
+    const StatisticResult result = evaluated("type distribution; value y;", table);
+    EXPECT_EQ(rowOf(result, "samples").value, 9999);
+    EXPECT_EQ(rowOf(result, "failed").value, 1);
+    EXPECT_EQ(rowOf(result, "notFinite").value, 1);
+    EXPECT_NEAR(rowOf(result, "mean").value, 2 * std::exp(0.08), 1e-3);
+    EXPECT_NEAR(rowOf(result, "lognormalBeta").value, 0.4, 1e-3);
+    EXPECT_NEAR(rowOf(result, "fractile0.5").value, 2, 1e-3);
+    EXPECT_NEAR(rowOf(result, "fractile0.95").value, 2 * std::exp(0.4 * 1.6448536), 2e-3);
+    EXPECT_LT(rowOf(result, "fractile0.95").lower, rowOf(result, "fractile0.95").upper);
+    EXPECT_FALSE(result.remarks.empty());
+    EXPECT_FALSE(plotSvg(result.pictures.front().second).empty());
+    EXPECT_NEAR(rowOf(evaluated("type distribution; value \"10 * y + x\";", table), "minimum").value,
+                11 * values[2], 1e-9);
+}
+
+TEST(SensitivityStatistic, OfIshigamisFunctionIsTheClosedForm)
+{
+    // Ishigami and Homma 1990: sin x1 + 7 sin^2 x2 + 0.1 x3^4 sin x1 on (-pi, pi).
+    SampleTable table;
+    table.names = {"x1", "x2", "x3", "y"};
+    table.variables = 3;
+    table.columns.resize(4);
+    table.sensitivityRuns = 5;
+    constexpr std::uint64_t points = 8192;
+    for (std::uint64_t i = 0; i < points; ++i)
+    {
+        double a[3];
+        double b[3];
+        for (std::uint32_t k = 0; k < 3; ++k)
+        {
+            a[k] = M_PI * (2 * uniform(1, Stream::sample, k, i) - 1);
+            b[k] = M_PI * (2 * uniform(1, Stream::second, k, i) - 1);
+        }
+        for (int role = 0; role < 5; ++role)
+        {
+            double x[3];
+            for (int k = 0; k < 3; ++k)
+            {
+                x[k] = role == 1 || role == k + 2 ? b[k] : a[k];
+                table.columns[static_cast<std::size_t>(k)].push_back(x[k]);
+            }
+            table.columns[3].push_back(std::sin(x[0]) + 7 * std::pow(std::sin(x[1]), 2)
+                                       + 0.1 * std::pow(x[2], 4) * std::sin(x[0]));
+            table.isFailed.push_back(0);
+        }
+    }
+    table.asked = 5 * points;
+    const StatisticResult result = evaluated("type sensitivity; value y; bootstrap 50;", table);
+    const double first[3] = {0.313905, 0.442411, 0};
+    const double total[3] = {0.557589, 0.442411, 0.243684};
+    for (int k = 0; k < 3; ++k)
+    {
+        const StatisticRow one = rowOf(result, "first_x" + std::to_string(k + 1));
+        const StatisticRow all = rowOf(result, "total_x" + std::to_string(k + 1));
+        EXPECT_NEAR(one.value, first[k], 5 * one.standardError);
+        EXPECT_NEAR(all.value, total[k], 5 * all.standardError);
+        EXPECT_LT(one.standardError, 0.02);
+    }
+    table.isFailed[7] = 1;
+    EXPECT_EQ(rowOf(evaluated("type sensitivity; value y; bootstrap 0;", table), "pointsLeftOut").value, 1);
+    table.sensitivityRuns = 0;
+    EXPECT_THROW(evaluated("type sensitivity; value y;", table), FatalIOError);
+}
+
+TEST(FractilesStatistic, AreThoseOfStraightCurves)
+{
+    // Curve k: response = k intensity, k = 1 .. 5, at 0.5, 1 and 2.
+    SampleTable table = tableOf({}, {});
+    for (int curve = 1; curve <= 5; ++curve)
+    {
+        for (const double intensity : {0.5, 1.0, 2.0})
+        {
+            table.columns[0].push_back(intensity);
+            table.columns[1].push_back(curve * intensity);
+            table.texts[0].push_back(std::to_string(curve));
+            table.isFailed.push_back(0);
+        }
+    }
+    const StatisticResult result = evaluated(
+        "type fractiles; intensity x; response y; curve x; fractiles (0.5); levels (1.5 9);", table);
+    ASSERT_EQ(result.table.rows.size(), 3u);
+    EXPECT_DOUBLE_EQ(result.table.rows[1][1], 3);
+    EXPECT_NEAR(rowOf(result, "xAty1.5Fractile0.5").value, 0.5, 1e-12);
+    EXPECT_TRUE(std::isinf(rowOf(result, "xAty9Fractile0.5").value)); // only the steepest one reaches it
+    EXPECT_FALSE(plotSvg(result.pictures.front().second).empty());
+}
+
+TEST(Fractile, InterpolatesAndKeepsInfinity)
+{
+    EXPECT_DOUBLE_EQ(fractile({1, 2, 4}, 0.75), 3);
+    EXPECT_EQ(fractile({5}, 0.3), 5);
+    EXPECT_TRUE(std::isinf(fractile({1, HUGE_VAL, HUGE_VAL}, 0.75)));
+}
