@@ -407,7 +407,7 @@ PolyData<Dim> thrustFrame(const std::vector<JointForce<Dim>>& joints)
 /// Writes mechanism, forces and thrust of one answer. \param suffix of the file names
 template<int Dim>
 void writeAnswer(const std::filesystem::path& caseDirectory, const LimitAnalysisCase<Dim>& structure,
-                 const LimitAnalysis& result, const std::string& suffix)
+                 const LimitAnalysis& result, const std::string& suffix, const Vector<3>& towardsViewer)
 {
     const Assembly<Dim>& assembly = structure.assembly;
     const auto file = [&](const std::string& name, const std::string& extension)
@@ -441,6 +441,11 @@ void writeAnswer(const std::filesystem::path& caseDirectory, const LimitAnalysis
     picture.title = caseName(caseDirectory);
     picture.subtitle = fmt::format("{}, {} blocks, {} contact points", caption(structure, result),
                                    structure.freeBlocks, structure.points.size());
+    picture.towardsViewer = towardsViewer;
+    if constexpr (Dim == 3)
+    {
+        picture.marks = jointMarks(assembly, structure.points, structure.friction, rates);
+    }
     writeMechanismPicture(file("mechanism", ".svg"), assembly,
                           mechanismPlacements(assembly, rates, 0.5 * meanBlockSize(assembly)), picture);
     if constexpr (Dim == 2)
@@ -460,13 +465,14 @@ void writeAnswer(const std::filesystem::path& caseDirectory, const LimitAnalysis
 template<int Dim>
 void writeLimitAnalysisResults(const std::filesystem::path& caseDirectory,
                                const LimitAnalysisCase<Dim>& structure,
-                               const std::vector<LimitAnalysis>& results, double cpuTime)
+                               const std::vector<LimitAnalysis>& results, double cpuTime,
+                               const Vector<3>& towardsViewer)
 {
     const std::vector<std::string> names = suffixes(results);
     reportRemoved(removeEarlierResults(caseDirectory, names));
     for (std::size_t i = 0; i < results.size(); ++i)
     {
-        writeAnswer(caseDirectory, structure, results[i], names[i]);
+        writeAnswer(caseDirectory, structure, results[i], names[i], towardsViewer);
     }
     if (!structure.combinations.empty())
     {
@@ -562,7 +568,8 @@ template void writeLimitAnalysisProgram(const std::filesystem::path& caseDirecto
                                         const LimitAnalysisCase<2>& structure, const LimitAnalysis& result);
 template void writeLimitAnalysisResults(const std::filesystem::path& caseDirectory,
                                         const LimitAnalysisCase<2>& structure,
-                                        const std::vector<LimitAnalysis>& results, double cpuTime);
+                                        const std::vector<LimitAnalysis>& results, double cpuTime,
+                                        const Vector<3>& towardsViewer);
 template void printLimitAnalysisCase(const LimitAnalysisCase<3>& structure);
 template void printLimitAnalysis(const LimitAnalysisCase<3>& structure,
                                  const std::vector<LimitAnalysis>& results);
@@ -570,6 +577,7 @@ template void writeLimitAnalysisProgram(const std::filesystem::path& caseDirecto
                                         const LimitAnalysisCase<3>& structure, const LimitAnalysis& result);
 template void writeLimitAnalysisResults(const std::filesystem::path& caseDirectory,
                                         const LimitAnalysisCase<3>& structure,
-                                        const std::vector<LimitAnalysis>& results, double cpuTime);
+                                        const std::vector<LimitAnalysis>& results, double cpuTime,
+                                        const Vector<3>& towardsViewer);
 
 } // namespace drystone

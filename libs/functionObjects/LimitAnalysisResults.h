@@ -3,6 +3,7 @@
 /// the contact forces. It combines statics with output, which statics does not see.
 #pragma once
 
+#include "io/MechanismPicture.h"
 #include "statics/LimitAnalysisCase.h"
 
 #include <filesystem>
@@ -65,11 +66,13 @@ void writeLimitAnalysisProgram(const std::filesystem::path& caseDirectory,
 /// A second answer, for the negative end of the range, has a second row, and files with `Negative` in their
 /// names. With combinations of loads each has its row and `_<name>` in the names of its files;
 /// combinations.dat lists names, multipliers and statuses.
-/// \param cpuTime of the solution [s] \throws FatalError naming what cannot be written
+/// \param cpuTime of the solution [s] \param towardsViewer direction from which mechanism.svg is seen in
+/// space \throws FatalError naming what cannot be written
 template<int Dim>
 void writeLimitAnalysisResults(const std::filesystem::path& caseDirectory,
                                const LimitAnalysisCase<Dim>& structure,
-                               const std::vector<LimitAnalysis>& results, double cpuTime);
+                               const std::vector<LimitAnalysis>& results, double cpuTime,
+                               const Vector<3>& towardsViewer = usualView());
 
 /// Follows the capacity curve of a case and writes
 /// - postProcessing/limitAnalysis/0/capacity.dat, a row for each position, and capacity.svg;

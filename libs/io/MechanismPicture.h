@@ -4,6 +4,7 @@
 
 #include "contact/ContactPoint.h"
 #include "core/WholeFile.h"
+#include "io/JointMarks.h"
 
 #include <filesystem>
 #include <string>
@@ -11,6 +12,14 @@
 
 namespace drystone
 {
+
+/// From where a structure in space is seen unless the user says so: from the front's right (the front looks
+/// towards -y), and from above.
+Vector<3> usualView();
+
+/// The direction towards the viewer of a text: `front`, `back`, `left`, `right`, `top`, or a vector such as
+/// `(1 -1.4 0.8)`; of unit length. \throws FatalError for any other text, and for (0 0 0)
+Vector<3> viewFrom(const std::string& text);
 
 /// The resultant contact force of one joint.
 template<int Dim>
@@ -35,12 +44,15 @@ struct MechanismPicture
     /// In the plane drawn at the joints as built, as strokes whose length and width grow with the force; none
     /// when empty.
     std::vector<JointForce<2>> thrust = {};
+    Vector<3> towardsViewer = usualView(); ///< of space: a unit vector
+    /// Of space: hinges and sliding joints, drawn where they are seen on the displaced blocks.
+    std::vector<JointMark> marks = {};
 };
 
 /// The displaced blocks, shaded by their displacement, over the dashed outline of the structure as built;
-/// fixed blocks are hatched. In space seen from above and from the front's right, without perspective, hidden
-/// faces behind others (MechanismPicture.cpp in space/) and without the outline as built; fixed blocks are
-/// grey. Text of an SVG file.
+/// fixed blocks are hatched. In space seen without perspective, hidden faces behind others
+/// (MechanismPicture.cpp in space/) and without the outline as built; fixed blocks are grey, the lines of
+/// hinges and the edges of sliding joints coloured. Text of an SVG file.
 ///
 /// \param placements one per block
 std::string mechanismSvg(const Assembly<2>& assembly, const std::vector<Placement<2>>& placements,

@@ -122,6 +122,7 @@ void analyse(benchmark::State& state, const SpaceConeProgram& program, double to
     state.counters["blocks"] = program.bodies;
     state.counters["points"] = program.points();
     state.counters["alpha"] = result.alpha;
+    state.counters["iterations"] = result.iterations;
     state.counters["factorisations"] = result.factorisations;
     state.counters["certificate"] = result.certificate.worst();
     state.counters["solve[s]"] = used;
@@ -235,6 +236,8 @@ void peers(benchmark::State& state)
     state.counters["points"] = program.points();
     state.counters["alpha"] = answer->solution.multiplier;
     state.counters["iterations"] = answer->solution.iterations;
+    state.counters["factorisations"] = answer->solution.factorisations; // 0: not told
+    state.counters["memory[GB]"] = peakMemory();
     state.counters["certificate"] = certifyOptimal(program, answer->solution).worst();
     state.counters["solve[s]"] = answer->seconds;
 }

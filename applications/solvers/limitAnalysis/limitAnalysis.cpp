@@ -7,6 +7,7 @@
 #include "core/Log.h"
 #include "functionObjects/KeptResults.h"
 #include "functionObjects/LimitAnalysisResults.h"
+#include "io/MechanismPicture.h"
 #include "report/CaseReport.h"
 #include "runControl/Application.h"
 #include "runControl/Time.h"
@@ -23,10 +24,22 @@ bool hasNoAnswer(const LimitAnalysis& result)
     return result.status == CollapseStatus::notConverged;
 }
 
+/// From where the picture of the mechanism is seen.
+Vector<3> viewOf(const CommandLine& commandLine, int dimensions)
+{
+    const std::optional<std::string> view = commandLine.get("view");
+    if (view && dimensions == 2)
+    {
+        throw FatalError("-view is for structures in space: in the plane there is one view. Leave it out.");
+    }
+    return view ? viewFrom(*view) : usualView();
+}
+
 template<int Dim>
 int runIn(const CommandLine& commandLine)
 {
     const std::filesystem::path& directory = commandLine.caseDirectory;
+    const Vector<3> towardsViewer = viewOf(commandLine, Dim);
     const Time time(directory); // nothing moves, but a fault in controlDict is reported here too
     auto structure = readLimitAnalysisCase<Dim>(directory);
     if (!commandLine.noFunctionObjects)
@@ -55,7 +68,7 @@ int runIn(const CommandLine& commandLine)
             removeLimitAnalysisTable(directory);
             return 2;
         }
-        writeLimitAnalysisResults(directory, structure, results, used);
+        writeLimitAnalysisResults(directory, structure, results, used, towardsViewer);
         if constexpr (Dim == 2)
         {
             if (structure.pushover && !runPushover(directory, structure))
@@ -88,11 +101,17 @@ int main(int argc, char* argv[])
         "Collapse load multiplier, mechanism and contact forces of the blocks in constant/assembly/ "
         "under constant/loads, with a certificate.";
     description.kind = ApplicationKind::solver;
-    description.options = {{"report", "", "also write report.html, as the application report does"}};
+    description.options = {
+        {"report", "", "also write report.html, as the application report does"},
+        {"view", "DIRECTION",
+         "in space, from where mechanism.svg is seen: front, back, left, right, top, or the "
+         "direction to the viewer, as \"(1 -1.4 0.8)\""}};
     description.examples = {"limitAnalysis                       # in a case directory, after blockTexture",
-                            "limitAnalysis -case wall -dry-run   # checks every dictionary, solves nothing"};
+                            "limitAnalysis -case wall -dry-run   # checks every dictionary, solves nothing",
+                            "limitAnalysis -view back            # in space: the picture seen from behind"};
     description.tutorial = "limitAnalysis/masonryPanels";
     description.dictionaries = {{"constant/g", describeOptions<Gravity<2>>},
+                                {"constant/g in space", describeOptions<Gravity<3>>},
                                 {"constant/materialProperties", describeOptions<MaterialProperties>},
                                 {"constant/contactProperties", describeOptions<CaseEffects>},
                                 {"constant/loads", describeOptions<LoadCases<2>>},

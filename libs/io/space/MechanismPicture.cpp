@@ -12,6 +12,8 @@
 #include "io/ClayColour.h"
 #include "io/PicturePage.h"
 #include "io/Svg.h"
+#include "io/space/MarkPainter.h"
+#include "io/space/View.h"
 
 #include <fmt/format.h>
 
@@ -27,37 +29,6 @@ namespace drystone
 namespace
 {
 
-/// A view without perspective.
-struct View
-{
-    Vector<3> right; ///< unit vectors
-    Vector<3> up;
-    Vector<3> towardsViewer;
-    Box<2> world;     ///< what is shown, along right and up [m]
-    Vector<2> corner; ///< of the drawing area, upper left [px]
-    double scale = 1; ///< [px/m]
-
-    Vector<2> seen(const Vector<3>& point) const { return {right.dot(point), up.dot(point)}; }
-    Vector<2> onPage(const Vector<3>& point) const
-    {
-        const Vector<2> place = seen(point);
-        return corner + scale * Vector<2>(place.x() - world.lower.x(), world.upper.y() - place.y());
-    }
-};
-
-View axonometricView()
-{
-    // From the front's right (the front looks towards -y), and from above.
-    const double azimuth = -55 * EIGEN_PI / 180;
-    const double elevation = 25 * EIGEN_PI / 180;
-    View view;
-    view.right = {-std::sin(azimuth), std::cos(azimuth), 0};
-    view.towardsViewer = {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
-                          std::sin(elevation)};
-    view.up = momentOf(view.towardsViewer, view.right); // the cross product
-    return view;
-}
-
 struct ShownBlock
 {
     Polyhedron shape;
@@ -65,12 +36,8 @@ struct ShownBlock
     Box<2> box;       ///< as it is seen [m]
     double moved = 0; ///< mean displacement of its corners [m]
     bool isFixed = false;
+    int block = -1; ///< in the assembly
 };
-
-bool isGround(const Assembly<3>& assembly, const Block<3>& block)
-{
-    return block.support >= 0 && assembly.supports[static_cast<std::size_t>(block.support)].type == "ground";
-}
 
 double meanDisplacement(const Polyhedron& before, const Polyhedron& after)
 {
@@ -96,6 +63,7 @@ std::vector<ShownBlock> shownBlocks(const Assembly<3>& assembly, const std::vect
         ShownBlock entry;
         entry.shape = placedShape(block, placements[i]);
         entry.isFixed = block.support >= 0;
+        entry.block = static_cast<int>(i);
         entry.moved = meanDisplacement(block.shape, entry.shape);
         for (const Vector<3>& vertex : entry.shape.vertices)
         {
@@ -354,7 +322,7 @@ std::string mechanismSvg(const Assembly<3>& assembly, const std::vector<Placemen
                                      assembly.blocks.size()));
     }
     const double blockSize = meanBlockSize(assembly);
-    View view = axonometricView();
+    View view = axonometricView(picture.towardsViewer);
     const std::vector<ShownBlock> shown = shownBlocks(assembly, placements, view);
     for (const ShownBlock& block : shown)
     {
@@ -377,14 +345,17 @@ std::string mechanismSvg(const Assembly<3>& assembly, const std::vector<Placemen
     }
     drawing.beginClip("view", page.corner, page.room.x(), page.room.y());
     paintGround(drawing, assembly, view, blockSize);
+    MarksToPaint marks = marksToPaint(assembly, picture.marks);
     for (const int i : paintingOrder(shown, view))
     {
         paintBlock(drawing, shown[i], view, furthest > 0 ? shown[i].moved / furthest : 0);
+        paintMarks(drawing, marks, shown[i].block, shown[i].shape, placements, view);
     }
     drawing.endClip();
     if (furthest > 0)
     {
-        paintClayLegend(drawing, {view.corner.x() + 4, page.legend()});
+        paintMarkLegend(drawing, picture.marks,
+                        {paintClayLegend(drawing, {view.corner.x() + 4, page.legend()}) + 20, page.legend()});
     }
     return drawing.document();
 }

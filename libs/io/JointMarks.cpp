@@ -1,0 +1,149 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/JointMarks.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace drystone
+{
+namespace
+{
+
+constexpr double still = 1e-3; ///< relative to the fastest joint
+
+/// Rate of a block at a place.
+Vector<3> rateAt(const Rates<3>& rates, const std::vector<BlockMass<3>>& masses, int block,
+                 const Vector<3>& place)
+{
+    const auto rate = rates.col(block);
+    const Vector<3> turn = rate.tail<3>();
+    // turn x arm, the moment of `turn` as a force
+    return rate.head<3>() + momentOf(turn, place - masses[static_cast<std::size_t>(block)].centroid);
+}
+
+/// The two places that are farthest apart; one where there is one.
+std::vector<Vector<3>> endsOf(const std::vector<Vector<3>>& places)
+{
+    if (places.size() < 2)
+    {
+        return places;
+    }
+    std::vector<Vector<3>> ends{places[0], places[1]};
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+        for (std::size_t j = 0; j < i; ++j)
+        {
+            if ((places[i] - places[j]).norm() > (ends[1] - ends[0]).norm())
+            {
+                ends = {places[j], places[i]};
+            }
+        }
+    }
+    return ends;
+}
+
+/// The convex hull of the points of a joint, in order round it (Andrew's monotone chain).
+std::vector<Vector<3>> hullOf(const std::vector<ContactPoint<3>>& points, std::size_t first, std::size_t last)
+{
+    const Eigen::Matrix3d frame = contactFrame(points[first]);
+    struct Place
+    {
+        Vector<2> inPlane;
+        Vector<3> position;
+    };
+    std::vector<Place> places;
+    for (std::size_t i = first; i < last; ++i)
+    {
+        const Vector<3> arm = points[i].position - points[first].position;
+        places.push_back({{frame.col(1).dot(arm), frame.col(2).dot(arm)}, points[i].position});
+    }
+    std::sort(places.begin(), places.end(),
+              [](const Place& one, const Place& two) {
+                  return std::pair(one.inPlane.x(), one.inPlane.y())
+                         < std::pair(two.inPlane.x(), two.inPlane.y());
+              });
+    std::vector<Place> hull;
+    for (int side = 0; side < 2; ++side)
+    {
+        const std::size_t start = hull.size();
+        for (const Place& place : places)
+        {
+            while (hull.size() >= start + 2
+                   && cross(hull.back().inPlane - hull[hull.size() - 2].inPlane,
+                            place.inPlane - hull.back().inPlane)
+                          <= 0)
+            {
+                hull.pop_back();
+            }
+            hull.push_back(place);
+        }
+        hull.pop_back(); // the first of the other side
+        std::reverse(places.begin(), places.end());
+    }
+    std::vector<Vector<3>> corners;
+    for (const Place& place : hull)
+    {
+        corners.push_back(place.position);
+    }
+    return corners;
+}
+
+} // namespace
+
+std::vector<JointMark> jointMarks(const Assembly<3>& assembly, const std::vector<ContactPoint<3>>& points,
+                                  const std::vector<double>& friction, const Rates<3>& rates)
+{
+    const std::vector<BlockMass<3>> masses = blockMasses(assembly);
+    std::vector<Vector<3>> apart; // (opening, slips) of each point
+    double fastest = 0;
+    for (const ContactPoint<3>& point : points)
+    {
+        apart.emplace_back(contactFrame(point).transpose()
+                           * (rateAt(rates, masses, point.block, point.position)
+                              - rateAt(rates, masses, point.neighbour, point.position)));
+        fastest = std::max(fastest, apart.back().norm());
+    }
+    const double least = still * fastest;
+    std::vector<JointMark> marks;
+    for (std::size_t first = 0, last = 0; first < points.size(); first = last)
+    {
+        JointMark mark;
+        mark.block = points[first].block;
+        mark.neighbour = points[first].neighbour;
+        std::vector<Vector<3>> together;
+        bool slides = false;
+        bool parts = false;
+        for (; last < points.size() && points[last].joint == points[first].joint; ++last)
+        {
+            const Vector<3>& rate = apart[last];
+            const double slip = rate.tail<2>().norm();
+            if (rate.norm() <= least)
+            {
+                together.push_back(points[last].position);
+            }
+            else if (slip > least && rate.x() <= friction[last] * slip + least)
+            {
+                slides = true;
+            }
+            else
+            {
+                parts = true;
+            }
+        }
+        if (!together.empty() && parts)
+        {
+            mark.motion = JointMotion::hinge;
+            mark.points = endsOf(together);
+            marks.push_back(std::move(mark));
+        }
+        else if (together.empty() && slides)
+        {
+            mark.motion = JointMotion::sliding;
+            mark.points = hullOf(points, first, last);
+            marks.push_back(std::move(mark));
+        }
+    }
+    return marks;
+}
+
+} // namespace drystone
