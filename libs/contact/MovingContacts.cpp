@@ -65,7 +65,7 @@ bool segmentsCross(const Vector<2>& a, const Vector<2>& b, const Vector<2>& c, c
 
 } // namespace
 
-MovingContacts::MovingContacts(const Assembly<2>& assembly, const MovingContactOptions& options)
+MovingContacts<2>::MovingContacts(const Assembly<2>& assembly, const MovingContactOptions& options)
 {
     const std::size_t blocks = assembly.blocks.size();
     std::vector<AreaProperties> properties;
@@ -136,7 +136,7 @@ MovingContacts::MovingContacts(const Assembly<2>& assembly, const MovingContactO
     reach_.resize(blocks);
 }
 
-void MovingContacts::place(Outlines& outlines, const std::vector<Placement<2>>& placements) const
+void MovingContacts<2>::place(Outlines& outlines, const std::vector<Placement<2>>& placements) const
 {
     for (std::size_t b = 0; b < centroid_.size(); ++b)
     {
@@ -160,8 +160,8 @@ void MovingContacts::place(Outlines& outlines, const std::vector<Placement<2>>& 
     }
 }
 
-const std::vector<ContactPoint<2>>& MovingContacts::update(const std::vector<Placement<2>>& now,
-                                                           double margin)
+const std::vector<ContactPoint<2>>& MovingContacts<2>::update(const std::vector<Placement<2>>& now,
+                                                              double margin)
 {
     assert(now.size() == centroid_.size());
     place(now_, now);
@@ -170,9 +170,9 @@ const std::vector<ContactPoint<2>>& MovingContacts::update(const std::vector<Pla
     return points_;
 }
 
-const std::vector<ContactPoint<2>>& MovingContacts::update(const std::vector<Placement<2>>& now,
-                                                           const std::vector<Placement<2>>& ahead,
-                                                           double margin)
+const std::vector<ContactPoint<2>>& MovingContacts<2>::update(const std::vector<Placement<2>>& now,
+                                                              const std::vector<Placement<2>>& ahead,
+                                                              double margin)
 {
     assert(now.size() == centroid_.size() && ahead.size() == centroid_.size());
     place(now_, now);
@@ -182,13 +182,13 @@ const std::vector<ContactPoint<2>>& MovingContacts::update(const std::vector<Pla
     return points_;
 }
 
-void MovingContacts::leaveOut(int block)
+void MovingContacts<2>::leaveOut(int block)
 {
     isLeftOut_.resize(isFixed_.size(), false);
     isLeftOut_[static_cast<std::size_t>(block)] = true;
 }
 
-void MovingContacts::findNeighbours(double margin)
+void MovingContacts<2>::findNeighbours(double margin)
 {
     bool isCurrent = fat_.size() == reach_.size();
     for (std::size_t b = 0; b < reach_.size(); ++b)
@@ -222,7 +222,8 @@ void MovingContacts::findNeighbours(double margin)
     }
 }
 
-MovingContacts::Candidate MovingContacts::measured(int owner, int corner, int edge, int pairedEdge) const
+MovingContacts<2>::Candidate MovingContacts<2>::measured(int owner, int corner, int edge,
+                                                         int pairedEdge) const
 {
     Candidate candidate{owner, corner, edge, pairedEdge, 0, 0, 0};
     candidate.opposing = -ahead_->tangent[edge].dot(ahead_->tangent[pairedEdge]);
@@ -234,15 +235,15 @@ MovingContacts::Candidate MovingContacts::measured(int owner, int corner, int ed
     return candidate;
 }
 
-bool MovingContacts::isForemost(const Candidate& candidate, const Outlines& at, double angle) const
+bool MovingContacts<2>::isForemost(const Candidate& candidate, const Outlines& at, double angle) const
 {
     const Vector<2> reversed = -at.tangent[candidate.edge];
     return cross(at.tangent[previous_[candidate.corner]], reversed) >= -angle
            && cross(reversed, at.tangent[candidate.corner]) >= -angle;
 }
 
-MovingContacts::CornerLines MovingContacts::linesBetween(int blockCorner, int neighbourCorner,
-                                                         const Outlines& at, double angle) const
+MovingContacts<2>::CornerLines MovingContacts<2>::linesBetween(int blockCorner, int neighbourCorner,
+                                                               const Outlines& at, double angle) const
 {
     CornerLines lines;
     for (const int owner : {0, 1})
@@ -263,7 +264,7 @@ MovingContacts::CornerLines MovingContacts::linesBetween(int blockCorner, int ne
     return lines;
 }
 
-bool MovingContacts::holds(int block, const Vector<2>& point, double reach) const
+bool MovingContacts<2>::holds(int block, const Vector<2>& point, double reach) const
 {
     bool isInside = false;
     double distance = std::numeric_limits<double>::max();
@@ -281,14 +282,14 @@ bool MovingContacts::holds(int block, const Vector<2>& point, double reach) cons
     return isInside || distance <= reach;
 }
 
-int MovingContacts::nearerEnd(const Candidate& candidate) const
+int MovingContacts<2>::nearerEnd(const Candidate& candidate) const
 {
     const int edge = candidate.edge;
     const double foot = (now_.corner[candidate.corner] - now_.corner[edge]).dot(now_.tangent[edge]);
     return 2 * foot < length_[edge] ? edge : next_[edge];
 }
 
-bool MovingContacts::isOverlapped(const Candidate& candidate) const
+bool MovingContacts<2>::isOverlapped(const Candidate& candidate) const
 {
     const int cornerBlock = candidate.owner == 0 ? block_ : neighbour_;
     const int edgeBlock = candidate.owner == 0 ? neighbour_ : block_;
@@ -313,7 +314,7 @@ bool MovingContacts::isOverlapped(const Candidate& candidate) const
     return false;
 }
 
-MovingContacts::Candidate MovingContacts::partingLine(const Candidate& candidate) const
+MovingContacts<2>::Candidate MovingContacts<2>::partingLine(const Candidate& candidate) const
 {
     Candidate best{0, -1, -1, -1, 0, 0, 0};
     const int end = nearerEnd(candidate);
@@ -336,7 +337,7 @@ MovingContacts::Candidate MovingContacts::partingLine(const Candidate& candidate
     return best;
 }
 
-void MovingContacts::offer(const Candidate& candidate, double lowest, double margin)
+void MovingContacts<2>::offer(const Candidate& candidate, double lowest, double margin)
 {
     if (!(candidate.gap >= lowest && candidate.gap <= margin))
     {
@@ -364,7 +365,7 @@ void MovingContacts::offer(const Candidate& candidate, double lowest, double mar
     list(candidate);
 }
 
-void MovingContacts::list(const Candidate& candidate)
+void MovingContacts<2>::list(const Candidate& candidate)
 {
     // A blunt corner can face the same edge with both of its own: the more parallel one makes the joint.
     for (Candidate& other : candidates_)
@@ -381,7 +382,7 @@ void MovingContacts::list(const Candidate& candidate)
     candidates_.push_back(candidate);
 }
 
-void MovingContacts::matchEdges(int blockEdge, int neighbourEdge, double lowest, double margin)
+void MovingContacts<2>::matchEdges(int blockEdge, int neighbourEdge, double lowest, double margin)
 {
     // Most pairs of parallel edges are far apart. Within 15 degrees no gap lies beyond those of the ends by a
     // tenth.
@@ -432,7 +433,7 @@ void MovingContacts::matchEdges(int blockEdge, int neighbourEdge, double lowest,
     }
 }
 
-void MovingContacts::standCorners(int owner, int cornerBlock, int edgeBlock, double lowest, double margin)
+void MovingContacts<2>::standCorners(int owner, int cornerBlock, int edgeBlock, double lowest, double margin)
 {
     const Outlines& at = *ahead_;
     for (int corner = first_[cornerBlock]; corner < first_[cornerBlock + 1]; ++corner)
@@ -471,7 +472,7 @@ void MovingContacts::standCorners(int owner, int cornerBlock, int edgeBlock, dou
     }
 }
 
-void MovingContacts::guardCorners(double margin)
+void MovingContacts<2>::guardCorners(double margin)
 {
     // Two corners apart, each beyond the other's edges. Any one line that parts them is enough. A line with
     // which they are level comes first: along it they slide, or have just lost contact, and any other one
@@ -516,7 +517,7 @@ void MovingContacts::guardCorners(double margin)
     }
 }
 
-bool MovingContacts::excludeEachOther(const Candidate& a, const Candidate& b) const
+bool MovingContacts<2>::excludeEachOther(const Candidate& a, const Candidate& b) const
 {
     if (a.corner == b.corner)
     {
@@ -529,7 +530,7 @@ bool MovingContacts::excludeEachOther(const Candidate& a, const Candidate& b) co
     return sameCornerPair && -ahead_->tangent[a.edge].dot(ahead_->tangent[b.edge]) < leastOpposing;
 }
 
-void MovingContacts::dropDeeper()
+void MovingContacts<2>::dropDeeper()
 {
     const auto isWorse = [this](const Candidate& a, const Candidate& b)
     {
@@ -575,7 +576,7 @@ void MovingContacts::dropDeeper()
     }
 }
 
-void MovingContacts::findPoints(int block, int neighbour, double margin)
+void MovingContacts<2>::findPoints(int block, int neighbour, double margin)
 {
     candidates_.clear();
     block_ = block;
@@ -647,8 +648,8 @@ void MovingContacts::findPoints(int block, int neighbour, double margin)
     }
 }
 
-void MovingContacts::measure(const std::vector<Placement<2>>& placements,
-                             std::vector<ContactPoint<2>>& points) const
+void MovingContacts<2>::measure(const std::vector<Placement<2>>& placements,
+                                std::vector<ContactPoint<2>>& points) const
 {
     assert(placements.size() == centroid_.size());
     points = points_;
@@ -672,8 +673,8 @@ void MovingContacts::measure(const std::vector<Placement<2>>& placements,
     }
 }
 
-double MovingContacts::marginFor(const std::vector<Vector<3>>& velocities, double timeStep,
-                                 double acceleration) const
+double MovingContacts<2>::marginFor(const std::vector<Vector<3>>& velocities, double timeStep,
+                                    double acceleration) const
 {
     assert(velocities.size() == radius_.size());
     double fastest = 0;

@@ -19,6 +19,9 @@ struct MovingContactOptions
     double skin = 0.1; ///< reserve of the neighbour list, relative to the mean block size: time, not result
 };
 
+template<int Dim>
+class MovingContacts;
+
 /// Finds, for given placements of the blocks, the points at which a corner of one block meets, or is about to
 /// meet, an edge of another.
 ///
@@ -52,7 +55,8 @@ struct MovingContactOptions
 ///
 /// Owns a copy of the outlines; the assembly may go away. Not safe for calls from several threads on one
 /// object.
-class MovingContacts
+template<>
+class MovingContacts<2>
 {
 public:
     explicit MovingContacts(const Assembly<2>& assembly, const MovingContactOptions& options = {});

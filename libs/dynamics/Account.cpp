@@ -10,23 +10,24 @@ namespace
 {
 
 /// Where the energy of the step went.
-StepEnergy energyOf(Step& step)
+template<int Dim>
+StepEnergy energyOf(Step<Dim>& step)
 {
-    const Motion& motion = step.motion;
     const ThetaStep& result = step.solved.result;
-    StepEnergy energy = stepEnergy(result, step.scene.mass, step.load, step.solved.velocity,
-                                   motion.state.velocity, step.scheme);
+    StepEnergy energy =
+        stepEnergy(result, step.mass, step.load, step.solved.velocity, step.velocityAtEnd, step.scheme);
     energy.algorithmicLoss -= step.keptInFlight;
     constexpr double byLoads = 4; // twice the change of velocity, squared
     const double smooth = byLoads * (step.scheme.theta - 0.5) * step.scheme.timeStep * step.scheme.timeStep
-                          * step.load.cwiseAbs2().cwiseQuotient(step.scene.mass).sum();
+                          * inverseSquareOf(step.mass, step.load);
     step.motion.smoothLoss += std::min(energy.algorithmicLoss, smooth);
     // Points close and slide by A'y and by what the supports do, which work against the same forces.
     double workOfSupports = step.solved.workOfSupports;
-    for (Eigen::Index row = 0; row < step.bySupports.size(); row += 2)
+    for (Eigen::Index row = 0; row < step.bySupports.size(); row += Dim)
     {
         const double normalWork = result.contactForce[row] * step.bySupports[row];
-        const double shearWork = result.contactForce[row + 1] * step.bySupports[row + 1];
+        const double shearWork = result.contactForce.template segment<Dim - 1>(row + 1).dot(
+            step.bySupports.template segment<Dim - 1>(row + 1));
         energy.normalLoss += normalWork;
         energy.frictionLoss += shearWork;
         workOfSupports += normalWork + shearWork;
@@ -34,7 +35,7 @@ StepEnergy energyOf(Step& step)
     energy.externalWork = (step.load - step.scene.deadLoad).dot(result.displacement) + workOfSupports;
     const std::function<Eigen::VectorXd()> opening = [&step, &result]
     { return openingAtEnd(step, result.displacement, result.contactForce); };
-    const EffectContext context = contextOf(step);
+    const EffectContext<Dim> context = contextOf(step);
     const EffectSolution solution{result.displacement, result.contactForce, opening};
     for (const auto& effect : step.scene.effects)
     {
@@ -44,9 +45,10 @@ StepEnergy energyOf(Step& step)
 }
 
 /// Forces and gaps, where the next step starts.
-void keepContacts(Step& step)
+template<int Dim>
+void keepContacts(Step<Dim>& step)
 {
-    Motion& motion = step.motion;
+    Motion<Dim>& motion = step.motion;
     const ThetaStep& result = step.solved.result;
     motion.points = std::move(step.points);
     if (motion.contacts)
@@ -56,8 +58,8 @@ void keepContacts(Step& step)
     motion.contactForces.resize(motion.points.size());
     for (std::size_t i = 0; i < motion.points.size(); ++i)
     {
-        const Eigen::Index row = 2 * static_cast<Eigen::Index>(i);
-        motion.contactForces[i] = result.contactForce.segment<2>(row);
+        const Eigen::Index row = Dim * static_cast<Eigen::Index>(i);
+        motion.contactForces[i] = result.contactForce.segment<Dim>(row);
         if (!motion.contacts)
         {
             motion.points[i].gap -=
@@ -71,7 +73,8 @@ void keepContacts(Step& step)
         for (std::size_t i = 0; i < motion.points.size(); ++i)
         {
             motion.meanForces[i] +=
-                step.solved.impulse.segment<2>(2 * static_cast<Eigen::Index>(i)) / step.scheme.timeStep;
+                step.solved.impulse.template segment<Dim>(Dim * static_cast<Eigen::Index>(i))
+                / step.scheme.timeStep;
         }
     }
     motion.interior = std::move(step.solved.result.interior);
@@ -79,20 +82,23 @@ void keepContacts(Step& step)
 
 } // namespace
 
-void account(Step& step)
+template<int Dim>
+void account(Step<Dim>& step)
 {
     const StageTimer timer(step.motion.stageTimes, Stage::account);
-    const DynamicCase& scene = step.scene;
-    Motion& motion = step.motion;
+    const DynamicCase<Dim>& scene = step.scene;
+    Motion<Dim>& motion = step.motion;
     StepEnergy energy = energyOf(step);
     motion.effectStates = std::move(step.effectStates);
     energy.externalWork -= leaveOutBlocks(scene, motion);
     motion.energy.impactLoss += step.solved.lostInImpacts;
-    keepLedger(motion.energy, scene, energy, motion.state.velocity, motion.state.placements);
+    keepLedger(motion.energy, scene, energy, motion.state);
     motion.largestKinetic = std::max(motion.largestKinetic, motion.energy.kinetic);
     motion.restitutionShare = step.solved.restitutionShare;
     motion.residuals = motion.attempt;
     keepContacts(step);
 }
+
+template void account(Step<2>& step);
 
 } // namespace drystone

@@ -14,7 +14,8 @@ namespace
 
 constexpr int mostHalvings = 10;
 
-StepWork allowedWork(const DynamicCase& scene)
+template<int Dim>
+StepWork allowedWork(const DynamicCase<Dim>& scene)
 {
     StepWork work;
     work.most = scene.solution.maximumFactorisations;
@@ -22,13 +23,16 @@ StepWork allowedWork(const DynamicCase& scene)
 }
 
 /// The next step of a run with adjustTimeStep [s]. \param timeStep the last one
-double nextTimeStep(const DynamicCase& scene, const Motion& motion, double timeStep)
+template<int Dim>
+double nextTimeStep(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, double timeStep)
 {
     const double now = motion.state.time;
     double fastest = 0;
-    for (const Vector<3>& velocity : velocitiesOfAllBlocks(scene, motion.state, now, now))
+    for (const BlockVector<Dim>& velocity : velocitiesOfAllBlocks(scene, motion.state, now, now))
     {
-        fastest = std::max(fastest, velocity.head<2>().norm() + scene.blockSize * std::abs(velocity[2]));
+        fastest =
+            std::max(fastest, velocity.template head<Dim>().norm()
+                                  + scene.blockSize * velocity.template tail<rotationCount<Dim>>().norm());
     }
     const double allowed = std::min(scene.schemes.maxDeltaT, 1.2 * timeStep);
     const double reach = scene.schemes.maxDisplacement * scene.blockSize;
@@ -37,9 +41,11 @@ double nextTimeStep(const DynamicCase& scene, const Motion& motion, double timeS
 
 } // namespace
 
-double advanceUnparted(const DynamicCase& scene, Motion& motion, double timeStep, const ImpactChoice& impacts)
+template<int Dim>
+double advanceUnparted(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeStep,
+                       const ImpactChoice& impacts)
 {
-    Step step(scene, motion, timeStep, impacts);
+    Step<Dim> step(scene, motion, timeStep, impacts);
     findContacts(step);
     assemble(step);
     contribute(step);
@@ -61,13 +67,15 @@ double advanceUnparted(const DynamicCase& scene, Motion& motion, double timeStep
     return 1;
 }
 
-bool advance(const DynamicCase& scene, Motion& motion, double timeStep)
+template<int Dim>
+bool advance(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeStep)
 {
     motion.work = allowedWork(scene);
     return advanceInParts(scene, motion, timeStep);
 }
 
-ShortenedStep advanceOrShorten(const DynamicCase& scene, Motion& motion, double timeStep)
+template<int Dim>
+ShortenedStep advanceOrShorten(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeStep)
 {
     motion.work = allowedWork(scene);
     for (int retries = 0;; ++retries)
@@ -87,7 +95,8 @@ ShortenedStep advanceOrShorten(const DynamicCase& scene, Motion& motion, double 
     }
 }
 
-bool advance(const DynamicCase& scene, Motion& motion, Time& time)
+template<int Dim>
+bool advance(const DynamicCase<Dim>& scene, Motion<Dim>& motion, Time& time)
 {
     const ShortenedStep taken = advanceOrShorten(scene, motion, time.deltaT());
     if (!taken.isSolved)
@@ -106,5 +115,11 @@ bool advance(const DynamicCase& scene, Motion& motion, Time& time)
     }
     return true;
 }
+
+template double advanceUnparted(const DynamicCase<2>& scene, Motion<2>& motion, double timeStep,
+                                const ImpactChoice& impacts);
+template bool advance(const DynamicCase<2>& scene, Motion<2>& motion, double timeStep);
+template ShortenedStep advanceOrShorten(const DynamicCase<2>& scene, Motion<2>& motion, double timeStep);
+template bool advance(const DynamicCase<2>& scene, Motion<2>& motion, Time& time);
 
 } // namespace drystone

@@ -29,7 +29,8 @@ namespace drystone
 /// (PartedStep.h).
 ///
 /// \return whether the step was solved; otherwise nothing but `attempt`, `work` and `stageTimes` has changed
-bool advance(const DynamicCase& scene, Motion& motion, double timeStep);
+template<int Dim>
+bool advance(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeStep);
 
 /// A step that was shortened until it was solved.
 struct ShortenedStep
@@ -41,11 +42,13 @@ struct ShortenedStep
 /// One step; one that is not solved is tried again half as long, up to ten times and as long as
 /// `maximumFactorisations` allow for. The retries are in `motion.attempt`, and in `motion.residuals` of a
 /// step that was solved. Nothing else changes in a motion whose step was not.
-ShortenedStep advanceOrShorten(const DynamicCase& scene, Motion& motion, double timeStep);
+template<int Dim>
+ShortenedStep advanceOrShorten(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeStep);
 
 /// The step of a run that ends at time.value(), shortened if it is not solved. With adjustTimeStep the next
 /// step is chosen such that no block moves by more than maxDisplacement. \return whether it was solved;
 /// otherwise the time is that of the start of the step again
-bool advance(const DynamicCase& scene, Motion& motion, Time& time);
+template<int Dim>
+bool advance(const DynamicCase<Dim>& scene, Motion<Dim>& motion, Time& time);
 
 } // namespace drystone

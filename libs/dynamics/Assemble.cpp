@@ -11,7 +11,8 @@ namespace
 {
 
 /// Which point of the last step each of this one is, or -1 where it is new.
-std::vector<int> pointsOfLastStep(const Motion& motion, const std::vector<ContactPoint<2>>& points)
+template<int Dim>
+std::vector<int> pointsOfLastStep(const Motion<Dim>& motion, const std::vector<ContactPoint<Dim>>& points)
 {
     std::vector<int> old(points.size(), -1);
     if (!motion.contacts)
@@ -23,7 +24,7 @@ std::vector<int> pointsOfLastStep(const Motion& motion, const std::vector<Contac
     std::size_t first = 0;
     for (std::size_t point = 0; point < points.size(); ++point)
     {
-        const auto pairOf = [](const ContactPoint<2>& p) { return std::pair(p.block, p.neighbour); };
+        const auto pairOf = [](const ContactPoint<Dim>& p) { return std::pair(p.block, p.neighbour); };
         while (first < motion.points.size() && pairOf(motion.points[first]) < pairOf(points[point]))
         {
             ++first;
@@ -42,47 +43,51 @@ std::vector<int> pointsOfLastStep(const Motion& motion, const std::vector<Contac
 
 /// What the points of the last step had, two numbers each, at those of this one; zero where a point is new.
 /// \param valueOf a point of the last step
-template<typename ValueOf>
+template<int Dim, typename ValueOf>
 Eigen::VectorXd atPoints(const std::vector<int>& old, const ValueOf& valueOf)
 {
-    Eigen::VectorXd values = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(old.size()));
+    Eigen::VectorXd values = Eigen::VectorXd::Zero(Dim * static_cast<Eigen::Index>(old.size()));
     for (std::size_t point = 0; point < old.size(); ++point)
     {
         if (old[point] >= 0)
         {
-            values.segment<2>(2 * static_cast<Eigen::Index>(point)) = valueOf(old[point]);
+            values.segment<Dim>(Dim * static_cast<Eigen::Index>(point)) = valueOf(old[point]);
         }
     }
     return values;
 }
 
 /// A step's guess: where the blocks are heading, and what the last step knew of its points.
-StepGuess guessFrom(const Motion& motion, const std::vector<ContactPoint<2>>& points, double timeStep)
+template<int Dim>
+StepGuess guessFrom(const Motion<Dim>& motion, const std::vector<ContactPoint<Dim>>& points, double timeStep)
 {
     const std::vector<int> old = pointsOfLastStep(motion, points);
     const auto of = [](const Eigen::VectorXd& values)
-    { return [&values](int point) { return values.segment<2>(2 * point); }; };
+    { return [&values](int point) { return values.segment<Dim>(Dim * point); }; };
     StepGuess guess;
     guess.displacement = timeStep * motion.state.velocity;
     guess.contactForce =
-        atPoints(old, [&](int point) { return motion.contactForces[static_cast<std::size_t>(point)]; });
+        atPoints<Dim>(old, [&](int point) { return motion.contactForces[static_cast<std::size_t>(point)]; });
     if (const InteriorStart& interior = motion.interior; !interior.isEmpty())
     {
-        guess.interior = {atPoints(old, of(interior.contactForce)), atPoints(old, of(interior.opening)),
-                          interior.displacement};
+        guess.interior = {atPoints<Dim>(old, of(interior.contactForce)),
+                          atPoints<Dim>(old, of(interior.opening)), interior.displacement};
     }
     return guess;
 }
 
 } // namespace
 
-void assemble(Step& step)
+template<int Dim>
+void assemble(Step<Dim>& step)
 {
     const StageTimer timer(step.motion.stageTimes, Stage::assemble);
-    step.program = thetaStepProgram(step.scene.mass, step.motion.state.velocity, step.load, step.points,
+    step.program = thetaStepProgram(step.mass, step.motion.state.velocity, step.load, step.points,
                                     step.columns, frictionAt(step.scene, step.points), step.scheme);
     step.loadAtStart = step.program.load;
     step.guess = guessFrom(step.motion, step.points, step.scheme.timeStep);
 }
+
+template void assemble(Step<2>& step);
 
 } // namespace drystone

@@ -34,22 +34,23 @@ constexpr std::size_t mostMeetingPairs = 2;
 /// some solvers end inside the cones, where a point that stays wide apart carries force too, a little. Of
 /// force and opening, which the exact solution never has both, the smaller part is then the error: force as a
 /// share of the largest one, opening as a share of the farthest motion.
-std::vector<char> closedPoints(const Step& step)
+template<int Dim>
+std::vector<char> closedPoints(const Step<Dim>& step)
 {
-    const PlaneConeProgram& program = step.program;
+    const StepProgram<Dim>& program = step.program;
     const ThetaStep& result = step.solved.result;
     const StepSettings& settings = step.settings;
     const Eigen::VectorXd opening = openingAtEnd(step, result.displacement, result.contactForce);
     const double largestForce = result.contactForce.lpNorm<Eigen::Infinity>();
-    const double farthest = farthestMotion(result.displacement, settings.blockSize);
+    const double farthest = farthestMotion<Dim>(result.displacement, settings.blockSize);
     const double error = settings.contactTolerance + result.flowError;
     std::vector<char> isClosed(static_cast<std::size_t>(program.points()));
     for (std::size_t point = 0; point < isClosed.size(); ++point)
     {
-        const auto row = 2 * static_cast<Eigen::Index>(point);
+        const auto row = Dim * static_cast<Eigen::Index>(point);
         // Where points slide, the associative law opens them by mu |u_t|, and they press nevertheless.
         const double byFlow = settings.flowRule == FlowRule::associative
-                                  ? program.friction[point] * std::abs(opening[row + 1])
+                                  ? program.friction[point] * opening.segment<Dim - 1>(row + 1).norm()
                                   : 0;
         const double apart = opening[row] - byFlow;
         isClosed[point] = apart <= error || apart * largestForce <= result.contactForce[row] * farthest;
@@ -68,16 +69,17 @@ struct Colliding
 
 /// With ImpactInstant::stepStart all collide now that the step closes, if one was closing when it began.
 /// \param closing velocity of the points [m/s], two a point
-Colliding collidingPoints(const Step& step, const Eigen::VectorXd& closing)
+template<int Dim>
+Colliding collidingPoints(const Step<Dim>& step, const Eigen::VectorXd& closing)
 {
     const ThetaStep& result = step.solved.result;
     const double slowest = step.solved.slowest;
     const double force = carriesForce * result.contactForce.lpNorm<Eigen::Infinity>();
     const bool isLocated = step.impacts.instant == ImpactInstant::located;
     const bool mayReturn = isLocated && step.scene.restitution() > 0;
-    const auto speedOf = [&](std::size_t point) { return closing[2 * static_cast<Eigen::Index>(point)]; };
+    const auto speedOf = [&](std::size_t point) { return closing[Dim * static_cast<Eigen::Index>(point)]; };
     const auto carries = [&](std::size_t point)
-    { return result.contactForce[2 * static_cast<Eigen::Index>(point)] > force; };
+    { return result.contactForce[Dim * static_cast<Eigen::Index>(point)] > force; };
     const auto collides = [&](std::size_t point) { return carries(point) && speedOf(point) > slowest; };
     const auto returns = [&](std::size_t point)
     { return mayReturn && carries(point) && speedOf(point) < -slowest; };
@@ -122,21 +124,22 @@ Colliding collidingPoints(const Step& step, const Eigen::VectorXd& closing)
 }
 
 /// Gives the blocks the velocities that they have after an impact. \return whether it was solved
-bool takeImpact(Step& step, std::vector<std::size_t> meeting)
+template<int Dim>
+bool takeImpact(Step<Dim>& step, std::vector<std::size_t> meeting)
 {
-    const DynamicCase& scene = step.scene;
+    const DynamicCase<Dim>& scene = step.scene;
     const double timeStep = step.scheme.timeStep;
     StepSolution& solved = step.solved;
     // Momentum changes at an instant: about the mass centres where they are, not where a step takes them.
-    PlaneConeProgram arrival = step.program;
+    StepProgram<Dim> arrival = step.program;
     if (!step.arrivals.empty())
     {
         setColumns(arrival, step.arrivals);
     }
     const double slowestRebound = 0.5 * step.acceleration * step.impacts.shortestFlight;
-    Impact impact = impactOf({scene.mass, solved.velocity, arrival, meeting, step.bySupports,
-                              scene.restitution(), slowestRebound, timeStep},
-                             step.settings);
+    Impact impact = impactOf<Dim>({step.mass, solved.velocity, arrival, meeting, step.bySupports,
+                                   scene.restitution(), slowestRebound, timeStep},
+                                  step.settings);
     countWork(step, impact.iterations, impact.factorisations, impact.programs);
     solved.isSolved = impact.isSolved;
     if (!solved.isSolved)
@@ -154,17 +157,18 @@ bool takeImpact(Step& step, std::vector<std::size_t> meeting)
     }
     for (std::size_t i = 0; i < meeting.size(); ++i)
     {
-        solved.impulse.segment<2>(2 * static_cast<Eigen::Index>(meeting[i])) +=
-            impact.impulse.segment<2>(2 * static_cast<Eigen::Index>(i));
+        solved.impulse.segment<Dim>(Dim * static_cast<Eigen::Index>(meeting[i])) +=
+            impact.impulse.segment<Dim>(Dim * static_cast<Eigen::Index>(i));
     }
-    step.program.load = step.load + scene.mass.cwiseProduct(solved.velocity) / (step.scheme.theta * timeStep);
+    step.program.load = step.load + times(step.mass, solved.velocity) / (step.scheme.theta * timeStep);
     step.guess.displacement = timeStep * solved.velocity;
     solved.collided = std::move(meeting);
     return true;
 }
 
 /// \return whether blocks collided, and the step is to be solved again
-bool collideOnce(Step& step)
+template<int Dim>
+bool collideOnce(Step<Dim>& step)
 {
     StepSolution& solved = step.solved;
     const Eigen::VectorXd closing =
@@ -172,7 +176,7 @@ bool collideOnce(Step& step)
     // Nor do points that an impact has just stopped, or thrown back, to its tolerance.
     for (const std::size_t point : solved.collided)
     {
-        solved.slowest = std::max(solved.slowest, closing[2 * static_cast<Eigen::Index>(point)]);
+        solved.slowest = std::max(solved.slowest, closing[Dim * static_cast<Eigen::Index>(point)]);
     }
     Colliding colliding = collidingPoints(step, closing);
     if (!colliding.later.empty() && colliding.now.empty())
@@ -202,12 +206,14 @@ bool collideOnce(Step& step)
 
 } // namespace
 
-bool hasImpacts(const DynamicCase& scene)
+template<int Dim>
+bool hasImpacts(const DynamicCase<Dim>& scene)
 {
     return scene.restitution() > 0 || scene.schemes.timeIntegration.theta < 1;
 }
 
-bool collide(Step& step)
+template<int Dim>
+bool collide(Step<Dim>& step)
 {
     const StageTimer timer(step.motion.stageTimes, Stage::collide);
     StepSolution& solved = step.solved;
@@ -229,5 +235,8 @@ bool collide(Step& step)
     }
     return false;
 }
+
+template bool hasImpacts(const DynamicCase<2>& scene);
+template bool collide(Step<2>& step);
 
 } // namespace drystone

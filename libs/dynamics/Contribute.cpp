@@ -11,15 +11,16 @@ namespace
 /// in the step from rest. Closed at once, an overlap d would throw the blocks apart with d/dt, the faster the
 /// shorter the step. Overlaps that steps leave are smaller than the tolerance and are closed. \return whether
 /// there was any
-bool leaveOverlaps(PlaneConeProgram& program, double tolerance, double reach)
+template<int Dim>
+bool leaveOverlaps(StepProgram<Dim>& program, double tolerance, double reach)
 {
     bool isAny = false;
     for (int point = 0; point < program.points(); ++point)
     {
-        const double left = -program.gap[2 * point] - tolerance - reach;
+        const double left = -program.gap[Dim * point] - tolerance - reach;
         if (left > 0)
         {
-            program.gap[2 * point] += left;
+            program.gap[Dim * point] += left;
             isAny = true;
         }
     }
@@ -28,11 +29,12 @@ bool leaveOverlaps(PlaneConeProgram& program, double tolerance, double reach)
 
 } // namespace
 
-void contribute(Step& step)
+template<int Dim>
+void contribute(Step<Dim>& step)
 {
     const StageTimer timer(step.motion.stageTimes, Stage::contribute);
-    const DynamicCase& scene = step.scene;
-    PlaneConeProgram& program = step.program;
+    const DynamicCase<Dim>& scene = step.scene;
+    StepProgram<Dim>& program = step.program;
     const double timeStep = step.scheme.timeStep;
     const Eigen::VectorXd gap = program.gap;
     // Points that give way overlap by what their forces press them together.
@@ -42,7 +44,7 @@ void contribute(Step& step)
     step.effectStates = step.motion.effectStates;
     if (!scene.effects.empty() || isOverlapLeft)
     {
-        const EffectContext context = contextOf(step);
+        const EffectContext<Dim> context = contextOf(step);
         for (std::size_t i = 0; i < scene.effects.size(); ++i)
         {
             scene.effects[i]->contribute(context, step.effectStates[i], program);
@@ -59,5 +61,7 @@ void contribute(Step& step)
         step.relinearise = movingContactGeometry(step);
     }
 }
+
+template void contribute(Step<2>& step);
 
 } // namespace drystone

@@ -20,7 +20,8 @@ constexpr int mostRelinearisations = 10;
 
 /// With gaps as they are. \param program its gaps without what the flow opens; with it on return
 /// \return whether it was reached; otherwise the step is as it was but for the work counted
-bool solveFlow(ThetaStep& step, PlaneConeProgram& program, const ConeSolution& start,
+template<int Dim>
+bool solveFlow(ThetaStep& step, StepProgram<Dim>& program, const ConeSolution& start,
                const StepSettings& settings, double gapTolerance, int mostNewtonSteps)
 {
     constexpr double beyond = 1e-3; // nearly for nothing: the last Newton step is exact
@@ -41,18 +42,21 @@ bool solveFlow(ThetaStep& step, PlaneConeProgram& program, const ConeSolution& s
         const double mu = program.friction[static_cast<std::size_t>(point)];
         const Strength strength =
             program.hasStrength() ? program.strength[static_cast<std::size_t>(point)] : Strength{};
-        const auto force = solution.contactForce.segment<2>(2 * point);
-        auto gap = program.gap.segment<2>(2 * point);
-        const Eigen::Vector2d open = gap - closing.segment<2>(2 * point);
+        const auto force = solution.contactForce.segment<Dim>(Dim * point);
+        auto gap = program.gap.template segment<Dim>(Dim * point);
+        const Vector<Dim> open = gap - closing.segment<Dim>(Dim * point);
         if ((force[0] > -strength.tension || open[0] < 0) && std::abs(open[0]) <= gapTolerance)
         {
             gap[0] -= open[0];
         }
-        if (std::abs(force[1]) < strength.cohesion + mu * force[0] && std::abs(open[1]) <= gapTolerance)
+        auto shearGap = program.gap.template segment<Dim - 1>(Dim * point + 1);
+        const auto shearOpen = open.template tail<Dim - 1>();
+        if (force.template tail<Dim - 1>().norm() < strength.cohesion + mu * force[0]
+            && shearOpen.norm() <= gapTolerance)
         {
-            gap[1] -= open[1];
+            shearGap -= shearOpen;
         }
-        gap[0] += mu * std::abs(closing[2 * point + 1] - gap[1]);
+        gap[0] += mu * (closing.segment<Dim - 1>(Dim * point + 1) - shearGap).norm();
     }
     step.certificate = certifyOptimal(program, solution);
     step.flowError = 0;
@@ -69,27 +73,30 @@ bool solveFlow(ThetaStep& step, PlaneConeProgram& program, const ConeSolution& s
 
 } // namespace
 
-Eigen::VectorXd dilatancy(const PlaneConeProgram& program, const Eigen::VectorXd& closing,
+template<int Dim>
+Eigen::VectorXd dilatancy(const StepProgram<Dim>& program, const Eigen::VectorXd& closing,
                           const Eigen::VectorXd& contactForce)
 {
     const Eigen::VectorXd gap = program.hasCompliance() ? gapUnder(program, contactForce) : program.gap;
     Eigen::VectorXd opening(program.points());
     for (int point = 0; point < program.points(); ++point)
     {
-        opening[point] = program.friction[static_cast<std::size_t>(point)]
-                         * std::abs(closing[2 * point + 1] - gap[2 * point + 1]);
+        opening[point] =
+            program.friction[static_cast<std::size_t>(point)]
+            * (closing.segment<Dim - 1>(Dim * point + 1) - gap.segment<Dim - 1>(Dim * point + 1)).norm();
     }
     return opening;
 }
 
+template<int Dim>
 double errorOfFlow(const Eigen::VectorXd& imposed, const Eigen::VectorXd& opening, const Eigen::VectorXd& gap,
                    const ThetaStep& step, double least)
 {
     double error = 0;
     for (Eigen::Index point = 0; point < opening.size(); ++point)
     {
-        const bool presses = step.contactForce[2 * point] > least;
-        const bool enters = gap[2 * point] < step.closing[2 * point];
+        const bool presses = step.contactForce[Dim * point] > least;
+        const bool enters = gap[Dim * point] < step.closing[Dim * point];
         if (presses || enters)
         {
             error = std::max(error, std::abs(opening[point] - imposed[point]));
@@ -98,13 +105,15 @@ double errorOfFlow(const Eigen::VectorXd& imposed, const Eigen::VectorXd& openin
     return error;
 }
 
-bool solveFlow(ThetaStep& step, PlaneConeProgram program, ConeSolution start, const Eigen::VectorXd& heading,
-               const StepSettings& settings, const Relinearisation& relinearise, const NewtonEffort& effort)
+template<int Dim>
+bool solveFlow(ThetaStep& step, StepProgram<Dim> program, ConeSolution start, const Eigen::VectorXd& heading,
+               const StepSettings& settings, const Relinearisation<Dim>& relinearise,
+               const NewtonEffort& effort)
 {
     constexpr double partOfStep = 1e-3;
     for (int round = 0; round <= mostRelinearisations; ++round)
     {
-        PlaneConeProgram flowing = program;
+        StepProgram<Dim> flowing = program;
         const double gapTolerance =
             relinearise ? std::min(effort.gapTolerance,
                                    partOfStep * (start.displacement - heading).lpNorm<Eigen::Infinity>())
@@ -133,9 +142,10 @@ bool solveFlow(ThetaStep& step, PlaneConeProgram program, ConeSolution start, co
     return false;
 }
 
-bool goesOnFromLastStep(ThetaStep& step, const PlaneConeProgram& program, const ConeSolution& start,
+template<int Dim>
+bool goesOnFromLastStep(ThetaStep& step, const StepProgram<Dim>& program, const ConeSolution& start,
                         const Eigen::VectorXd& heading, const StepSettings& settings,
-                        const Relinearisation& relinearise)
+                        const Relinearisation<Dim>& relinearise)
 {
     if (settings.solver.solver != SolverType::automatic || program.hasCompliance()
         || start.contactForce.isZero(0))
@@ -148,5 +158,16 @@ bool goesOnFromLastStep(ThetaStep& step, const PlaneConeProgram& program, const 
     return solveFlow(step, program, start, heading, settings, relinearise, effort)
            && !mayRest(program, program.load - applyEquilibrium(program, step.contactForce));
 }
+
+template Eigen::VectorXd dilatancy(const StepProgram<2>& program, const Eigen::VectorXd& closing,
+                                   const Eigen::VectorXd& contactForce);
+template double errorOfFlow<2>(const Eigen::VectorXd& imposed, const Eigen::VectorXd& opening,
+                               const Eigen::VectorXd& gap, const ThetaStep& step, double least);
+template bool solveFlow(ThetaStep& step, StepProgram<2> program, ConeSolution start,
+                        const Eigen::VectorXd& heading, const StepSettings& settings,
+                        const Relinearisation<2>& relinearise, const NewtonEffort& effort);
+template bool goesOnFromLastStep(ThetaStep& step, const StepProgram<2>& program, const ConeSolution& start,
+                                 const Eigen::VectorXd& heading, const StepSettings& settings,
+                                 const Relinearisation<2>& relinearise);
 
 } // namespace drystone

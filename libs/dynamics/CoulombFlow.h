@@ -8,13 +8,15 @@ namespace drystone
 {
 
 /// mu |u_t| of each point: what the program's flow opens. \param closing A'y
-Eigen::VectorXd dilatancy(const PlaneConeProgram& program, const Eigen::VectorXd& closing,
+template<int Dim>
+Eigen::VectorXd dilatancy(const StepProgram<Dim>& program, const Eigen::VectorXd& closing,
                           const Eigen::VectorXd& contactForce);
 
 /// How far what a program imposed is from the dilatancy of its solution, where that matters: where a point
 /// presses, or would enter its partner without what is imposed. Everywhere else the point is apart and
 /// without force, which Coulomb's law allows whatever it slides. \param gap of the points [m], without what
 /// is imposed \param least force that counts [N]
+template<int Dim>
 double errorOfFlow(const Eigen::VectorXd& imposed, const Eigen::VectorXd& opening, const Eigen::VectorXd& gap,
                    const ThetaStep& step, double least);
 
@@ -31,13 +33,16 @@ struct NewtonEffort
 /// that, or to a thousandth of what the step changes the motion by, if that is less. \param program its gaps
 /// without what the flow opens \param heading dt v0 \return whether it was reached; otherwise the step is as
 /// it was but for the work counted
-bool solveFlow(ThetaStep& step, PlaneConeProgram program, ConeSolution start, const Eigen::VectorXd& heading,
-               const StepSettings& settings, const Relinearisation& relinearise, const NewtonEffort& effort);
+template<int Dim>
+bool solveFlow(ThetaStep& step, StepProgram<Dim> program, ConeSolution start, const Eigen::VectorXd& heading,
+               const StepSettings& settings, const Relinearisation<Dim>& relinearise,
+               const NewtonEffort& effort);
 
 /// Coulomb's law from the forces of the last step, without a program: with `automatic` alone, since every
 /// other solver is requested by name, and not near rest, which only a program tells from slow motion.
-bool goesOnFromLastStep(ThetaStep& step, const PlaneConeProgram& program, const ConeSolution& start,
+template<int Dim>
+bool goesOnFromLastStep(ThetaStep& step, const StepProgram<Dim>& program, const ConeSolution& start,
                         const Eigen::VectorXd& heading, const StepSettings& settings,
-                        const Relinearisation& relinearise);
+                        const Relinearisation<Dim>& relinearise);
 
 } // namespace drystone

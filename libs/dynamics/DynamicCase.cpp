@@ -23,16 +23,17 @@ namespace
 {
 
 /// The friction coefficients of joints that have one of their own.
+template<int Dim>
 std::vector<std::pair<std::pair<int, int>, double>>
 frictionOfJoints(const std::filesystem::path& caseDirectory, const ContactProperties& contact,
-                 const Assembly<2>& assembly)
+                 const Assembly<Dim>& assembly)
 {
     std::vector<std::pair<std::pair<int, int>, double>> result;
     if (contact.joints.empty())
     {
         return result;
     }
-    const std::vector<ContactPoint<2>> points = findContactPoints(assembly); // sorted by pairs
+    const std::vector<ContactPoint<Dim>> points = findContactPoints(assembly); // sorted by pairs
     const std::vector<PointLaw> laws = pointLaws(caseDirectory, contact, assembly, points);
     const double ofAll = contact.friction ? contact.friction->mu : 0;
     for (std::size_t i = 0; i < points.size(); ++i)
@@ -47,7 +48,8 @@ frictionOfJoints(const std::filesystem::path& caseDirectory, const ContactProper
 }
 
 /// Refuses effects that motion does not simulate, so that nobody takes a result for what it is not.
-void refuseCrushing(const CaseEffects& read)
+template<int Dim>
+void refuseCrushing(const CaseEffects<Dim>& read)
 {
     for (const std::string name : {"crushing", "pointsPerJoint", "jointPoints", "contact"})
     {
@@ -73,19 +75,21 @@ void refuseCrushing(const CaseEffects& read)
 
 } // namespace
 
-DynamicCase readDynamicCase(const std::filesystem::path& caseDirectory, const std::vector<EffectType>& types)
+template<int Dim>
+DynamicCase<Dim> readDynamicCase(const std::filesystem::path& caseDirectory,
+                                 const std::vector<EffectType<Dim>>& types)
 {
-    DynamicCase scene;
+    DynamicCase<Dim> scene;
     scene.schemes = readSchemes(caseDirectory);
     scene.solution = readOptions<SolverChoice>(readSolution(caseDirectory, "contactDynamics"));
-    Assembly<2> assembly = readAssembly<2>(caseDirectory);
+    Assembly<Dim> assembly = readAssembly<Dim>(caseDirectory);
     refuseOverlaps(assembly, caseDirectory);
     refuseAlmostJoints(assembly, caseDirectory);
-    const CaseEffects read = readCaseEffects(caseDirectory, types);
+    const CaseEffects<Dim> read = readCaseEffects(caseDirectory, types);
     refuseCrushing(read);
     scene.contact = read.contact;
     scene.effectNames = effectNames(read);
-    scene.gravity = readGravity<2>(caseDirectory);
+    scene.gravity = readGravity<Dim>(caseDirectory);
     scene.jointFriction = frictionOfJoints(caseDirectory, scene.contact, assembly);
     const std::vector<double> densities = readDensities(caseDirectory, assembly, scene.gravity);
     setStructure(scene, std::move(assembly), densities);
@@ -94,7 +98,7 @@ DynamicCase readDynamicCase(const std::filesystem::path& caseDirectory, const st
                            scene.schemes.timeIntegration.theta, scene.solution.solver});
     const std::vector<double> masses = massesOf(scene.blocks, densities);
     scene.deadLoad =
-        readLoads<2>(caseDirectory, {scene.assembly, masses, scene.gravity}, LiveLoad::optional).dead;
+        readLoads<Dim>(caseDirectory, {scene.assembly, masses, scene.gravity}, LiveLoad::optional).dead;
     if (const auto file = caseDirectory / "constant/groundMotion"; std::filesystem::exists(file))
     {
         scene.groundMotion = readGroundMotion(Dictionary::readFile(file), caseDirectory);
@@ -103,17 +107,19 @@ DynamicCase readDynamicCase(const std::filesystem::path& caseDirectory, const st
     return scene;
 }
 
-Eigen::VectorXd loadUnder(const DynamicCase& scene, const Eigen::Vector3d& ground)
+template<int Dim>
+Eigen::VectorXd loadUnder(const DynamicCase<Dim>& scene, const Eigen::Vector3d& ground)
 {
     Eigen::VectorXd load = scene.deadLoad;
-    for (Eigen::Index row = 0; row < load.size(); row += 3)
+    for (Eigen::Index row = 0; row < load.size(); row += freedomCount<Dim>)
     {
-        load.segment<2>(row) -= scene.groundFactor * scene.mass[row] * ground.head<2>();
+        load.segment<Dim>(row) -= scene.groundFactor * scene.mass[row] * ground.head<Dim>();
     }
     return load;
 }
 
-std::vector<double> frictionAt(const DynamicCase& scene, const std::vector<ContactPoint<2>>& points)
+template<int Dim>
+std::vector<double> frictionAt(const DynamicCase<Dim>& scene, const std::vector<ContactPoint<Dim>>& points)
 {
     std::vector<double> friction(points.size(), scene.contact.friction ? scene.contact.friction->mu : 0);
     for (std::size_t i = 0; !scene.jointFriction.empty() && i < points.size(); ++i)
@@ -129,5 +135,11 @@ std::vector<double> frictionAt(const DynamicCase& scene, const std::vector<Conta
     }
     return friction;
 }
+
+template std::vector<double> frictionAt(const DynamicCase<2>& scene,
+                                        const std::vector<ContactPoint<2>>& points);
+template DynamicCase<2> readDynamicCase(const std::filesystem::path& caseDirectory,
+                                        const std::vector<EffectType<2>>& types);
+template Eigen::VectorXd loadUnder(const DynamicCase<2>& scene, const Eigen::Vector3d& ground);
 
 } // namespace drystone

@@ -15,15 +15,16 @@ namespace drystone
 
 /// A structure, what acts on it and how its motion is to be computed: read, checked, and the same all through
 /// a run.
-struct DynamicCase : Structure
+template<int Dim>
+struct DynamicCase : Structure<Dim>
 {
     ContactProperties contact;
-    Effects effects; ///< see EffectList.h; what is not there costs nothing
+    Effects<Dim> effects; ///< see EffectList.h; what is not there costs nothing
     EffectNames effectNames;
     /// Of the joints as built with a mu of their own, sorted by (block, neighbour); mostly empty.
     std::vector<std::pair<std::pair<int, int>, double>> jointFriction;
     GroundMotion groundMotion;
-    std::vector<SupportMotion> supportMotions; ///< of supports that move; most cases have none
+    std::vector<SupportMotion<Dim>> supportMotions; ///< of supports that move; most cases have none
     double groundFactor = 1; ///< times groundMotion: the intensity of an incremental analysis
     Schemes schemes;
     SolverChoice solution;
@@ -40,17 +41,20 @@ struct DynamicCase : Structure
 };
 
 /// Friction coefficient of each point: that of its joint as built where that has one of its own.
-std::vector<double> frictionAt(const DynamicCase& scene, const std::vector<ContactPoint<2>>& points);
+template<int Dim>
+std::vector<double> frictionAt(const DynamicCase<Dim>& scene, const std::vector<ContactPoint<Dim>>& points);
 
 /// Reads constant/assembly, g, materialProperties, contactProperties, loads, groundMotion and supportMotion
 /// (these three may be absent: gravity alone, ground and supports at rest), system/schemes and the
 /// sub-dictionary contactDynamics of system/solution. \throws FatalIOError with the first thing that is wrong
 /// \param types the effects that it may have
-DynamicCase readDynamicCase(const std::filesystem::path& caseDirectory,
-                            const std::vector<EffectType>& types = effectTypes());
+template<int Dim>
+DynamicCase<Dim> readDynamicCase(const std::filesystem::path& caseDirectory,
+                                 const std::vector<EffectType<Dim>>& types = effectTypes<Dim>());
 
 /// The load on the free blocks while the ground accelerates: dead - groundFactor M a. \param ground mean
 /// acceleration over the step [m/s2]
-Eigen::VectorXd loadUnder(const DynamicCase& scene, const Eigen::Vector3d& ground);
+template<int Dim>
+Eigen::VectorXd loadUnder(const DynamicCase<Dim>& scene, const Eigen::Vector3d& ground);
 
 } // namespace drystone

@@ -2,24 +2,28 @@
 /// States of a structure in motion.
 #include "dynamics/DynamicState.h"
 
+#include "geometry/Rotation.h"
+
 namespace drystone
 {
 
-DynamicState stateAtRest(const Assembly<2>& assembly)
+template<int Dim>
+DynamicState<Dim> stateAtRest(const Assembly<Dim>& assembly)
 {
-    DynamicState state;
+    DynamicState<Dim> state;
     state.placements.resize(assembly.blocks.size());
     Eigen::Index freeBlocks = 0;
-    for (const Block<2>& block : assembly.blocks)
+    for (const Block<Dim>& block : assembly.blocks)
     {
         freeBlocks += block.support < 0 ? 1 : 0;
     }
-    state.velocity = Eigen::VectorXd::Zero(3 * freeBlocks);
+    state.velocity = Eigen::VectorXd::Zero(freedomCount<Dim> * freeBlocks);
     return state;
 }
 
-std::vector<BlockMass<2>> placedMasses(std::vector<BlockMass<2>> blocks,
-                                       const std::vector<Placement<2>>& placements)
+template<int Dim>
+std::vector<BlockMass<Dim>> placedMasses(std::vector<BlockMass<Dim>> blocks,
+                                         const std::vector<Placement<Dim>>& placements)
 {
     for (std::size_t block = 0; block < blocks.size(); ++block)
     {
@@ -27,5 +31,24 @@ std::vector<BlockMass<2>> placedMasses(std::vector<BlockMass<2>> blocks,
     }
     return blocks;
 }
+
+template<int Dim>
+Eigen::VectorXd turnedWithBlocks(Eigen::VectorXd velocity, const Eigen::VectorXd& displacement)
+{
+    if constexpr (Dim == 3)
+    {
+        for (Eigen::Index row = Dim; row < velocity.size(); row += freedomCount<Dim>)
+        {
+            velocity.segment<3>(row) =
+                turned(Vector<3>(displacement.segment<3>(row)), Vector<3>(velocity.segment<3>(row)));
+        }
+    }
+    return velocity;
+}
+
+template Eigen::VectorXd turnedWithBlocks<2>(Eigen::VectorXd velocity, const Eigen::VectorXd& displacement);
+template DynamicState<2> stateAtRest(const Assembly<2>& assembly);
+template std::vector<BlockMass<2>> placedMasses(std::vector<BlockMass<2>> blocks,
+                                                const std::vector<Placement<2>>& placements);
 
 } // namespace drystone

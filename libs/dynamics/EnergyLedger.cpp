@@ -7,28 +7,32 @@
 namespace drystone
 {
 
-double kineticEnergy(const DynamicCase& scene, const Eigen::VectorXd& velocity)
+template<int Dim>
+double kineticEnergy(const DynamicCase<Dim>& scene, const DynamicState<Dim>& state)
 {
-    return 0.5 * scene.mass.dot(velocity.cwiseAbs2());
+    return 0.5 * squareOf(massAt(scene, state.placements), state.velocity);
 }
 
-double potentialEnergy(const DynamicCase& scene, const std::vector<Placement<2>>& placements)
+template<int Dim>
+double potentialEnergy(const DynamicCase<Dim>& scene, const std::vector<Placement<Dim>>& placements)
 {
     double energy = 0;
     for (std::size_t block = 0; block < placements.size(); ++block)
     {
         if (scene.free[block] >= 0)
         {
-            const auto load = scene.deadLoad.segment<3>(3 * scene.free[block]);
-            energy -=
-                load.head<2>().dot(placements[block].translation) + load[2] * placements[block].rotation;
+            const auto load =
+                scene.deadLoad.template segment<freedomCount<Dim>>(freedomCount<Dim> * scene.free[block]);
+            energy -= load.template head<Dim>().dot(placements[block].translation)
+                      + load.template tail<rotationCount<Dim>>().dot(rowsOf(placements[block].rotation));
         }
     }
     return energy;
 }
 
-void keepLedger(EnergyLedger& ledger, const DynamicCase& scene, const StepEnergy& step,
-                const Eigen::VectorXd& velocity, const std::vector<Placement<2>>& placements)
+template<int Dim>
+void keepLedger(EnergyLedger& ledger, const DynamicCase<Dim>& scene, const StepEnergy& step,
+                const DynamicState<Dim>& state)
 {
     ledger.externalWork += step.externalWork;
     ledger.frictionLoss += step.frictionLoss;
@@ -36,8 +40,13 @@ void keepLedger(EnergyLedger& ledger, const DynamicCase& scene, const StepEnergy
     ledger.algorithmicLoss += step.algorithmicLoss;
     ledger.elastic += step.elasticChange;
     ledger.dampingLoss += step.dampingLoss;
-    ledger.kinetic = kineticEnergy(scene, velocity);
-    ledger.potential = potentialEnergy(scene, placements);
+    ledger.kinetic = kineticEnergy(scene, state);
+    ledger.potential = potentialEnergy(scene, state.placements);
 }
+
+template double kineticEnergy(const DynamicCase<2>& scene, const DynamicState<2>& state);
+template double potentialEnergy(const DynamicCase<2>& scene, const std::vector<Placement<2>>& placements);
+template void keepLedger(EnergyLedger& ledger, const DynamicCase<2>& scene, const StepEnergy& step,
+                         const DynamicState<2>& state);
 
 } // namespace drystone

@@ -9,7 +9,10 @@
 namespace drystone
 {
 
+template<int Dim>
 struct DynamicCase;
+template<int Dim>
+struct DynamicState;
 struct StepEnergy;
 
 /// In joules. Losses and work are sums since the ledger was opened, at the start of the first run; a restart
@@ -38,13 +41,16 @@ inline double imbalance(const EnergyLedger& ledger)
 }
 
 /// Of the free blocks [J].
-double kineticEnergy(const DynamicCase& scene, const Eigen::VectorXd& velocity);
+template<int Dim>
+double kineticEnergy(const DynamicCase<Dim>& scene, const DynamicState<Dim>& state);
 
 /// Of the dead load, a constant generalised force on each block [J].
-double potentialEnergy(const DynamicCase& scene, const std::vector<Placement<2>>& placements);
+template<int Dim>
+double potentialEnergy(const DynamicCase<Dim>& scene, const std::vector<Placement<Dim>>& placements);
 
-/// Adds a step. \param velocity at its end \param placements likewise
-void keepLedger(EnergyLedger& ledger, const DynamicCase& scene, const StepEnergy& step,
-                const Eigen::VectorXd& velocity, const std::vector<Placement<2>>& placements);
+/// Adds a step. \param state at its end
+template<int Dim>
+void keepLedger(EnergyLedger& ledger, const DynamicCase<Dim>& scene, const StepEnergy& step,
+                const DynamicState<Dim>& state);
 
 } // namespace drystone

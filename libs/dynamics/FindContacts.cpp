@@ -5,18 +5,19 @@
 namespace drystone
 {
 
-void findContacts(Step& step)
+template<int Dim>
+void findContacts(Step<Dim>& step)
 {
     const StageTimer timer(step.motion.stageTimes, Stage::findContacts);
-    const DynamicCase& scene = step.scene;
-    Motion& motion = step.motion;
+    const DynamicCase<Dim>& scene = step.scene;
+    Motion<Dim>& motion = step.motion;
     if (!motion.contacts)
     {
         step.points = motion.points; // they stay as built
         step.columns = equilibriumColumns(scene.assembly, scene.blocks, step.points);
         return;
     }
-    const std::vector<Placement<2>>& placements = motion.state.placements;
+    const std::vector<Placement<Dim>>& placements = motion.state.placements;
     const Eigen::VectorXd heading = step.scheme.timeStep * motion.state.velocity;
     const double start = motion.state.time;
     const auto velocities = velocitiesOfAllBlocks(scene, motion.state, start, start + step.scheme.timeStep);
@@ -29,7 +30,7 @@ void findContacts(Step& step)
         return;
     }
     const auto between = placementsAfter(step, heading, 1 - step.scheme.theta);
-    std::vector<ContactPoint<2>> pointsBetween;
+    std::vector<ContactPoint<Dim>> pointsBetween;
     motion.contacts->measure(between, pointsBetween);
     step.columns = columnsAt(scene, between, pointsBetween);
     if (hasImpacts(scene))
@@ -37,5 +38,7 @@ void findContacts(Step& step)
         step.arrivals = columnsAt(scene, placements, step.points);
     }
 }
+
+template void findContacts(Step<2>& step);
 
 } // namespace drystone

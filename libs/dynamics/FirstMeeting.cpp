@@ -17,33 +17,35 @@ constexpr double stopsEarly = 1e-7;
 
 } // namespace
 
-Meeting firstMeeting(Step& step, const Eigen::VectorXd& closing, const std::vector<std::size_t>& approaching)
+template<int Dim>
+Meeting firstMeeting(Step<Dim>& step, const Eigen::VectorXd& closing,
+                     const std::vector<std::size_t>& approaching)
 {
     // Far enough not to be reached, whatever the other contacts do to the blocks.
     constexpr double far = 10;
     double fastest = step.acceleration * step.scheme.timeStep;
     for (const std::size_t point : approaching)
     {
-        fastest = std::max(fastest, closing[2 * static_cast<Eigen::Index>(point)]);
+        fastest = std::max(fastest, closing[Dim * static_cast<Eigen::Index>(point)]);
     }
     Eigen::VectorXd lift = Eigen::VectorXd::Zero(step.program.gap.size());
     for (const std::size_t point : approaching)
     {
-        lift[2 * static_cast<Eigen::Index>(point)] =
+        lift[Dim * static_cast<Eigen::Index>(point)] =
             step.points[point].gap + far * fastest * step.scheme.timeStep;
     }
-    PlaneConeProgram lifting = step.program;
+    StepProgram<Dim> lifting = step.program;
     lifting.gap += lift;
-    const Relinearisation relinearise =
+    const Relinearisation<Dim> relinearise =
         step.relinearise
-            ? [&](const Eigen::VectorXd& displacement, const Eigen::VectorXd& force, PlaneConeProgram& lifted)
+            ? [&](const Eigen::VectorXd& displacement, const Eigen::VectorXd& force, StepProgram<Dim>& lifted)
     {
         lifted.gap -= lift;
         const double error = step.relinearise(displacement, force, lifted);
         lifted.gap += lift;
         return error;
     }
-            : Relinearisation();
+            : Relinearisation<Dim>();
     Meeting meeting;
     meeting.result = solveThetaStep(std::move(lifting), step.settings, step.guess, relinearise,
                                     step.motion.symbolic.get());
@@ -58,7 +60,7 @@ Meeting firstMeeting(Step& step, const Eigen::VectorXd& closing, const std::vect
     const Eigen::VectorXd opening = openingAfterFlight(step, meeting.result, flight);
     for (const std::size_t point : approaching)
     {
-        const auto row = 2 * static_cast<Eigen::Index>(point);
+        const auto row = Dim * static_cast<Eigen::Index>(point);
         const double start = step.points[point].gap;
         const double slope = -step.scheme.timeStep * closing[row];
         const double curvature = opening[row] - start - slope;
@@ -77,9 +79,12 @@ Meeting firstMeeting(Step& step, const Eigen::VectorXd& closing, const std::vect
         meeting.isSolved =
             std::none_of(approaching.begin(), approaching.end(),
                          [&](std::size_t point)
-                         { return end[2 * static_cast<Eigen::Index>(point)] < -step.scene.roundingGap; });
+                         { return end[Dim * static_cast<Eigen::Index>(point)] < -step.scene.roundingGap; });
     }
     return meeting;
 }
+
+template Meeting firstMeeting(Step<2>& step, const Eigen::VectorXd& closing,
+                              const std::vector<std::size_t>& approaching);
 
 } // namespace drystone

@@ -17,6 +17,8 @@ struct Meeting
 
 /// \param closing velocities of the points of the step [m/s], two a point \param approaching points that the
 /// step closes and that are apart at its start
-Meeting firstMeeting(Step& step, const Eigen::VectorXd& closing, const std::vector<std::size_t>& approaching);
+template<int Dim>
+Meeting firstMeeting(Step<Dim>& step, const Eigen::VectorXd& closing,
+                     const std::vector<std::size_t>& approaching);
 
 } // namespace drystone

@@ -14,11 +14,12 @@ constexpr double flightForce = 1e-9;
 
 } // namespace
 
-Eigen::VectorXd flightOf(const Step& step, const ThetaStep& result, const Eigen::VectorXd& velocity,
+template<int Dim>
+Eigen::VectorXd flightOf(const Step<Dim>& step, const ThetaStep& result, const Eigen::VectorXd& velocity,
                          const std::vector<std::size_t>& free)
 {
-    const DynamicCase& scene = step.scene;
-    const PlaneConeProgram& program = step.program;
+    const DynamicCase<Dim>& scene = step.scene;
+    const StepProgram<Dim>& program = step.program;
     const double theta = step.scheme.theta;
     if (scene.restitution() == 0 || theta == 0.5 || traitsOf(scene.effects).actsOnBlocks)
     {
@@ -28,12 +29,15 @@ Eigen::VectorXd flightOf(const Step& step, const ThetaStep& result, const Eigen:
     for (std::size_t point = 0; point < program.contacts.size(); ++point)
     {
         const double force = std::find(free.begin(), free.end(), point) == free.end()
-                                 ? result.contactForce.segment<2>(2 * static_cast<Eigen::Index>(point))
-                                       .lpNorm<Eigen::Infinity>()
+                                 ? result.contactForce.segment<Dim>(Dim * static_cast<Eigen::Index>(point))
+                                       .template lpNorm<Eigen::Infinity>()
                                  : 0;
         for (const int body : {program.contacts[point].first, program.contacts[point].second})
         {
-            if (body >= 0 && force > flightForce * step.load.segment<3>(3 * body).lpNorm<Eigen::Infinity>())
+            if (body >= 0
+                && force > flightForce
+                               * step.load.template segment<freedomCount<Dim>>(freedomCount<Dim> * body)
+                                     .template lpNorm<Eigen::Infinity>())
             {
                 flies[static_cast<std::size_t>(body)] = false;
             }
@@ -46,16 +50,17 @@ Eigen::VectorXd flightOf(const Step& step, const ThetaStep& result, const Eigen:
     {
         if (!flies[static_cast<std::size_t>(body)])
         {
-            flight.segment<3>(3 * body).setZero();
+            flight.segment<freedomCount<Dim>>(freedomCount<Dim> * body).setZero();
         }
         isAny = isAny || flies[static_cast<std::size_t>(body)];
     }
     return isAny ? flight : Eigen::VectorXd();
 }
 
-Eigen::VectorXd flightApart(const Step& step, const ThetaStep& result, const Eigen::VectorXd& velocity)
+template<int Dim>
+Eigen::VectorXd flightApart(const Step<Dim>& step, const ThetaStep& result, const Eigen::VectorXd& velocity)
 {
-    const PlaneConeProgram& program = step.program;
+    const StepProgram<Dim>& program = step.program;
     Eigen::VectorXd flight = flightOf(step, result, velocity);
     if (flight.size() == 0 || program.points() == 0)
     {
@@ -70,10 +75,10 @@ Eigen::VectorXd flightApart(const Step& step, const ThetaStep& result, const Eig
             for (const int body : {program.contacts[static_cast<std::size_t>(point)].first,
                                    program.contacts[static_cast<std::size_t>(point)].second})
             {
-                if (opening[2 * point] < -step.scene.roundingGap && body >= 0
-                    && !flight.segment<3>(3 * body).isZero(0))
+                if (opening[Dim * point] < -step.scene.roundingGap && body >= 0
+                    && !flight.segment<freedomCount<Dim>>(freedomCount<Dim> * body).isZero(0))
                 {
-                    flight.segment<3>(3 * body).setZero();
+                    flight.segment<freedomCount<Dim>>(freedomCount<Dim> * body).setZero();
                     isApart = false; // but for what else this block then meets
                 }
             }
@@ -82,10 +87,19 @@ Eigen::VectorXd flightApart(const Step& step, const ThetaStep& result, const Eig
     return flight;
 }
 
-Eigen::VectorXd openingAfterFlight(const Step& step, const ThetaStep& result, const Eigen::VectorXd& flight)
+template<int Dim>
+Eigen::VectorXd openingAfterFlight(const Step<Dim>& step, const ThetaStep& result,
+                                   const Eigen::VectorXd& flight)
 {
     return flight.size() == 0 ? openingAtEnd(step, result.displacement, result.contactForce)
                               : openingAtEnd(step, result.displacement + flight, result.contactForce);
 }
+
+template Eigen::VectorXd flightOf(const Step<2>& step, const ThetaStep& result,
+                                  const Eigen::VectorXd& velocity, const std::vector<std::size_t>& free);
+template Eigen::VectorXd flightApart(const Step<2>& step, const ThetaStep& result,
+                                     const Eigen::VectorXd& velocity);
+template Eigen::VectorXd openingAfterFlight(const Step<2>& step, const ThetaStep& result,
+                                            const Eigen::VectorXd& flight);
 
 } // namespace drystone

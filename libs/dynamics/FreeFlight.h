@@ -10,13 +10,17 @@ namespace drystone
 /// What blocks in free flight move by beyond the step: the mean of their velocities and not the step's.
 /// Empty where there is none. \param result of the step from `velocity` on \param free points that no force
 /// acts on, whatever the result says
-Eigen::VectorXd flightOf(const Step& step, const ThetaStep& result, const Eigen::VectorXd& velocity,
+template<int Dim>
+Eigen::VectorXd flightOf(const Step<Dim>& step, const ThetaStep& result, const Eigen::VectorXd& velocity,
                          const std::vector<std::size_t>& free = {});
 
 /// The same without what would lead blocks into each other.
-Eigen::VectorXd flightApart(const Step& step, const ThetaStep& result, const Eigen::VectorXd& velocity);
+template<int Dim>
+Eigen::VectorXd flightApart(const Step<Dim>& step, const ThetaStep& result, const Eigen::VectorXd& velocity);
 
 /// Gaps, and minus the slips, where a step and then a flight take the blocks [m].
-Eigen::VectorXd openingAfterFlight(const Step& step, const ThetaStep& result, const Eigen::VectorXd& flight);
+template<int Dim>
+Eigen::VectorXd openingAfterFlight(const Step<Dim>& step, const ThetaStep& result,
+                                   const Eigen::VectorXd& flight);
 
 } // namespace drystone

@@ -28,9 +28,10 @@ struct Groups
     int count = 0;
 };
 
-Groups groupsOf(const ImpactProblem& problem)
+template<int Dim>
+Groups groupsOf(const ImpactProblem<Dim>& problem)
 {
-    const PlaneConeProgram& program = problem.program;
+    const StepProgram<Dim>& program = problem.program;
     std::vector<int> parent(static_cast<std::size_t>(program.bodies));
     std::iota(parent.begin(), parent.end(), 0);
     const auto rootOf = [&parent](int body)
@@ -82,58 +83,60 @@ struct Outcome
 };
 
 /// What each group's kinetic energy grows by beyond the work of the supports [J].
-Eigen::VectorXd gainOf(const ImpactProblem& problem, const Groups& groups, const Eigen::VectorXd& velocity,
-                       const Eigen::VectorXd& force)
+template<int Dim>
+Eigen::VectorXd gainOf(const ImpactProblem<Dim>& problem, const Groups& groups,
+                       const Eigen::VectorXd& velocity, const Eigen::VectorXd& force)
 {
     Eigen::VectorXd gain = Eigen::VectorXd::Zero(groups.count);
     for (std::size_t body = 0; body < groups.ofBody.size(); ++body)
     {
         if (groups.ofBody[body] >= 0)
         {
-            const auto row = 3 * static_cast<Eigen::Index>(body);
-            const Eigen::Vector3d before = problem.velocity.segment<3>(row);
-            const Eigen::Vector3d after = velocity.segment<3>(row);
+            const auto row = freedomCount<Dim> * static_cast<Eigen::Index>(body);
+            const BlockVector<Dim> before = problem.velocity.template segment<freedomCount<Dim>>(row);
+            const BlockVector<Dim> after = velocity.segment<freedomCount<Dim>>(row);
             gain[groups.ofBody[body]] +=
-                0.5 * problem.mass.segment<3>(row).cwiseProduct(after - before).dot(after + before);
+                0.5 * times(problem.mass, static_cast<int>(body), after - before).dot(after + before);
         }
     }
     for (std::size_t i = 0; problem.closingBySupports.size() > 0 && i < problem.meeting.size(); ++i)
     {
-        gain[groups.ofPoint[i]] -=
-            force.segment<2>(2 * static_cast<Eigen::Index>(i))
-                .dot(problem.closingBySupports.segment<2>(2 * static_cast<Eigen::Index>(problem.meeting[i])));
+        gain[groups.ofPoint[i]] -= force.segment<Dim>(Dim * static_cast<Eigen::Index>(i))
+                                       .dot(problem.closingBySupports.template segment<Dim>(
+                                           Dim * static_cast<Eigen::Index>(problem.meeting[i])));
     }
     return gain;
 }
 
 /// The program of the impact: a step of theta 1 without loads whose gaps are -dt k e u_n-.
-PlaneConeProgram impactProgram(const ImpactProblem& problem, const Groups& groups,
+template<int Dim>
+StepProgram<Dim> impactProgram(const ImpactProblem<Dim>& problem, const Groups& groups,
                                const Eigen::VectorXd& closing, const Eigen::VectorXd& share)
 {
-    const PlaneConeProgram& program = problem.program;
+    const StepProgram<Dim>& program = problem.program;
     const double timeStep = problem.timeStep;
-    PlaneConeProgram impact;
+    StepProgram<Dim> impact;
     impact.bodies = program.bodies;
-    const Eigen::VectorXd inertia = problem.mass / (timeStep * timeStep);
+    const MassMatrix<Dim> inertia = over(problem.mass, timeStep * timeStep);
     for (int body = 0; body < program.bodies; ++body)
     {
-        impact.inertia.push_back(inertia.segment<3>(3 * body).asDiagonal());
+        impact.inertia.push_back(blockOf(inertia, body));
     }
-    impact.load = timeStep * inertia.cwiseProduct(problem.velocity);
-    impact.gap = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(problem.meeting.size()));
+    impact.load = timeStep * times(inertia, problem.velocity);
+    impact.gap = Eigen::VectorXd::Zero(Dim * static_cast<Eigen::Index>(problem.meeting.size()));
     for (std::size_t i = 0; i < problem.meeting.size(); ++i)
     {
         const std::size_t point = problem.meeting[i];
         impact.contacts.push_back(program.contacts[point]);
         impact.friction.push_back(program.friction[point]);
-        const auto row = 2 * static_cast<Eigen::Index>(i);
-        const auto there = 2 * static_cast<Eigen::Index>(point);
+        const auto row = Dim * static_cast<Eigen::Index>(i);
+        const auto there = Dim * static_cast<Eigen::Index>(point);
         const double rebound = problem.restitution * closing[there];
         impact.gap[row] =
             rebound > problem.slowestRebound ? -timeStep * share[groups.ofPoint[i]] * rebound : 0;
         if (problem.closingBySupports.size() > 0)
         {
-            impact.gap.segment<2>(row) -= problem.closingBySupports.segment<2>(there);
+            impact.gap.template segment<Dim>(row) -= problem.closingBySupports.template segment<Dim>(there);
         }
     }
     return impact;
@@ -150,7 +153,8 @@ double rootOfGain(double low, double slope, double curvature)
 }
 
 /// Of each group the last point of the segment from `low` to `high` that creates no energy.
-Eigen::VectorXd rootsBetween(const ImpactProblem& problem, const Groups& groups, const Outcome& low,
+template<int Dim>
+Eigen::VectorXd rootsBetween(const ImpactProblem<Dim>& problem, const Groups& groups, const Outcome& low,
                              const Outcome& high)
 {
     Eigen::VectorXd curvature = Eigen::VectorXd::Zero(groups.count);
@@ -158,9 +162,10 @@ Eigen::VectorXd rootsBetween(const ImpactProblem& problem, const Groups& groups,
     {
         if (groups.ofBody[body] >= 0)
         {
-            const auto row = 3 * static_cast<Eigen::Index>(body);
-            const Eigen::Vector3d change = high.velocity.segment<3>(row) - low.velocity.segment<3>(row);
-            curvature[groups.ofBody[body]] += 0.5 * problem.mass.segment<3>(row).dot(change.cwiseAbs2());
+            const auto row = freedomCount<Dim> * static_cast<Eigen::Index>(body);
+            const BlockVector<Dim> change =
+                high.velocity.segment<freedomCount<Dim>>(row) - low.velocity.segment<freedomCount<Dim>>(row);
+            curvature[groups.ofBody[body]] += 0.5 * squareOf(problem.mass, static_cast<int>(body), change);
         }
     }
     Eigen::VectorXd roots(groups.count);
@@ -174,22 +179,23 @@ Eigen::VectorXd rootsBetween(const ImpactProblem& problem, const Groups& groups,
 }
 
 /// Takes over what another outcome has for some groups.
+template<int Dim>
 void takeGroups(Outcome& outcome, const Outcome& other, const Groups& groups, const std::vector<char>& which)
 {
     for (std::size_t body = 0; body < groups.ofBody.size(); ++body)
     {
         if (groups.ofBody[body] >= 0 && which[static_cast<std::size_t>(groups.ofBody[body])])
         {
-            const auto row = 3 * static_cast<Eigen::Index>(body);
-            outcome.velocity.segment<3>(row) = other.velocity.segment<3>(row);
+            const auto row = freedomCount<Dim> * static_cast<Eigen::Index>(body);
+            outcome.velocity.segment<freedomCount<Dim>>(row) = other.velocity.segment<freedomCount<Dim>>(row);
         }
     }
     for (std::size_t i = 0; i < groups.ofPoint.size(); ++i)
     {
         if (which[static_cast<std::size_t>(groups.ofPoint[i])])
         {
-            const auto row = 2 * static_cast<Eigen::Index>(i);
-            outcome.force.segment<2>(row) = other.force.segment<2>(row);
+            const auto row = Dim * static_cast<Eigen::Index>(i);
+            outcome.force.segment<Dim>(row) = other.force.segment<Dim>(row);
         }
     }
     for (int group = 0; group < groups.count; ++group)
@@ -203,24 +209,27 @@ void takeGroups(Outcome& outcome, const Outcome& other, const Groups& groups, co
 }
 
 /// The outcome at a part of the way from one to another, another part for each group.
-Outcome between(const ImpactProblem& problem, const Groups& groups, const Outcome& low, const Outcome& high,
-                const Eigen::VectorXd& part)
+template<int Dim>
+Outcome between(const ImpactProblem<Dim>& problem, const Groups& groups, const Outcome& low,
+                const Outcome& high, const Eigen::VectorXd& part)
 {
     Outcome outcome = low;
     for (std::size_t body = 0; body < groups.ofBody.size(); ++body)
     {
         if (groups.ofBody[body] >= 0)
         {
-            const auto row = 3 * static_cast<Eigen::Index>(body);
-            outcome.velocity.segment<3>(row) +=
-                part[groups.ofBody[body]] * (high.velocity.segment<3>(row) - low.velocity.segment<3>(row));
+            const auto row = freedomCount<Dim> * static_cast<Eigen::Index>(body);
+            outcome.velocity.segment<freedomCount<Dim>>(row) +=
+                part[groups.ofBody[body]]
+                * (high.velocity.segment<freedomCount<Dim>>(row)
+                   - low.velocity.segment<freedomCount<Dim>>(row));
         }
     }
     for (std::size_t i = 0; i < groups.ofPoint.size(); ++i)
     {
-        const auto row = 2 * static_cast<Eigen::Index>(i);
-        outcome.force.segment<2>(row) +=
-            part[groups.ofPoint[i]] * (high.force.segment<2>(row) - low.force.segment<2>(row));
+        const auto row = Dim * static_cast<Eigen::Index>(i);
+        outcome.force.segment<Dim>(row) +=
+            part[groups.ofPoint[i]] * (high.force.segment<Dim>(row) - low.force.segment<Dim>(row));
     }
     outcome.share += part.cwiseProduct(high.share - low.share);
     outcome.gain = gainOf(problem, groups, outcome.velocity, outcome.force);
@@ -229,7 +238,8 @@ Outcome between(const ImpactProblem& problem, const Groups& groups, const Outcom
 
 } // namespace
 
-Eigen::VectorXd closingVelocity(const PlaneConeProgram& program, const Eigen::VectorXd& velocity,
+template<int Dim>
+Eigen::VectorXd closingVelocity(const StepProgram<Dim>& program, const Eigen::VectorXd& velocity,
                                 const Eigen::VectorXd& closingBySupports, double timeStep)
 {
     Eigen::VectorXd closing = applyTransposed(program, velocity);
@@ -240,7 +250,8 @@ Eigen::VectorXd closingVelocity(const PlaneConeProgram& program, const Eigen::Ve
     return closing;
 }
 
-Impact impactOf(const ImpactProblem& problem, const StepSettings& settings)
+template<int Dim>
+Impact impactOf(const ImpactProblem<Dim>& problem, const StepSettings& settings)
 {
     const Groups groups = groupsOf(problem);
     const Eigen::VectorXd closing =
@@ -250,9 +261,11 @@ Impact impactOf(const ImpactProblem& problem, const StepSettings& settings)
     {
         if (groups.ofBody[body] >= 0)
         {
-            const auto row = 3 * static_cast<Eigen::Index>(body);
+            const auto row = freedomCount<Dim> * static_cast<Eigen::Index>(body);
             energy[groups.ofBody[body]] +=
-                0.5 * problem.mass.segment<3>(row).dot(problem.velocity.segment<3>(row).cwiseAbs2());
+                0.5
+                * squareOf(problem.mass, static_cast<int>(body),
+                           problem.velocity.template segment<freedomCount<Dim>>(row));
         }
     }
 
@@ -298,7 +311,7 @@ Impact impactOf(const ImpactProblem& problem, const StepSettings& settings)
         // What creates no energy for sure: no impulse, and with the tolerance of the solver most often k = 0
         // with Coulomb's law, or with the associative one, which is a projection.
         Outcome low{problem.velocity,
-                    Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(groups.ofPoint.size())),
+                    Eigen::VectorXd::Zero(Dim * static_cast<Eigen::Index>(groups.ofPoint.size())),
                     Eigen::VectorXd::Zero(groups.count), Eigen::VectorXd::Zero(groups.count)};
         std::vector<char> missing = gains;
         for (const FlowRule flowRule : {FlowRule::nonAssociative, FlowRule::associative})
@@ -314,7 +327,7 @@ Impact impactOf(const ImpactProblem& problem, const StepSettings& settings)
                     taken[group] = missing[group] && !plasticGains[group];
                     missing[group] = missing[group] && plasticGains[group];
                 }
-                takeGroups(low, plastic, groups, taken);
+                takeGroups<Dim>(low, plastic, groups, taken);
             }
         }
         Outcome high = chosen;
@@ -323,7 +336,7 @@ Impact impactOf(const ImpactProblem& problem, const StepSettings& settings)
         {
             isOther = !isOther;
         }
-        takeGroups(low, chosen, groups, others);
+        takeGroups<Dim>(low, chosen, groups, others);
         Eigen::VectorXd roots = rootsBetween(problem, groups, low, high);
         for (int round = 0; round < mostRefinements; ++round)
         {
@@ -344,8 +357,8 @@ Impact impactOf(const ImpactProblem& problem, const StepSettings& settings)
                 lower[group] = gains[group] && !trialGains[group];
                 higher[group] = gains[group] && trialGains[group];
             }
-            takeGroups(low, trial, groups, lower);
-            takeGroups(high, trial, groups, higher);
+            takeGroups<Dim>(low, trial, groups, lower);
+            takeGroups<Dim>(high, trial, groups, higher);
             roots = rootsBetween(problem, groups, low, high);
         }
         chosen = between(problem, groups, low, high, roots);
@@ -358,11 +371,15 @@ Impact impactOf(const ImpactProblem& problem, const StepSettings& settings)
     impact.energyLoss = -chosen.gain.sum();
     for (std::size_t i = 0; problem.closingBySupports.size() > 0 && i < problem.meeting.size(); ++i)
     {
-        impact.workOfSupports +=
-            chosen.force.segment<2>(2 * static_cast<Eigen::Index>(i))
-                .dot(problem.closingBySupports.segment<2>(2 * static_cast<Eigen::Index>(problem.meeting[i])));
+        impact.workOfSupports += chosen.force.segment<Dim>(Dim * static_cast<Eigen::Index>(i))
+                                     .dot(problem.closingBySupports.template segment<Dim>(
+                                         Dim * static_cast<Eigen::Index>(problem.meeting[i])));
     }
     return impact;
 }
+
+template Impact impactOf(const ImpactProblem<2>& problem, const StepSettings& settings);
+template Eigen::VectorXd closingVelocity(const StepProgram<2>& program, const Eigen::VectorXd& velocity,
+                                         const Eigen::VectorXd& closingBySupports, double timeStep);
 
 } // namespace drystone

@@ -10,11 +10,12 @@ namespace drystone
 {
 
 /// Blocks that meet. Nothing is owned.
+template<int Dim>
 struct ImpactProblem
 {
-    const Eigen::VectorXd& mass;             ///< diagonal of M, 3 a free block [kg, kg, kg m2]
+    const MassMatrix<Dim>& mass;             ///< M where the blocks are
     const Eigen::VectorXd& velocity;         ///< v- before the impact, likewise [m/s, m/s, rad/s]
-    const PlaneConeProgram& program;         ///< of the step: contact columns where the blocks meet, friction
+    const StepProgram<Dim>& program;         ///< of the step: contact columns where the blocks meet, friction
     const std::vector<std::size_t>& meeting; ///< points of it that take part
     const Eigen::VectorXd& closingBySupports; ///< over the step, two a point of the program [m]; or empty
     double restitution = 0;                   ///< e, 0 to 1
@@ -61,11 +62,13 @@ struct Impact
 /// Friction: with the associative law of a step a joint opens by mu |u_t| dt, which the next step takes into
 /// account as a gap and which vanishes with dt; in an impact it would throw the blocks apart at mu |u_t|,
 /// however short the step: other physics.
-Impact impactOf(const ImpactProblem& problem, const StepSettings& settings);
+template<int Dim>
+Impact impactOf(const ImpactProblem<Dim>& problem, const StepSettings& settings);
 
 /// By how much the points of a program close per time, two a point [m/s]: A'v and what the supports do.
 /// \param closingBySupports over the step [m]; or empty
-Eigen::VectorXd closingVelocity(const PlaneConeProgram& program, const Eigen::VectorXd& velocity,
+template<int Dim>
+Eigen::VectorXd closingVelocity(const StepProgram<Dim>& program, const Eigen::VectorXd& velocity,
                                 const Eigen::VectorXd& closingBySupports, double timeStep);
 
 } // namespace drystone

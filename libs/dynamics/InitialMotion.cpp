@@ -8,64 +8,68 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace drystone
 {
 
-void declare(Options& options, BlockStart& start)
+template<int Dim>
+void declare(Options& options, BlockStart<Dim>& start)
 {
     options.optional("displacement", start.displacement, "of the mass centre, from as built").unit("m");
-    options.optional("rotation", start.rotation, "positive counter-clockwise").unit("rad");
+    constexpr auto sense = Dim == 2 ? "positive counter-clockwise" : "vector along the axis, right hand";
+    options.optional("rotation", start.rotation, sense).unit("rad");
     options
         .optional("about", start.about,
                   "point that it turns about, as built, before it is displaced; absent: its mass centre")
         .unit("m")
-        .example("(0.25 0)");
+        .example(Dim == 2 ? "(0.25 0)" : "(0.25 0 0)");
     options.check(
         "about",
         [&start]
         {
-            return start.about && start.rotation == 0
+            const bool isMissing = start.about && rowsOf(start.rotation).isZero(0);
+            return !isMissing ? ""
+                   : Dim == 2
                        ? "There is a point to turn about, but no rotation. Add for instance `rotation 0.1;`."
-                       : "";
+                       : "There is a point to turn about, but no rotation. Add for instance "
+                         "`rotation (0 0.1 0);`.";
         });
     options.optional("velocity", start.velocity, "of the mass centre, relative to the ground").unit("m/s");
-    options.optional("angularVelocity", start.angularVelocity, "positive counter-clockwise").unit("rad/s");
+    options.optional("angularVelocity", start.angularVelocity, sense).unit("rad/s");
 }
 
 namespace
 {
 
 /// Where a start places a block.
-Placement<2> placementOf(const BlockStart& start, const Block<2>& block)
+template<int Dim>
+Placement<Dim> placementOf(const BlockStart<Dim>& start, const Block<Dim>& block)
 {
-    Placement<2> placement{start.displacement, start.rotation};
+    Placement<Dim> placement{start.displacement, start.rotation};
     if (start.about)
     {
-        const Vector<2> arm =
-            areaProperties(block.outline).centroid - Vector<2>((*start.about)[0], (*start.about)[1]);
-        const double cosine = std::cos(start.rotation);
-        const double sine = std::sin(start.rotation);
-        const Vector<2> turned(cosine * arm.x() - sine * arm.y(), sine * arm.x() + cosine * arm.y());
-        placement.translation += turned - arm;
+        const Vector<Dim> arm =
+            blockMass(block).centroid - Eigen::Map<const Vector<Dim>>(start.about->data());
+        placement.translation += turned(start.rotation, arm) - arm;
     }
     return placement;
 }
 
 } // namespace
 
-void declare(Options& options, InitialMotion& motion)
+template<int Dim>
+void declare(Options& options, InitialMotion<Dim>& motion)
 {
     options.each(motion.blocks, "of the block with this index, or of the blocks that the pattern matches");
 }
 
-InitialState readInitialMotion(const std::filesystem::path& caseDirectory, const std::string& timeName,
-                               const Assembly<2>& assembly)
+template<int Dim>
+InitialState<Dim> readInitialMotion(const std::filesystem::path& caseDirectory, const std::string& timeName,
+                                    const Assembly<Dim>& assembly)
 {
-    DynamicState state = stateAtRest(assembly);
+    DynamicState<Dim> state = stateAtRest(assembly);
     const Dictionary dictionary = Dictionary::readFileIfPresent(caseDirectory / timeName / "motion");
-    const auto motion = readOptions<InitialMotion>(dictionary);
+    const auto motion = readOptions<InitialMotion<Dim>>(dictionary);
     const std::vector<int> free = freeIndices(assembly);
     const EntryLocations locations(dictionary);
     std::vector<SourceLocation> places(dictionary.empty() ? 0 : free.size(), dictionary.location());
@@ -73,7 +77,7 @@ InitialState readInitialMotion(const std::filesystem::path& caseDirectory, const
     for (std::size_t block = 0; block < free.size(); ++block)
     {
         const std::string index = std::to_string(block);
-        const std::pair<NamePattern, BlockStart>* chosen = nullptr;
+        const std::pair<NamePattern, BlockStart<Dim>>* chosen = nullptr;
         for (std::size_t i = 0; i < motion.blocks.size(); ++i)
         {
             const NamePattern& name = motion.blocks[i].first;
@@ -98,10 +102,12 @@ InitialState readInitialMotion(const std::filesystem::path& caseDirectory, const
         }
         if (chosen)
         {
-            const BlockStart& start = chosen->second;
+            const BlockStart<Dim>& start = chosen->second;
             places[block] = locations.of(chosen->first.text);
             state.placements[block] = placementOf(start, assembly.blocks[block]);
-            state.velocity.segment<3>(3 * free[block]) << start.velocity, start.angularVelocity;
+            state.velocity.template segment<freedomCount<Dim>>(freedomCount<Dim> * free[block])
+                << start.velocity,
+                rowsOf(start.angularVelocity);
         }
     }
     for (std::size_t i = 0; i < motion.blocks.size(); ++i)
@@ -117,5 +123,10 @@ InitialState readInitialMotion(const std::filesystem::path& caseDirectory, const
     }
     return {std::move(state), std::move(places)};
 }
+
+template void declare(Options& options, BlockStart<2>& start);
+template void declare(Options& options, InitialMotion<2>& motion);
+template InitialState<2> readInitialMotion(const std::filesystem::path& caseDirectory,
+                                           const std::string& timeName, const Assembly<2>& assembly);
 
 } // namespace drystone

@@ -14,19 +14,22 @@ namespace
 {
 
 /// What the joints have of `initialGaps`, and what the places of the blocks make of it, to first order.
-void setGapsAsBuilt(const DynamicCase& scene, Motion& motion)
+template<int Dim>
+void setGapsAsBuilt(const DynamicCase<Dim>& scene, Motion<Dim>& motion)
 {
     const auto columns = equilibriumColumns(scene.assembly, scene.blocks, motion.points);
     const std::vector<Strength> strengths = strengthsOf(scene, motion);
     std::mt19937_64 random(scene.schemes.initialGaps ? scene.schemes.initialGaps->seed : 0);
     const auto displacementOf = [&motion](int block)
     {
-        const Placement<2>& placement = motion.state.placements[static_cast<std::size_t>(block)];
-        return Vector<3>(placement.translation.x(), placement.translation.y(), placement.rotation);
+        const Placement<Dim>& placement = motion.state.placements[static_cast<std::size_t>(block)];
+        BlockVector<Dim> displacement;
+        displacement << placement.translation, rowsOf(placement.rotation);
+        return displacement;
     };
     for (std::size_t i = 0; i < motion.points.size(); ++i)
     {
-        ContactPoint<2>& point = motion.points[i];
+        ContactPoint<Dim>& point = motion.points[i];
         if (scene.schemes.initialGaps)
         {
             // Of the generator's numbers themselves: std::uniform_real_distribution differs among libraries.
@@ -58,9 +61,10 @@ SymbolicAnalysis* KeptAnalysis::get()
     return analysis.get();
 }
 
-Motion startMotion(const DynamicCase& scene, DynamicState state)
+template<int Dim>
+Motion<Dim> startMotion(const DynamicCase<Dim>& scene, DynamicState<Dim> state)
 {
-    Motion motion;
+    Motion<Dim> motion;
     motion.state = std::move(state);
     motion.effectStates.resize(scene.effects.size());
     for (std::size_t i = 0; i < scene.effects.size(); ++i)
@@ -78,8 +82,8 @@ Motion startMotion(const DynamicCase& scene, DynamicState state)
         motion.points = findContactPoints(scene.assembly);
         setGapsAsBuilt(scene, motion);
     }
-    motion.contactForces.assign(motion.points.size(), Vector<2>::Zero());
-    motion.energy.kinetic = kineticEnergy(scene, motion.state.velocity);
+    motion.contactForces.assign(motion.points.size(), Vector<Dim>::Zero());
+    motion.energy.kinetic = kineticEnergy(scene, motion.state);
     motion.energy.potential = potentialEnergy(scene, motion.state.placements);
     motion.energy.opening = motion.energy.kinetic + motion.energy.potential;
     motion.largestKinetic = motion.energy.kinetic;
@@ -87,30 +91,35 @@ Motion startMotion(const DynamicCase& scene, DynamicState state)
     return motion;
 }
 
-std::vector<Vector<3>> velocitiesOfAllBlocks(const DynamicCase& scene, const DynamicState& state, double from,
-                                             double to)
+template<int Dim>
+std::vector<BlockVector<Dim>> velocitiesOfAllBlocks(const DynamicCase<Dim>& scene,
+                                                    const DynamicState<Dim>& state, double from, double to)
 {
-    std::vector<Vector<3>> result =
+    std::vector<BlockVector<Dim>> result =
         supportVelocities(scene.supportMotions, scene.assembly, scene.blocks, state.placements, from, to);
     for (std::size_t block = 0; block < scene.free.size(); ++block)
     {
         if (scene.free[block] >= 0)
         {
-            result[block] = state.velocity.segment<3>(3 * scene.free[block]);
+            result[block] =
+                state.velocity.template segment<freedomCount<Dim>>(freedomCount<Dim> * scene.free[block]);
         }
     }
     return result;
 }
 
-std::vector<Strength> strengthsOf(const DynamicCase& scene, const Motion& motion)
+template<int Dim>
+std::vector<Strength> strengthsOf(const DynamicCase<Dim>& scene, const Motion<Dim>& motion)
 {
     const Eigen::VectorXd none;
-    const EffectContext context{.structure = scene,
-                                .placements = motion.state.placements,
-                                .points = motion.points,
-                                .forcesBefore = none,
-                                .allForcesBefore = motion.contactForces,
-                                .displacements = scene.displacements()};
+    const MassMatrix<Dim> mass = massAt(scene, motion.state.placements);
+    const EffectContext<Dim> context{.structure = scene,
+                                     .placements = motion.state.placements,
+                                     .points = motion.points,
+                                     .forcesBefore = none,
+                                     .allForcesBefore = motion.contactForces,
+                                     .mass = mass,
+                                     .displacements = scene.displacements()};
     std::vector<Strength> all;
     for (std::size_t i = 0; i < scene.effects.size(); ++i)
     {
@@ -125,7 +134,8 @@ std::vector<Strength> strengthsOf(const DynamicCase& scene, const Motion& motion
     return all;
 }
 
-double leaveOutBlocks(const DynamicCase& scene, Motion& motion)
+template<int Dim>
+double leaveOutBlocks(const DynamicCase<Dim>& scene, Motion<Dim>& motion)
 {
     double taken = 0;
     for (std::size_t i = 0; motion.contacts && i < scene.effects.size(); ++i)
@@ -136,24 +146,29 @@ double leaveOutBlocks(const DynamicCase& scene, Motion& motion)
         {
             continue;
         }
-        const double before = kineticEnergy(scene, motion.state.velocity);
+        const double before = kineticEnergy(scene, motion.state);
         for (const int block : leaving)
         {
             motion.contacts->leaveOut(block);
-            motion.state.velocity.segment<3>(3 * scene.free[static_cast<std::size_t>(block)]).setZero();
+            motion.state.velocity
+                .template segment<freedomCount<Dim>>(
+                    freedomCount<Dim> * scene.free[static_cast<std::size_t>(block)])
+                .setZero();
         }
-        taken += before - kineticEnergy(scene, motion.state.velocity);
+        taken += before - kineticEnergy(scene, motion.state);
     }
     return taken;
 }
 
-const std::vector<Vector<2>>& meanContactForces(const Motion& motion)
+template<int Dim>
+const std::vector<Vector<Dim>>& meanContactForces(const Motion<Dim>& motion)
 {
     return motion.meanForces.empty() ? motion.contactForces : motion.meanForces;
 }
 
-StepObservation<2> observe(const DynamicCase& scene, const Motion& motion, const Time& time,
-                           ObservedLists& lists)
+template<int Dim>
+StepObservation<Dim> observe(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const Time& time,
+                             ObservedLists<Dim>& lists)
 {
     lists.friction = frictionAt(scene, motion.points);
     lists.cohesion.clear();
@@ -163,11 +178,12 @@ StepObservation<2> observe(const DynamicCase& scene, const Motion& motion, const
     }
     lists.velocities.clear();
     const double now = motion.state.time;
-    for (const Vector<3>& velocity : velocitiesOfAllBlocks(scene, motion.state, now, now))
+    for (const BlockVector<Dim>& velocity : velocitiesOfAllBlocks(scene, motion.state, now, now))
     {
-        lists.velocities.push_back({velocity.head<2>(), velocity[2]});
+        lists.velocities.push_back(
+            {velocity.template head<Dim>(), turnOf<Dim>(velocity.template tail<rotationCount<Dim>>())});
     }
-    StepObservation<2> seen;
+    StepObservation<Dim> seen;
     seen.time = time.value();
     seen.timeStep = time.value() - time.previousValue();
     seen.step = time.index();
@@ -183,5 +199,14 @@ StepObservation<2> observe(const DynamicCase& scene, const Motion& motion, const
     seen.stageTimes = motion.stageTimes;
     return seen;
 }
+
+template std::vector<Strength> strengthsOf(const DynamicCase<2>& scene, const Motion<2>& motion);
+template double leaveOutBlocks(const DynamicCase<2>& scene, Motion<2>& motion);
+template Motion<2> startMotion(const DynamicCase<2>& scene, DynamicState<2> state);
+template std::vector<BlockVector<2>>
+velocitiesOfAllBlocks(const DynamicCase<2>& scene, const DynamicState<2>& state, double from, double to);
+template const std::vector<Vector<2>>& meanContactForces(const Motion<2>& motion);
+template StepObservation<2> observe(const DynamicCase<2>& scene, const Motion<2>& motion, const Time& time,
+                                    ObservedLists<2>& lists);
 
 } // namespace drystone

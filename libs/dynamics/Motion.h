@@ -33,20 +33,22 @@ private:
 
 /// All that changes in a run. What a run needs to continue bit for bit is `state`, `energy`, `points`,
 /// `contactForces`, `meanForces`, `interior` and `effectStates`.
+template<int Dim>
 struct Motion
 {
-    DynamicState state;
+    DynamicState<Dim> state;
     EnergyLedger energy;
-    std::vector<ContactPoint<2>> points;  ///< of the last step, where they are now; gaps [m]
-    std::vector<Vector<2>> contactForces; ///< one a point, (normal, tangent) [N]: where the next step starts
-    std::vector<Vector<2>> meanForces;    ///< likewise, mean over the last step, with the impulses of its
-                                          ///< impacts; empty where that is the same
-    InteriorStart interior;               ///< of the last program that had one, at `points`; or empty
-    StepResiduals residuals;              ///< of the last step
-    StepResiduals attempt;                ///< of the last attempt at a step, solved or not
-    StepWork work;                        ///< of the last step, all attempts together
-    KeptAnalysis symbolic;                ///< of the last programs
-    std::optional<MovingContacts> contacts;      ///< empty with smallDisplacements: the points stay as built
+    std::vector<ContactPoint<Dim>> points; ///< of the last step, where they are now; gaps [m]
+    std::vector<Vector<Dim>>
+        contactForces;                   ///< one a point, (normal, tangent) [N]: where the next step starts
+    std::vector<Vector<Dim>> meanForces; ///< likewise, mean over the last step, with the impulses of its
+                                         ///< impacts; empty where that is the same
+    InteriorStart interior;              ///< of the last program that had one, at `points`; or empty
+    StepResiduals residuals;             ///< of the last step
+    StepResiduals attempt;               ///< of the last attempt at a step, solved or not
+    StepWork work;                       ///< of the last step, all attempts together
+    KeptAnalysis symbolic;               ///< of the last programs
+    std::optional<MovingContacts<Dim>> contacts; ///< empty with smallDisplacements: the points stay as built
     std::vector<EffectState> effectStates;       ///< one an effect of the case
     std::vector<EffectState> effectStatesBefore; ///< at the start of the last step
     double restitutionShare = 1;                 ///< in the last step the least of its impacts, see Impact
@@ -59,34 +61,41 @@ struct Motion
 };
 
 /// The strengths that effects give the points now; empty where there are none.
-std::vector<Strength> strengthsOf(const DynamicCase& scene, const Motion& motion);
+template<int Dim>
+std::vector<Strength> strengthsOf(const DynamicCase<Dim>& scene, const Motion<Dim>& motion);
 
 /// Blocks that effects leave out from now on stop where they are: they touch nothing and feel no load.
 /// \return the kinetic energy that they take with them [J]
-double leaveOutBlocks(const DynamicCase& scene, Motion& motion);
+template<int Dim>
+double leaveOutBlocks(const DynamicCase<Dim>& scene, Motion<Dim>& motion);
 
 /// The motion that starts from a state, its ledger opened there.
-Motion startMotion(const DynamicCase& scene, DynamicState state);
+template<int Dim>
+Motion<Dim> startMotion(const DynamicCase<Dim>& scene, DynamicState<Dim> state);
 
 /// Velocities (ux uy rz) of all blocks; of those that move with a support the mean from one instant to
 /// another [m/s, m/s, rad/s].
-std::vector<Vector<3>> velocitiesOfAllBlocks(const DynamicCase& scene, const DynamicState& state, double from,
-                                             double to);
+template<int Dim>
+std::vector<BlockVector<Dim>> velocitiesOfAllBlocks(const DynamicCase<Dim>& scene,
+                                                    const DynamicState<Dim>& state, double from, double to);
 
 /// One a contact point: mean over the last step, impulses of its impacts included, (normal, tangent) [N].
 /// Together with the loads they change the momenta of the blocks by what the step does.
-const std::vector<Vector<2>>& meanContactForces(const Motion& motion);
+template<int Dim>
+const std::vector<Vector<Dim>>& meanContactForces(const Motion<Dim>& motion);
 
 /// What observers see and a motion does not keep.
+template<int Dim>
 struct ObservedLists
 {
-    std::vector<BlockVelocity<2>> velocities; ///< one a block
-    std::vector<double> friction;             ///< one a contact point
-    std::vector<double> cohesion;             ///< likewise [N]; empty in a case without bonds
+    std::vector<BlockVelocity<Dim>> velocities; ///< one a block
+    std::vector<double> friction;               ///< one a contact point
+    std::vector<double> cohesion;               ///< likewise [N]; empty in a case without bonds
 };
 
 /// What observers see. The views are into `motion` and `lists`. \param lists filled in
-StepObservation<2> observe(const DynamicCase& scene, const Motion& motion, const Time& time,
-                           ObservedLists& lists);
+template<int Dim>
+StepObservation<Dim> observe(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const Time& time,
+                             ObservedLists<Dim>& lists);
 
 } // namespace drystone

@@ -5,13 +5,14 @@
 namespace drystone
 {
 
-void move(Step& step)
+template<int Dim>
+void move(Step<Dim>& step)
 {
     const StageTimer timer(step.motion.stageTimes, Stage::move);
-    DynamicState& state = step.motion.state;
+    DynamicState<Dim>& state = step.motion.state;
     StepSolution& solved = step.solved;
     state.velocity = solved.velocity;
-    advance(state, step.scene.free, solved.result.displacement, step.scheme);
+    step.velocityAtEnd = advance(state, step.scene.free, solved.result.displacement, step.scheme);
     moveWithSupports(state.placements, step.supports);
     if (solved.flight.size() == 0)
     {
@@ -23,15 +24,17 @@ void move(Step& step)
     {
         solved.result.closing += applyTransposed(step.program, solved.flight);
     }
-    const Eigen::VectorXd change = state.velocity - solved.velocity;
-    for (Eigen::Index row = 0; row < change.size(); row += 3)
+    const Eigen::VectorXd change = step.velocityAtEnd - solved.velocity;
+    for (int body = 0; body < step.program.bodies; ++body)
     {
-        const bool flies = !solved.flight.segment<3>(row).isZero(0);
-        step.keptInFlight +=
-            flies ? (step.scheme.theta - 0.5)
-                        * change.segment<3>(row).cwiseAbs2().dot(step.scene.mass.segment<3>(row))
-                  : 0;
+        const Eigen::Index row = freedomCount<Dim> * body;
+        const bool flies = !solved.flight.segment<freedomCount<Dim>>(row).isZero(0);
+        step.keptInFlight += flies ? (step.scheme.theta - 0.5)
+                                         * squareOf(step.mass, body, change.segment<freedomCount<Dim>>(row))
+                                   : 0;
     }
 }
+
+template void move(Step<2>& step);
 
 } // namespace drystone

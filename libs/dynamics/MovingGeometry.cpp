@@ -2,74 +2,49 @@
 /// Gaps and slips of moving contacts to the last digits.
 #include "dynamics/MovingGeometry.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 
 namespace drystone
 {
-namespace
-{
 
-/// How a point of a block, now at `position`, is displaced; to the last digits, however little that is [m].
-Vector<2> displacementOf(const DynamicCase& scene, int block, const Vector<2>& position,
-                         const std::vector<Placement<2>>& from, const std::vector<Placement<2>>& to)
+template<int Dim>
+std::vector<Placement<Dim>> placementsAfter(const Step<Dim>& step, const Eigen::VectorXd& displacement,
+                                            double share)
 {
-    const auto index = static_cast<std::size_t>(block);
-    const Vector<2> arm = position - scene.blocks[index].centroid - from[index].translation;
-    const double turn = to[index].rotation - from[index].rotation;
-    const double half = std::sin(turn / 2);
-    return to[index].translation - from[index].translation + std::sin(turn) * Vector<2>(-arm.y(), arm.x())
-           - 2 * half * half * arm;
-}
-
-/// By how far the neighbour has slid past the block at a contact point, along the edge there [m].
-double slip(const DynamicCase& scene, const std::vector<Placement<2>>& from,
-            const std::vector<Placement<2>>& to, const ContactPoint<2>& point)
-{
-    const auto edgeBlock =
-        static_cast<std::size_t>(point.feature.vertexBlock == point.block ? point.neighbour : point.block);
-    const Eigen::Rotation2Dd turn(to[edgeBlock].rotation - from[edgeBlock].rotation);
-    return (turn * tangent(point))
-        .dot(displacementOf(scene, point.neighbour, point.position, from, to)
-             - displacementOf(scene, point.block, point.position, from, to));
-}
-
-} // namespace
-
-std::vector<Placement<2>> placementsAfter(const Step& step, const Eigen::VectorXd& displacement, double share)
-{
-    std::vector<Placement<2>> placements =
+    std::vector<Placement<Dim>> placements =
         moved(step.motion.state.placements, step.scene.free, displacement, share);
     moveWithSupports(placements, step.supports, share);
     return placements;
 }
 
-std::vector<ContactColumns<2>> columnsAt(const DynamicCase& scene,
-                                         const std::vector<Placement<2>>& placements,
-                                         const std::vector<ContactPoint<2>>& points)
+template<int Dim>
+std::vector<ContactColumns<Dim>> columnsAt(const DynamicCase<Dim>& scene,
+                                           const std::vector<Placement<Dim>>& placements,
+                                           const std::vector<ContactPoint<Dim>>& points)
 {
     return equilibriumColumns(scene.assembly, placedMasses(scene.blocks, placements), points);
 }
 
-void forgetRounding(const DynamicCase& scene, std::vector<ContactPoint<2>>& points)
+template<int Dim>
+void forgetRounding(const DynamicCase<Dim>& scene, std::vector<ContactPoint<Dim>>& points)
 {
-    for (ContactPoint<2>& point : points)
+    for (ContactPoint<Dim>& point : points)
     {
         point.gap = std::abs(point.gap) <= scene.roundingGap ? 0 : point.gap;
     }
 }
 
-Relinearisation movingContactGeometry(const Step& step)
+template<int Dim>
+Relinearisation<Dim> movingContactGeometry(const Step<Dim>& step)
 {
     return [&step](const Eigen::VectorXd& displacement, const Eigen::VectorXd& contactForce,
-                   PlaneConeProgram& program)
+                   StepProgram<Dim>& program)
     {
-        const DynamicCase& scene = step.scene;
-        const Motion& motion = step.motion;
+        const DynamicCase<Dim>& scene = step.scene;
+        const Motion<Dim>& motion = step.motion;
         const Eigen::VectorXd linear = applyTransposed(program, displacement);
-        std::vector<ContactPoint<2>> points;
+        std::vector<ContactPoint<Dim>> points;
         const double early = 1 - step.scheme.theta;
         if (early > 0)
         {
@@ -85,25 +60,36 @@ Relinearisation movingContactGeometry(const Step& step)
         double error = 0;
         for (std::size_t i = 0; i < points.size(); ++i)
         {
-            const Eigen::Index row = 2 * static_cast<Eigen::Index>(i);
-            const Eigen::Vector2d own = step.gapsOfEffects.size() > 0
-                                            ? Eigen::Vector2d(step.gapsOfEffects.segment<2>(row))
-                                            : Eigen::Vector2d::Zero();
+            const Eigen::Index row = Dim * static_cast<Eigen::Index>(i);
+            const Vector<Dim> own = step.gapsOfEffects.size() > 0
+                                        ? Vector<Dim>(step.gapsOfEffects.template segment<Dim>(row))
+                                        : Vector<Dim>(Vector<Dim>::Zero());
             const double predicted = program.gap[row] - own[0] - linear[row];
             if (contactForce[row] != 0 || points[i].gap < 0)
             {
                 error = std::max(error, std::abs(points[i].gap - predicted));
             }
-            const double slid = slip(scene, motion.state.placements, after, step.points[i]);
+            const Shear<Dim> slid = slip(scene, motion.state.placements, after, step.points[i]);
+            auto shear = program.gap.template segment<Dim - 1>(row + 1);
             if (program.hasStrength() && program.strength[i].cohesion > 0) // where slip decides what holds
             {
-                error = std::max(error, std::abs(slid + program.gap[row + 1] - own[1] - linear[row + 1]));
+                const Shear<Dim> missed =
+                    slid + shear - own.template tail<Dim - 1>() - linear.segment<Dim - 1>(row + 1);
+                error = std::max(error, missed.norm());
             }
             program.gap[row] = points[i].gap + closing[row] + own[0];
-            program.gap[row + 1] = closing[row + 1] - slid + own[1];
+            shear = closing.segment<Dim - 1>(row + 1) - slid + own.template tail<Dim - 1>();
         }
         return error;
     };
 }
+
+template std::vector<Placement<2>> placementsAfter(const Step<2>& step, const Eigen::VectorXd& displacement,
+                                                   double share);
+template std::vector<ContactColumns<2>> columnsAt(const DynamicCase<2>& scene,
+                                                  const std::vector<Placement<2>>& placements,
+                                                  const std::vector<ContactPoint<2>>& points);
+template void forgetRounding(const DynamicCase<2>& scene, std::vector<ContactPoint<2>>& points);
+template Relinearisation<2> movingContactGeometry(const Step<2>& step);
 
 } // namespace drystone

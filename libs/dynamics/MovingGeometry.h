@@ -4,23 +4,37 @@
 #pragma once
 
 #include "dynamics/Step.h"
+#include "geometry/Rotation.h"
 
 namespace drystone
 {
 
 /// The placements that a step leads to, or a share of the way there.
-std::vector<Placement<2>> placementsAfter(const Step& step, const Eigen::VectorXd& displacement,
-                                          double share = 1);
+template<int Dim>
+std::vector<Placement<Dim>> placementsAfter(const Step<Dim>& step, const Eigen::VectorXd& displacement,
+                                            double share = 1);
 
 /// The contact columns of points with the blocks at these placements.
-std::vector<ContactColumns<2>> columnsAt(const DynamicCase& scene,
-                                         const std::vector<Placement<2>>& placements,
-                                         const std::vector<ContactPoint<2>>& points);
+template<int Dim>
+std::vector<ContactColumns<Dim>> columnsAt(const DynamicCase<Dim>& scene,
+                                           const std::vector<Placement<Dim>>& placements,
+                                           const std::vector<ContactPoint<Dim>>& points);
 
 /// Takes gaps as small as rounding for none. Otherwise a structure at rest, whose corners lie on its edges
 /// but for rounding, could only be certified to stand as well as rounding compares with what gravity moves a
 /// block in one step: 1e-11.
-void forgetRounding(const DynamicCase& scene, std::vector<ContactPoint<2>>& points);
+template<int Dim>
+void forgetRounding(const DynamicCase<Dim>& scene, std::vector<ContactPoint<Dim>>& points);
+
+/// The components of shear at a point.
+template<int Dim>
+using Shear = Eigen::Matrix<double, Dim - 1, 1>;
+
+/// By how far the neighbour has slid past the block at a contact point, along the edge or face there [m].
+Shear<2> slip(const DynamicCase<2>& scene, const std::vector<Placement<2>>& from,
+              const std::vector<Placement<2>>& to, const ContactPoint<2>& point);
+Shear<3> slip(const DynamicCase<3>& scene, const std::vector<Placement<3>>& from,
+              const std::vector<Placement<3>>& to, const ContactPoint<3>& point);
 
 /// Corrects the linear prediction of the gaps of moving contacts; see Relinearisation. The step is not owned.
 ///
@@ -31,6 +45,7 @@ void forgetRounding(const DynamicCase& scene, std::vector<ContactPoint<2>>& poin
 /// Of the slip of a point, too: blocks that turn together by a finite angle do not slide on each other, but
 /// linear prediction says they do, in proportion to the square of the angle; and where many blocks do so,
 /// locked together, no forces would make it vanish.
-Relinearisation movingContactGeometry(const Step& step);
+template<int Dim>
+Relinearisation<Dim> movingContactGeometry(const Step<Dim>& step);
 
 } // namespace drystone

@@ -11,14 +11,16 @@ namespace drystone
 namespace
 {
 
-bool isSame(const ContactPoint<2>& a, const ContactPoint<2>& b)
+template<int Dim>
+bool isSame(const ContactPoint<Dim>& a, const ContactPoint<Dim>& b)
 {
     return a.block == b.block && a.neighbour == b.neighbour && a.feature == b.feature;
 }
 
 } // namespace
 
-void PartedStep::count(const StepResiduals& attempt)
+template<int Dim>
+void PartedStep<Dim>::count(const StepResiduals& attempt)
 {
     work.initialResidual = std::max(work.initialResidual, attempt.initialResidual);
     work.primalResidual = std::max(work.primalResidual, attempt.primalResidual);
@@ -30,15 +32,16 @@ void PartedStep::count(const StepResiduals& attempt)
     work.programs += attempt.programs;
 }
 
-void PartedStep::add(const Motion& motion, double length)
+template<int Dim>
+void PartedStep<Dim>::add(const Motion<Dim>& motion, double length)
 {
-    const std::vector<Vector<2>>& forces = meanContactForces(motion);
+    const std::vector<Vector<Dim>>& forces = meanContactForces(motion);
     for (std::size_t i = 0; i < motion.points.size(); ++i)
     {
         const auto there =
             std::find_if(impulses.begin(), impulses.end(),
                          [&](const Carried& carried) { return isSame(carried.point, motion.points[i]); });
-        const Vector<2> impulse = length * forces[i];
+        const Vector<Dim> impulse = length * forces[i];
         if (there != impulses.end())
         {
             there->point = motion.points[i];
@@ -54,7 +57,8 @@ void PartedStep::add(const Motion& motion, double length)
     ++parts;
 }
 
-void PartedStep::finish(Motion& motion) const
+template<int Dim>
+void PartedStep<Dim>::finish(Motion<Dim>& motion) const
 {
     if (parts < 2)
     {
@@ -63,30 +67,32 @@ void PartedStep::finish(Motion& motion) const
     motion.residuals = work;
     motion.attempt = work;
     motion.restitutionShare = leastShare;
-    motion.meanForces.assign(motion.points.size(), Vector<2>::Zero());
+    motion.meanForces.assign(motion.points.size(), Vector<Dim>::Zero());
     for (const Carried& carried : impulses)
     {
-        auto there = std::find_if(motion.points.begin(), motion.points.end(),
-                                  [&](const ContactPoint<2>& point) { return isSame(point, carried.point); });
+        auto there =
+            std::find_if(motion.points.begin(), motion.points.end(),
+                         [&](const ContactPoint<Dim>& point) { return isSame(point, carried.point); });
         auto index = there - motion.points.begin();
         if (there == motion.points.end())
         {
-            const auto pairOf = [](const ContactPoint<2>& point)
+            const auto pairOf = [](const ContactPoint<Dim>& point)
             { return std::pair(point.block, point.neighbour); };
             index = std::upper_bound(motion.points.begin(), motion.points.end(), carried.point,
-                                     [&](const ContactPoint<2>& a, const ContactPoint<2>& b)
+                                     [&](const ContactPoint<Dim>& a, const ContactPoint<Dim>& b)
                                      { return pairOf(a) < pairOf(b); })
                     - motion.points.begin();
             motion.points.insert(motion.points.begin() + index, carried.point);
-            motion.contactForces.insert(motion.contactForces.begin() + index, Vector<2>::Zero());
-            motion.meanForces.insert(motion.meanForces.begin() + index, Vector<2>::Zero());
+            motion.contactForces.insert(motion.contactForces.begin() + index, Vector<Dim>::Zero());
+            motion.meanForces.insert(motion.meanForces.begin() + index, Vector<Dim>::Zero());
             for (Eigen::VectorXd* ofPoints : {&motion.interior.contactForce, &motion.interior.opening})
             {
                 if (!motion.interior.isEmpty())
                 {
                     const Eigen::VectorXd old = *ofPoints;
-                    ofPoints->resize(old.size() + 2);
-                    *ofPoints << old.head(2 * index), 0, 0, old.tail(old.size() - 2 * index);
+                    ofPoints->resize(old.size() + Dim);
+                    *ofPoints << old.head(Dim * index), Vector<Dim>::Zero(),
+                        old.tail(old.size() - Dim * index);
                 }
             }
         }
@@ -97,7 +103,8 @@ void PartedStep::finish(Motion& motion) const
 namespace
 {
 
-bool takeParts(const DynamicCase& scene, Motion& motion, double timeStep)
+template<int Dim>
+bool takeParts(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeStep)
 {
     motion.work.beginAttempt();
     // Impacts are distinguished from the start of a step, and from each other, by this part of it. Attempts
@@ -115,8 +122,8 @@ bool takeParts(const DynamicCase& scene, Motion& motion, double timeStep)
     const bool isLocated = scene.schemes.impacts == ImpactInstant::located && tolerance < 1;
     ImpactChoice impacts{isLocated ? ImpactInstant::located : ImpactInstant::stepStart, tolerance * timeStep,
                          isLocated ? shortestFlight * timeStep : 0};
-    std::optional<Motion> before; // where the step is parted
-    PartedStep parts;
+    std::optional<Motion<Dim>> before; // where the step is parted
+    PartedStep<Dim> parts;
     double left = timeStep;
     double length = left;
     for (int attempts = 0; left > 0; ++attempts)
@@ -171,7 +178,8 @@ bool takeParts(const DynamicCase& scene, Motion& motion, double timeStep)
 
 } // namespace
 
-bool advanceInParts(const DynamicCase& scene, Motion& motion, double timeStep)
+template<int Dim>
+bool advanceInParts(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeStep)
 {
     std::vector<EffectState> before = motion.effectStates;
     const bool isSolved = takeParts(scene, motion, timeStep);
@@ -181,5 +189,8 @@ bool advanceInParts(const DynamicCase& scene, Motion& motion, double timeStep)
     }
     return isSolved;
 }
+
+template class PartedStep<2>;
+template bool advanceInParts(const DynamicCase<2>& scene, Motion<2>& motion, double timeStep);
 
 } // namespace drystone

@@ -9,24 +9,25 @@ namespace drystone
 
 /// What the parts of a step leave together: forces and their means, the work of the solver, the worst of
 /// their residuals.
+template<int Dim>
 class PartedStep
 {
 public:
     /// Another part, which has just been taken.
-    void add(const Motion& motion, double length);
+    void add(const Motion<Dim>& motion, double length);
 
     /// Attempts at parts count too, those that were taken and those that were not. \param attempt since `add`
     void count(const StepResiduals& attempt);
 
     /// Puts together what was added: points of earlier parts that are no longer in the list come back into it
     /// if they carried anything, with the gap that they had then.
-    void finish(Motion& motion) const;
+    void finish(Motion<Dim>& motion) const;
 
 private:
     struct Carried
     {
-        ContactPoint<2> point;
-        Vector<2> impulse = Vector<2>::Zero(); ///< [N s]
+        ContactPoint<Dim> point;
+        Vector<Dim> impulse = Vector<Dim>::Zero(); ///< [N s]
     };
     std::vector<Carried> impulses;
     StepResiduals work;
@@ -38,7 +39,8 @@ private:
 /// A step that is not parted: the stages in their order. \return 1: it was solved; more than 0: blocks meet
 /// after this part of it, to which the next attempt is to be shortened; 0: it was not solved. But for 1 only
 /// `attempt`, `work` and `stageTimes` have changed
-double advanceUnparted(const DynamicCase& scene, Motion& motion, double timeStep,
+template<int Dim>
+double advanceUnparted(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeStep,
                        const ImpactChoice& impacts);
 
 /// A step, in parts up to where blocks meet and on from there. A rebound that would last less than a tenth of
@@ -46,6 +48,7 @@ double advanceUnparted(const DynamicCase& scene, Motion& motion, double timeStep
 /// than two pairs of blocks meet in one, and with `impacts stepStart`, points that the step closes and that
 /// were closing when it began collide at its start, wherever they meet. \return whether it was solved;
 /// otherwise nothing but `attempt`, `work` and `stageTimes` has changed
-bool advanceInParts(const DynamicCase& scene, Motion& motion, double timeStep);
+template<int Dim>
+bool advanceInParts(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeStep);
 
 } // namespace drystone

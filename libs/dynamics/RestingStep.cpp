@@ -13,19 +13,21 @@ namespace
 constexpr double closest = 1e-12; // tolerance that every solver but gaussSeidel reaches
 
 /// Largest force among the rows of bodies, moments aside.
+template<int Dim>
 double largestForce(const Eigen::VectorXd& rows)
 {
     double largest = 0;
-    for (Eigen::Index row = 0; row < rows.size(); row += 3)
+    for (Eigen::Index row = 0; row < rows.size(); row += freedomCount<Dim>)
     {
-        largest = std::max(largest, rows.segment<2>(row).lpNorm<Eigen::Infinity>());
+        largest = std::max(largest, rows.segment<Dim>(row).template lpNorm<Eigen::Infinity>());
     }
     return largest;
 }
 
 } // namespace
 
-Rest restWith(const PlaneConeProgram& program, const Eigen::VectorXd& contactForce)
+template<int Dim>
+Rest restWith(const StepProgram<Dim>& program, const Eigen::VectorXd& contactForce)
 {
     Rest rest;
     rest.solution.displacement = Eigen::VectorXd::Zero(program.load.size());
@@ -34,7 +36,8 @@ Rest restWith(const PlaneConeProgram& program, const Eigen::VectorXd& contactFor
     return rest;
 }
 
-bool comesToRest(ThetaStep& step, const PlaneConeProgram& program, Rest rest, double tolerance)
+template<int Dim>
+bool comesToRest(ThetaStep& step, const StepProgram<Dim>& program, Rest rest, double tolerance)
 {
     if (rest.certificate.worst() > tolerance)
     {
@@ -44,11 +47,12 @@ bool comesToRest(ThetaStep& step, const PlaneConeProgram& program, Rest rest, do
     step.certificate = rest.certificate;
     step.displacement = std::move(rest.solution.displacement);
     step.contactForce = std::move(rest.solution.contactForce);
-    step.closing = Eigen::VectorXd::Zero(2 * program.points());
+    step.closing = Eigen::VectorXd::Zero(Dim * program.points());
     return true;
 }
 
-ConeSolution solveCounted(ThetaStep& step, const PlaneConeProgram& program, const SolverChoice& solver,
+template<int Dim>
+ConeSolution solveCounted(ThetaStep& step, const StepProgram<Dim>& program, const SolverChoice& solver,
                           const ConeSolution& start, SymbolicAnalysis* symbolic)
 {
     ConeSolution solution = solveConeProgram(program, solver, start, symbolic);
@@ -61,13 +65,15 @@ ConeSolution solveCounted(ThetaStep& step, const PlaneConeProgram& program, cons
     return solution;
 }
 
-bool mayRest(const PlaneConeProgram& program, const Eigen::VectorXd& outOfBalance)
+template<int Dim>
+bool mayRest(const StepProgram<Dim>& program, const Eigen::VectorXd& outOfBalance)
 {
     constexpr double farFromRest = 0.1;
-    return largestForce(outOfBalance) <= farFromRest * largestForce(program.load);
+    return largestForce<Dim>(outOfBalance) <= farFromRest * largestForce<Dim>(program.load);
 }
 
-bool standsStill(ThetaStep& step, const PlaneConeProgram& program, const SolverChoice& solver,
+template<int Dim>
+bool standsStill(ThetaStep& step, const StepProgram<Dim>& program, const SolverChoice& solver,
                  const ConeSolution& solution, SymbolicAnalysis* symbolic)
 {
     const double nearly = std::sqrt(solver.tolerance);
@@ -81,5 +87,13 @@ bool standsStill(ThetaStep& step, const PlaneConeProgram& program, const SolverC
     }
     return comesToRest(step, program, std::move(rest), solver.tolerance);
 }
+
+template Rest restWith(const StepProgram<2>& program, const Eigen::VectorXd& contactForce);
+template bool comesToRest(ThetaStep& step, const StepProgram<2>& program, Rest rest, double tolerance);
+template bool mayRest(const StepProgram<2>& program, const Eigen::VectorXd& outOfBalance);
+template bool standsStill(ThetaStep& step, const StepProgram<2>& program, const SolverChoice& solver,
+                          const ConeSolution& solution, SymbolicAnalysis* symbolic);
+template ConeSolution solveCounted(ThetaStep& step, const StepProgram<2>& program, const SolverChoice& solver,
+                                   const ConeSolution& start, SymbolicAnalysis* symbolic);
 
 } // namespace drystone

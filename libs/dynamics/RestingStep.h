@@ -14,24 +14,29 @@ struct Rest
     Certificate certificate;
 };
 
-Rest restWith(const PlaneConeProgram& program, const Eigen::VectorXd& contactForce);
+template<int Dim>
+Rest restWith(const StepProgram<Dim>& program, const Eigen::VectorXd& contactForce);
 
 /// Whether rest solves the program to the tolerance; then it is the step.
-bool comesToRest(ThetaStep& step, const PlaneConeProgram& program, Rest rest, double tolerance);
+template<int Dim>
+bool comesToRest(ThetaStep& step, const StepProgram<Dim>& program, Rest rest, double tolerance);
 
 /// Whether what is out of balance is so small a part of the loads that rest is worth a look.
-bool mayRest(const PlaneConeProgram& program, const Eigen::VectorXd& outOfBalance);
+template<int Dim>
+bool mayRest(const StepProgram<Dim>& program, const Eigen::VectorXd& outOfBalance);
 
 /// A structure whose forces balance its loads to the tolerance stands still: not by what the solver leaves of
 /// a displacement, which would be an impulse in the next step, but exactly. The gap of a certificate is work,
 /// so of second order in what is out of balance: a solution that is nearly rest may be rest, and is known
 /// when it is solved to the square of the tolerance. Otherwise a wall would move off below its multiplier,
 /// little by little.
-bool standsStill(ThetaStep& step, const PlaneConeProgram& program, const SolverChoice& solver,
+template<int Dim>
+bool standsStill(ThetaStep& step, const StepProgram<Dim>& program, const SolverChoice& solver,
                  const ConeSolution& solution, SymbolicAnalysis* symbolic);
 
 /// Solves a program and counts the work on the step.
-ConeSolution solveCounted(ThetaStep& step, const PlaneConeProgram& program, const SolverChoice& solver,
+template<int Dim>
+ConeSolution solveCounted(ThetaStep& step, const StepProgram<Dim>& program, const SolverChoice& solver,
                           const ConeSolution& start, SymbolicAnalysis* symbolic);
 
 } // namespace drystone

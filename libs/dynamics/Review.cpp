@@ -8,12 +8,13 @@ namespace
 {
 
 /// Whether an effect has changed the program because of its solution.
-bool isChangedByEffects(Step& step)
+template<int Dim>
+bool isChangedByEffects(Step<Dim>& step)
 {
     const ThetaStep& result = step.solved.result;
     const std::function<Eigen::VectorXd()> opening = [&step, &result]
     { return openingAtEnd(step, result.displacement, result.contactForce); };
-    const EffectContext context = contextOf(step);
+    const EffectContext<Dim> context = contextOf(step);
     const EffectSolution solution{result.displacement, result.contactForce, opening};
     bool isChanged = false;
     for (std::size_t i = 0; i < step.scene.effects.size(); ++i)
@@ -27,7 +28,8 @@ bool isChangedByEffects(Step& step)
 
 } // namespace
 
-bool review(Step& step)
+template<int Dim>
+bool review(Step<Dim>& step)
 {
     const StageTimer timer(step.motion.stageTimes, Stage::review);
     if (step.solved.isSolved && isChangedByEffects(step))
@@ -43,5 +45,7 @@ bool review(Step& step)
     residuals.flowError = result.flowError;
     return false;
 }
+
+template bool review(Step<2>& step);
 
 } // namespace drystone

@@ -7,7 +7,8 @@
 namespace drystone
 {
 
-void beginAgain(Step& step)
+template<int Dim>
+void beginAgain(Step<Dim>& step)
 {
     step.solved = {};
     step.solved.velocity = step.motion.state.velocity;
@@ -15,7 +16,8 @@ void beginAgain(Step& step)
     step.guess.displacement = step.scheme.timeStep * step.solved.velocity;
 }
 
-void solve(Step& step)
+template<int Dim>
+void solve(Step<Dim>& step)
 {
     const StageTimer timer(step.motion.stageTimes, Stage::solve);
     StepSolution& solved = step.solved;
@@ -25,7 +27,8 @@ void solve(Step& step)
     countWork(step, solved.result.iterations, solved.result.factorisations, solved.result.programs);
 }
 
-void countWork(Step& step, int iterations, int factorisations, int programs)
+template<int Dim>
+void countWork(Step<Dim>& step, int iterations, int factorisations, int programs)
 {
     StepWork& work = step.motion.work;
     work.mostPoints = std::max(work.mostPoints, step.program.points());
@@ -36,15 +39,22 @@ void countWork(Step& step, int iterations, int factorisations, int programs)
     attempt.programs += programs;
 }
 
-Eigen::VectorXd openingAtEnd(const Step& step, const Eigen::VectorXd& displacement,
+template<int Dim>
+Eigen::VectorXd openingAtEnd(const Step<Dim>& step, const Eigen::VectorXd& displacement,
                              const Eigen::VectorXd& contactForce)
 {
-    PlaneConeProgram program = step.program;
+    StepProgram<Dim> program = step.program;
     if (step.relinearise)
     {
         step.relinearise(displacement, contactForce, program);
     }
     return program.gap - applyTransposed(program, displacement);
 }
+
+template void beginAgain(Step<2>& step);
+template void solve(Step<2>& step);
+template void countWork(Step<2>& step, int iterations, int factorisations, int programs);
+template Eigen::VectorXd openingAtEnd(const Step<2>& step, const Eigen::VectorXd& displacement,
+                                      const Eigen::VectorXd& contactForce);
 
 } // namespace drystone

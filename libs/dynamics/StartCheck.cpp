@@ -12,21 +12,22 @@
 namespace drystone
 {
 
-void refuseStartOverlaps(const Assembly<2>& assembly, const std::vector<Placement<2>>& placements,
+template<int Dim>
+void refuseStartOverlaps(const Assembly<Dim>& assembly, const std::vector<Placement<Dim>>& placements,
                          const std::vector<SourceLocation>& places)
 {
     if (places.empty())
     {
         return;
     }
-    const double asBuilt = penetration(assembly, std::vector<Placement<2>>(assembly.blocks.size())).depth;
+    const double asBuilt = penetration(assembly, std::vector<Placement<Dim>>(assembly.blocks.size())).depth;
     const Penetration deepest = penetration(assembly, placements);
     if (deepest.depth <= asBuilt + CheckLimits{}.jointTolerance * meanBlockSize(assembly))
     {
         return;
     }
     const auto isDisplaced = [&](int block)
-    { return placements[block].rotation != 0 || !placements[block].translation.isZero(0); };
+    { return !rowsOf(placements[block].rotation).isZero(0) || !placements[block].translation.isZero(0); };
     const int displaced = isDisplaced(deepest.block) ? deepest.block : deepest.neighbour;
     const int other = displaced == deepest.block ? deepest.neighbour : deepest.block;
     throw FatalIOError(
@@ -38,17 +39,32 @@ void refuseStartOverlaps(const Assembly<2>& assembly, const std::vector<Placemen
         places[static_cast<std::size_t>(displaced)]);
 }
 
-void questionRotation(const BlockStart& start, const SourceLocation& place)
+template<int Dim>
+void questionRotation(const BlockStart<Dim>& start, const SourceLocation& place)
 {
-    if (std::abs(start.rotation) > EIGEN_PI / 2)
+    double angle = 0;
+    if constexpr (Dim == 2)
+    {
+        angle = start.rotation;
+    }
+    else
+    {
+        angle = start.rotation.norm();
+    }
+    if (std::abs(angle) > EIGEN_PI / 2)
     {
         printWarning(
             fmt::format("A rotation of {:g} rad is {:.4g} degrees. Angles are in rad: {:g} degrees would be "
-                        "`rotation {:.9g};`.",
-                        start.rotation, start.rotation * 180 / EIGEN_PI, start.rotation,
-                        start.rotation * EIGEN_PI / 180),
+                        "`rotation {}{:.9g}{};`.",
+                        angle, angle * 180 / EIGEN_PI, angle, Dim == 2 ? "" : "(0 0 ", angle * EIGEN_PI / 180,
+                        Dim == 2 ? "" : ")"),
             place);
     }
 }
+
+template void refuseStartOverlaps(const Assembly<2>& assembly, const std::vector<Placement<2>>& placements,
+                                  const std::vector<SourceLocation>& places);
+template void questionRotation(const BlockStart<2>& start, const SourceLocation& place);
+template void questionRotation(const BlockStart<3>& start, const SourceLocation& place);
 
 } // namespace drystone

@@ -12,10 +12,12 @@ namespace drystone
 /// fall through each other. Blocks may be 1e-6 of the mean block size in each other, and as deep as they were
 /// built. \param places of InitialState; nothing is checked where there are none
 /// \throws FatalIOError with both blocks and the depth, at the line of the block that is displaced
-void refuseStartOverlaps(const Assembly<2>& assembly, const std::vector<Placement<2>>& placements,
+template<int Dim>
+void refuseStartOverlaps(const Assembly<Dim>& assembly, const std::vector<Placement<Dim>>& placements,
                          const std::vector<SourceLocation>& places);
 
 /// Warns of a rotation beyond a quarter of a turn, which looks like degrees.
-void questionRotation(const BlockStart& start, const SourceLocation& place);
+template<int Dim>
+void questionRotation(const BlockStart<Dim>& start, const SourceLocation& place);
 
 } // namespace drystone

@@ -10,23 +10,27 @@ namespace
 {
 
 /// Largest acceleration that the loads alone give a block [m/s2].
-double largestAcceleration(const DynamicCase& scene, const Eigen::VectorXd& load)
+template<int Dim>
+double largestAcceleration(const DynamicCase<Dim>& scene, const Eigen::VectorXd& load)
 {
     double largest = 0;
-    for (Eigen::Index row = 0; row < load.size(); row += 3)
+    for (Eigen::Index row = 0; row < load.size(); row += freedomCount<Dim>)
     {
-        largest = std::max(largest, load.segment<2>(row).norm() / scene.mass[row]);
+        largest = std::max(largest, load.segment<Dim>(row).norm() / scene.mass[row]);
     }
     return largest;
 }
 
 } // namespace
 
-Step::Step(const DynamicCase& dynamicCase, Motion& current, double length, const ImpactChoice& choice)
+template<int Dim>
+Step<Dim>::Step(const DynamicCase<Dim>& dynamicCase, Motion<Dim>& current, double length,
+                const ImpactChoice& choice)
     : scene(dynamicCase),
       motion(current),
       impacts(choice),
-      scheme{scene.schemes.timeIntegration.theta, length}
+      scheme{scene.schemes.timeIntegration.theta, length},
+      mass(massAt(scene, motion.state.placements))
 {
     settings.flowRule = scene.flowRule();
     settings.blockSize = scene.blockSize;
@@ -37,7 +41,7 @@ Step::Step(const DynamicCase& dynamicCase, Motion& current, double length, const
 
     const double start = motion.state.time;
     load = loadUnder(scene, meanGroundAcceleration(scene.groundMotion, start, start + length));
-    const EffectContext context = contextOf(*this);
+    const EffectContext<Dim> context = contextOf(*this);
     for (std::size_t i = 0; i < scene.effects.size(); ++i)
     {
         scene.effects[i]->addLoad(context, motion.effectStates[i], load);
@@ -47,13 +51,15 @@ Step::Step(const DynamicCase& dynamicCase, Motion& current, double length, const
                             start, start + length);
 }
 
-EffectContext contextOf(const Step& step)
+template<int Dim>
+EffectContext<Dim> contextOf(const Step<Dim>& step)
 {
     return {.structure = step.scene,
             .placements = step.motion.state.placements,
             .points = step.points,
             .forcesBefore = step.guess.contactForce,
             .allForcesBefore = step.motion.contactForces,
+            .mass = step.mass,
             .displacements = step.scene.displacements(),
             .theta = step.scheme.theta,
             .timeStep = step.scheme.timeStep,
@@ -61,5 +67,8 @@ EffectContext contextOf(const Step& step)
             .contactTolerance = step.settings.contactTolerance,
             .tolerance = step.settings.solver.tolerance};
 }
+
+template struct Step<2>;
+template EffectContext<2> contextOf(const Step<2>& step);
 
 } // namespace drystone

@@ -35,63 +35,76 @@ struct StepSolution
 
 /// One step that is not parted, from `motion` on. Members are filled by the stage under whose name they
 /// stand. Its own lists refer to each other, and so it stays where it was made.
+template<int Dim>
 struct Step
 {
     /// What acts on the blocks in the step.
-    Step(const DynamicCase& dynamicCase, Motion& current, double length, const ImpactChoice& choice);
-    Step(const Step&) = delete;
-    Step& operator=(const Step&) = delete;
+    Step(const DynamicCase<Dim>& dynamicCase, Motion<Dim>& current, double length,
+         const ImpactChoice& choice);
+    Step(const Step<Dim>&) = delete;
+    Step<Dim>& operator=(const Step<Dim>&) = delete;
 
-    const DynamicCase& scene;
-    Motion& motion; ///< but for `attempt`, `work`, `symbolic` and `stageTimes` changed by `move` and later
+    const DynamicCase<Dim>& scene;
+    Motion<Dim>&
+        motion; ///< but for `attempt`, `work`, `symbolic` and `stageTimes` changed by `move` and later
     ImpactChoice impacts;
     ThetaScheme scheme;
     StepSettings settings;
-    Eigen::VectorXd load;              ///< mean over the step of all that acts on the blocks but the contacts
-    double acceleration = 0;           ///< the largest that the loads alone give a block [m/s2]
-    std::vector<SupportStep> supports; ///< see supportSteps
+    MassMatrix<Dim> mass;    ///< with the blocks where they are at the start
+    Eigen::VectorXd load;    ///< mean over the step of all that acts on the blocks but the contacts
+    double acceleration = 0; ///< the largest that the loads alone give a block [m/s2]
+    std::vector<SupportStep<Dim>> supports; ///< see supportSteps
 
     // findContacts
-    std::vector<ContactPoint<2>> points;     ///< with their gaps at the start
-    std::vector<ContactColumns<2>> columns;  ///< lever arms where the momenta of the step want them
-    std::vector<ContactColumns<2>> arrivals; ///< those at the start, where impacts need them; or empty: same
+    std::vector<ContactPoint<Dim>> points;    ///< with their gaps at the start
+    std::vector<ContactColumns<Dim>> columns; ///< lever arms where the momenta of the step want them
+    std::vector<ContactColumns<Dim>>
+        arrivals; ///< those at the start, where impacts need them; or empty: same
 
     // assemble, contribute
-    PlaneConeProgram program;
+    StepProgram<Dim> program;
     StepGuess guess;
     Eigen::VectorXd gapsOfEffects; ///< what effects, and overlaps that stay, have put into the gaps; or empty
     Eigen::VectorXd bySupports;    ///< by how much points close because supports move [m]; or empty
     std::vector<EffectState> effectStates; ///< as they are at the end of the step
-    Relinearisation relinearise;           ///< empty with smallDisplacements
+    Relinearisation<Dim> relinearise;      ///< empty with smallDisplacements
     Eigen::VectorXd loadAtStart;           ///< of the program, before impacts change the momenta
 
     // solve, collide, review
     StepSolution solved;
 
     // move
-    double keptInFlight = 0; ///< algorithmic loss that blocks in free flight do not have [J]
+    Eigen::VectorXd velocityAtEnd; ///< in space angular velocities in axes that have not turned in the step
+    double keptInFlight = 0;       ///< algorithmic loss that blocks in free flight do not have [J]
 };
 
 /// Whether a program of the case has impacts of their own; otherwise it is the plastic impact itself.
-bool hasImpacts(const DynamicCase& scene);
+template<int Dim>
+bool hasImpacts(const DynamicCase<Dim>& scene);
 
 /// What effects may look at in the step, as far as it is known. The step is not owned.
-EffectContext contextOf(const Step& step);
+template<int Dim>
+EffectContext<Dim> contextOf(const Step<Dim>& step);
 
 /// Finds the contact points of the step: where blocks touch, or may meet within it.
-void findContacts(Step& step);
+template<int Dim>
+void findContacts(Step<Dim>& step);
 
 /// Makes the program of the rigid step, and a guess of its solution from the last one.
-void assemble(Step& step);
+template<int Dim>
+void assemble(Step<Dim>& step);
 
 /// Adds what effects and moving supports put into the program.
-void contribute(Step& step);
+template<int Dim>
+void contribute(Step<Dim>& step);
 
 /// Solves the program as it stands.
-void solve(Step& step);
+template<int Dim>
+void solve(Step<Dim>& step);
 
 /// Forgets what was solved: the step begins again at its start.
-void beginAgain(Step& step);
+template<int Dim>
+void beginAgain(Step<Dim>& step);
 
 /// Impacts of their own, where restitution or a theta below 1 asks for them (Impact.h): finds the points that
 /// the solution closes, and gives the blocks the velocities after the impact there. \return whether the step
@@ -106,24 +119,30 @@ void beginAgain(Step& step);
 /// With restitution and theta above 1/2 blocks in free flight, which no contact force acts on, move by the
 /// mean of their velocities: exact under constant loads, where backward Euler would take g dt from the
 /// velocity of every bounce.
-bool collide(Step& step);
+template<int Dim>
+bool collide(Step<Dim>& step);
 
 /// Effects examine the solution, whose residuals are kept in `attempt`. \return whether one has changed the
 /// program, which is to be solved again
-bool review(Step& step);
+template<int Dim>
+bool review(Step<Dim>& step);
 
 /// Moves the blocks by finite rotations and gives them their velocities.
-void move(Step& step);
+template<int Dim>
+void move(Step<Dim>& step);
 
 /// Keeps the ledger of energy, stops blocks that effects leave out, and leaves contact points and forces for
 /// the next step.
-void account(Step& step);
+template<int Dim>
+void account(Step<Dim>& step);
 
 /// Adds what a solution has taken to the counts of the attempt and of the work allowed.
-void countWork(Step& step, int iterations, int factorisations, int programs);
+template<int Dim>
+void countWork(Step<Dim>& step, int iterations, int factorisations, int programs);
 
 /// Gaps, and minus the slips, where displacements take the blocks, two a point [m].
-Eigen::VectorXd openingAtEnd(const Step& step, const Eigen::VectorXd& displacement,
+template<int Dim>
+Eigen::VectorXd openingAtEnd(const Step<Dim>& step, const Eigen::VectorXd& displacement,
                              const Eigen::VectorXd& contactForce);
 
 } // namespace drystone

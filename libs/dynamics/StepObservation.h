@@ -5,6 +5,7 @@
 #include "contact/ContactPoint.h"
 #include "dynamics/EnergyLedger.h"
 #include "dynamics/StageTimes.h"
+#include "geometry/Rotation.h"
 
 #include <optional>
 #include <span>
@@ -14,13 +15,10 @@ namespace drystone
 
 /// How fast a block moves.
 template<int Dim>
-struct BlockVelocity;
-
-template<>
-struct BlockVelocity<2>
+struct BlockVelocity
 {
-    Vector<2> linear = Vector<2>::Zero(); ///< of the mass centre [m/s]
-    double angular = 0;                   ///< [rad/s], positive counter-clockwise
+    Vector<Dim> linear = Vector<Dim>::Zero(); ///< of the mass centre [m/s]
+    Turn<Dim> angular = noTurn<Dim>(); ///< [rad/s], positive counter-clockwise; in space along its axis
 };
 
 /// How hard the solver worked on a step, and how well the step is solved.

@@ -37,7 +37,8 @@ constexpr int programsToLargerShare = 15;
 constexpr double nearlySolved = 1000; // times the tolerance
 
 /// \return whether the displacements are those that the contact forces give the blocks
-bool solveOnce(ThetaStep& step, const PlaneConeProgram& program, const SolverChoice& solver,
+template<int Dim>
+bool solveOnce(ThetaStep& step, const StepProgram<Dim>& program, const SolverChoice& solver,
                const ConeSolution& start, SymbolicAnalysis* symbolic)
 {
     ConeSolution solution = solveCounted(step, program, solver, start, symbolic);
@@ -72,7 +73,8 @@ bool solveOnce(ThetaStep& step, const PlaneConeProgram& program, const SolverCho
 }
 
 /// Whether another program would go beyond the work allowed.
-bool isWorkUsedUp(const StepSettings& settings, const ThetaStep& step, const PlaneConeProgram& program)
+template<int Dim>
+bool isWorkUsedUp(const StepSettings& settings, const ThetaStep& step, const StepProgram<Dim>& program)
 {
     return settings.work
            && settings.work->done
@@ -82,17 +84,19 @@ bool isWorkUsedUp(const StepSettings& settings, const ThetaStep& step, const Pla
 
 } // namespace
 
-Eigen::VectorXd displacementUnder(const PlaneConeProgram& program, Eigen::VectorXd rows)
+template<int Dim>
+Eigen::VectorXd displacementUnder(const StepProgram<Dim>& program, Eigen::VectorXd rows)
 {
     for (int body = 0; body < program.bodies; ++body)
     {
-        rows.segment<3>(3 * body).array() /=
-            program.inertia[static_cast<std::size_t>(body)].diagonal().array();
+        auto own = rows.segment<freedomCount<Dim>>(freedomCount<Dim> * body);
+        own = solveBlock(program.inertia[static_cast<std::size_t>(body)], BlockVector<Dim>(own));
     }
     return rows;
 }
 
-void keepMomenta(ThetaStep& step, PlaneConeProgram& program, const Relinearisation& relinearise)
+template<int Dim>
+void keepMomenta(ThetaStep& step, StepProgram<Dim>& program, const Relinearisation<Dim>& relinearise)
 {
     constexpr int mostRounds = 4; // each leaves the square of the last, in effect
     constexpr double lastDigits = 1e-15;
@@ -111,40 +115,44 @@ void keepMomenta(ThetaStep& step, PlaneConeProgram& program, const Relinearisati
     }
 }
 
-void setColumns(PlaneConeProgram& program, const std::vector<ContactColumns<2>>& columns)
+template<int Dim>
+void setColumns(StepProgram<Dim>& program, const std::vector<ContactColumns<Dim>>& columns)
 {
     program.contacts.clear();
-    for (const ContactColumns<2>& column : columns)
+    for (const ContactColumns<Dim>& column : columns)
     {
         program.contacts.push_back({column.block, column.neighbour, column.onBlock, column.onNeighbour});
     }
 }
 
-PlaneConeProgram thetaStepProgram(const Eigen::VectorXd& mass, const Eigen::VectorXd& velocity,
-                                  const Eigen::VectorXd& load, const std::vector<ContactPoint<2>>& points,
-                                  const std::vector<ContactColumns<2>>& columns,
+template<int Dim>
+StepProgram<Dim> thetaStepProgram(const std::type_identity_t<MassMatrix<Dim>>& mass,
+                                  const Eigen::VectorXd& velocity, const Eigen::VectorXd& load,
+                                  const std::vector<ContactPoint<Dim>>& points,
+                                  const std::vector<ContactColumns<Dim>>& columns,
                                   const std::vector<double>& friction, const ThetaScheme& scheme)
 {
-    PlaneConeProgram program;
-    program.bodies = static_cast<int>(mass.size() / 3);
+    StepProgram<Dim> program;
+    program.bodies = static_cast<int>(velocity.size() / freedomCount<Dim>);
     program.friction = friction;
     setColumns(program, columns);
-    program.gap = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(points.size()));
+    program.gap = Eigen::VectorXd::Zero(Dim * static_cast<Eigen::Index>(points.size()));
     for (std::size_t point = 0; point < points.size(); ++point)
     {
-        program.gap[2 * static_cast<Eigen::Index>(point)] = points[point].gap;
+        program.gap[Dim * static_cast<Eigen::Index>(point)] = points[point].gap;
     }
-    const Eigen::VectorXd inertia = mass / (scheme.theta * scheme.timeStep * scheme.timeStep);
+    const MassMatrix<Dim> inertia = over(mass, scheme.theta * scheme.timeStep * scheme.timeStep);
     for (int body = 0; body < program.bodies; ++body)
     {
-        program.inertia.push_back(inertia.segment<3>(3 * body).asDiagonal());
+        program.inertia.push_back(blockOf(inertia, body));
     }
-    program.load = load + scheme.timeStep * inertia.cwiseProduct(velocity);
+    program.load = load + scheme.timeStep * times(inertia, velocity);
     return program;
 }
 
-ThetaStep solveThetaStep(PlaneConeProgram program, const StepSettings& settings, const StepGuess& guess,
-                         const Relinearisation& relinearise, SymbolicAnalysis* symbolic)
+template<int Dim>
+ThetaStep solveThetaStep(StepProgram<Dim> program, const StepSettings& settings, const StepGuess& guess,
+                         const Relinearisation<Dim>& relinearise, SymbolicAnalysis* symbolic)
 {
     ThetaStep step;
     step.interior = guess.interior;
@@ -157,9 +165,9 @@ ThetaStep solveThetaStep(PlaneConeProgram program, const StepSettings& settings,
 
     ConeSolution start;
     start.displacement = guess.displacement;
-    start.contactForce = guess.contactForce.size() == 2 * program.points()
+    start.contactForce = guess.contactForce.size() == Dim * program.points()
                              ? guess.contactForce
-                             : Eigen::VectorXd::Zero(2 * program.points());
+                             : Eigen::VectorXd::Zero(Dim * program.points());
     Rest rest = restWith(program, start.contactForce);
     step.initialResidual = rest.certificate.worst();
     if (comesToRest(step, program, std::move(rest), settings.solver.tolerance))
@@ -210,7 +218,7 @@ ThetaStep solveThetaStep(PlaneConeProgram program, const StepSettings& settings,
         }
         for (int point = 0; isCoulomb && point < program.points(); ++point)
         {
-            program.gap[2 * point] = gap[2 * point] + imposed[point];
+            program.gap[Dim * point] = gap[Dim * point] + imposed[point];
         }
         const bool isBalanced = solveOnce(step, program, settings.solver, start, symbolic);
         // Only the last program of Coulomb's law has to be solved to the tolerance.
@@ -229,7 +237,7 @@ ThetaStep solveThetaStep(PlaneConeProgram program, const StepSettings& settings,
         {
             const Eigen::VectorXd opening = dilatancy(program, step.closing, step.contactForce);
             const double least = settings.solver.tolerance * step.contactForce.lpNorm<Eigen::Infinity>();
-            const double change = errorOfFlow(imposed, opening, gap, step, least);
+            const double change = errorOfFlow<Dim>(imposed, opening, gap, step, least);
             const double exact = std::max(1e-12 * settings.blockSize,
                                           10 * settings.solver.tolerance * opening.lpNorm<Eigen::Infinity>());
             // Otherwise a small part of what the step itself does: with steps so short that gravity moves a
@@ -279,29 +287,51 @@ ThetaStep solveThetaStep(PlaneConeProgram program, const StepSettings& settings,
     }
 }
 
-void advance(DynamicState& state, const std::vector<int>& free, const Eigen::VectorXd& displacement,
-             const ThetaScheme& scheme)
+template<int Dim>
+Eigen::VectorXd advance(DynamicState<Dim>& state, const std::vector<int>& free,
+                        const Eigen::VectorXd& displacement, const ThetaScheme& scheme)
 {
     state.placements = moved(std::move(state.placements), free, displacement);
     const Eigen::VectorXd mean = displacement / scheme.timeStep;
-    state.velocity = (mean - (1 - scheme.theta) * state.velocity) / scheme.theta;
+    Eigen::VectorXd velocity = (mean - (1 - scheme.theta) * state.velocity) / scheme.theta;
+    state.velocity = turnedWithBlocks<Dim>(velocity, displacement);
     state.time += scheme.timeStep;
+    return velocity;
 }
 
-StepEnergy stepEnergy(const ThetaStep& step, const Eigen::VectorXd& mass, const Eigen::VectorXd& load,
+template<int Dim>
+StepEnergy stepEnergy(const ThetaStep& step, const MassMatrix<Dim>& mass, const Eigen::VectorXd& load,
                       const Eigen::VectorXd& velocityBefore, const Eigen::VectorXd& velocityAfter,
                       const ThetaScheme& scheme)
 {
     StepEnergy energy;
     energy.loadWork = load.dot(step.displacement);
     const Eigen::VectorXd change = velocityAfter - velocityBefore;
-    energy.algorithmicLoss = (scheme.theta - 0.5) * change.cwiseProduct(mass).dot(change);
-    for (Eigen::Index row = 0; row < step.closing.size(); row += 2)
+    energy.algorithmicLoss = (scheme.theta - 0.5) * times(mass, change).dot(change);
+    for (Eigen::Index row = 0; row < step.closing.size(); row += Dim)
     {
         energy.normalLoss += step.contactForce[row] * step.closing[row];
-        energy.frictionLoss += step.contactForce[row + 1] * step.closing[row + 1];
+        energy.frictionLoss +=
+            step.contactForce.segment<Dim - 1>(row + 1).dot(step.closing.segment<Dim - 1>(row + 1));
     }
     return energy;
 }
+
+template Eigen::VectorXd displacementUnder(const StepProgram<2>& program, Eigen::VectorXd rows);
+template void keepMomenta(ThetaStep& step, StepProgram<2>& program, const Relinearisation<2>& relinearise);
+template void setColumns(StepProgram<2>& program, const std::vector<ContactColumns<2>>& columns);
+template StepProgram<2> thetaStepProgram<2>(const MassMatrix<2>& mass, const Eigen::VectorXd& velocity,
+                                            const Eigen::VectorXd& load,
+                                            const std::vector<ContactPoint<2>>& points,
+                                            const std::vector<ContactColumns<2>>& columns,
+                                            const std::vector<double>& friction, const ThetaScheme& scheme);
+template ThetaStep solveThetaStep(StepProgram<2> program, const StepSettings& settings,
+                                  const StepGuess& guess, const Relinearisation<2>& relinearise,
+                                  SymbolicAnalysis* symbolic);
+template Eigen::VectorXd advance(DynamicState<2>& state, const std::vector<int>& free,
+                                 const Eigen::VectorXd& displacement, const ThetaScheme& scheme);
+template StepEnergy stepEnergy(const ThetaStep& step, const MassMatrix<2>& mass, const Eigen::VectorXd& load,
+                               const Eigen::VectorXd& velocityBefore, const Eigen::VectorXd& velocityAfter,
+                               const ThetaScheme& scheme);
 
 } // namespace drystone

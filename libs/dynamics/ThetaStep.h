@@ -8,9 +8,10 @@
 #include "contact/Equilibrium.h"
 #include "dynamics/DynamicState.h"
 #include "dynamics/StepWork.h"
-#include "effects/StepEnergy.h"
+#include "effects/Effect.h"
 
 #include <functional>
+#include <type_traits>
 
 namespace drystone
 {
@@ -29,13 +30,15 @@ struct ThetaScheme
 ///     M (v1 - v0) = dt (f - A c),    y = dt (theta v1 + (1 - theta) v0),
 ///
 /// and without v1 it reads Mbar y + A c = f + Mbar v0 dt with Mbar = M/(theta dt^2).
-/// \param mass diagonal of M, 3 a free block \param velocity v0, likewise
+/// \param mass M, where the blocks are at the start \param velocity v0
 /// \param load f: mean over the step of all that acts on the blocks but the contacts [N, N, N m]
 /// \param points contact points, with their gaps now \param columns theirs, with the lever arms of now
 /// \param friction mu of each point
-PlaneConeProgram thetaStepProgram(const Eigen::VectorXd& mass, const Eigen::VectorXd& velocity,
-                                  const Eigen::VectorXd& load, const std::vector<ContactPoint<2>>& points,
-                                  const std::vector<ContactColumns<2>>& columns,
+template<int Dim>
+StepProgram<Dim> thetaStepProgram(const std::type_identity_t<MassMatrix<Dim>>& mass,
+                                  const Eigen::VectorXd& velocity, const Eigen::VectorXd& load,
+                                  const std::vector<ContactPoint<Dim>>& points,
+                                  const std::vector<ContactColumns<Dim>>& columns,
                                   const std::vector<double>& friction, const ThetaScheme& scheme);
 
 /// What a program is of. An impact is a step without loads and with impulses for forces: it leaves no gaps
@@ -70,18 +73,20 @@ struct StepGuess
 /// the gaps, and minus the slips, of the blocks where y takes them, turned by finite angles. \return the
 /// largest error of the gaps that the program as it came had predicted, at points that carry a force or
 /// overlap [m]
-using Relinearisation = std::function<double(const Eigen::VectorXd& displacement,
-                                             const Eigen::VectorXd& contactForce, PlaneConeProgram& program)>;
+template<int Dim>
+using Relinearisation = std::type_identity_t<std::function<double(
+    const Eigen::VectorXd& displacement, const Eigen::VectorXd& contactForce, StepProgram<Dim>& program)>>;
 
 /// Puts the columns of the contact points, in their order, into a program.
-void setColumns(PlaneConeProgram& program, const std::vector<ContactColumns<2>>& columns);
+template<int Dim>
+void setColumns(StepProgram<Dim>& program, const std::vector<ContactColumns<Dim>>& columns);
 
 /// A solved step.
 struct ThetaStep
 {
     SolveStatus status = SolveStatus::notConverged; ///< `optimal` or not usable
-    Eigen::VectorXd displacement;                   ///< y, 3 a free block [m, m, rad]
-    Eigen::VectorXd contactForce; ///< c, (normal, tangent) of each point, mean over the step [N]
+    Eigen::VectorXd displacement;                   ///< y, rows of each free block [m, rad]
+    Eigen::VectorXd contactForce; ///< c, (normal, shear) of each point, mean over the step [N]
     Eigen::VectorXd closing;      ///< A'y, likewise: by how much the points close and slide [m]
     InteriorStart interior;       ///< of the last program that had one, else the guess's
     Certificate certificate;      ///< of the last program solved
@@ -110,25 +115,33 @@ struct ThetaStep
 /// - A c)), unless that would spoil the certificate: so no momentum is lost to the tolerance of the solver.
 /// \param symbolic kept from step to step (conic/form/Form.h), or null; not owned
 /// \return status `notConverged` after 60 programs or when the work is used up, or when the solver fails
-ThetaStep solveThetaStep(PlaneConeProgram program, const StepSettings& settings, const StepGuess& guess = {},
-                         const Relinearisation& relinearise = {}, SymbolicAnalysis* symbolic = nullptr);
+template<int Dim>
+ThetaStep solveThetaStep(StepProgram<Dim> program, const StepSettings& settings, const StepGuess& guess = {},
+                         const Relinearisation<Dim>& relinearise = {}, SymbolicAnalysis* symbolic = nullptr);
 
 /// Mbar^-1 rows: the displacements that forces give the blocks.
-Eigen::VectorXd displacementUnder(const PlaneConeProgram& program, Eigen::VectorXd rows);
+template<int Dim>
+Eigen::VectorXd displacementUnder(const StepProgram<Dim>& program, Eigen::VectorXd rows);
 
 /// With theta below 1 lever arms are those on the way to where the step takes the blocks. They are then right
 /// to the tolerance of the gaps, and angular momentum with them: here both become exact, by displacements
 /// that are less than that tolerance.
-void keepMomenta(ThetaStep& step, PlaneConeProgram& program, const Relinearisation& relinearise);
+template<int Dim>
+void keepMomenta(ThetaStep& step, StepProgram<Dim>& program, const Relinearisation<Dim>& relinearise);
 
 /// Moves the blocks by the displacements of a step and gives them v1 = (y/dt - (1 - theta) v0)/theta.
-/// Rotations are finite: angles of the plane add.
-void advance(DynamicState& state, const std::vector<int>& free, const Eigen::VectorXd& displacement,
-             const ThetaScheme& scheme);
+/// Rotations are finite. In space v1 so computed is in axes that have not turned in the step, those in which
+/// y is: the angular velocities that the blocks have at its end are these, turned as they are.
+/// \return v1 before it is turned, which energies are computed from
+template<int Dim>
+Eigen::VectorXd advance(DynamicState<Dim>& state, const std::vector<int>& free,
+                        const Eigen::VectorXd& displacement, const ThetaScheme& scheme);
 
 /// Energies of a step. With p = M (v1 - v0) and u = y/dt = (v0 + v1)/2 + (theta - 1/2)(v1 - v0):
 /// kinetic change = (v0 + v1)'/2 p = u' p - (theta - 1/2) |v1 - v0|_M^2, and u' p = y' (f - A c).
-StepEnergy stepEnergy(const ThetaStep& step, const Eigen::VectorXd& mass, const Eigen::VectorXd& load,
+/// \param velocityAfter as `advance` returns it
+template<int Dim>
+StepEnergy stepEnergy(const ThetaStep& step, const MassMatrix<Dim>& mass, const Eigen::VectorXd& load,
                       const Eigen::VectorXd& velocityBefore, const Eigen::VectorXd& velocityAfter,
                       const ThetaScheme& scheme);
 

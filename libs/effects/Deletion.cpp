@@ -2,55 +2,63 @@
 /// Blocks that are computed no further.
 #include "effects/Deletion.h"
 
+#include <algorithm>
+#include <functional>
+
 namespace drystone
 {
 
-void declare(Options& options, Deletion& deletion)
+template<int Dim>
+void declare(Options& options, Deletion<Dim>& deletion)
 {
     options
         .required("box", deletion.box,
                   "lower left and upper right corner; a block whose mass centre is outside is out")
         .unit("m")
-        .example("((-10 -1) (10 20))");
+        .example(Dim == 2 ? "((-10 -1) (10 20))" : "((-10 -10 -1) (10 10 20))");
     options.check("box",
                   [&deletion]
                   {
                       const auto& [lower, upper] = deletion.box;
-                      return lower[0] < upper[0] && lower[1] < upper[1]
+                      return std::equal(lower.begin(), lower.end(), upper.begin(), std::less<>())
                                  ? ""
                                  : "The box is empty: give its lower left corner, then its upper right one.";
                   });
 }
 
-void BlockDeletion::start(const Structure& structure, const std::vector<Placement<2>>&,
-                          EffectState& state) const
+template<int Dim>
+void BlockDeletion<Dim>::start(const Structure<Dim>& structure, const std::vector<Placement<Dim>>&,
+                               EffectState& state) const
 {
     state.flags.assign(structure.free.size(), false);
 }
 
-void BlockDeletion::addLoad(const EffectContext& context, const EffectState& state,
-                            Eigen::VectorXd& load) const
+template<int Dim>
+void BlockDeletion<Dim>::addLoad(const EffectContext<Dim>& context, const EffectState& state,
+                                 Eigen::VectorXd& load) const
 {
     for (std::size_t block = 0; block < state.flags.size(); ++block)
     {
         if (state.flags[block])
         {
-            load.segment<3>(3 * context.structure.free[block]).setZero();
+            load.segment<freedomCount<Dim>>(freedomCount<Dim> * context.structure.free[block]).setZero();
         }
     }
 }
 
-std::vector<int> BlockDeletion::leaveOut(const Structure& structure,
-                                         const std::vector<Placement<2>>& placements,
-                                         EffectState& state) const
+template<int Dim>
+std::vector<int> BlockDeletion<Dim>::leaveOut(const Structure<Dim>& structure,
+                                              const std::vector<Placement<Dim>>& placements,
+                                              EffectState& state) const
 {
     std::vector<int> leaving;
-    const auto& [lower, upper] = settings.box;
+    const Eigen::Map<const Vector<Dim>> lower(settings.box.first.data());
+    const Eigen::Map<const Vector<Dim>> upper(settings.box.second.data());
     for (std::size_t block = 0; block < structure.free.size(); ++block)
     {
-        const Vector<2> centre = structure.blocks[block].centroid + placements[block].translation;
+        const Vector<Dim> centre = structure.blocks[block].centroid + placements[block].translation;
         const bool isOutside =
-            centre.x() < lower[0] || centre.y() < lower[1] || centre.x() > upper[0] || centre.y() > upper[1];
+            (centre.array() < lower.array()).any() || (centre.array() > upper.array()).any();
         if (isOutside && structure.free[block] >= 0 && !state.flags[block])
         {
             state.flags[block] = true;
@@ -60,16 +68,18 @@ std::vector<int> BlockDeletion::leaveOut(const Structure& structure,
     return leaving;
 }
 
-std::vector<EffectField> BlockDeletion::blockFields(const EffectState& state) const
+template<int Dim>
+std::vector<EffectField> BlockDeletion<Dim>::blockFields(const EffectState& state) const
 {
     return {{"deleted", {state.flags.begin(), state.flags.end()}}};
 }
 
-EffectType deletionType()
+template<int Dim>
+EffectType<Dim> deletionType()
 {
-    return effectType<Deletion>(
+    return effectType<Dim, Deletion<Dim>>(
         "deletion", "blocks that leave a box are computed no further, in motion; absent: all are",
-        [](const Deletion& deletion, const EffectSource& source)
+        [](const Deletion<Dim>& deletion, const EffectSource<Dim>& source)
         {
             if (source.displacements == Displacements::small)
             {
@@ -78,8 +88,13 @@ EffectType deletionType()
                     "set `smallDisplacements no;` in system/schemes.",
                     source.locations.of("deletion"));
             }
-            return std::make_shared<BlockDeletion>(deletion);
+            return std::make_shared<BlockDeletion<Dim>>(deletion);
         });
 }
+
+template class BlockDeletion<2>;
+template EffectType<2> deletionType<2>();
+template class BlockDeletion<3>;
+template EffectType<3> deletionType<3>();
 
 } // namespace drystone

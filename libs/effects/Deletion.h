@@ -8,32 +8,36 @@ namespace drystone
 {
 
 /// Blocks that leave a box are out of the computation from then on.
+template<int Dim>
 struct Deletion
 {
-    std::pair<std::array<double, 2>, std::array<double, 2>> box; ///< lower and upper corner [m]
+    std::pair<std::array<double, Dim>, std::array<double, Dim>> box; ///< lower and upper corner [m]
 };
 
-void declare(Options& options, Deletion& deletion);
+template<int Dim>
+void declare(Options& options, Deletion<Dim>& deletion);
 
 /// Flags of the state: which blocks are out. It follows from where the blocks are, and is not saved: the mass
 /// centre of a block that is out stays outside.
-class BlockDeletion final : public Effect
+template<int Dim>
+class BlockDeletion final : public Effect<Dim>
 {
 public:
-    explicit BlockDeletion(const Deletion& deletion) : settings(deletion) {}
-    void start(const Structure& structure, const std::vector<Placement<2>>& placements,
+    explicit BlockDeletion(const Deletion<Dim>& deletion) : settings(deletion) {}
+    void start(const Structure<Dim>& structure, const std::vector<Placement<Dim>>& placements,
                EffectState& state) const override;
-    void addLoad(const EffectContext& context, const EffectState& state,
+    void addLoad(const EffectContext<Dim>& context, const EffectState& state,
                  Eigen::VectorXd& load) const override;
-    std::vector<int> leaveOut(const Structure& structure, const std::vector<Placement<2>>& placements,
+    std::vector<int> leaveOut(const Structure<Dim>& structure, const std::vector<Placement<Dim>>& placements,
                               EffectState& state) const override;
     std::vector<EffectField> blockFields(const EffectState& state) const override;
 
 private:
-    Deletion settings;
+    Deletion<Dim> settings;
 };
 
 /// Its entry of the list.
-EffectType deletionType();
+template<int Dim>
+EffectType<Dim> deletionType();
 
 } // namespace drystone

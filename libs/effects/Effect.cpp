@@ -5,7 +5,8 @@
 namespace drystone
 {
 
-EffectTraits traitsOf(const Effects& effects)
+template<int Dim>
+EffectTraits traitsOf(const Effects<Dim>& effects)
 {
     EffectTraits all;
     for (const auto& effect : effects)
@@ -17,5 +18,8 @@ EffectTraits traitsOf(const Effects& effects)
     }
     return all;
 }
+
+template EffectTraits traitsOf(const Effects<2>& effects);
+template EffectTraits traitsOf(const Effects<3>& effects);
 
 } // namespace drystone

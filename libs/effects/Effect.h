@@ -31,6 +31,10 @@ constexpr std::array<std::pair<std::string_view, Displacements>, 2> namesOf(Disp
     return {{{"large", Displacements::large}, {"small", Displacements::small}}};
 }
 
+/// The program of a step.
+template<int Dim>
+using StepProgram = ConeProgram<freedomCount<Dim>, Dim>;
+
 /// What an effect remembers from step to step. A step that is not solved leaves it as it was.
 struct EffectState
 {
@@ -40,15 +44,17 @@ struct EffectState
 };
 
 /// What an effect may look at in a step. Nothing is owned.
+template<int Dim>
 struct EffectContext
 {
-    const Structure& structure;
-    const std::vector<Placement<2>>& placements;   ///< one a block: at the start of the step, in `account`
+    const Structure<Dim>& structure;
+    const std::vector<Placement<Dim>>& placements; ///< one a block: at the start of the step, in `account`
                                                    ///< at its end
-    const std::vector<ContactPoint<2>>& points;    ///< of the step, with their gaps at its start; none before
+    const std::vector<ContactPoint<Dim>>& points;  ///< of the step, with their gaps at its start; none before
                                                    ///< they are found
     const Eigen::VectorXd& forcesBefore;           ///< of the last step at these points [N], two a point
-    const std::vector<Vector<2>>& allForcesBefore; ///< at the points of the last step (normal, tangent) [N]
+    const std::vector<Vector<Dim>>& allForcesBefore; ///< at the points of the last step (normal, tangent) [N]
+    const MassMatrix<Dim>& mass; ///< M with the blocks where they are at the start of the step
     Displacements displacements = Displacements::large;
     double theta = 1;            ///< weight of the end of the step
     double timeStep = 0;         ///< [s]
@@ -60,8 +66,8 @@ struct EffectContext
 /// A solved step, for effects. Nothing is owned.
 struct EffectSolution
 {
-    const Eigen::VectorXd& displacement; ///< y, 3 a free block [m, m, rad]
-    const Eigen::VectorXd& contactForce; ///< c, (normal, tangent) of each point, mean over the step [N]
+    const Eigen::VectorXd& displacement; ///< y, rows of each free block [m, rad]
+    const Eigen::VectorXd& contactForce; ///< c, (normal, shear) of each point, mean over the step [N]
     const std::function<Eigen::VectorXd()>& openingAtEnd; ///< gaps, and minus the slips, at its end [m]
 };
 
@@ -92,6 +98,7 @@ struct EffectField
 
 /// One effect of a case. Immutable, so that threads may share it; what changes is in an EffectState. Whatever
 /// an effect has nothing to do with it leaves as it is here.
+template<int Dim>
 class Effect
 {
 public:
@@ -99,33 +106,37 @@ public:
     virtual EffectTraits traits() const { return {}; }
 
     /// What it remembers at the start of a motion.
-    virtual void start(const Structure&, const std::vector<Placement<2>>&, EffectState&) const {}
+    virtual void start(const Structure<Dim>&, const std::vector<Placement<Dim>>&, EffectState&) const {}
 
     /// Adds to the forces on the blocks [N, N, N m]: those that are known before the step is solved.
-    virtual void addLoad(const EffectContext&, const EffectState&, Eigen::VectorXd& /*load*/) const {}
+    virtual void addLoad(const EffectContext<Dim>&, const EffectState&, Eigen::VectorXd& /*load*/) const {}
 
     /// Adds to the program, which has the terms of the rigid step; its load is addLoad's.
-    virtual void contribute(const EffectContext&, EffectState&, PlaneConeProgram&) const {}
+    virtual void contribute(const EffectContext<Dim>&, EffectState&, StepProgram<Dim>&) const {}
 
     /// Examines a solution.
-    virtual Review review(const EffectContext&, const EffectSolution&, EffectState&, PlaneConeProgram&) const
+    virtual Review review(const EffectContext<Dim>&, const EffectSolution&, EffectState&,
+                          StepProgram<Dim>&) const
     {
         return Review::accepted;
     }
 
     /// Takes what is the effect's own out of the energies of the rigid step, and names it.
-    virtual void account(const EffectContext&, const EffectSolution&, StepEnergy&) const {}
+    virtual void account(const EffectContext<Dim>&, const EffectSolution&, StepEnergy&) const {}
 
     /// Blocks that are left out from now on: they stop, touch nothing and feel no load.
     /// \param placements at the end of a step
-    virtual std::vector<int> leaveOut(const Structure&, const std::vector<Placement<2>>& /*placements*/,
-                                      EffectState&) const
+    virtual std::vector<int> leaveOut(const Structure<Dim>&,
+                                      const std::vector<Placement<Dim>>& /*placements*/, EffectState&) const
     {
         return {};
     }
 
     /// The strengths that it gives the points; empty: none.
-    virtual std::vector<Strength> strengths(const EffectContext&, const EffectState&) const { return {}; }
+    virtual std::vector<Strength> strengths(const EffectContext<Dim>&, const EffectState&) const
+    {
+        return {};
+    }
 
     /// What a restart needs, and gets.
     virtual void save(const EffectState&, EffectArrays&) const {}
@@ -143,9 +154,11 @@ public:
 };
 
 /// The effects of a case, in the order in which they contribute.
-using Effects = std::vector<std::shared_ptr<const Effect>>;
+template<int Dim>
+using Effects = std::vector<std::shared_ptr<const Effect<Dim>>>;
 
 /// What all of them together are.
-EffectTraits traitsOf(const Effects& effects);
+template<int Dim>
+EffectTraits traitsOf(const Effects<Dim>& effects);
 
 } // namespace drystone

@@ -10,42 +10,49 @@
 namespace drystone
 {
 
-const std::vector<EffectType>& effectTypes()
+template<int Dim>
+const std::vector<EffectType<Dim>>& effectTypes()
 {
-    static const std::vector<EffectType> types{bondsType(), elasticityType(), dampingType(), deletionType()};
+    static const std::vector<EffectType<Dim>> types{bondsType<Dim>(), elasticityType<Dim>(),
+                                                    dampingType<Dim>(), deletionType<Dim>()};
     return types;
 }
 
-CaseEffects::CaseEffects(const std::vector<EffectType>& types)
+template<int Dim>
+CaseEffects<Dim>::CaseEffects(const std::vector<EffectType<Dim>>& types)
 {
-    for (const EffectType& type : types)
+    for (const EffectType<Dim>& type : types)
     {
         declared.push_back(type());
     }
 }
 
-void declare(Options& options, CaseEffects& effects)
+template<int Dim>
+void declare(Options& options, CaseEffects<Dim>& effects)
 {
     declare(options, effects.contact);
-    for (const DeclaredEffect& effect : effects.declared)
+    for (const DeclaredEffect<Dim>& effect : effects.declared)
     {
         effect.declare(options);
     }
 }
 
-CaseEffects readCaseEffects(const std::filesystem::path& caseDirectory, const std::vector<EffectType>& types)
+template<int Dim>
+CaseEffects<Dim> readCaseEffects(const std::filesystem::path& caseDirectory,
+                                 const std::vector<EffectType<Dim>>& types)
 {
     const Dictionary dictionary = readContactDictionary(caseDirectory);
-    CaseEffects effects(types);
+    CaseEffects<Dim> effects(types);
     readOptions(dictionary, effects);
     effects.locations = EntryLocations(dictionary);
     return effects;
 }
 
-Effects makeEffects(const CaseEffects& read, const EffectSource& source)
+template<int Dim>
+Effects<Dim> makeEffects(const CaseEffects<Dim>& read, const EffectSource<Dim>& source)
 {
-    Effects effects;
-    for (const DeclaredEffect& declared : read.declared)
+    Effects<Dim> effects;
+    for (const DeclaredEffect<Dim>& declared : read.declared)
     {
         if (auto effect = declared.make(source))
         {
@@ -55,10 +62,11 @@ Effects makeEffects(const CaseEffects& read, const EffectSource& source)
     return effects;
 }
 
-EffectNames effectNames(const CaseEffects& effects)
+template<int Dim>
+EffectNames effectNames(const CaseEffects<Dim>& effects)
 {
     EffectNames ofMotion;
-    for (const DeclaredEffect& effect : effects.declared)
+    for (const DeclaredEffect<Dim>& effect : effects.declared)
     {
         if (!effect.name.empty())
         {
@@ -70,9 +78,24 @@ EffectNames effectNames(const CaseEffects& effects)
 
 EffectNames effectNamesAtRest(const ContactProperties& contact)
 {
-    CaseEffects none;
+    CaseEffects<2> none; // the names are the same in space
     none.contact = contact;
     return effectNames(none);
 }
+
+template const std::vector<EffectType<2>>& effectTypes<2>();
+template struct CaseEffects<2>;
+template void declare(Options& options, CaseEffects<2>& effects);
+template CaseEffects<2> readCaseEffects(const std::filesystem::path& caseDirectory,
+                                        const std::vector<EffectType<2>>& types);
+template Effects<2> makeEffects(const CaseEffects<2>& read, const EffectSource<2>& source);
+template EffectNames effectNames(const CaseEffects<2>& effects);
+template const std::vector<EffectType<3>>& effectTypes<3>();
+template struct CaseEffects<3>;
+template void declare(Options& options, CaseEffects<3>& effects);
+template CaseEffects<3> readCaseEffects(const std::filesystem::path& caseDirectory,
+                                        const std::vector<EffectType<3>>& types);
+template Effects<3> makeEffects(const CaseEffects<3>& read, const EffectSource<3>& source);
+template EffectNames effectNames(const CaseEffects<3>& effects);
 
 } // namespace drystone

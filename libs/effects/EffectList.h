@@ -14,9 +14,10 @@ namespace drystone
 {
 
 /// How a case is computed, for what an effect does not go together with.
+template<int Dim>
 struct EffectSource
 {
-    const Structure& structure;
+    const Structure<Dim>& structure;
     const ContactProperties& contact;
     const EntryLocations& locations; ///< of the entries of constant/contactProperties
     std::filesystem::path caseDirectory;
@@ -26,6 +27,7 @@ struct EffectSource
 };
 
 /// An effect whose keys are declared: its settings, until it is made of them.
+template<int Dim>
 struct DeclaredEffect
 {
     std::string name; ///< of its sub-dictionary; empty: it follows from others
@@ -33,52 +35,59 @@ struct DeclaredEffect
     std::function<bool()> isGiven; ///< once the dictionary was read
     /// \return null where the case does not have it \throws FatalIOError for what it does not go together
     /// with
-    std::function<std::shared_ptr<const Effect>(const EffectSource&)> make;
+    std::function<std::shared_ptr<const Effect<Dim>>(const EffectSource<Dim>&)> make;
 };
 
 /// An entry of the list: makes a declared effect with settings of its own.
-using EffectType = std::function<DeclaredEffect()>;
+template<int Dim>
+using EffectType = std::function<DeclaredEffect<Dim>()>;
 
 /// An effect with a sub-dictionary of this name. \param make from its settings and an EffectSource; null for
 /// settings that ask for nothing
-template<class Settings, class Make>
-EffectType effectType(std::string name, std::string doc, Make make)
+template<int Dim, class Settings, class Make>
+EffectType<Dim> effectType(std::string name, std::string doc, Make make)
 {
     return [name, doc, make]
     {
         const auto settings = std::make_shared<std::optional<Settings>>();
-        return DeclaredEffect{
+        return DeclaredEffect<Dim>{
             name, [name, doc, settings](Options& options) { options.optional(name, *settings, doc); },
             [settings] { return settings->has_value(); },
-            [make, settings](const EffectSource& source) -> std::shared_ptr<const Effect>
+            [make, settings](const EffectSource<Dim>& source) -> std::shared_ptr<const Effect<Dim>>
             { return *settings ? make(**settings, source) : nullptr; }};
     };
 }
 
 /// All effects. A new one is a line here, and its two files.
-const std::vector<EffectType>& effectTypes();
+template<int Dim>
+const std::vector<EffectType<Dim>>& effectTypes();
 
 /// constant/contactProperties as it is read: what joints carry, and the effects of motion.
+template<int Dim>
 struct CaseEffects
 {
-    explicit CaseEffects(const std::vector<EffectType>& types = effectTypes());
+    explicit CaseEffects(const std::vector<EffectType<Dim>>& types = effectTypes<Dim>());
 
     ContactProperties contact;
-    std::vector<DeclaredEffect> declared;
+    std::vector<DeclaredEffect<Dim>> declared;
     EntryLocations locations;
 };
-void declare(Options& options, CaseEffects& effects);
+template<int Dim>
+void declare(Options& options, CaseEffects<Dim>& effects);
 
 /// Reads the file of a case. \throws FatalError or FatalIOError when it is missing or faulty, or asks for an
 /// effect that is unknown or absent from this version
-CaseEffects readCaseEffects(const std::filesystem::path& caseDirectory,
-                            const std::vector<EffectType>& types = effectTypes());
+template<int Dim>
+CaseEffects<Dim> readCaseEffects(const std::filesystem::path& caseDirectory,
+                                 const std::vector<EffectType<Dim>>& types = effectTypes<Dim>());
 
 /// The effects that a case has. \throws FatalIOError for those that do not go together
-Effects makeEffects(const CaseEffects& read, const EffectSource& source);
+template<int Dim>
+Effects<Dim> makeEffects(const CaseEffects<Dim>& read, const EffectSource<Dim>& source);
 
 /// The effects of a case, for the log: which are simulated and which are not.
-EffectNames effectNames(const CaseEffects& effects);
+template<int Dim>
+EffectNames effectNames(const CaseEffects<Dim>& effects);
 
 /// Those of a limit analysis, which has none of motion.
 EffectNames effectNamesAtRest(const ContactProperties& contact);

@@ -4,7 +4,6 @@
 
 #include "contact/JointLaws.h"
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,29 +26,32 @@ constexpr double bondReach = 1e-3;
 /// more than the error allowed in gaps.
 constexpr double yieldsBy = 1e-2;
 
-bool isOne(const Bond& bond)
+template<int Dim>
+bool isOne(const Bond<Dim>& bond)
 {
     return bond.strength.cohesion > 0 || bond.strength.tension > 0;
 }
 
 /// Where a point of a block as built is now.
-Vector<2> placed(const Vector<2>& position, int block, const std::vector<BlockMass<2>>& blocks,
-                 const std::vector<Placement<2>>& placements)
+template<int Dim>
+Vector<Dim> placed(const Vector<Dim>& position, int block, const std::vector<BlockMass<Dim>>& blocks,
+                   const std::vector<Placement<Dim>>& placements)
 {
     const auto index = static_cast<std::size_t>(block);
-    const Placement<2>& placement = placements[index];
-    if (placement.rotation == 0)
+    const Placement<Dim>& placement = placements[index];
+    if (rowsOf(placement.rotation).isZero(0))
     {
         return position + placement.translation;
     }
-    const Vector<2>& centre = blocks[index].centroid;
-    return centre + placement.translation + Eigen::Rotation2Dd(placement.rotation) * (position - centre);
+    const Vector<Dim>& centre = blocks[index].centroid;
+    return centre + placement.translation + turned(placement.rotation, position - centre);
 }
 
 } // namespace
 
-std::vector<Bond> jointBonds(const std::filesystem::path& caseDirectory, const ContactProperties& properties,
-                             const Assembly<2>& assembly)
+template<int Dim>
+std::vector<Bond<Dim>> jointBonds(const std::filesystem::path& caseDirectory,
+                                  const ContactProperties& properties, const Assembly<Dim>& assembly)
 {
     const bool isInJoints =
         std::any_of(properties.joints.begin(), properties.joints.end(),
@@ -58,9 +60,9 @@ std::vector<Bond> jointBonds(const std::filesystem::path& caseDirectory, const C
     {
         return {};
     }
-    const std::vector<ContactPoint<2>> points = findContactPoints(assembly);
+    const std::vector<ContactPoint<Dim>> points = findContactPoints(assembly);
     const std::vector<PointLaw> laws = pointLaws(caseDirectory, properties, assembly, points);
-    std::vector<Bond> bonds;
+    std::vector<Bond<Dim>> bonds;
     bonds.reserve(points.size());
     bool isAny = false;
     for (std::size_t i = 0; i < points.size(); ++i)
@@ -69,28 +71,30 @@ std::vector<Bond> jointBonds(const std::filesystem::path& caseDirectory, const C
         bonds.push_back({points[i].block, points[i].neighbour, points[i].position, strength});
         isAny = isAny || strength.cohesion > 0 || strength.tension > 0;
     }
-    return isAny ? bonds : std::vector<Bond>();
+    return isAny ? bonds : std::vector<Bond<Dim>>();
 }
 
-std::vector<char> partedBonds(const std::vector<Bond>& bonds, const std::vector<BlockMass<2>>& blocks,
-                              const std::vector<Placement<2>>& placements, double reach)
+template<int Dim>
+std::vector<char> partedBonds(const std::vector<Bond<Dim>>& bonds, const std::vector<BlockMass<Dim>>& blocks,
+                              const std::vector<Placement<Dim>>& placements, double reach)
 {
     std::vector<char> isParted;
     isParted.reserve(bonds.size());
-    for (const Bond& bond : bonds)
+    for (const Bond<Dim>& bond : bonds)
     {
-        const Vector<2> apart = placed(bond.position, bond.block, blocks, placements)
-                                - placed(bond.position, bond.neighbour, blocks, placements);
+        const Vector<Dim> apart = placed(bond.position, bond.block, blocks, placements)
+                                  - placed(bond.position, bond.neighbour, blocks, placements);
         const bool isNone = bond.strength.cohesion == 0 && bond.strength.tension == 0;
         isParted.push_back(isNone || apart.norm() > reach);
     }
     return isParted;
 }
 
-std::vector<int> bondsOfPoints(const std::vector<Bond>& bonds, const std::vector<char>& isBroken,
-                               const std::vector<BlockMass<2>>& blocks,
-                               const std::vector<Placement<2>>& placements,
-                               const std::vector<ContactPoint<2>>& points, double reach)
+template<int Dim>
+std::vector<int> bondsOfPoints(const std::vector<Bond<Dim>>& bonds, const std::vector<char>& isBroken,
+                               const std::vector<BlockMass<Dim>>& blocks,
+                               const std::vector<Placement<Dim>>& placements,
+                               const std::vector<ContactPoint<Dim>>& points, double reach)
 {
     std::vector<int> bondOfPoint(points.size(), -1);
     std::size_t first = 0; // points and bonds are both sorted by pairs of blocks
@@ -107,8 +111,9 @@ std::vector<int> bondsOfPoints(const std::vector<Bond>& bonds, const std::vector
         {
             ++first;
         }
-        const Vector<2> onBlock = placed(bonds[bond].position, bonds[bond].block, blocks, placements);
-        const Vector<2> onNeighbour = placed(bonds[bond].position, bonds[bond].neighbour, blocks, placements);
+        const Vector<Dim> onBlock = placed(bonds[bond].position, bonds[bond].block, blocks, placements);
+        const Vector<Dim> onNeighbour =
+            placed(bonds[bond].position, bonds[bond].neighbour, blocks, placements);
         double nearest = reach;
         std::size_t found = points.size();
         for (std::size_t point = first; point < points.size() && pairOf(point) == pair; ++point)
@@ -129,8 +134,9 @@ std::vector<int> bondsOfPoints(const std::vector<Bond>& bonds, const std::vector
     return bondOfPoint;
 }
 
-double openingOf(const Bond& bond, const std::vector<BlockMass<2>>& blocks,
-                 const std::vector<Placement<2>>& placements, const ContactPoint<2>& point)
+template<int Dim>
+double openingOf(const Bond<Dim>& bond, const std::vector<BlockMass<Dim>>& blocks,
+                 const std::vector<Placement<Dim>>& placements, const ContactPoint<Dim>& point)
 {
     return point.normal.dot(placed(bond.position, bond.block, blocks, placements)
                             - placed(bond.position, bond.neighbour, blocks, placements));
@@ -141,7 +147,8 @@ bool isAnyHeld(const std::vector<int>& bondOfPoint)
     return std::any_of(bondOfPoint.begin(), bondOfPoint.end(), [](int bond) { return bond >= 0; });
 }
 
-std::vector<Strength> strengthsOf(const std::vector<Bond>& bonds, const std::vector<int>& bondOfPoint)
+template<int Dim>
+std::vector<Strength> strengthsOf(const std::vector<Bond<Dim>>& bonds, const std::vector<int>& bondOfPoint)
 {
     std::vector<Strength> strengths;
     strengths.reserve(bondOfPoint.size());
@@ -152,7 +159,8 @@ std::vector<Strength> strengthsOf(const std::vector<Bond>& bonds, const std::vec
     return strengths;
 }
 
-std::vector<int> bondsGivingWay(const PlaneConeProgram& program, const std::vector<int>& bondOfPoint,
+template<int Dim>
+std::vector<int> bondsGivingWay(const StepProgram<Dim>& program, const std::vector<int>& bondOfPoint,
                                 const Eigen::VectorXd& opening, const Eigen::VectorXd& contactForce,
                                 const YieldTolerance& tolerance)
 {
@@ -163,14 +171,14 @@ std::vector<int> bondsGivingWay(const PlaneConeProgram& program, const std::vect
         {
             continue;
         }
-        const Eigen::Index row = 2 * static_cast<Eigen::Index>(point);
+        const Eigen::Index row = Dim * static_cast<Eigen::Index>(point);
         const Strength& strength = program.strength[point];
         const double normal = contactForce[row];
-        const double shear = std::abs(contactForce[row + 1]);
+        const double shear = contactForce.segment<Dim - 1>(row + 1).norm();
         const bool opens =
             opening[row] > tolerance.length
             && normal + strength.tension <= nearlyYielding * strength.tension + tolerance.force;
-        const bool slides = std::abs(opening[row + 1]) > tolerance.length
+        const bool slides = opening.segment<Dim - 1>(row + 1).norm() > tolerance.length
                             && strength.cohesion + program.friction[point] * normal - shear
                                    <= nearlyYielding * strength.cohesion + tolerance.force;
         if (opens || slides)
@@ -181,7 +189,8 @@ std::vector<int> bondsGivingWay(const PlaneConeProgram& program, const std::vect
     return givingWay;
 }
 
-int JointBonds::broken(const EffectState& state) const
+template<int Dim>
+int JointBonds<Dim>::broken(const EffectState& state) const
 {
     int count = 0;
     for (std::size_t bond = 0; bond < bonds.size(); ++bond)
@@ -191,13 +200,16 @@ int JointBonds::broken(const EffectState& state) const
     return count;
 }
 
-void JointBonds::start(const Structure& structure, const std::vector<Placement<2>>& placements,
-                       EffectState& state) const
+template<int Dim>
+void JointBonds<Dim>::start(const Structure<Dim>& structure, const std::vector<Placement<Dim>>& placements,
+                            EffectState& state) const
 {
     state.flags = partedBonds(bonds, structure.blocks, placements, bondReach * structure.blockSize);
 }
 
-std::vector<int> JointBonds::bondsAt(const EffectContext& context, const std::vector<char>& isBroken) const
+template<int Dim>
+std::vector<int> JointBonds<Dim>::bondsAt(const EffectContext<Dim>& context,
+                                          const std::vector<char>& isBroken) const
 {
     if (context.displacements == Displacements::large)
     {
@@ -212,7 +224,9 @@ std::vector<int> JointBonds::bondsAt(const EffectContext& context, const std::ve
     return bondOfPoint;
 }
 
-void JointBonds::contribute(const EffectContext& context, EffectState& state, PlaneConeProgram& program) const
+template<int Dim>
+void JointBonds<Dim>::contribute(const EffectContext<Dim>& context, EffectState& state,
+                                 StepProgram<Dim>& program) const
 {
     state.ofPoints = bondsAt(context, state.flags);
     state.flags.assign(bonds.size(), true);
@@ -228,7 +242,7 @@ void JointBonds::contribute(const EffectContext& context, EffectState& state, Pl
         {
             const double opening =
                 openingOf(bonds[bond], context.structure.blocks, context.placements, context.points[point]);
-            program.gap[2 * static_cast<Eigen::Index>(point)] =
+            program.gap[Dim * static_cast<Eigen::Index>(point)] =
                 std::abs(opening) <= context.structure.roundingGap ? 0 : opening;
         }
     }
@@ -238,14 +252,15 @@ void JointBonds::contribute(const EffectContext& context, EffectState& state, Pl
     }
 }
 
-Review JointBonds::review(const EffectContext& context, const EffectSolution& solution, EffectState& state,
-                          PlaneConeProgram& program) const
+template<int Dim>
+Review JointBonds<Dim>::review(const EffectContext<Dim>& context, const EffectSolution& solution,
+                               EffectState& state, StepProgram<Dim>& program) const
 {
     if (!program.hasStrength())
     {
         return Review::accepted;
     }
-    const double farthest = farthestMotion(solution.displacement, context.structure.blockSize);
+    const double farthest = farthestMotion<Dim>(solution.displacement, context.structure.blockSize);
     // What a solver leaves of forces out of balance moves the blocks as well: the gap of its certificate is
     // of second order in them.
     const double leftover =
@@ -271,17 +286,21 @@ Review JointBonds::review(const EffectContext& context, const EffectSolution& so
     return givingWay.empty() ? Review::accepted : Review::solveAgain;
 }
 
-std::vector<Strength> JointBonds::strengths(const EffectContext& context, const EffectState& state) const
+template<int Dim>
+std::vector<Strength> JointBonds<Dim>::strengths(const EffectContext<Dim>& context,
+                                                 const EffectState& state) const
 {
     return strengthsOf(bonds, bondsAt(context, state.flags));
 }
 
-void JointBonds::save(const EffectState& state, EffectArrays& arrays) const
+template<int Dim>
+void JointBonds<Dim>::save(const EffectState& state, EffectArrays& arrays) const
 {
     arrays["bondBroken"].assign(state.flags.begin(), state.flags.end());
 }
 
-void JointBonds::restore(const EffectArrays& arrays, EffectState& state) const
+template<int Dim>
+void JointBonds<Dim>::restore(const EffectArrays& arrays, EffectState& state) const
 {
     const auto saved = arrays.find("bondBroken");
     if (saved == arrays.end())
@@ -298,32 +317,40 @@ void JointBonds::restore(const EffectArrays& arrays, EffectState& state) const
     state.flags.assign(saved->second.begin(), saved->second.end());
 }
 
-std::string JointBonds::startText(const EffectState& state) const
+template<int Dim>
+std::string JointBonds<Dim>::startText(const EffectState& state) const
 {
     return fmt::format("Bonds: {} at the ends of joints, {} of them broken",
-                       std::count_if(bonds.begin(), bonds.end(), isOne), broken(state));
+                       std::count_if(bonds.begin(), bonds.end(), isOne<Dim>), broken(state));
 }
 
-std::string JointBonds::stepText(const EffectState& before, const EffectState& after) const
+template<int Dim>
+std::string JointBonds<Dim>::stepText(const EffectState& before, const EffectState& after) const
 {
     const int now = broken(after);
     const int newly = now - broken(before);
     return newly > 0 ? fmt::format("{} bonds broke, {} are broken", newly, now) : "";
 }
 
-EffectType bondsType()
+template<int Dim>
+EffectType<Dim> bondsType()
 {
     return []
     {
-        return DeclaredEffect{"", [](Options&) {}, [] { return false; },
-                              [](const EffectSource& source) -> std::shared_ptr<const Effect>
-                              {
-                                  std::vector<Bond> bonds = jointBonds(source.caseDirectory, source.contact,
-                                                                       source.structure.assembly);
-                                  return bonds.empty() ? nullptr
-                                                       : std::make_shared<JointBonds>(std::move(bonds));
-                              }};
+        return DeclaredEffect<Dim>{
+            "", [](Options&) {}, [] { return false; },
+            [](const EffectSource<Dim>& source) -> std::shared_ptr<const Effect<Dim>>
+            {
+                std::vector<Bond<Dim>> bonds =
+                    jointBonds(source.caseDirectory, source.contact, source.structure.assembly);
+                return bonds.empty() ? nullptr : std::make_shared<JointBonds<Dim>>(std::move(bonds));
+            }};
     };
 }
+
+template class JointBonds<2>;
+template EffectType<2> bondsType<2>();
+template class JointBonds<3>;
+template EffectType<3> bondsType<3>();
 
 } // namespace drystone

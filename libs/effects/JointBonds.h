@@ -24,40 +24,46 @@ namespace drystone
 /// An impact within a step is met by T dt at most, so that the shorter the step, the weaker the impact that
 /// breaks a bond: between rigid blocks its force has no limit. Where impacts are instants of their own
 /// (restitution, or a theta below 1) bonds pass none of their impulses but what presses and rubs.
+template<int Dim>
 struct Bond
 {
-    int block = -1;                         ///< index in Assembly::blocks
-    int neighbour = -1;                     ///< likewise
-    Vector<2> position = Vector<2>::Zero(); ///< as built [m]
-    Strength strength;                      ///< of cohesion and tension [N]
+    int block = -1;                             ///< index in Assembly::blocks
+    int neighbour = -1;                         ///< likewise
+    Vector<Dim> position = Vector<Dim>::Zero(); ///< as built [m]
+    Strength strength;                          ///< of cohesion and tension [N]
 };
 
 /// The bonds of a structure, two a joint in the order of findContactPoints, some perhaps of no strength;
 /// empty where no joint has cohesion or tension. \throws FatalIOError, see pointLaws
-std::vector<Bond> jointBonds(const std::filesystem::path& caseDirectory, const ContactProperties& properties,
-                             const Assembly<2>& assembly);
+template<int Dim>
+std::vector<Bond<Dim>> jointBonds(const std::filesystem::path& caseDirectory,
+                                  const ContactProperties& properties, const Assembly<Dim>& assembly);
 
 /// Whether the two ends of each bond are no longer where they were joined, or it has no strength.
 /// \param centroids of all blocks as built \param reach how far apart they may be [m]
-std::vector<char> partedBonds(const std::vector<Bond>& bonds, const std::vector<BlockMass<2>>& blocks,
-                              const std::vector<Placement<2>>& placements, double reach);
+template<int Dim>
+std::vector<char> partedBonds(const std::vector<Bond<Dim>>& bonds, const std::vector<BlockMass<Dim>>& blocks,
+                              const std::vector<Placement<Dim>>& placements, double reach);
 
 /// Which unbroken bond holds each contact point, or -1.
 /// \param points sorted by (block, neighbour), where the blocks are now
-std::vector<int> bondsOfPoints(const std::vector<Bond>& bonds, const std::vector<char>& isBroken,
-                               const std::vector<BlockMass<2>>& blocks,
-                               const std::vector<Placement<2>>& placements,
-                               const std::vector<ContactPoint<2>>& points, double reach);
+template<int Dim>
+std::vector<int> bondsOfPoints(const std::vector<Bond<Dim>>& bonds, const std::vector<char>& isBroken,
+                               const std::vector<BlockMass<Dim>>& blocks,
+                               const std::vector<Placement<Dim>>& placements,
+                               const std::vector<ContactPoint<Dim>>& points, double reach);
 
 /// How far apart the two ends of the bond that holds a point are along its normal [m].
-double openingOf(const Bond& bond, const std::vector<BlockMass<2>>& blocks,
-                 const std::vector<Placement<2>>& placements, const ContactPoint<2>& point);
+template<int Dim>
+double openingOf(const Bond<Dim>& bond, const std::vector<BlockMass<Dim>>& blocks,
+                 const std::vector<Placement<Dim>>& placements, const ContactPoint<Dim>& point);
 
 /// Whether a bond holds any of the points. \param bondOfPoint see bondsOfPoints
 bool isAnyHeld(const std::vector<int>& bondOfPoint);
 
 /// The strengths of points. \param bondOfPoint see bondsOfPoints
-std::vector<Strength> strengthsOf(const std::vector<Bond>& bonds, const std::vector<int>& bondOfPoint);
+template<int Dim>
+std::vector<Strength> strengthsOf(const std::vector<Bond<Dim>>& bonds, const std::vector<int>& bondOfPoint);
 
 /// What tells a bond that gives way from one that a solver's tolerance moves.
 struct YieldTolerance
@@ -69,30 +75,33 @@ struct YieldTolerance
 /// The bonds that a solved step would open or shear: those at the limit of what they hold.
 /// \param opening z of the points at the end of the step, (normal, tangent) [m] \param contactForce likewise
 /// [N]
-std::vector<int> bondsGivingWay(const PlaneConeProgram& program, const std::vector<int>& bondOfPoint,
+template<int Dim>
+std::vector<int> bondsGivingWay(const StepProgram<Dim>& program, const std::vector<int>& bondOfPoint,
                                 const Eigen::VectorXd& opening, const Eigen::VectorXd& contactForce,
                                 const YieldTolerance& tolerance);
 
 /// All bonds of a case as an effect. Flags of its state: which of them are broken, with what never was one.
-class JointBonds final : public Effect
+template<int Dim>
+class JointBonds final : public Effect<Dim>
 {
 public:
-    explicit JointBonds(std::vector<Bond> jointBonds) : bonds(std::move(jointBonds)) {}
-    const std::vector<Bond>& all() const { return bonds; }
+    explicit JointBonds(std::vector<Bond<Dim>> jointBonds) : bonds(std::move(jointBonds)) {}
+    const std::vector<Bond<Dim>>& all() const { return bonds; }
     /// How many are broken that once held.
     int broken(const EffectState& state) const;
 
     EffectTraits traits() const override { return {.holdsJoints = true}; }
-    void start(const Structure& structure, const std::vector<Placement<2>>& placements,
+    void start(const Structure<Dim>& structure, const std::vector<Placement<Dim>>& placements,
                EffectState& state) const override;
     /// Lets the bonds that are whole hold their points where they were joined. One that is left without a
     /// point is broken.
-    void contribute(const EffectContext& context, EffectState& state,
-                    PlaneConeProgram& program) const override;
+    void contribute(const EffectContext<Dim>& context, EffectState& state,
+                    StepProgram<Dim>& program) const override;
     /// Takes the bonds that a solved step would open or shear out of its program.
-    Review review(const EffectContext& context, const EffectSolution& solution, EffectState& state,
-                  PlaneConeProgram& program) const override;
-    std::vector<Strength> strengths(const EffectContext& context, const EffectState& state) const override;
+    Review review(const EffectContext<Dim>& context, const EffectSolution& solution, EffectState& state,
+                  StepProgram<Dim>& program) const override;
+    std::vector<Strength> strengths(const EffectContext<Dim>& context,
+                                    const EffectState& state) const override;
     void save(const EffectState& state, EffectArrays& arrays) const override;
     /// A run that continues with bonds which it began without has those whose ends are still together.
     void restore(const EffectArrays& arrays, EffectState& state) const override;
@@ -100,12 +109,13 @@ public:
     std::string stepText(const EffectState& before, const EffectState& after) const override;
 
 private:
-    std::vector<int> bondsAt(const EffectContext& context, const std::vector<char>& isBroken) const;
+    std::vector<int> bondsAt(const EffectContext<Dim>& context, const std::vector<char>& isBroken) const;
 
-    std::vector<Bond> bonds;
+    std::vector<Bond<Dim>> bonds;
 };
 
 /// Its entry of the list: it has no keys of its own, and follows from cohesion and tension.
-EffectType bondsType();
+template<int Dim>
+EffectType<Dim> bondsType();
 
 } // namespace drystone

@@ -10,7 +10,8 @@ namespace
 {
 
 /// What elastic contact points do not go together with.
-void refuseCombinations(const EffectSource& source)
+template<int Dim>
+void refuseCombinations(const EffectSource<Dim>& source)
 {
     const ContactProperties& contact = source.contact;
     for (const std::string effect : {"cohesion", "tension"})
@@ -68,37 +69,41 @@ void declare(Options& options, Elasticity& elasticity)
         .example("5e8");
 }
 
-void JointElasticity::contribute(const EffectContext& context, EffectState&, PlaneConeProgram& program) const
+template<int Dim>
+void JointElasticity<Dim>::contribute(const EffectContext<Dim>& context, EffectState&,
+                                      StepProgram<Dim>& program) const
 {
-    program.compliance.resize(2 * program.points());
+    program.compliance.resize(Dim * program.points());
     for (int point = 0; point < program.points(); ++point)
     {
-        program.compliance.segment<2>(2 * point) = compliance;
-        program.gap[2 * point + 1] -= compliance[1] * context.forcesBefore[2 * point + 1];
+        program.compliance.template segment<Dim>(Dim * point) = compliance;
+        program.gap.template segment<Dim - 1>(Dim * point + 1) -=
+            compliance[1] * context.forcesBefore.template segment<Dim - 1>(Dim * point + 1);
     }
 }
 
-void JointElasticity::account(const EffectContext& context, const EffectSolution& solution,
-                              StepEnergy& energy) const
+template<int Dim>
+void JointElasticity<Dim>::account(const EffectContext<Dim>& context, const EffectSolution& solution,
+                                   StepEnergy& energy) const
 {
-    Eigen::Vector2d stored = Eigen::Vector2d::Zero();
-    Eigen::Vector2d before = Eigen::Vector2d::Zero();
-    Eigen::Vector2d lost = Eigen::Vector2d::Zero();
-    for (Eigen::Index row = 0; row < solution.contactForce.size(); row += 2)
+    Vector<Dim> stored = Vector<Dim>::Zero();
+    Vector<Dim> before = Vector<Dim>::Zero();
+    Vector<Dim> lost = Vector<Dim>::Zero();
+    for (Eigen::Index row = 0; row < solution.contactForce.size(); row += Dim)
     {
-        const Eigen::Vector2d now = solution.contactForce.segment<2>(row);
-        const Eigen::Vector2d then = context.forcesBefore.segment<2>(row);
+        const Vector<Dim> now = solution.contactForce.segment<Dim>(row);
+        const Vector<Dim> then = context.forcesBefore.template segment<Dim>(row);
         stored += now.cwiseAbs2();
         before += then.cwiseAbs2();
         lost += (now - then).cwiseAbs2();
     }
-    const Eigen::Vector2d change = 0.5 * compliance.cwiseProduct(stored - before);
-    const Eigen::Vector2d algorithmic = 0.5 * compliance.cwiseProduct(lost);
+    const Vector<Dim> change = 0.5 * compliance.cwiseProduct(stored - before);
+    const Vector<Dim> algorithmic = 0.5 * compliance.cwiseProduct(lost);
     energy.normalLoss -= change[0] + algorithmic[0];
-    energy.frictionLoss -= change[1] + algorithmic[1];
+    energy.frictionLoss -= (change + algorithmic).template tail<Dim - 1>().sum();
     // Points that are no longer there take what they had stored with them.
-    Eigen::Vector2d all = Eigen::Vector2d::Zero();
-    for (const Vector<2>& force : context.allForcesBefore)
+    Vector<Dim> all = Vector<Dim>::Zero();
+    for (const Vector<Dim>& force : context.allForcesBefore)
     {
         all += force.cwiseAbs2();
     }
@@ -107,15 +112,21 @@ void JointElasticity::account(const EffectContext& context, const EffectSolution
     energy.algorithmicLoss += algorithmic.sum() + gone;
 }
 
-EffectType elasticityType()
+template<int Dim>
+EffectType<Dim> elasticityType()
 {
-    return effectType<Elasticity>("elasticity",
-                                  "contact points that give way under force, in motion; absent: rigid",
-                                  [](const Elasticity& elasticity, const EffectSource& source)
-                                  {
-                                      refuseCombinations(source);
-                                      return std::make_shared<JointElasticity>(elasticity);
-                                  });
+    return effectType<Dim, Elasticity>("elasticity",
+                                       "contact points that give way under force, in motion; absent: rigid",
+                                       [](const Elasticity& elasticity, const EffectSource<Dim>& source)
+                                       {
+                                           refuseCombinations(source);
+                                           return std::make_shared<JointElasticity<Dim>>(elasticity);
+                                       });
 }
+
+template class JointElasticity<2>;
+template EffectType<2> elasticityType<2>();
+template class JointElasticity<3>;
+template EffectType<3> elasticityType<3>();
 
 } // namespace drystone

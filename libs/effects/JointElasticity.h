@@ -25,24 +25,27 @@ void declare(Options& options, Elasticity& elasticity);
 /// 1/2 (c1 - c0)'C (c1 - c0), a loss of the time integration (theta 1).
 ///
 /// The shear of a point that moves past a corner, and so becomes another one, starts again from none.
-class JointElasticity final : public Effect
+template<int Dim>
+class JointElasticity final : public Effect<Dim>
 {
 public:
     explicit JointElasticity(const Elasticity& elasticity)
-        : compliance(1 / elasticity.normal, 1 / elasticity.tangential)
+        : compliance(Vector<Dim>::Constant(1 / elasticity.tangential))
     {
+        compliance[0] = 1 / elasticity.normal;
     }
     EffectTraits traits() const override { return {.isCompliant = true}; }
-    void contribute(const EffectContext& context, EffectState& state,
-                    PlaneConeProgram& program) const override;
-    void account(const EffectContext& context, const EffectSolution& solution,
+    void contribute(const EffectContext<Dim>& context, EffectState& state,
+                    StepProgram<Dim>& program) const override;
+    void account(const EffectContext<Dim>& context, const EffectSolution& solution,
                  StepEnergy& energy) const override;
 
 private:
-    Eigen::Vector2d compliance; ///< (1/kn, 1/kt) [m/N]
+    Vector<Dim> compliance; ///< (1/kn, 1/kt), in space twice 1/kt [m/N]
 };
 
 /// Its entry of the list. It refuses what elastic points do not go together with.
-EffectType elasticityType();
+template<int Dim>
+EffectType<Dim> elasticityType();
 
 } // namespace drystone

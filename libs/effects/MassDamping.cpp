@@ -58,23 +58,27 @@ void declare(Options& options, Damping& damping)
         });
 }
 
-void MassDamping::contribute(const EffectContext& context, EffectState&, PlaneConeProgram& program) const
+template<int Dim>
+void MassDamping<Dim>::contribute(const EffectContext<Dim>& context, EffectState&,
+                                  StepProgram<Dim>& program) const
 {
     for (int body = 0; body < program.bodies; ++body)
     {
-        program.inertia[static_cast<std::size_t>(body)].diagonal() +=
-            settings.massProportional / context.timeStep * context.structure.mass.segment<3>(3 * body);
+        program.inertia[static_cast<std::size_t>(body)] +=
+            settings.massProportional / context.timeStep * blockOf(context.mass, body);
     }
 }
 
-void MassDamping::account(const EffectContext& context, const EffectSolution& solution,
-                          StepEnergy& energy) const
+template<int Dim>
+void MassDamping<Dim>::account(const EffectContext<Dim>& context, const EffectSolution& solution,
+                               StepEnergy& energy) const
 {
-    energy.dampingLoss += settings.massProportional / context.timeStep
-                          * context.structure.mass.dot(solution.displacement.cwiseAbs2());
+    energy.dampingLoss +=
+        settings.massProportional / context.timeStep * squareOf(context.mass, solution.displacement);
 }
 
-std::string MassDamping::startText(const EffectState&) const
+template<int Dim>
+std::string MassDamping<Dim>::startText(const EffectState&) const
 {
     return fmt::format("Damping: massProportional {:.6g} 1/s{}", settings.massProportional,
                        settings.equivalentToHousner ? ", equivalent to Housner's loss" : "");
@@ -94,19 +98,25 @@ double equivalentDamping(const HousnerLoss& loss, double gravity)
     return p * (1 - ratio * ratio) * s0 * s0 / (swing(s0, beta0) + swing(s1, beta1));
 }
 
-EffectType dampingType()
+template<int Dim>
+EffectType<Dim> dampingType()
 {
-    return effectType<Damping>(
+    return effectType<Dim, Damping>(
         "damping", "losses beside friction and impact, in motion; absent: none",
-        [](Damping damping, const EffectSource& source) -> std::shared_ptr<const Effect>
+        [](Damping damping, const EffectSource<Dim>& source) -> std::shared_ptr<const Effect<Dim>>
         {
             if (damping.equivalentToHousner)
             {
                 damping.massProportional =
                     equivalentDamping(*damping.equivalentToHousner, source.structure.gravity.norm());
             }
-            return damping.massProportional > 0 ? std::make_shared<MassDamping>(damping) : nullptr;
+            return damping.massProportional > 0 ? std::make_shared<MassDamping<Dim>>(damping) : nullptr;
         });
 }
+
+template class MassDamping<2>;
+template EffectType<2> dampingType<2>();
+template class MassDamping<3>;
+template EffectType<3> dampingType<3>();
 
 } // namespace drystone

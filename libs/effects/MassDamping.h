@@ -33,15 +33,16 @@ void declare(Options& options, Damping& damping);
 ///
 /// the damping makes blocks heavier in the program, and not in the momentum that they bring along. It takes
 /// a/dt y'My from the energy, never less than 0.
-class MassDamping final : public Effect
+template<int Dim>
+class MassDamping final : public Effect<Dim>
 {
 public:
     /// \param damping with its massProportional, whether given or equivalent
     explicit MassDamping(const Damping& damping) : settings(damping) {}
     EffectTraits traits() const override { return {.actsOnBlocks = true}; }
-    void contribute(const EffectContext& context, EffectState& state,
-                    PlaneConeProgram& program) const override;
-    void account(const EffectContext& context, const EffectSolution& solution,
+    void contribute(const EffectContext<Dim>& context, EffectState& state,
+                    StepProgram<Dim>& program) const override;
+    void account(const EffectContext<Dim>& context, const EffectSolution& solution,
                  StepEnergy& energy) const override;
     std::string startText(const EffectState& state) const override;
 
@@ -73,6 +74,7 @@ private:
 double equivalentDamping(const HousnerLoss& loss, double gravity);
 
 /// Its entry of the list.
-EffectType dampingType();
+template<int Dim>
+EffectType<Dim> dampingType();
 
 } // namespace drystone

@@ -54,7 +54,8 @@ std::string faultIn(const Table& table, Jumps jumps)
     return "";
 }
 
-std::string faultIn(const SupportMotionSettings& settings)
+template<int Dim>
+std::string faultIn(const SupportMotionSettings<Dim>& settings)
 {
     const bool translates = !settings.displacement.empty() || !settings.velocity.empty();
     const bool turns = !settings.rotation.empty() || !settings.angularVelocity.empty();
@@ -101,16 +102,38 @@ std::shared_ptr<const GroundAcceleration> historyOf(const Table& displacement, c
                                                  Interpolation::linear, OutOfBounds::zero);
 }
 
-/// (R - 1) arm, to the last digits.
-Vector<2> swing(const Vector<2>& arm, double rotation)
+} // namespace
+
+namespace
 {
-    const double half = std::sin(rotation / 2);
-    return std::sin(rotation) * Vector<2>(-arm.y(), arm.x()) - 2 * half * half * arm;
+
+/// What a support turns about: in the plane there is no choice.
+void declareAxis(Options&, SupportMotionSettings<2>&) {}
+void declareAxis(Options& options, SupportMotionSettings<3>& settings)
+{
+    options.optional("axis", settings.axis, "of rotation, right hand; its length does not matter")
+        .example("(0 0 1)");
+    options.check("axis",
+                  [&settings] {
+                      return settings.axis.norm() > 0
+                                 ? ""
+                                 : "The axis has no length: give one such as `axis (0 0 1);`.";
+                  });
+}
+
+double unitAxisOf(double axis)
+{
+    return axis;
+}
+Vector<3> unitAxisOf(const Vector<3>& axis)
+{
+    return axis.normalized();
 }
 
 } // namespace
 
-void declare(Options& options, SupportMotionSettings& settings)
+template<int Dim>
+void declare(Options& options, SupportMotionSettings<Dim>& settings)
 {
     options
         .optional("direction", settings.direction, "of displacement or velocity; its length does not matter")
@@ -123,6 +146,7 @@ void declare(Options& options, SupportMotionSettings& settings)
         .optional("velocity", settings.velocity,
                   "instead: times [s] and velocities [m/s]; a time that stands twice is a jump")
         .example("((0 0) (0.5 1) (1 0))");
+    declareAxis(options, settings);
     options.optional("centre", settings.centre, "of rotation, as built; it moves with the support")
         .unit("m")
         .example("(1 0 0)");
@@ -143,17 +167,19 @@ void declare(Options& options, SupportMotionSettings& settings)
     options.check("displacement", [&settings] { return faultIn(settings); });
 }
 
-void declare(Options& options, SupportMotionFile& file)
+template<int Dim>
+void declare(Options& options, SupportMotionFile<Dim>& file)
 {
     options.each(file.supports, "of the support with this name");
 }
 
-std::vector<SupportMotion> readSupportMotions(const std::filesystem::path& caseDirectory,
-                                              const Assembly<2>& assembly)
+template<int Dim>
+std::vector<SupportMotion<Dim>> readSupportMotions(const std::filesystem::path& caseDirectory,
+                                                   const Assembly<Dim>& assembly)
 {
     const Dictionary dictionary = Dictionary::readFileIfPresent(caseDirectory / "constant/supportMotion");
-    std::vector<SupportMotion> motions;
-    for (const auto& [name, settings] : readOptions<SupportMotionFile>(dictionary).supports)
+    std::vector<SupportMotion<Dim>> motions;
+    for (const auto& [name, settings] : readOptions<SupportMotionFile<Dim>>(dictionary).supports)
     {
         const auto& supports = assembly.supports;
         const auto found = std::find_if(supports.begin(), supports.end(),
@@ -169,10 +195,11 @@ std::vector<SupportMotion> readSupportMotions(const std::filesystem::path& caseD
                                            names.empty() ? " none" : names),
                                dictionary.locationOf(name));
         }
-        SupportMotion motion;
+        SupportMotion<Dim> motion;
         motion.support = static_cast<int>(found - supports.begin());
-        motion.direction = settings.direction.norm() > 0 ? Vector<2>(settings.direction.normalized())
-                                                         : Vector<2>(Vector<2>::Zero());
+        motion.direction = settings.direction.norm() > 0 ? Vector<Dim>(settings.direction.normalized())
+                                                         : Vector<Dim>(Vector<Dim>::Zero());
+        motion.axis = unitAxisOf(settings.axis);
         motion.centre = settings.centre;
         try
         {
@@ -189,37 +216,44 @@ std::vector<SupportMotion> readSupportMotions(const std::filesystem::path& caseD
     return motions;
 }
 
-Vector<3> displacementAfter(const SupportStep& step, double share)
+template<int Dim>
+BlockVector<Dim> displacementAfter(const SupportStep<Dim>& step, double share)
 {
-    Vector<3> displacement;
-    displacement << share * step.translation + swing(step.arm, share * step.rotation), share * step.rotation;
+    BlockVector<Dim> displacement;
+    const Turn<Dim> turn = share * step.rotation;
+    displacement << share * step.translation + swing(turn, step.arm), rowsOf(turn);
     return displacement;
 }
 
-std::vector<SupportStep> supportSteps(const std::vector<SupportMotion>& motions, const Assembly<2>& assembly,
-                                      const std::vector<BlockMass<2>>& blocks,
-                                      const std::vector<Placement<2>>& placements, double from, double to)
+template<int Dim>
+std::vector<SupportStep<Dim>>
+supportSteps(const std::vector<SupportMotion<Dim>>& motions, const Assembly<Dim>& assembly,
+             const std::vector<BlockMass<Dim>>& blocks, const std::vector<Placement<Dim>>& placements,
+             double from, double to)
 {
-    std::vector<SupportStep> steps;
+    std::vector<SupportStep<Dim>> steps;
     if (motions.empty())
     {
         return steps;
     }
     steps.resize(assembly.blocks.size());
-    for (const SupportMotion& motion : motions)
+    for (const SupportMotion<Dim>& motion : motions)
     {
-        SupportStep step;
+        SupportStep<Dim> step;
         if (motion.velocity)
         {
             step.translation = motion.velocity->integral(from, to) * motion.direction;
         }
-        step.rotation = motion.angularVelocity ? motion.angularVelocity->integral(from, to) : 0;
+        if (motion.angularVelocity)
+        {
+            step.rotation = motion.angularVelocity->integral(from, to) * motion.axis;
+        }
         for (std::size_t block = 0; block < steps.size(); ++block)
         {
             if (assembly.blocks[block].support == motion.support)
             {
-                const Vector<2> arm = blocks[block].centroid - motion.centre;
-                step.arm = arm + swing(arm, placements[block].rotation);
+                const Vector<Dim> arm = blocks[block].centroid - motion.centre;
+                step.arm = arm + swing(placements[block].rotation, arm);
                 steps[block] = step;
             }
         }
@@ -227,57 +261,104 @@ std::vector<SupportStep> supportSteps(const std::vector<SupportMotion>& motions,
     return steps;
 }
 
-std::vector<Vector<3>> supportVelocities(const std::vector<SupportMotion>& motions,
-                                         const Assembly<2>& assembly, const std::vector<BlockMass<2>>& blocks,
-                                         const std::vector<Placement<2>>& placements, double from, double to)
+template<int Dim>
+std::vector<BlockVector<Dim>>
+supportVelocities(const std::vector<SupportMotion<Dim>>& motions, const Assembly<Dim>& assembly,
+                  const std::vector<BlockMass<Dim>>& blocks, const std::vector<Placement<Dim>>& placements,
+                  double from, double to)
 {
-    std::vector<Vector<3>> velocities(assembly.blocks.size(), Vector<3>::Zero());
-    for (const SupportMotion& motion : motions)
+    std::vector<BlockVector<Dim>> velocities(assembly.blocks.size(), BlockVector<Dim>::Zero());
+    for (const SupportMotion<Dim>& motion : motions)
     {
-        const double spin = motion.angularVelocity ? motion.angularVelocity->mean(from, to) : 0;
-        const Vector<2> ofCentre =
-            motion.velocity ? Vector<2>(motion.velocity->mean(from, to) * motion.direction) : Vector<2>(0, 0);
+        const Turn<Dim> spin =
+            (motion.angularVelocity ? motion.angularVelocity->mean(from, to) : 0) * motion.axis;
+        const Vector<Dim> ofCentre =
+            (motion.velocity ? motion.velocity->mean(from, to) : 0) * motion.direction;
         for (std::size_t block = 0; block < velocities.size(); ++block)
         {
             if (assembly.blocks[block].support == motion.support)
             {
-                const Vector<2> built = blocks[block].centroid - motion.centre;
-                const Vector<2> arm = built + swing(built, placements[block].rotation);
-                velocities[block] << ofCentre + spin * Vector<2>(-arm.y(), arm.x()), spin;
+                const Vector<Dim> built = blocks[block].centroid - motion.centre;
+                const Vector<Dim> arm = built + swing(placements[block].rotation, built);
+                velocities[block] << ofCentre + velocityOfArm(spin, arm), rowsOf(spin);
             }
         }
     }
     return velocities;
 }
 
-void moveWithSupports(std::vector<Placement<2>>& placements, const std::vector<SupportStep>& steps,
+template<int Dim>
+void moveWithSupports(std::vector<Placement<Dim>>& placements, const std::vector<SupportStep<Dim>>& steps,
                       double share)
 {
     for (std::size_t block = 0; block < steps.size(); ++block)
     {
-        const Vector<3> displacement = displacementAfter(steps[block], share);
-        placements[block].translation += displacement.head<2>();
-        placements[block].rotation += displacement[2];
+        const BlockVector<Dim> displacement = displacementAfter(steps[block], share);
+        placements[block].translation += displacement.template head<Dim>();
+        placements[block].rotation = composed(placements[block].rotation,
+                                              turnOf<Dim>(displacement.template tail<rotationCount<Dim>>()));
     }
 }
 
-Eigen::VectorXd closingBySupports(const std::vector<ContactPoint<2>>& points,
-                                  const std::vector<ContactColumns<2>>& columns,
-                                  const std::vector<SupportStep>& supports)
+template<int Dim>
+Eigen::VectorXd closingBySupports(const std::vector<ContactPoint<Dim>>& points,
+                                  const std::vector<ContactColumns<Dim>>& columns,
+                                  const std::vector<SupportStep<Dim>>& supports)
 {
     if (supports.empty())
     {
         return {};
     }
-    Eigen::VectorXd closing(2 * static_cast<Eigen::Index>(points.size()));
+    Eigen::VectorXd closing(Dim * static_cast<Eigen::Index>(points.size()));
     for (std::size_t i = 0; i < points.size(); ++i)
     {
-        const auto part = [&](const ContactColumns<2>::Matrix& column, int block) -> Vector<2>
+        const auto part = [&](const typename ContactColumns<Dim>::Matrix& column, int block) -> Vector<Dim>
         { return column.transpose() * displacementAfter(supports[static_cast<std::size_t>(block)]); };
-        closing.segment<2>(2 * static_cast<Eigen::Index>(i)) =
+        closing.segment<Dim>(Dim * static_cast<Eigen::Index>(i)) =
             part(columns[i].onBlock, points[i].block) + part(columns[i].onNeighbour, points[i].neighbour);
     }
     return closing;
 }
+
+template void declare(Options& options, SupportMotionSettings<2>& settings);
+template void declare(Options& options, SupportMotionFile<2>& file);
+template std::vector<SupportMotion<2>> readSupportMotions(const std::filesystem::path& caseDirectory,
+                                                          const Assembly<2>& assembly);
+template BlockVector<2> displacementAfter(const SupportStep<2>& step, double share);
+template std::vector<SupportStep<2>> supportSteps(const std::vector<SupportMotion<2>>& motions,
+                                                  const Assembly<2>& assembly,
+                                                  const std::vector<BlockMass<2>>& blocks,
+                                                  const std::vector<Placement<2>>& placements, double from,
+                                                  double to);
+template std::vector<BlockVector<2>> supportVelocities(const std::vector<SupportMotion<2>>& motions,
+                                                       const Assembly<2>& assembly,
+                                                       const std::vector<BlockMass<2>>& blocks,
+                                                       const std::vector<Placement<2>>& placements,
+                                                       double from, double to);
+template void moveWithSupports(std::vector<Placement<2>>& placements,
+                               const std::vector<SupportStep<2>>& steps, double share);
+template Eigen::VectorXd closingBySupports(const std::vector<ContactPoint<2>>& points,
+                                           const std::vector<ContactColumns<2>>& columns,
+                                           const std::vector<SupportStep<2>>& supports);
+template void declare(Options& options, SupportMotionSettings<3>& settings);
+template void declare(Options& options, SupportMotionFile<3>& file);
+template std::vector<SupportMotion<3>> readSupportMotions(const std::filesystem::path& caseDirectory,
+                                                          const Assembly<3>& assembly);
+template BlockVector<3> displacementAfter(const SupportStep<3>& step, double share);
+template std::vector<SupportStep<3>> supportSteps(const std::vector<SupportMotion<3>>& motions,
+                                                  const Assembly<3>& assembly,
+                                                  const std::vector<BlockMass<3>>& blocks,
+                                                  const std::vector<Placement<3>>& placements, double from,
+                                                  double to);
+template std::vector<BlockVector<3>> supportVelocities(const std::vector<SupportMotion<3>>& motions,
+                                                       const Assembly<3>& assembly,
+                                                       const std::vector<BlockMass<3>>& blocks,
+                                                       const std::vector<Placement<3>>& placements,
+                                                       double from, double to);
+template void moveWithSupports(std::vector<Placement<3>>& placements,
+                               const std::vector<SupportStep<3>>& steps, double share);
+template Eigen::VectorXd closingBySupports(const std::vector<ContactPoint<3>>& points,
+                                           const std::vector<ContactColumns<3>>& columns,
+                                           const std::vector<SupportStep<3>>& supports);
 
 } // namespace drystone

@@ -72,7 +72,7 @@ void requirePossible(const AccuracyCase& study, QuantityKind kind, const RunSett
         }
         return;
     }
-    const DynamicCase& scene = *study.scene;
+    const DynamicCase<2>& scene = *study.scene;
     if (setting.flowRule == FlowRule::nonAssociative && !scene.contact.friction)
     {
         throw FatalIOError("The case has no friction, so that there is no flow rule to choose: remove it.",
@@ -429,10 +429,10 @@ AccuracyStudy readAccuracyStudy(const fs::path& caseDirectory)
     if (ofKind(QuantityKind::motion))
     {
         Time time(caseDirectory, ControlDict::required);
-        study.scene.scene = readDynamicCase(caseDirectory);
+        study.scene.scene = readDynamicCase<2>(caseDirectory);
         study.scene.start = startOrContinue(caseDirectory, *study.scene.scene, time).state;
         study.scene.endTime = time.controls().endTime;
-        const DynamicCase& scene = *study.scene.scene;
+        const DynamicCase<2>& scene = *study.scene.scene;
         ofMotion = {time.controls().deltaT,
                     scene.schemes.timeIntegration.theta,
                     scene.flowRule(),

@@ -80,7 +80,7 @@ void declare(Options& options, FinestSettings& settings)
 
 /// The largest gap at a point that carries force [m]: at least a hundredth of the largest force or load,
 /// since solvers that end inside the cones leave small forces, within their tolerance, at points far apart.
-double hoverOf(const DynamicCase& scene, const Motion& motion)
+double hoverOf(const DynamicCase<2>& scene, const Motion<2>& motion)
 {
     constexpr double carriesForce = 1e-2;
     double largestForce = scene.deadLoad.lpNorm<Eigen::Infinity>(); // about mass centres: no moments
@@ -110,7 +110,7 @@ Quantity quantityAtTheEnd(InstantFigure figure, const AccuracyCase& ofCase)
     {
         double last = notKnown;
         Measurement result = stepThrough(sceneWith(study, setting), study, setting, phase,
-                                         [&](const Motion& motion, double)
+                                         [&](const Motion<2>& motion, double)
                                          {
                                              last = figure.at(study.start, motion);
                                              return true;
@@ -161,7 +161,7 @@ QuantityPlan makeReturnTime(const ReturnTime& settings, const Dictionary& dictio
         {
             ReturnWatch watch(block, row);
             Measurement result = stepThrough(sceneWith(of, setting), of, setting, phase,
-                                             [&](const Motion& motion, double timeStep)
+                                             [&](const Motion<2>& motion, double timeStep)
                                              {
                                                  watch.observe(motion, timeStep);
                                                  return watch.returns().size() < count;
@@ -275,7 +275,7 @@ void declare(Options& options, Threshold& settings)
 Measurement measureThreshold(const AccuracyCase& study, const RunSetting& setting, const StepPhase& phase,
                              const IntensityPlan& plan, const Criterion& criterion, double unit)
 {
-    DynamicCase scene = sceneWith(study, setting);
+    DynamicCase<2> scene = sceneWith(study, setting);
     Measurement sum;
     std::vector<Trial> trials;
     for (std::vector<double> next = plan.next(trials); !next.empty(); next = plan.next(trials))
@@ -286,7 +286,7 @@ Measurement measureThreshold(const AccuracyCase& study, const RunSetting& settin
             Verdict verdict = Verdict::stands;
             const Measurement run =
                 stepThrough(scene, study, setting, phase,
-                            [&](const Motion& motion, double)
+                            [&](const Motion<2>& motion, double)
                             {
                                 if (criterion.figure.at(study.start, motion) > criterion.limit)
                                 {
@@ -377,7 +377,7 @@ QuantityPlan makeThreshold(const Threshold& settings, const Dictionary& dictiona
     QuantityPlan plan{QuantityKind::motion, settings.reference, {}};
     plan.make = [settings, location = dictionary.location()](const AccuracyCase& study)
     {
-        const DynamicCase& scene = *study.scene;
+        const DynamicCase<2>& scene = *study.scene;
         if (!(peakAcceleration(scene.groundMotion) > 0))
         {
             throw FatalIOError("The ground does not move, so that there is nothing to make stronger: say in "
@@ -506,7 +506,7 @@ const Registry<QuantityPlan>& quantityTypes()
 
 HousnerCase housnerCase(const AccuracyCase& study)
 {
-    const DynamicCase& scene = *study.scene;
+    const DynamicCase<2>& scene = *study.scene;
     const auto refuse = [](const std::string& reason)
     { throw FatalError("Housner's equation is about another case: " + reason); };
     HousnerCase result;
@@ -559,9 +559,9 @@ HousnerCase housnerCase(const AccuracyCase& study)
     return result;
 }
 
-DynamicCase sceneWith(const AccuracyCase& study, const RunSetting& setting)
+DynamicCase<2> sceneWith(const AccuracyCase& study, const RunSetting& setting)
 {
-    DynamicCase scene = *study.scene;
+    DynamicCase<2> scene = *study.scene;
     scene.schemes.timeIntegration.theta = setting.theta;
     scene.schemes.smallDisplacements = setting.displacements == Displacements::small;
     scene.solution.solver = setting.solver;
@@ -573,12 +573,12 @@ DynamicCase sceneWith(const AccuracyCase& study, const RunSetting& setting)
     return scene;
 }
 
-Measurement stepThrough(const DynamicCase& scene, const AccuracyCase& study, const RunSetting& setting,
+Measurement stepThrough(const DynamicCase<2>& scene, const AccuracyCase& study, const RunSetting& setting,
                         const StepPhase& phase, const MotionObserver& observe)
 {
     Measurement result;
     const double begin = cpuTime();
-    Motion motion = startMotion(scene, study.start);
+    Motion<2> motion = startMotion(scene, study.start);
     bool goesOn = observe(motion, 0);
     double stepLength = phase.firstStep() * setting.deltaT;
     while (goesOn && motion.state.time < study.endTime)
@@ -630,7 +630,7 @@ double unitOfWork(const AccuracyCase& study, const RunSetting& setting, Quantity
     {
         return unitOfWork(study.structures.at(setting.pointsPerJoint).program);
     }
-    const DynamicCase& scene = *study.scene;
+    const DynamicCase<2>& scene = *study.scene;
     const std::vector<ContactPoint<2>> points = findContactPoints(scene.assembly);
     const double mu = scene.contact.friction ? scene.contact.friction->mu : 0;
     return unitOfWork(thetaStepProgram(scene.mass, Eigen::VectorXd::Zero(scene.mass.size()), scene.deadLoad,

@@ -75,8 +75,8 @@ struct Measurement
 struct AccuracyCase
 {
     std::filesystem::path caseDirectory;
-    std::optional<DynamicCase> scene; ///< where a quantity is one of motion
-    DynamicState start;
+    std::optional<DynamicCase<2>> scene; ///< where a quantity is one of motion
+    DynamicState<2> start;
     double endTime = 0;                             ///< [s]
     std::map<int, LimitAnalysisCase<2>> structures; ///< by points per joint, 0: as specified in the case
 };
@@ -152,12 +152,12 @@ HousnerCase housnerCase(const AccuracyCase& study);
 /// Steps a case with a setting, and reports each state.
 /// \param observe called before the first step with a step of 0, and after each one; false ends the run
 /// \return how the run ended, with its costs; `value` remains 0
-using MotionObserver = std::function<bool(const Motion& motion, double timeStep)>;
-Measurement stepThrough(const DynamicCase& scene, const AccuracyCase& study, const RunSetting& setting,
+using MotionObserver = std::function<bool(const Motion<2>& motion, double timeStep)>;
+Measurement stepThrough(const DynamicCase<2>& scene, const AccuracyCase& study, const RunSetting& setting,
                         const StepPhase& phase, const MotionObserver& observe);
 
 /// The scene of a case with a setting in place of its own.
-DynamicCase sceneWith(const AccuracyCase& study, const RunSetting& setting);
+DynamicCase<2> sceneWith(const AccuracyCase& study, const RunSetting& setting);
 
 /// F: CPU time of one assembly, factorisation and solution of the Schur matrix of the case, that of its first
 /// step or of its collapse [s].

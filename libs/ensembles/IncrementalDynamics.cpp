@@ -112,10 +112,10 @@ void declare(Options& options, IncrementalDynamicsSettings& settings)
 IncrementalRun runAt(const IncrementalDynamics& study, const StudyMotion& ground, double intensity)
 {
     const double cpuTimeBefore = threadCpuTime();
-    DynamicCase scene = study.scene;
+    DynamicCase<2> scene = study.scene;
     scene.groundMotion = ground.ground;
     scene.groundFactor = study.factor(ground, intensity);
-    Motion motion = study.start;
+    Motion<2> motion = study.start;
     Time time(study.controls, study.startTime);
 
     IncrementalRun run;

@@ -49,8 +49,8 @@ struct StudyMotion
 /// All data of an incremental analysis, the same for all its runs.
 struct IncrementalDynamics
 {
-    DynamicCase scene; ///< groundMotion and groundFactor are set for each run
-    Motion start;      ///< each run starts from a copy
+    DynamicCase<2> scene; ///< groundMotion and groundFactor are set for each run
+    Motion<2> start;      ///< each run starts from a copy
     TimeControls controls;
     TimeState startTime;
     double gravity = 0; ///< of constant/g [m/s2]

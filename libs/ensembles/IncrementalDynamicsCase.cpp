@@ -146,7 +146,7 @@ IncrementalDynamics readIncrementalDynamics(const std::filesystem::path& caseDir
     }
 
     IncrementalDynamics study;
-    study.scene = readDynamicCase(caseDirectory);
+    study.scene = readDynamicCase<2>(caseDirectory);
     study.start = startOrContinue(caseDirectory, study.scene, time);
     study.controls = time.controls();
     study.startTime = time.state();

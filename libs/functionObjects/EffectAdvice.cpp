@@ -58,7 +58,7 @@ struct Statics
 };
 
 /// The corners of the box between minus and plus the peaks of the components [m/s2].
-std::vector<Vector<2>> corners(const DynamicCase& scene)
+std::vector<Vector<2>> corners(const DynamicCase<2>& scene)
 {
     std::vector<Vector<2>> result{Vector<2>::Zero()};
     for (const GroundMotion::Component& component : scene.groundMotion.components)
@@ -76,7 +76,7 @@ std::vector<Vector<2>> corners(const DynamicCase& scene)
     return result;
 }
 
-bool isAtRest(const DynamicState& state)
+bool isAtRest(const DynamicState<2>& state)
 {
     const auto isMoved = [](const Placement<2>& placement)
     { return placement.translation != Vector<2>::Zero() || placement.rotation != 0; };
@@ -84,7 +84,7 @@ bool isAtRest(const DynamicState& state)
            && std::none_of(state.placements.begin(), state.placements.end(), isMoved);
 }
 
-std::string reasonAgainst(const DynamicCase& scene, const DynamicState& start, std::size_t points)
+std::string reasonAgainst(const DynamicCase<2>& scene, const DynamicState<2>& start, std::size_t points)
 {
     if (!isAtRest(start))
     {
@@ -126,7 +126,7 @@ Margin margin(double demand, double available)
     return demand < available ? Margin::below : Margin::above;
 }
 
-EffectAdvice adviseEffects(const DynamicCase& scene, const DynamicState& start)
+EffectAdvice adviseEffects(const DynamicCase<2>& scene, const DynamicState<2>& start)
 {
     EffectAdvice advice;
     const std::vector<ContactPoint<2>> points = findContactPoints(scene.assembly);
@@ -205,7 +205,7 @@ EffectAdvice adviseEffects(const DynamicCase& scene, const DynamicState& start)
     return advice;
 }
 
-std::string adviceText(const DynamicCase& scene, const EffectAdvice& advice)
+std::string adviceText(const DynamicCase<2>& scene, const EffectAdvice& advice)
 {
     std::string text = "Advice by closed-form criteria for rigid blocks (no setting is changed):\n";
     if (!advice.isAssessed)

@@ -41,10 +41,10 @@ enum class Margin
 Margin margin(double demand, double available);
 
 /// Assesses a scene. Costs some ten to thirty limit analyses.
-EffectAdvice adviseEffects(const DynamicCase& scene, const DynamicState& start);
+EffectAdvice adviseEffects(const DynamicCase<2>& scene, const DynamicState<2>& start);
 
 /// The advice as text, one line per criterion, and a warning for each criterion within 5% of its limit. It
 /// changes nothing in the scene.
-std::string adviceText(const DynamicCase& scene, const EffectAdvice& advice);
+std::string adviceText(const DynamicCase<2>& scene, const EffectAdvice& advice);
 
 } // namespace drystone

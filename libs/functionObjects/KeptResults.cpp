@@ -44,7 +44,7 @@ const char* const noInput = "does not say from which input it was computed: an o
 
 } // namespace
 
-std::vector<InputFile> inputOfMotion(const std::filesystem::path& caseDirectory, const DynamicCase& scene,
+std::vector<InputFile> inputOfMotion(const std::filesystem::path& caseDirectory, const DynamicCase<2>& scene,
                                      const Time& time)
 {
     std::vector<InputFile> files =

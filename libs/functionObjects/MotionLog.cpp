@@ -20,7 +20,7 @@ double worst(const StepResiduals& residuals)
 
 } // namespace
 
-void printScene(const DynamicCase& scene, const Motion& motion, const Time& time,
+void printScene(const DynamicCase<2>& scene, const Motion<2>& motion, const Time& time,
                 const std::vector<std::string>& functions)
 {
     auto [simulated, absent] = scene.effectNames;
@@ -60,7 +60,7 @@ void printScene(const DynamicCase& scene, const Motion& motion, const Time& time
     printLine();
 }
 
-void printStep(const DynamicCase& scene, const Motion& motion)
+void printStep(const DynamicCase<2>& scene, const Motion<2>& motion)
 {
     const StepResiduals& residuals = motion.residuals;
     info("{}:  Solving for contact, Initial residual = {:.6g}, Final residual = {:.6g}, No Iterations {}",
@@ -91,7 +91,7 @@ void printStep(const DynamicCase& scene, const Motion& motion)
     }
 }
 
-void printIntegrationError(const DynamicCase& scene, const Motion& motion)
+void printIntegrationError(const DynamicCase<2>& scene, const Motion<2>& motion)
 {
     const double theta = scene.schemes.timeIntegration.theta;
     // What rounding moves a structure that stands still by says nothing: the energy of a fall by as little.
@@ -122,7 +122,7 @@ namespace
 {
 
 /// By how far the velocities now and the loads would take the block that is fastest in one step [m].
-double farthestInOneStep(const DynamicCase& scene, const Motion& motion, const Time& time)
+double farthestInOneStep(const DynamicCase<2>& scene, const Motion<2>& motion, const Time& time)
 {
     const double timeStep = time.controls().deltaT;
     const Eigen::VectorXd load =
@@ -138,7 +138,7 @@ double farthestInOneStep(const DynamicCase& scene, const Motion& motion, const T
     return farthest;
 }
 
-std::string stepWithoutEnd(const DynamicCase& scene, const Motion& motion, const Time& time)
+std::string stepWithoutEnd(const DynamicCase<2>& scene, const Motion<2>& motion, const Time& time)
 {
     const double farthest = farthestInOneStep(scene, motion, time);
     return fmt::format(
@@ -182,7 +182,7 @@ void printStopOrEnd(const Time& time)
     std::fflush(stdout);
 }
 
-std::string unsolvedStep(const DynamicCase& scene, const Motion& motion, const Time& time)
+std::string unsolvedStep(const DynamicCase<2>& scene, const Motion<2>& motion, const Time& time)
 {
     if (motion.work.isUsedUp())
     {

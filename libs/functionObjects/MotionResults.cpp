@@ -52,7 +52,7 @@ void visitResiduals(Residuals& residuals, const Visit& visit)
 /// The integers that identify corner and edge of one contact point.
 constexpr std::size_t featureNumbers = 5;
 
-FunctionList<2> readFunctions(const std::filesystem::path& caseDirectory, const DynamicCase& scene,
+FunctionList<2> readFunctions(const std::filesystem::path& caseDirectory, const DynamicCase<2>& scene,
                               Time& time, FunctionObjects functionObjects)
 {
     const Dictionary* functions = time.controlDict().findDict("functions");
@@ -80,9 +80,9 @@ TimeState timeOf(const State& saved)
 }
 
 /// The motion stored in a state.
-Motion motionOf(const DynamicCase& scene, const State& saved)
+Motion<2> motionOf(const DynamicCase<2>& scene, const State& saved)
 {
-    DynamicState state = stateAtRest(scene.assembly);
+    DynamicState<2> state = stateAtRest(scene.assembly);
     state.time = stateScalar(saved, "time");
     const std::size_t blocks = state.placements.size();
     const auto& translation = stateArray(saved, "translation", 2 * blocks);
@@ -94,7 +94,7 @@ Motion motionOf(const DynamicCase& scene, const State& saved)
     const auto& velocity = stateArray(saved, "velocity", static_cast<std::size_t>(state.velocity.size()));
     state.velocity = Eigen::Map<const Eigen::VectorXd>(velocity.data(), state.velocity.size());
 
-    Motion motion = startMotion(scene, std::move(state));
+    Motion<2> motion = startMotion(scene, std::move(state));
     visitLedger(motion.energy, [&](const char* name, double& value) { value = stateScalar(saved, name); });
     visitResiduals(motion.residuals, [&](const char* name, auto& value)
                    { value = static_cast<std::decay_t<decltype(value)>>(stateScalar(saved, name)); });
@@ -155,14 +155,14 @@ Motion motionOf(const DynamicCase& scene, const State& saved)
 
 } // namespace
 
-void writePrograms(DynamicCase& scene, const std::filesystem::path& caseDirectory, const Time& time)
+void writePrograms(DynamicCase<2>& scene, const std::filesystem::path& caseDirectory, const Time& time)
 {
     scene.solution.observer = programWriter(
         scene.solution.writeProgram, [caseDirectory, &time]
         { return postProcessingFolder(caseDirectory, "contactDynamics", time.name()) / "coneProgram"; });
 }
 
-State stateOf(const DynamicCase& scene, const Motion& motion, const Time& time)
+State stateOf(const DynamicCase<2>& scene, const Motion<2>& motion, const Time& time)
 {
     State state;
     const TimeState now = time.state();
@@ -222,7 +222,7 @@ State stateOf(const DynamicCase& scene, const Motion& motion, const Time& time)
     return state;
 }
 
-Motion startOrContinue(const std::filesystem::path& caseDirectory, const DynamicCase& scene, Time& time)
+Motion<2> startOrContinue(const std::filesystem::path& caseDirectory, const DynamicCase<2>& scene, Time& time)
 {
     const std::string startName = time.startName();
     const std::filesystem::path file = caseDirectory / startName / "state";
@@ -251,7 +251,7 @@ Motion startOrContinue(const std::filesystem::path& caseDirectory, const Dynamic
     return motionOf(scene, saved);
 }
 
-void postProcess(const std::filesystem::path& caseDirectory, const DynamicCase& scene, const Time& time)
+void postProcess(const std::filesystem::path& caseDirectory, const DynamicCase<2>& scene, const Time& time)
 {
     std::vector<std::pair<std::string, State>> states;
     for (const TimeDirectory& directory : timeDirectories(caseDirectory))
@@ -271,11 +271,11 @@ void postProcess(const std::filesystem::path& caseDirectory, const DynamicCase& 
     const Dictionary functions =
         time.controlDict().found("functions") ? time.controlDict().subDict("functions") : Dictionary();
     FunctionList<2> list(functions, caseDirectory, states.front().first, {}, 0, scene.assembly);
-    ObservedLists lists;
+    ObservedLists<2> lists;
     for (const auto& [name, saved] : states)
     {
         info("Time = {}", name);
-        const Motion motion = motionOf(scene, saved);
+        const Motion<2> motion = motionOf(scene, saved);
         StepObservation<2> seen = observe(scene, motion, time, lists);
         const TimeState then = timeOf(saved);
         seen.time = then.value;
@@ -286,8 +286,8 @@ void postProcess(const std::filesystem::path& caseDirectory, const DynamicCase& 
     }
 }
 
-MotionResults::MotionResults(std::filesystem::path directory, const DynamicCase& dynamicCase,
-                             const Motion& currentMotion, Time& runTime, FunctionObjects functionObjects)
+MotionResults::MotionResults(std::filesystem::path directory, const DynamicCase<2>& dynamicCase,
+                             const Motion<2>& currentMotion, Time& runTime, FunctionObjects functionObjects)
     : caseDirectory(std::move(directory)),
       scene(dynamicCase),
       motion(currentMotion),
@@ -306,7 +306,7 @@ MotionResults::MotionResults(std::filesystem::path directory, const DynamicCase&
 
 void MotionResults::write()
 {
-    ObservedLists lists;
+    ObservedLists<2> lists;
     functionList.write(observe(scene, motion, time, lists), time.point());
     if (time.isWriteTime())
     {

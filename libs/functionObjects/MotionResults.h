@@ -18,18 +18,19 @@ namespace drystone
 /// bit; without one, `<time>/motion`, or the structure as built at rest.
 /// \throws FatalError when a run is to continue at a time that has no state, or the state is of another
 /// structure. Warns when it is of other input (KeptResults.h)
-Motion startOrContinue(const std::filesystem::path& caseDirectory, const DynamicCase& scene, Time& time);
+Motion<2> startOrContinue(const std::filesystem::path& caseDirectory, const DynamicCase<2>& scene,
+                          Time& time);
 
 /// The state that `startOrContinue` continues from.
-State stateOf(const DynamicCase& scene, const Motion& motion, const Time& time);
+State stateOf(const DynamicCase<2>& scene, const Motion<2>& motion, const Time& time);
 
 /// `-postProcess`: runs the functions of controlDict on each state stored in the case, in order of time, into
 /// postProcessing/<function>/<first time>/. \throws FatalError when there is no state
-void postProcess(const std::filesystem::path& caseDirectory, const DynamicCase& scene, const Time& time);
+void postProcess(const std::filesystem::path& caseDirectory, const DynamicCase<2>& scene, const Time& time);
 
 /// Lets the solver write its cone programs as postProcessing/contactDynamics/<time>/coneProgram, when
 /// `writeProgram` of system/solution requests it. \param time of the run; must outlive the scene
-void writePrograms(DynamicCase& scene, const std::filesystem::path& caseDirectory, const Time& time);
+void writePrograms(DynamicCase<2>& scene, const std::filesystem::path& caseDirectory, const Time& time);
 
 /// Whether the functions of controlDict are run.
 enum class FunctionObjects
@@ -46,8 +47,8 @@ class MotionResults
 public:
     /// Checks the functions and the folders; writes nothing yet.
     /// \throws FatalIOError for faults in the functions, FatalError for a folder that cannot be written
-    MotionResults(std::filesystem::path directory, const DynamicCase& dynamicCase,
-                  const Motion& currentMotion, Time& runTime, FunctionObjects functionObjects);
+    MotionResults(std::filesystem::path directory, const DynamicCase<2>& dynamicCase,
+                  const Motion<2>& currentMotion, Time& runTime, FunctionObjects functionObjects);
     MotionResults(const MotionResults&) = delete;
     MotionResults& operator=(const MotionResults&) = delete;
 
@@ -67,8 +68,8 @@ private:
     void writeFrames();
 
     std::filesystem::path caseDirectory;
-    const DynamicCase& scene;
-    const Motion& motion;
+    const DynamicCase<2>& scene;
+    const Motion<2>& motion;
     Time& time;
     FunctionList<2> functionList;
     std::vector<InputFile> input; ///< that the motion follows from, the steps last

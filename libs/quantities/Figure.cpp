@@ -17,16 +17,16 @@ namespace
 class InstantWatch final : public MotionWatch
 {
 public:
-    InstantWatch(InstantFigure watched, DynamicState begin, Take number)
+    InstantWatch(InstantFigure watched, DynamicState<2> begin, Take number)
         : figure(std::move(watched)), start(std::move(begin)), take(number)
     {
     }
-    void observe(const Motion& motion, double) override { values.push_back(figure.at(start, motion)); }
+    void observe(const Motion<2>& motion, double) override { values.push_back(figure.at(start, motion)); }
     double value() const override { return taken(values, take); }
 
 private:
     InstantFigure figure;
-    DynamicState start;
+    DynamicState<2> start;
     Take take;
     std::vector<double> values;
 };
@@ -35,7 +35,7 @@ class ReturnTimeWatch final : public MotionWatch
 {
 public:
     ReturnTimeWatch(ReturnWatch watched, std::size_t number) : returns(watched), count(number) {}
-    void observe(const Motion& motion, double timeStep) override { returns.observe(motion, timeStep); }
+    void observe(const Motion<2>& motion, double timeStep) override { returns.observe(motion, timeStep); }
     double value() const override
     {
         return returns.returns().size() < count ? std::nan("") : returns.returns()[count - 1];
@@ -52,7 +52,7 @@ Figure instantFigure(std::string unit, Take take, Make make)
 {
     Figure figure;
     figure.unit = std::move(unit);
-    figure.watch = [take, make](const DynamicCase& scene, const Motion& start)
+    figure.watch = [take, make](const DynamicCase<2>& scene, const Motion<2>& start)
     { return std::make_unique<InstantWatch>(make(scene.assembly), start.state, take); };
     return figure;
 }
@@ -173,7 +173,7 @@ Figure makeReturnTime(const ReturnTimeSettings& settings, const Dictionary& dict
     Figure figure;
     figure.unit = "s";
     figure.watch =
-        [settings, location = dictionary.locationOf("block")](const DynamicCase& scene, const Motion&)
+        [settings, location = dictionary.locationOf("block")](const DynamicCase<2>& scene, const Motion<2>&)
     {
         const std::size_t block = freeBlock(scene.assembly, settings.block, location);
         return std::make_unique<ReturnTimeWatch>(ReturnWatch(block, 3 * scene.free[block] + 2),

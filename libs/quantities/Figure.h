@@ -18,7 +18,9 @@
 namespace drystone
 {
 
+template<int Dim>
 struct DynamicCase;
+template<int Dim>
 struct Motion;
 
 /// Follows a motion; has a figure of it at the end.
@@ -27,7 +29,7 @@ class MotionWatch
 public:
     virtual ~MotionWatch() = default;
     /// To be called before the first step, with 0, and after each one. \param timeStep that led here [s]
-    virtual void observe(const Motion& motion, double timeStep) = 0;
+    virtual void observe(const Motion<2>& motion, double timeStep) = 0;
     /// nan where the run has no such figure
     virtual double value() const = 0;
 };
@@ -39,7 +41,7 @@ struct Figure
     std::optional<TableFigure> table;      ///< read from what the applications write
     std::optional<std::string> ofCollapse; ///< column of limitAnalysis.dat
     /// Of a motion, computed without files. \throws FatalIOError for a block that does not exist, or is fixed
-    std::function<std::unique_ptr<MotionWatch>(const DynamicCase& scene, const Motion& start)> watch;
+    std::function<std::unique_ptr<MotionWatch>(const DynamicCase<2>& scene, const Motion<2>& start)> watch;
 };
 
 /// All types: table (which `type` need not say), multiplier, motion, displacement, rotation, drop, energy,

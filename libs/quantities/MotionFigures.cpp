@@ -46,7 +46,7 @@ std::vector<int> watchedBlocks(const Assembly<2>& assembly, std::optional<int> b
 template<class Figure>
 auto largestOver(std::vector<int> blocks, Figure figure)
 {
-    return [blocks = std::move(blocks), figure](const DynamicState& start, const Motion& now)
+    return [blocks = std::move(blocks), figure](const DynamicState<2>& start, const Motion<2>& now)
     {
         double largest = 0;
         for (const int block : blocks)
@@ -107,7 +107,7 @@ InstantFigure displacementAlong(const Assembly<2>& assembly, int block, const Ve
     const std::size_t index = freeBlock(assembly, block, location);
     return {"displacement", "m",
             fmt::format("displacement of block {} along ({:g} {:g})", block, direction.x(), direction.y()),
-            [index, direction](const DynamicState& start, const Motion& now) {
+            [index, direction](const DynamicState<2>& start, const Motion<2>& now) {
                 return direction.dot(now.state.placements[index].translation
                                      - start.placements[index].translation);
             }};
@@ -174,7 +174,7 @@ double partOf(const EnergyLedger& energy, EnergyPart part)
 InstantFigure energyOf(EnergyPart part)
 {
     return {"energy", "J", fmt::format("energy ({})", nameOf(part)),
-            [part](const DynamicState&, const Motion& now) { return partOf(now.energy, part); }};
+            [part](const DynamicState<2>&, const Motion<2>& now) { return partOf(now.energy, part); }};
 }
 
 std::size_t freeBlock(const Assembly<2>& assembly, int block, const SourceLocation& location)
@@ -195,7 +195,7 @@ std::size_t freeBlock(const Assembly<2>& assembly, int block, const SourceLocati
     return index;
 }
 
-void ReturnWatch::observe(const Motion& motion, double timeStep)
+void ReturnWatch::observe(const Motion<2>& motion, double timeStep)
 {
     const double rotationNow = motion.state.placements[block].rotation;
     const double velocityNow = motion.state.velocity[row];

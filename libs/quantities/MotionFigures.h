@@ -22,7 +22,7 @@ struct InstantFigure
     std::string unit;    ///< m, rad, J
     std::string subject; ///< `displacement of block 3`
     /// \param start the state in which the run began
-    std::function<double(const DynamicState& start, const Motion& now)> at;
+    std::function<double(const DynamicState<2>& start, const Motion<2>& now)> at;
 };
 
 /// Displacement of any corner of any free block, the farthest [m].
@@ -73,7 +73,7 @@ public:
     ReturnWatch(std::size_t watchedBlock, Eigen::Index rotationRow) : block(watchedBlock), row(rotationRow) {}
 
     /// \param timeStep that led to this state; 0 before the first [s]
-    void observe(const Motion& motion, double timeStep);
+    void observe(const Motion<2>& motion, double timeStep);
     const std::vector<double>& returns() const { return returnTimes; } ///< [s]
 
 private:

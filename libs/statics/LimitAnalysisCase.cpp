@@ -400,7 +400,7 @@ LimitAnalysisCase<Dim> readLimitAnalysisCase(const std::filesystem::path& caseDi
     refuseAlmostJoints(result.assembly, caseDirectory);
     requireFreeBlock(result.assembly, caseDirectory);
 
-    result.contact = readCaseEffects(caseDirectory).contact;
+    result.contact = readCaseEffects<2>(caseDirectory).contact;
     if (pointsPerJoint)
     {
         result.contact.pointsPerJoint = pointsPerJoint;

@@ -107,7 +107,7 @@ Pushover solvePushover(const PushoverScene& scene, const PushoverSettings& setti
     program.bodies = static_cast<int>(scene.loads.dead.size() / 3);
     program.load = scene.loads.dead;
     program.liveLoad = scene.loads.live;
-    MovingContacts contacts(scene.assembly);
+    MovingContacts<2> contacts(scene.assembly);
     const double margin = farthestContact * meanBlockSize(scene.assembly);
     std::vector<Placement<2>> placements(scene.assembly.blocks.size());
     Pushover result;

@@ -83,7 +83,7 @@ std::vector<Example> examples()
         example<Gravity<2>>("constant/g", "Gravity."),
         example<MaterialProperties>("constant/materialProperties", "What the blocks weigh: one of the two.",
                                     {"density"}),
-        example<CaseEffects>(
+        example<CaseEffects<2>>(
             "constant/contactProperties",
             "One sub-dictionary for each effect that is simulated; without friction contacts "
             "are frictionless.",
@@ -96,7 +96,7 @@ std::vector<Example> examples()
             "How the ground moves; without this file it does not. Results are relative to "
             "the moving ground.",
             {"direction", "acceleration"}),
-        example<SupportMotionFile>(
+        example<SupportMotionFile<2>>(
             "constant/supportMotion",
             "How supports move; without this file they do not. Relative to the ground."),
         example<Schemes>("system/schemes", "How contactDynamics steps through time.", {"timeIntegration"}),
@@ -119,7 +119,7 @@ std::vector<Example> examples()
             "Which figures of the case accuracyCost measures, what they are compared with, and over which "
             "settings.",
             {"quantities", "sweeps"}),
-        example<InitialMotion>("0/motion", "How blocks start; without this file as built and at rest."),
+        example<InitialMotion<2>>("0/motion", "How blocks start; without this file as built and at rest."),
     };
 }
 

@@ -27,9 +27,9 @@ constexpr double timeStep = 0.002;
 constexpr int steps = 100;
 
 /// The wall under its weight and a load to the left, without any effect.
-DynamicCase wall()
+DynamicCase<2> wall()
 {
-    DynamicCase scene;
+    DynamicCase<2> scene;
     Assembly<2> assembly = makeStructure(Dictionary::readFile(
         DRYSTONE_TUTORIALS "/contactDynamics/masonryPanels/wall1/system/blockTextureDict"));
     const std::vector<double> densities(assembly.blocks.size(), 1000 / weight);
@@ -43,50 +43,50 @@ DynamicCase wall()
     return scene;
 }
 
-void friction(DynamicCase& scene)
+void friction(DynamicCase<2>& scene)
 {
     scene.contact.friction = CoulombFriction{0.65, FlowRule::associative};
 }
 
-void coulomb(DynamicCase& scene)
+void coulomb(DynamicCase<2>& scene)
 {
     scene.contact.friction = CoulombFriction{0.65, FlowRule::nonAssociative};
 }
 
-void restitution(DynamicCase& scene)
+void restitution(DynamicCase<2>& scene)
 {
     friction(scene);
     scene.contact.restitution = Restitution{0.3};
 }
 
 /// Weaker than the load requires: some bonds break immediately.
-void cohesion(DynamicCase& scene)
+void cohesion(DynamicCase<2>& scene)
 {
     friction(scene);
     scene.contact.cohesion = JointStrength{20};
     scene.contact.tension = JointStrength{10};
-    scene.effects.push_back(std::make_shared<JointBonds>(jointBonds({}, scene.contact, scene.assembly)));
+    scene.effects.push_back(std::make_shared<JointBonds<2>>(jointBonds({}, scene.contact, scene.assembly)));
 }
 
-void elasticity(DynamicCase& scene)
+void elasticity(DynamicCase<2>& scene)
 {
     friction(scene);
-    scene.effects.push_back(std::make_shared<JointElasticity>(Elasticity{1e8, 5e7}));
+    scene.effects.push_back(std::make_shared<JointElasticity<2>>(Elasticity{1e8, 5e7}));
 }
 
-void damping(DynamicCase& scene)
+void damping(DynamicCase<2>& scene)
 {
     friction(scene);
-    scene.effects.push_back(std::make_shared<MassDamping>(Damping{0.5}));
+    scene.effects.push_back(std::make_shared<MassDamping<2>>(Damping{0.5}));
 }
 
-void deletion(DynamicCase& scene)
+void deletion(DynamicCase<2>& scene)
 {
     friction(scene);
-    scene.effects.push_back(std::make_shared<BlockDeletion>(Deletion{{{-10, -10}, {10, 10}}}));
+    scene.effects.push_back(std::make_shared<BlockDeletion<2>>(Deletion<2>{{{-10, -10}, {10, 10}}}));
 }
 
-void groundMotion(DynamicCase& scene)
+void groundMotion(DynamicCase<2>& scene)
 {
     friction(scene);
     for (const Eigen::Vector3d direction : {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY()})
@@ -98,7 +98,7 @@ void groundMotion(DynamicCase& scene)
     }
 }
 
-void supportMotion(DynamicCase& scene)
+void supportMotion(DynamicCase<2>& scene)
 {
     friction(scene);
     scene.supportMotions = {
@@ -106,7 +106,7 @@ void supportMotion(DynamicCase& scene)
 }
 
 /// Restitution and cohesion cannot be combined with elasticity.
-void all(DynamicCase& scene)
+void all(DynamicCase<2>& scene)
 {
     groundMotion(scene);
     supportMotion(scene);
@@ -115,9 +115,9 @@ void all(DynamicCase& scene)
     deletion(scene);
 }
 
-void effects(benchmark::State& state, void (*choose)(DynamicCase&))
+void effects(benchmark::State& state, void (*choose)(DynamicCase<2>&))
 {
-    DynamicCase scene = wall();
+    DynamicCase<2> scene = wall();
     if (choose)
     {
         choose(scene);
@@ -125,7 +125,7 @@ void effects(benchmark::State& state, void (*choose)(DynamicCase&))
     double least = 1e300;
     for (auto _ : state)
     {
-        Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+        Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
         const double start = cpuSeconds();
         for (int step = 0; step < steps; ++step)
         {

@@ -61,7 +61,8 @@ std::filesystem::path makeCase(long wall, double share)
 }
 
 /// Runs a scene and reports the cost of a step. \param writes whether the application's results are written
-void run(benchmark::State& state, const std::filesystem::path& folder, const DynamicCase& scene, bool writes)
+void run(benchmark::State& state, const std::filesystem::path& folder, const DynamicCase<2>& scene,
+         bool writes)
 {
     keepFreedMemory(); // as applications do
     const PlaneConeProgram statics = limitAnalysisOf(scene.assembly);
@@ -78,7 +79,7 @@ void run(benchmark::State& state, const std::filesystem::path& folder, const Dyn
         unit = std::min(unit, unitOfWork(statics));
         cholmodUnit = std::min(cholmodUnit, cholmodUnitOfWork(statics));
         Time time(folder, ControlDict::required);
-        Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+        Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
         MotionResults results(folder, scene, motion, time, FunctionObjects::none);
         const double start = cpuSeconds();
         while (time.loop())
@@ -116,7 +117,7 @@ void run(benchmark::State& state, const std::filesystem::path& folder, const Dyn
 void simulate(benchmark::State& state)
 {
     const std::filesystem::path folder = makeCase(state.range(0), 0.01 * static_cast<double>(state.range(1)));
-    run(state, folder, readDynamicCase(folder), state.range(2) > 0);
+    run(state, folder, readDynamicCase<2>(folder), state.range(2) > 0);
 }
 BENCHMARK(simulate)
     ->ArgNames({"wall", "percent", "writes"})
@@ -127,7 +128,7 @@ BENCHMARK(simulate)
 void smallDisplacementsTo1em6(benchmark::State& state)
 {
     const std::filesystem::path folder = makeCase(state.range(0), 0.01 * static_cast<double>(state.range(1)));
-    DynamicCase scene = readDynamicCase(folder);
+    DynamicCase<2> scene = readDynamicCase<2>(folder);
     scene.schemes.smallDisplacements = true;
     scene.solution.tolerance = 1e-6;
     run(state, folder, scene, false);
@@ -141,7 +142,7 @@ BENCHMARK(smallDisplacementsTo1em6)
 void nonAssociative(benchmark::State& state)
 {
     const std::filesystem::path folder = makeCase(state.range(0), 1.1);
-    DynamicCase scene = readDynamicCase(folder);
+    DynamicCase<2> scene = readDynamicCase<2>(folder);
     scene.contact.friction->flowRule = FlowRule::nonAssociative;
     run(state, folder, scene, false);
 }

@@ -79,7 +79,7 @@ void asBuilt(benchmark::State& state)
 {
     const Assembly<2> assembly = wall(state.range(0));
     const auto placements = shaken(assembly, 0);
-    MovingContacts contacts(assembly);
+    MovingContacts<2> contacts(assembly);
     std::size_t points = 0;
     for (auto _ : state)
     {
@@ -93,7 +93,7 @@ void heading(benchmark::State& state)
     const Assembly<2> assembly = wall(state.range(0));
     const auto now = shaken(assembly, 0);
     const auto ahead = shaken(assembly, 1e-5);
-    MovingContacts contacts(assembly);
+    MovingContacts<2> contacts(assembly);
     std::size_t points = 0;
     for (auto _ : state)
     {
@@ -107,7 +107,7 @@ void rebuilt(benchmark::State& state)
     const Assembly<2> assembly = wall(state.range(0));
     const auto placements = shaken(assembly, 0);
     const auto far = shaken(assembly, 0.2);
-    MovingContacts contacts(assembly);
+    MovingContacts<2> contacts(assembly);
     std::size_t points = 0;
     bool isFar = false;
     for (auto _ : state)

@@ -218,7 +218,7 @@ void expectAtMostTwoPointsForAPairOfEdges(const std::vector<ContactPoint<2>>& po
 TEST(MovingContacts, AsBuiltTheyAreThePointsOfTheWall)
 {
     const Assembly<2> wall = wallSix();
-    MovingContacts contacts(wall);
+    MovingContacts<2> contacts(wall);
     const auto& points = contacts.update(atRest(wall), 1e-3);
     ASSERT_EQ(points.size(), 702U);
     expectSamePoints(points, findContactPoints(wall), 1e-12);
@@ -249,7 +249,7 @@ TEST(MovingContacts, AsBuiltTheyAreThePointsOfBlocksOfAnyShape)
     for (const auto& outlines : cases)
     {
         const Assembly<2> assembly = assemblyOf(outlines);
-        MovingContacts contacts(assembly);
+        MovingContacts<2> contacts(assembly);
         expectSamePoints(contacts.update(atRest(assembly), 1e-3), findContactPoints(assembly), 1e-9);
     }
 }
@@ -274,7 +274,7 @@ TEST(MovingContacts, AWallThatMovesAsOneKeepsItsPoints)
         point.position = placed({point.position}, Vector<2>::Zero(), {Vector<2>(0.3, -2), rotation}).front();
         point.normal = placed({point.normal}, Vector<2>::Zero(), {Vector<2>::Zero(), rotation}).front();
     }
-    MovingContacts contacts(wall);
+    MovingContacts<2> contacts(wall);
     expectSamePoints(contacts.update(placements, 1e-3), expected, 1e-11);
 }
 
@@ -282,13 +282,13 @@ TEST(MovingContacts, FixedBlocksHaveNoContactsWithEachOther)
 {
     Assembly<2> assembly = assemblyOf({rectangle(0, 0, 1, 1), rectangle(1, 0, 2, 1)});
     assembly.blocks[0].support = assembly.blocks[1].support = 0;
-    MovingContacts contacts(assembly);
+    MovingContacts<2> contacts(assembly);
     EXPECT_TRUE(contacts.update(atRest(assembly), 0.01).empty());
 }
 
 TEST(MovingContacts, AnAssemblyWithoutBlocksHasNone)
 {
-    MovingContacts contacts{Assembly<2>{}};
+    MovingContacts<2> contacts{Assembly<2>{}};
     EXPECT_TRUE(contacts.update({}, 0.01).empty());
     EXPECT_EQ(penetration(Assembly<2>{}, {}).depth, 0);
 }
@@ -296,7 +296,7 @@ TEST(MovingContacts, AnAssemblyWithoutBlocksHasNone)
 TEST(MovingContacts, ARockingBlockKeepsBothCornersWhileTheGapIsWithinTheMargin)
 {
     const Assembly<2> assembly = assemblyOf({rectangle(-0.25, 0, 0.25, 2), rectangle(-2, -1, 2, 0)});
-    MovingContacts contacts(assembly);
+    MovingContacts<2> contacts(assembly);
     for (const double rotation : {0.0, 1e-9, 1e-5, 1e-3, 0.019, 0.021, 0.1, 0.5})
     {
         // About the right corner (0.25, 0) for clockwise turns, by mirror image the left one.
@@ -328,7 +328,7 @@ TEST(MovingContacts, ARockingBlockKeepsBothCornersWhileTheGapIsWithinTheMargin)
 TEST(MovingContacts, ABlockThatFallsIsListedBeforeItLands)
 {
     const Assembly<2> assembly = assemblyOf({rectangle(0, 0.1, 1, 1), rectangle(-5, -1, 5, 0)});
-    MovingContacts contacts(assembly);
+    MovingContacts<2> contacts(assembly);
     Placements placements = atRest(assembly);
     for (int step = 0; step <= 200; ++step)
     {
@@ -349,7 +349,7 @@ TEST(MovingContacts, ABlockThatFallsIsListedBeforeItLands)
 TEST(MovingContacts, TheMarginListsWhateverCanMeetInAStep)
 {
     const Assembly<2> assembly = assemblyOf({rectangle(0, 0, 2, 2), rectangle(5, 0, 7, 2)});
-    MovingContacts contacts(assembly);
+    MovingContacts<2> contacts(assembly);
     // 1 m/s and 0.5 rad/s on a radius of sqrt(2).
     const double margin = contacts.marginFor({Vector<3>(0.6, 0.8, 0.5), Vector<3>(0, 0.1, 0)}, 0.01, 10);
     EXPECT_NEAR(margin, 2 * 0.01 * (1 + 0.5 * std::sqrt(2.0) + 0.1), 1e-15);
@@ -371,7 +371,7 @@ TEST(MovingContacts, TheChangeOfTheGapIsThatOfTheEquilibriumMatrixToSecondOrder)
             centres.push_back(areaProperties(assembly.blocks[b].outline).centroid
                               + placements[b].translation);
         }
-        MovingContacts contacts(assembly);
+        MovingContacts<2> contacts(assembly);
         const auto points = contacts.update(placements, 0.2); // gaps far from zero as well
         const double size = 1e-4;
         std::vector<Vector<3>> motions;
@@ -422,7 +422,7 @@ TEST(MovingContacts, AgreeWithSeparatingAxesOnRandomPairs)
             placements[0].translation += (wanted - found.distance) * found.normal;
         }
         const Separation found = separation(outline(0), outline(1));
-        MovingContacts contacts(assembly);
+        MovingContacts<2> contacts(assembly);
         const auto& points = contacts.update(placements, margin);
         expectAtMostTwoPointsForAPairOfEdges(points);
         if (found.distance > 1e-12)
@@ -460,7 +460,7 @@ TEST(MovingContacts, ABlockThatSlidesOverFlushBlocksDoesNotCatchOnTheirJoints)
     const Assembly<2> assembly = assemblyOf(outlines);
     const int slider = 10;
     std::vector<Vector<2>> centres(11, Vector<2>::Zero());
-    MovingContacts contacts(assembly);
+    MovingContacts<2> contacts(assembly);
     const double step = 0.00371;
     for (const double sense : {1.0, -1.0})
     {
@@ -503,7 +503,7 @@ TEST(MovingContacts, ATiltedBlockThatSlidesOverFlushBlocksDoesNotCatchWhenItIsTo
     const Assembly<2> assembly = assemblyOf(outlines);
     const int slider = 5;
     const double step = 0.00371;
-    MovingContacts contacts(assembly);
+    MovingContacts<2> contacts(assembly);
     for (const double tilt :
          {1e-9, 1e-6, 1e-3, 0.1, 0.3, 0.7, 1.0, 1.5, -1e-9, -1e-3, -0.1, -0.4, -0.9, -1.5})
     {
@@ -544,7 +544,7 @@ TEST(MovingContacts, BlocksThatFallCornerOnCornerAreListedBeforeTheyOverlapWhenT
     const double half = std::sqrt(0.5);
     const Polygon diamond{{0, -half}, {half, 0}, {0, half}, {-half, 0}};
     const Assembly<2> assembly = assemblyOf({diamond, diamond});
-    MovingContacts contacts(assembly);
+    MovingContacts<2> contacts(assembly);
     for (const double shift : {0.0, 1e-12, 1e-7, 1e-4, -1e-4, 3e-3, -3e-3})
     {
         Placements placements = atRest(assembly);
@@ -568,7 +568,7 @@ TEST(MovingContacts, CornersAtOnePlaceTouchWhenTheBlocksCloseAndNotAtRestOrWhere
     const double half = std::sqrt(0.5);
     const Polygon diamond{{0, -half}, {half, 0}, {0, half}, {-half, 0}};
     const Assembly<2> assembly = assemblyOf({diamond, diamond});
-    MovingContacts contacts(assembly);
+    MovingContacts<2> contacts(assembly);
     Placements placements = atRest(assembly);
     placements[0].translation = {0, 2 * half + 1e-6};
     const auto pointsToward = [&](double x, double y)
@@ -590,7 +590,7 @@ TEST(MovingContacts, AHalfOpenedFaceThatIsCarriedBesideAnotherDoesNotTouchIt)
     // Falls past a wall with a clearance below the margin: the only contacts are those with the wall, none is
     // above it.
     const Assembly<2> assembly = assemblyOf({rectangle(0, 0, 1, 2), rectangle(1.0001, 2.001, 2.0001, 3)});
-    MovingContacts contacts(assembly);
+    MovingContacts<2> contacts(assembly);
     for (int k = 0; k < 400; ++k)
     {
         Placements placements = atRest(assembly);
@@ -608,7 +608,7 @@ TEST(MovingContacts, ABlockThatSlidesOffAnEndHandsItsContactOver)
     // The slider's corner passes the end of the block below: first the corner stands on the block, then the
     // block's corner stands against the slider. Both places and gaps join without a jump.
     const Assembly<2> assembly = assemblyOf({rectangle(0, 0, 1, 1), rectangle(0, 1, 0.8, 1.5)});
-    MovingContacts contacts(assembly);
+    MovingContacts<2> contacts(assembly);
     double last = 0.8;
     for (int k = 0; k < 700; ++k)
     {
@@ -635,7 +635,7 @@ TEST(MovingContacts, DeepInitialOverlapsPushTheWayTheyCame)
     {
         const Assembly<2> assembly =
             assemblyOf({rectangle(0, 0, 0.4, 0.175), rectangle(shift, 0.174, 0.4 + shift, 0.35)});
-        MovingContacts contacts(assembly);
+        MovingContacts<2> contacts(assembly);
         const auto& points = contacts.update(atRest(assembly), 1e-3);
         ASSERT_EQ(points.size(), 2U) << shift;
         for (const ContactPoint<2>& point : points)
@@ -653,7 +653,7 @@ TEST(MovingContacts, ACornerInAReentrantCornerTouchesBothOfItsEdges)
     for (const double overlap : {0.0, 1e-9, 1e-5, 1e-3})
     {
         const Assembly<2> assembly = assemblyOf({angle, rectangle(1 - overlap, 1 - overlap, 1.8, 1.8)});
-        MovingContacts contacts(assembly);
+        MovingContacts<2> contacts(assembly);
         const auto& points = contacts.update(atRest(assembly), 0.01);
         ASSERT_EQ(points.size(), 4U) << overlap;
         int below = 0;
@@ -693,10 +693,10 @@ Placements tumbled(const Assembly<2>& assembly, int step)
 TEST(MovingContacts, TheNeighbourListDoesNotChangeTheResult)
 {
     const Assembly<2> wall = wallSix();
-    MovingContacts withHistory(wall);
+    MovingContacts<2> withHistory(wall);
     MovingContactOptions wide;
     wide.skin = 2;
-    MovingContacts withWideSkin(wall, wide);
+    MovingContacts<2> withWideSkin(wall, wide);
     for (int step = 0; step < 60; ++step)
     {
         const Placements now = tumbled(wall, step);
@@ -704,7 +704,7 @@ TEST(MovingContacts, TheNeighbourListDoesNotChangeTheResult)
         const double margin = step % 3 == 0 ? 0.02 : 0.005;
         const bool look = step % 2 == 0;
         const auto& points = look ? withHistory.update(now, ahead, margin) : withHistory.update(now, margin);
-        MovingContacts fresh(wall);
+        MovingContacts<2> fresh(wall);
         expectSameBits(points, look ? fresh.update(now, ahead, margin) : fresh.update(now, margin));
         expectSameBits(points,
                        look ? withWideSkin.update(now, ahead, margin) : withWideSkin.update(now, margin));
@@ -718,7 +718,7 @@ TEST(MovingContacts, TheNeighbourListDoesNotChangeTheResult)
 TEST(MovingContacts, PointsAreSortedByPairAndNamedByCornerAndEdge)
 {
     const Assembly<2> wall = wallSix();
-    MovingContacts contacts(wall);
+    MovingContacts<2> contacts(wall);
     const Placements placements = tumbled(wall, 10);
     const auto& points = contacts.update(placements, 0.01);
     ASSERT_GT(points.size(), 200U);
@@ -753,8 +753,8 @@ TEST(MovingContacts, TheMirroredSceneGivesTheMirroredPoints)
     {
         block.outline = mirrored(block.outline);
     }
-    MovingContacts contacts(wall);
-    MovingContacts ofImage(image);
+    MovingContacts<2> contacts(wall);
+    MovingContacts<2> ofImage(image);
     for (const int step : {0, 1, 5, 20, 50})
     {
         Placements placements = tumbled(wall, step);
@@ -778,7 +778,7 @@ TEST(MovingContacts, AgreeWithThePenetrationOfAWallInMotion)
     // All pairs, by an independent measure: where two blocks overlap some point says so, and to the right
     // depth; where none do, no gap is negative.
     const Assembly<2> wall = wallSix();
-    MovingContacts contacts(wall);
+    MovingContacts<2> contacts(wall);
     for (int step = 0; step < 20; ++step)
     {
         Placements placements = tumbled(wall, step);

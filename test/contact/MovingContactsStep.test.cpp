@@ -179,7 +179,7 @@ private:
     }
 
     Scene scene_;
-    MovingContacts contacts_;
+    MovingContacts<2> contacts_;
     double friction_;
     std::vector<AreaProperties> mass_;
 };
@@ -291,7 +291,7 @@ TEST(MovingContactsStep, ActivePointsAndTheDeepestGapAreContinuousAlongASmoothPa
                                 {{{2, 0}, {3.2, 0}, {2.9, 1.1}, {2.3, 1}}},
                                 {rectangle(-0.25, -0.15, 0.25, 0.15)}},
                                {}};
-    MovingContacts contacts(assembly);
+    MovingContacts<2> contacts(assembly);
     std::mt19937 random(3);
     std::uniform_real_distribution<double> symmetric(-1, 1);
     int active = 0;

@@ -31,9 +31,10 @@ private:
 
 /// What a run gains at most: of total energy above the least that it had before, as a share of the largest
 /// kinetic energy.
-double largestGain(const DynamicCase& scene, const DynamicState& start, double timeStep, double duration)
+double largestGain(const DynamicCase<2>& scene, const DynamicState<2>& start, double timeStep,
+                   double duration)
 {
-    Motion motion = startMotion(scene, start);
+    Motion<2> motion = startMotion(scene, start);
     double least = motion.energy.opening;
     double largestKinetic = motion.energy.kinetic;
     double gain = 0;
@@ -59,8 +60,8 @@ TEST(Impact, ABlockThatStrikesObliquelyWithFullRestitutionGainsNoEnergy)
 {
     for (const double timeStep : {4e-3, 1e-3})
     {
-        const DynamicCase scene = scenes::sceneOf(blockOnGround(), {.mu = 0.2, .restitution = 1});
-        DynamicState start = stateAtRest(scene.assembly);
+        const DynamicCase<2> scene = scenes::sceneOf(blockOnGround(), {.mu = 0.2, .restitution = 1});
+        DynamicState<2> start = stateAtRest(scene.assembly);
         start.placements[1] = {{0, 0.5}, 0.4};
         start.velocity << -2, -1, 6;
         EXPECT_LT(largestGain(scene, start, timeStep, 1), 1e-10) << "step " << timeStep << " s";
@@ -74,9 +75,9 @@ TEST(Impact, FortyThrowsGainNoEnergy)
         Draw draw(seed);
         const double restitution = seed % 2 ? 1 : 0.9;
         const FlowRule flowRule = seed % 4 < 2 ? FlowRule::nonAssociative : FlowRule::associative;
-        const DynamicCase scene = scenes::sceneOf(
+        const DynamicCase<2> scene = scenes::sceneOf(
             blockOnGround(), {.mu = draw(0.05, 1), .flowRule = flowRule, .restitution = restitution});
-        DynamicState start = stateAtRest(scene.assembly);
+        DynamicState<2> start = stateAtRest(scene.assembly);
         start.placements[1] = {{0, draw(0.3, 0.8)}, draw(-1.5, 1.5)};
         start.velocity << draw(-3, 3), draw(-2, 1), draw(-8, 8);
         EXPECT_LT(largestGain(scene, start, 2e-3, 1.5), 1e-10) << "seed " << seed;
@@ -86,7 +87,7 @@ TEST(Impact, FortyThrowsGainNoEnergy)
 /// A block that stands or leans on a corner, or a tower, that something has just set in motion.
 struct Thrown
 {
-    DynamicCase scene;
+    DynamicCase<2> scene;
     Eigen::VectorXd velocity;
     PlaneConeProgram program;
     std::vector<std::size_t> meeting;
@@ -105,7 +106,7 @@ Thrown thrown(Draw& draw, FlowRule flowRule)
     }
     Thrown result;
     result.scene = scenes::sceneOf(std::move(assembly), {.mu = draw(0, 2), .flowRule = flowRule});
-    DynamicState start = stateAtRest(result.scene.assembly);
+    DynamicState<2> start = stateAtRest(result.scene.assembly);
     if (blocks == 1 && draw(0, 1) < 0.8)
     {
         const double turn = draw(-1.5, 1.5);
@@ -123,7 +124,7 @@ Thrown thrown(Draw& draw, FlowRule flowRule)
     {
         result.velocity.segment<3>(3 * block) << draw(-3, 3), draw(-3, 0.5), draw(-8, 8);
     }
-    const Motion motion = startMotion(result.scene, start);
+    const Motion<2> motion = startMotion(result.scene, start);
     const auto columns = equilibriumColumns(
         result.scene.assembly, placedMasses(result.scene.blocks, start.placements), motion.points);
     result.program =
@@ -154,14 +155,14 @@ TEST(Impact, NoneOfTenThousandGainsEnergyOrPullsOrEnters)
         settings.blockSize = throwing.scene.blockSize;
         settings.contactTolerance = 1e-7 * settings.blockSize;
         settings.solver.tolerance = seed % 3 ? 1e-9 : 1e-6;
-        const Impact impact = impactOf({throwing.scene.mass,
-                                        throwing.velocity,
-                                        throwing.program,
-                                        throwing.meeting,
-                                        {},
-                                        restitution,
-                                        1e-3},
-                                       settings);
+        const Impact impact = impactOf<2>({throwing.scene.mass,
+                                           throwing.velocity,
+                                           throwing.program,
+                                           throwing.meeting,
+                                           {},
+                                           restitution,
+                                           1e-3},
+                                          settings);
         ASSERT_TRUE(impact.isSolved) << "seed " << seed;
         const Eigen::VectorXd& mass = throwing.scene.mass;
         const double before = 0.5 * mass.dot(throwing.velocity.cwiseAbs2());
@@ -204,9 +205,9 @@ TEST(Impact, ThrowsOfAllKindsGainNoMoreThanTheToleranceOfGaps)
         const double restitution = draw(0, 1);
         const FlowRule flowRule = seed % 2 ? FlowRule::nonAssociative : FlowRule::associative;
         const double theta = seed % 4 < 2 ? 1 : 0.5;
-        const DynamicCase scene = scenes::sceneOf(
+        const DynamicCase<2> scene = scenes::sceneOf(
             assembly, {.theta = theta, .mu = mu, .flowRule = flowRule, .restitution = restitution});
-        DynamicState start = stateAtRest(scene.assembly);
+        DynamicState<2> start = stateAtRest(scene.assembly);
         start.placements[1] = {{0, std::hypot(width, height) / 2 - height / 2 + draw(0, 0.02)},
                                draw(-M_PI, M_PI)};
         start.velocity << draw(-3, 3), draw(-3, -1), draw(-8, 8);
@@ -226,9 +227,9 @@ TEST(Impact, ATowerOfSixBlocksGainsNoEnergy)
         {
             assembly.blocks.push_back(scenes::rectangle(-0.3 + 0.02 * (i % 3), 0.4 * i, 0.6, 0.4));
         }
-        const DynamicCase scene =
+        const DynamicCase<2> scene =
             scenes::sceneOf(assembly, {.mu = 0.4, .flowRule = flowRule, .restitution = 1});
-        DynamicState start = stateAtRest(scene.assembly);
+        DynamicState<2> start = stateAtRest(scene.assembly);
         for (Eigen::Index block = 0; block < 6; ++block)
         {
             start.velocity.segment<3>(3 * block) << 0.3 * double(block), -0.5, 0.1;

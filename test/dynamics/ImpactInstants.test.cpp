@@ -18,12 +18,12 @@ double timeAtRest(const scenes::Settings& settings, double timeStep, double phas
 {
     Assembly<2> assembly = scenes::ground(-4, 4);
     assembly.blocks.push_back(scenes::rectangle(0, 0, 1, 0.4));
-    const DynamicCase scene = scenes::sceneOf(assembly, settings);
+    const DynamicCase<2> scene = scenes::sceneOf(assembly, settings);
     const double early = phase * timeStep;
-    DynamicState start = stateAtRest(scene.assembly);
+    DynamicState<2> start = stateAtRest(scene.assembly);
     start.placements[1].translation.y() = 1 - 0.5 * g * early * early;
     start.velocity[1] = -g * early;
-    Motion motion = startMotion(scene, start);
+    Motion<2> motion = startMotion(scene, start);
     double atRest = 0;
     while (motion.state.time < 1.1 * bouncingTime(1, settings.restitution))
     {
@@ -67,7 +67,7 @@ TEST(ImpactInstants, ABounceEndsWithinTwoStepsOfItsTimeForEveryTheta)
 
 const RockingBlock slender{0.5, 2, g};
 
-DynamicCase rockingScene(const scenes::Settings& settings)
+DynamicCase<2> rockingScene(const scenes::Settings& settings)
 {
     Assembly<2> assembly = scenes::ground(-4, 4);
     assembly.blocks.push_back(scenes::rectangle(-0.25, 0, 0.5, 2));
@@ -78,12 +78,12 @@ DynamicCase rockingScene(const scenes::Settings& settings)
 /// behind it [s].
 double thirdReturn(const scenes::Settings& settings, double timeStep)
 {
-    const DynamicCase scene = rockingScene(settings);
-    DynamicState start = stateAtRest(scene.assembly);
+    const DynamicCase<2> scene = rockingScene(settings);
+    DynamicState<2> start = stateAtRest(scene.assembly);
     const double rotation = slender.slenderness() / 2;
     const Vector<2> arm(0.25, 1);
     start.placements[1] = {Eigen::Rotation2Dd(rotation) * arm - arm, rotation};
-    Motion motion = startMotion(scene, start);
+    Motion<2> motion = startMotion(scene, start);
     int returns = 0;
     while (motion.state.time < 5)
     {
@@ -142,9 +142,9 @@ TEST(ImpactInstants, WithTheTrapezoidalRuleRockingIsOfSecondOrderThroughItsImpac
 /// Whether the block overturns under one whole sine of 0.5 s.
 bool overturns(const scenes::Settings& settings, double amplitude, double timeStep)
 {
-    DynamicCase scene = rockingScene(settings);
+    DynamicCase<2> scene = rockingScene(settings);
     scenes::shake(scene, std::make_shared<SinePulse>(PulseShape{amplitude * g, 0.5, 0}, 2.0));
-    Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+    Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
     const Placement<2>& block = motion.state.placements[1];
     const double barrier = scene.mass[0] * g * (slender.radius() - 1);
     while (motion.state.time < 10 && std::abs(block.rotation) < 1)
@@ -192,12 +192,12 @@ TEST(IntegrationError, IsTheLossOfTheSchemeInFreeRockingAndProportionalToTheStep
     double before = 0;
     for (const double timeStep : {2e-3, 1e-3})
     {
-        const DynamicCase scene = rockingScene({.theta = 1, .mu = 1});
-        DynamicState start = stateAtRest(scene.assembly);
+        const DynamicCase<2> scene = rockingScene({.theta = 1, .mu = 1});
+        DynamicState<2> start = stateAtRest(scene.assembly);
         const double rotation = slender.slenderness() / 2;
         const Vector<2> arm(0.25, 1);
         start.placements[1] = {Eigen::Rotation2Dd(rotation) * arm - arm, rotation};
-        Motion motion = startMotion(scene, start);
+        Motion<2> motion = startMotion(scene, start);
         while (motion.state.time < 1.2) // through the first impact, at 0.494 s
         {
             ASSERT_TRUE(advance(scene, motion, timeStep));

@@ -15,7 +15,7 @@ namespace
 using scenes::g;
 
 /// Linear and angular momentum about the origin [kg m/s, kg m/s, kg m2/s].
-Vector<3> momentum(const DynamicCase& scene, const Motion& motion)
+Vector<3> momentum(const DynamicCase<2>& scene, const Motion<2>& motion)
 {
     Vector<3> sum = Vector<3>::Zero();
     const auto placed = placedMasses(scene.blocks, motion.state.placements);
@@ -40,12 +40,12 @@ TEST(FreeFlight, AnAssemblyThatCollidesKeepsItsMomentum)
         {
             for (const double theta : {1.0, 0.5})
             {
-                const DynamicCase scene = scenes::sceneOf(
+                const DynamicCase<2> scene = scenes::sceneOf(
                     assembly,
                     {.theta = theta, .flowRule = flowRule, .restitution = restitution, .gravity = {0, 0}});
-                DynamicState start = stateAtRest(scene.assembly);
+                DynamicState<2> start = stateAtRest(scene.assembly);
                 start.velocity << 0.4, 0.3, 0.5, -1.2, 0.2, -2, 0.1, -1.5, 0.8, 1.5, 0.1, 1;
-                Motion motion = startMotion(scene, start);
+                Motion<2> motion = startMotion(scene, start);
                 const Vector<3> before = momentum(scene, motion);
                 const double energy = motion.energy.kinetic;
                 for (int step = 0; step < 1000; ++step)
@@ -82,12 +82,12 @@ Assembly<2> tower(double scale, double side)
 std::vector<Eigen::VectorXd> fall(const scenes::Settings& settings, double duration, double scale = 1,
                                   double side = 1)
 {
-    DynamicCase scene = scenes::sceneOf(tower(scale, side), settings);
+    DynamicCase<2> scene = scenes::sceneOf(tower(scale, side), settings);
     // Froude: with gravity the same, times grow with the root of lengths.
     const double timeScale = std::sqrt(scale);
     const PulseShape pulse{side * 0.6 * g, 0.4 * timeScale, 0};
     scenes::shake(scene, std::make_shared<RectangularPulse>(pulse));
-    Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+    Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
     std::vector<Eigen::VectorXd> path;
     for (int step = 0; step * 1e-3 < duration; ++step)
     {
@@ -159,8 +159,8 @@ TEST(Rest, AHundredThousandStepsMoveNothingAndFactoriseNothing)
 {
     for (const FlowRule flowRule : {FlowRule::associative, FlowRule::nonAssociative})
     {
-        const DynamicCase scene = scenes::sceneOf(tower(1, 1), {.flowRule = flowRule, .tolerance = 1e-9});
-        Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+        const DynamicCase<2> scene = scenes::sceneOf(tower(1, 1), {.flowRule = flowRule, .tolerance = 1e-9});
+        Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
         long factorisations = 0;
         for (int step = 0; step < 100000; ++step)
         {
@@ -187,10 +187,10 @@ TEST(Painleve, TheRodThatCannotSlideIsStoppedByAnImpulse)
     {
         for (const double timeStep : {1e-3, 1e-4, 1e-5})
         {
-            const DynamicCase scene = scenes::sceneOf(assembly, {.mu = 2, .flowRule = flowRule});
-            DynamicState start = stateAtRest(scene.assembly);
+            const DynamicCase<2> scene = scenes::sceneOf(assembly, {.mu = 2, .flowRule = flowRule});
+            DynamicState<2> start = stateAtRest(scene.assembly);
             start.velocity[0] = -1;
-            Motion motion = startMotion(scene, start);
+            Motion<2> motion = startMotion(scene, start);
             ASSERT_TRUE(advance(scene, motion, timeStep)) << "step " << timeStep;
             Vector<2> force(0, 0); // (normal, tangent)
             for (const Vector<2>& contactForce : motion.contactForces)

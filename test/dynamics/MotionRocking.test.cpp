@@ -28,9 +28,9 @@ Assembly<2> blockOnGround()
 }
 
 /// Stands on one corner at a rotation, and turns about it.
-DynamicState tilted(const DynamicCase& scene, double rotation, double angularVelocity)
+DynamicState<2> tilted(const DynamicCase<2>& scene, double rotation, double angularVelocity)
 {
-    DynamicState state = stateAtRest(scene.assembly);
+    DynamicState<2> state = stateAtRest(scene.assembly);
     const double side = rotation > 0 ? 1 : -1; // 1: on the left corner
     const Vector<2> arm(side * width / 2, height / 2);
     const Vector<2> turned(std::cos(rotation) * arm.x() - std::sin(rotation) * arm.y(),
@@ -54,9 +54,9 @@ double velocityUpright(double rotation, double angularVelocity)
 /// start: with it the phase of the step in which the impact falls
 double impactRatio(const scenes::Settings& settings, double timeStep, double rotation)
 {
-    const DynamicCase scene = scenes::sceneOf(blockOnGround(), settings);
+    const DynamicCase<2> scene = scenes::sceneOf(blockOnGround(), settings);
     const double speed = 1;
-    Motion motion = startMotion(scene, tilted(scene, rotation, std::copysign(speed, -rotation)));
+    Motion<2> motion = startMotion(scene, tilted(scene, rotation, std::copysign(speed, -rotation)));
     const double before = velocityUpright(rotation, speed);
     // until it turns on the other corner, clear of the impact, which may take two steps
     for (int step = 0;
@@ -119,8 +119,8 @@ TEST(Rocking, WithTheTrapezoidalRuleSoItDoesAtLongSteps)
 /// Four times the time from release, at half the critical angle, to upright.
 double period(const scenes::Settings& settings, double timeStep, double side = 1)
 {
-    const DynamicCase scene = scenes::sceneOf(blockOnGround(), settings);
-    Motion motion = startMotion(scene, tilted(scene, side * slenderness / 2, 0));
+    const DynamicCase<2> scene = scenes::sceneOf(blockOnGround(), settings);
+    Motion<2> motion = startMotion(scene, tilted(scene, side * slenderness / 2, 0));
     while (motion.state.time < 1)
     {
         const double rotation = side * motion.state.placements[1].rotation;
@@ -215,10 +215,10 @@ enum class Verdict
 
 Verdict verdictAfter(const scenes::Settings& settings, std::shared_ptr<const GroundAcceleration> pulse)
 {
-    DynamicCase scene = scenes::sceneOf(blockOnGround(), settings);
+    DynamicCase<2> scene = scenes::sceneOf(blockOnGround(), settings);
     const double still = pulse->end();
     scenes::shake(scene, std::move(pulse));
-    Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+    Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
     const Placement<2>& block = motion.state.placements[1];
     while (motion.state.time < 6)
     {

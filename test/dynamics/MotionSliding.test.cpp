@@ -22,9 +22,9 @@ Assembly<2> blockOnGround()
 /// Steps, and looks at the ledger and the joint, until a time.
 struct Sliding
 {
-    DynamicCase scene;
+    DynamicCase<2> scene;
     double timeStep;
-    Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+    Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
     double highest = 0; ///< |y| of the mass centre, from as built [m]
 
     void until(double time)
@@ -106,7 +106,7 @@ TEST(SlidingBlock, ABasePulseLeavesABlockBehindAsNewmarkSays)
 }
 
 /// Adds a motion of the ground along y.
-void heave(DynamicCase& scene, std::shared_ptr<const GroundAcceleration> acceleration)
+void heave(DynamicCase<2>& scene, std::shared_ptr<const GroundAcceleration> acceleration)
 {
     GroundMotion::Component component;
     component.direction = Eigen::Vector3d::UnitY();
@@ -161,12 +161,12 @@ TEST(SlidingBlock, WithTheGroundRisingItTakesMoreToMakeItSlide)
 /// When a block dropped from 1 m has come to rest. \param phase part of a step by which it is released early
 double timeAtRest(const scenes::Settings& settings, double timeStep, double phase)
 {
-    const DynamicCase scene = scenes::sceneOf(blockOnGround(), settings);
+    const DynamicCase<2> scene = scenes::sceneOf(blockOnGround(), settings);
     const double early = phase * timeStep;
-    DynamicState start = stateAtRest(scene.assembly);
+    DynamicState<2> start = stateAtRest(scene.assembly);
     start.placements[1].translation.y() = 1 - 0.5 * g * early * early;
     start.velocity[1] = -g * early;
-    Motion motion = startMotion(scene, start);
+    Motion<2> motion = startMotion(scene, start);
     double atRest = 0;
     double energy = motion.energy.opening;
     while (motion.state.time < 4.5)
@@ -211,15 +211,15 @@ TEST(BouncingBlock, AnImpactDoesNotThrowASlidingBlockUpWhateverTheFlowRuleOfTheS
         {
             Assembly<2> assembly = scenes::ground(-8, 8);
             assembly.blocks.push_back(scenes::rectangle(0, 0, 1, 0.4));
-            const DynamicCase scene = scenes::sceneOf(assembly, {.theta = theta,
-                                                                 .mu = mu,
-                                                                 .flowRule = flowRule,
-                                                                 .restitution = restitution,
-                                                                 .gravity = {0, 0}});
-            DynamicState start = stateAtRest(scene.assembly);
+            const DynamicCase<2> scene = scenes::sceneOf(assembly, {.theta = theta,
+                                                                    .mu = mu,
+                                                                    .flowRule = flowRule,
+                                                                    .restitution = restitution,
+                                                                    .gravity = {0, 0}});
+            DynamicState<2> start = stateAtRest(scene.assembly);
             start.placements.back().translation.y() = 0.0025;
             start.velocity << 1, -3, 0;
-            Motion motion = startMotion(scene, start);
+            Motion<2> motion = startMotion(scene, start);
             for (int step = 0; step < 10; ++step)
             {
                 ASSERT_TRUE(advance(scene, motion, 1e-3));

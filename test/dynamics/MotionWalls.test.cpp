@@ -21,17 +21,17 @@ constexpr std::array<double, 6> multipliers{0.642859, 0.579999, 0.403694, 0.3319
 
 /// A wall of tutorials/limitAnalysis/masonryPanels, 1 to 6, at `share` of its multiplier: the blocks are
 /// pushed to the right, or to the left where share is negative.
-DynamicCase wall(int number, double share, const scenes::Settings& settings)
+DynamicCase<2> wall(int number, double share, const scenes::Settings& settings)
 {
     const std::string file = std::string(DRYSTONE_TUTORIALS) + "/limitAnalysis/masonryPanels/wall"
                              + std::to_string(number) + "/system/blockTextureDict";
-    DynamicCase scene = scenes::sceneOf(makeStructure(Dictionary::readFile(file)), settings);
+    DynamicCase<2> scene = scenes::sceneOf(makeStructure(Dictionary::readFile(file)), settings);
     scenes::shake(scene, std::make_shared<ConstantAcceleration>(
                              -share * multipliers[static_cast<std::size_t>(number - 1)] * scenes::g));
     return scene;
 }
 
-double largestDisplacement(const Motion& motion)
+double largestDisplacement(const Motion<2>& motion)
 {
     double largest = 0;
     for (const Placement<2>& placement : motion.state.placements)
@@ -49,9 +49,9 @@ class PaperWall : public testing::TestWithParam<int>
 
 TEST_P(PaperWall, StandsStillAtOneThousandthBelowItsMultiplier)
 {
-    const DynamicCase scene =
+    const DynamicCase<2> scene =
         wall(GetParam(), 0.999, {.mu = 0.65, .flowRule = FlowRule::associative, .tolerance = 1e-12});
-    Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+    Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
     for (int step = 0; step < 500; ++step)
     {
         ASSERT_TRUE(advance(scene, motion, timeStep)) << "step " << step;
@@ -64,10 +64,10 @@ TEST_P(PaperWall, StandsStillBelowItsMultiplierAtAnyTolerance)
 {
     for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-10})
     {
-        DynamicCase scene =
+        DynamicCase<2> scene =
             wall(GetParam(), 0.998, {.mu = 0.65, .flowRule = FlowRule::associative, .tolerance = tolerance});
         scene.schemes.smallDisplacements = true;
-        Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+        Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
         for (int step = 0; step < 50; ++step)
         {
             ASSERT_TRUE(advance(scene, motion, timeStep)) << "tolerance " << tolerance << " step " << step;
@@ -78,9 +78,9 @@ TEST_P(PaperWall, StandsStillBelowItsMultiplierAtAnyTolerance)
 
 TEST_P(PaperWall, MovesAtOneThousandthAbove)
 {
-    const DynamicCase scene =
+    const DynamicCase<2> scene =
         wall(GetParam(), 1.001, {.mu = 0.65, .flowRule = FlowRule::associative, .tolerance = 1e-12});
-    Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+    Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
     while (motion.state.time < 0.2 - 0.5 * timeStep)
     {
         // At the onset a step of full length may not reach 1e-12; contactDynamics then halves it, too.
@@ -100,10 +100,10 @@ TEST_P(PaperWall, MovesByCoulombsLawJustAbove)
 {
     for (const double share : {1.0000017, 1.0005})
     {
-        DynamicCase scene =
+        DynamicCase<2> scene =
             wall(GetParam(), share, {.mu = 0.65, .flowRule = FlowRule::nonAssociative, .tolerance = 1e-12});
         scene.schemes.smallDisplacements = true;
-        Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+        Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
         for (int step = 0; step < 3; ++step)
         {
             ASSERT_TRUE(advance(scene, motion, timeStep)) << "share " << share << " step " << step;
@@ -116,9 +116,9 @@ TEST_P(PaperWall, MovesByCoulombsLawJustAbove)
 
 TEST_P(PaperWall, FallsWithoutBlocksEnteringEachOtherAndItsEnergyIsAccountedFor)
 {
-    const DynamicCase scene =
+    const DynamicCase<2> scene =
         wall(GetParam(), 1.1, {.mu = 0.65, .flowRule = FlowRule::associative, .tolerance = 1e-9});
-    Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+    Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
     double factorisations = 0;
     for (int step = 0; step < 500; ++step)
     {
@@ -138,8 +138,8 @@ TEST_P(PaperWall, FallsWithoutBlocksEnteringEachOtherAndItsEnergyIsAccountedFor)
 /// Collapses wall 1 for some steps, with its energy in balance. \param programs of each step, filled in
 void collapse(const scenes::Settings& settings, int steps, std::vector<int>& programs)
 {
-    const DynamicCase scene = wall(1, 1.1, settings);
-    Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+    const DynamicCase<2> scene = wall(1, 1.1, settings);
+    Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
     for (int step = 0; step < steps; ++step)
     {
         ASSERT_TRUE(advance(scene, motion, timeStep)) << "step " << step;
@@ -172,9 +172,9 @@ TEST(FallingWall, CoulombsLawIsMostlyFoundFromTheLastStep)
 // One point of hundreds that would neither slide nor stick left such steps without an end.
 TEST(FallingWall, CoulombsLawIsMetOrMissedByLittleInEveryStep)
 {
-    const DynamicCase scene =
+    const DynamicCase<2> scene =
         wall(4, 1.1, {.mu = 0.65, .flowRule = FlowRule::nonAssociative, .tolerance = 1e-9});
-    Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+    Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
     Eigen::VectorXd velocity = motion.state.velocity;
     for (int step = 0; step < 125; ++step)
     {
@@ -199,9 +199,9 @@ TEST(WallUnderARecord, IsSolvedToTheLastDigitsInEveryStep)
     RecordMotion groundRecord;
     groundRecord.file = record.string();
     groundRecord.peakAcceleration = 0.2 * scenes::g;
-    DynamicCase scene = wall(6, 0, {.mu = 0.65, .flowRule = FlowRule::associative, .tolerance = 1e-12});
+    DynamicCase<2> scene = wall(6, 0, {.mu = 0.65, .flowRule = FlowRule::associative, .tolerance = 1e-12});
     scene.groundMotion.components = {{recordedAcceleration(groundRecord, ""), Eigen::Vector3d::UnitX()}};
-    Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+    Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
     for (int step = 0; step < 120; ++step)
     {
         ASSERT_TRUE(advance(scene, motion, timeStep)) << "at " << motion.state.time << " s";
@@ -212,10 +212,10 @@ TEST(WallUnderARecord, IsSolvedToTheLastDigitsInEveryStep)
 /// took more than two minutes, most of them in attempts that came to nothing.
 TEST(WallUnderAnAbsurdAcceleration, IsSolvedOrGivenUpWithinTheWorkAllowed)
 {
-    DynamicCase scene = wall(6, 1e6 / (multipliers[5] * scenes::g),
-                             {.mu = 0.65, .flowRule = FlowRule::associative, .tolerance = 1e-9});
+    DynamicCase<2> scene = wall(6, 1e6 / (multipliers[5] * scenes::g),
+                                {.mu = 0.65, .flowRule = FlowRule::associative, .tolerance = 1e-9});
     scene.solution.maximumFactorisations = 1000; // a fifth of the default, so that it is soon shown
-    Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+    Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
     TimeControls controls;
     controls.deltaT = timeStep;
     controls.endTime = 25 * timeStep;

@@ -18,7 +18,7 @@ namespace
 constexpr double multiplier = 0.642859; // of wall 1
 
 /// Wall 1 as a case states it, turned with its gravity, pushed to its right by a share of its multiplier.
-DynamicCase roundedWall(double angle, int digits, double share)
+DynamicCase<2> roundedWall(double angle, int digits, double share)
 {
     const double cosine = std::cos(angle);
     const double sine = std::sin(angle);
@@ -46,15 +46,15 @@ DynamicCase roundedWall(double angle, int digits, double share)
     write("constant/groundMotion",
           fmt::format("direction ({} {} 0); acceleration {{ type constant; value {}; }}", -cosine, -sine,
                       share * multiplier * 9.81));
-    DynamicCase scene = readDynamicCase(directory);
+    DynamicCase<2> scene = readDynamicCase<2>(directory);
     std::filesystem::remove_all(directory);
     return scene;
 }
 
 /// How far any block goes in 0.2 s [m].
-double farthest(const DynamicCase& scene)
+double farthest(const DynamicCase<2>& scene)
 {
-    Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+    Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
     EXPECT_EQ(motion.points.size(), 174U);
     for (int step = 0; step < 100; ++step)
     {

@@ -83,9 +83,9 @@ inline PainlevesRod painlevesRod()
     return {rod, compliance.inverse() * Vector<2>(1, 0)};
 }
 
-inline DynamicCase sceneOf(Assembly<2> assembly, const Settings& settings)
+inline DynamicCase<2> sceneOf(Assembly<2> assembly, const Settings& settings)
 {
-    DynamicCase scene;
+    DynamicCase<2> scene;
     const std::vector<double> densities(assembly.blocks.size(), settings.density);
     setStructure(scene, std::move(assembly), densities);
     scene.gravity = settings.gravity;
@@ -107,7 +107,7 @@ inline DynamicCase sceneOf(Assembly<2> assembly, const Settings& settings)
 }
 
 /// The ground moves along x.
-inline void shake(DynamicCase& scene, std::shared_ptr<const GroundAcceleration> acceleration)
+inline void shake(DynamicCase<2>& scene, std::shared_ptr<const GroundAcceleration> acceleration)
 {
     GroundMotion::Component component;
     component.acceleration = std::move(acceleration);

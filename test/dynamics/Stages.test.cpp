@@ -20,7 +20,7 @@ namespace
 constexpr double timeStep = 0.01;
 
 /// One block of 1 m x 1 m, its lower edge at a height above the ground.
-DynamicCase blockAt(double height, const Settings& settings = {})
+DynamicCase<2> blockAt(double height, const Settings& settings = {})
 {
     Assembly<2> assembly = ground(-5, 5);
     assembly.blocks.push_back(rectangle(0, height, 1, 1));
@@ -28,7 +28,7 @@ DynamicCase blockAt(double height, const Settings& settings = {})
 }
 
 /// The stages before the solution.
-void prepare(Step& step)
+void prepare(Step<2>& step)
 {
     findContacts(step);
     assemble(step);
@@ -42,9 +42,9 @@ TEST(Stages, FindContactsFindsTheCornersOfABlockThatTouchesAndNoneOfOneFarAbove)
 {
     for (const double height : {0.0, 2.0})
     {
-        const DynamicCase scene = blockAt(height);
-        Motion motion = startMotion(scene, stateAtRest(scene.assembly));
-        Step step(scene, motion, timeStep, {});
+        const DynamicCase<2> scene = blockAt(height);
+        Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
+        Step<2> step(scene, motion, timeStep, {});
         findContacts(step);
         EXPECT_EQ(step.points.size(), height == 0 ? 2u : 0u);
         EXPECT_EQ(step.columns.size(), step.points.size());
@@ -59,9 +59,9 @@ TEST(Stages, FindContactsKeepsTheLeverArmsOfTheStartForImpactsOfTheTrapezoidalRu
 {
     for (const double theta : {1.0, 0.5})
     {
-        const DynamicCase scene = blockAt(0, {.theta = theta});
-        Motion motion = startMotion(scene, stateAtRest(scene.assembly));
-        Step step(scene, motion, timeStep, {});
+        const DynamicCase<2> scene = blockAt(0, {.theta = theta});
+        Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
+        Step<2> step(scene, motion, timeStep, {});
         findContacts(step);
         EXPECT_EQ(step.arrivals.size(), theta < 1 ? step.points.size() : 0u);
     }
@@ -69,10 +69,10 @@ TEST(Stages, FindContactsKeepsTheLeverArmsOfTheStartForImpactsOfTheTrapezoidalRu
 
 TEST(Stages, AssembleMakesTheProgramOfEquation9)
 {
-    const DynamicCase scene = blockAt(0);
-    Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+    const DynamicCase<2> scene = blockAt(0);
+    Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
     motion.state.velocity << 0.5, 0, 0;
-    Step step(scene, motion, timeStep, {});
+    Step<2> step(scene, motion, timeStep, {});
     findContacts(step);
     assemble(step);
     const double mass = scene.mass[0];
@@ -85,16 +85,16 @@ TEST(Stages, AssembleMakesTheProgramOfEquation9)
 
 TEST(Stages, ContributeChangesNothingWithoutEffectsAndAddsTheInertiaOfDampingWithIt)
 {
-    DynamicCase scene = blockAt(0);
+    DynamicCase<2> scene = blockAt(0);
     for (const double coefficient : {0.0, 3.0})
     {
         scene.effects.clear();
         if (coefficient > 0)
         {
-            scene.effects = {std::make_shared<MassDamping>(Damping{coefficient})};
+            scene.effects = {std::make_shared<MassDamping<2>>(Damping{coefficient})};
         }
-        Motion motion = startMotion(scene, stateAtRest(scene.assembly));
-        Step step(scene, motion, timeStep, {});
+        Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
+        Step<2> step(scene, motion, timeStep, {});
         findContacts(step);
         assemble(step);
         const PlaneConeProgram rigid = step.program;
@@ -110,9 +110,9 @@ TEST(Stages, SolveGivesABlockAtRestItsWeightAndOneInTheAirItsFall)
 {
     for (const double height : {0.0, 2.0})
     {
-        const DynamicCase scene = blockAt(height);
-        Motion motion = startMotion(scene, stateAtRest(scene.assembly));
-        Step step(scene, motion, timeStep, {});
+        const DynamicCase<2> scene = blockAt(height);
+        Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
+        Step<2> step(scene, motion, timeStep, {});
         prepare(step);
         solve(step);
         ASSERT_TRUE(step.solved.isSolved);
@@ -135,10 +135,10 @@ TEST(Stages, CollideThrowsABlockBackAndAsksForAnotherSolution)
 {
     for (const double restitution : {0.0, 0.5})
     {
-        const DynamicCase scene = blockAt(0, {.restitution = restitution});
-        Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+        const DynamicCase<2> scene = blockAt(0, {.restitution = restitution});
+        Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
         motion.state.velocity << 0, -1, 0;
-        Step step(scene, motion, timeStep, {});
+        Step<2> step(scene, motion, timeStep, {});
         prepare(step);
         solve(step);
         EXPECT_EQ(collide(step), restitution > 0);
@@ -153,10 +153,10 @@ TEST(Stages, CollideThrowsABlockBackAndAsksForAnotherSolution)
 TEST(Stages, CollideFindsTheInstantAtWhichAFallingBlockMeetsTheGround)
 {
     const double height = 1e-3;
-    const DynamicCase scene = blockAt(height, {.restitution = 0.5});
-    Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+    const DynamicCase<2> scene = blockAt(height, {.restitution = 0.5});
+    Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
     motion.state.velocity << 0, -1, 0;
-    Step step(scene, motion, timeStep, {ImpactInstant::located, 1e-3 * timeStep, 0});
+    Step<2> step(scene, motion, timeStep, {ImpactInstant::located, 1e-3 * timeStep, 0});
     prepare(step);
     solve(step);
     EXPECT_FALSE(collide(step));
@@ -171,15 +171,15 @@ TEST(Stages, ReviewAsksForAnotherSolutionWhenABondBreaksAndNotWithoutOne)
     {
         Settings settings;
         settings.gravity = {0, g}; // pulls the block off the ground: 17.7 kN on a joint of 1 m2
-        DynamicCase scene = blockAt(0, settings);
+        DynamicCase<2> scene = blockAt(0, settings);
         if (strength > 0)
         {
             scene.contact.cohesion = JointStrength{strength};
             scene.contact.tension = JointStrength{strength};
-            scene.effects = {std::make_shared<JointBonds>(jointBonds({}, scene.contact, scene.assembly))};
+            scene.effects = {std::make_shared<JointBonds<2>>(jointBonds({}, scene.contact, scene.assembly))};
         }
-        Motion motion = startMotion(scene, stateAtRest(scene.assembly));
-        Step step(scene, motion, timeStep, {});
+        Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
+        Step<2> step(scene, motion, timeStep, {});
         prepare(step);
         solve(step);
         ASSERT_TRUE(step.solved.isSolved);
@@ -190,9 +190,9 @@ TEST(Stages, ReviewAsksForAnotherSolutionWhenABondBreaksAndNotWithoutOne)
 
 TEST(Stages, MoveAndAccountGiveAFallItsPlaceVelocityAndEnergy)
 {
-    const DynamicCase scene = blockAt(2);
-    Motion motion = startMotion(scene, stateAtRest(scene.assembly));
-    Step step(scene, motion, timeStep, {});
+    const DynamicCase<2> scene = blockAt(2);
+    Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
+    Step<2> step(scene, motion, timeStep, {});
     prepare(step);
     solve(step);
     ASSERT_FALSE(collide(step));
@@ -217,8 +217,8 @@ TEST(Stages, EachHasItsTimeAndTheyAddUpOverSteps)
     EXPECT_GE(times.of(Stage::move), 0.005);
     EXPECT_EQ(times.total(), times.of(Stage::move));
 
-    const DynamicCase scene = blockAt(0, {.mu = 0.1});
-    Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+    const DynamicCase<2> scene = blockAt(0, {.mu = 0.1});
+    Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
     motion.state.velocity << 1, 0, 0;
     std::array<double, 8> before{};
     for (int count = 0; count < 3; ++count)
@@ -235,11 +235,11 @@ TEST(Stages, EachHasItsTimeAndTheyAddUpOverSteps)
 TEST(ShortenedSteps, AreHalvedUntilTheyAreSolvedWithoutKnowingATime)
 {
     // One iteration of the interior point solves nothing.
-    DynamicCase scene = blockAt(0, {.mu = 0.1, .tolerance = 1e-11, .solver = SolverType::interiorPoint});
+    DynamicCase<2> scene = blockAt(0, {.mu = 0.1, .tolerance = 1e-11, .solver = SolverType::interiorPoint});
     scene.solution.maximumIterations = 1;
-    Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+    Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
     motion.state.velocity << 1, 0, 0.5;
-    const Motion before = motion;
+    const Motion<2> before = motion;
     const ShortenedStep failed = advanceOrShorten(scene, motion, timeStep);
     EXPECT_FALSE(failed.isSolved);
     EXPECT_DOUBLE_EQ(failed.timeStep, timeStep / 1024);

@@ -38,7 +38,7 @@ protected:
         std::ofstream(directory / "0/motion") << "1\n{\n    " << start << "\n}\n";
         try
         {
-            const InitialState initial = readInitialMotion(directory, "0", assembly);
+            const InitialState<2> initial = readInitialMotion(directory, "0", assembly);
             state = initial.state;
             refuseStartOverlaps(assembly, state.placements, initial.places);
         }
@@ -51,7 +51,7 @@ protected:
 
     std::filesystem::path directory;
     Assembly<2> assembly = scenes::ground(-4, 4);
-    DynamicState state;
+    DynamicState<2> state;
 };
 
 TEST_F(StartCheck, RefusesAStartInTheGroundWithBothNamesAndTheDepth)
@@ -66,7 +66,7 @@ TEST_F(StartCheck, RefusesAStartInTheGroundWithBothNamesAndTheDepth)
 TEST_F(StartCheck, NamesThePatternThatPlacedTheBlock)
 {
     std::ofstream(directory / "0/motion") << "\n\n\"[1-9]\" { displacement (0 -0.1); }\n";
-    const InitialState initial = readInitialMotion(directory, "0", assembly);
+    const InitialState<2> initial = readInitialMotion(directory, "0", assembly);
     ASSERT_EQ(initial.places.size(), assembly.blocks.size());
     EXPECT_EQ(initial.places[1].line, 3);
     EXPECT_TRUE(readInitialMotion(directory, "1", assembly).places.empty()) << "there is no 1/motion";

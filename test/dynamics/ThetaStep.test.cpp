@@ -33,8 +33,8 @@ struct Motion
     std::vector<BlockMass<2>> blocks = blockMasses(assembly);
     std::vector<int> free = freeIndices(assembly);
     Eigen::VectorXd mass = massDiagonal(assembly, blocks, std::vector<double>(blocks.size(), 1800));
-    DynamicState state = stateAtRest(assembly);
-    MovingContacts contacts{assembly};
+    DynamicState<2> state = stateAtRest(assembly);
+    MovingContacts<2> contacts{assembly};
     StepEnergy energy{};
     double kineticChange = 0;
 
@@ -61,7 +61,7 @@ struct Motion
             << "at " << state.time << " s, certificate " << solved.certificate.worst();
         const Eigen::VectorXd before = state.velocity;
         advance(state, free, solved.displacement, scheme);
-        energy = stepEnergy(solved, mass, load, before, state.velocity, scheme);
+        energy = stepEnergy<2>(solved, mass, load, before, state.velocity, scheme);
         kineticChange = 0.5 * mass.dot(state.velocity.cwiseAbs2() - before.cwiseAbs2());
     }
 

@@ -21,9 +21,9 @@ using testing::HasSubstr;
 namespace
 {
 
-std::vector<EffectType> extendedList()
+std::vector<EffectType<2>> extendedList()
 {
-    std::vector<EffectType> types = effectTypes();
+    std::vector<EffectType<2>> types = effectTypes<2>();
     types.push_back(groundSpringType());
     return types;
 }
@@ -37,10 +37,10 @@ Assembly<2> blockInTheAir()
 }
 
 /// Without gravity, as constant/contactProperties says.
-DynamicCase sceneWith(const std::string& contactProperties, double theta = 0.5)
+DynamicCase<2> sceneWith(const std::string& contactProperties, double theta = 0.5)
 {
-    DynamicCase scene = sceneOf(blockInTheAir(), {.theta = theta, .gravity = {0, 0}});
-    CaseEffects read(extendedList());
+    DynamicCase<2> scene = sceneOf(blockInTheAir(), {.theta = theta, .gravity = {0, 0}});
+    CaseEffects<2> read(extendedList());
     readOptions(Dictionary::readString(contactProperties, "constant/contactProperties"), read);
     read.locations = EntryLocations(Dictionary::readString(contactProperties, "constant/contactProperties"));
     scene.effects = makeEffects(
@@ -72,9 +72,9 @@ TEST(EffectList, AMadeUpSpringSwingsWithThePeriodOfItsMassAndStiffness)
     constexpr double velocity = 0.1;
     for (const double theta : {0.5, 1.0})
     {
-        const DynamicCase scene = sceneWith("groundSpring { block 1; stiffness 1e5; }", theta);
+        const DynamicCase<2> scene = sceneWith("groundSpring { block 1; stiffness 1e5; }", theta);
         const double frequency = std::sqrt(1e5 / scene.mass[0]);
-        Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+        Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
         motion.state.velocity << velocity, 0, 0;
         motion.energy.kinetic = motion.energy.opening = 0.5 * scene.mass[0] * velocity * velocity;
         const double turn =
@@ -100,12 +100,12 @@ TEST(EffectList, AMadeUpSpringSwingsWithThePeriodOfItsMassAndStiffness)
 
 TEST(EffectList, AMadeUpSpringIsNamedSavedAndWritten)
 {
-    const DynamicCase scene =
+    const DynamicCase<2> scene =
         sceneWith("groundSpring { block 1; stiffness 1e5; } damping { massProportional 1; }");
     EXPECT_THAT(scene.effectNames.simulated, testing::ElementsAre("damping", "groundSpring"));
     ASSERT_EQ(scene.effects.size(), 2u);
-    const Effect& spring = *scene.effects.back();
-    Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+    const Effect<2>& spring = *scene.effects.back();
+    Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
     ASSERT_TRUE(advance(scene, motion, 0.01));
     ASSERT_TRUE(advance(scene, motion, 0.01));
     EffectArrays saved;
@@ -127,7 +127,7 @@ TEST(EffectList, FaultsOfAMadeUpSpringAreToldWithTheirPlace)
                 testing::AllOf(HasSubstr("no free block 0"), HasSubstr("groundSpring/block at line 3.")));
     EXPECT_THAT(report("groundSprung { block 1; stiffness 1e5; }"), HasSubstr("groundSpring"));
     // Drystone's own list does not know it.
-    CaseEffects read;
+    CaseEffects<2> read;
     EXPECT_THROW(readOptions(Dictionary::readString("groundSpring { block 1; stiffness 1; }"), read),
                  FatalIOError);
 }
@@ -139,21 +139,21 @@ TEST(EffectList, ACaseOnDiskIsReadWithAnExtendedList)
     std::filesystem::create_directories(directory / "constant");
     std::ofstream(directory / "constant/contactProperties")
         << "friction { type Coulomb; mu 0.5; }\ngroundSpring { block 1; stiffness 2; }\n";
-    const CaseEffects read = readCaseEffects(directory, extendedList());
+    const CaseEffects<2> read = readCaseEffects(directory, extendedList());
     EXPECT_EQ(read.contact.friction->mu, 0.5);
     EXPECT_TRUE(read.declared.back().isGiven());
     EXPECT_EQ(read.locations.of("groundSpring/stiffness").line, 2);
     EXPECT_EQ(read.locations.of("joints/3-7").line, read.locations.of("").line);
-    EXPECT_THROW(readCaseEffects(directory), FatalIOError);
+    EXPECT_THROW(readCaseEffects<2>(directory), FatalIOError);
     std::filesystem::remove_all(directory);
 }
 
 TEST(EffectList, WhatIsAbsentIsNotInTheList)
 {
-    const Structure structure;
+    const Structure<2> structure;
     const auto effectsOf = [&structure](const std::string& text)
     {
-        CaseEffects read;
+        CaseEffects<2> read;
         readOptions(Dictionary::readString(text, "constant/contactProperties"), read);
         return makeEffects(read, {structure, read.contact, read.locations, {}});
     };

@@ -13,19 +13,19 @@ void declare(Options& options, GroundSpringSettings& settings)
     options.required("stiffness", settings.stiffness, "of the spring").unit("N/m").above(0).example("1e4");
 }
 
-void GroundSpring::start(const Structure&, const std::vector<Placement<2>>&, EffectState& state) const
+void GroundSpring::start(const Structure<2>&, const std::vector<Placement<2>>&, EffectState& state) const
 {
     state.numbers = {0};
 }
 
-void GroundSpring::addLoad(const EffectContext& context, const EffectState&, Eigen::VectorXd& load) const
+void GroundSpring::addLoad(const EffectContext<2>& context, const EffectState&, Eigen::VectorXd& load) const
 {
     const auto block = static_cast<std::size_t>(settings.block);
     load.segment<2>(3 * context.structure.free[block]) -=
         settings.stiffness * context.placements[block].translation;
 }
 
-void GroundSpring::contribute(const EffectContext& context, EffectState& state,
+void GroundSpring::contribute(const EffectContext<2>& context, EffectState& state,
                               PlaneConeProgram& program) const
 {
     const int body = context.structure.free[static_cast<std::size_t>(settings.block)];
@@ -34,7 +34,7 @@ void GroundSpring::contribute(const EffectContext& context, EffectState& state,
     state.numbers[0] += 1;
 }
 
-void GroundSpring::account(const EffectContext& context, const EffectSolution& solution,
+void GroundSpring::account(const EffectContext<2>& context, const EffectSolution& solution,
                            StepEnergy& energy) const
 {
     const auto block = static_cast<std::size_t>(settings.block);
@@ -66,11 +66,11 @@ std::string GroundSpring::startText(const EffectState&) const
     return fmt::format("Spring: {:g} N/m at block {}", settings.stiffness, settings.block);
 }
 
-EffectType groundSpringType()
+EffectType<2> groundSpringType()
 {
-    return effectType<GroundSpringSettings>(
+    return effectType<2, GroundSpringSettings>(
         "groundSpring", "a spring from a block to the ground",
-        [](const GroundSpringSettings& settings, const EffectSource& source)
+        [](const GroundSpringSettings& settings, const EffectSource<2>& source)
         {
             const std::vector<int>& free = source.structure.free;
             if (settings.block >= static_cast<int>(free.size())

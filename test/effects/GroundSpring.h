@@ -21,18 +21,18 @@ void declare(Options& options, GroundSpringSettings& settings);
 /// k y'y from the blocks, of which k u0'y + 1/2 k y'y is stored and the rest, none with theta 1/2, lost to
 /// the time integration. The state counts the steps in which the spring was drawn, for the log and the
 /// restart.
-class GroundSpring final : public Effect
+class GroundSpring final : public Effect<2>
 {
 public:
     explicit GroundSpring(const GroundSpringSettings& springSettings) : settings(springSettings) {}
     EffectTraits traits() const override { return {.actsOnBlocks = true}; }
-    void start(const Structure& structure, const std::vector<Placement<2>>& placements,
+    void start(const Structure<2>& structure, const std::vector<Placement<2>>& placements,
                EffectState& state) const override;
-    void addLoad(const EffectContext& context, const EffectState& state,
+    void addLoad(const EffectContext<2>& context, const EffectState& state,
                  Eigen::VectorXd& load) const override;
-    void contribute(const EffectContext& context, EffectState& state,
+    void contribute(const EffectContext<2>& context, EffectState& state,
                     PlaneConeProgram& program) const override;
-    void account(const EffectContext& context, const EffectSolution& solution,
+    void account(const EffectContext<2>& context, const EffectSolution& solution,
                  StepEnergy& energy) const override;
     void save(const EffectState& state, EffectArrays& arrays) const override;
     void restore(const EffectArrays& arrays, EffectState& state) const override;
@@ -44,6 +44,6 @@ private:
 };
 
 /// Its entry of the list.
-EffectType groundSpringType();
+EffectType<2> groundSpringType();
 
 } // namespace drystone

@@ -41,34 +41,34 @@ std::vector<Way> ways()
 }
 
 /// \param cohesion [Pa] \param tension [Pa]
-DynamicCase bondedScene(Assembly<2> assembly, const Settings& settings, double cohesion, double tension)
+DynamicCase<2> bondedScene(Assembly<2> assembly, const Settings& settings, double cohesion, double tension)
 {
-    DynamicCase scene = sceneOf(std::move(assembly), settings);
+    DynamicCase<2> scene = sceneOf(std::move(assembly), settings);
     scene.contact.cohesion = JointStrength{cohesion};
     scene.contact.tension = JointStrength{tension};
-    scene.effects = {std::make_shared<JointBonds>(jointBonds({}, scene.contact, scene.assembly))};
+    scene.effects = {std::make_shared<JointBonds<2>>(jointBonds({}, scene.contact, scene.assembly))};
     return scene;
 }
 
 /// Of a scene with no other effect than bonds.
-int brokenBonds(const DynamicCase& scene, const Motion& motion)
+int brokenBonds(const DynamicCase<2>& scene, const Motion<2>& motion)
 {
-    return dynamic_cast<const JointBonds&>(*scene.effects.at(0)).broken(motion.effectStates.at(0));
+    return dynamic_cast<const JointBonds<2>&>(*scene.effects.at(0)).broken(motion.effectStates.at(0));
 }
 
-DynamicCase bondedScene(Assembly<2> assembly, Settings settings, double cohesion, double tension,
-                        const Way& way)
+DynamicCase<2> bondedScene(Assembly<2> assembly, Settings settings, double cohesion, double tension,
+                           const Way& way)
 {
     settings.flowRule = way.flowRule;
     settings.tolerance = way.tolerance;
     settings.theta = way.theta;
-    DynamicCase scene = bondedScene(std::move(assembly), settings, cohesion, tension);
+    DynamicCase<2> scene = bondedScene(std::move(assembly), settings, cohesion, tension);
     scene.solution.solver = way.solver;
     scene.schemes.smallDisplacements = way.smallDisplacements;
     return scene;
 }
 
-void run(const DynamicCase& scene, Motion& motion, double timeStep, int steps)
+void run(const DynamicCase<2>& scene, Motion<2>& motion, double timeStep, int steps)
 {
     for (int step = 0; step < steps; ++step)
     {
@@ -80,7 +80,7 @@ void run(const DynamicCase& scene, Motion& motion, double timeStep, int steps)
 }
 
 /// The ground accelerates by `acceleration` g for all time.
-void push(DynamicCase& scene, double acceleration)
+void push(DynamicCase<2>& scene, double acceleration)
 {
     PulseShape pulse;
     pulse.amplitude = acceleration * g;
@@ -88,15 +88,15 @@ void push(DynamicCase& scene, double acceleration)
     shake(scene, std::make_shared<RectangularPulse>(pulse));
 }
 
-Motion started(const DynamicCase& scene)
+Motion<2> started(const DynamicCase<2>& scene)
 {
     return startMotion(scene, stateAtRest(scene.assembly));
 }
 
 /// Whether a structure stands exactly as it was built for some steps; else all that it has moved.
-void expectRest(const DynamicCase& scene)
+void expectRest(const DynamicCase<2>& scene)
 {
-    Motion motion = started(scene);
+    Motion<2> motion = started(scene);
     run(scene, motion, 0.005, 5);
     EXPECT_EQ(brokenBonds(scene, motion), 0);
     for (const Placement<2>& placement : motion.state.placements)
@@ -107,9 +107,9 @@ void expectRest(const DynamicCase& scene)
     }
 }
 
-Motion expectBreak(const DynamicCase& scene, int bonds)
+Motion<2> expectBreak(const DynamicCase<2>& scene, int bonds)
 {
-    Motion motion = started(scene);
+    Motion<2> motion = started(scene);
     run(scene, motion, 0.005, 20);
     EXPECT_EQ(brokenBonds(scene, motion), bonds);
     EXPECT_LT(relativeImbalance(motion.energy), 1e-6);
@@ -141,8 +141,8 @@ TEST(JointBonds, ABlockHangsUntilItsWeightExceedsTensionTimesArea)
         SCOPED_TRACE(way.name);
         const double margin = way.margin();
         expectRest(bondedScene(hangingBlock(), {}, weight, weight * (1 + margin), way));
-        const DynamicCase weak = bondedScene(hangingBlock(), {}, weight, weight * (1 - margin), way);
-        const Motion motion = expectBreak(weak, 2);
+        const DynamicCase<2> weak = bondedScene(hangingBlock(), {}, weight, weight * (1 - margin), way);
+        const Motion<2> motion = expectBreak(weak, 2);
         // It falls freely from the start: theta 1 makes that g t (t + dt)/2.
         const double fallen = way.theta == 1 ? g * 0.1 * 0.105 / 2 : g * 0.01 / 2;
         EXPECT_NEAR(-motion.state.placements[1].translation.y(), fallen, 1e-9);
@@ -173,13 +173,13 @@ TEST(JointBonds, ABlockOnASlopeSlipsAtTheAngleOfCohesionAndFriction)
             Settings settings;
             settings.mu = mu;
             settings.gravity = g * Vector<2>(std::sin(angle), -std::cos(angle));
-            const DynamicCase scene = bondedScene(standingBlock(2, 0.5), settings, cohesion, 0, way);
+            const DynamicCase<2> scene = bondedScene(standingBlock(2, 0.5), settings, cohesion, 0, way);
             if (side < 0)
             {
                 expectRest(scene);
                 continue;
             }
-            const Motion motion = expectBreak(scene, 2);
+            const Motion<2> motion = expectBreak(scene, 2);
             // What cohesion held is free at once.
             const double acceleration = g * (std::sin(angle) - mu * std::cos(angle));
             if (way.flowRule == FlowRule::nonAssociative)
@@ -198,7 +198,7 @@ TEST(JointBonds, APushThresholdIsFrictionAndCohesion)
         SCOPED_TRACE(way.name);
         Settings settings;
         settings.mu = 0.3;
-        DynamicCase scene = bondedScene(standingBlock(2, 0.5), settings, 4000, 0, way);
+        DynamicCase<2> scene = bondedScene(standingBlock(2, 0.5), settings, 4000, 0, way);
         const double threshold = 0.3 + 2 * 4000 / weight;
         push(scene, threshold * (1 - way.margin()));
         expectRest(scene);
@@ -215,12 +215,12 @@ TEST(JointBonds, AGluedMonolithRocksAtTheAccelerationOfTheHandFormula)
     for (const Way& way : ways())
     {
         SCOPED_TRACE(way.name);
-        DynamicCase scene = bondedScene(standingBlock(0.5, 2), {}, 2 * tension, tension, way);
+        DynamicCase<2> scene = bondedScene(standingBlock(0.5, 2), {}, 2 * tension, tension, way);
         const double threshold = 0.25 * 1.7;
         push(scene, threshold * (1 - way.margin()));
         expectRest(scene);
         push(scene, threshold * (1 + way.margin()));
-        const Motion motion = expectBreak(scene, 1); // the heel; the toe turns
+        const Motion<2> motion = expectBreak(scene, 1); // the heel; the toe turns
         EXPECT_GT(std::abs(motion.state.placements[1].rotation), 1e-3);
     }
 }
@@ -232,14 +232,14 @@ TEST(JointBonds, ABrokenJointIsADryOne)
     const auto after = [](double tension)
     {
         Settings settings;
-        DynamicCase scene = bondedScene(standingBlock(0.5, 2), settings, 2 * tension, tension);
-        Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+        DynamicCase<2> scene = bondedScene(standingBlock(0.5, 2), settings, 2 * tension, tension);
+        Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
         motion.state.velocity[2] = 0.5;
         run(scene, motion, 0.002, 400);
         return motion;
     };
-    const Motion glued = after(100);
-    const Motion dry = after(0);
+    const Motion<2> glued = after(100);
+    const Motion<2> dry = after(0);
     EXPECT_NEAR(glued.state.placements[1].rotation, dry.state.placements[1].rotation, 1e-4);
     EXPECT_NE(dry.state.placements[1].rotation, 0);
 }
@@ -254,8 +254,8 @@ TEST(JointBonds, OfAChainTheWeakestLinkBreaksAndTheRestHolds)
         Assembly<2> assembly = hangingBlock();
         assembly.blocks.push_back(rectangle(0, -3, 1, 1));
         assembly.blocks.push_back(rectangle(0, -4, 1, 1));
-        const DynamicCase scene = bondedScene(std::move(assembly), {}, 2.5 * weight, 2.5 * weight, way);
-        const Motion motion = expectBreak(scene, 2);
+        const DynamicCase<2> scene = bondedScene(std::move(assembly), {}, 2.5 * weight, 2.5 * weight, way);
+        const Motion<2> motion = expectBreak(scene, 2);
         for (int block : {1, 2, 3})
         {
             EXPECT_LT(motion.state.placements[block].translation.y(), -0.04);
@@ -275,8 +275,8 @@ TEST(JointBonds, GluedBlocksSpinAsOne)
         Settings settings;
         settings.gravity = {0, 0};
         settings.flowRule = flowRule;
-        const DynamicCase scene = bondedScene(assembly, settings, 1e6, 1e6);
-        Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+        const DynamicCase<2> scene = bondedScene(assembly, settings, 1e6, 1e6);
+        Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
         const double spin = 2;
         motion.state.velocity << spin * 0.5, 0, spin, -spin * 0.5, 0, spin; // about (0.5, 4)
         run(scene, motion, 0.005, 400);
@@ -312,8 +312,8 @@ TEST(JointBonds, GluedBlocksSpinningTooFastPart)
         Settings settings;
         settings.gravity = {0, 0};
         const double spin = 2;
-        const DynamicCase scene = bondedScene(assembly, settings, 1e6, 900 * spin * spin / ratio);
-        Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+        const DynamicCase<2> scene = bondedScene(assembly, settings, 1e6, 900 * spin * spin / ratio);
+        Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
         motion.state.velocity << spin * 0.5, 0, spin, -spin * 0.5, 0, spin;
         run(scene, motion, 0.001, 100);
         EXPECT_EQ(brokenBonds(scene, motion), ratio > 1 ? 2 : 0);
@@ -326,9 +326,9 @@ TEST(JointBonds, UnitsOfForceChangeNothing)
     {
         Settings settings;
         settings.density = 1800 * unit;
-        DynamicCase scene = bondedScene(standingBlock(0.5, 2), settings, 3e4 * unit, 1e4 * unit);
+        DynamicCase<2> scene = bondedScene(standingBlock(0.5, 2), settings, 3e4 * unit, 1e4 * unit);
         push(scene, 0.5);
-        Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+        Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
         run(scene, motion, 0.005, 60);
         EXPECT_EQ(brokenBonds(scene, motion), 1);
         return motion.state.placements[1].rotation;
@@ -346,24 +346,24 @@ TEST(JointBonds, StrengthsBelongToJointsByName)
     Assembly<2> assembly = standingBlock(1, 1);
     assembly.blocks.push_back(rectangle(0, 1, 1, 1));
     Settings settings;
-    DynamicCase scene = sceneOf(std::move(assembly), settings);
+    DynamicCase<2> scene = sceneOf(std::move(assembly), settings);
     JointProperties glued;
     glued.cohesion = JointStrength{1000};
     NamePattern name;
     name.text = "1-2";
     name.matches = [](std::string_view joint) { return joint == "1-2"; };
     scene.contact.joints.emplace_back(name, glued);
-    const std::vector<Bond> bonds = jointBonds({}, scene.contact, scene.assembly);
-    scene.effects = {std::make_shared<JointBonds>(bonds)};
+    const std::vector<Bond<2>> bonds = jointBonds({}, scene.contact, scene.assembly);
+    scene.effects = {std::make_shared<JointBonds<2>>(bonds)};
     ASSERT_EQ(bonds.size(), 4u);
     int held = 0;
-    for (const Bond& bond : bonds)
+    for (const Bond<2>& bond : bonds)
     {
         EXPECT_EQ(bond.strength.cohesion, bond.block == 1 ? 500 : 0); // half of 1 m2 a point
         held += bond.strength.cohesion > 0;
     }
     EXPECT_EQ(held, 2);
-    const Motion motion = started(scene);
+    const Motion<2> motion = started(scene);
     EXPECT_EQ(brokenBonds(scene, motion), 0);
     EXPECT_EQ(std::count(motion.effectStates[0].flags.begin(), motion.effectStates[0].flags.end(), true), 2);
     scene.contact.joints[0].second.cohesion = JointStrength{0};
@@ -372,10 +372,10 @@ TEST(JointBonds, StrengthsBelongToJointsByName)
 
 TEST(JointBonds, EndsThatAreApartFromTheStartDoNotHold)
 {
-    const DynamicCase scene = bondedScene(standingBlock(1, 1), {}, 1e6, 1e6);
-    DynamicState state = stateAtRest(scene.assembly);
+    const DynamicCase<2> scene = bondedScene(standingBlock(1, 1), {}, 1e6, 1e6);
+    DynamicState<2> state = stateAtRest(scene.assembly);
     state.placements[1].translation = {0.01, 0};
-    const Motion motion = startMotion(scene, state);
+    const Motion<2> motion = startMotion(scene, state);
     EXPECT_EQ(brokenBonds(scene, motion), 2);
 }
 
@@ -387,8 +387,8 @@ TEST(JointBonds, HoldThroughAnImpactThatPressesThem)
     assembly.blocks.push_back(rectangle(0, 1.5, 1, 1));
     Settings settings;
     settings.restitution = 0.5;
-    const DynamicCase scene = bondedScene(std::move(assembly), settings, 1e6, 1e6);
-    Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+    const DynamicCase<2> scene = bondedScene(std::move(assembly), settings, 1e6, 1e6);
+    Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
     run(scene, motion, 0.002, 300);
     EXPECT_EQ(brokenBonds(scene, motion), 0);
     EXPECT_NEAR(motion.state.placements[1].translation.y(), motion.state.placements[2].translation.y(), 1e-7);
@@ -411,11 +411,11 @@ TEST(JointBonds, CrossLockedBlocksOfAWallFindTheirPoints)
     {
         Settings settings;
         settings.flowRule = flowRule;
-        DynamicCase scene = bondedScene(assembly, settings, 1e5, 1e5);
+        DynamicCase<2> scene = bondedScene(assembly, settings, 1e5, 1e5);
         push(scene, 2); // far beyond what a dry one stands
         expectRest(scene);
         push(scene, 200);
-        Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+        Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
         run(scene, motion, 0.002, 10);
         EXPECT_GT(brokenBonds(scene, motion), 0);
     }

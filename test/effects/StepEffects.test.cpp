@@ -18,16 +18,16 @@ namespace
 {
 
 /// One block of 1 m x 1 m on the ground.
-DynamicCase blockOnSprings(double normal, double tangential, Settings settings = {})
+DynamicCase<2> blockOnSprings(double normal, double tangential, Settings settings = {})
 {
     Assembly<2> assembly = ground(-5, 5);
     assembly.blocks.push_back(rectangle(0, 0, 1, 1));
-    DynamicCase scene = sceneOf(std::move(assembly), settings);
-    scene.effects = {std::make_shared<JointElasticity>(Elasticity{normal, tangential})};
+    DynamicCase<2> scene = sceneOf(std::move(assembly), settings);
+    scene.effects = {std::make_shared<JointElasticity<2>>(Elasticity{normal, tangential})};
     return scene;
 }
 
-void run(const DynamicCase& scene, Motion& motion, double timeStep, int steps)
+void run(const DynamicCase<2>& scene, Motion<2>& motion, double timeStep, int steps)
 {
     for (int step = 0; step < steps; ++step)
     {
@@ -41,8 +41,8 @@ TEST(JointElasticity, ABlockSettlesByItsWeightOverTheStiffnessOfItsPoints)
 {
     for (const double stiffness : {1e6, 1e8, 1e10})
     {
-        const DynamicCase scene = blockOnSprings(stiffness, 0.5 * stiffness);
-        Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+        const DynamicCase<2> scene = blockOnSprings(stiffness, 0.5 * stiffness);
+        Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
         // Steps far longer than a period: theta 1 then takes all energy out of the springs.
         run(scene, motion, 0.02, 300);
         const double weight = scene.mass[0] * g;
@@ -62,7 +62,7 @@ TEST(JointElasticity, ABlockOnSpringsHasTheFrequenciesOfItsStiffnessAndMassMatri
     Settings settings;
     settings.mu = 5;           // sticks
     settings.tolerance = 1e-9; // steps of 1e-5 s: less than that of the weight is rounding
-    DynamicCase scene = blockOnSprings(normal, tangential, settings);
+    DynamicCase<2> scene = blockOnSprings(normal, tangential, settings);
     scene.schemes.smallDisplacements = true; // no moment of the weight about the leaning block
     // K = A C^-1 A' by hand: points at x = -0.5 and 0.5 beside the mass centre, 0.5 under it.
     Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero();
@@ -78,7 +78,7 @@ TEST(JointElasticity, ABlockOnSpringsHasTheFrequenciesOfItsStiffnessAndMassMatri
     {
         const double period = 2 * std::numbers::pi / std::sqrt(modes.eigenvalues()[mode]);
         const Eigen::Vector3d shape = modes.eigenvectors().col(mode).normalized();
-        Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+        Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
         run(scene, motion, 0.02, 300); // settled
         motion.state.velocity = 1e-4 * shape;
         const auto place = [&]
@@ -112,17 +112,17 @@ TEST(JointElasticity, StifferPointsComeEverNearerToTheRigidBlock)
     {
         Settings settings;
         settings.mu = 0.2;
-        DynamicCase scene = blockOnSprings(1, 1, settings);
+        DynamicCase<2> scene = blockOnSprings(1, 1, settings);
         scene.effects.clear();
         if (stiffness)
         {
-            scene.effects = {std::make_shared<JointElasticity>(Elasticity{*stiffness, *stiffness})};
+            scene.effects = {std::make_shared<JointElasticity<2>>(Elasticity{*stiffness, *stiffness})};
         }
         PulseShape pulse;
         pulse.amplitude = 0.5 * g;
         pulse.duration = 0.5;
         shake(scene, std::make_shared<RectangularPulse>(pulse));
-        Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+        Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
         run(scene, motion, 2e-3, 1000);
         EXPECT_LT(relativeImbalance(motion.energy), 1e-6);
         return std::abs(motion.state.placements[1].translation.x());
@@ -145,10 +145,10 @@ TEST(JointElasticity, ABlockThatIsPushedBelowItsFrictionComesToRestWithItsShearI
     for (const bool small : {true, false})
     {
         const double stiffness = 1e7;
-        DynamicCase scene = blockOnSprings(stiffness, 0.5 * stiffness);
+        DynamicCase<2> scene = blockOnSprings(stiffness, 0.5 * stiffness);
         scene.schemes.smallDisplacements = small;
         shake(scene, std::make_shared<ConstantAcceleration>(-0.3 * g)); // pushes to the right
-        Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+        Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
         run(scene, motion, 0.02, 500);
         const double weight = scene.mass[0] * g;
         // Two points share 0.3 W; the block leans by the moment 0.5 m 0.3 W over its rocking stiffness.
@@ -166,9 +166,9 @@ TEST(MassDamping, ABlockThatFallsReachesTheVelocityAtWhichDampingCarriesIt)
     Settings settings;
     Assembly<2> assembly = ground(-5, 5);
     assembly.blocks.push_back(rectangle(0, 500, 1, 1));
-    DynamicCase scene = sceneOf(std::move(assembly), settings);
-    scene.effects = {std::make_shared<MassDamping>(Damping{4})};
-    Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+    DynamicCase<2> scene = sceneOf(std::move(assembly), settings);
+    scene.effects = {std::make_shared<MassDamping<2>>(Damping{4})};
+    Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
     // v1 = (v0 + g dt)/(1 + a dt) in each step of theta 1
     double velocity = 0;
     for (int step = 0; step < 1000; ++step)
@@ -191,11 +191,11 @@ TEST(MassDamping, DecaysAsTheExponentialToSecondOrderWithThetaOneHalf)
         settings.gravity.setZero();
         Assembly<2> assembly = ground(-5, 5);
         assembly.blocks.push_back(rectangle(0, 5, 1, 1));
-        DynamicCase scene = sceneOf(std::move(assembly), settings);
-        scene.effects = {std::make_shared<MassDamping>(Damping{2})};
-        DynamicState start = stateAtRest(scene.assembly);
+        DynamicCase<2> scene = sceneOf(std::move(assembly), settings);
+        scene.effects = {std::make_shared<MassDamping<2>>(Damping{2})};
+        DynamicState<2> start = stateAtRest(scene.assembly);
         start.velocity << 1, 0.5, 3;
-        Motion motion = startMotion(scene, start);
+        Motion<2> motion = startMotion(scene, start);
         run(scene, motion, timeStep, static_cast<int>(std::lround(1 / timeStep)));
         EXPECT_LT(relativeImbalance(motion.energy), 1e-12);
         return std::abs(motion.state.velocity[2] - 3 * std::exp(-2.0));
@@ -228,18 +228,18 @@ double amplitudeAfterOneSwing(int facets, double crown, double start, double dam
     assembly.blocks.push_back(block);
     Settings settings;
     settings.mu = 5;
-    DynamicCase scene = sceneOf(std::move(assembly), settings);
+    DynamicCase<2> scene = sceneOf(std::move(assembly), settings);
     if (damping > 0)
     {
-        scene.effects = {std::make_shared<MassDamping>(Damping{damping})};
+        scene.effects = {std::make_shared<MassDamping<2>>(Damping{damping})};
     }
     // On its left corner.
     const Vector<2> arm = scene.blocks[1].centroid - block.outline.front();
     const Vector<2> turned(std::cos(start) * arm.x() - std::sin(start) * arm.y(),
                            std::sin(start) * arm.x() + std::cos(start) * arm.y());
-    DynamicState state = stateAtRest(scene.assembly);
+    DynamicState<2> state = stateAtRest(scene.assembly);
     state.placements[1] = {turned - arm - Vector<2>(0, crown), start};
-    Motion motion = startMotion(scene, state);
+    Motion<2> motion = startMotion(scene, state);
     double amplitude = 0;
     while (motion.state.time < 3)
     {

@@ -15,7 +15,7 @@ namespace
 {
 
 /// The ground moves with velocities between points in time. \param points times [s] and velocities [m/s]
-SupportMotion motionOf(const Vector<2>& direction, const std::vector<std::pair<double, double>>& points)
+SupportMotion<2> motionOf(const Vector<2>& direction, const std::vector<std::pair<double, double>>& points)
 {
     std::vector<double> times;
     std::vector<double> velocities;
@@ -28,23 +28,23 @@ SupportMotion motionOf(const Vector<2>& direction, const std::vector<std::pair<d
 }
 
 /// Likewise turning about a centre, with angular velocities.
-SupportMotion turningAbout(const Vector<2>& centre, const std::vector<std::pair<double, double>>& points)
+SupportMotion<2> turningAbout(const Vector<2>& centre, const std::vector<std::pair<double, double>>& points)
 {
-    SupportMotion motion = motionOf({1, 0}, points);
+    SupportMotion<2> motion = motionOf({1, 0}, points);
     motion.angularVelocity = motion.velocity;
     motion.velocity.reset();
     motion.centre = centre;
     return motion;
 }
 
-DynamicCase blockOnGround(const Settings& settings, double width = 1, double height = 0.4)
+DynamicCase<2> blockOnGround(const Settings& settings, double width = 1, double height = 0.4)
 {
     Assembly<2> assembly = ground(-20, 20);
     assembly.blocks.push_back(rectangle(-width / 2, 0, width, height));
     return sceneOf(std::move(assembly), settings);
 }
 
-void run(const DynamicCase& scene, Motion& motion, double timeStep, double until)
+void run(const DynamicCase<2>& scene, Motion<2>& motion, double timeStep, double until)
 {
     while (motion.state.time < until - timeStep / 2)
     {
@@ -61,13 +61,13 @@ TEST(SupportMotion, CarriesABlockAsAGroundThatAcceleratesLeavesItBehind)
     // rule takes both alike to the last digits.
     for (const bool small : {true, false})
     {
-        DynamicCase relative = blockOnGround({.theta = 0.5, .mu = 0.2});
+        DynamicCase<2> relative = blockOnGround({.theta = 0.5, .mu = 0.2});
         relative.schemes.smallDisplacements = small;
-        DynamicCase absolute = relative;
+        DynamicCase<2> absolute = relative;
         shake(relative, std::make_shared<RectangularPulse>(PulseShape{0.5 * g, 0.5, 0}));
         absolute.supportMotions = {motionOf({1, 0}, {{0, 0}, {0.5, 0.25 * g}, {10, 0.25 * g}})};
-        Motion fromTheGround = startMotion(relative, stateAtRest(relative.assembly));
-        Motion fromOutside = startMotion(absolute, stateAtRest(absolute.assembly));
+        Motion<2> fromTheGround = startMotion(relative, stateAtRest(relative.assembly));
+        Motion<2> fromOutside = startMotion(absolute, stateAtRest(absolute.assembly));
         for (int step = 0; step < 1500; ++step)
         {
             ASSERT_TRUE(advance(relative, fromTheGround, 1e-3));
@@ -94,12 +94,12 @@ TEST(SupportMotion, MakesABlockRockAsTheGroundDoes)
 {
     for (const double theta : {1.0, 0.5})
     {
-        DynamicCase relative = blockOnGround({.theta = theta, .mu = 5}, 0.5, 2);
-        DynamicCase absolute = relative;
+        DynamicCase<2> relative = blockOnGround({.theta = theta, .mu = 5}, 0.5, 2);
+        DynamicCase<2> absolute = relative;
         shake(relative, std::make_shared<RectangularPulse>(PulseShape{0.32 * g, 0.5, 0}));
         absolute.supportMotions = {motionOf({1, 0}, {{0, 0}, {0.5, 0.16 * g}, {10, 0.16 * g}})};
-        Motion fromTheGround = startMotion(relative, stateAtRest(relative.assembly));
-        Motion fromOutside = startMotion(absolute, stateAtRest(absolute.assembly));
+        Motion<2> fromTheGround = startMotion(relative, stateAtRest(relative.assembly));
+        Motion<2> fromOutside = startMotion(absolute, stateAtRest(absolute.assembly));
         double largest = 0;
         double difference = 0;
         for (int step = 0; step < 3000; ++step)
@@ -121,9 +121,9 @@ TEST(SupportMotion, ThatStartsAllAtOncePushesABlockAsAPlasticImpactDoes)
     // 1 m/s upwards: the impulse m v works m v^2, half of which becomes kinetic energy.
     for (const double theta : {1.0, 0.5})
     {
-        DynamicCase scene = blockOnGround({.theta = theta});
+        DynamicCase<2> scene = blockOnGround({.theta = theta});
         scene.supportMotions = {motionOf({0, 1}, {{0, 1}, {10, 1}})};
-        Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+        Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
         ASSERT_NO_FATAL_FAILURE(run(scene, motion, 1e-2, 0.5));
         const double mass = scene.mass[0];
         EXPECT_NEAR(motion.state.velocity[1], 1, 1e-9);
@@ -136,9 +136,9 @@ TEST(SupportMotion, ThatStartsAllAtOncePushesABlockAsAPlasticImpactDoes)
 
 TEST(SupportMotion, ThatSettlesTakesABlockAlongAsLongAsItFallsSlowerThanTheBlock)
 {
-    DynamicCase scene = blockOnGround({});
+    DynamicCase<2> scene = blockOnGround({});
     scene.supportMotions = {motionOf({0, -1}, {{0, 0}, {0.5, 0.25 * g}, {1, 0}})}; // g/2 down, then g/2 up
-    Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+    Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
     const double weight = scene.mass[0] * g;
     const auto force = [&motion] { return motion.contactForces[0].x() + motion.contactForces[1].x(); };
     // Backward Euler starts with half a step's velocity too little.
@@ -173,7 +173,7 @@ TEST(SupportMotion, TurnsABlockAboutTheCentre)
     const std::vector<BlockMass<2>> blocks = blockMasses(assembly);
     std::vector<Placement<2>> placements = stateAtRest(assembly).placements;
     const double spin = std::numbers::pi / 4;
-    const SupportMotion turning = turningAbout({1, 0}, {{0, spin}, {2, spin}});
+    const SupportMotion<2> turning = turningAbout({1, 0}, {{0, spin}, {2, spin}});
     for (int part = 0; part < 10; ++part)
     {
         const auto steps =
@@ -194,10 +194,10 @@ TEST(SupportMotion, ABlockOnATableThatTiltsIsLiftedAndSlipsAtTheAngleOfFriction)
     // mu 0.2: atan 0.2 = 0.1974 rad, at 0.1 rad/s after 1.974 s.
     for (const bool small : {false, true})
     {
-        DynamicCase scene = blockOnGround({.mu = 0.2, .tolerance = 1e-10});
+        DynamicCase<2> scene = blockOnGround({.mu = 0.2, .tolerance = 1e-10});
         scene.schemes.smallDisplacements = small;
         scene.supportMotions = {turningAbout({0, 0}, {{0, 0}, {0.1, 0.1}, {10, 0.1}})}; // 0.005 rad less
-        Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+        Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
         const auto slip = [&]
         {
             // In the frame of the table the mass centre was built at (0, 0.2).
@@ -236,7 +236,7 @@ namespace
 {
 
 /// A block slides at 3 m/s over the edge of the ground at x = 1; another one rests.
-DynamicCase blockOverTheEdge()
+DynamicCase<2> blockOverTheEdge()
 {
     Assembly<2> assembly = ground(-5, 1);
     assembly.blocks.push_back(rectangle(0, 0, 0.4, 0.4));
@@ -244,9 +244,9 @@ DynamicCase blockOverTheEdge()
     return sceneOf(std::move(assembly), {.mu = 0.1});
 }
 
-DynamicState slidingOff(const DynamicCase& scene)
+DynamicState<2> slidingOff(const DynamicCase<2>& scene)
 {
-    DynamicState state = stateAtRest(scene.assembly);
+    DynamicState<2> state = stateAtRest(scene.assembly);
     state.velocity[0] = 3;
     return state;
 }
@@ -255,11 +255,11 @@ DynamicState slidingOff(const DynamicCase& scene)
 
 TEST(Deletion, ABlockThatLeavesTheBoxStopsThereAndTakesItsEnergyWithIt)
 {
-    const DynamicCase followed = blockOverTheEdge();
-    DynamicCase scene = followed;
-    scene.effects = {std::make_shared<BlockDeletion>(Deletion{{{-10, -1}, {10, 10}}})};
-    Motion motion = startMotion(scene, slidingOff(scene));
-    Motion reference = startMotion(followed, slidingOff(followed));
+    const DynamicCase<2> followed = blockOverTheEdge();
+    DynamicCase<2> scene = followed;
+    scene.effects = {std::make_shared<BlockDeletion<2>>(Deletion<2>{{{-10, -1}, {10, 10}}})};
+    Motion<2> motion = startMotion(scene, slidingOff(scene));
+    Motion<2> reference = startMotion(followed, slidingOff(followed));
     double kineticThere = 0;
     double workBefore = 0;
     int step = 0;
@@ -288,7 +288,7 @@ TEST(Deletion, ABlockThatLeavesTheBoxStopsThereAndTakesItsEnergyWithIt)
     EXPECT_LT(relativeImbalance(motion.energy), 1e-10);
     EXPECT_EQ(motion.points.size(), 2u); // of the other block
     // A run that starts from this state knows which block is out.
-    const Motion again = startMotion(scene, motion.state);
+    const Motion<2> again = startMotion(scene, motion.state);
     EXPECT_EQ(again.effectStates[0].flags, motion.effectStates[0].flags);
 }
 
@@ -298,11 +298,11 @@ TEST(Deletion, WhatStandsOnABlockThatIsDeletedFalls)
     Assembly<2> assembly = ground(-5, 5);
     assembly.blocks.push_back(rectangle(0, 0, 1, 0.4));
     assembly.blocks.push_back(rectangle(0.1, 0.4, 0.5, 0.2));
-    DynamicCase scene = sceneOf(std::move(assembly), {.mu = 0.1});
-    scene.effects = {std::make_shared<BlockDeletion>(Deletion{{{-1, -10}, {0.6, 10}}})};
-    DynamicState state = stateAtRest(scene.assembly);
+    DynamicCase<2> scene = sceneOf(std::move(assembly), {.mu = 0.1});
+    scene.effects = {std::make_shared<BlockDeletion<2>>(Deletion<2>{{{-1, -10}, {0.6, 10}}})};
+    DynamicState<2> state = stateAtRest(scene.assembly);
     state.velocity[0] = state.velocity[3] = 1;
-    Motion motion = startMotion(scene, state);
+    Motion<2> motion = startMotion(scene, state);
     int step = 0;
     for (; step < 500 && !motion.effectStates[0].flags[1]; ++step)
     {
@@ -321,9 +321,9 @@ TEST(Deletion, WhatStandsOnABlockThatIsDeletedFalls)
 
 TEST(Deletion, ABlockOutsideFromTheStartIsNotComputed)
 {
-    DynamicCase scene = blockOverTheEdge();
-    scene.effects = {std::make_shared<BlockDeletion>(Deletion{{{-10, -1}, {0, 10}}})};
-    Motion motion = startMotion(scene, slidingOff(scene));
+    DynamicCase<2> scene = blockOverTheEdge();
+    scene.effects = {std::make_shared<BlockDeletion<2>>(Deletion<2>{{{-10, -1}, {0, 10}}})};
+    Motion<2> motion = startMotion(scene, slidingOff(scene));
     EXPECT_EQ(motion.energy.opening, 0);
     ASSERT_NO_FATAL_FAILURE(run(scene, motion, 1e-2, 1));
     EXPECT_EQ(motion.state.placements[1].translation.x(), 0);

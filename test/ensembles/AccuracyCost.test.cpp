@@ -27,7 +27,7 @@ Polygon rectangle(double left, double bottom, double width, double height)
 AccuracyCase rockingCase(double share = 0.5)
 {
     AccuracyCase study;
-    DynamicCase scene;
+    DynamicCase<2> scene;
     Assembly<2> assembly;
     assembly.supports.push_back({"ground", "ground"});
     assembly.blocks.push_back({rectangle(-4, -0.5, 8, 0.5), 1, 0});
@@ -128,7 +128,7 @@ TEST(AccuracyCost, TheFirstStepIsAPartOfOneAndTheLastEndsAtTheEndTime)
     const AccuracyCase study = rockingCase(0);
     std::vector<double> times;
     const Measurement run = stepThrough(*study.scene, study, settingWith(0.4, 1), {1, 4},
-                                        [&](const Motion& motion, double)
+                                        [&](const Motion<2>& motion, double)
                                         {
                                             times.push_back(motion.state.time);
                                             return true;

@@ -48,7 +48,7 @@ StudyMotion constantMotion(double acceleration)
 IncrementalDynamics studyOf(const BlockCase& block)
 {
     IncrementalDynamics study;
-    DynamicCase& scene = study.scene;
+    DynamicCase<2>& scene = study.scene;
     scene.assembly.supports.push_back({"ground", "ground"});
     scene.assembly.blocks.push_back({rectangle(-5, -1, 10 + block.width, 1), 1, 0});
     scene.assembly.blocks.push_back({rectangle(0, 0, block.width, block.height), 1, -1});
@@ -214,8 +214,8 @@ TEST(Criterion, MeasuresFromWhereTheRunBegan)
     const IncrementalDynamics study = studyOf({.width = 0.5, .height = 2});
     const auto measured = [&](const std::string& text, const Placement<2>& start, const Placement<2>& now)
     {
-        DynamicState before = study.start.state;
-        Motion after = study.start;
+        DynamicState<2> before = study.start.state;
+        Motion<2> after = study.start;
         before.placements[1] = start;
         after.state.placements[1] = now;
         return criterionTypes()

@@ -13,14 +13,14 @@ namespace
 {
 
 /// A block of 0.5 m x 2 m, alpha = min(mu, 0.25), shaken along x and y by constant accelerations [g].
-DynamicCase shakenBlock(double mu, double horizontal, double vertical = 0)
+DynamicCase<2> shakenBlock(double mu, double horizontal, double vertical = 0)
 {
     Assembly<2> assembly = ground(-5, 5);
     assembly.blocks.push_back(rectangle(0, 0, 0.5, 2));
     Settings settings;
     settings.mu = mu;
     settings.flowRule = FlowRule::associative;
-    DynamicCase scene = sceneOf(std::move(assembly), settings);
+    DynamicCase<2> scene = sceneOf(std::move(assembly), settings);
     const auto add = [&scene](const Eigen::Vector3d& direction, double value)
     {
         GroundMotion::Component component;
@@ -39,7 +39,7 @@ DynamicCase shakenBlock(double mu, double horizontal, double vertical = 0)
     return scene;
 }
 
-EffectAdvice adviceFor(const DynamicCase& scene)
+EffectAdvice adviceFor(const DynamicCase<2>& scene)
 {
     return adviseEffects(scene, stateAtRest(scene.assembly));
 }
@@ -53,7 +53,7 @@ bool contains(const std::string& text, const std::string& part)
 
 TEST(EffectAdvice, BelowAlphaStaticsSufficeAndDemandIsTheInclinationOfTheLoad)
 {
-    const DynamicCase scene = shakenBlock(0.6, 0.2);
+    const DynamicCase<2> scene = shakenBlock(0.6, 0.2);
     const EffectAdvice advice = adviceFor(scene);
     ASSERT_TRUE(advice.isAssessed);
     EXPECT_NEAR(advice.capacity, 0.25 / 0.2, 1e-6);
@@ -70,7 +70,7 @@ TEST(EffectAdvice, BeyondAlphaABlockRocksWhereFrictionIsMoreThanItsSlenderness)
     const EffectAdvice rocking = adviceFor(shakenBlock(0.6, 0.5));
     EXPECT_NEAR(rocking.capacity, 0.25 / 0.5, 1e-6);
     EXPECT_NEAR(rocking.frictionDemand, 0.25, 2e-4);
-    const DynamicCase scene = shakenBlock(0.1, 0.5);
+    const DynamicCase<2> scene = shakenBlock(0.1, 0.5);
     const EffectAdvice sliding = adviceFor(scene);
     EXPECT_NEAR(sliding.capacity, 0.1 / 0.5, 1e-6);
     EXPECT_NEAR(sliding.frictionDemand, 0.25, 2e-4);
@@ -82,7 +82,7 @@ TEST(EffectAdvice, WarnsWithinFivePercentOfABorderAndNotBeyond)
 {
     const auto text = [](double mu, double peak)
     {
-        const DynamicCase scene = shakenBlock(mu, peak);
+        const DynamicCase<2> scene = shakenBlock(mu, peak);
         return adviceText(scene, adviceFor(scene));
     };
     EXPECT_TRUE(contains(text(0.6, 0.241), "Warning: the peak")) << text(0.6, 0.241);
@@ -109,18 +109,18 @@ TEST(EffectAdvice, OfTwoComponentsTheWorstCornerCounts)
 
 TEST(EffectAdvice, IsSilentWhereItsCriteriaDoNotHold)
 {
-    DynamicCase scene = shakenBlock(0.6, 0.2);
-    DynamicState start = stateAtRest(scene.assembly);
+    DynamicCase<2> scene = shakenBlock(0.6, 0.2);
+    DynamicState<2> start = stateAtRest(scene.assembly);
     start.velocity[0] = 1;
     EXPECT_FALSE(adviseEffects(scene, start).isAssessed);
     EXPECT_TRUE(contains(adviceText(scene, adviseEffects(scene, start)), "do not start at rest"));
-    scene.effects = {std::make_shared<JointElasticity>(Elasticity{1e8, 1e8})};
+    scene.effects = {std::make_shared<JointElasticity<2>>(Elasticity{1e8, 1e8})};
     EXPECT_FALSE(adviceFor(scene).isAssessed);
 }
 
 TEST(EffectAdvice, OfAStillGroundTheDeadLoadDecides)
 {
-    DynamicCase scene = shakenBlock(0.6, 0);
+    DynamicCase<2> scene = shakenBlock(0.6, 0);
     EXPECT_TRUE(contains(adviceText(scene, adviceFor(scene)), "stay at rest"));
     // A block that overhangs its support by more than half falls.
     Assembly<2> assembly = ground(-5, 0.2);

@@ -40,7 +40,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     fuzz::tryReading(
         [&]
         {
-            const DynamicCase scene = readDynamicCase(sound.path());
+            const DynamicCase<2> scene = readDynamicCase<2>(sound.path());
             readInitialMotion(sound.path(), "0", scene.assembly);
         });
     sound.restore(files[*changed]);

@@ -50,7 +50,7 @@ void readSearch(const std::filesystem::path& caseDirectory)
 void readFunctions(const std::filesystem::path& caseDirectory)
 {
     const Time time(caseDirectory, ControlDict::required);
-    const DynamicCase scene = readDynamicCase(caseDirectory);
+    const DynamicCase<2> scene = readDynamicCase<2>(caseDirectory);
     checkFunctions(time.controlDict(), caseDirectory, scene.assembly);
 }
 

@@ -22,9 +22,9 @@ Figure figureOf(const std::string& text)
 }
 
 /// A block of 0.5 x 2 m on the ground.
-DynamicCase blockOnGround()
+DynamicCase<2> blockOnGround()
 {
-    DynamicCase scene;
+    DynamicCase<2> scene;
     scene.assembly.supports.push_back({"ground", "ground"});
     scene.assembly.blocks.push_back({{{-5, -1}, {5, -1}, {5, 0}, {-5, 0}}, 1, 0});
     scene.assembly.blocks.push_back({{{0, 0}, {0.5, 0}, {0.5, 2}, {0, 2}}, 1, -1});
@@ -36,8 +36,8 @@ DynamicCase blockOnGround()
 /// The value after the block has been at some placements.
 double valueAfter(const std::string& text, const std::vector<Placement<2>>& placements)
 {
-    const DynamicCase scene = blockOnGround();
-    Motion motion;
+    const DynamicCase<2> scene = blockOnGround();
+    Motion<2> motion;
     motion.state = stateAtRest(scene.assembly);
     const auto watch = figureOf(text).watch(scene, motion);
     watch->observe(motion, 0);

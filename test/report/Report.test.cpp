@@ -43,7 +43,7 @@ TEST(InputTable, GivesEachValueItsUnitAndItsMeaning)
     const Dictionary dictionary =
         Dictionary::readString("FoamFile { version 2.0; }\nfriction { type Coulomb; mu 0.65; } "
                                "crushing { strength 1e6; } unheardOf (1 2);");
-    const auto rows = inputRows(dictionary, describeOptions<CaseEffects>());
+    const auto rows = inputRows(dictionary, describeOptions<CaseEffects<2>>());
     ASSERT_EQ(rows.size(), 4U);
     EXPECT_EQ(rows[0][0], "friction/type");
     EXPECT_THAT(rows[1], ElementsAre("friction/mu", "0.65", "-", "friction coefficient"));

@@ -23,12 +23,12 @@ using scenes::g;
 using scenes::rectangle;
 
 /// Tolerances that each solver is for.
-DynamicCase sceneFor(SolverType solver, Assembly<2> assembly, scenes::Settings settings = {})
+DynamicCase<2> sceneFor(SolverType solver, Assembly<2> assembly, scenes::Settings settings = {})
 {
     settings.tolerance = solver == SolverType::gaussSeidel     ? 1e-4
                          : solver == SolverType::interiorPoint ? 1e-10
                                                                : 1e-11;
-    DynamicCase scene = scenes::sceneOf(std::move(assembly), settings);
+    DynamicCase<2> scene = scenes::sceneOf(std::move(assembly), settings);
     scene.solution.solver = solver;
     return scene;
 }
@@ -36,14 +36,14 @@ DynamicCase sceneFor(SolverType solver, Assembly<2> assembly, scenes::Settings s
 /// A run that watches over what must always hold. Stops at the first thing that does not.
 struct Watched
 {
-    const DynamicCase& scene;
-    Motion motion;
+    const DynamicCase<2>& scene;
+    Motion<2> motion;
     Outcome& outcome;
     double deepest; ///< overlap allowed [m]
     bool holds = true;
     double largestImbalance = 1e-9; ///< of energy allowed, relative
 
-    Watched(const DynamicCase& watched, DynamicState start, Outcome& result)
+    Watched(const DynamicCase<2>& watched, DynamicState<2> start, Outcome& result)
         : scene(watched),
           motion(startMotion(watched, std::move(start))),
           outcome(result),
@@ -51,7 +51,7 @@ struct Watched
     {
     }
 
-    Watched(const DynamicCase& watched, Outcome& result)
+    Watched(const DynamicCase<2>& watched, Outcome& result)
         : Watched(watched, stateAtRest(watched.assembly), result)
     {
     }
@@ -129,9 +129,9 @@ constexpr std::array bothRules{FlowRule::associative, FlowRule::nonAssociative};
 
 // Sliding.
 
-DynamicState movingAlongX(const DynamicCase& scene, double velocity)
+DynamicState<2> movingAlongX(const DynamicCase<2>& scene, double velocity)
 {
-    DynamicState state = stateAtRest(scene.assembly);
+    DynamicState<2> state = stateAtRest(scene.assembly);
     state.velocity[0] = velocity;
     return state;
 }
@@ -139,7 +139,7 @@ DynamicState movingAlongX(const DynamicCase& scene, double velocity)
 Outcome impulsiveSlide(SolverType solver)
 {
     Outcome outcome;
-    const DynamicCase scene = sceneFor(solver, onGround({rectangle(0, 0, 1, 0.4)}));
+    const DynamicCase<2> scene = sceneFor(solver, onGround({rectangle(0, 0, 1, 0.4)}));
     Watched run(scene, movingAlongX(scene, 1), outcome);
     double highest = 0;
     while (run.motion.state.time < 0.2 && run.step(5e-4))
@@ -160,7 +160,7 @@ Outcome impulsiveSlideAssociative(SolverType solver)
     Outcome outcome;
     for (const double timeStep : {1e-4, 1e-6})
     {
-        const DynamicCase scene =
+        const DynamicCase<2> scene =
             sceneFor(solver, onGround({rectangle(0, 0, 1, 0.4)}), {.flowRule = FlowRule::associative});
         Watched run(scene, movingAlongX(scene, 1), outcome);
         run.step(timeStep);
@@ -174,7 +174,7 @@ Outcome steadySlide(SolverType solver)
     Outcome outcome;
     for (const double timeStep : {1e-3, 2.5e-4})
     {
-        const DynamicCase scene =
+        const DynamicCase<2> scene =
             sceneFor(solver, onGround({rectangle(0, 0, 1, 0.4)}), {.flowRule = FlowRule::associative});
         Watched run(scene, movingAlongX(scene, 1), outcome);
         run.until(0.1, timeStep);
@@ -205,8 +205,8 @@ Outcome exactFitSlot(SolverType solver)
     const Assembly<2> assembly = slot();
     for (const double velocity : {0.0, -0.5})
     {
-        const DynamicCase scene = sceneFor(solver, assembly);
-        DynamicState start = stateAtRest(scene.assembly);
+        const DynamicCase<2> scene = sceneFor(solver, assembly);
+        DynamicState<2> start = stateAtRest(scene.assembly);
         start.velocity[1] = velocity;
         Watched run(scene, start, outcome);
         run.until(0.1, 1e-3);
@@ -226,7 +226,7 @@ Outcome exactFitSlotAssociative(SolverType solver)
 {
     Outcome outcome;
     const Assembly<2> assembly = slot();
-    const DynamicCase scene = sceneFor(solver, assembly, {.flowRule = FlowRule::associative});
+    const DynamicCase<2> scene = sceneFor(solver, assembly, {.flowRule = FlowRule::associative});
     Watched run(scene, outcome);
     run.until(0.1, 1e-3);
     worsen(outcome, run.largestDisplacement());
@@ -240,7 +240,7 @@ Outcome frictionInMotion(SolverType solver, double mu)
     const double timeStep = 1e-3;
     for (const FlowRule flowRule : bothRules)
     {
-        DynamicCase scene =
+        DynamicCase<2> scene =
             sceneFor(solver, onGround({rectangle(0, 0, 1, 0.5)}), {.mu = mu, .flowRule = flowRule});
         const double acceleration = mu < 1 ? 0.5 * g : 1.2 * g; // tips from 2 g on
         scenes::shake(scene, std::make_shared<ConstantAcceleration>(acceleration));
@@ -258,9 +258,9 @@ Outcome frictionInMotion(SolverType solver, double mu)
 constexpr double slender = 0.24497866312686414; // atan(0.5/2)
 
 /// Stands on one corner, turned by `rotation`.
-DynamicState onCorner(const DynamicCase& scene, double rotation, double angularVelocity)
+DynamicState<2> onCorner(const DynamicCase<2>& scene, double rotation, double angularVelocity)
 {
-    DynamicState state = stateAtRest(scene.assembly);
+    DynamicState<2> state = stateAtRest(scene.assembly);
     const Vector<2> arm(std::copysign(0.25, rotation), 1);
     const Vector<2> turned = Eigen::Rotation2Dd(rotation) * arm;
     state.placements[1] = {turned - arm, rotation};
@@ -286,7 +286,7 @@ Outcome impactAtEveryPhase(SolverType solver, double theta)
     Outcome outcome;
     for (const FlowRule flowRule : bothRules)
     {
-        const DynamicCase scene =
+        const DynamicCase<2> scene =
             sceneFor(solver, rockingBlock(), {.theta = theta, .mu = 1, .flowRule = flowRule});
         for (const double side : {1, -1})
         {
@@ -317,7 +317,7 @@ Outcome cornerOnCorner(SolverType solver, double aside, std::span<const FlowRule
     assembly.blocks.push_back({{{aside, 1.01}, {1 + aside, 2.01}, {aside, 3.01}, {-1 + aside, 2.01}}, 1, -1});
     for (const FlowRule flowRule : flowRules)
     {
-        const DynamicCase scene = sceneFor(solver, assembly, {.flowRule = flowRule});
+        const DynamicCase<2> scene = sceneFor(solver, assembly, {.flowRule = flowRule});
         Watched run(scene, outcome);
         double energy = 0;
         while (run.motion.state.time < 0.5 && run.step(1e-3) && run.keepsBlocksApart())
@@ -338,7 +338,7 @@ Outcome painleve(SolverType solver)
     for (const FlowRule flowRule : bothRules)
     {
         const double timeStep = 1e-5;
-        const DynamicCase scene = sceneFor(solver, onGround({rod.block}), {.mu = 2, .flowRule = flowRule});
+        const DynamicCase<2> scene = sceneFor(solver, onGround({rod.block}), {.mu = 2, .flowRule = flowRule});
         Watched run(scene, movingAlongX(scene, -1), outcome);
         run.step(timeStep);
         double normal = 0;
@@ -360,9 +360,9 @@ Outcome painleve(SolverType solver)
 Outcome zenoBounce(SolverType solver)
 {
     Outcome outcome;
-    const DynamicCase scene =
+    const DynamicCase<2> scene =
         sceneFor(solver, onGround({rectangle(0, 0, 1, 0.4)}), {.theta = 0.5, .restitution = 0.8});
-    DynamicState start = stateAtRest(scene.assembly);
+    DynamicState<2> start = stateAtRest(scene.assembly);
     start.placements[1].translation.y() = 1;
     Watched run(scene, start, outcome);
     double atRest = 0;
@@ -387,7 +387,7 @@ Outcome safeIsland(SolverType solver)
     {
         for (const double direction : {1, -1})
         {
-            DynamicCase scene = sceneFor(solver, rockingBlock(), {.theta = 0.5, .mu = 10});
+            DynamicCase<2> scene = sceneFor(solver, rockingBlock(), {.theta = 0.5, .mu = 10});
             scenes::shake(scene,
                           std::make_shared<SinePulse>(PulseShape{direction * amplitude * g, 0.5, 0}, 2.0));
             Watched run(scene, outcome);
@@ -418,10 +418,10 @@ Outcome safeIsland(SolverType solver)
 Outcome noStep(SolverType solver)
 {
     Outcome outcome;
-    const DynamicCase scene = sceneFor(solver, onGround({rectangle(0, 0, 1, 0.4)}));
-    DynamicState start = stateAtRest(scene.assembly);
+    const DynamicCase<2> scene = sceneFor(solver, onGround({rectangle(0, 0, 1, 0.4)}));
+    DynamicState<2> start = stateAtRest(scene.assembly);
     start.velocity << 0.3, 0, 0.1;
-    Motion motion = startMotion(scene, start);
+    Motion<2> motion = startMotion(scene, start);
     outcome.note = advance(scene, motion, 0) ? "taken" : "refused";
     worsen(outcome, (motion.state.velocity - start.velocity).norm());
     worsen(outcome, motion.state.placements[1].translation.norm());
@@ -434,7 +434,7 @@ Outcome stepOf(SolverType solver, double timeStep)
     Outcome outcome;
     for (const double height : {0.0, 200.0})
     {
-        const DynamicCase scene = sceneFor(solver, onGround({rectangle(0, height, 1, 0.4)}));
+        const DynamicCase<2> scene = sceneFor(solver, onGround({rectangle(0, height, 1, 0.4)}));
         Watched run(scene, outcome);
         for (int step = 0; step < 3; ++step)
         {
@@ -465,7 +465,7 @@ Outcome rest(SolverType solver, long steps)
     Outcome outcome;
     for (const FlowRule flowRule : bothRules)
     {
-        DynamicCase scene = sceneFor(solver, leaningTower(1), {.flowRule = flowRule});
+        DynamicCase<2> scene = sceneFor(solver, leaningTower(1), {.flowRule = flowRule});
         Watched run(scene, outcome);
         for (long step = 0; step < steps && run.step(1e-3); ++step)
         {
@@ -480,7 +480,7 @@ std::vector<double> thrownTower(SolverType solver, double scale, double theta, F
                                 Outcome& outcome, double density = 1800)
 {
     const double timeScale = std::sqrt(scale);
-    DynamicCase scene =
+    DynamicCase<2> scene =
         sceneFor(solver, leaningTower(scale), {.theta = theta, .flowRule = flowRule, .density = density});
     scenes::shake(scene, std::make_shared<RectangularPulse>(PulseShape{0.6 * g, 0.4 * timeScale, 0}));
     Watched run(scene, outcome);
@@ -532,7 +532,7 @@ Outcome nearlyTouching(SolverType solver, double gap)
     Outcome outcome;
     for (const FlowRule flowRule : bothRules)
     {
-        const DynamicCase scene =
+        const DynamicCase<2> scene =
             sceneFor(solver, onGround({rectangle(0, gap, 1, 0.4)}), {.flowRule = flowRule});
         Watched run(scene, outcome);
         run.until(0.05, 1e-3);
@@ -547,7 +547,7 @@ Outcome outOfParallel(SolverType solver, double angle)
     Outcome outcome;
     for (const FlowRule flowRule : bothRules)
     {
-        const DynamicCase scene =
+        const DynamicCase<2> scene =
             sceneFor(solver, onGround({{{{-0.5, 0}, {0.5, angle}, {0.5, 0.5}, {-0.5, 0.5}}, 1, -1}}),
                      {.flowRule = flowRule});
         Watched run(scene, outcome);
@@ -562,7 +562,7 @@ Outcome slivers(SolverType solver)
 {
     Outcome outcome;
     const double s = 1e-4;
-    const DynamicCase scene = sceneFor(
+    const DynamicCase<2> scene = sceneFor(
         solver, onGround({rectangle(0, 0, 1, 0.5), rectangle(1, 0, s, 0.5), rectangle(1 + s, 0, 1, 0.5),
                           rectangle(0, 0.5, 2 + s, s), rectangle(0.5, 0.5 + s, 1, 0.5)}));
     Watched run(scene, outcome);
@@ -577,7 +577,7 @@ Outcome removedSupport(SolverType solver)
     Assembly<2> assembly = leaningTower(1);
     assembly.blocks.erase(assembly.blocks.begin());
     assembly.supports.clear();
-    const DynamicCase scene = sceneFor(solver, assembly);
+    const DynamicCase<2> scene = sceneFor(solver, assembly);
     Watched run(scene, outcome);
     run.until(0.2, 1e-3);
     const double exact = -0.5 * g * 0.2 * 0.201;
@@ -595,7 +595,7 @@ Outcome initialOverlap(SolverType solver, double timeStep)
     Outcome outcome;
     for (const FlowRule flowRule : bothRules)
     {
-        const DynamicCase scene =
+        const DynamicCase<2> scene =
             sceneFor(solver, onGround({rectangle(0, -1e-3, 1, 0.4)}), {.flowRule = flowRule});
         Watched run(scene, outcome);
         const double out = 1.2e-3 / (g * timeStep); // at g dt
@@ -613,7 +613,7 @@ Outcome massRatio(SolverType solver, double ratio)
 {
     Outcome outcome;
     Assembly<2> assembly = onGround({rectangle(-0.5, 0, 1, 0.5), rectangle(-0.5, 0.5, 1, 0.5)});
-    DynamicCase scene = sceneFor(solver, assembly);
+    DynamicCase<2> scene = sceneFor(solver, assembly);
     setStructure(scene, assembly, {1, 1, ratio});
     for (Eigen::Index row = 0; row < scene.mass.size(); row += 3)
     {
@@ -633,7 +633,7 @@ Outcome tallTower(SolverType solver, int blocks)
     {
         tower.push_back(rectangle(-0.5, 0.5 * block, 1, 0.5));
     }
-    DynamicCase scene = sceneFor(solver, onGround(tower));
+    DynamicCase<2> scene = sceneFor(solver, onGround(tower));
     // The first pulse it stands; its multiplier is 2/blocks.
     scenes::shake(scene, std::make_shared<RectangularPulse>(PulseShape{1.6 / blocks * g, 0.01, 0}));
     Watched run(scene, outcome);
@@ -662,7 +662,7 @@ Outcome slenderBlock(SolverType solver, double slenderness)
     Outcome outcome;
     for (const double share : {0.8, 1.25})
     {
-        DynamicCase scene = sceneFor(solver, onGround({rectangle(0, 0, 1, slenderness)}), {.mu = 3});
+        DynamicCase<2> scene = sceneFor(solver, onGround({rectangle(0, 0, 1, slenderness)}), {.mu = 3});
         scenes::shake(scene, std::make_shared<ConstantAcceleration>(share / slenderness * g));
         Watched run(scene, outcome);
         run.until(0.2, 2e-3);
@@ -691,7 +691,7 @@ Outcome twinTowers(SolverType solver, int copies)
                 }
             }
         }
-        DynamicCase scene = sceneFor(solver, std::move(assembly));
+        DynamicCase<2> scene = sceneFor(solver, std::move(assembly));
         scenes::shake(scene, std::make_shared<RectangularPulse>(PulseShape{0.6 * g, 0.4, 0}));
         Watched run(scene, outcome);
         run.until(0.3, 2e-3);
@@ -724,7 +724,7 @@ Outcome overhangingBricks(SolverType solver, int bricks, double share)
         end += share * 0.5 / (bricks - brick);
         assembly.blocks.push_back(rectangle(end - 1, 0.2 * brick, 1, 0.2));
     }
-    const DynamicCase scene = sceneFor(solver, std::move(assembly));
+    const DynamicCase<2> scene = sceneFor(solver, std::move(assembly));
     Watched run(scene, outcome);
     if (solver == SolverType::interiorPoint)
     {
@@ -777,7 +777,7 @@ Outcome criticalArch(SolverType solver)
         const Assembly<2> built = makeAssembly(arch);
         for (const Assembly<2>& assembly : {built, disturbed(built, 1e-15), turnedOver(built)})
         {
-            const DynamicCase scene = sceneFor(solver, assembly, {.mu = 3});
+            const DynamicCase<2> scene = sceneFor(solver, assembly, {.mu = 3});
             Watched run(scene, outcome);
             run.until(share > 1 ? 0.1 : 0.4, 2e-3);
             const double moved = run.largestDisplacement();
@@ -809,7 +809,7 @@ Outcome vibration(SolverType solver, double frequency)
     {
         for (const double timeStep : {0.05 / frequency, 0.7 / frequency})
         {
-            DynamicCase scene = sceneFor(solver, rockingBlock(), {.mu = 1});
+            DynamicCase<2> scene = sceneFor(solver, rockingBlock(), {.mu = 1});
             scenes::shake(scene,
                           std::make_shared<SinePulse>(PulseShape{amplitude * g, 20 / frequency, 0}, 40.0));
             Watched run(scene, outcome);
@@ -834,7 +834,7 @@ Outcome wedge(SolverType solver)
     assembly.blocks.push_back({{{-0.5, 0}, {0.5, 0}, {0.5 + tangent, 1}, {-0.5 - tangent, 1}}, 1, -1});
     for (const FlowRule flowRule : bothRules)
     {
-        const DynamicCase scene = sceneFor(solver, assembly, {.mu = 0.3, .flowRule = flowRule});
+        const DynamicCase<2> scene = sceneFor(solver, assembly, {.mu = 0.3, .flowRule = flowRule});
         Watched run(scene, outcome);
         run.until(0.1, 1e-3);
         worsen(outcome, run.largestDisplacement());
@@ -855,7 +855,7 @@ Outcome interlocking(SolverType solver)
     assembly.blocks.push_back({{{1, 0.5}, {2, 0.5}, {2, 1.5}, {0, 1.5}, {0, 1}, {1, 1}}, 1, -1});
     for (const FlowRule flowRule : bothRules)
     {
-        const DynamicCase scene = sceneFor(solver, assembly, {.mu = 0.5, .flowRule = flowRule});
+        const DynamicCase<2> scene = sceneFor(solver, assembly, {.mu = 0.5, .flowRule = flowRule});
         Watched run(scene, outcome);
         run.until(0.05, 1e-3);
         const double fallen = -run.motion.state.placements[2].translation.y();

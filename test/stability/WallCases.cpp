@@ -24,11 +24,11 @@ Outcome collapse(SolverType solver, FlowRule flowRule, int size, int steps)
     Assembly<2> assembly = makeAssembly(bond);
     addGround(assembly, "ground", {});
     const double tolerance = solver == SolverType::gaussSeidel ? 1e-3 : 1e-6;
-    DynamicCase scene =
+    DynamicCase<2> scene =
         scenes::sceneOf(std::move(assembly), {.mu = 0.65, .flowRule = flowRule, .tolerance = tolerance});
     scene.solution.solver = solver;
     scenes::shake(scene, std::make_shared<ConstantAcceleration>(-scenes::g));
-    Motion motion = startMotion(scene, stateAtRest(scene.assembly));
+    Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
     Outcome outcome;
     for (int step = 0; step < steps; ++step)
     {

@@ -24,7 +24,7 @@ namespace
 int run(const CommandLine& commandLine)
 {
     Time time(commandLine.caseDirectory, ControlDict::required);
-    DynamicCase scene = readDynamicCase(commandLine.caseDirectory);
+    DynamicCase<2> scene = readDynamicCase<2>(commandLine.caseDirectory);
     question(doubtsAboutTimes(scene.groundMotion, scene.schemes, time.controls(), time.controlDict()));
     if (commandLine.postProcess)
     {
@@ -32,7 +32,7 @@ int run(const CommandLine& commandLine)
         printEnd();
         return 0;
     }
-    Motion motion = startOrContinue(commandLine.caseDirectory, scene, time);
+    Motion<2> motion = startOrContinue(commandLine.caseDirectory, scene, time);
     MotionResults results(commandLine.caseDirectory, scene, motion, time,
                           commandLine.noFunctionObjects ? FunctionObjects::none
                                                         : FunctionObjects::asInControlDict);
@@ -89,11 +89,11 @@ int main(int argc, char* argv[])
     description.tutorial = "contactDynamics/archUnderPulse";
     description.dictionaries = {{"constant/g", describeOptions<Gravity<2>>},
                                 {"constant/materialProperties", describeOptions<MaterialProperties>},
-                                {"constant/contactProperties", describeOptions<CaseEffects>},
+                                {"constant/contactProperties", describeOptions<CaseEffects<2>>},
                                 {"constant/loads", describeOptions<LoadCases<2>>},
                                 {"constant/groundMotion", describeOptions<GroundMotionSettings>},
-                                {"constant/supportMotion", describeOptions<SupportMotionFile>},
-                                {"0/motion", describeOptions<InitialMotion>},
+                                {"constant/supportMotion", describeOptions<SupportMotionFile<2>>},
+                                {"0/motion", describeOptions<InitialMotion<2>>},
                                 {"system/controlDict", describeOptions<ControlDictSettings>},
                                 {"system/schemes", describeOptions<Schemes>},
                                 {"system/solution/contactDynamics", describeOptions<SolverChoice>}};

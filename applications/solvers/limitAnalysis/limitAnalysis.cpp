@@ -113,7 +113,7 @@ int main(int argc, char* argv[])
     description.dictionaries = {{"constant/g", describeOptions<Gravity<2>>},
                                 {"constant/g in space", describeOptions<Gravity<3>>},
                                 {"constant/materialProperties", describeOptions<MaterialProperties>},
-                                {"constant/contactProperties", describeOptions<CaseEffects>},
+                                {"constant/contactProperties", describeOptions<CaseEffects<2>>},
                                 {"constant/loads", describeOptions<LoadCases<2>>},
                                 {"constant/loads in space", describeOptions<LoadCases<3>>},
                                 {"system/solution/limitAnalysis", describeOptions<LimitAnalysisControls>}};
