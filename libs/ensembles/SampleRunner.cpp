@@ -197,8 +197,8 @@ struct SampleRunner::InProcess
     {
         const fs::path& directory = ensemble.caseDirectory;
         Time time(directory, ControlDict::required);
-        const DynamicCase scene = readDynamicCase(directory);
-        Motion motion = startOrContinue(directory, scene, time);
+        const DynamicCase<2> scene = readDynamicCase<2>(directory);
+        Motion<2> motion = startOrContinue(directory, scene, time);
         std::vector<std::pair<std::size_t, std::unique_ptr<MotionWatch>>> watches;
         for (std::size_t i = 0; i < results.size(); ++i)
         {
