@@ -168,6 +168,19 @@ Ensemble readEnsemble(const fs::path& caseDirectory, const std::vector<std::stri
                                   ensemble.settings.design, ensemble.dictionary, caseDirectory);
     ensemble.isInProcess = canRunInProcess(ensemble.settings);
     requireResults(ensemble);
+    std::vector<std::string> names;
+    for (const auto& [name, variable] : ensemble.settings.variables)
+    {
+        names.push_back(name);
+    }
+    for (const auto& [name, figure] : ensemble.settings.results)
+    {
+        names.push_back(name);
+    }
+    for (const auto& [name, statistic] : ensemble.settings.statistics)
+    {
+        statistic.check(names, ensemble.settings.design.sensitivity);
+    }
     requireWritable(ensembleFolder(caseDirectory));
     ensemble.plan = planOf(ensemble);
     return ensemble;

@@ -221,7 +221,9 @@ int writeEnsemble(const Ensemble& ensemble, const std::map<long, SampleRow>& row
                  hasInterval
                      ? fmt::format(", 95% from {} to {}", numberText(row.lower), numberText(row.upper))
                      : "");
-            text += fmt::format("{} {} {:.12g} {:.12g} {:.12g} {:.12g}\n", name, row.quantity, row.value,
+            std::string quantity = row.quantity; // an expression may have blanks, a column may not
+            std::erase(quantity, ' ');
+            text += fmt::format("{} {} {:.12g} {:.12g} {:.12g} {:.12g}\n", name, quantity, row.value,
                                 row.standardError, row.lower, row.upper);
         }
         for (const std::string& remark : result.remarks)
@@ -230,7 +232,12 @@ int writeEnsemble(const Ensemble& ensemble, const std::map<long, SampleRow>& row
         }
         if (!result.table.rows.empty())
         {
-            std::string curve = fmt::format("# {}\n", fmt::join(result.table.columns, " "));
+            std::vector<std::string> columns = result.table.columns;
+            for (std::string& column : columns)
+            {
+                std::erase(column, ' ');
+            }
+            std::string curve = fmt::format("# {}\n", fmt::join(columns, " "));
             for (const std::vector<double>& row : result.table.rows)
             {
                 std::string line;

@@ -130,6 +130,19 @@ void declare(Options& options, EnsembleSettings& settings)
                       }
                       return settings.results.empty() ? "There is no result." : "";
                   });
+    options.check("statistics",
+                  [&settings]() -> std::string
+                  {
+                      for (const auto& [name, statistic] : settings.statistics)
+                      {
+                          if (name.find('/') != std::string::npos || name == "samples"
+                              || name == "statistics")
+                          {
+                              return "The name " + name + " cannot be that of a table: choose another one.";
+                          }
+                      }
+                      return "";
+                  });
 }
 
 } // namespace drystone

@@ -23,6 +23,7 @@
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -198,6 +199,29 @@ void computeChunk(const Ensemble& ensemble, const SampleStore& store, long chunk
     journal.sync();
 }
 
+void redirect(const fs::path& file, int descriptor)
+{
+    const int opened = ::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0666);
+    if (opened >= 0)
+    {
+        ::dup2(opened, descriptor);
+        ::close(opened);
+    }
+}
+
+/// Samples that warn of the same thing a thousand times shall not fill the disk.
+void limitMessages()
+{
+    struct stat status = {};
+    constexpr off_t most = 1000000;
+    if (::fstat(2, &status) == 0 && S_ISREG(status.st_mode) && status.st_size > most)
+    {
+        constexpr std::string_view last = "Further messages are not kept.\n";
+        [[maybe_unused]] const auto written = ::write(2, last.data(), last.size());
+        redirect("/dev/null", 2);
+    }
+}
+
 /// The life of a worker: chunks until there is no other. Never returns.
 [[noreturn]] void work(const Ensemble& ensemble, const SampleStore& store, const Worker& worker,
                        const std::map<long, SampleRow>& knownBefore)
@@ -213,6 +237,7 @@ void computeChunk(const Ensemble& ensemble, const SampleStore& store, long chunk
         for (long chunk = 0; ::read(worker.orders, &chunk, sizeof(chunk)) == sizeof(chunk);)
         {
             computeChunk(ensemble, store, chunk, runner, *worker.activity, journal, known);
+            limitMessages();
             const char done = 1;
             if (::write(worker.answers, &done, 1) != 1)
             {
@@ -228,16 +253,6 @@ void computeChunk(const Ensemble& ensemble, const SampleStore& store, long chunk
         ::_exit(3);
     }
     ::_exit(0);
-}
-
-void redirect(const fs::path& file, int descriptor)
-{
-    const int opened = ::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0666);
-    if (opened >= 0)
-    {
-        ::dup2(opened, descriptor);
-        ::close(opened);
-    }
 }
 
 class Supervisor

@@ -161,6 +161,49 @@ def inSearch(name, old, new, *says, **more):
                   files={"system/parameterSearchDict": searching} | more.pop("files", {}), **more)
 
 
+sampling = """applications (blockTexture limitAnalysis);
+variables
+{
+    mu
+    {
+        file "constant/contactProperties";
+        entry "friction/mu";
+        distribution
+        {
+            type lognormal;
+            median 0.65;
+            beta 0.15;
+        }
+    }
+    density
+    {
+        file "constant/materialProperties";
+        entry unitWeight;
+        distribution { type uniform; minimum 900; maximum 1100; }
+    }
+}
+correlations ((mu density 0.2));
+design { type latinHypercube; samples 4; }
+results
+{
+    alpha
+    {
+        table "postProcessing/limitAnalysis/0/limitAnalysis.dat";
+        column alpha;
+    }
+}
+statistics
+{
+    capacity { type distribution; value alpha; }
+}
+"""
+
+
+def inEnsemble(name, old, new, *says, **more):
+    return Broken("ensemble", name, "system/ensembleDict", old, new, says=says,
+                  files={"system/ensembleDict": sampling} | more.pop("files", {}), **more)
+
+
 measuring = """quantities
 {
     alpha { type multiplier; reference { type finest; } }
@@ -447,6 +490,28 @@ brokenInputs = [
     inSupportMotion("turnedTwice", "ground\n{\n    rotation ((0 0) (1 1));\n    angularVelocity ((0 0) (1 1));\n}\n",
                     r"either rotation or angularVelocity", lines=(1,)),
     # A search.
+    inEnsemble("noDictionary", "", "", r"ensembleDict", content=None, lines=(0,),
+               files={"system/ensembleDict": REMOVE}),
+    inEnsemble("unknownApplication", "limitAnalysis)", "limitAnalysys)", r"Did you mean limitAnalysis\?"),
+    inEnsemble("unknownDistribution", "lognormal", "lognormall", r"Did you mean lognormal\?"),
+    inEnsemble("missingMedian", "median 0.65;", "", r"median", lines=(8,)),
+    inEnsemble("negativeBeta", "beta 0.15", "beta -0.15", r"above 0"),
+    inEnsemble("unknownEntry", "friction/mu", "friction/mo", r"cannot be varied", r"mu"),
+    inEnsemble("noFile", "constant/contactProperties", "constant/contactPropertis", r"There is no file"),
+    inEnsemble("fileOutside", "constant/contactProperties", "../contactProperties", r"within the case"),
+    inEnsemble("correlationOfNobody", "(mu density 0.2)", "(mu densty 0.2)", r"Did you mean density\?"),
+    inEnsemble("impossibleCorrelation", "0.2)", "1.2)", r"cannot have the correlation"),
+    inEnsemble("unknownDesign", "latinHypercube", "latinHypercub", r"Did you mean latinHypercube\?"),
+    inEnsemble("noSamples", "samples 4", "samples 0", r"samples", r"1"),
+    inEnsemble("unknownColumn", "column alpha", "column alfa", r"has no column alfa", r"alpha\[-\]"),
+    inEnsemble("figureOfAMotion", "table \"postProcessing/limitAnalysis/0/limitAnalysis.dat\";", "type rotation;@@",
+               r"figure of a motion|Unknown", lines=range(27, 34)),
+    inEnsemble("unknownStatistic", "type distribution; value alpha", "type distributon; value alpha",
+               r"Did you mean distribution\?"),
+    inEnsemble("unknownName", "value alpha", "value \"alpha + beta\"", r"beta", r"results: mu density alpha"),
+    inEnsemble("brokenArithmetic", "value alpha", "value \"alpha +\"", r"not arithmetic"),
+    inEnsemble("noSensitivity", "type distribution;", "type sensitivity;", r"sensitivity yes"),
+    inEnsemble("unknownKey", "samples 4;", "samples 4; sampels 5;@@", r"Did you mean samples\?"),
     inSearch("noDictionary", "", "", r"parameterSearchDict", content=None, lines=(0,),
              files={"system/parameterSearchDict": REMOVE}),
     inSearch("unknownApplication", "limitAnalysis)", "limitAnalysys)", r"Did you mean limitAnalysis\?"),

@@ -171,6 +171,7 @@ int main(int argc, char* argv[])
         "ensemble -case wall                  # on all cores; started again, it continues",
         "mpirun -np 64 ensemble -case wall -parallel",
         "ensemble -case wall -submit \"--array=1-32 --cpus-per-task=8\"    # Slurm"};
+    description.tutorial = "ensemble/wall6";
     description.dictionaries = {{"system/ensembleDict", describeOptions<EnsembleSettings>}};
     const std::vector<std::string> arguments = joined(argc, argv);
     std::vector<const char*> given;
