@@ -94,14 +94,7 @@ void requirePossible(const AccuracyCase& study, QuantityKind kind, const RunSett
 /// The setting that a reference run is made with, its step and tolerance the finest.
 RunSetting finestSetting(const ReferencePlan& plan, RunSetting setting)
 {
-    setting.deltaT = plan.deltaT.value_or(setting.deltaT);
-    setting.theta = plan.theta.value_or(setting.theta);
-    setting.flowRule = plan.flowRule.value_or(setting.flowRule);
-    setting.solver = plan.solver.value_or(setting.solver);
-    setting.tolerance = plan.tolerance.value_or(setting.tolerance);
-    setting.pointsPerJoint = plan.pointsPerJoint.value_or(setting.pointsPerJoint);
-    setting.displacements = plan.displacements.value_or(setting.displacements);
-    setting.formulation = plan.formulation.value_or(setting.formulation);
+    forEachKey([](auto& value, const auto& wanted) { value = wanted.value_or(value); }, setting, plan);
     return setting;
 }
 

@@ -42,17 +42,7 @@ std::string wordOf(Enumeration value)
 }
 
 /// The keys of a setting that are shown. The others are the same for all points, or have no meaning.
-struct ShownKeys
-{
-    bool deltaT = true;
-    bool theta = true;
-    bool flowRule = true;
-    bool solver = true;
-    bool tolerance = true;
-    bool pointsPerJoint = true;
-    bool displacements = true;
-    bool formulation = false; ///< shown only where they differ
-};
+using ShownKeys = RunSettingsOf<FlagOf>;
 
 std::string textOf(const RunSetting& setting, const ShownKeys& shown)
 {
@@ -101,26 +91,26 @@ ShownKeys keysOf(const RunSetting& setting, QuantityKind kind)
             isMotion, setting.formulation == ContactFormulation::surface};
 }
 
+/// What varies along a curve is not shown.
+ShownKeys withoutAxis(ShownKeys shown, std::optional<SweepAxis> axis)
+{
+    shown.deltaT = shown.deltaT && axis != SweepAxis::deltaT;
+    shown.tolerance = shown.tolerance && axis != SweepAxis::tolerance;
+    shown.pointsPerJoint = shown.pointsPerJoint && axis != SweepAxis::pointsPerJoint;
+    return shown;
+}
+
 /// Those that differ between some settings, without the axis.
 ShownKeys differingKeys(const std::vector<RunSetting>& settings, std::optional<SweepAxis> axis)
 {
-    ShownKeys shown{false, false, false, false, false, false, false, false};
-    const RunSetting& first = settings.front();
+    ShownKeys shown;
     for (const RunSetting& other : settings)
     {
-        shown.deltaT = shown.deltaT || (other.deltaT != first.deltaT && axis != SweepAxis::deltaT);
-        shown.theta = shown.theta || other.theta != first.theta;
-        shown.flowRule = shown.flowRule || other.flowRule != first.flowRule;
-        shown.solver = shown.solver || other.solver != first.solver;
-        shown.tolerance =
-            shown.tolerance || (other.tolerance != first.tolerance && axis != SweepAxis::tolerance);
-        shown.pointsPerJoint =
-            shown.pointsPerJoint
-            || (other.pointsPerJoint != first.pointsPerJoint && axis != SweepAxis::pointsPerJoint);
-        shown.displacements = shown.displacements || other.displacements != first.displacements;
-        shown.formulation = shown.formulation || other.formulation != first.formulation;
+        forEachKey([](bool& isShown, const auto& value, const auto& first)
+                   { isShown = isShown || value != first; },
+                   shown, other, settings.front());
     }
-    return shown;
+    return withoutAxis(shown, axis);
 }
 
 std::vector<RunSetting> settingsAt(const std::vector<AccuracyPoint>& points)
@@ -307,14 +297,8 @@ std::string sweepSection(const AccuracyStudy& study, const AccuracyResults& resu
     const double unit = results.unitsOfWork[sweep.quantity];
     const ShownKeys shown = differingKeys(settingsAt(sweep.points), sweep.axis);
     ShownKeys common = keysOf(sweep.points.front().setting, quantity.kind);
-    common = {common.deltaT && !shown.deltaT && sweep.axis != SweepAxis::deltaT,
-              common.theta && !shown.theta,
-              common.flowRule && !shown.flowRule,
-              common.solver && !shown.solver,
-              common.tolerance && !shown.tolerance && sweep.axis != SweepAxis::tolerance,
-              common.pointsPerJoint && !shown.pointsPerJoint && sweep.axis != SweepAxis::pointsPerJoint,
-              common.displacements && !shown.displacements,
-              common.formulation && !shown.formulation};
+    forEachKey([](bool& isCommon, bool isShown) { isCommon = isCommon && !isShown; }, common, shown);
+    common = withoutAxis(common, sweep.axis);
     const std::string always = textOf(sweep.points.front().setting, common);
     const Sweep& plan = planOf(study, sweep);
     std::string text = fmt::format("## Sweep `{}`: {}\n\n", sweep.name, quantity.quantity.summary);

@@ -51,28 +51,10 @@ struct FinestSettings
 void declare(Options& options, FinestSettings& settings)
 {
     ReferencePlan& plan = settings.plan;
-    options
-        .optional("deltaT", plan.deltaT,
-                  "step of the finest run; of a motion there are runs with twice and four times this too, "
-                  "from which the limit is extrapolated")
-        .unit("s")
-        .above(0)
-        .example("1e-4");
-    options.optional("theta", plan.theta, "absent, as of all below: the case's own")
-        .atLeast(0.5)
-        .atMost(1)
-        .example("0.5");
-    options.optional("flowRule", plan.flowRule, "associative or nonAssociative: the limits of the two differ")
-        .example("nonAssociative");
-    options.optional("solver", plan.solver, "of a motion").example("automatic");
-    options.optional("tolerance", plan.tolerance, "of the solver").above(0).atMost(1e-3).example("1e-11");
-    options.optional("pointsPerJoint", plan.pointsPerJoint, "of a multiplier")
-        .atLeast(2)
-        .atMost(1000)
-        .example("21");
-    options.optional("displacements", plan.displacements, "of a motion").example("large");
-    options.optional("formulation", plan.formulation, "of a multiplier: contact by points or by surface")
-        .example("points");
+    declareSettings(
+        options, plan,
+        "step of the finest run; of a motion there are runs with twice and four times this too, from "
+        "which the limit is extrapolated; absent, as of all below: the case's own");
     options.optional("phases", plan.phases, "of motion; their median counts").atLeast(1).atMost(1000);
 }
 

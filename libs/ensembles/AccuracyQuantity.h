@@ -8,6 +8,7 @@
 #include "dictionary/Registry.h"
 #include "dynamics/Motion.h"
 #include "ensembles/References.h"
+#include "ensembles/RunSettings.h"
 #include "statics/LimitAnalysisCase.h"
 
 #include <filesystem>
@@ -24,21 +25,6 @@ enum class QuantityKind
 {
     motion,       ///< of runs in time, as contactDynamics makes them
     limitAnalysis ///< of collapse, as limitAnalysis finds it
-};
-
-/// How a case is computed. Settings that do not apply to a kind of quantity are 0 (or the first enumerator).
-struct RunSetting
-{
-    double deltaT = 0; ///< [s]
-    double theta = 0;
-    FlowRule flowRule = FlowRule::associative;
-    SolverType solver = SolverType::automatic;
-    double tolerance = 0;
-    int pointsPerJoint = 0;
-    Displacements displacements = Displacements::large;
-    ContactFormulation formulation = ContactFormulation::points;
-
-    friend auto operator<=>(const RunSetting&, const RunSetting&) = default;
 };
 
 /// The phase of the steps at which the motion begins: the first step is shortened, so that impacts occur at
@@ -101,7 +87,7 @@ struct Quantity
 };
 
 /// The contents of `reference { type ...; }`.
-struct ReferencePlan
+struct ReferencePlan : RunSettingsOf<PerhapsOneOf> ///< of the finest run; absent: the value of the case
 {
     enum class Kind
     {
@@ -112,15 +98,6 @@ struct ReferencePlan
     Kind kind = Kind::finest;
     double value = 0;
     std::string source;
-    // of the finest run; absent: the value of the case
-    std::optional<double> deltaT;
-    std::optional<double> theta;
-    std::optional<FlowRule> flowRule;
-    std::optional<SolverType> solver;
-    std::optional<double> tolerance;
-    std::optional<int> pointsPerJoint;
-    std::optional<Displacements> displacements;
-    std::optional<ContactFormulation> formulation;
     int phases = 20;
     SourceLocation location;
 };

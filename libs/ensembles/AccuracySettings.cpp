@@ -14,11 +14,25 @@ namespace drystone
 namespace
 {
 
-/// The list, or the value of the case.
+/// Each setting with each of the values, the first setting first; as they are where there is no value.
 template<class Value>
-std::vector<Value> valuesOf(const std::vector<Value>& list, const Value& ofCase)
+std::vector<RunSetting> combined(const std::vector<RunSetting>& settings, const std::vector<Value>& values,
+                                 Value RunSetting::*key)
 {
-    return list.empty() ? std::vector<Value>{ofCase} : list;
+    if (values.empty())
+    {
+        return settings;
+    }
+    std::vector<RunSetting> all;
+    for (const RunSetting& setting : settings)
+    {
+        for (const Value& value : values)
+        {
+            all.push_back(setting);
+            all.back().*key = value;
+        }
+    }
+    return all;
 }
 
 template<class Value>
@@ -45,33 +59,8 @@ bool isFileName(const std::string& name)
 void declare(Options& options, Sweep& sweep)
 {
     options.required("quantity", sweep.quantity, "one of the names under `quantities`").example("return");
-    options
-        .optional("deltaT", sweep.deltaT,
-                  "steps of a motion; absent, here and in all lists below: the value of the case")
-        .unit("s")
-        .above(0)
-        .example("(0.02 0.01 0.005)");
-    options.optional("theta", sweep.theta, "of a motion").atLeast(0.5).atMost(1).example("(0.5 1)");
-    options.optional("flowRule", sweep.flowRule, "associative or nonAssociative")
-        .example("(associative nonAssociative)");
-    options
-        .optional("solver", sweep.solver,
-                  "of a motion: automatic, interiorPoint, augmentedLagrangian or gaussSeidel")
-        .example("(interiorPoint augmentedLagrangian)");
-    options.optional("tolerance", sweep.tolerance, "of the solver")
-        .above(0)
-        .atMost(1e-3)
-        .example("(1e-4 1e-8)");
-    options.optional("pointsPerJoint", sweep.pointsPerJoint, "of a multiplier: contact points a joint")
-        .atLeast(2)
-        .atMost(1000)
-        .example("(2 5 21)");
-    options.optional("displacements", sweep.displacements, "of a motion: large or small")
-        .example("(large small)");
-    options
-        .optional("formulation", sweep.formulation,
-                  "of a multiplier: contact by points, or by surface in the stress resultants of the joints")
-        .example("(points surface)");
+    declareSettings(options, sweep,
+                    "steps of a motion; absent, here and in all lists below: the value of the case");
     options
         .optional("along", sweep.along,
                   "the setting that varies along one curve; absent: the first of deltaT, tolerance and "
@@ -186,34 +175,15 @@ RunSetting curveOf(RunSetting setting, SweepAxis axis)
 
 std::vector<RunSetting> settingsOf(const Sweep& sweep, const RunSetting& ofCase)
 {
-    std::vector<RunSetting> settings;
-    for (const double theta : valuesOf(sweep.theta, ofCase.theta))
-    {
-        for (const FlowRule flowRule : valuesOf(sweep.flowRule, ofCase.flowRule))
-        {
-            for (const SolverType solver : valuesOf(sweep.solver, ofCase.solver))
-            {
-                for (const Displacements displacements : valuesOf(sweep.displacements, ofCase.displacements))
-                {
-                    for (const ContactFormulation formulation :
-                         valuesOf(sweep.formulation, ofCase.formulation))
-                    {
-                        for (const int points : valuesOf(sweep.pointsPerJoint, ofCase.pointsPerJoint))
-                        {
-                            for (const double tolerance : valuesOf(sweep.tolerance, ofCase.tolerance))
-                            {
-                                for (const double deltaT : valuesOf(sweep.deltaT, ofCase.deltaT))
-                                {
-                                    settings.push_back({deltaT, theta, flowRule, solver, tolerance, points,
-                                                        displacements, formulation});
-                                }
-                            }
-                        }
-                    }
-                }
-            }
-        }
-    }
+    // The last key changes first.
+    std::vector<RunSetting> settings = combined({ofCase}, sweep.theta, &RunSetting::theta);
+    settings = combined(settings, sweep.flowRule, &RunSetting::flowRule);
+    settings = combined(settings, sweep.solver, &RunSetting::solver);
+    settings = combined(settings, sweep.displacements, &RunSetting::displacements);
+    settings = combined(settings, sweep.formulation, &RunSetting::formulation);
+    settings = combined(settings, sweep.pointsPerJoint, &RunSetting::pointsPerJoint);
+    settings = combined(settings, sweep.tolerance, &RunSetting::tolerance);
+    settings = combined(settings, sweep.deltaT, &RunSetting::deltaT);
     return settings;
 }
 

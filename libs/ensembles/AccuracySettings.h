@@ -35,17 +35,9 @@ inline std::array<std::pair<std::string_view, SweepAxis>, 3> namesOf(SweepAxis)
 }
 
 /// All combinations of some settings. An empty list stands for the value of the case.
-struct Sweep
+struct Sweep : RunSettingsOf<ListOf>
 {
     std::string quantity;
-    std::vector<double> deltaT; ///< [s]
-    std::vector<double> theta;
-    std::vector<FlowRule> flowRule;
-    std::vector<SolverType> solver;
-    std::vector<double> tolerance;
-    std::vector<int> pointsPerJoint;
-    std::vector<Displacements> displacements;
-    std::vector<ContactFormulation> formulation;
     std::optional<SweepAxis> along; ///< absent: the first of the three that has several values
     int phases = 20;
     int repeats = 5;
