@@ -22,6 +22,8 @@ std::vector<JointForce<Dim>> jointForces(const std::vector<ContactPoint<Dim>>& p
     for (std::size_t begin = 0; begin < points.size();)
     {
         JointForce<Dim> joint;
+        joint.block = points[begin].block;
+        joint.neighbour = points[begin].neighbour;
         double pressure = 0;
         std::size_t i = begin;
         for (; i < points.size() && points[i].joint == points[begin].joint; ++i)

@@ -27,6 +27,8 @@ struct JointForce
 {
     Vector<Dim> centre = Vector<Dim>::Zero(); ///< centre of pressure [m]
     Vector<Dim> force = Vector<Dim>::Zero();  ///< on the first block of the joint [N]
+    int block = -1;                           ///< the first
+    int neighbour = -1;                       ///< the other
 };
 
 /// Resultant and centre of pressure of each joint that carries a load.
@@ -41,8 +43,8 @@ struct MechanismPicture
     std::string title = "";    ///< for instance "masonryPanels/wall1"
     std::string subtitle = ""; ///< for instance "alpha = 0.642859, 33 blocks, 174 contact points"
     double width = 640;        ///< [px]; the height follows from the structure, up to 1.4 times the width
-    /// In the plane drawn at the joints as built, as strokes whose length and width grow with the force; none
-    /// when empty.
+    /// In the plane drawn through the blocks as built (plane/ThrustLine.h), wider where the force is larger,
+    /// with the reactions of fixed blocks as arrows; none when empty.
     std::vector<JointForce<2>> thrust = {};
     Vector<3> towardsViewer = usualView(); ///< of space: a unit vector
     /// Of space: hinges and sliding joints, drawn where they are seen on the displaced blocks.

@@ -8,6 +8,7 @@
 #include "io/MechanismPicture.h"
 #include "io/Plot.h"
 #include "io/Svg.h"
+#include "io/plane/ThrustLine.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -134,7 +135,8 @@ TEST(MechanismPicture, DrawsAnArchWithItsThrust)
         if (i >= 0)
         {
             thrust.push_back({at(0.98 + 0.05 * std::cos(4 * pi * from), from),
-                              Vector<2>(0.3, 0.5 - from).normalized() * (0.5 + std::abs(0.5 - from))});
+                              Vector<2>(0.3, 0.5 - from).normalized() * (0.5 + std::abs(0.5 - from)), i,
+                              i + 1});
         }
     }
     MechanismPicture picture{.title = "arch", .subtitle = "P/W = 0.22696"};
@@ -142,7 +144,35 @@ TEST(MechanismPicture, DrawsAnArchWithItsThrust)
     const std::string svg = mechanismSvg(arch, placements, picture);
     keep("arch.svg", svg);
     ASSERT_TRUE(parsed(svg));
-    EXPECT_EQ(count(svg, "#1b4f8f"), thrust.size() + 1); // one stroke a joint, one in the legend
+    // A line through each voussoir, an arrow of two parts at each springer, two lines in the legend.
+    EXPECT_EQ(count(svg, "#1b4f8f"), voussoirs + 2 * 2 + 2);
+    EXPECT_THAT(svg, HasSubstr("line of thrust"));
+}
+
+TEST(ThrustLine, RunsThroughAColumnAndGathersWithinAWall)
+{
+    // Ground 0, column 1 2 3: a chain of centres without a gap, from the ground up; the top block has one
+    // joint only.
+    const std::vector<JointForce<2>> column{
+        {{0.1, 0}, {0, 30}, 1, 0}, {{0.2, 1}, {0, 20}, 2, 1}, {{0.3, 2}, {0, 10}, 3, 2}};
+    const auto chain = thrustSegments(column, {false, true, true, true});
+    ASSERT_EQ(chain.size(), 3U);
+    EXPECT_EQ(chain[0].from, Vector<2>(0.1, 0));
+    EXPECT_EQ(chain[0].to, Vector<2>(0.2, 1));
+    EXPECT_EQ(chain[0].force, 30);
+    EXPECT_EQ(chain[1].to, Vector<2>(0.3, 2));
+    EXPECT_EQ(chain[2].from, chain[2].to);
+
+    // One block on two, equally loaded from above by one joint: its lines meet at the weighted mean.
+    const std::vector<JointForce<2>> wall{
+        {{0, 0}, {0, 1}, 2, 0}, {{1, 0}, {0, 1}, 2, 1}, {{0.5, 1}, {0, -2}, 2, 3}};
+    const auto star = thrustSegments(wall, {false, false, true, false});
+    ASSERT_EQ(star.size(), 3U);
+    for (const ThrustSegment& segment : star)
+    {
+        EXPECT_EQ(segment.to, Vector<2>(0.5, 0.5));
+    }
+    EXPECT_TRUE(thrustSegments({}, {true}).empty());
 }
 
 TEST(MechanismPicture, IsWrittenWholeOrRefused)

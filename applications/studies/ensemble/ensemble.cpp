@@ -168,7 +168,7 @@ int main(int argc, char* argv[])
         {"evaluate", "PARAMETERS RESULTS", "answer one sample of Dakota or quoFEM"}};
     description.sharing = {"evaluate"};
     description.examples = {
-        "ensemble -case wall                  # on all cores; started again, it continues",
+        "ensemble -case wall              # on all cores; started again, it continues",
         "mpirun -np 64 ensemble -case wall -parallel",
         "ensemble -case wall -submit \"--array=1-32 --cpus-per-task=8\"    # Slurm"};
     description.tutorial = "ensemble/wall6";

@@ -6,6 +6,7 @@
 #include "io/ClayColour.h"
 #include "io/PicturePage.h"
 #include "io/Svg.h"
+#include "io/plane/ThrustLine.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -232,25 +233,77 @@ void paintFixedBlocks(SvgDrawing& drawing, const Assembly<2>& assembly, const Vi
     }
 }
 
-void paintThrust(SvgDrawing& drawing, const std::vector<JointForce<2>>& thrust, const View& view,
-                 double blockSize)
+constexpr std::string_view thrustColour = "#1b4f8f";
+
+double thrustWidth(double share)
+{
+    return 0.8 + 3.2 * std::sqrt(share);
+}
+
+/// Force with three digits, for a legend.
+std::string forceLabel(double force)
+{
+    return force >= 1e3 ? fmt::format("{:.3g} kN", force / 1e3) : fmt::format("{:.3g} N", force);
+}
+
+/// An arrow of the force of a support on the structure, its tip at the centre of pressure.
+void paintReaction(SvgDrawing& drawing, const Vector<2>& tip, const Vector<2>& direction, double length,
+                   double width)
+{
+    const SvgStyle style{.stroke = std::string(thrustColour), .strokeWidth = width};
+    const Vector<2> across(-direction.y(), direction.x());
+    const double head = 4 + 1.5 * width;
+    drawing.line(tip - length * direction, tip - 0.6 * head * direction, style);
+    drawing.polygon(
+        {tip, tip - head * direction + 0.4 * head * across, tip - head * direction - 0.4 * head * across},
+        {.fill = std::string(thrustColour)});
+}
+
+/// \return the largest force [N]
+double paintThrust(SvgDrawing& drawing, const Assembly<2>& assembly, const std::vector<JointForce<2>>& thrust,
+                   const View& view, double blockSize)
 {
     double largest = 0;
     for (const JointForce<2>& joint : thrust)
     {
         largest = std::max(largest, joint.force.norm());
     }
+    std::vector<bool> free;
+    for (const Block<2>& block : assembly.blocks)
+    {
+        free.push_back(block.support < 0);
+    }
+    std::vector<ThrustSegment> segments = thrustSegments(thrust, free);
+    // The lines of a large wall would merge, and its file would be too large to open: the strongest are
+    // drawn.
+    constexpr std::size_t most = 8000;
+    if (segments.size() > most)
+    {
+        std::nth_element(segments.begin(), segments.begin() + most, segments.end(),
+                         [](const ThrustSegment& a, const ThrustSegment& b) { return a.force > b.force; });
+        segments.resize(most);
+    }
+    for (const ThrustSegment& segment : segments)
+    {
+        drawing.line(view(segment.from), view(segment.to),
+                     {.stroke = std::string(thrustColour),
+                      .strokeWidth = thrustWidth(segment.force / largest),
+                      .opacity = 0.85});
+    }
     for (const JointForce<2>& joint : thrust)
     {
         const double share = joint.force.norm() / largest;
-        if (!(share > 1e-3))
+        const bool isFree = free[static_cast<std::size_t>(joint.block)];
+        if (isFree == free[static_cast<std::size_t>(joint.neighbour)] || !(share > 0.02))
         {
             continue;
         }
-        const Vector<2> half = 0.55 * blockSize * std::sqrt(share) * joint.force.normalized();
-        drawing.line(view(joint.centre - half), view(joint.centre + half),
-                     {.stroke = "#1b4f8f", .strokeWidth = 0.8 + 3.2 * std::sqrt(share), .opacity = 0.85});
+        // The force is that on the first block; the picture has y downwards.
+        const Vector<2> onFree = (isFree ? 1.0 : -1.0) * joint.force.normalized();
+        paintReaction(drawing, view(joint.centre), {onFree.x(), -onFree.y()},
+                      0.7 * blockSize * view.scale * std::sqrt(share), thrustWidth(share));
     }
+    return largest;
 }
 
 } // namespace
@@ -295,7 +348,11 @@ std::string mechanismSvg(const Assembly<2>& assembly, const std::vector<Placemen
                          {.stroke = "#222222", .strokeWidth = 1, .dash = "5 4"});
         }
     }
-    paintThrust(drawing, picture.thrust, view, blockSize);
+    double largestForce = 0;
+    if (!picture.thrust.empty())
+    {
+        largestForce = paintThrust(drawing, assembly, picture.thrust, view, blockSize);
+    }
     drawing.endClip();
 
     const double y = page.legend();
@@ -309,8 +366,17 @@ std::string mechanismSvg(const Assembly<2>& assembly, const std::vector<Placemen
     }
     if (!picture.thrust.empty())
     {
-        drawing.line({x, y + 7}, {x + 24, y + 7}, {.stroke = "#1b4f8f", .strokeWidth = 3, .opacity = 0.85});
-        drawing.text({x + 30, y + 11}, "joint forces", {.size = 12});
+        // A scale of forces: the width of the largest one and of a tenth of it.
+        for (const double share : {1.0, 0.1})
+        {
+            const std::string label = forceLabel(share * largestForce);
+            drawing.line(
+                {x, y + 7}, {x + 24, y + 7},
+                {.stroke = std::string(thrustColour), .strokeWidth = thrustWidth(share), .opacity = 0.85});
+            drawing.text({x + 30, y + 11}, label, {.size = 12});
+            x += 30 + textWidth(label, 12) + 18;
+        }
+        drawing.text({x, y + 11}, "line of thrust, reactions", {.size = 12});
     }
     return drawing.document();
 }

@@ -1,0 +1,87 @@
+# Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+"""Frames of an animation, VTK/<name>.vtp.series: where the blocks are, and the fields of their cells."""
+import json
+import math
+import struct
+import xml.etree.ElementTree
+import zlib
+from pathlib import Path
+
+from ._numbers import rows
+
+_formats = {"Int8": "b", "UInt8": "B", "Int32": "i", "UInt32": "I", "Int64": "q", "UInt64": "Q", "Float32": "f",
+            "Float64": "d"}
+
+
+class Frame:
+    """One moment: `time` [s] (of a mechanism its part from 0 to 1), `points` [m], and `fields` by name, one value or row
+    a cell: blockId, displacement [m], rotation [rad] and more (of contacts: a point each)."""
+
+    def __init__(self, time, points, fields):
+        self.time = time
+        self.points = points
+        self.fields = fields
+
+    def __getitem__(self, name):
+        try:
+            return self.fields[name]
+        except KeyError:
+            raise KeyError(f"no field {name}; there are: {' '.join(self.fields)}") from None
+
+    def largestDisplacement(self):
+        """Of the mass centre of any block [m]."""
+        return max((math.hypot(*row) for row in self["displacement"]), default=0.0)
+
+
+def _arrays(file):
+    """The numbers of each DataArray of a .vtp file with appended raw data, compressed or not, by its element."""
+    content = Path(file).read_bytes()
+    marker = content.find(b"<AppendedData")
+    begin = content.find(b"_", marker) + 1
+    end = content.rfind(b"</AppendedData>")
+    if marker < 0 or begin == 0 or end < 0:
+        raise ValueError(f"{file} has no appended data: it was not written by Drystone")
+    root = xml.etree.ElementTree.fromstring(content[:begin] + content[end:])
+    order = "<" if root.get("byte_order") == "LittleEndian" else ">"
+    size = struct.Struct(order + {"UInt32": "I", "UInt64": "Q"}[root.get("header_type", "UInt32")])
+    compressed = root.get("compressor") is not None
+
+    def number(at):
+        return size.unpack_from(content, at)[0]
+
+    def read(element):
+        at = begin + int(element.get("offset"))
+        if compressed:
+            count = number(at)
+            sizes = [number(at + (3 + i) * size.size) for i in range(count)]
+            at += (3 + count) * size.size
+            data = b""
+            for length in sizes:
+                data += zlib.decompress(content[at:at + length])
+                at += length
+        else:
+            data = content[at + size.size:at + size.size + number(at)]
+        code = _formats[element.get("type")]
+        return struct.unpack(f"{order}{len(data) // struct.calcsize(code)}{code}", data)
+
+    return root, read
+
+
+def readFrame(file, time=0.0):
+    """Reads one .vtp file that Drystone wrote. Raises ValueError for another one."""
+    root, read = _arrays(file)
+    piece = root.find("PolyData/Piece")
+    fields = {}
+    for kind in ("CellData", "PointData"):
+        for element in piece.iterfind(kind + "/DataArray"):
+            fields[element.get("Name")] = rows(read(element), int(element.get("NumberOfComponents", 1)))
+    points = piece.find("Points/DataArray")
+    return Frame(time, rows(read(points), 3), fields)
+
+
+def readSeries(folder, name="blocks"):
+    """The frames of <folder>/<name>.vtp.series, one after the other, read as they are asked for."""
+    folder = Path(folder)
+    series = json.loads((folder / (name + ".vtp.series")).read_text(encoding="utf-8"))
+    for entry in series["files"]:
+        yield readFrame(folder / entry["name"], entry["time"])

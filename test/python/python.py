@@ -1,0 +1,92 @@
+# Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+"""The Python package on cases that were just computed, with NumPy where that is installed and without it."""
+import math
+import os
+import subprocess
+import sys
+import unittest
+
+here = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, os.path.join(here, ".."))
+sys.path.insert(0, os.path.join(here, "../../python"))
+import drystone  # noqa: E402
+from caseTest import CaseTest, applications, tutorial  # noqa: E402
+
+
+class Package(CaseTest):
+    def case(self, name="basePulse"):
+        directory = os.path.join(self.root.name, self.id().rsplit(".", 1)[-1])
+        self.copyInput(os.path.join(tutorial, name), directory)
+        case = drystone.Case(directory, applications)
+        case.run("blockTexture")
+        return case
+
+    def wall(self):
+        directory = os.path.join(self.root.name, self.id().rsplit(".", 1)[-1])
+        self.copyInput(os.path.join(tutorial, "../../limitAnalysis/masonryPanels/wall1"), directory)
+        case = drystone.Case(directory, applications)
+        case.run("blockTexture")
+        return case
+
+    def testReadsAMultiplierAndItsMechanism(self):
+        wall = self.wall()
+        self.assertIn("Status: optimal", wall.run("limitAnalysis"))
+        table = wall.table("limitAnalysis")
+        self.assertAlmostEqual(table["alpha"][0], 0.642859003, places=8)
+        self.assertEqual(table.units["cpuTime"], "s")
+        frames = list(wall.frames())
+        self.assertEqual(len(frames), 21)
+        self.assertEqual([frames[0].time, frames[-1].time], [0, 1])
+        self.assertEqual(frames[0].largestDisplacement(), 0)
+        self.assertGreater(frames[-1].largestDisplacement(), 0.01)
+        self.assertEqual(sorted(int(block) for block in frames[0]["blockId"]), list(range(43)))
+        self.assertEqual(len(frames[0].points), 172)
+        self.assertEqual(len(next(iter(wall.frames("contacts")))["contactForce"]), 174)
+
+    def testVariesAnEntryInACopy(self):
+        wall = self.wall()
+        other = wall.copy(str(wall.directory) + "Copy")
+        other.set("constant/contactProperties", "friction/mu", 0.3)
+        other.set("constant/g", "value", (0, -9.81, 0))
+        self.assertEqual(other.get("constant/contactProperties", "friction/mu"), "0.3")
+        other.run("blockTexture")
+        other.run("limitAnalysis")
+        wall.run("limitAnalysis")
+        self.assertLess(other.table("limitAnalysis")["alpha"][0], wall.table("limitAnalysis")["alpha"][0])
+
+    def testReadsAMotion(self):
+        case = self.case()
+        case.run("contactDynamics")
+        functions = sorted(os.listdir(os.path.join(case.directory, "postProcessing")))
+        self.assertTrue(functions)
+        frames = list(case.frames())
+        self.assertGreater(len(frames), 1)
+        self.assertTrue(all(a.time < b.time for a, b in zip(frames, frames[1:])))
+        self.assertTrue(math.isfinite(frames[-1].largestDisplacement()))
+
+    def testFailuresAreRaisedWithWhatWasSaid(self):
+        wall = self.wall()
+        wall.set("constant/contactProperties", "friction/mu", -1)
+        with self.assertRaisesRegex(drystone.RunError, "out of range"):
+            wall.run("limitAnalysis")
+        with self.assertRaisesRegex(KeyError, "alpha"):
+            drystone.Table({"alpha": []}, {"alpha": "-"})["beta"]
+        with self.assertRaises(ValueError):
+            drystone.readTable(os.path.join(here, "../../python/pyproject.toml"))
+        with self.assertRaises(FileNotFoundError):
+            drystone.Case(wall.directory, "/nowhere").run("limitAnalysis")
+
+    def testWorksWithoutNumPy(self):
+        wall = self.wall()
+        wall.run("limitAnalysis")
+        script = ("import sys; sys.modules['numpy'] = None\n"
+                  f"sys.path.insert(0, {os.path.join(here, '../../python')!r})\n"
+                  f"import drystone; case = drystone.Case({str(wall.directory)!r})\n"
+                  "frame = list(case.frames())[-1]\n"
+                  "print(type(case.table('limitAnalysis')['alpha']).__name__, len(frame['displacement'][0]))")
+        done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=60, check=False)
+        self.assertEqual(done.stdout.strip(), "list 3", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
