@@ -487,7 +487,7 @@ void declare(Options& options, LoadCases<Dim>& cases)
 namespace
 {
 
-/// The movement that a live load of type supportMovement asks for.
+/// The movement that a live load of type supportMovement requests.
 template<int Dim>
 std::optional<SupportMovement<Dim>> readMovement(const Dictionary& loads, const Assembly<Dim>& assembly)
 {

@@ -18,7 +18,7 @@
 namespace drystone
 {
 
-/// Which multipliers of the live load are asked for.
+/// Which multipliers of the live load are requested.
 enum class Multiplier
 {
     positive, ///< the largest that is carried

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Which solver a case asks for: the sub-dictionary of an application in system/solution.
+/// Which solver a case requests: the sub-dictionary of an application in system/solution.
 #pragma once
 
 #include "conic/AugmentedLagrangian.h"

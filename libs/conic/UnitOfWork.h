@@ -1,5 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// F, the time that costs of solvers are told in: one assembly, factorisation and solve of the Schur matrix.
+/// F, the unit in which the cost of solvers is stated: one assembly, factorisation and solve of the Schur
+/// matrix.
 #pragma once
 
 #include "conic/ConeProgram.h"

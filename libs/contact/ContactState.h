@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// What the contact points do, told from the forces that they carry.
+/// What the contact points do, derived from the forces that they carry.
 #pragma once
 
 #include "contact/ContactPoint.h"

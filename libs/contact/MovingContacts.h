@@ -12,7 +12,7 @@
 namespace drystone
 {
 
-/// How finely contacts in motion are told apart. The defaults suit every case known.
+/// How finely contacts in motion are distinguished. The defaults suit every case known.
 struct MovingContactOptions
 {
     double tolerance = 1e-6; ///< least length of a shared piece, relative to the mean block size

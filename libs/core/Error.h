@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Errors and warnings as a user sees them: what is wrong, where, and how to mend it.
+/// Errors and warnings as a user sees them: what is wrong, where, and how to repair it.
 #pragma once
 
 #include <functional>

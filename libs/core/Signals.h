@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Ctrl-C and termination: a run that is asked to stop finishes its step, writes its state and ends.
+/// Ctrl-C and termination: a run that is requested to stop finishes its step, writes its state and ends.
 #pragma once
 
 namespace drystone

@@ -76,7 +76,7 @@ void requireWritable(const std::filesystem::path& folder)
                                                                          : 0;
     if (reason != 0)
         throw FatalError(fmt::format(
-            "Cannot write into {}: {}: {}.\n\nChoose another case directory, or mend its permissions.",
+            "Cannot write into {}: {}: {}.\n\nChoose another case directory, or repair its permissions.",
             folder.string(), existing.string(), std::strerror(reason)));
 }
 

@@ -375,7 +375,7 @@ public:
     void readElsewhere(const std::vector<std::string>& keys, const std::string& doc = {});
     /// A rule between fields, checked when all have been read.
     /// \param key whose place the message points at
-    /// \param fault what is wrong and how to mend it; empty when nothing is
+    /// \param fault what is wrong and how to repair it; empty when nothing is
     void check(std::string key, std::function<std::string()> fault);
     /// What is allowed and improbable, as gravity that points upwards: a warning, when all has been read.
     /// \param doubt what is unusual and what would be usual; empty when nothing is

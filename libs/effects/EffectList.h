@@ -43,7 +43,7 @@ template<int Dim>
 using EffectType = std::function<DeclaredEffect<Dim>()>;
 
 /// An effect with a sub-dictionary of this name. \param make from its settings and an EffectSource; null for
-/// settings that ask for nothing
+/// settings that request nothing
 template<int Dim, class Settings, class Make>
 EffectType<Dim> effectType(std::string name, std::string doc, Make make)
 {
@@ -75,7 +75,7 @@ struct CaseEffects
 template<int Dim>
 void declare(Options& options, CaseEffects<Dim>& effects);
 
-/// Reads the file of a case. \throws FatalError or FatalIOError when it is missing or faulty, or asks for an
+/// Reads the file of a case. \throws FatalError or FatalIOError when it is missing or faulty, or requests an
 /// effect that is unknown or absent from this version
 template<int Dim>
 CaseEffects<Dim> readCaseEffects(const std::filesystem::path& caseDirectory,

@@ -56,7 +56,7 @@ struct StatisticResult
     std::vector<std::pair<std::string, Plot>> pictures; ///< by suffix of the file's name
 };
 
-/// A statistic that a dictionary asks for.
+/// A statistic that a dictionary requests.
 struct Statistic
 {
     /// \param names of variables and results \throws FatalIOError for a name that is not one of them

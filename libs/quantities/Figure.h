@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// The figures that a run of a case can be asked for, one registry for searches and ensembles:
+/// The figures that a run of a case can be queried for, one registry for searches and ensembles:
 ///
 ///     alpha { table "postProcessing/limitAnalysis/0/limitAnalysis.dat"; column alpha; }
 ///     alpha { type multiplier; }
@@ -34,7 +34,7 @@ public:
     virtual double value() const = 0;
 };
 
-/// A figure that is asked for: one of the three is there.
+/// A figure that is requested: one of the three is there.
 struct Figure
 {
     std::string unit;                      ///< empty where a table knows it

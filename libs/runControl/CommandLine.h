@@ -34,7 +34,7 @@ struct CommandLineOption
 enum class Output
 {
     log,   ///< people: it begins with the banner
-    answer ///< scripts too: nothing but what was asked for
+    answer ///< scripts too: nothing but what was requested
 };
 
 /// A dictionary that an application reads, as -help describes it: `{"constant/g",
@@ -66,7 +66,7 @@ struct ApplicationDescription
     std::vector<DescribedDictionary> dictionaries; ///< those it reads: they close -help
 };
 
-/// What the user asked for.
+/// What the user requested.
 struct CommandLine
 {
     std::string application;

@@ -140,7 +140,7 @@ public:
     double deltaT() const { return lastStep > 0 ? lastStep : step; } ///< of the current step [s]
     long index() const { return count; }        ///< of the current step, from 1; 0 before the first
     double startValue() const { return begin; } ///< where this run has started [s]
-    /// Name of the current time's directory. Its digits are increased where the precision asked for would
+    /// Name of the current time's directory. Its digits are increased where the precision requested would
     /// give two steps the same name.
     std::string name() const { return timeName(now, settings.timeFormat, namePrecision); }
     std::string startName() const { return timeName(begin, settings.timeFormat, namePrecision); }

@@ -33,7 +33,7 @@ struct BlockTexture
     int dimensions = Dim;
     Texture<Dim> texture;
     std::vector<Named<SupportMaker<Dim>>> supports;
-    std::optional<double> jointTolerance; ///< absent: what the digits of the coordinates ask for [m]
+    std::optional<double> jointTolerance; ///< absent: what the digits of the coordinates require [m]
 };
 
 template<int Dim>

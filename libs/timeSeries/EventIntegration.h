@@ -28,12 +28,12 @@ struct EventOutcome
 {
     double time = 0;
     std::vector<double> state;
-    bool happened = false; ///< at `time`, to the last digits; otherwise `time` is the end asked for
+    bool happened = false; ///< at `time`, to the last digits; otherwise `time` is the end requested
 };
 
 /// Integrate from `start` to `end`, or to the event if that comes first, by the method of Prince and Dormand
 /// of order 8 with steps adapted to the tolerance (GSL's rk8pd). The event is located by repeating its step
-/// with other lengths. \throws std::runtime_error when the tolerance asks for steps too short to advance time
+/// with other lengths. \throws std::runtime_error when the tolerance requires steps too short to advance time
 EventOutcome integrateToEvent(const EventProblem& problem, double start, std::vector<double> state,
                               double end, const EventTolerance& tolerance = {});
 

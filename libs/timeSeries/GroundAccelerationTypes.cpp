@@ -361,7 +361,7 @@ DescribedAcceleration recordedAcceleration(const RecordMotion& motion,
     {
         return preparedRecord(motion, file);
     }
-    catch (const std::domain_error& error) // what was asked for cannot be done with this record
+    catch (const std::domain_error& error) // what was requested cannot be done with this record
     {
         throw FatalIOError(error.what(), {file.string(), "", 0});
     }

@@ -65,7 +65,7 @@ struct RecordMotion
 void declare(Options& options, RecordMotion& settings);
 
 /// The acceleration of a record, zero outside it, and what the log says of it.
-/// \throws FatalIOError as the readers; when the record is zero throughout and a peak is asked for; when it
+/// \throws FatalIOError as the readers; when the record is zero throughout and a peak is requested; when it
 /// has too few
 ///         values for its interpolation or baseline
 DescribedAcceleration recordedAcceleration(const RecordMotion& record,

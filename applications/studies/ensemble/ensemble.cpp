@@ -167,10 +167,9 @@ int main(int argc, char* argv[])
         {"submit", "OPTIONS", "write and submit a Slurm script with these options, such as \"--array=1-32\""},
         {"evaluate", "PARAMETERS RESULTS", "answer one sample of Dakota or quoFEM"}};
     description.sharing = {"evaluate"};
-    description.examples = {
-        "ensemble -case wall              # on all cores; started again, it continues",
-        "mpirun -np 64 ensemble -case wall -parallel",
-        "ensemble -case wall -submit \"--array=1-32 --cpus-per-task=8\"    # Slurm"};
+    description.examples = {"ensemble -case wall              # on all cores; started again, it continues",
+                            "mpirun -np 64 ensemble -case wall -parallel",
+                            "ensemble -case wall -submit \"--array=1-32 --cpus-per-task=8\"    # Slurm"};
     description.tutorial = "ensemble/wall6";
     description.dictionaries = {{"system/ensembleDict", describeOptions<EnsembleSettings>}};
     const std::vector<std::string> arguments = joined(argc, argv);
