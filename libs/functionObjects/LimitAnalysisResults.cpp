@@ -518,22 +518,23 @@ std::string endText(PushoverEnd end)
 
 } // namespace
 
-bool runPushover(const std::filesystem::path& caseDirectory, const LimitAnalysisCase<2>& structure)
+template<int Dim>
+bool runPushover(const std::filesystem::path& caseDirectory, const LimitAnalysisCase<Dim>& structure)
 {
     constexpr double frames = 100;
     const double between = std::max(structure.pushover->step, meanBlockSize(structure.assembly) / frames);
     VtkSeries series(caseDirectory / "VTK", "pushover", 0);
     double next = 0;
-    const Pushover pushover =
-        solvePushover(structure,
-                      [&](const CapacityPoint& point, const std::vector<Placement<2>>& placements)
-                      {
-                          if (point.displacement >= next || point.alpha == 0)
-                          {
-                              series.write(point.displacement, blockFrame(structure.assembly, placements));
-                              next = point.displacement + between;
-                          }
-                      });
+    const Pushover pushover = solvePushover<Dim>(
+        structure,
+        [&](const CapacityPoint& point, const std::vector<Placement<Dim>>& placements)
+        {
+            if (point.displacement >= next || point.alpha == 0)
+            {
+                series.write(point.displacement, blockFrame(structure.assembly, placements));
+                next = point.displacement + between;
+            }
+        });
     std::string table = "# displacement[m] alpha[-] largestDisplacement[m] certificate[-] iterations[-]\n";
     PlotCurve curve;
     for (const CapacityPoint& point : pushover.curve)
@@ -561,6 +562,8 @@ bool runPushover(const std::filesystem::path& caseDirectory, const LimitAnalysis
     return pushover.end != PushoverEnd::notConverged;
 }
 
+template bool runPushover(const std::filesystem::path& caseDirectory, const LimitAnalysisCase<2>& structure);
+template bool runPushover(const std::filesystem::path& caseDirectory, const LimitAnalysisCase<3>& structure);
 template void printLimitAnalysisCase(const LimitAnalysisCase<2>& structure);
 template void printLimitAnalysis(const LimitAnalysisCase<2>& structure,
                                  const std::vector<LimitAnalysis>& results);

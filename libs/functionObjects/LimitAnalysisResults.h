@@ -79,6 +79,7 @@ void writeLimitAnalysisResults(const std::filesystem::path& caseDirectory,
 /// - VTK/pushover.vtp.series, the blocks in at most about 100 of the positions, displacement as time.
 ///
 /// Prints how it ends. \return whether the curve is complete: false where the solver failed
-bool runPushover(const std::filesystem::path& caseDirectory, const LimitAnalysisCase<2>& structure);
+template<int Dim>
+bool runPushover(const std::filesystem::path& caseDirectory, const LimitAnalysisCase<Dim>& structure);
 
 } // namespace drystone

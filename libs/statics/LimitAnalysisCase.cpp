@@ -133,9 +133,11 @@ void requireSurfaceContact(const LimitAnalysisCase<2>& structure, const std::fil
 }
 
 /// Refuses what a capacity curve does not follow.
-void requirePushover(const LimitAnalysisCase<2>& structure, const std::filesystem::path& caseDirectory)
+template<int Dim>
+void requirePushover(const LimitAnalysisCase<Dim>& structure, const std::filesystem::path& caseDirectory)
 {
-    refuseEffects(caseDirectory, "pushover", {"cohesion", "tension", "crushing", "pointsPerJoint", "joints"});
+    refuseEffects(caseDirectory, "pushover",
+                  {"cohesion", "tension", "crushing", "pointsPerJoint", "jointPoints", "joints"});
     const SourceLocation place = readSolution(caseDirectory, "limitAnalysis").locationOf("pushover");
     if (flowRuleOf(structure.contact) == FlowRule::nonAssociative)
     {
@@ -150,11 +152,11 @@ void requirePushover(const LimitAnalysisCase<2>& structure, const std::filesyste
                            "combinations of constant/loads.",
                            place);
     }
-    const CaseLoads<2>& loads = structure.loads;
+    const CaseLoads<Dim>& loads = structure.loads;
     bool hasMoments = loads.movement.has_value();
-    for (Eigen::Index row = 2; row < loads.dead.size() && !hasMoments; row += 3)
+    for (Eigen::Index row = 0; row < loads.dead.size() && !hasMoments; ++row)
     {
-        hasMoments = loads.dead[row] != 0 || loads.live[row] != 0;
+        hasMoments = row % freedomCount<Dim> >= Dim && (loads.dead[row] != 0 || loads.live[row] != 0);
     }
     if (hasMoments || loads.multiplier != Multiplier::positive)
     {
@@ -211,9 +213,7 @@ void requireAvailable(const LimitAnalysisCase<3>& structure, const std::filesyst
     }
     if (structure.pushover)
     {
-        throw FatalIOError(
-            "pushover follows motion, and motion in space is not available yet. Remove pushover.",
-            readSolution(caseDirectory, "limitAnalysis").locationOf("pushover"));
+        requirePushover(structure, caseDirectory);
     }
 }
 
@@ -368,8 +368,10 @@ void declare(Options& options, LimitAnalysisControls& controls)
     declare(options, controls.solver);
     options.optional("nonAssociative", controls.nonAssociative,
                      "how the lowest collapse with `flowRule nonAssociative;` is searched for");
-    options.optional("pushover", controls.pushover,
-                     "capacity curve: the multiplier as the structure moves on, until it needs none");
+    options.optional(
+        "pushover", controls.pushover,
+        "capacity curve: the multiplier as the structure moves on, until it needs none; in space blocks "
+        "touch where faces face each other");
 }
 
 template<int Dim>
@@ -476,10 +478,11 @@ std::vector<LimitAnalysis> solveLimitAnalyses(LimitAnalysisCase<Dim>& structure)
     return solveWithHinges(structure, solveAllWithPoints<Dim>);
 }
 
-Pushover solvePushover(const LimitAnalysisCase<2>& structure, const PushoverObserver& observe)
+template<int Dim>
+Pushover solvePushover(const LimitAnalysisCase<Dim>& structure, const PushoverObserver<Dim>& observe)
 {
     const double mu = structure.contact.friction ? structure.contact.friction->mu : 0;
-    return solvePushover({structure.assembly, mu, structure.loads}, *structure.pushover,
+    return solvePushover(PushoverScene<Dim>{structure.assembly, mu, structure.loads}, *structure.pushover,
                          interiorPointSettings(structure.solution), observe);
 }
 
@@ -495,5 +498,7 @@ template LimitAnalysisCase<3> readLimitAnalysisCase(const std::filesystem::path&
                                                     Assembly<3> assembly, std::optional<int> pointsPerJoint);
 template LimitAnalysis solveLimitAnalysis(LimitAnalysisCase<3>& structure);
 template std::vector<LimitAnalysis> solveLimitAnalyses(LimitAnalysisCase<3>& structure);
+template Pushover solvePushover(const LimitAnalysisCase<2>& structure, const PushoverObserver<2>& observe);
+template Pushover solvePushover(const LimitAnalysisCase<3>& structure, const PushoverObserver<3>& observe);
 
 } // namespace drystone

@@ -69,7 +69,8 @@ template<int Dim>
 LimitAnalysis solveLimitAnalysis(LimitAnalysisCase<Dim>& structure);
 
 /// The capacity curve of a case that asks for one.
-Pushover solvePushover(const LimitAnalysisCase<2>& structure, const PushoverObserver& observe);
+template<int Dim>
+Pushover solvePushover(const LimitAnalysisCase<Dim>& structure, const PushoverObserver<Dim>& observe);
 
 /// One answer for each end of the range that the case asks for, the positive one first; for each combination
 /// of loads in turn. Multipliers of the negative end have their sign.

@@ -2,7 +2,7 @@
 #include "statics/Pushover.h"
 
 #include "conic/form/Form.h"
-#include "contact/Facing.h"
+#include "statics/PushoverContacts.h"
 
 #include <algorithm>
 #include <array>
@@ -44,6 +44,7 @@ constexpr std::array<Attempt, 6> attempts{{{1, Overlaps::stay},
 constexpr int patience = 500; ///< iterations allowed to an attempt
 
 /// Largest displacement of any corner, to first order.
+template<int Dim>
 double largestOf(const std::vector<double>& radius, const std::vector<int>& free,
                  const Eigen::VectorXd& rates)
 {
@@ -52,26 +53,40 @@ double largestOf(const std::vector<double>& radius, const std::vector<int>& free
     {
         if (free[block] >= 0)
         {
-            largest = std::max(largest, rates.segment<2>(3 * free[block]).norm()
-                                            + radius[block] * std::abs(rates[3 * free[block] + 2]));
+            const auto rate = rates.segment<freedomCount<Dim>>(freedomCount<Dim> * free[block]);
+            largest =
+                std::max(largest, rate.template head<Dim>().norm()
+                                      + radius[block] * rate.template tail<freedomCount<Dim> - Dim>().norm());
         }
     }
     return largest;
 }
 
 /// A of the points, about the mass centres where the blocks are now.
-void setColumns(PlaneConeProgram& program, const PushoverScene& scene, std::vector<BlockMass<2>> masses,
-                const std::vector<Placement<2>>& placements, const std::vector<ContactPoint<2>>& points)
+template<int Dim>
+void setColumns(StaticProgram<Dim>& program, const PushoverScene<Dim>& scene,
+                std::vector<BlockMass<Dim>> masses, const std::vector<Placement<Dim>>& placements,
+                const std::vector<ContactPoint<Dim>>& points)
 {
     for (std::size_t block = 0; block < masses.size(); ++block)
     {
         masses[block].centroid += placements[block].translation;
     }
     program.contacts.clear();
-    for (const ContactColumns<2>& column : equilibriumColumns(scene.assembly, masses, points))
+    for (const ContactColumns<Dim>& column : equilibriumColumns(scene.assembly, masses, points))
     {
         program.contacts.push_back({column.block, column.neighbour, column.onBlock, column.onNeighbour});
     }
+}
+
+const std::vector<Vector<2>>& cornersOf(const Block<2>& block)
+{
+    return block.outline;
+}
+
+const std::vector<Vector<3>>& cornersOf(const Block<3>& block)
+{
+    return block.shape.vertices;
 }
 
 } // namespace
@@ -84,46 +99,47 @@ void declare(Options& options, PushoverSettings& settings)
     options.optional("maximumSteps", settings.maximumSteps, "after which the curve ends").atLeast(1);
 }
 
-Pushover solvePushover(const PushoverScene& scene, const PushoverSettings& settings,
-                       const InteriorPointSettings& solver, const PushoverObserver& observe)
+template<int Dim>
+Pushover solvePushover(const PushoverScene<Dim>& scene, const PushoverSettings& settings,
+                       const InteriorPointSettings& solver, const PushoverObserver<Dim>& observe)
 {
-    const std::vector<BlockMass<2>> masses = blockMasses(scene.assembly);
+    const std::vector<BlockMass<Dim>> masses = blockMasses(scene.assembly);
     const std::vector<int> free = freeIndices(scene.assembly);
     std::vector<double> radius(masses.size(), 0);
     for (std::size_t block = 0; block < masses.size(); ++block)
     {
-        for (const Vector<2>& corner : scene.assembly.blocks[block].outline)
+        for (const Vector<Dim>& corner : cornersOf(scene.assembly.blocks[block]))
         {
             radius[block] = std::max(radius[block], (corner - masses[block].centroid).norm());
         }
     }
     double liveForce = 0;
-    for (Eigen::Index row = 0; row < scene.loads.live.size(); row += 3)
+    for (Eigen::Index row = 0; row < scene.loads.live.size(); row += freedomCount<Dim>)
     {
-        liveForce += scene.loads.live.segment<2>(row).norm();
+        liveForce += scene.loads.live.template segment<Dim>(row).norm();
     }
 
-    PlaneConeProgram program;
-    program.bodies = static_cast<int>(scene.loads.dead.size() / 3);
+    StaticProgram<Dim> program;
+    program.bodies = static_cast<int>(scene.loads.dead.size() / freedomCount<Dim>);
     program.load = scene.loads.dead;
     program.liveLoad = scene.loads.live;
-    MovingContacts<2> contacts(scene.assembly);
+    PushoverContacts<Dim> contacts(scene.assembly);
     const double margin = farthestContact * meanBlockSize(scene.assembly);
-    std::vector<Placement<2>> placements(scene.assembly.blocks.size());
+    std::vector<Placement<Dim>> placements(scene.assembly.blocks.size());
     Pushover result;
     CapacityPoint point;
     SymbolicAnalysis symbolic;               // of the last program: blocks touch the same ones for many steps
     double work = settings.step * liveForce; // of the live load in a step
     for (int step = 0; step <= settings.maximumSteps; ++step)
     {
-        std::vector<ContactPoint<2>> points = contacts.update(placements, margin);
+        std::vector<ContactPoint<Dim>> points = contacts.update(placements, margin);
         program.friction.assign(points.size(), scene.mu);
         const auto setGaps = [&]
         {
-            program.gap = Eigen::VectorXd::Zero(2 * program.points());
+            program.gap = Eigen::VectorXd::Zero(Dim * program.points());
             for (int i = 0; i < program.points(); ++i)
             {
-                program.gap[2 * i] = points[i].gap / work; // y of the program belongs to unit work
+                program.gap[Dim * i] = points[i].gap / work; // y of the program belongs to unit work
             }
         };
         setColumns(program, scene, masses, placements, points);
@@ -150,7 +166,7 @@ Pushover solvePushover(const PushoverScene& scene, const PushoverSettings& setti
         }
         if (solution.status != SolveStatus::optimal)
         {
-            PlaneConeProgram dead = program;
+            StaticProgram<Dim> dead = program;
             dead.liveLoad.resize(0);
             dead.gap.resize(0);
             const bool falls = solveInteriorPoint(dead, solver, &symbolic).status == SolveStatus::infeasible;
@@ -189,18 +205,19 @@ Pushover solvePushover(const PushoverScene& scene, const PushoverSettings& setti
         result.curve.push_back(point);
         observe(point, placements);
 
-        const double rate = largestOf(radius, free, solution.displacement);
+        const double rate = largestOf<Dim>(radius, free, solution.displacement);
         work = std::max(settings.step / rate, leastWork * settings.step * liveForce);
         const std::vector<double> gaps = [&]
         {
             std::vector<double> now;
-            for (const ContactPoint<2>& at : points)
+            for (const ContactPoint<Dim>& at : points)
             {
                 now.push_back(at.gap);
             }
             return now;
         }();
-        const std::vector<Placement<2>> middle = moved(placements, free, solution.displacement, work / 2);
+        const std::vector<Placement<Dim>> middle =
+            pushedOn(placements, free, solution.displacement, work / 2);
         contacts.measure(middle, points);
         for (std::size_t i = 0; i < points.size(); ++i)
         {
@@ -211,12 +228,17 @@ Pushover solvePushover(const PushoverScene& scene, const PushoverSettings& setti
         ConeSolution motion = solveInteriorPoint(program, solver, &symbolic);
         const Eigen::VectorXd& displacement =
             motion.status == SolveStatus::optimal ? motion.displacement : solution.displacement;
-        placements = moved(std::move(placements), free, displacement, work);
+        placements = pushedOn(std::move(placements), free, displacement, work);
         point.displacement += work / liveForce;
-        point.largest += work * largestOf(radius, free, displacement);
+        point.largest += work * largestOf<Dim>(radius, free, displacement);
     }
     result.end = PushoverEnd::stepsUsedUp;
     return result;
 }
+
+template Pushover solvePushover(const PushoverScene<2>& scene, const PushoverSettings& settings,
+                                const InteriorPointSettings& solver, const PushoverObserver<2>& observe);
+template Pushover solvePushover(const PushoverScene<3>& scene, const PushoverSettings& settings,
+                                const InteriorPointSettings& solver, const PushoverObserver<3>& observe);
 
 } // namespace drystone

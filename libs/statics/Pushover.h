@@ -3,7 +3,6 @@
 #pragma once
 
 #include "conic/InteriorPoint.h"
-#include "contact/MovingContacts.h"
 #include "dictionary/Options.h"
 #include "statics/LimitAnalysis.h"
 
@@ -49,15 +48,17 @@ struct Pushover
 };
 
 /// What is followed, with loads that act at the mass centres and keep their direction.
+template<int Dim>
 struct PushoverScene
 {
-    const Assembly<2>& assembly;
+    const Assembly<Dim>& assembly;
     double mu = 0;
     LoadVectors loads;
 };
 
 /// Called for each position with the placements of all blocks.
-using PushoverObserver = std::function<void(const CapacityPoint&, const std::vector<Placement<2>>&)>;
+template<int Dim>
+using PushoverObserver = std::function<void(const CapacityPoint&, const std::vector<Placement<Dim>>&)>;
 
 /// Follows the mechanism of limit analysis over displacements of any size. In each position, with contacts
 /// and gaps g of that position and a given work w of the live load, the program of a step without inertia is
@@ -68,8 +69,10 @@ using PushoverObserver = std::function<void(const CapacityPoint&, const std::vec
 /// alpha is what equilibrium asks for there, y moves the blocks on by finite rotations. The motion is taken
 /// from a second program with A in the middle of the first one's step: a block that turns about a corner
 /// then keeps it to third order in the step. Gaps that remain are closed by the next step.
-/// The flow rule is the associative one: what slides rises.
-Pushover solvePushover(const PushoverScene& scene, const PushoverSettings& settings,
-                       const InteriorPointSettings& solver, const PushoverObserver& observe);
+/// The flow rule is the associative one: what slides rises. In space contacts are those of faces that face
+/// each other (PushoverContacts.h).
+template<int Dim>
+Pushover solvePushover(const PushoverScene<Dim>& scene, const PushoverSettings& settings,
+                       const InteriorPointSettings& solver, const PushoverObserver<Dim>& observe);
 
 } // namespace drystone

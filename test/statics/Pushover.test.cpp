@@ -22,8 +22,8 @@ Structure monolith()
 
 Pushover push(const Structure& structure, double mu, const PushoverSettings& settings)
 {
-    return solvePushover({structure.assembly, mu, structure.weightLoads()}, settings, {},
-                         [](const CapacityPoint&, const std::vector<Placement<2>>&) {});
+    return solvePushover<2>({structure.assembly, mu, structure.weightLoads()}, settings, {},
+                            [](const CapacityPoint&, const std::vector<Placement<2>>&) {});
 }
 
 } // namespace

@@ -69,12 +69,9 @@ int runIn(const CommandLine& commandLine)
             return 2;
         }
         writeLimitAnalysisResults(directory, structure, results, used, towardsViewer);
-        if constexpr (Dim == 2)
+        if (structure.pushover && !runPushover(directory, structure))
         {
-            if (structure.pushover && !runPushover(directory, structure))
-            {
-                return 2;
-            }
+            return 2;
         }
     }
     if (commandLine.has("report") && !commandLine.dryRun)

@@ -1,0 +1,66 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Contacts of a structure that is followed over large displacements at rest: in the plane those of motion,
+/// in space the patches where faces face each other.
+#pragma once
+
+#include "contact/MovingContacts.h"
+
+#include <vector>
+
+namespace drystone
+{
+
+template<int Dim>
+class PushoverContacts;
+
+/// Corners against edges (contact/MovingContacts.h).
+template<>
+class PushoverContacts<2>
+{
+public:
+    explicit PushoverContacts(const Assembly<2>& assembly) : contacts(assembly) {}
+
+    /// Points with gaps up to `margin` [m], where the blocks are placed.
+    std::vector<ContactPoint<2>> update(const std::vector<Placement<2>>& placements, double margin)
+    {
+        return contacts.update(placements, margin);
+    }
+    /// The points of the last update, were the blocks placed so; their gaps change too.
+    void measure(const std::vector<Placement<2>>& placements, std::vector<ContactPoint<2>>& points) const
+    {
+        contacts.measure(placements, points);
+    }
+
+private:
+    MovingContacts<2> contacts;
+};
+
+/// The corners of the patches where faces of two blocks face each other, turned from each other by up to 50
+/// degrees: a block that rocks about an edge keeps the patch under it, whose gap grows from nothing at that
+/// edge. Blocks in whose faces corners or edges alone get into others have no contact there; so far they move
+/// through each other.
+template<>
+class PushoverContacts<3>
+{
+public:
+    explicit PushoverContacts(const Assembly<3>& assembly);
+
+    std::vector<ContactPoint<3>> update(const std::vector<Placement<3>>& placements, double margin);
+    /// Points move with their two blocks, and are halfway between where these take them.
+    void measure(const std::vector<Placement<3>>& placements, std::vector<ContactPoint<3>>& points) const;
+
+private:
+    Assembly<3> asBuilt;
+    std::vector<Vector<3>> centres;           ///< of mass, as built [m]
+    std::vector<double> deepest;              ///< overlap beyond which faces are not those of a contact [m]
+    std::vector<Placement<3>> lastPlacements; ///< of the last update
+};
+
+/// Placements moved by displacements of the free blocks, (ux uy rz) or (ux uy uz rx ry rz) each, times
+/// `share`, as finite rotations. \param free see freeIndices
+std::vector<Placement<2>> pushedOn(std::vector<Placement<2>> placements, const std::vector<int>& free,
+                                   const Eigen::VectorXd& displacement, double share);
+std::vector<Placement<3>> pushedOn(std::vector<Placement<3>> placements, const std::vector<int>& free,
+                                   const Eigen::VectorXd& displacement, double share);
+
+} // namespace drystone

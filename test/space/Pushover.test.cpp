@@ -1,0 +1,135 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+// Capacity curves in space: closed forms of rocking boxes, and the plane's curve of the same structure
+// extruded.
+#include "statics/Pushover.h"
+
+#include "SpaceStructures.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+namespace drystone
+{
+namespace
+{
+
+using test::onGround;
+using test::pushed;
+
+Pushover push(const Assembly<3>& assembly, double mu, const Vector<3>& direction,
+              const PushoverSettings& settings)
+{
+    return solvePushover<3>({assembly, mu, pushed(assembly, direction)}, settings, {},
+                            [](const CapacityPoint&, const std::vector<Placement<3>>&) {});
+}
+
+// The centroid is b - d from the edge, or the corner, and sqrt(b2 + h2 - (b - d)2) above it: the moment of
+// the weight is a straight line to zero at d = b.
+TEST(PushoverInSpace, OfABoxFollowsTheMomentOfItsWeight)
+{
+    for (const auto& [direction, b] :
+         {std::pair(Vector<3>(1, 0, 0), 0.25), std::pair(Vector<3>(0, 1, 0), 0.15),
+          std::pair(Vector<3>(-1, 0, 0), 0.25)})
+    {
+        const double h = 1;
+        const Assembly<3> assembly = onGround({makeBox({-0.25, -0.15, 0}, {0.25, 0.15, 2 * h})});
+        const Pushover pushover = push(assembly, 0.65, direction, {.step = 0.01});
+        EXPECT_EQ(pushover.end, PushoverEnd::overturned);
+        ASSERT_GT(pushover.curve.size(), 15U);
+        for (const CapacityPoint& point : pushover.curve)
+        {
+            const double x = b - point.displacement;
+            EXPECT_NEAR(point.alpha * std::sqrt(b * b + h * h - x * x), x, 2e-4 * b) << point.displacement;
+            EXPECT_LE(point.worst, 1e-9);
+        }
+        EXPECT_NEAR(pushover.curve.back().displacement, b, 2e-4 * b);
+        EXPECT_EQ(pushover.curve.back().alpha, 0);
+    }
+}
+
+// Askew it turns about the edge that is overcome first: d is the displacement along the push, d/cos q that
+// towards the edge, and so is the part of the load that counts. (Across the diagonal of a square it is open
+// which of two.)
+TEST(PushoverInSpace, OfABoxPushedAskewTurnsAboutAnEdge)
+{
+    const double b = 0.25;
+    const double h = 1;
+    const Assembly<3> assembly = onGround({makeBox({-b, -b, 0}, {b, b, 2 * h})});
+    for (const double angle : {0.3, -0.6})
+    {
+        const double c = std::cos(angle);
+        const Pushover pushover = push(assembly, 0.65, {c, std::sin(angle), 0}, {.step = 0.01});
+        EXPECT_EQ(pushover.end, PushoverEnd::overturned);
+        ASSERT_GT(pushover.curve.size(), 15U);
+        for (const CapacityPoint& point : pushover.curve)
+        {
+            const double x = b - point.displacement / c;
+            EXPECT_NEAR(point.alpha * c * std::sqrt(b * b + h * h - x * x), x, 5e-4 * b)
+                << point.displacement;
+        }
+        EXPECT_NEAR(pushover.curve.back().displacement, b * c, 5e-4 * b);
+    }
+}
+
+TEST(PushoverInSpace, OfABoxThatSlidesNeverEnds)
+{
+    const Pushover pushover = push(onGround({makeBox({0, 0, 0}, {0.5, 0.5, 0.5})}), 0.1, {1, 0, 0},
+                                   {.step = 0.01, .maximumSteps = 20});
+    EXPECT_EQ(pushover.end, PushoverEnd::stepsUsedUp);
+    EXPECT_NEAR(pushover.curve.front().alpha, 0.1, 1e-8);
+    EXPECT_NEAR(pushover.curve.back().alpha, 0.1, 1e-6);
+}
+
+// Two columns under a lintel, and a tower of three blocks: one mechanism each.
+TEST(PushoverInSpace, OfAnExtrudedStructureIsThatOfThePlane)
+{
+    using Rectangle = std::array<double, 4>; // left, bottom, right, top
+    for (const std::vector<Rectangle>& blocks :
+         {std::vector<Rectangle>{{0, 0, 0.4, 1.5}, {2, 0, 2.4, 1.5}, {-0.2, 1.5, 2.6, 1.9}},
+          std::vector<Rectangle>{{0, 0, 0.9, 0.5}, {0.1, 0.5, 0.8, 1.2}, {0.2, 1.2, 0.6, 2}}})
+    {
+        Assembly<2> plane;
+        std::vector<Polyhedron> shapes;
+        for (const auto& [left, bottom, right, top] : blocks)
+        {
+            plane.blocks.push_back({{{left, bottom}, {right, bottom}, {right, top}, {left, top}}, 1, -1});
+            shapes.push_back(makeBox({left, 0, bottom}, {right, 0.7, top}));
+        }
+        plane.blocks.push_back({{{-9, -1}, {9, -1}, {9, 0}, {-9, 0}}, 1, 0});
+        plane.supports = {{"ground", "ground"}};
+        std::vector<double> masses;
+        for (const BlockMass<2>& block : blockMasses(plane))
+        {
+            masses.push_back(block.volume);
+        }
+        const LoadVectors loads{gravityLoad(plane, masses, {0, -1}),
+                                inertialLoad(plane, masses, {0, -1}, {1, 0})};
+        const PushoverSettings settings{.step = 0.01};
+        const Pushover expected = solvePushover<2>(
+            {plane, 0.7, loads}, settings, {}, [](const CapacityPoint&, const std::vector<Placement<2>>&) {});
+        const Pushover found = push(onGround(shapes), 0.7, {1, 0, 0}, settings);
+        EXPECT_EQ(found.end, expected.end);
+        ASSERT_GT(expected.curve.size(), 20U);
+        EXPECT_NEAR(found.curve.back().displacement, expected.curve.back().displacement, 1e-4);
+        // Corners are farther from the mass centres in space, so that its steps are others.
+        std::size_t next = 1;
+        for (const CapacityPoint& point : expected.curve)
+        {
+            while (next + 1 < found.curve.size() && found.curve[next].displacement < point.displacement)
+            {
+                ++next;
+            }
+            const CapacityPoint& before = found.curve[next - 1];
+            const CapacityPoint& after = found.curve[next];
+            const double share =
+                (point.displacement - before.displacement) / (after.displacement - before.displacement);
+            EXPECT_NEAR(before.alpha + share * (after.alpha - before.alpha), point.alpha, 1e-4)
+                << point.displacement;
+        }
+    }
+}
+
+} // namespace
+} // namespace drystone
