@@ -187,9 +187,9 @@ std::string thrustText(const std::vector<ContactPoint<3>>& points, const std::ve
 std::string coulombText(const CoulombRange& range)
 {
     return fmt::format(
-        "# lowest[-] highest[-] associative[-] starts[-] converged[-]\n{:.12g} {:.12g} {:.12g} "
-        "{} {}\n",
-        range.lowest, range.highest, range.associative, range.starts, range.converged);
+        "# lowest[-] highest[-] associative[-] starts[-] converged[-] fall[-]\n{:.12g} {:.12g} {:.12g} "
+        "{} {} {:.12g}\n",
+        range.lowest, range.highest, range.associative, range.starts, range.converged, range.fall);
 }
 
 } // namespace
@@ -225,6 +225,38 @@ void printGoverning(const std::vector<LimitAnalysis>& results)
     else
     {
         info("Governing combination: {}, alpha = {:.9g}\n", least->combination, tabledAlpha(*least));
+    }
+}
+
+/// What is known of the collapses by Coulomb's law: each is an upper bound of the least.
+void printCoulombRange(const CoulombRange& range, const LimitAnalysis& result)
+{
+    if (range.converged > 0)
+    {
+        info("Coulomb's law: lowest of the collapses found, alpha {:.6f} to {:.6f} ({} of {} starts "
+             "converged); "
+             "associative, an upper bound: {:.6f}",
+             range.lowest, range.highest, range.converged, range.starts, range.associative);
+    }
+    else
+    {
+        info("Coulomb's law: no collapse found on which the live load does work ({} starts); its multiplier "
+             "is at "
+             "most that of the associative law, {:.6f}",
+             range.starts, range.associative);
+    }
+    if (range.fall < range.lowest)
+    {
+        info("Blocks may fall under the dead load alone from alpha {:.6f} on: with other forces at rest, or "
+             "as "
+             "joints beside them are relieved.",
+             range.fall);
+    }
+    if (result.status == CollapseStatus::optimal && result.alpha < 0)
+    {
+        info(
+            "The multiplier is below zero: some forces at rest let the dead load alone drive this mechanism, "
+            "while others carry it.");
     }
 }
 
@@ -267,10 +299,7 @@ void printLimitAnalysis(const LimitAnalysisCase<Dim>& structure, const std::vect
         }
         if (result.coulomb)
         {
-            const CoulombRange& range = *result.coulomb;
-            info("Coulomb's law: lowest of the collapses found, alpha {:.6f} to {:.6f} ({} of {} starts "
-                 "converged); associative: {:.6f}",
-                 range.lowest, range.highest, range.converged, range.starts, range.associative);
+            printCoulombRange(*result.coulomb, result);
         }
         info("Status: {}", statusText(structure, result));
         if (result.status == CollapseStatus::unstable)

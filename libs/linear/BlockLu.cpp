@@ -3,6 +3,8 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
+
 namespace drystone
 {
 
@@ -17,50 +19,87 @@ BlockLu<Rows>::BlockLu(const BlockPattern& matrix)
 }
 
 template<int Rows>
-bool BlockLu<Rows>::factorise(const std::vector<Block>& lower, const std::vector<Block>& upperTransposed)
+bool BlockLu<Rows>::factoriseColumn(int column, const std::vector<Block>& lower,
+                                    const std::vector<Block>& upperTransposed)
 {
     const std::vector<int>& start = pattern_.factor.columnStart;
     const std::vector<int>& row = pattern_.factor.row;
+    const int begin = start[column];
+    const int end = start[column + 1];
+    for (int entry = begin; entry < end; ++entry)
+    {
+        place_[row[entry]] = entry;
+        lower_[entry].setZero();
+        upperTransposed_[entry].setZero();
+    }
+    for (int entry = matrix_.columnStart[column]; entry < matrix_.columnStart[column + 1]; ++entry)
+    {
+        lower_[place_[matrix_.row[entry]]] = lower[entry];
+        upperTransposed_[place_[matrix_.row[entry]]] = upperTransposed[entry];
+    }
+    // L_ij D_j = S_ij - sum_k L_ik U_kj, and U_ji' = S_ji' - sum_k U_ki' L_jk'
+    for (int update = pattern_.updateStart[column]; update < pattern_.updateStart[column + 1]; ++update)
+    {
+        const int first = pattern_.updatePosition[update];
+        const int last = start[pattern_.columnOf[update] + 1];
+        const Block ofUpper = upperTransposed_[first].transpose();
+        const Block ofLower = lower_[first].transpose();
+        for (int entry = first; entry < last; ++entry)
+        {
+            const int place = place_[row[entry]];
+            lower_[place].noalias() -= lower_[entry].lazyProduct(ofUpper);
+            upperTransposed_[place].noalias() -= upperTransposed_[entry].lazyProduct(ofLower);
+        }
+    }
+    const Block pivot = lower_[begin];
+    const Block inverse = pivot.inverse();
+    if (!inverse.allFinite())
+    {
+        return false;
+    }
+    lower_[begin] = inverse;
+    for (int entry = begin + 1; entry < end; ++entry)
+    {
+        const Block below = lower_[entry];
+        lower_[entry].noalias() = below.lazyProduct(inverse);
+    }
+    return true;
+}
+
+template<int Rows>
+bool BlockLu<Rows>::factorise(const std::vector<Block>& lower, const std::vector<Block>& upperTransposed)
+{
     for (int column = 0; column < matrix_.columns(); ++column)
     {
-        const int begin = start[column];
-        const int end = start[column + 1];
-        for (int entry = begin; entry < end; ++entry)
-        {
-            place_[row[entry]] = entry;
-            lower_[entry].setZero();
-            upperTransposed_[entry].setZero();
-        }
-        for (int entry = matrix_.columnStart[column]; entry < matrix_.columnStart[column + 1]; ++entry)
-        {
-            lower_[place_[matrix_.row[entry]]] = lower[entry];
-            upperTransposed_[place_[matrix_.row[entry]]] = upperTransposed[entry];
-        }
-        // L_ij D_j = S_ij - sum_k L_ik U_kj, and U_ji' = S_ji' - sum_k U_ki' L_jk'
-        for (int update = pattern_.updateStart[column]; update < pattern_.updateStart[column + 1]; ++update)
-        {
-            const int first = pattern_.updatePosition[update];
-            const int last = start[pattern_.columnOf[update] + 1];
-            const Block ofUpper = upperTransposed_[first].transpose();
-            const Block ofLower = lower_[first].transpose();
-            for (int entry = first; entry < last; ++entry)
-            {
-                const int place = place_[row[entry]];
-                lower_[place].noalias() -= lower_[entry].lazyProduct(ofUpper);
-                upperTransposed_[place].noalias() -= upperTransposed_[entry].lazyProduct(ofLower);
-            }
-        }
-        const Block pivot = lower_[begin];
-        const Block inverse = pivot.inverse();
-        if (!inverse.allFinite())
+        if (!factoriseColumn(column, lower, upperTransposed))
         {
             return false;
         }
-        lower_[begin] = inverse;
-        for (int entry = begin + 1; entry < end; ++entry)
+    }
+    return true;
+}
+
+template<int Rows>
+bool BlockLu<Rows>::refactorise(const std::vector<Block>& lower, const std::vector<Block>& upperTransposed,
+                                const std::vector<int>& changed)
+{
+    isAnew_.assign(static_cast<std::size_t>(matrix_.columns()), 0);
+    int from = matrix_.columns();
+    for (const int column : changed)
+    {
+        isAnew_[column] = 1;
+        from = std::min(from, column);
+    }
+    for (int column = from; column < matrix_.columns(); ++column)
+    {
+        for (int update = pattern_.updateStart[column];
+             !isAnew_[column] && update < pattern_.updateStart[column + 1]; ++update)
         {
-            const Block below = lower_[entry];
-            lower_[entry].noalias() = below.lazyProduct(inverse);
+            isAnew_[column] = isAnew_[pattern_.columnOf[update]];
+        }
+        if (isAnew_[column] && !factoriseColumn(column, lower, upperTransposed))
+        {
+            return false;
         }
     }
     return true;
@@ -93,5 +132,6 @@ void BlockLu<Rows>::solve(Eigen::Ref<Eigen::VectorXd> x) const
 }
 
 template class BlockLu<3>;
+template class BlockLu<6>;
 
 } // namespace drystone

@@ -27,17 +27,28 @@ public:
     /// not read \return false where a diagonal block cannot be inverted
     bool factorise(const std::vector<Block>& lower, const std::vector<Block>& upperTransposed);
 
+    /// The same after the last factorisation, where only some columns of `lower` and rows of
+    /// `upperTransposed` are others: computes these anew and those that depend on them. \param changed
+    /// columns
+    bool refactorise(const std::vector<Block>& lower, const std::vector<Block>& upperTransposed,
+                     const std::vector<int>& changed);
+
     /// Solves in place.
     void solve(Eigen::Ref<Eigen::VectorXd> x) const;
 
 private:
+    bool factoriseColumn(int column, const std::vector<Block>& lower,
+                         const std::vector<Block>& upperTransposed);
+
     BlockPattern matrix_;
     FactorPattern pattern_;
     std::vector<int> place_;             ///< work: place of a block row within the column in hand
+    std::vector<char> isAnew_;           ///< work: columns that are computed anew
     std::vector<Block> lower_;           ///< L below the diagonal; on it the inverse of the pivot
     std::vector<Block> upperTransposed_; ///< U', its diagonal not used
 };
 
 extern template class BlockLu<3>;
+extern template class BlockLu<6>;
 
 } // namespace drystone

@@ -7,6 +7,7 @@
 #include "contact/Equilibrium.h"
 #include "statics/StaticProgram.h"
 
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -34,10 +35,13 @@ struct CoulombRange
 {
     double associative =
         0;              ///< multiplier of the associative law, never below; infinite when that is unbounded
-    double lowest = 0;  ///< of the collapses met
+    double lowest = 0;  ///< of the collapses met; infinite where there is none
     double highest = 0; ///< of the collapses met
-    int starts = 0;     ///< tried, mirror images included
-    int converged = 0;  ///< that led to a collapse within the tolerance
+    /// Lowest multiplier met at which blocks fall under the dead load alone, without work of the live load;
+    /// infinite where there is none.
+    double fall = std::numeric_limits<double>::infinity();
+    int starts = 0;    ///< tried
+    int converged = 0; ///< that led to a collapse within the tolerance
 };
 
 struct LimitAnalysis

@@ -197,13 +197,6 @@ void requireAvailable(const LimitAnalysisCase<3>& structure, const std::filesyst
             "perSide 5; }`, or remove the entry: points inside a joint add nothing with friction alone.",
             contact.locationOf("pointsPerJoint"));
     }
-    if (flowRuleOf(structure.contact) == FlowRule::nonAssociative)
-    {
-        throw FatalIOError(
-            "The non-associative flow rule is not available in space yet. Write `flowRule associative;`: "
-            "its multiplier is never below that of Coulomb's law.",
-            contact.subDict("friction").locationOf("flowRule"));
-    }
     if (isSurfaceContact(structure.contact))
     {
         throw FatalIOError(
@@ -244,8 +237,7 @@ LimitAnalysis solveWithPoints(const LimitAnalysisCase<2>& structure)
         return solveSettlement(structure.program, solver);
     }
     return flowRuleOf(structure.contact) == FlowRule::nonAssociative
-               ? solveNonAssociative(structure.program, jointsOf(structure.points), structure.nonAssociative,
-                                     solver)
+               ? solveNonAssociative(structure.program, structure.nonAssociative, solver)
                : solveLimitAnalysis(structure.program, solver);
 }
 
@@ -253,7 +245,9 @@ LimitAnalysis solveWithPoints(const LimitAnalysisCase<3>& structure)
 {
     const InteriorPointSettings solver = interiorPointSettings(structure.solution);
     return structure.movement ? solveSettlement(structure.program, solver)
-                              : solveLimitAnalysis(structure.program, solver);
+           : flowRuleOf(structure.contact) == FlowRule::nonAssociative
+               ? solveNonAssociative(structure.program, structure.nonAssociative, solver)
+               : solveLimitAnalysis(structure.program, solver);
 }
 
 template<int Dim>
@@ -454,12 +448,13 @@ LimitAnalysisCase<Dim> readLimitAnalysisCase(const std::filesystem::path& caseDi
                                dictionary.subDict("live").locationOf("support"));
         }
     }
-    if (result.program.hasStrength() && flowRuleOf(result.contact) == FlowRule::nonAssociative)
+    if (result.program.hasCrushing() && flowRuleOf(result.contact) == FlowRule::nonAssociative)
     {
         const Dictionary dictionary = Dictionary::readFile(caseDirectory / "constant/contactProperties");
-        throw FatalIOError("limitAnalysis follows the non-associative flow rule with friction alone. Write "
-                           "`flowRule associative;`, or remove cohesion, tension and crushing.",
-                           dictionary.subDict("friction").locationOf("flowRule"));
+        throw FatalIOError(
+            "limitAnalysis follows the non-associative flow rule with joints that do not crush. "
+            "Write `flowRule associative;`, or remove crushing.",
+            dictionary.subDict("friction").locationOf("flowRule"));
     }
     return result;
 }

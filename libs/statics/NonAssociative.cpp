@@ -1,14 +1,12 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "statics/NonAssociative.h"
 
+#include "conic/coulomb/CollapsePath.h"
 #include "conic/form/Form.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <optional>
 #include <random>
-#include <stdexcept>
 
 namespace drystone
 {
@@ -17,301 +15,379 @@ namespace
 
 using Eigen::VectorXd;
 
-/// Growth of the penalty on dissipation, from 1. Found on the six walls: faster, and the low multipliers of
-/// walls 4 and 5 are passed by.
-constexpr double penaltyGrowth = 1.3;
-constexpr int penaltyRounds = 16;
-constexpr int roundsToTrial = 4; ///< whether the mechanism of a round has forces that suit it
+/// Stiffnesses of the joints differ by factors up to exp(2 spread): little on the first path, so that blocks
+/// alike do not change at once, and more on others.
+constexpr double firstSpread = 0.2;
+constexpr double secondSpread = 0.5;
+constexpr double largestSpread = 1.5;
 
-/// Programs of a sequence through the current point, and the share of the old normal forces kept from one to
-/// the next. Those that do not settle have found their mechanism all the same.
-constexpr int sequenceLength = 40;
-constexpr double relaxation = 0.3;
+/// gamma of the second path; later ones have 1.01 to 2.
+constexpr double secondPenalty = 1.1;
 
-/// Normal forces are changed by up to this share of the largest to choose among the mechanisms of one pair,
-/// and so often in vain before the pair is taken for the least.
-constexpr double nudge = 1e-4;
-constexpr int vainNudges = 6;
+/// Forces at the start of a path are moved inwards by this share of those for the dead load.
+constexpr double inwards = 0.01;
+
+/// Every so many paths begin with other forces for the dead load, from a random objective.
+constexpr int pathsToOtherForces = 8;
+
+/// Paths besides those asked for, until there is a pair.
+constexpr int furtherStarts = 4;
+
+/// Dilatancy of blocks that fall: first, and what remains of it in the pair, as a share of the tolerance.
+constexpr double wedging = 3e-2;
+constexpr double remainingDilatancy = 0.1;
+
+/// Tolerance of programs whose forces are nothing but a start.
+constexpr double startTolerance = 1e-6;
 
 /// Points that open or slide by less than this share of the largest rate stand still.
 constexpr double stillRate = 1e-7;
 
-/// Change of a multiplier that counts as a lower one.
-constexpr double lower = 1e-7;
+/// Forces and what they carry besides the dead load.
+struct Start
+{
+    double alpha = 0;
+    VectorXd contactForce;
+};
 
-/// Forces and a mechanism, or one of them.
 struct Pair
 {
     double alpha = std::numeric_limits<double>::infinity();
     VectorXd contactForce;
     VectorXd mechanism;
+    CoulombResiduals residuals;
+    bool exists() const { return contactForce.size() > 0; }
 };
 
-/// One search, on the program or its mirror image.
+template<int Rows, int Forces>
 class Search
 {
 public:
-    Search(const PlaneConeProgram& program, std::vector<int> joint, const InteriorPointSettings& solver,
-           LimitAnalysis& work)
-        : program_(program), joint_(std::move(joint)), solver_(solver), work_(work)
+    using Program = ConeProgram<Rows, Forces>;
+
+    /// \param work the associative analysis, whose work it adds to
+    Search(const Program& program, const NonAssociativeSettings& settings,
+           const InteriorPointSettings& solver, LimitAnalysis& work)
+        : program_(program),
+          settings_(settings),
+          solver_(solver),
+          work_(work),
+          random_(static_cast<std::mt19937::result_type>(settings.seed))
     {
-        const int joints = joint_.empty() ? 0 : 1 + *std::max_element(joint_.begin(), joint_.end());
-        points_.assign(static_cast<std::size_t>(joints), 0);
-        for (const int index : joint_)
+        range.lowest = std::numeric_limits<double>::infinity();
+        range.highest = -range.lowest;
+        range.associative = range.lowest;
+        if (work.status == CollapseStatus::optimal)
         {
-            ++points_[static_cast<std::size_t>(index)];
+            range.associative = work.alpha;
+            associative_ = {work.alpha, work.contactForce};
         }
     }
 
-    /// Normal force of each joint, not negative.
-    VectorXd normalForces(const VectorXd& contactForce) const
+    /// \return whether there are forces for the dead load to begin with
+    bool findRest()
     {
-        VectorXd normal = VectorXd::Zero(static_cast<Eigen::Index>(points_.size()));
-        for (int point = 0; point < program_.points(); ++point)
-        {
-            normal[joint_[point]] += std::max(0.0, contactForce[2 * point]);
-        }
-        return normal;
+        Program dead = program_;
+        dead.liveLoad.resize(0);
+        InteriorPointSettings settings = solver_;
+        settings.tolerance = std::max(solver_.tolerance, startTolerance);
+        const ConeSolution resting = solve(dead, settings);
+        rest_.contactForce = resting.contactForce;
+        return resting.status == SolveStatus::optimal;
     }
 
-    /// Collapse with cohesion mu N instead of friction.
-    std::optional<Pair> mechanismOf(const VectorXd& normal)
+    /// One path and what follows from it.
+    void go(int number)
     {
-        PlaneConeProgram held = program_;
-        held.friction.assign(held.friction.size(), 0);
-        held.strength.assign(held.friction.size(), {});
-        const double negligible = 1e-10 * normal.maxCoeff();
-        for (int point = 0; point < held.points(); ++point)
+        ++range.starts;
+        const bool isFirst = number == 0;
+        double spread = isFirst ? firstSpread : number == 1 ? secondSpread : largestSpread * uniform();
+        std::optional<Start> start;
+        if (!isFirst && number % pathsToOtherForces == pathsToOtherForces - 1)
         {
-            const int index = joint_[point];
-            const double share = program_.friction[point] * normal[index] / points_[index];
-            held.strength[point].cohesion = share > negligible ? share : 0;
+            start = otherRest();
         }
-        return solve(held);
+        else if (lowest.exists())
+        {
+            const double gamma = number == 1 ? secondPenalty : 1 + std::pow(10, -2 * uniform());
+            start = lowForces(number % 2 == 1 ? lowest : latest_, gamma);
+        }
+        else if (!isFirst)
+        {
+            spread = largestSpread * uniform();
+        }
+        const CollapsePathSettings settings{.stiffnessSpread = spread,
+                                            .seed = static_cast<unsigned>(random_())};
+        const Start from = start.value_or(rest_);
+        range.converged += follow(from, settings) || (!lowest.exists() && followWedged(from, settings));
     }
 
-    /// Least alpha + gamma (dissipation) for a mechanism. \return the normal forces
-    std::optional<VectorXd> penalisedForces(const VectorXd& mechanism, double gamma)
+    CoulombRange range;
+    Pair lowest;
+    Pair fall;  ///< the lowest, on whose mechanism the live load does no work
+    Pair below; ///< the highest of those below zero
+
+private:
+    ConeSolution solve(const Program& program, const InteriorPointSettings& settings)
     {
-        PlaneConeProgram reversed = program_;
-        reversed.liveLoad = -program_.liveLoad;
-        reversed.gap = VectorXd::Zero(2 * program_.points());
-        const VectorXd closing = applyTransposed(program_, mechanism);
-        for (int point = 0; point < program_.points(); ++point)
-        {
-            reversed.gap[2 * point] = gamma
-                                      * (program_.friction[point] * std::abs(closing[2 * point + 1])
-                                         + std::max(0.0, -closing[2 * point]));
-        }
-        const std::optional<Pair> solved = solve(reversed);
-        return solved ? std::optional(normalForces(solved->contactForce)) : std::nullopt;
+        ConeSolution solution = solveInteriorPoint(program, settings, &symbolic_);
+        work_.iterations += solution.iterations;
+        work_.factorisations += solution.factorisations;
+        work_.solves += solution.solves;
+        return solution;
     }
 
-    /// Least alpha among the forces that suit the mechanism: none where points open, the limit of friction
-    /// against the slip where they slide. The columns of the latter are put together into one.
-    std::optional<Pair> leastMultiplier(const VectorXd& mechanism)
+    CollapsePair path(const Start& start, const CollapsePathSettings& settings)
     {
-        const VectorXd closing = applyTransposed(program_, mechanism);
-        const double still = stillRate * closing.lpNorm<Eigen::Infinity>();
-        PlaneConeProgram suited = program_;
-        suited.liveLoad = -program_.liveLoad;
-        suited.contacts.clear();
-        suited.friction.clear();
-        std::vector<int> kept;
-        std::vector<double> slope; // t = slope n, where that is given
-        for (int point = 0; point < program_.points(); ++point)
-        {
-            if (-closing[2 * point] > still)
-            {
-                continue;
-            }
-            auto columns = program_.contacts[point];
-            double friction = program_.friction[point];
-            double ratio = 0;
-            if (std::abs(closing[2 * point + 1]) > still)
-            {
-                ratio = std::copysign(friction, closing[2 * point + 1]);
-                columns.onFirst.col(0) += ratio * columns.onFirst.col(1);
-                columns.onSecond.col(0) += ratio * columns.onSecond.col(1);
-                friction = 0;
-            }
-            suited.contacts.push_back(columns);
-            suited.friction.push_back(friction);
-            kept.push_back(point);
-            slope.push_back(ratio);
-        }
-        const std::optional<Pair> solved = solve(suited);
-        if (!solved)
-        {
-            return std::nullopt;
-        }
-        Pair pair;
-        pair.alpha = -solved->alpha;
-        pair.mechanism = mechanism;
-        pair.contactForce = VectorXd::Zero(2 * program_.points());
-        for (std::size_t i = 0; i < kept.size(); ++i)
-        {
-            const auto from = static_cast<Eigen::Index>(2 * i);
-            const double normal = std::max(0.0, solved->contactForce[from]);
-            pair.contactForce[2 * kept[i]] = normal;
-            pair.contactForce[2 * kept[i] + 1] =
-                slope[i] != 0 ? slope[i] * normal : solved->contactForce[from + 1];
-        }
-        return pair;
-    }
-
-    /// Leads normal forces to where low multipliers are. \param meet is handed every pair met on the way
-    template<class Meet>
-    VectorXd wander(VectorXd normal, const Meet& meet)
-    {
-        double gamma = 1;
-        for (int round = 1; round <= penaltyRounds; ++round, gamma *= penaltyGrowth)
-        {
-            const std::optional<Pair> collapse = mechanismOf(normal);
-            if (collapse && round % roundsToTrial == 0)
-            {
-                meet(leastMultiplier(collapse->mechanism));
-            }
-            const std::optional<VectorXd> next =
-                collapse ? penalisedForces(collapse->mechanism, gamma) : std::nullopt;
-            if (!next)
-            {
-                break;
-            }
-            normal = *next;
-        }
-        return normal;
-    }
-
-    /// The sequence with a yield surface through the current point, until forces and mechanism agree.
-    std::optional<Pair> settle(VectorXd normal, double tolerance)
-    {
-        std::optional<Pair> last;
-        for (int step = 0; step < sequenceLength; ++step)
-        {
-            std::optional<Pair> collapse = mechanismOf(normal);
-            if (!collapse)
-            {
-                break;
-            }
-            last = std::move(collapse);
-            if (coulombResiduals(program_, joint_, last->alpha, last->contactForce, last->mechanism).worst()
-                <= tolerance)
-            {
-                break;
-            }
-            normal = relaxation * normal + (1 - relaxation) * normalForces(last->contactForce);
-        }
-        return last;
-    }
-
-    /// Lowers a pair's multiplier for as long as another mechanism of the same normal forces allows it.
-    Pair descend(Pair pair, std::mt19937& random)
-    {
-        for (int vain = 0; vain < vainNudges;)
-        {
-            VectorXd normal = normalForces(pair.contactForce);
-            const double most = nudge * normal.maxCoeff();
-            for (double& force : normal)
-            {
-                force += most * uniform(random);
-            }
-            const std::optional<Pair> other = mechanismOf(normal);
-            std::optional<Pair> least = other ? leastMultiplier(other->mechanism) : std::nullopt;
-            if (least && least->alpha < pair.alpha - lower * std::max(1.0, std::abs(pair.alpha)))
-            {
-                pair = std::move(*least);
-                vain = 0;
-            }
-            else
-            {
-                ++vain;
-            }
-        }
+        CollapsePair pair = followCollapsePath(program_, start.contactForce, start.alpha, settings);
+        work_.iterations += pair.pieces;
+        work_.factorisations += pair.factorisations;
+        work_.solves += pair.solves;
         return pair;
     }
 
     /// In [0, 1), the same on every machine.
-    static double uniform(std::mt19937& random) { return static_cast<double>(random()) / 4294967296.0; }
+    double uniform() { return static_cast<double>(random_()) / 4294967296.0; }
 
-private:
-    std::optional<Pair> solve(const PlaneConeProgram& program)
+    Start movedInwards(double alpha, const VectorXd& contactForce) const
     {
-        ConeSolution solution = solveInteriorPoint(program, solver_, &symbolic_);
-        work_.iterations += solution.iterations;
-        work_.factorisations += solution.factorisations;
-        work_.solves += solution.solves;
-        if (solution.status != SolveStatus::optimal)
+        return {(1 - inwards) * alpha, (1 - inwards) * contactForce + inwards * rest_.contactForce};
+    }
+
+    /// Forces for the dead load with little pressure at random points.
+    std::optional<Start> otherRest()
+    {
+        Program dead = program_;
+        dead.liveLoad.resize(0);
+        dead.gap = VectorXd::Zero(Forces * program_.points());
+        for (int point = 0; point < program_.points(); ++point)
+        {
+            const double weight = std::pow(10, -2 * uniform());
+            dead.gap[Forces * point] = weight;
+            for (int shear = 1; shear < Forces; ++shear)
+            {
+                dead.gap[Forces * point + shear] = 0.3 * weight * (2 * uniform() - 1);
+            }
+        }
+        InteriorPointSettings settings = solver_;
+        settings.tolerance = std::max(solver_.tolerance, startTolerance);
+        const ConeSolution other = solve(dead, settings);
+        return other.status == SolveStatus::optimal ? std::optional(movedInwards(0, other.contactForce))
+                                                    : std::nullopt;
+    }
+
+    /// Forces of a low multiplier that suit the mechanism of a pair.
+    std::optional<Start> lowForces(const Pair& pair, double gamma)
+    {
+        Program reversed = program_;
+        reversed.liveLoad = -program_.liveLoad;
+        reversed.gap = VectorXd::Zero(Forces * program_.points());
+        const VectorXd closing = applyTransposed(program_, pair.mechanism);
+        for (int point = 0; point < program_.points(); ++point)
+        {
+            const double slip = closing.template segment<Forces - 1>(Forces * point + 1).norm();
+            reversed.gap[Forces * point] = gamma
+                                           * (program_.friction[static_cast<std::size_t>(point)] * slip
+                                              + std::max(0.0, -closing[Forces * point]));
+        }
+        InteriorPointSettings settings = solver_;
+        settings.tolerance = std::max(solver_.tolerance, startTolerance);
+        const ConeSolution low = solve(reversed, settings);
+        return low.status == SolveStatus::optimal
+                   ? std::optional(movedInwards(-low.multiplier, low.contactForce))
+                   : std::nullopt;
+    }
+
+    /// Takes a pair that meets the tolerance. \return whether it does
+    bool consider(Pair pair)
+    {
+        pair.residuals = coulombResiduals(program_, pair.alpha, pair.contactForce, pair.mechanism);
+        if (!(pair.residuals.worst() <= settings_.tolerance))
+        {
+            return false;
+        }
+        // Below zero the mechanism would be driven by the dead load, which is carried where loading begins.
+        if (pair.alpha < 0)
+        {
+            if (!below.exists() || pair.alpha > below.alpha)
+            {
+                below = std::move(pair);
+            }
+            return false;
+        }
+        range.lowest = std::min(range.lowest, pair.alpha);
+        range.highest = std::max(range.highest, pair.alpha);
+        latest_ = pair;
+        if (!(pair.alpha >= lowest.alpha))
+        {
+            lowest = std::move(pair);
+        }
+        return true;
+    }
+
+    /// Takes blocks that fall under the dead load alone.
+    void considerFall(const CollapsePair& found)
+    {
+        Pair pair{found.multiplier, found.contactForce, found.mechanism, {}};
+        pair.residuals = coulombResiduals(program_, pair.alpha, pair.contactForce, pair.mechanism, 0);
+        if (pair.alpha >= 0 && pair.residuals.worst() <= settings_.tolerance && pair.alpha < fall.alpha)
+        {
+            range.fall = pair.alpha;
+            fall = std::move(pair);
+        }
+    }
+
+    /// Follows a path, and makes the multiplier of its pair least. \return whether it has led to a pair
+    bool follow(const Start& start, const CollapsePathSettings& settings)
+    {
+        CollapsePair found = path(start, settings);
+        if (found.end == PathEnd::fall)
+        {
+            considerFall(found);
+        }
+        if (found.end != PathEnd::collapse)
+        {
+            return false;
+        }
+        Pair pair{found.multiplier, std::move(found.contactForce), std::move(found.mechanism), {}};
+        if (!consider(pair))
+        {
+            return false;
+        }
+        if (std::optional<Pair> least = leastOf(pair))
+        {
+            consider(std::move(*least));
+        }
+        return true;
+    }
+
+    /// The same with a little dilatancy, which is taken away at the end but for what the tolerance allows;
+    /// from the start, and from the forces of the associative collapse, where less has to move until all is
+    /// wedged.
+    bool followWedged(const Start& start, CollapsePathSettings settings)
+    {
+        settings.dilatancy = wedging;
+        settings.finalDilatancy = remainingDilatancy * settings_.tolerance;
+        if (follow(start, settings))
+        {
+            return true;
+        }
+        if (associative_.contactForce.size() == 0)
+        {
+            return false;
+        }
+        const Start near = movedInwards(associative_.alpha, associative_.contactForce);
+        CollapsePathSettings little = settings;
+        little.dilatancy = settings.finalDilatancy;
+        return follow(near, settings) || follow(near, little);
+    }
+
+    /// Least alpha among the forces that suit the mechanism of a pair: those of points that open or crush
+    /// stay as they are; at points that slide, t = (C + mu n) d against the slip, so that one column remains,
+    /// with the constant part as a load; all others are free within their limits.
+    std::optional<Pair> leastOf(const Pair& pair)
+    {
+        const VectorXd closing = applyTransposed(program_, pair.mechanism);
+        const double still = stillRate * closing.template lpNorm<Eigen::Infinity>();
+        Program suited = program_;
+        suited.liveLoad = -program_.liveLoad;
+        VectorXd constant = VectorXd::Zero(Forces * program_.points());
+        for (int point = 0; point < program_.points(); ++point)
+        {
+            const auto at = static_cast<std::size_t>(point);
+            const auto slip = closing.template segment<Forces - 1>(Forces * point + 1);
+            const double size = slip.norm();
+            auto& columns = suited.contacts[at];
+            if (std::abs(closing[Forces * point]) > still)
+            {
+                constant.template segment<Forces>(Forces * point) =
+                    pair.contactForce.template segment<Forces>(Forces * point);
+                columns.onFirst.setZero();
+                columns.onSecond.setZero();
+            }
+            else if (size > still)
+            {
+                const Eigen::Matrix<double, Forces - 1, 1> direction = slip / size;
+                const double friction = program_.friction[at];
+                for (auto* side : {&columns.onFirst, &columns.onSecond})
+                {
+                    side->col(0) += friction * side->template rightCols<Forces - 1>() * direction;
+                }
+                if (program_.hasStrength())
+                {
+                    constant.template segment<Forces - 1>(Forces * point + 1) =
+                        program_.strength[at].cohesion * direction;
+                    suited.strength[at].cohesion = 0;
+                }
+                suited.friction[at] = 0;
+            }
+        }
+        suited.load -= applyEquilibrium(program_, constant);
+        // Columns without force have no say, and their points are left out.
+        std::vector<int> kept;
+        for (int point = 0; point < program_.points(); ++point)
+        {
+            const auto& columns = suited.contacts[static_cast<std::size_t>(point)];
+            if (!columns.onFirst.isZero(0) || !columns.onSecond.isZero(0))
+            {
+                const auto to = kept.size();
+                suited.contacts[to] = columns;
+                suited.friction[to] = suited.friction[static_cast<std::size_t>(point)];
+                if (program_.hasStrength())
+                {
+                    suited.strength[to] = suited.strength[static_cast<std::size_t>(point)];
+                }
+                kept.push_back(point);
+            }
+        }
+        suited.contacts.resize(kept.size());
+        suited.friction.resize(kept.size());
+        suited.strength.resize(program_.hasStrength() ? kept.size() : 0);
+        const ConeSolution solved = solve(suited, solver_);
+        if (solved.status != SolveStatus::optimal)
         {
             return std::nullopt;
         }
-        return Pair{solution.multiplier, std::move(solution.contactForce), std::move(solution.displacement)};
+        Pair least{-solved.multiplier, std::move(constant), pair.mechanism, {}};
+        for (std::size_t i = 0; i < kept.size(); ++i)
+        {
+            auto force = least.contactForce.template segment<Forces>(Forces * kept[i]);
+            const auto from =
+                solved.contactForce.template segment<Forces>(static_cast<Eigen::Index>(Forces * i));
+            const auto slip = closing.template segment<Forces - 1>(Forces * kept[i] + 1);
+            const double size = slip.norm();
+            if (size > still)
+            {
+                force[0] = from[0];
+                force.template tail<Forces - 1>() +=
+                    program_.friction[static_cast<std::size_t>(kept[i])] * from[0] * slip / size;
+            }
+            else
+            {
+                force = from;
+            }
+        }
+        return least;
     }
 
-    const PlaneConeProgram& program_;
-    SymbolicAnalysis symbolic_; ///< of the last program: most have the same points
-    std::vector<int> joint_;
+    const Program& program_;
+    NonAssociativeSettings settings_;
     InteriorPointSettings solver_;
     LimitAnalysis& work_;
-    std::vector<int> points_; ///< of each joint
+    SymbolicAnalysis symbolic_; ///< of the last program: most have the same points
+    std::mt19937 random_;
+    Start associative_; ///< empty without associative collapse
+    Start rest_;
+    Pair latest_;
 };
-
-/// The structure seen from behind, its bodies and points counted from the other end, so that a solver takes
-/// another path: ux, rz and shear change sign.
-PlaneConeProgram mirrored(const PlaneConeProgram& program)
-{
-    const Eigen::Vector3d rows(-1, 1, -1);
-    const Eigen::Vector2d forces(1, -1);
-    const int last = program.bodies - 1;
-    PlaneConeProgram mirror = program;
-    std::reverse(mirror.contacts.begin(), mirror.contacts.end());
-    std::reverse(mirror.friction.begin(), mirror.friction.end());
-    for (auto& columns : mirror.contacts)
-    {
-        columns.first = columns.first < 0 ? -1 : last - columns.first;
-        columns.second = columns.second < 0 ? -1 : last - columns.second;
-        columns.onFirst = rows.asDiagonal() * columns.onFirst * forces.asDiagonal();
-        columns.onSecond = rows.asDiagonal() * columns.onSecond * forces.asDiagonal();
-    }
-    for (int body = 0; body <= last; ++body)
-    {
-        mirror.load.segment<3>(3 * body) = rows.cwiseProduct(program.load.segment<3>(3 * (last - body)));
-        mirror.liveLoad.segment<3>(3 * body) =
-            rows.cwiseProduct(program.liveLoad.segment<3>(3 * (last - body)));
-    }
-    return mirror;
-}
-
-/// A pair of the mirror image, as one of the program itself.
-Pair mirrored(const Pair& pair)
-{
-    Pair result = pair;
-    const Eigen::Index points = pair.contactForce.size() / 2;
-    for (Eigen::Index point = 0; point < points; ++point)
-    {
-        result.contactForce.segment<2>(2 * point) =
-            pair.contactForce.segment<2>(2 * (points - 1 - point)).cwiseProduct(Eigen::Vector2d(1, -1));
-    }
-    const Eigen::Index bodies = pair.mechanism.size() / 3;
-    for (Eigen::Index body = 0; body < bodies; ++body)
-    {
-        result.mechanism.segment<3>(3 * body) =
-            pair.mechanism.segment<3>(3 * (bodies - 1 - body)).cwiseProduct(Eigen::Vector3d(-1, 1, -1));
-    }
-    return result;
-}
-
-/// value / scale, where 0 / 0 is 0.
-double relative(double value, double scale)
-{
-    return value == 0 ? 0 : value / scale;
-}
 
 } // namespace
 
 void declare(Options& options, NonAssociativeSettings& settings)
 {
-    options.optional("starts", settings.starts, "sequences from different normal forces; as many mirrored")
+    options
+        .optional("starts", settings.starts,
+                  "paths to collapse: more of them find lower collapses of the many that Coulomb's law has")
         .atLeast(1)
         .atMost(1000);
     options.optional("seed", settings.seed, "of the random numbers that later starts are made from")
@@ -321,171 +397,55 @@ void declare(Options& options, NonAssociativeSettings& settings)
         .atMost(1e-3);
 }
 
-std::vector<int> jointsOf(const std::vector<ContactPoint<2>>& points)
-{
-    std::vector<int> joint;
-    joint.reserve(points.size());
-    for (const ContactPoint<2>& point : points)
-    {
-        joint.push_back(point.joint);
-    }
-    return joint;
-}
-
-double CoulombResiduals::worst() const
-{
-    return std::max({balance, yield, flow, mismatch});
-}
-
-CoulombResiduals coulombResiduals(const PlaneConeProgram& program, const std::vector<int>& joint,
-                                  double alpha, const Eigen::VectorXd& contactForce,
-                                  const Eigen::VectorXd& mechanism)
-{
-    const double lever = meanLeverArm(program);
-    const auto scaled = [](VectorXd rows, double factor)
-    {
-        for (Eigen::Index row = 2; row < rows.size(); row += 3)
-        {
-            rows[row] *= factor;
-        }
-        return rows.lpNorm<Eigen::Infinity>();
-    };
-    const VectorXd load = program.load + alpha * program.liveLoad;
-    CoulombResiduals residuals;
-    residuals.balance = std::max(
-        relative(scaled(applyEquilibrium(program, contactForce) - load, 1 / lever), scaled(load, 1 / lever)),
-        std::abs(program.liveLoad.dot(mechanism) - 1));
-
-    const VectorXd closing = applyTransposed(program, mechanism);
-    const double largestForce = contactForce.lpNorm<Eigen::Infinity>();
-    const double largestRate = scaled(mechanism, lever);
-    const int joints = joint.empty() ? 0 : 1 + *std::max_element(joint.begin(), joint.end());
-    VectorXd normal = VectorXd::Zero(joints);
-    VectorXd shear = VectorXd::Zero(joints);
-    VectorXd friction = VectorXd::Zero(joints);
-    double power = 0;
-    double excess = 0;
-    for (int point = 0; point < program.points(); ++point)
-    {
-        const double n = contactForce[2 * point];
-        const double opening = -closing[2 * point];
-        normal[joint[point]] += n;
-        shear[joint[point]] += contactForce[2 * point + 1];
-        friction[joint[point]] = program.friction[point];
-        residuals.yield = std::max(residuals.yield, relative(-n, largestForce));
-        residuals.flow = std::max(residuals.flow, relative(-opening, largestRate));
-        if (n > 1e-6 * largestForce)
-        {
-            residuals.flow = std::max(residuals.flow, relative(opening, largestRate));
-        }
-        const double slip = closing[2 * point + 1];
-        power += program.friction[point] * std::max(0.0, n) * std::abs(slip);
-        // Shears may be shared otherwise among the points of a joint, which slip alike: only the sum counts.
-        excess += program.friction[point] * std::max(0.0, n) * std::abs(slip)
-                  - contactForce[2 * point + 1] * slip + n * opening;
-    }
-    for (Eigen::Index index = 0; index < joints; ++index)
-    {
-        residuals.yield = std::max(
-            residuals.yield,
-            relative(std::abs(shear[index]) - friction[index] * std::max(0.0, normal[index]), largestForce));
-    }
-    residuals.mismatch = relative(std::abs(excess), std::max(power, std::abs(program.load.dot(mechanism))));
-    return residuals;
-}
-
-LimitAnalysis solveNonAssociative(const PlaneConeProgram& program, const std::vector<int>& joint,
+template<int Rows, int Forces>
+LimitAnalysis solveNonAssociative(const ConeProgram<Rows, Forces>& program,
                                   const NonAssociativeSettings& settings, const InteriorPointSettings& solver)
 {
-    if (program.hasStrength())
-    {
-        throw std::invalid_argument("solveNonAssociative needs cones: no strengths");
-    }
     LimitAnalysis result = solveLimitAnalysis(program, solver);
     // What no forces in the friction cones can carry falls with either law.
-    if (result.status == CollapseStatus::unstable || result.status == CollapseStatus::notConverged)
+    if (result.status == CollapseStatus::unstable)
     {
         return result;
     }
     const CollapseStatus associative = result.status;
-    CoulombRange range;
-    range.associative =
-        associative == CollapseStatus::unbounded ? std::numeric_limits<double>::infinity() : result.alpha;
-    const PlaneConeProgram mirror = mirrored(program);
-    const std::vector<int> mirrorJoint(joint.rbegin(), joint.rend());
-    Search straight(program, joint, solver, result);
-    Search behind(mirror, mirrorJoint, solver, result);
-
-    const VectorXd first = straight.normalForces(result.contactForce);
-    std::mt19937 random(static_cast<std::mt19937::result_type>(settings.seed));
-    range.lowest = std::numeric_limits<double>::infinity();
-    range.highest = -range.lowest;
-    Pair lowest;
-    const auto consider = [&](const std::optional<Pair>& pair)
+    Search<Rows, Forces> search(program, settings, solver, result);
+    if (search.findRest())
     {
-        // Below zero the mechanism would be driven by the dead load, which is carried where loading begins.
-        if (!pair || pair->alpha < 0
-            || coulombResiduals(program, joint, pair->alpha, pair->contactForce, pair->mechanism).worst()
-                   > settings.tolerance)
+        const auto goesOn = [&](int start)
         {
-            return false;
-        }
-        range.lowest = std::min(range.lowest, pair->alpha);
-        range.highest = std::max(range.highest, pair->alpha);
-        if (!(pair->alpha >= lowest.alpha))
+            return start < settings.starts
+                   || (start < settings.starts + furtherStarts && !search.lowest.exists()
+                       && !search.fall.exists() && !search.below.exists());
+        };
+        for (int start = 0; goesOn(start); ++start)
         {
-            lowest = *pair;
-        }
-        return true;
-    };
-    for (int start = 0; start < settings.starts; ++start)
-    {
-        VectorXd normal = first;
-        for (Eigen::Index index = 0; start > 1 && index < normal.size(); ++index)
-        {
-            normal[index] *= std::exp(Search::uniform(random) - 0.5);
-        }
-        for (Search* search : {&straight, &behind})
-        {
-            const bool isMirror = search == &behind;
-            const auto asBuilt = [&](const std::optional<Pair>& pair)
-            { return pair && isMirror ? std::optional(mirrored(*pair)) : pair; };
-            ++range.starts;
-            bool found = false;
-            const auto meet = [&](std::optional<Pair> pair)
-            {
-                if (consider(asBuilt(pair)))
-                {
-                    found = true;
-                    consider(asBuilt(search->descend(std::move(*pair), random)));
-                }
-            };
-            // The first start is the sequence of Gilbert et al. by itself; the others look around before.
-            const std::optional<Pair> settled =
-                search->settle(start == 0 ? normal : search->wander(normal, meet), settings.tolerance);
-            found = consider(asBuilt(settled)) || found;
-            if (settled)
-            {
-                meet(search->leastMultiplier(settled->mechanism));
-            }
-            range.converged += found;
+            search.go(start);
         }
     }
-    if (lowest.contactForce.size() == 0)
+    const Pair& found = search.lowest.exists() ? search.lowest
+                        : search.fall.exists() ? search.fall
+                                               : search.below;
+    result.coulomb = search.range;
+    if (!found.exists())
     {
         result.status = associative == CollapseStatus::unbounded ? CollapseStatus::unbounded
                                                                  : CollapseStatus::notConverged;
         return result;
     }
-    const CoulombResiduals residuals =
-        coulombResiduals(program, joint, lowest.alpha, lowest.contactForce, lowest.mechanism);
     result.status = CollapseStatus::optimal;
-    result.alpha = lowest.alpha;
-    result.contactForce = lowest.contactForce;
-    result.mechanism = lowest.mechanism / lowest.mechanism.lpNorm<Eigen::Infinity>();
-    result.certificate = {std::max(residuals.balance, residuals.yield), residuals.flow, residuals.mismatch};
-    result.coulomb = range;
+    result.alpha = found.alpha;
+    result.contactForce = found.contactForce;
+    result.mechanism = found.mechanism / found.mechanism.template lpNorm<Eigen::Infinity>();
+    result.certificate = {std::max(found.residuals.balance, found.residuals.yield), found.residuals.flow,
+                          found.residuals.mismatch};
     return result;
 }
+
+template LimitAnalysis solveNonAssociative(const PlaneConeProgram& program,
+                                           const NonAssociativeSettings& settings,
+                                           const InteriorPointSettings& solver);
+template LimitAnalysis solveNonAssociative(const SpaceConeProgram& program,
+                                           const NonAssociativeSettings& settings,
+                                           const InteriorPointSettings& solver);
 
 } // namespace drystone

@@ -1,0 +1,421 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+#include "conic/coulomb/CollapsePath.h"
+
+#include "conic/coulomb/CollapseSystem.h"
+
+#include <random>
+#include <stdexcept>
+
+namespace drystone
+{
+namespace
+{
+
+using Eigen::VectorXd;
+
+/// In space a step is corrected at once; in the plane, where nothing but rounding adds up, sometimes.
+constexpr int piecesToCorrection = 8;
+constexpr int mostCorrections = 4;
+constexpr double balanced = 1e-14;        ///< relative to the largest load
+constexpr double largestImbalance = 1e-2; ///< likewise: the path is lost
+
+/// A direction is refined, for what the regularisation and missing pivots have changed, until the residual is
+/// so small a share of its largest entry, at the end of the path smaller. What is larger than `accepted`
+/// after that is wrong.
+constexpr int mostRefinements = 8;
+constexpr double sufficient = 1e-12;
+constexpr double refined = 1e-14;
+constexpr double accepted = 1e-9;
+
+/// Rates of w below this share of the largest are rounding: what the mechanism leaves at rest.
+constexpr double still = 1e-10;
+constexpr double stillRefined = 1e-11;
+
+/// Displacements, relative to the forces of the joints, beyond which elasticity is negligible.
+constexpr double endOfElasticity = 1e8;
+
+/// A mechanism on which the live load does less work, relative to its largest entries, is a fall.
+constexpr double noWork = 1e-10;
+
+/// A slip may turn by this angle in one step, and more where its force is a small share of the largest load.
+constexpr double largestTurn = 0.2;
+constexpr double smallForce = 0.05;
+
+/// In space displacements grow by no more than this factor in one step.
+constexpr double largestGrowth = 10;
+
+template<int Rows, int Forces>
+class CollapsePath
+{
+public:
+    using Piece = CollapsePiece<Forces>;
+    using Force = typename Piece::Force;
+
+    CollapsePath(const ConeProgram<Rows, Forces>& program, const VectorXd& contactForce, double multiplier,
+                 const CollapsePathSettings& settings);
+
+    PathEnd follow(int mostPieces);
+    /// Another psi from now on, with the same forces and slips.
+    void changeDilatancy(double dilatancy);
+    CollapsePair pair(PathEnd end) const;
+
+private:
+    Force at(int point) const { return w_.template segment<Forces>(Forces * point); }
+    Force rateAt(int point) const { return rate_.template segment<Forces>(Forces * point); }
+    int count() const { return static_cast<int>(points_.size()); }
+
+    VectorXd contactForces() const;
+    VectorXd stretched(VectorXd closing) const;
+    void update(int point)
+    {
+        system_.change(point,
+                       stiffness_[point] * points_[static_cast<std::size_t>(point)].derivative(at(point)));
+    }
+    bool correct();
+    double refineDirection(double enough);
+    void orient(double onwards);
+    typename Piece::Exit firstExit(double ignored, int& leaving) const;
+    double turningDistance() const;
+    double stepLimit(double gone) const;
+
+    const ConeProgram<Rows, Forces>& program_;
+    CollapseSystem<Rows, Forces> system_;
+    VectorXd stiffness_; ///< of each point
+    std::vector<Piece> points_;
+    VectorXd w_;
+    double alpha_ = 0;
+    double elastic_;     ///< displacements beyond which elasticity is negligible
+    VectorXd pushed_;    ///< p, K p = L
+    VectorXd direction_; ///< dv/ds, largest entry 1
+    VectorXd rate_;      ///< dw/ds
+    double alphaRate_ = 0;
+    int pieces_ = 0;
+};
+
+template<int Rows, int Forces>
+CollapsePath<Rows, Forces>::CollapsePath(const ConeProgram<Rows, Forces>& program,
+                                         const VectorXd& contactForce, double multiplier,
+                                         const CollapsePathSettings& settings)
+    : program_(program),
+      system_(program),
+      w_(contactForce / system_.force),
+      alpha_(multiplier * system_.live / system_.force),
+      elastic_(endOfElasticity * (1 + w_.template lpNorm<Eigen::Infinity>()))
+{
+    std::mt19937 random(settings.seed);
+    stiffness_.resize(program.points());
+    for (int point = 0; point < program.points(); ++point)
+    {
+        const double uniform = static_cast<double>(random()) / 4294967296.0;
+        stiffness_[point] = std::exp(settings.stiffnessSpread * (2 * uniform - 1));
+        Piece piece;
+        piece.friction = program.friction[static_cast<std::size_t>(point)];
+        piece.dilatancy = std::min(settings.dilatancy, piece.friction);
+        if (program.hasStrength())
+        {
+            piece.strength = program.strength[static_cast<std::size_t>(point)];
+            piece.strength.cohesion /= system_.force;
+            piece.strength.tension /= system_.force;
+            piece.strength.crushing /= system_.force;
+        }
+        piece.find(at(point));
+        points_.push_back(piece);
+        update(point);
+    }
+}
+
+template<int Rows, int Forces>
+VectorXd CollapsePath<Rows, Forces>::contactForces() const
+{
+    VectorXd forces(w_.size());
+    for (int point = 0; point < count(); ++point)
+    {
+        forces.template segment<Forces>(Forces * point) =
+            points_[static_cast<std::size_t>(point)].force(at(point));
+    }
+    return forces;
+}
+
+/// k times a closing
+template<int Rows, int Forces>
+VectorXd CollapsePath<Rows, Forces>::stretched(VectorXd closing) const
+{
+    for (int point = 0; point < count(); ++point)
+    {
+        closing.template segment<Forces>(Forces * point) *= stiffness_[point];
+    }
+    return closing;
+}
+
+/// Steps of Newton's method back to the path, across its direction. \return whether they lead there
+template<int Rows, int Forces>
+bool CollapsePath<Rows, Forces>::correct()
+{
+    const auto imbalance = [&]() -> VectorXd
+    { return system_.load + alpha_ * system_.liveLoad - system_.columnsTimes(contactForces()); };
+    VectorXd residual = imbalance();
+    double before = residual.lpNorm<Eigen::Infinity>();
+    for (int round = 0; round < mostCorrections && before > balanced; ++round)
+    {
+        const VectorXd moved = system_.solve(residual);
+        const double share = -pushed_.dot(moved) / pushed_.squaredNorm();
+        const VectorXd from = w_;
+        w_ += stretched(system_.columnsTransposedTimes(moved + share * pushed_));
+        alpha_ += share;
+        residual = imbalance();
+        const double after = residual.lpNorm<Eigen::Infinity>();
+        if (!(after < before))
+        {
+            w_ = from;
+            alpha_ -= share;
+            break;
+        }
+        before = after;
+        if (before < sufficient)
+        {
+            break;
+        }
+    }
+    return before < largestImbalance;
+}
+
+/// K v' = alpha' L \return the residual that is left
+template<int Rows, int Forces>
+double CollapsePath<Rows, Forces>::refineDirection(double enough)
+{
+    double before = std::numeric_limits<double>::infinity();
+    VectorXd closing = system_.columnsTransposedTimes(direction_);
+    for (int round = 0; round < mostRefinements; ++round)
+    {
+        const VectorXd residual =
+            alphaRate_ * system_.liveLoad - system_.columnsTimes(system_.forcesOf(closing));
+        const double error = residual.lpNorm<Eigen::Infinity>();
+        if (!(error < 0.5 * before) || error < enough)
+        {
+            before = std::min(before, error);
+            break;
+        }
+        before = error;
+        const VectorXd moved = system_.solve(residual);
+        const double share = -pushed_.dot(moved) / pushed_.squaredNorm();
+        direction_ += moved + share * pushed_;
+        alphaRate_ += share;
+        closing = system_.columnsTransposedTimes(direction_);
+    }
+    rate_ = stretched(std::move(closing));
+    return before;
+}
+
+template<int Rows, int Forces>
+void CollapsePath<Rows, Forces>::orient(double onwards)
+{
+    if (onwards < 0)
+    {
+        direction_ *= -1;
+        rate_ *= -1;
+        alphaRate_ *= -1;
+    }
+}
+
+/// The first point to leave its piece of the law.
+template<int Rows, int Forces>
+typename CollapsePath<Rows, Forces>::Piece::Exit CollapsePath<Rows, Forces>::firstExit(double ignored,
+                                                                                       int& leaving) const
+{
+    typename Piece::Exit first;
+    for (int point = 0; point < count(); ++point)
+    {
+        const typename Piece::Exit exit =
+            points_[static_cast<std::size_t>(point)].exit(at(point), rateAt(point), ignored);
+        if (exit.distance < first.distance)
+        {
+            first = exit;
+            leaving = point;
+        }
+    }
+    return first;
+}
+
+/// How far until the slip of a point has turned by as much as a step may; no limit in the plane.
+template<int Rows, int Forces>
+double CollapsePath<Rows, Forces>::turningDistance() const
+{
+    double distance = std::numeric_limits<double>::infinity();
+    if constexpr (Forces == 3)
+    {
+        for (int point = 0; point < count(); ++point)
+        {
+            const Piece& piece = points_[static_cast<std::size_t>(point)];
+            const Force w = at(point);
+            const Force rate = rateAt(point);
+            const double across = std::abs(w[1] * rate[2] - w[2] * rate[1]);
+            if (piece.isSliding && across > 0 && (!piece.isFree() || piece.dilatancy > 0))
+            {
+                const double most = piece.slidingLimit(w);
+                const double angle = largestTurn * std::max(1.0, most > 0 ? smallForce / most : 1.0);
+                distance = std::min(distance, angle * w.template tail<2>().squaredNorm() / across);
+            }
+        }
+    }
+    return distance;
+}
+
+/// In space the final direction is approached as displacements grow: none is final before they have.
+template<int Rows, int Forces>
+double CollapsePath<Rows, Forces>::stepLimit(double gone) const
+{
+    return Forces == 2 ? std::numeric_limits<double>::infinity()
+                       : largestGrowth * (gone + elastic_ / endOfElasticity);
+}
+
+/// w = c + lambda (-psi, d) of the points that press and slide
+template<int Rows, int Forces>
+void CollapsePath<Rows, Forces>::changeDilatancy(double dilatancy)
+{
+    for (int point = 0; point < count(); ++point)
+    {
+        Piece& piece = points_[static_cast<std::size_t>(point)];
+        const Force before = at(point);
+        const Force force = piece.force(before);
+        piece.dilatancy = std::min(dilatancy, piece.friction);
+        if (piece.isSliding && piece.normal == Piece::Normal::presses)
+        {
+            const double beyond = Piece::shearOf(before) - Piece::shearOf(force);
+            w_[Forces * point] = force[0] - piece.dilatancy * beyond;
+        }
+        update(point);
+    }
+}
+
+template<int Rows, int Forces>
+PathEnd CollapsePath<Rows, Forces>::follow(int mostPieces)
+{
+    const int begin = pieces_;
+    double gone = 0;
+    int last = -1;
+    Boundary boundary = Boundary::none;
+    for (; pieces_ < begin + mostPieces; ++pieces_)
+    {
+        if (!system_.factorise())
+        {
+            return PathEnd::unfinished;
+        }
+        pushed_ = system_.solve(system_.liveLoad);
+        const double size = pushed_.lpNorm<Eigen::Infinity>();
+        if (!(size > 0) || !std::isfinite(size))
+        {
+            return PathEnd::unfinished;
+        }
+        if ((Forces == 3 || pieces_ % piecesToCorrection == 0) && !correct())
+        {
+            return PathEnd::unfinished;
+        }
+        const VectorXd before = direction_;
+        direction_ = pushed_ / size;
+        alphaRate_ = 1 / size;
+        if (!(refineDirection(sufficient) < accepted))
+        {
+            return PathEnd::unfinished;
+        }
+        const auto choose = [&]
+        {
+            if (pieces_ == begin)
+            {
+                orient(system_.liveLoad.dot(direction_));
+            }
+            else if (boundary == Boundary::none || boundary == Boundary::turning)
+            {
+                orient(before.dot(direction_)); // after a step that was shortened
+            }
+            else
+            {
+                orient(points_[static_cast<std::size_t>(last)].rateWithin(boundary, at(last), rateAt(last)));
+            }
+        };
+        choose();
+        int leaving = -1;
+        typename Piece::Exit first = firstExit(still * rate_.lpNorm<Eigen::Infinity>(), leaving);
+        double distance = std::min({first.distance, turningDistance(), stepLimit(gone)});
+        if (gone + distance > elastic_)
+        {
+            if (!(refineDirection(refined) < accepted))
+            {
+                return PathEnd::unfinished;
+            }
+            choose();
+            first = firstExit(stillRefined * rate_.lpNorm<Eigen::Infinity>(), leaving);
+            distance = std::min({first.distance, turningDistance(), stepLimit(gone)});
+            if (gone + distance > elastic_)
+            {
+                correct();
+                const double work = system_.liveLoad.dot(direction_);
+                return work > noWork ? PathEnd::collapse : work > -noWork ? PathEnd::fall : PathEnd::reversed;
+            }
+        }
+        gone += distance;
+        w_ += distance * rate_;
+        alpha_ += distance * alphaRate_;
+        boundary = distance < first.distance ? Boundary::none : first.boundary;
+        if (boundary != Boundary::none)
+        {
+            last = leaving;
+            points_[static_cast<std::size_t>(last)].cross(boundary);
+            update(last);
+        }
+        if constexpr (Forces == 3)
+        {
+            for (int point = 0; point < count(); ++point)
+            {
+                if (points_[static_cast<std::size_t>(point)].isSliding)
+                {
+                    update(point);
+                }
+            }
+        }
+    }
+    return PathEnd::unfinished;
+}
+
+template<int Rows, int Forces>
+CollapsePair CollapsePath<Rows, Forces>::pair(PathEnd end) const
+{
+    CollapsePair result;
+    result.end = end;
+    result.multiplier = alpha_ * system_.force / system_.live;
+    result.contactForce = system_.force * contactForces();
+    result.mechanism = system_.scaledRows(direction_);
+    result.mechanism /= end == PathEnd::collapse ? program_.liveLoad.dot(result.mechanism)
+                                                 : result.mechanism.template lpNorm<Eigen::Infinity>();
+    result.pieces = pieces_;
+    result.factorisations = system_.factorisations;
+    result.solves = system_.solves;
+    return result;
+}
+
+} // namespace
+
+template<int Rows, int Forces>
+CollapsePair followCollapsePath(const ConeProgram<Rows, Forces>& program, const VectorXd& contactForce,
+                                double multiplier, const CollapsePathSettings& settings)
+{
+    if (!program.hasMultiplier() || program.hasInertia() || program.hasCompliance() || program.gap.size() > 0)
+    {
+        throw std::invalid_argument("followCollapsePath is for dead and live load alone");
+    }
+    CollapsePath<Rows, Forces> path(program, contactForce, multiplier, settings);
+    const int mostPieces = settings.maximumPieces > 0 ? settings.maximumPieces : 1000 + 10 * program.points();
+    PathEnd end = path.follow(mostPieces);
+    if (end == PathEnd::collapse && settings.finalDilatancy < settings.dilatancy)
+    {
+        path.changeDilatancy(settings.finalDilatancy);
+        end = path.follow(mostPieces);
+    }
+    return path.pair(end);
+}
+
+template CollapsePair followCollapsePath(const PlaneConeProgram& program, const VectorXd& contactForce,
+                                         double multiplier, const CollapsePathSettings& settings);
+template CollapsePair followCollapsePath(const SpaceConeProgram& program, const VectorXd& contactForce,
+                                         double multiplier, const CollapsePathSettings& settings);
+
+} // namespace drystone

@@ -1,0 +1,84 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+// Limit analysis with Coulomb's law in space: closed forms, and the lowest multipliers known.
+#include "SpaceStructures.h"
+#include "dictionary/Dictionary.h"
+#include "statics/NonAssociative.h"
+#include "texture/Texture.h"
+
+#include <gtest/gtest.h>
+
+namespace drystone
+{
+namespace
+{
+
+void expectCoulomb(const SpaceConeProgram& program, const LimitAnalysis& result)
+{
+    ASSERT_EQ(result.status, CollapseStatus::optimal);
+    const Eigen::VectorXd mechanism = result.mechanism / program.liveLoad.dot(result.mechanism);
+    EXPECT_LE(coulombResiduals(program, result.alpha, result.contactForce, mechanism).worst(), 1e-6);
+    EXPECT_LE(result.alpha, result.coulomb->associative * (1 + 1e-9));
+}
+
+SpaceConeProgram reference(const std::string& name, double mu, const Vector<3>& direction)
+{
+    const Dictionary dictionary =
+        Dictionary::readFile(std::string(DRYSTONE_SOURCE_DIR) + "/test/space/references/" + name);
+    const Assembly<3> assembly = makeStructure<3>(dictionary.subDict("blockTextureDict"));
+    return test::programOf(assembly, findContactPoints(assembly), mu, test::pushed(assembly, direction));
+}
+
+} // namespace
+
+// Law 6: without dilatancy the prism is not wedged.
+TEST(CoulombInSpace, APrismInAGrooveSlidesAtMuOverCosine)
+{
+    test::Chance chance(17);
+    for (int i = 0; i < test::instances; ++i)
+    {
+        SCOPED_TRACE(testing::Message() << "instance " << i);
+        const double slope = i == 0 ? EIGEN_PI / 4 : i == 1 ? EIGEN_PI / 6 : chance(0.2, 1.2);
+        const double mu = i == 0 ? 0.3 : i == 1 ? 0.5 : chance(0.05, 0.9 / std::tan(slope));
+        const double h = std::tan(slope);
+        const auto along = [](const std::vector<Vector<2>>& outline, double from, double to)
+        {
+            std::vector<Vector<3>> start;
+            std::vector<Vector<3>> end;
+            for (const Vector<2>& corner : outline)
+            {
+                start.emplace_back(from, corner.x(), corner.y());
+                end.emplace_back(to, corner.x(), corner.y());
+            }
+            return makePrism(start, end);
+        };
+        Assembly<3> assembly;
+        assembly.blocks = {{along({{0, 0}, {1, h}, {-1, h}}, -10, 10), -1},
+                           {along({{0, 0}, {2, 0}, {2, 2 * h}}, -20, 20), 0},
+                           {along({{0, 0}, {-2, 2 * h}, {-2, 0}}, -20, 20), 0}};
+        assembly.supports = {{"groove", "blocks"}};
+        const SpaceConeProgram program =
+            test::programOf(assembly, findContactPoints(assembly), mu, test::pushed(assembly, {1, 0, 0}));
+        const LimitAnalysis result = solveNonAssociative(program);
+        expectCoulomb(program, result);
+        EXPECT_NEAR(result.alpha, mu / std::cos(slope), 1e-6);
+    }
+}
+
+TEST(CoulombInSpace, TheLWallIsNoHigherThanTheLowestKnown)
+{
+    const SpaceConeProgram program = reference("wallL316", 0.65, {0, -1, 0});
+    const LimitAnalysis result = solveNonAssociative(program);
+    expectCoulomb(program, result);
+    EXPECT_NEAR(result.coulomb->associative, 0.207494721, 1e-6);
+    EXPECT_LE(result.alpha, 0.203232297 + 5e-10);
+}
+
+TEST(CoulombInSpace, Wall1ExtrudedIsNoHigherThanInThePlane)
+{
+    const SpaceConeProgram program = reference("extrudedWall1", 0.65, {1, 0, 0});
+    const LimitAnalysis result = solveNonAssociative(program, {.starts = 2});
+    expectCoulomb(program, result);
+    EXPECT_LE(result.alpha, 0.638982 + 5e-7);
+}
+
+} // namespace drystone
