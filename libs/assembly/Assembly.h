@@ -39,6 +39,25 @@ struct Support
     std::string type; ///< `ground`, `blocks` or `abutments`: how it was made
 };
 
+/// A named set of blocks, such as a layer of the drawing that they were imported from: materials and supports
+/// refer to it.
+struct Zone
+{
+    std::string name;
+    std::vector<int> blocks; ///< indices into Assembly::blocks, ascending
+};
+
+/// A joint that is stated, as by the interfaces of an imported file, instead of found from the shapes of the
+/// blocks.
+template<int Dim>
+struct StatedJoint
+{
+    int block = -1;                           ///< index into Assembly::blocks
+    int neighbour = -1;                       ///< index into Assembly::blocks; block < neighbour
+    Vector<Dim> normal = Vector<Dim>::Zero(); ///< unit vector from `neighbour` into `block`
+    std::vector<Vector<Dim>> points;          ///< where forces pass, in order round the joint [m]
+};
+
 /// What was done to joints whose faces did not quite meet (JointClosure.h).
 struct JointClosure
 {
@@ -57,6 +76,9 @@ struct Assembly
     std::vector<Support> supports;
     std::optional<double> jointTolerance = {}; ///< as the user states it: faces this near are a joint [m]
     JointClosure closure = {};                 ///< once closeJoints has seen the assembly
+    std::vector<Zone> zones = {};
+    std::vector<StatedJoint<Dim>> statedJoints = {}; ///< all joints there are; empty: they are found from the
+                                                     ///< shapes of the blocks
 };
 
 /// For each block its position among the free blocks, or -1 for a fixed one. Size: blocks.

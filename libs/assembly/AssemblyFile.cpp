@@ -6,6 +6,7 @@
 #include "assembly/Outlines.h"
 #include "assembly/Plausibility.h"
 #include "assembly/Polyhedra.h"
+#include "assembly/StatedJoints.h"
 #include "dictionary/Dictionary.h"
 #include "runControl/Case.h"
 
@@ -81,6 +82,25 @@ void readSupport(const Entry& entry, Assembly<Dim>& assembly)
         assembly.blocks[block].support = support;
     }
     refuseUnused(dictionary, {"type", "blocks"});
+}
+
+/// Zones may share blocks.
+template<int Dim>
+void readZone(const Entry& entry, Assembly<Dim>& assembly)
+{
+    const Dictionary& dictionary = entry.dictionary();
+    Zone zone{entry.keyword(), dictionary.get<std::vector<int>>("blocks")};
+    for (const int block : zone.blocks)
+    {
+        if (block < 0 || block >= static_cast<int>(assembly.blocks.size()))
+        {
+            throw FatalIOError(fmt::format("Zone {} has block {}, but blocks are numbered from 0 to {}.",
+                                           zone.name, block, assembly.blocks.size() - 1),
+                               dictionary.locationOf("blocks"));
+        }
+    }
+    refuseUnused(dictionary, {"blocks"});
+    assembly.zones.push_back(std::move(zone));
 }
 
 /// A jointTolerance beyond this part of the mean block size would close openings that are meant.
@@ -159,7 +179,7 @@ std::vector<std::string> keysOfShapes()
     }
     else
     {
-        return {"blocks"};
+        return {"blocks", "joints"};
     }
 }
 
@@ -189,13 +209,28 @@ Assembly<Dim> readBlocks(const std::filesystem::path& caseDirectory)
     {
         readSupport(entry, assembly);
     }
+    if (const Dictionary* zones = dictionary.findDict("zones"))
+    {
+        for (const Entry& entry : zones->entries())
+        {
+            readZone(entry, assembly);
+        }
+    }
+    if constexpr (Dim == 3)
+    {
+        if (const Entry* joints = dictionary.find("joints"))
+        {
+            assembly.statedJoints = joints->as<StatedJoints>().joints;
+            requireBlocks(assembly, joints->location());
+        }
+    }
     compareWithOrigin(dictionary, caseDirectory);
     if (const Entry* tolerance = dictionary.find("jointTolerance"))
     {
         readJointTolerance(*tolerance, assembly);
     }
     std::vector<std::string> keys = keysOfShapes<Dim>();
-    keys.insert(keys.end(), {"builtFrom", "dimensions", "jointTolerance", "supports"});
+    keys.insert(keys.end(), {"builtFrom", "dimensions", "jointTolerance", "supports", "zones"});
     refuseUnused(dictionary, keys);
     questionSizes(assembly, dictionary.locationOf(keys.front()));
     return assembly;

@@ -19,13 +19,13 @@ std::filesystem::path assemblyFile(const std::filesystem::path& caseDirectory);
 int assemblyDimensions(const std::filesystem::path& caseDirectory);
 
 /// The text of the file: a FoamFile header, `dimensions`, `jointTolerance` [m] where the user states one,
-/// `supports` with the indices of the blocks that each of them fixes, and the blocks in the order of
-/// Assembly::blocks. In the plane these are `thickness` [m] (one number, or a list with one for each block)
-/// and `outlines`, one polygon [m] a line; in space `blocks`, each `{ vertices ((x y z) ...); faces ((0 3 2
-/// 1) ...);
-/// }` with vertices in metres and the faces by index, counter-clockwise seen from outside. Numbers are the
-/// shortest that read back as the same bits. \param builtFrom the dictionary that it was built from
-/// (AssemblyOrigin.h); none: the file does not say it
+/// `supports` with the indices of the blocks that each of them fixes, where there are any `zones` with the
+/// indices of theirs, and the blocks in the order of Assembly::blocks. In the plane these are `thickness` [m]
+/// (one number, or a list with one for each block) and `outlines`, one polygon [m] a line; in space `blocks`,
+/// each `{ vertices ((x y z) ...); faces ((0 3 2 1) ...); }` with vertices in metres and the faces by index,
+/// counter-clockwise seen from outside, and where joints are stated `joints`, each `{ blocks (0 1); normal (x
+/// y z); points ((x y z) ...); }`. Numbers are the shortest that read back as the same bits. \param builtFrom
+/// the dictionary that it was built from (AssemblyOrigin.h); none: the file does not say it
 template<int Dim>
 std::string assemblyText(const Assembly<Dim>& assembly, const std::vector<InputFile>& builtFrom = {});
 

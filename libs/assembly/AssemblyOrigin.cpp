@@ -58,6 +58,27 @@ std::uint64_t fingerprint(const Assembly<Dim>& assembly)
     {
         print.add(support.name + "\n");
     }
+    for (const Zone& zone : assembly.zones)
+    {
+        print.add(zone.name + "\n");
+        for (const int block : zone.blocks)
+        {
+            print.add(static_cast<double>(block));
+        }
+    }
+    for (const StatedJoint<Dim>& joint : assembly.statedJoints)
+    {
+        print.add(static_cast<double>(joint.block));
+        print.add(static_cast<double>(joint.neighbour));
+        for (int axis = 0; axis < Dim; ++axis)
+        {
+            print.add(joint.normal[axis]);
+            for (const Vector<Dim>& point : joint.points)
+            {
+                print.add(point[axis]);
+            }
+        }
+    }
     return print.value();
 }
 

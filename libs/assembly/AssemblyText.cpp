@@ -100,6 +100,41 @@ void writeShape(std::string& text, const Block<3>& block)
     text += "); }\n";
 }
 
+void writeZones(std::string& text, const std::vector<Zone>& zones)
+{
+    if (zones.empty())
+    {
+        return;
+    }
+    text += "zones\n{\n";
+    for (const Zone& zone : zones)
+    {
+        fmt::format_to(std::back_inserter(text), "    {} {{ blocks ({}); }}\n", zone.name,
+                       fmt::join(zone.blocks, " "));
+    }
+    text += "}\n\n";
+}
+
+template<int Dim>
+void writeStatedJoints(std::string& text, const std::vector<StatedJoint<Dim>>& joints)
+{
+    if (joints.empty())
+    {
+        return;
+    }
+    fmt::format_to(std::back_inserter(text), "joints          {}\n(\n", joints.size());
+    for (const StatedJoint<Dim>& joint : joints)
+    {
+        fmt::format_to(std::back_inserter(text), "    {{ blocks ({} {}); normal ", joint.block,
+                       joint.neighbour);
+        writeVector<Dim>(text, joint.normal);
+        text += "; points ";
+        writeVectors<Dim>(text, joint.points);
+        text += "; }\n";
+    }
+    text += ");\n\n";
+}
+
 } // namespace
 
 template<int Dim>
@@ -133,6 +168,8 @@ std::string assemblyText(const Assembly<Dim>& assembly, const std::vector<InputF
         text += ");\n    }\n";
     }
     text += "}\n\n";
+    writeZones(text, assembly.zones);
+    writeStatedJoints(text, assembly.statedJoints);
     fmt::format_to(out, "{:<16}{}\n(\n", shapesKey(assembly), blocks.size());
     for (const Block<Dim>& block : blocks)
     {

@@ -49,9 +49,30 @@ std::string doubtAbout(const Gravity<Dim>& gravity)
     return {};
 }
 
+double densityOf(const Material& material, double weight, const Dictionary& dictionary)
+{
+    if (material.unitWeight && weight == 0)
+    {
+        throw FatalIOError(
+            "unitWeight says nothing of the mass where gravity is 0 (constant/g). Give density instead.",
+            dictionary.locationOf("unitWeight"));
+    }
+    return material.density ? *material.density : *material.unitWeight / weight;
+}
+
+std::vector<std::string> zoneNames(const std::vector<Zone>& zones)
+{
+    std::vector<std::string> names;
+    for (const Zone& zone : zones)
+    {
+        names.push_back(zone.name);
+    }
+    return names;
+}
+
 } // namespace
 
-void declare(Options& options, MaterialProperties& material)
+void declare(Options& options, Material& material)
 {
     options.optional("density", material.density, "mass of a volume")
         .unit("kg/m3")
@@ -76,6 +97,15 @@ void declare(Options& options, MaterialProperties& material)
                       }
                       return {};
                   });
+}
+
+void declare(Options& options, MaterialProperties& material)
+{
+    declare(options, material.ofAll);
+    options
+        .optional("zones", material.zones,
+                  "other blocks than most, by the zone of constant/assembly/blocks that they are in")
+        .example("brick");
 }
 
 template<int Dim>
@@ -109,14 +139,31 @@ std::vector<double> readDensities(const std::filesystem::path& caseDirectory, co
 {
     const Dictionary dictionary = readCaseFile(caseDirectory, "constant/materialProperties", "density 2000;");
     const auto material = readOptions<MaterialProperties>(dictionary);
-    if (material.unitWeight && gravity.isZero())
+    const double weight = gravity.norm();
+    std::vector<double> densities(assembly.blocks.size(), densityOf(material.ofAll, weight, dictionary));
+    for (const auto& [name, ofZone] : material.zones)
     {
-        throw FatalIOError(
-            "unitWeight says nothing of the mass where gravity is 0 (constant/g). Give density instead.",
-            dictionary.locationOf("unitWeight"));
+        const Dictionary& ownDictionary = dictionary.subDict("zones").subDict(name.text);
+        const double density = densityOf(ofZone, weight, ownDictionary);
+        bool isFound = false;
+        for (const Zone& zone : assembly.zones)
+        {
+            if (name.matches(zone.name))
+            {
+                isFound = true;
+                for (const int block : zone.blocks)
+                {
+                    densities[static_cast<std::size_t>(block)] = density;
+                }
+            }
+        }
+        if (!isFound)
+        {
+            throw FatalIOError(unknownWordMessage("zone", name.text, zoneNames(assembly.zones)),
+                               ownDictionary.location());
+        }
     }
-    const double density = material.density ? *material.density : *material.unitWeight / gravity.norm();
-    return std::vector<double>(assembly.blocks.size(), density);
+    return densities;
 }
 
 template void declare(Options& options, Gravity<2>& gravity);

@@ -13,11 +13,20 @@
 namespace drystone
 {
 
-/// constant/materialProperties. Exactly one of the two is given.
-struct MaterialProperties
+/// What blocks weigh. Exactly one of the two is given.
+struct Material
 {
     std::optional<double> density;    ///< [kg/m3]
     std::optional<double> unitWeight; ///< [N/m3], under the gravity of constant/g
+};
+
+void declare(Options& options, Material& material);
+
+/// constant/materialProperties: of all blocks, and of those in zones of the assembly.
+struct MaterialProperties
+{
+    Material ofAll;
+    std::vector<std::pair<NamePattern, Material>> zones; ///< a later one counts where blocks are in several
 };
 
 void declare(Options& options, MaterialProperties& material);

@@ -66,7 +66,8 @@ inline Eigen::Matrix3d contactFrame(const ContactPoint<3>& point)
 /// In space: for each pair of faces of two blocks that lie on each other, convex or not, the corners of each
 /// polygon that they share, in order round it, under the same conditions on directions and distances at all
 /// corners. Corners that only split a straight edge of the polygon are left out; blocks that touch along an
-/// edge or at a corner alone have no joint.
+/// edge or at a corner alone have no joint. Where the assembly states its joints, these are all, with their
+/// points.
 ///
 /// Points of one joint follow each other; joints are sorted by (block, neighbour), block < neighbour. Finding
 /// them takes time of order n log n in the number of edges or faces: 0.5 s for 100,000 blocks of the plane.

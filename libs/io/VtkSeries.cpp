@@ -11,10 +11,10 @@
 #include "io/VtkSeries.h"
 
 #include "core/Error.h"
+#include "core/Json.h"
 #include "core/WholeFile.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <charconv>
@@ -62,39 +62,34 @@ std::vector<SeriesFrame> readSeries(const std::filesystem::path& folder, const s
                                + ".\n\nTo start a new series, remove the file.",
                            {listFile.string(), "", line});
     };
-    nlohmann::json series;
+    JsonValue series;
     try
     {
-        series = nlohmann::json::parse(text);
+        series = parseJson(text);
     }
-    catch (const nlohmann::json::parse_error& error)
+    catch (const JsonFault& fault)
     {
-        const std::size_t before = std::min(error.byte, text.size());
-        fail("the text is no JSON here",
-             1
-                 + static_cast<int>(
-                     std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(before), '\n')));
+        fail(fault.what(), fault.line);
     }
-    catch (const nlohmann::json::out_of_range&)
-    {
-        fail("a number is too large", 0);
-    }
-    if (!series.is_object() || !series.contains("files") || !series["files"].is_array())
+    const JsonValue* files = series.find("files");
+    if (files == nullptr || files->asList() == nullptr)
     {
         fail("it has no array \"files\"", 0);
     }
-    for (const nlohmann::json& frame : series["files"])
+    for (const JsonValue& frame : *files->asList())
     {
-        const bool isNamed = frame.is_object() && frame.contains("name") && frame["name"].is_string();
-        const bool isTimed = isNamed && frame.contains("time") && frame["time"].is_number();
-        if (!isTimed || frame["name"].get<std::string>().find('/') != std::string::npos)
+        const JsonValue* frameName = frame.find("name");
+        const JsonValue* frameTime = frame.find("time");
+        const bool isNamed = frameName != nullptr && frameName->asText() != nullptr;
+        const bool isTimed = isNamed && frameTime != nullptr && frameTime->asNumber() != nullptr;
+        if (!isTimed || frameName->asText()->find('/') != std::string::npos)
         {
             fail(
                 fmt::format("entry {} of \"files\" has no \"name\" of a file beside the list with a \"time\"",
-                            &frame - &series["files"].front()),
+                            &frame - &files->asList()->front()),
                 0);
         }
-        const SeriesFrame known{frame["name"].get<std::string>(), frame["time"].get<double>()};
+        const SeriesFrame known{*frameName->asText(), *frameTime->asNumber()};
         // A frame that was removed to save space is skipped, and so is a name that no file can have.
         std::error_code unknown;
         if (std::filesystem::exists(folder / known.file, unknown))

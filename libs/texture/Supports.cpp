@@ -177,7 +177,72 @@ SupportMaker<Dim> makeFixedBlocks(const FixedBlocks& fixed, const Dictionary& di
     };
 }
 
+template<int Dim>
+SupportMaker<Dim> makeFixedZones(const FixedZones& fixed, const Dictionary& dictionary)
+{
+    return [fixed, place = dictionary.location(), layersPlace = dictionary.locationOf("layers")](
+               Assembly<Dim>& assembly, const std::string& name, double)
+    {
+        std::vector<std::string> names;
+        for (const Zone& zone : assembly.zones)
+        {
+            names.push_back(zone.name);
+        }
+        const bool hasOwnZone = std::find(names.begin(), names.end(), name) != names.end();
+        const std::string usual = hasOwnZone ? name : "is_support";
+        std::vector<NamePattern> patterns = fixed.layers;
+        if (patterns.empty())
+        {
+            if (!hasOwnZone && std::find(names.begin(), names.end(), usual) == names.end())
+            {
+                throw FatalIOError(
+                    fmt::format(
+                        "Nothing in the imported file is marked as a support, and it has no layer {}. Name "
+                        "the layers that are fixed with `layers (...);`, or blocks with `type blocks;`.\n\n"
+                        "Layers: {}",
+                        name, names.empty() ? "none" : fmt::format("{}", fmt::join(names, " "))),
+                    place);
+            }
+            patterns.push_back({usual, [usual](const std::string& zone) { return zone == usual; }});
+        }
+        const int support = static_cast<int>(assembly.supports.size());
+        assembly.supports.push_back({name, "blocks"});
+        for (const NamePattern& pattern : patterns)
+        {
+            bool isFound = false;
+            for (const Zone& zone : assembly.zones)
+            {
+                if (!pattern.matches(zone.name))
+                {
+                    continue;
+                }
+                isFound = true;
+                for (const int block : zone.blocks)
+                {
+                    // Those of an earlier support stay its own.
+                    int& of = assembly.blocks[block].support;
+                    of = of < 0 ? support : of;
+                }
+            }
+            if (!isFound)
+            {
+                throw FatalIOError(unknownWordMessage("layer", pattern.text, names), layersPlace);
+            }
+        }
+    };
+}
+
 } // namespace
+
+void declare(Options& options, FixedZones& fixed)
+{
+    options
+        .optional(
+            "layers", fixed.layers,
+            "layers, materials or objects of the imported file whose blocks are fixed; absent: the layer of "
+            "the support's own name, or else what the file marks as supports (is_support)")
+        .example("(abutments)");
+}
 
 void declare(Options& options, Ground& ground)
 {
@@ -274,6 +339,8 @@ const Registry<SupportMaker<2>>& supportTypes()
         {
             model<SupportMaker<2>, Ground>("ground", "fixed blocks under y = 0", makeGround),
             model<SupportMaker<2>, FixedBlocks>("blocks", "blocks of the texture, fixed", makeFixedBlocks<2>),
+            model<SupportMaker<2>, FixedZones>("import", "blocks that an imported file marks, fixed",
+                                               makeFixedZones<2>),
         }};
     return registry;
 }
@@ -288,6 +355,8 @@ const Registry<SupportMaker<3>>& supportTypes()
             model<SupportMaker<3>, FixedBlocks>("blocks", "blocks of the texture, fixed", makeFixedBlocks<3>),
             model<SupportMaker<3>, FixedBoxes>("boxes", "fixed boxes beside the blocks of the texture",
                                                makeFixedBoxes),
+            model<SupportMaker<3>, FixedZones>("import", "blocks that an imported file marks, fixed",
+                                               makeFixedZones<3>),
         }};
     return registry;
 }

@@ -54,6 +54,15 @@ struct FixedBlocks
 
 void declare(Options& options, FixedBlocks& fixed);
 
+/// Fixes blocks of a structure that is imported.
+struct FixedZones
+{
+    std::vector<NamePattern> layers; ///< names of zones; empty: the zone of the support's own name, or else
+                                     ///< what the file marks as supports
+};
+
+void declare(Options& options, FixedZones& fixed);
+
 /// In space: fixed boxes beside those of the texture, pads and abutments that may settle each on its own.
 struct FixedBoxes
 {

@@ -2,6 +2,8 @@
 /// The registries of textures and supports, and the structure made from a whole blockTextureDict.
 #include "texture/Texture.h"
 
+#include "import/Import.h"
+#include "import/plane/Photograph.h"
 #include "texture/Arch.h"
 #include "texture/Courses.h"
 #include "texture/Polygons.h"
@@ -40,6 +42,22 @@ Model<Texture<3>> spaceModel(std::string name, std::string summary)
                                        });
 }
 
+/// A texture whose blocks are in a file.
+template<int Dim, Declared Settings>
+Model<Texture<Dim>> fileModel(std::string name, std::string summary)
+{
+    return model<Texture<Dim>, Settings>(std::move(name), std::move(summary),
+                                         [](const Settings& settings, const Dictionary& dictionary)
+                                         {
+                                             Texture<Dim> texture;
+                                             texture.readBlocks =
+                                                 [settings, place = dictionary.locationOf("file")](
+                                                     const std::filesystem::path& caseDirectory)
+                                             { return makeAssembly(settings, caseDirectory, place); };
+                                             return texture;
+                                         });
+}
+
 } // namespace
 
 template<>
@@ -68,6 +86,8 @@ const Registry<Texture<2>>& textureTypes()
                                            [](const PlaneRubble& rubble) -> Texture<2> {
                                                return {makeAssembly(rubble), 1};
                                            }),
+            fileModel<2, Import<2>>("import", "blocks of a drawing that another program made"),
+            fileModel<2, Photograph>("image", "stones of a photograph"),
         }};
     return registry;
 }
@@ -80,7 +100,24 @@ const Registry<Texture<3>>& textureTypes()
         {
             spaceModel<Boxes>("boxes", "boxes along the axes, corner by corner"),
             spaceModel<PolyhedronBlocks>("polyhedra", "blocks of any shape, by vertices and faces"),
-            spaceModel<Extrusion>("extrusion", "a texture of the plane, given depth"),
+            model<Texture<3>, Extrusion>("extrusion", "a texture of the plane, given depth",
+                                         [](const Extrusion& extrusion) -> Texture<3>
+                                         {
+                                             if (!extrusion.of.readBlocks)
+                                             {
+                                                 return {makeAssembly(extrusion), 1};
+                                             }
+                                             Texture<3> texture;
+                                             texture.readBlocks =
+                                                 [extrusion](const std::filesystem::path& caseDirectory)
+                                             {
+                                                 Extrusion complete = extrusion;
+                                                 complete.of.assembly =
+                                                     extrusion.of.readBlocks(caseDirectory);
+                                                 return makeAssembly(complete);
+                                             };
+                                             return texture;
+                                         }),
             spaceModel<Walls>("walls", "walls of bricks in a bond, toothed where they meet"),
             spaceModel<BarrelVault>("barrelVault", "an arch, given length, in slices"),
             spaceModel<CrossVault>("crossVault", "two barrels that cross each other in groins"),
@@ -89,6 +126,7 @@ const Registry<Texture<3>>& textureTypes()
             spaceModel<Column>("column", "columns of drums, alone or under an architrave"),
             spaceModel<Rubble>("rubble", "irregular stones, the Voronoi cells of seeded points"),
             spaceModel<Stair>("stair", "steps that cantilever from a wall"),
+            fileModel<3, Import<3>>("import", "blocks of a file that another program made"),
         }};
     return registry;
 }
@@ -144,9 +182,13 @@ template void declare(Options& options, BlockTexture<2>& blockTexture);
 template void declare(Options& options, BlockTexture<3>& blockTexture);
 
 template<int Dim>
-Assembly<Dim> makeStructure(const Dictionary& dictionary)
+Assembly<Dim> makeStructure(const Dictionary& dictionary, const std::filesystem::path& caseDirectory)
 {
     BlockTexture<Dim> blockTexture = readOptions<BlockTexture<Dim>>(dictionary);
+    if (blockTexture.texture.readBlocks)
+    {
+        blockTexture.texture.assembly = blockTexture.texture.readBlocks(caseDirectory);
+    }
     if (blockTexture.texture.assembly.blocks.empty())
     {
         throw FatalIOError("This texture has no blocks: reduce its openings or voids, or add blocks.",
@@ -156,11 +198,14 @@ Assembly<Dim> makeStructure(const Dictionary& dictionary)
     {
         addSupport(blockTexture.texture.assembly, name, blockTexture.texture.unit);
     }
-    blockTexture.texture.assembly.jointTolerance = blockTexture.jointTolerance;
+    if (blockTexture.jointTolerance) // else that of an imported file stays
+    {
+        blockTexture.texture.assembly.jointTolerance = blockTexture.jointTolerance;
+    }
     return std::move(blockTexture.texture.assembly);
 }
 
-template Assembly<2> makeStructure(const Dictionary& dictionary);
-template Assembly<3> makeStructure(const Dictionary& dictionary);
+template Assembly<2> makeStructure(const Dictionary& dictionary, const std::filesystem::path& caseDirectory);
+template Assembly<3> makeStructure(const Dictionary& dictionary, const std::filesystem::path& caseDirectory);
 
 } // namespace drystone

@@ -7,6 +7,8 @@
 #include "dictionary/Registry.h"
 #include "texture/Supports.h"
 
+#include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +22,9 @@ struct Texture
 {
     Assembly<Dim> assembly; ///< with supports of its own if it has any: an arch's abutments
     double unit = 1;        ///< the length of one unit: that of a full block [m], or 1 m
+    /// Of a texture whose blocks are in a file: reads it, relative to the case directory. Empty for others,
+    /// whose assembly is complete.
+    std::function<Assembly<Dim>(const std::filesystem::path& caseDirectory)> readBlocks = {};
 };
 
 /// The textures that `texture { type ...; }` chooses from.
@@ -43,9 +48,10 @@ void declare(Options& options, BlockTexture<Dim>& blockTexture);
 /// when it is neither 2 nor 3
 int dimensionsOf(const Dictionary& dictionary);
 
-/// The structure that a dictionary describes, including its supports. \throws FatalIOError for any fault in
-/// it, an empty texture and other `dimensions` than Dim included, before anything is made
+/// The structure that a dictionary describes, including its supports. \param caseDirectory of the files that
+/// it names \throws FatalIOError for any fault in it, an empty texture and other `dimensions` than Dim
+/// included, before anything is made
 template<int Dim = 2>
-Assembly<Dim> makeStructure(const Dictionary& dictionary);
+Assembly<Dim> makeStructure(const Dictionary& dictionary, const std::filesystem::path& caseDirectory = ".");
 
 } // namespace drystone

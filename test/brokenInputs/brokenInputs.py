@@ -275,7 +275,7 @@ brokenInputs = [
               files={dictionary: REMOVE, dictionary + "/keep": ""}),
     # Its entries.
     inTexture("unknownType", "runningBond", "runingBond", r"Unknown texture type runingBond\. Did you mean runningBond\?",
-              r"Valid texture types: arch courses polygons rubble runningBond"),
+              r"Valid texture types: arch courses image import polygons rubble runningBond"),
     inTexture("missingType", "    type        runningBond;\n", "", r"type", lines=(2, 3)),
     inTexture("unknownKey", "length      5;", "lenght      5;", r"lenght", r"Did you mean length\?"),
     inTexture("severalFaults", "length      5;", "lenght      5;\n    colour red;", r"Did you mean length\?",

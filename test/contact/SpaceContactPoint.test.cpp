@@ -285,4 +285,17 @@ TEST(SpaceContactPoint, AGridHasAllCornersAndStaysWithinThePatch)
     EXPECT_EQ(divideJoints(findContactPoints(letter), 5).size(), 25U - 4); // without the empty quarter
 }
 
+TEST(SpaceContactPoint, StatedJointsAreAllThatThereAre)
+{
+    Assembly<3> boxes{{{makeBox({0, 0, 0}, {1, 2, 1})}, {makeBox({-5, -5, -1}, {5, 5, 0})}}, {}};
+    boxes.statedJoints = {{0, 1, {0, 0, 1}, {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}}};
+    const auto points = findContactPoints(boxes);
+    ASSERT_EQ(points.size(), 3U);
+    EXPECT_EQ(points[2].position, Vector<3>(1, 1, 0));
+    EXPECT_EQ(points[2].block, 0);
+    EXPECT_EQ(points[2].neighbour, 1);
+    EXPECT_EQ(points[2].joint, 0);
+    EXPECT_EQ(points[2].normal, Vector<3>(0, 0, 1));
+}
+
 } // namespace

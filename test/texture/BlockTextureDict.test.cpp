@@ -96,7 +96,7 @@ TEST(BlockTextureDict, AMistypedTypeIsNamedWithTheValidOnes)
     EXPECT_EQ(report("dimensions 2;\ntexture\n{\n    type runingBond;\n}\n"),
               "--> DRYSTONE FATAL IO ERROR:\n"
               "Unknown texture type runingBond. Did you mean runningBond?\n\n"
-              "Valid texture types: arch courses polygons rubble runningBond\n\n"
+              "Valid texture types: arch courses image import polygons rubble runningBond\n\n"
               "file: system/blockTextureDict/texture/type at line 4.\n\nDRYSTONE exiting\n");
     EXPECT_THAT(report(bond + "} supports { a { type grund; } }"), HasSubstr("Did you mean ground?"));
 }

@@ -36,7 +36,7 @@ template<int Dim>
 int runIn(const CommandLine& commandLine, const Dictionary& dictionary)
 {
     const std::filesystem::path& directory = commandLine.caseDirectory;
-    const Assembly<Dim> assembly = makeStructure<Dim>(dictionary);
+    const Assembly<Dim> assembly = makeStructure<Dim>(dictionary, directory);
     Assembly<Dim> closed =
         assembly; // as it will be read; the file keeps the coordinates as they were written
     closeJoints(closed);

@@ -28,6 +28,10 @@ bool isApart(const FacingPatch& patch)
 
 std::vector<FacingPatch> findAlmostJoints(const Assembly<3>& assembly, const CheckLimits& limits)
 {
+    if (!assembly.statedJoints.empty())
+    {
+        return {}; // what is a joint does not depend on distances
+    }
     const double size = meanBlockSize(assembly);
     const double jointTolerance = std::max(limits.jointTolerance * size, assembly.closure.tolerance);
     FacingTolerance tolerance = facingTolerance(limits.gap * size, jointTolerance);

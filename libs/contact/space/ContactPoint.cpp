@@ -8,9 +8,38 @@
 namespace drystone
 {
 
+namespace
+{
+
+/// Of the joints that the assembly states, but for those of two fixed blocks.
+std::vector<ContactPoint<3>> statedPoints(const Assembly<3>& assembly)
+{
+    std::vector<ContactPoint<3>> points;
+    int index = 0;
+    for (const StatedJoint<3>& joint : assembly.statedJoints)
+    {
+        if (assembly.blocks[joint.block].support >= 0 && assembly.blocks[joint.neighbour].support >= 0)
+        {
+            continue;
+        }
+        for (const Vector<3>& point : joint.points)
+        {
+            points.push_back({joint.block, joint.neighbour, index, point, joint.normal, 0, ContactFeature{}});
+        }
+        ++index;
+    }
+    return points;
+}
+
+} // namespace
+
 template<>
 std::vector<ContactPoint<3>> findContactPoints(const Assembly<3>& assembly, double relativeTolerance)
 {
+    if (!assembly.statedJoints.empty())
+    {
+        return statedPoints(assembly);
+    }
     const double distance = relativeTolerance * meanBlockSize(assembly);
     const std::vector<FacingPatch> joints = findFacingPatches(assembly, facingTolerance(distance, distance));
 

@@ -33,6 +33,8 @@ Assembly<3> makeAssembly(const Extrusion& extrusion)
 {
     Assembly<3> assembly;
     assembly.supports = extrusion.of.assembly.supports;
+    assembly.zones = extrusion.of.assembly.zones;
+    assembly.jointTolerance = extrusion.of.assembly.jointTolerance;
     for (const Block<2>& block : extrusion.of.assembly.blocks)
     {
         const double thickness = extrusion.thickness.value_or(block.thickness);

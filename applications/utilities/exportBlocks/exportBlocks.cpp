@@ -1,0 +1,255 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// exportBlocks: writes the blocks of a case, as built or at a moment of a motion, for other programs.
+#include "assembly/AssemblyFile.h"
+#include "assembly/Materials.h"
+#include "contact/ContactPoint.h"
+#include "contact/ContactProperties.h"
+#include "contact/JointClosure.h"
+#include "core/Error.h"
+#include "core/Log.h"
+#include "core/WholeFile.h"
+#include "import/export/Writers.h"
+#include "io/TimeDirectory.h"
+#include "runControl/Application.h"
+
+#include <algorithm>
+#include <charconv>
+
+using namespace drystone;
+namespace fs = std::filesystem;
+
+namespace
+{
+
+/// A format: its name, and the ending of its files.
+using Format = std::pair<std::string_view, std::string_view>;
+constexpr std::array<Format, 6> formats{{{"obj", ".obj"},
+                                         {"compasJson", ".json"},
+                                         {"dxf", ".dxf"},
+                                         {"gltf", ".gltf"},
+                                         {"lmgc90", ".py"},
+                                         {"3dec", ".dat"}}};
+
+const Format& formatOf(const CommandLine& commandLine)
+{
+    const std::string name = commandLine.get("format").value_or("obj");
+    const auto found = std::find_if(formats.begin(), formats.end(),
+                                    [&](const Format& format) { return format.first == name; });
+    if (found == formats.end())
+    {
+        std::vector<std::string> names;
+        for (const Format& format : formats)
+        {
+            names.emplace_back(format.first);
+        }
+        throw FatalError(unknownWordMessage("format", name, names));
+    }
+    return *found;
+}
+
+template<class Number>
+std::optional<Number> numberOf(const CommandLine& commandLine, const std::string& option, Number lowest,
+                               Number highest)
+{
+    const std::optional<std::string> text = commandLine.get(option);
+    if (!text)
+    {
+        return {};
+    }
+    Number value{};
+    const auto [end, code] = std::from_chars(text->data(), text->data() + text->size(), value);
+    if (code != std::errc() || end != text->data() + text->size() || !(value >= lowest && value <= highest))
+    {
+        throw FatalError(fmt::format("-{} {} is not possible: give a number from {} to {}.", option, *text,
+                                     lowest, highest));
+    }
+    return value;
+}
+
+/// The time directory that -time names; empty: as built.
+std::string timeOf(const CommandLine& commandLine)
+{
+    const std::vector<TimeDirectory> times = timeDirectories(commandLine.caseDirectory);
+    const std::string text = commandLine.get("time").value_or("");
+    if (text.empty())
+    {
+        return {};
+    }
+    if (text == "latestTime" && !times.empty())
+    {
+        return times.back().name;
+    }
+    const auto wanted =
+        text == "latestTime" ? std::nullopt : numberOf<double>(commandLine, "time", -1e300, 1e300);
+    const auto found = std::find_if(times.begin(), times.end(),
+                                    [&](const TimeDirectory& directory)
+                                    { return wanted && std::abs(directory.time - *wanted) <= 1e-9; });
+    if (found == times.end())
+    {
+        std::string names;
+        for (const TimeDirectory& directory : times)
+        {
+            names += " " + directory.name;
+        }
+        throw FatalError(fmt::format("There is no time {} in this case.\n\nTimes:{}", text,
+                                     names.empty() ? " none; contactDynamics writes them" : names));
+    }
+    return found->name;
+}
+
+/// Where the blocks are at a time. \return none as built
+template<int Dim>
+std::vector<Placement<Dim>> placementsAt(const fs::path& caseDirectory, const std::string& time,
+                                         std::size_t blocks)
+{
+    if (time.empty())
+    {
+        return {};
+    }
+    const fs::path file = caseDirectory / time / "state";
+    if (!fs::exists(file))
+    {
+        throw FatalError(fmt::format("Time {} has no state: {} is not there.", time, file.string()));
+    }
+    const State state = readState(file);
+    constexpr std::size_t rotations = rotationCount<Dim>;
+    const std::vector<double>& translation = stateArray(state, "translation", Dim * blocks);
+    const std::vector<double>& rotation = stateArray(state, "rotation", rotations * blocks);
+    std::vector<Placement<Dim>> placements(blocks);
+    for (std::size_t i = 0; i < blocks; ++i)
+    {
+        for (std::size_t axis = 0; axis < Dim; ++axis)
+        {
+            placements[i].translation[static_cast<int>(axis)] = translation[Dim * i + axis];
+        }
+        if constexpr (Dim == 2)
+        {
+            placements[i].rotation = rotation[i];
+        }
+        else
+        {
+            placements[i].rotation = {rotation[3 * i], rotation[3 * i + 1], rotation[3 * i + 2]};
+        }
+    }
+    return placements;
+}
+
+/// The joints as built, for formats that have them.
+std::vector<StatedJoint<3>> jointsOf(Assembly<3> assembly)
+{
+    closeJoints(assembly);
+    std::vector<StatedJoint<3>> joints;
+    int last = -1;
+    for (const ContactPoint<3>& point : findContactPoints(assembly, contactTolerance(assembly)))
+    {
+        if (point.joint != last)
+        {
+            joints.push_back({point.block, point.neighbour, point.normal, {}});
+            last = point.joint;
+        }
+        joints.back().points.push_back(point.position);
+    }
+    return joints;
+}
+std::vector<StatedJoint<3>> jointsOf(const Assembly<2>&)
+{
+    return {}; // of the plane are lines, not interfaces
+}
+
+std::string dxfOf(const Assembly<2>& assembly, const std::vector<Placement<2>>& placements,
+                  const std::vector<ExportedSolid>&, const WrittenNumbers& numbers)
+{
+    return dxfText(assembly, placements, numbers);
+}
+std::string dxfOf(const Assembly<3>&, const std::vector<Placement<3>>&,
+                  const std::vector<ExportedSolid>& solids, const WrittenNumbers& numbers)
+{
+    return dxfText(solids, numbers);
+}
+
+template<int Dim>
+int runIn(const CommandLine& commandLine)
+{
+    const fs::path& directory = commandLine.caseDirectory;
+    const auto [format, ending] = formatOf(commandLine);
+    const WrittenNumbers numbers{numberOf<int>(commandLine, "decimals", 0, 17)};
+    const std::string time = timeOf(commandLine);
+    const Assembly<Dim> assembly = readBlocks<Dim>(directory);
+    const auto placements = placementsAt<Dim>(directory, time, assembly.blocks.size());
+    const bool hasDensities = format == "lmgc90";
+    const std::vector<double> densities =
+        hasDensities ? readDensities<Dim>(directory, assembly, readGravity<Dim>(directory))
+                     : std::vector<double>();
+    const std::vector<ExportedSolid> solids = exportedSolids(assembly, placements, densities);
+    std::string text;
+    if (format == "obj")
+    {
+        text = objText(solids, numbers);
+    }
+    else if (format == "compasJson")
+    {
+        text = compasJsonText(solids, time.empty() ? jointsOf(assembly) : std::vector<StatedJoint<3>>(),
+                              numbers);
+    }
+    else if (format == "dxf")
+    {
+        text = dxfOf(assembly, placements, solids, numbers);
+    }
+    else if (format == "gltf")
+    {
+        text = gltfText(solids);
+    }
+    else if (format == "lmgc90")
+    {
+        const ContactProperties properties = readContactProperties(directory);
+        text = lmgc90Text(solids, properties.friction ? properties.friction->mu : 0);
+    }
+    else
+    {
+        text = threeDecText(solids);
+    }
+    if (format == "lmgc90" || format == "3dec")
+    {
+        if (const std::vector<int> concave = concaveBlocks(solids); !concave.empty())
+        {
+            printWarning(
+                fmt::format("{} blocks are not convex, as block {}: {} takes convex ones only; {}.",
+                            concave.size(), concave.front(), format,
+                            format == "3dec" ? "they are left out" : "divide them before it computes"));
+        }
+    }
+    const fs::path file = directory
+                          / commandLine.get("output").value_or(
+                              fmt::format("export/blocks{}{}", time.empty() ? "" : "_" + time, ending));
+    writeWholeFile(file, text);
+    info("Blocks: {}, {}", assembly.blocks.size(), time.empty() ? "as built" : "at time " + time);
+    info("Wrote {}\n", file.lexically_normal().string());
+    printExecutionTime();
+    printEnd();
+    return 0;
+}
+
+int run(const CommandLine& commandLine)
+{
+    return assemblyDimensions(commandLine.caseDirectory) == 3 ? runIn<3>(commandLine) : runIn<2>(commandLine);
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+    ApplicationDescription description;
+    description.name = "exportBlocks";
+    description.summary =
+        "Writes the blocks of a case, as built or at a moment of a motion, into a file for other "
+        "programs. Blocks of the plane become solids of their thickness, but in dxf.";
+    description.kind = ApplicationKind::utility;
+    description.options = {
+        {"format", "FORMAT", "obj (default), compasJson, dxf, gltf, lmgc90 (script) or 3dec (commands)"},
+        {"time", "TIME", "of a state that contactDynamics wrote, or latestTime; as built if absent"},
+        {"decimals", "N", "of coordinates in obj, compasJson and dxf; all digits if absent"},
+        {"output", "FILE", "relative to the case; export/blocks... if absent"}};
+    description.examples = {"exportBlocks -format gltf -time latestTime  # end of a motion, for viewers",
+                            "exportBlocks -format compasJson             # for compas_assembly"};
+    return runApplication(argc, argv, description, run);
+}

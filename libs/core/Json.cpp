@@ -1,0 +1,114 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The tree, built from the events of nlohmann's parser, which itself needs no stack.
+#include "core/Json.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace drystone
+{
+
+namespace
+{
+
+/// A tree that is deeper could exhaust the stack when it is removed.
+constexpr std::size_t deepest = 100;
+
+class TreeBuilder : public nlohmann::json_sax<nlohmann::json>
+{
+public:
+    explicit TreeBuilder(std::string_view whole) : text(whole) {}
+
+    JsonValue root;
+
+    bool null() override { return add({}); }
+    bool boolean(bool value) override { return add({value}); }
+    bool number_integer(std::int64_t value) override { return add({static_cast<double>(value)}); }
+    bool number_unsigned(std::uint64_t value) override { return add({static_cast<double>(value)}); }
+    bool number_float(double value, const std::string&) override { return add({value}); }
+    bool string(std::string& value) override { return add({std::move(value)}); }
+    bool binary(nlohmann::json::binary_t&) override { return false; }
+    bool start_object(std::size_t) override { return open({JsonValue::Object{}}); }
+    bool start_array(std::size_t) override { return open({JsonValue::List{}}); }
+    bool end_object() override { return close(); }
+    bool end_array() override { return close(); }
+    bool key(std::string& name) override
+    {
+        std::get<JsonValue::Object>(parents.back()->content).emplace_back(std::move(name), JsonValue{});
+        return true;
+    }
+    bool parse_error(std::size_t position, const std::string&,
+                     const nlohmann::json::exception& error) override
+    {
+        constexpr int outOfRange = 406; // a number, of nlohmann's list of errors
+        const auto before = static_cast<std::ptrdiff_t>(std::min(position, text.size()));
+        const auto line = 1 + std::count(text.begin(), text.begin() + before, '\n');
+        throw JsonFault(error.id == outOfRange ? "a number is too large" : "the text is no JSON here",
+                        static_cast<int>(line));
+    }
+
+private:
+    JsonValue& place(JsonValue value)
+    {
+        if (parents.empty())
+        {
+            return root = std::move(value);
+        }
+        if (auto* list = std::get_if<JsonValue::List>(&parents.back()->content))
+        {
+            return list->emplace_back(std::move(value));
+        }
+        return std::get<JsonValue::Object>(parents.back()->content).back().second = std::move(value);
+    }
+    bool add(JsonValue value)
+    {
+        place(std::move(value));
+        return true;
+    }
+    bool open(JsonValue value)
+    {
+        if (parents.size() >= deepest)
+        {
+            throw JsonFault("lists and objects are nested deeper than 100 levels", 1);
+        }
+        // A parent's list does not grow while one of its elements is open, so that pointers stay valid.
+        parents.push_back(&place(std::move(value)));
+        return true;
+    }
+    bool close()
+    {
+        parents.pop_back();
+        return true;
+    }
+
+    std::string_view text;
+    std::vector<JsonValue*> parents;
+};
+
+} // namespace
+
+const JsonValue* JsonValue::find(std::string_view key) const
+{
+    if (const Object* object = asObject())
+    {
+        for (const auto& [name, value] : *object)
+        {
+            if (name == key)
+            {
+                return &value;
+            }
+        }
+    }
+    return nullptr;
+}
+
+JsonValue parseJson(std::string_view text)
+{
+    TreeBuilder builder(text);
+    nlohmann::json::sax_parse(text.begin(), text.end(), &builder);
+    return std::move(builder.root);
+}
+
+} // namespace drystone

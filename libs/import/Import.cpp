@@ -1,0 +1,185 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// From the settings of the texture `import` to the reader of its format.
+#include "import/Import.h"
+
+#include "core/Log.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace drystone
+{
+
+namespace fs = std::filesystem;
+
+namespace
+{
+
+template<int Dim>
+void declareFile(Options& options, Import<Dim>& settings)
+{
+    options.required("file", settings.file, "file that another program made, relative to the case")
+        .example(Dim == 2 ? "\"constant/triSurface/facade.dxf\"" : "\"constant/triSurface/tower.obj\"");
+    options.optional("format", settings.format, "of the file; auto: by the ending of its name");
+}
+
+std::string_view nameOf(ImportFormat format)
+{
+    for (const auto& [name, value] : namesOf(format))
+    {
+        if (value == format)
+        {
+            return name;
+        }
+    }
+    return {};
+}
+
+ImportFormat byEnding(const fs::path& file, const SourceLocation& place)
+{
+    std::string ending = file.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    using Ending = std::pair<std::string_view, ImportFormat>;
+    static constexpr std::array<Ending, 6> endings{{{".obj", ImportFormat::obj},
+                                                    {".ply", ImportFormat::ply},
+                                                    {".stl", ImportFormat::stl},
+                                                    {".json", ImportFormat::compasJson},
+                                                    {".dxf", ImportFormat::dxf},
+                                                    {".svg", ImportFormat::svg}}};
+    const auto found =
+        std::find_if(endings.begin(), endings.end(), [&](const Ending& one) { return one.first == ending; });
+    if (found == endings.end())
+    {
+        throw FatalIOError(
+            fmt::format("The name of the file ends in `{}`, which says no format. State it: `format` "
+                        "is obj, ply, stl, compasJson, dxf or svg.",
+                        shown(ending)),
+            place);
+    }
+    return found->second;
+}
+
+bool isDrawing(ImportFormat format)
+{
+    return format == ImportFormat::dxf || format == ImportFormat::svg;
+}
+
+/// The file and its format. \throws FatalIOError when it is of the other dimension
+template<int Dim>
+std::pair<ImportedFile, ImportFormat> open(const Import<Dim>& settings, const fs::path& caseDirectory,
+                                           const SourceLocation& place)
+{
+    const fs::path given(settings.file);
+    const fs::path file = given.is_absolute() ? given : caseDirectory / given;
+    const ImportFormat format =
+        settings.format == ImportFormat::automatic ? byEnding(file, place) : settings.format;
+    if (isDrawing(format) != (Dim == 2))
+    {
+        throw FatalIOError(
+            Dim == 2 ? fmt::format("A file of format {} has solids: set `dimensions 3;`.", nameOf(format))
+                     : fmt::format(
+                         "A file of format {} has drawings of the plane: set `dimensions 2;`, or give it "
+                         "depth by `type extrusion; of {{ type import; ... }}`.",
+                         nameOf(format)),
+            place);
+    }
+    std::error_code ignored;
+    if (!fs::exists(file, ignored))
+    {
+        throw FatalIOError(
+            fmt::format("There is no file {}.\n\nCheck the name: it is relative to the case directory.",
+                        file.lexically_normal().string()),
+            place);
+    }
+    ImportedFile source = readSource(file);
+    info("Import: {}, format {}", source.name, nameOf(format));
+    return {std::move(source), format};
+}
+
+template<int Dim>
+void printZones(const Assembly<Dim>& assembly)
+{
+    constexpr std::size_t most = 20;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(most, assembly.zones.size()); ++i)
+    {
+        text += fmt::format("{}{} ({})", i > 0 ? ", " : "", assembly.zones[i].name,
+                            assembly.zones[i].blocks.size());
+    }
+    if (assembly.zones.size() > most)
+    {
+        text += fmt::format(" and {} more", assembly.zones.size() - most);
+    }
+    info("Import: {} blocks{}{}", assembly.blocks.size(), text.empty() ? "" : ", zones ", text);
+}
+
+} // namespace
+
+void declare(Options& options, Import<2>& settings)
+{
+    declareFile(options, settings);
+    options
+        .optional("scale", settings.drawing.scale,
+                  "metres a unit of the drawing; absent: as the file says ($INSUNITS, width), or 1")
+        .above(0)
+        .example("0.001");
+    options.optional("thickness", settings.drawing.thickness, "out of plane").unit("m").above(0);
+    options.optional("layers", settings.drawing.layers, "layers that have blocks; all if absent")
+        .example("(stones)");
+    options
+        .optional("tolerance", settings.drawing.tolerance,
+                  "corners that are this near are one, and faces a joint; absent: as jointTolerance")
+        .unit("m")
+        .above(0)
+        .example("0.001");
+    options
+        .optional("chordsPerCircle", settings.chords.chordsPerCircle,
+                  "chords that a whole circle of arcs becomes")
+        .atLeast(4)
+        .atMost(3600);
+}
+
+void declare(Options& options, Import<3>& settings)
+{
+    declareFile(options, settings);
+    options.optional("scale", settings.solid.scale, "metres a unit of the file").above(0);
+    options.optional("up", settings.solid.up, "axis of the file that points upwards");
+    options
+        .optional(
+            "tolerance", settings.solid.tolerance,
+            "corners that are this near are one, faces this uneven are made plane, and faces this near are a "
+            "joint; absent: 1.75 units of the last digit of the coordinates")
+        .unit("m")
+        .above(0)
+        .example("0.001");
+    options.optional(
+        "interfaces", settings.solid.interfaces,
+        "of a COMPAS assembly; contacts: they are the joints, instead of those found from the shapes");
+}
+
+Assembly<2> makeAssembly(const Import<2>& settings, const fs::path& caseDirectory,
+                         const SourceLocation& place)
+{
+    const auto [file, format] = open(settings, caseDirectory, place);
+    const Drawing drawing = format == ImportFormat::dxf ? readDxf(file, settings.chords) : readSvg(file);
+    Assembly<2> assembly = drawnBlocks(drawing, settings.drawing, file);
+    printZones(assembly);
+    return assembly;
+}
+
+Assembly<3> makeAssembly(const Import<3>& settings, const fs::path& caseDirectory,
+                         const SourceLocation& place)
+{
+    const auto [file, format] = open(settings, caseDirectory, place);
+    Solids solids = format == ImportFormat::obj   ? readObj(file)
+                    : format == ImportFormat::ply ? readPly(file)
+                    : format == ImportFormat::stl ? readStl(file)
+                                                  : readCompasJson(file);
+    Assembly<3> assembly = solidBlocks(std::move(solids), settings.solid, file);
+    printZones(assembly);
+    return assembly;
+}
+
+} // namespace drystone

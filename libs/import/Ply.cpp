@@ -1,0 +1,386 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Stanford PLY. Own reader: that of VTK crashes on damaged files.
+#include "import/ByteReader.h"
+#include "import/Solids.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace drystone
+{
+
+namespace
+{
+
+enum class Type
+{
+    int8,
+    uint8,
+    int16,
+    uint16,
+    int32,
+    uint32,
+    float32,
+    float64
+};
+
+std::optional<Type> typeOf(std::string_view word)
+{
+    using Name = std::pair<std::string_view, Type>;
+    static constexpr std::array<Name, 16> names{{{"char", Type::int8},
+                                                 {"int8", Type::int8},
+                                                 {"uchar", Type::uint8},
+                                                 {"uint8", Type::uint8},
+                                                 {"short", Type::int16},
+                                                 {"int16", Type::int16},
+                                                 {"ushort", Type::uint16},
+                                                 {"uint16", Type::uint16},
+                                                 {"int", Type::int32},
+                                                 {"int32", Type::int32},
+                                                 {"uint", Type::uint32},
+                                                 {"uint32", Type::uint32},
+                                                 {"float", Type::float32},
+                                                 {"float32", Type::float32},
+                                                 {"double", Type::float64},
+                                                 {"float64", Type::float64}}};
+    const auto found =
+        std::find_if(names.begin(), names.end(), [&](const Name& name) { return name.first == word; });
+    return found == names.end() ? std::nullopt : std::optional(found->second);
+}
+
+struct Property
+{
+    std::string name;
+    Type type = Type::float32;
+    std::optional<Type> count = {}; ///< of a list
+};
+
+struct Element
+{
+    std::string name;
+    std::size_t count = 0;
+    std::vector<Property> properties;
+};
+
+enum class Format
+{
+    ascii,
+    little,
+    big
+};
+
+struct Header
+{
+    Format format = Format::ascii;
+    std::vector<Element> elements;
+    std::size_t end = 0; ///< byte where the data begins
+    int lines = 0;
+};
+
+/// A source of values: words of a text, or numbers in bytes.
+class Words
+{
+public:
+    Words(const ImportedFile& source, const Header& header)
+        : file(source), lines(std::string_view(source.bytes).substr(header.end)), before(header.lines)
+    {
+    }
+    double take(Type type)
+    {
+        const std::string_view word = next();
+        const double value = numberOf(file, line(), word);
+        if (type == Type::float32 || type == Type::float64)
+        {
+            digits.add(word);
+        }
+        return value;
+    }
+    int line() const { return before + lines.number(); }
+    double rounding(double) const { return digits.unit(); }
+
+private:
+    std::string_view next()
+    {
+        std::string_view word = nextWord(rest);
+        while (word.empty())
+        {
+            if (!lines.next(rest))
+            {
+                refuse(file, line(), "The file ends in the middle of its data: get a complete copy of it.");
+            }
+            word = nextWord(rest);
+        }
+        return word;
+    }
+
+    const ImportedFile& file;
+    LineReader lines;
+    std::string_view rest;
+    int before;
+    DigitCount digits;
+};
+
+class Bytes
+{
+public:
+    Bytes(const ImportedFile& source, const Header& header)
+        : file(source), bytes(source, header.end, header.format == Format::big)
+    {
+    }
+    double take(Type type)
+    {
+        switch (type)
+        {
+        case Type::int8:
+            return bytes.take<std::int8_t>();
+        case Type::uint8:
+            return bytes.take<std::uint8_t>();
+        case Type::int16:
+            return bytes.take<std::int16_t>();
+        case Type::uint16:
+            return bytes.take<std::uint16_t>();
+        case Type::int32:
+            return bytes.take<std::int32_t>();
+        case Type::uint32:
+            return bytes.take<std::uint32_t>();
+        case Type::float32:
+            isSingle = true;
+            return finite(bytes.take<float>());
+        default:
+            return finite(bytes.take<double>());
+        }
+    }
+    int line() const { return 0; }
+    double rounding(double largest) const { return isSingle ? std::ldexp(largest, -23) : 0; }
+
+private:
+    double finite(double value) const
+    {
+        if (!std::isfinite(value))
+        {
+            refuse(file, 0, fmt::format("The number before byte {} is not finite.", bytes.place()));
+        }
+        return value;
+    }
+
+    const ImportedFile& file;
+    ByteReader bytes;
+    bool isSingle = false;
+};
+
+Header readHeader(const ImportedFile& file)
+{
+    Header header;
+    LineReader lines(file.bytes);
+    std::string_view line;
+    bool hasFormat = false;
+    lines.next(line);
+    if (trimmed(line) != "ply")
+    {
+        refuse(file, 1, "A PLY file begins with the line `ply`: this one does not.");
+    }
+    while (lines.next(line))
+    {
+        const int number = lines.number();
+        const std::string_view word = nextWord(line);
+        if (word == "format")
+        {
+            const std::string_view name = nextWord(line);
+            if (name != "ascii" && name != "binary_little_endian" && name != "binary_big_endian")
+            {
+                refuse(
+                    file, number,
+                    fmt::format("Unknown format {}: it is ascii, binary_little_endian or binary_big_endian.",
+                                shown(name)));
+            }
+            header.format = name == "ascii"                  ? Format::ascii
+                            : name == "binary_little_endian" ? Format::little
+                                                             : Format::big;
+            hasFormat = true;
+        }
+        else if (word == "element")
+        {
+            Element element{std::string(nextWord(line)), 0, {}};
+            const int count = integerOf(file, number, nextWord(line));
+            if (count < 0)
+            {
+                refuse(file, number, fmt::format("There cannot be {} elements.", count));
+            }
+            element.count = static_cast<std::size_t>(count);
+            header.elements.push_back(std::move(element));
+        }
+        else if (word == "property")
+        {
+            if (header.elements.empty())
+            {
+                refuse(file, number, "This property belongs to no element.");
+            }
+            Property property;
+            std::string_view type = nextWord(line);
+            const bool isList = type == "list";
+            std::string_view countType;
+            if (isList)
+            {
+                countType = nextWord(line);
+                property.count = typeOf(countType);
+                type = nextWord(line);
+            }
+            const std::optional<Type> known = typeOf(type);
+            if (!known || (isList && !property.count))
+            {
+                refuse(file, number,
+                       fmt::format(
+                           "Unknown type {}: it is char, uchar, short, ushort, int, uint, float, double or "
+                           "a list.",
+                           shown(known ? countType : type)));
+            }
+            property.type = *known;
+            property.name = nextWord(line);
+            header.elements.back().properties.push_back(std::move(property));
+        }
+        else if (word == "end_header")
+        {
+            if (!hasFormat)
+            {
+                refuse(file, number, "The header has no line `format`.");
+            }
+            header.end = static_cast<std::size_t>(line.data() + line.size() - file.bytes.data());
+            // The end of the line, which LineReader has passed.
+            header.end += header.end < file.bytes.size() && file.bytes[header.end] == '\r' ? 1 : 0;
+            header.end += header.end < file.bytes.size() && file.bytes[header.end] == '\n' ? 1 : 0;
+            header.lines = number;
+            return header;
+        }
+        else if (word != "comment" && word != "obj_info" && !word.empty())
+        {
+            refuse(file, number, fmt::format("Unknown word {} in the header.", shown(word)));
+        }
+    }
+    refuse(file, lines.number(), "The header has no line `end_header`: get a complete copy of the file.");
+}
+
+int axisOf(const Property& property)
+{
+    return !property.count && property.name.size() == 1
+               ? static_cast<int>(std::string_view("xyz").find(property.name))
+               : -1;
+}
+
+template<class Source>
+Solids readData(const ImportedFile& file, const Header& header)
+{
+    Source source(file, header);
+    Solid solid;
+    std::vector<std::vector<int>>& faces = solid.faces;
+    double largest = 0;
+    // Counts of the header are not believed: what is there is appended until the file ends.
+    for (const Element& element : header.elements)
+    {
+        if (element.properties.empty() && element.count > 0)
+        {
+            continue; // takes no bytes, however many there are
+        }
+        for (std::size_t i = 0; i < element.count; ++i)
+        {
+            Vector<3> vertex = Vector<3>::Zero();
+            for (const Property& property : element.properties)
+            {
+                if (!property.count)
+                {
+                    const double value = source.take(property.type);
+                    if (const int axis = axisOf(property); axis >= 0)
+                    {
+                        vertex[axis] = value;
+                        largest = std::max(largest, std::abs(value));
+                    }
+                    continue;
+                }
+                const double count = source.take(*property.count);
+                const bool isFace = element.name == "face"
+                                    && (property.name == "vertex_indices" || property.name == "vertex_index");
+                if (!(count >= 0) || count != std::floor(count) || (isFace && count < 3))
+                {
+                    refuse(file, source.line(),
+                           fmt::format("{} {} has a list of {} values.", shown(element.name), i, count));
+                }
+                std::vector<int> face;
+                for (double k = 0; k < count; ++k)
+                {
+                    const double index = source.take(property.type);
+                    if (!isFace)
+                    {
+                        continue;
+                    }
+                    if (!(index >= 0 && index < 2147483647.0) || index != std::floor(index))
+                    {
+                        refuse(file, source.line(), fmt::format("Face {} has the vertex {}.", i, index));
+                    }
+                    face.push_back(static_cast<int>(index));
+                }
+                if (isFace)
+                {
+                    faces.push_back(std::move(face));
+                }
+            }
+            if (element.name == "vertex")
+            {
+                solid.vertices.push_back(vertex);
+            }
+        }
+    }
+    for (std::size_t i = 0; i < faces.size(); ++i)
+    {
+        for (const int vertex : faces[i])
+        {
+            if (static_cast<std::size_t>(vertex) >= solid.vertices.size())
+            {
+                refuse(file, 0,
+                       fmt::format("Face {} has vertex {}, but there are {} vertices, numbered from 0.", i,
+                                   vertex, solid.vertices.size()));
+            }
+        }
+    }
+    if (faces.empty())
+    {
+        refuse(file, 0, "Faces have no list vertex_indices or vertex_index.");
+    }
+    Solids solids;
+    solids.rounding = source.rounding(largest);
+    solids.division = Division::byConnectivity;
+    solids.solids.push_back(std::move(solid));
+    return solids;
+}
+
+} // namespace
+
+Solids readPly(const ImportedFile& file)
+{
+    const Header header = readHeader(file);
+    const auto hasElement = [&](std::string_view name)
+    {
+        return std::any_of(header.elements.begin(), header.elements.end(),
+                           [&](const Element& element) { return element.name == name && element.count > 0; });
+    };
+    if (!hasElement("vertex") || !hasElement("face"))
+    {
+        refuse(file, 0, "The file has no elements `vertex` and `face`: it is no surface of solids.");
+    }
+    for (const Element& element : header.elements)
+    {
+        for (std::size_t axis = 0; element.name == "vertex" && axis < 3; ++axis)
+        {
+            if (std::none_of(element.properties.begin(), element.properties.end(),
+                             [&](const Property& property)
+                             { return axisOf(property) == static_cast<int>(axis); }))
+            {
+                refuse(file, 0, fmt::format("Vertices have no property {}.", "xyz"[axis]));
+            }
+        }
+    }
+    return header.format == Format::ascii ? readData<Words>(file, header) : readData<Bytes>(file, header);
+}
+
+} // namespace drystone

@@ -1,0 +1,330 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The stages from the solids of a file to blocks.
+#include "import/SolidBlocks.h"
+
+#include "core/Log.h"
+#include "geometry/Box.h"
+#include "geometry/space/PolyhedronFault.h"
+#include "import/Zones.h"
+#include "import/space/Mesh.h"
+#include "import/space/PlaneFaces.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace drystone
+{
+
+namespace
+{
+
+constexpr double farthestCoordinate = 1e6; // [m]
+constexpr double usualTolerance = 1e-6;    // of the mean size of the blocks
+constexpr double coarsest = 5e-3;          // likewise: rounding is not followed beyond it
+constexpr double roundingUnits = 1.75;     // half a unit along each axis, for two corners: sqrt(3)
+constexpr double exact = 1e-9;             // likewise: doubles are not more even
+constexpr double unevenest = 1e-4;         // likewise: faces that are more uneven are meant so
+constexpr double unevenUnits = 2;          // tolerance where the unevenness alone says what rounding was
+constexpr std::size_t mostFaces = 5000;    // of a block: checks take time of the order of their square
+
+/// A block in the making, with what messages say of it.
+struct Piece
+{
+    Polyhedron shape;
+    std::string name;
+    std::string zone;
+    int line = 0;
+};
+
+/// What was done, for the log.
+struct Tally
+{
+    std::size_t faces = 0; ///< in the file
+    int turned = 0;
+    int merged = 0;
+    int dropped = 0; ///< faces that are a line or a point
+};
+
+Polyhedron placed(const Solid& solid, const SolidSettings& settings, const ImportedFile& file)
+{
+    Polyhedron shape{{}, solid.faces};
+    for (const Vector<3>& vertex : solid.vertices)
+    {
+        Vector<3> place = settings.scale * vertex;
+        if (settings.up == UpAxis::y)
+        {
+            place = {place.x(), -place.z(), place.y()};
+        }
+        if (!(place.cwiseAbs().maxCoeff() <= farthestCoordinate))
+        {
+            refuse(file, solid.line,
+                   fmt::format(
+                       "A vertex is at ({:g} {:g} {:g}) m: coordinates are at most {:g} m. Correct it, or "
+                       "give a smaller scale.",
+                       place.x(), place.y(), place.z(), farthestCoordinate));
+        }
+        shape.vertices.push_back(place);
+    }
+    return shape;
+}
+
+/// Mean extent of the pieces [m].
+double meanSize(const std::vector<Piece>& pieces)
+{
+    double sum = 0;
+    for (const Piece& piece : pieces)
+    {
+        Box<3> box;
+        for (const Vector<3>& vertex : piece.shape.vertices)
+        {
+            extend<3>(box, vertex);
+        }
+        sum += (box.upper - box.lower).norm() / std::sqrt(3.0);
+    }
+    return sum / static_cast<double>(pieces.size());
+}
+
+std::vector<Piece> piecesOf(Solids& solids, const SolidSettings& settings, const ImportedFile& file,
+                            Tally& tally)
+{
+    std::vector<Piece> pieces;
+    for (Solid& solid : solids.solids)
+    {
+        tally.faces += solid.faces.size();
+        Polyhedron shape = placed(solid, settings, file);
+        solid.vertices = {};
+        if (solids.division == Division::asWritten)
+        {
+            pieces.push_back({std::move(shape), solid.name, solid.zone, solid.line});
+            continue;
+        }
+        for (Polyhedron& part : parted(welded(shape, settings.tolerance.value_or(0))))
+        {
+            pieces.push_back({std::move(part), solid.name, solid.zone, solid.line});
+        }
+    }
+    return pieces;
+}
+
+std::string nameOf(const Piece& piece, std::size_t index)
+{
+    return piece.name.empty() ? fmt::format("Block {}", index)
+                              : fmt::format("Block {}, {}", index, shown(piece.name));
+}
+
+[[noreturn]] void refusePiece(const ImportedFile& file, const Piece& piece, std::size_t index,
+                              const std::string& fault)
+{
+    refuse(file, piece.line, fmt::format("{} is no solid: {}.", nameOf(piece, index), fault));
+}
+
+/// One closed surface without repeated vertices and cut faces.
+void makeSolid(Piece& piece, double tolerance, Tally& tally)
+{
+    const std::size_t before = piece.shape.faces.size();
+    piece.shape = welded(piece.shape, tolerance);
+    tally.dropped += static_cast<int>(before - piece.shape.faces.size());
+    if (!piece.shape.faces.empty())
+    {
+        tally.turned += turnOutwards(piece.shape);
+        tally.merged += mergeCoplanar(piece.shape, tolerance);
+    }
+}
+
+void requireSolid(const ImportedFile& file, const Piece& piece, std::size_t index)
+{
+    if (piece.shape.faces.size() > mostFaces)
+    {
+        refusePiece(file, piece, index,
+                    fmt::format("it has {} faces, more than {}. Simplify its surface",
+                                piece.shape.faces.size(), mostFaces));
+    }
+    if (const std::optional<PolyhedronFault> fault = findFault(piece.shape))
+    {
+        const double uneven = unevenness(piece.shape);
+        refusePiece(file, piece, index,
+                    fault->text
+                        + (fault->text.find("is not plane") != std::string::npos ? fmt::format(
+                               ", or state a tolerance of {:.2g} m within which faces are made plane", uneven)
+                                                                                 : ""));
+    }
+}
+
+/// A joint from an interface: the normal is that of its outline, turned into the block with the lower index.
+StatedJoint<3> jointOf(const SolidInterface& interface, const std::vector<Block<3>>& blocks,
+                       const SolidSettings& settings)
+{
+    StatedJoint<3> joint{std::min(interface.solid, interface.neighbour),
+                         std::max(interface.solid, interface.neighbour),
+                         Vector<3>::Zero(),
+                         {}};
+    Vector<3> centre = Vector<3>::Zero();
+    for (const Vector<3>& point : interface.points)
+    {
+        const Vector<3> scaled = settings.scale * point;
+        joint.points.push_back(settings.up == UpAxis::y ? Vector<3>(scaled.x(), -scaled.z(), scaled.y())
+                                                        : scaled);
+        centre += joint.points.back();
+    }
+    centre /= static_cast<double>(joint.points.size());
+    Vector<3> area = Vector<3>::Zero();
+    for (std::size_t i = 0; i < joint.points.size(); ++i)
+    {
+        area += momentOf(Vector<3>(joint.points[i] - centre),
+                         Vector<3>(joint.points[(i + 1) % joint.points.size()] - centre));
+    }
+    const double size = area.norm();
+    if (!(size > 0))
+    {
+        return joint;
+    }
+    joint.normal = area / size;
+    // The faces that lie along it say which side the block is on, nearest first.
+    double nearest = 1e300;
+    double sign = 0;
+    for (const auto& [block, side] : {std::pair(joint.block, -1.0), std::pair(joint.neighbour, 1.0)})
+    {
+        const Polyhedron& shape = blocks[static_cast<std::size_t>(block)].shape;
+        for (const std::vector<int>& face : shape.faces)
+        {
+            const Vector<3> faceArea = areaVector(shape, face);
+            const double cosine = joint.normal.dot(faceArea) / faceArea.norm();
+            const double distance = std::abs(joint.normal.dot(shape.vertices[face.front()] - centre));
+            constexpr double along = 0.9;
+            if (std::abs(cosine) > along && distance < nearest)
+            {
+                nearest = distance;
+                sign = cosine > 0 ? side : -side;
+            }
+        }
+    }
+    if (sign < 0)
+    {
+        joint.normal = -joint.normal;
+        std::reverse(joint.points.begin(), joint.points.end());
+    }
+    return joint;
+}
+
+void stateJoints(Assembly<3>& assembly, const Solids& solids, const SolidSettings& settings,
+                 const ImportedFile& file)
+{
+    for (const SolidInterface& interface : solids.interfaces)
+    {
+        StatedJoint<3> joint = jointOf(interface, assembly.blocks, settings);
+        if (joint.normal.isZero() || !joint.normal.allFinite())
+        {
+            refuse(file, 0,
+                   fmt::format(
+                       "The interface of blocks {} and {} has no area. Remove it, or leave the joints to "
+                       "`interfaces ignored;`.",
+                       joint.block, joint.neighbour));
+        }
+        assembly.statedJoints.push_back(std::move(joint));
+    }
+    std::stable_sort(assembly.statedJoints.begin(), assembly.statedJoints.end(),
+                     [](const StatedJoint<3>& a, const StatedJoint<3>& b)
+                     { return std::pair(a.block, a.neighbour) < std::pair(b.block, b.neighbour); });
+}
+
+double largestUnevenness(const std::vector<Polyhedron>& shapes)
+{
+    double most = 0;
+    for (const Polyhedron& shape : shapes)
+    {
+        most = std::max(most, unevenness(shape));
+    }
+    return most;
+}
+
+void printTally(const Tally& tally, const PlaneFaces& planes, double tolerance, double rounding)
+{
+    if (tally.merged > 0 || tally.turned > 0 || tally.dropped > 0)
+    {
+        info("Import: {} faces in the file; {} fewer by merging those that are coplanar, {} turned outwards, "
+             "{} "
+             "without area left out",
+             tally.faces, tally.merged, tally.turned, tally.dropped);
+    }
+    if (rounding > 0)
+    {
+        info("Import: coordinates are written to {:.3g} m", rounding);
+    }
+    if (planes.moved > 0)
+    {
+        info("Import: faces were uneven by up to {:.3g} m; {} corners moved by up to {:.3g} m to make them "
+             "plane, {} of "
+             "them joined with a neighbour's; tolerance {:.3g} m",
+             planes.unevenness, planes.moved, planes.farthest, planes.joined, tolerance);
+    }
+}
+
+} // namespace
+
+Assembly<3> solidBlocks(Solids solids, const SolidSettings& settings, const ImportedFile& file)
+{
+    Tally tally;
+    std::vector<Piece> pieces = piecesOf(solids, settings, file, tally);
+    if (pieces.empty())
+    {
+        refuse(file, 0, "There is no face in this file.");
+    }
+    const double size = meanSize(pieces);
+    const double rounding = solids.rounding * settings.scale;
+    const bool isRounded = settings.tolerance || rounding > 0;
+    const double tolerance = settings.tolerance.value_or(
+        std::clamp(roundingUnits * rounding, usualTolerance * size, coarsest * size));
+    for (Piece& piece : pieces)
+    {
+        makeSolid(piece, tolerance, tally);
+    }
+    std::vector<Polyhedron> shapes;
+    for (Piece& piece : pieces)
+    {
+        shapes.push_back(std::move(piece.shape));
+    }
+    const double uneven = largestUnevenness(shapes);
+    const bool isUneven = uneven > exact * size && uneven <= unevenest * size;
+    const PlaneFaces planes = isRounded  ? makePlane(shapes, tolerance, Corners::joined)
+                              : isUneven ? makePlane(shapes, unevenUnits * uneven, Corners::own)
+                                         : PlaneFaces{};
+
+    Assembly<3> assembly;
+    ZoneList zones;
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+    {
+        pieces[i].shape = std::move(shapes[i]);
+        requireSolid(file, pieces[i], i);
+        assembly.blocks.push_back({std::move(pieces[i].shape)});
+        zones.add(pieces[i].zone, static_cast<int>(i));
+    }
+    assembly.zones = zones.take();
+    printTally(tally, planes, isRounded ? tolerance : unevenUnits * uneven, rounding);
+    if (isRounded)
+    {
+        assembly.jointTolerance = tolerance;
+    }
+    if (settings.interfaces == Interfaces::contacts)
+    {
+        if (solids.interfaces.empty())
+        {
+            refuse(file, 0,
+                   "The file has no interfaces: joints cannot be taken from it. Remove `interfaces "
+                   "contacts;`.");
+        }
+        stateJoints(assembly, solids, settings, file);
+        info("Import: the {} interfaces of the file are the joints", solids.interfaces.size());
+    }
+    else if (!solids.interfaces.empty())
+    {
+        info("Import: the {} interfaces of the file are not used, joints are found from the shapes; "
+             "`interfaces "
+             "contacts;` makes them the joints",
+             solids.interfaces.size());
+    }
+    return assembly;
+}
+
+} // namespace drystone

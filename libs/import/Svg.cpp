@@ -1,0 +1,457 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Scalable vector graphics; pugixml reads the XML.
+#include "import/Drawing.h"
+
+#include <Eigen/LU>
+#include <fmt/format.h>
+#include <pugixml.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+namespace drystone
+{
+
+namespace
+{
+
+struct Transform
+{
+    Eigen::Matrix2d matrix = Eigen::Matrix2d::Identity();
+    Vector<2> shift = Vector<2>::Zero();
+};
+
+Transform operator*(const Transform& outer, const Transform& inner)
+{
+    return {outer.matrix * inner.matrix, outer.matrix * inner.shift + outer.shift};
+}
+
+/// Letters and numbers of a path, a list of points or a transform: `M0,0l1.5-2e3` has no blanks between them.
+class Scanner
+{
+public:
+    Scanner(const ImportedFile& source, int lineOfElement, std::string_view text)
+        : file(source), line(lineOfElement), rest(text)
+    {
+    }
+    bool isEnd()
+    {
+        skip();
+        return rest.empty();
+    }
+    bool isNumber()
+    {
+        skip();
+        return !rest.empty()
+               && std::string_view("+-.0123456789").find(rest.front()) != std::string_view::npos;
+    }
+    char letter()
+    {
+        skip();
+        const char c = rest.empty() ? '\0' : rest.front();
+        rest.remove_prefix(rest.empty() ? 0 : 1);
+        return c;
+    }
+    double number(DigitCount* digits = nullptr)
+    {
+        skip();
+        std::size_t end = 0;
+        const auto digitsFrom = [&]
+        {
+            while (end < rest.size() && rest[end] >= '0' && rest[end] <= '9')
+                ++end;
+        };
+        end += !rest.empty() && (rest[0] == '+' || rest[0] == '-') ? 1 : 0;
+        digitsFrom();
+        if (end < rest.size() && rest[end] == '.')
+        {
+            ++end;
+            digitsFrom();
+        }
+        if (end + 1 < rest.size() && (rest[end] == 'e' || rest[end] == 'E')
+            && std::string_view("+-0123456789").find(rest[end + 1]) != std::string_view::npos)
+        {
+            end += 2;
+            digitsFrom();
+        }
+        const std::string_view word = rest.substr(0, end);
+        if (word.empty())
+        {
+            refuse(file, line, fmt::format("A number is expected at `{}`.", shown(rest)));
+        }
+        const double value = numberOf(file, line, word);
+        if (digits != nullptr)
+        {
+            digits->add(word);
+        }
+        rest.remove_prefix(end);
+        return value;
+    }
+    std::string_view word()
+    {
+        skip();
+        const std::size_t end = rest.find_first_of("( \t\r\n");
+        const std::string_view found = rest.substr(0, end);
+        rest.remove_prefix(found.size());
+        return found;
+    }
+    [[noreturn]] void fail(const std::string& fault) const { refuse(file, line, fault); }
+
+private:
+    void skip()
+    {
+        const std::size_t first = rest.find_first_not_of(" \t\r\n,");
+        rest.remove_prefix(std::min(first, rest.size()));
+    }
+    const ImportedFile& file;
+    int line;
+    std::string_view rest;
+};
+
+class SvgReader
+{
+public:
+    explicit SvgReader(const ImportedFile& source) : file(source) {}
+
+    Drawing read()
+    {
+        pugi::xml_document document;
+        const pugi::xml_parse_result result =
+            document.load_buffer(file.bytes.data(), file.bytes.size(), pugi::parse_default);
+        if (!result)
+        {
+            refuse(file, lineAt(result.offset), fmt::format("This is no SVG: {}.", result.description()));
+        }
+        const pugi::xml_node root = document.child("svg");
+        if (!root)
+        {
+            refuse(file, 0, "This is no SVG: it has no element `svg`.");
+        }
+        readUnit(root);
+        // y points downwards in SVG.
+        Transform upwards;
+        upwards.matrix(1, 1) = -1;
+        readChildren(root, upwards);
+        for (const auto& [name, count] : others)
+        {
+            drawing.ignored.push_back(fmt::format("{} elements {}", count, name));
+        }
+        drawing.rounding = digits.unit();
+        return std::move(drawing);
+    }
+
+private:
+    int lineAt(std::ptrdiff_t offset)
+    {
+        // Elements come in the order of the file, so that lines are counted once.
+        const auto to = static_cast<std::size_t>(
+            std::clamp<std::ptrdiff_t>(offset, 0, static_cast<std::ptrdiff_t>(file.bytes.size())));
+        if (to < counted)
+        {
+            counted = 0;
+            lines = 1;
+        }
+        lines += static_cast<int>(std::count(file.bytes.begin() + static_cast<std::ptrdiff_t>(counted),
+                                             file.bytes.begin() + static_cast<std::ptrdiff_t>(to), '\n'));
+        counted = to;
+        return lines;
+    }
+
+    /// Metres a unit: of width="120mm" and viewBox="0 0 120 60".
+    void readUnit(const pugi::xml_node& root)
+    {
+        const std::string_view width = root.attribute("width").value();
+        const std::string_view box = root.attribute("viewBox").value();
+        using Unit = std::pair<std::string_view, double>;
+        for (const auto& [ending, metres] :
+             {Unit{"mm", 0.001}, Unit{"cm", 0.01}, Unit{"in", 0.0254}, Unit{"m", 1}})
+        {
+            if (width.ends_with(ending) && !box.empty())
+            {
+                const int line = lineAt(root.offset_debug());
+                const double size =
+                    numberOf(file, line, trimmed(width.substr(0, width.size() - ending.size())));
+                Scanner scanner(file, line, box);
+                scanner.number();
+                scanner.number();
+                const double units = scanner.number();
+                if (!(size > 0 && units > 0))
+                {
+                    refuse(file, line, "width and viewBox give no size of the drawing.");
+                }
+                drawing.unit = metres * size / units;
+                return;
+            }
+        }
+    }
+
+    /// Without recursion: a hostile file may nest deeper than the stack is.
+    void readChildren(const pugi::xml_node& root, const Transform& upwards)
+    {
+        struct Level
+        {
+            pugi::xml_node next;
+            Transform transform;
+            std::string layer;
+        };
+        std::vector<Level> levels{{root.first_child(), upwards, ""}};
+        constexpr std::size_t deepest = 200;
+        while (!levels.empty())
+        {
+            Level& level = levels.back();
+            const pugi::xml_node node = level.next;
+            if (!node)
+            {
+                levels.pop_back();
+                continue;
+            }
+            level.next = node.next_sibling();
+            if (node.type() != pugi::node_element)
+            {
+                continue;
+            }
+            const std::string_view name = node.name();
+            const int line = lineAt(node.offset_debug());
+            const bool isGroup = name == "g" || name == "a" || name == "switch";
+            const bool isShape = name == "path" || name == "polygon" || name == "rect";
+            if (!isGroup && !isShape)
+            {
+                constexpr std::size_t mostNames = 100;
+                static constexpr std::array<std::string_view, 6> silent{
+                    "title", "desc", "defs", "metadata", "style", "sodipodi:namedview"};
+                if (std::find(silent.begin(), silent.end(), name) == silent.end()
+                    && others.size() < mostNames)
+                {
+                    ++others[shown(name)];
+                }
+                continue;
+            }
+            const Transform transform = level.transform * transformOf(node, line);
+            if (isGroup)
+            {
+                if (levels.size() >= deepest)
+                {
+                    refuse(file, line, fmt::format("Groups are nested deeper than {} levels.", deepest));
+                }
+                std::string layer = level.layer;
+                if (layer.empty())
+                {
+                    layer = node.attribute("inkscape:label") ? node.attribute("inkscape:label").value()
+                                                             : node.attribute("id").value();
+                }
+                levels.push_back({node.first_child(), transform, std::move(layer)});
+            }
+            else
+            {
+                readShape(node, transform, level.layer, line);
+            }
+        }
+    }
+
+    Transform transformOf(const pugi::xml_node& node, int line) const
+    {
+        Transform whole;
+        Scanner scanner(file, line, node.attribute("transform").value());
+        while (!scanner.isEnd())
+        {
+            const std::string_view name = scanner.word();
+            if (scanner.letter() != '(')
+            {
+                scanner.fail(fmt::format("The transform `{}` has no `(`.", shown(name)));
+            }
+            std::vector<double> values;
+            while (scanner.isNumber() && values.size() < 6)
+            {
+                values.push_back(scanner.number());
+            }
+            if (scanner.letter() != ')')
+            {
+                scanner.fail(fmt::format("The transform `{}` has no `)` after its numbers.", shown(name)));
+            }
+            const auto has = [&](std::string_view wanted, std::initializer_list<std::size_t> counts) {
+                return name == wanted
+                       && std::find(counts.begin(), counts.end(), values.size()) != counts.end();
+            };
+            Transform one;
+            if (has("matrix", {6}))
+            {
+                one.matrix << values[0], values[2], values[1], values[3];
+                one.shift = {values[4], values[5]};
+            }
+            else if (has("translate", {1, 2}))
+            {
+                one.shift = {values[0], values.size() > 1 ? values[1] : 0};
+            }
+            else if (has("scale", {1, 2}))
+            {
+                one.matrix = Vector<2>(values[0], values.back()).asDiagonal();
+            }
+            else if (has("rotate", {1, 3}))
+            {
+                const double angle = values[0] * std::numbers::pi / 180;
+                one.matrix << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
+                const Vector<2> centre =
+                    values.size() > 1 ? Vector<2>(values[1], values[2]) : Vector<2>::Zero();
+                one.shift = centre - one.matrix * centre;
+            }
+            else if (has("skewX", {1}) || has("skewY", {1}))
+            {
+                one.matrix(name == "skewX" ? 0 : 1, name == "skewX" ? 1 : 0) =
+                    std::tan(values[0] * std::numbers::pi / 180);
+            }
+            else
+            {
+                scanner.fail(fmt::format("The transform `{}` with {} numbers is not known.", shown(name),
+                                         values.size()));
+            }
+            whole = whole * one;
+        }
+        return whole;
+    }
+
+    void readShape(const pugi::xml_node& node, const Transform& transform, const std::string& layer, int line)
+    {
+        const std::string_view name = node.name();
+        if (name == "rect")
+        {
+            const auto value = [&](const char* key)
+            {
+                const std::string_view text = trimmed(node.attribute(key).value());
+                if (!text.empty())
+                {
+                    digits.add(text);
+                }
+                return text.empty() ? 0 : numberOf(file, line, text);
+            };
+            const double x = value("x");
+            const double y = value("y");
+            const double width = value("width");
+            const double height = value("height");
+            add({{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}}, transform, layer, line);
+        }
+        else if (name == "polygon")
+        {
+            Scanner scanner(file, line, node.attribute("points").value());
+            Polygon corners;
+            while (!scanner.isEnd())
+            {
+                const double x = scanner.number(&digits);
+                corners.emplace_back(x, scanner.number(&digits));
+            }
+            add(std::move(corners), transform, layer, line);
+        }
+        else
+        {
+            readPath(Scanner(file, line, node.attribute("d").value()), transform, layer, line);
+        }
+    }
+
+    void readPath(Scanner scanner, const Transform& transform, const std::string& layer, int line)
+    {
+        Polygon corners;
+        Vector<2> place = Vector<2>::Zero();
+        Vector<2> start = Vector<2>::Zero();
+        char command = '\0';
+        const auto close = [&](bool isClosed)
+        {
+            const bool endsMeet = corners.size() > 3 && corners.front() == corners.back();
+            if (corners.size() > 1 && !isClosed && !endsMeet)
+            {
+                ++others["path that is open"];
+            }
+            else if (corners.size() > 1)
+            {
+                add(corners, transform, layer, line);
+            }
+            corners.clear();
+        };
+        const auto lineTo = [&](const Vector<2>& to)
+        {
+            if (corners.empty())
+            {
+                corners.push_back(place); // goes on where the last outline was closed
+            }
+            place = to;
+            corners.push_back(to);
+        };
+        while (!scanner.isEnd())
+        {
+            if (!scanner.isNumber())
+            {
+                command = scanner.letter();
+            }
+            else if (command == '\0')
+            {
+                scanner.fail("A path begins with a command, as `M`.");
+            }
+            const bool isRelative = command >= 'a' && command <= 'z';
+            const Vector<2> origin = isRelative ? place : Vector<2>::Zero();
+            switch (isRelative ? static_cast<char>(command - 'a' + 'A') : command)
+            {
+            case 'M':
+            {
+                close(false);
+                const double x = scanner.number(&digits);
+                place = origin + Vector<2>(x, scanner.number(&digits));
+                start = place;
+                corners.push_back(place);
+                command = isRelative ? 'l' : 'L'; // what further numbers are
+                break;
+            }
+            case 'L':
+            {
+                const double x = scanner.number(&digits);
+                lineTo(origin + Vector<2>(x, scanner.number(&digits)));
+                break;
+            }
+            case 'H':
+                lineTo({origin.x() + scanner.number(&digits), place.y()});
+                break;
+            case 'V':
+                lineTo({place.x(), origin.y() + scanner.number(&digits)});
+                break;
+            case 'Z':
+                close(true);
+                place = start;
+                if (scanner.isNumber())
+                {
+                    scanner.fail("Numbers follow the `Z` of a path.");
+                }
+                break;
+            default:
+                scanner.fail(fmt::format(
+                    "The path has the command `{}`: blocks have straight edges, paths of M, L, H, "
+                    "V and Z. Convert its curves to lines in the program that drew them.",
+                    shown(std::string_view(&command, 1))));
+            }
+        }
+        close(false);
+    }
+
+    void add(Polygon corners, const Transform& transform, const std::string& layer, int line)
+    {
+        for (Vector<2>& corner : corners)
+        {
+            corner = transform.matrix * corner + transform.shift;
+        }
+        drawing.outlines.push_back({std::move(corners), layer, line});
+    }
+
+    const ImportedFile& file;
+    std::size_t counted = 0; ///< bytes whose line ends are counted
+    int lines = 1;
+    std::map<std::string, int> others;
+    DigitCount digits;
+    Drawing drawing;
+};
+
+} // namespace
+
+Drawing readSvg(const ImportedFile& file)
+{
+    return SvgReader(file).read();
+}
+
+} // namespace drystone

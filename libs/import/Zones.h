@@ -1,0 +1,32 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Zones from the names that other programs give to layers, materials and objects.
+#pragma once
+
+#include "assembly/Assembly.h"
+
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace drystone
+{
+
+/// A name that a dictionary can have as a key: other characters than letters, digits, `_`, `-` and `.` become
+/// `_`, as does a first one that is no letter; at most 60 characters. Empty for an empty name.
+std::string zoneName(const std::string& name);
+
+/// Zones in the order in which their names appear.
+class ZoneList
+{
+public:
+    /// Puts a block into the zone of a name, see zoneName; into none for an empty name.
+    void add(const std::string& name, int block);
+    /// \post the list is empty
+    std::vector<Zone> take();
+
+private:
+    std::vector<Zone> zones;
+    std::unordered_map<std::string, std::size_t> indexOf;
+};
+
+} // namespace drystone

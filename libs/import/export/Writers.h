@@ -1,0 +1,48 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Texts of files for other programs. Numbers are the shortest that read back as the same bits, unless a
+/// number of decimals is requested; glTF has single precision.
+#pragma once
+
+#include "import/export/ExportedSolids.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace drystone
+{
+
+/// How coordinates are written: all their digits, or so many decimals (`%.3f`).
+struct WrittenNumbers
+{
+    std::optional<int> decimals = {};
+};
+
+/// Wavefront OBJ, an object `block_<index>` a block, its layer as material.
+std::string objText(const std::vector<ExportedSolid>& solids, const WrittenNumbers& numbers);
+
+/// COMPAS JSON, an assembly of compas_assembly: fixed blocks have `is_support`, joints are interfaces. \param
+/// joints with points in order round each
+std::string compasJsonText(const std::vector<ExportedSolid>& solids,
+                           const std::vector<StatedJoint<3>>& joints, const WrittenNumbers& numbers);
+
+/// DXF (R12): closed polylines of the plane by layer, or faces of solids as 3DFACE.
+std::string dxfText(const Assembly<2>& assembly, const std::vector<Placement<2>>& placements,
+                    const WrittenNumbers& numbers);
+std::string dxfText(const std::vector<ExportedSolid>& solids, const WrittenNumbers& numbers);
+
+/// glTF 2.0 in one file: a node `block_<index>` a block, y upwards, blocks of clay and grey supports.
+std::string gltfText(const std::vector<ExportedSolid>& solids);
+
+/// A script for the pre-processor of LMGC90 (pylmgc90.pre), which writes its DATBOX: rigid polyhedra, Coulomb
+/// friction. LMGC90 takes convex blocks. \param friction coefficient
+std::string lmgc90Text(const std::vector<ExportedSolid>& solids, double friction);
+
+/// Commands of 3DEC, `block create polyhedron`. 3DEC takes convex blocks: others are left out, with a
+/// comment.
+std::string threeDecText(const std::vector<ExportedSolid>& solids);
+
+/// Indices of the blocks that are not convex.
+std::vector<int> concaveBlocks(const std::vector<ExportedSolid>& solids);
+
+} // namespace drystone

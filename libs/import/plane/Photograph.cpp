@@ -1,0 +1,176 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Blocks from the stones of a picture.
+#include "import/plane/Photograph.h"
+
+#include "core/Log.h"
+#include "geometry/BroadPhase.h"
+#include "geometry/PolygonShape.h"
+#include "import/plane/StoneBorders.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace drystone
+{
+
+namespace
+{
+
+constexpr std::size_t mostStones = 100'000;
+
+/// Index of the first outline that is no block, or whose area has become another by more than half; -1 if
+/// none.
+int firstFault(const std::vector<Polygon>& outlines)
+{
+    for (std::size_t i = 0; i < outlines.size(); ++i)
+    {
+        if (!outlineFault(outlines[i]).empty() || areaProperties(outlines[i]).area <= 0)
+        {
+            return static_cast<int>(i);
+        }
+    }
+    return -1;
+}
+
+bool doOverlap(const std::vector<Polygon>& outlines)
+{
+    std::vector<BoundingBox> boxes;
+    for (const Polygon& outline : outlines)
+    {
+        boxes.push_back(boundingBox(outline));
+    }
+    const auto pairs = findMeetingPairs(boxes);
+    return std::any_of(pairs.begin(), pairs.end(),
+                       [&](const auto& pair)
+                       {
+                           constexpr double rounding = 1e-6; // of a pixel
+                           return overlapArea(outlines[static_cast<std::size_t>(pair.first)],
+                                              outlines[static_cast<std::size_t>(pair.second)])
+                                  > rounding;
+                       });
+}
+
+} // namespace
+
+void declare(Options& options, Photograph& photograph)
+{
+    options.required("file", photograph.file, "picture, PNG, relative to the case")
+        .example("\"constant/triSurface/wall.png\"");
+    options
+        .required("points", photograph.points,
+                  "two points of the picture whose distance is known, from its top left corner [pixels]")
+        .example("((40 470) (490 470))");
+    options.required("distance", photograph.distance, "of these points").unit("m").above(0).example("2.5");
+    options.optional("stones", photograph.stones, "whether stones are dark, or light, between mortar");
+    options
+        .optional("threshold", photograph.labels.threshold,
+                  "brightness between the two, 0 black to 255 white")
+        .atLeast(0)
+        .atMost(254);
+    options
+        .optional("leastArea", photograph.labels.leastArea, "of a stone [pixels]; smaller spots are mortar")
+        .atLeast(1);
+    options.optional("mortar", photograph.labels.mortar, "widest joint that stones grow into [pixels]")
+        .atLeast(0)
+        .atMost(1000);
+    options
+        .optional("base", photograph.labels.base,
+                  "height above the lowest stone from which stones reach down to the ground [pixels]")
+        .atLeast(0)
+        .atMost(10000);
+    options
+        .optional("tolerance", photograph.tolerance,
+                  "by how far borders may leave the sides of pixels, to have fewer corners [pixels]")
+        .atLeast(0)
+        .atMost(100);
+    options.optional("thickness", photograph.thickness, "out of plane").unit("m").above(0);
+    options.check("points",
+                  [&photograph]() -> std::string
+                  {
+                      return (photograph.points.first - photograph.points.second).norm() > 0
+                                 ? ""
+                                 : "The two points coincide: their distance gives no scale.";
+                  });
+}
+
+Assembly<2> makeAssembly(const Photograph& photograph, const std::filesystem::path& caseDirectory,
+                         const SourceLocation& place)
+{
+    const std::filesystem::path given(photograph.file);
+    const std::filesystem::path path = given.is_absolute() ? given : caseDirectory / given;
+    std::error_code ignored;
+    if (!std::filesystem::exists(path, ignored))
+    {
+        throw FatalIOError(
+            fmt::format("There is no file {}.\n\nCheck the name: it is relative to the case directory.",
+                        path.lexically_normal().string()),
+            place);
+    }
+    const ImportedFile file = readSource(path);
+    const Raster<std::uint8_t> picture = readPng(file);
+    StoneSettings settings = photograph.labels;
+    settings.areLight = photograph.stones == Stones::light;
+    int count = 0;
+    const Raster<int> labels = labelStones(picture, settings, count);
+    if (count == 0)
+    {
+        refuse(file, 0,
+               "There is no stone in this picture: check `stones` (dark or light), `threshold` and "
+               "`leastArea`.");
+    }
+    if (static_cast<std::size_t>(count) > mostStones)
+    {
+        refuse(
+            file, 0,
+            fmt::format("There are {} stones in this picture, more than {}: a larger `leastArea` leaves out "
+                        "specks.",
+                        count, mostStones));
+    }
+    constexpr int mostHalvings = 4;
+    double tolerance = photograph.tolerance;
+    std::vector<Polygon> outlines = stoneOutlines(labels, count, tolerance);
+    for (int halving = 0; (firstFault(outlines) >= 0 || doOverlap(outlines)) && halving < mostHalvings;
+         ++halving)
+    {
+        tolerance = halving + 1 < mostHalvings ? tolerance / 2 : 0;
+        outlines = stoneOutlines(labels, count, tolerance);
+    }
+    if (const int stone = firstFault(outlines); stone >= 0)
+    {
+        refuse(file, 0,
+               fmt::format("The outline of stone {} {}: smooth the picture, or raise `leastArea`.", stone,
+                           outlineFault(outlines[static_cast<std::size_t>(stone)])));
+    }
+    BoundingBox box;
+    std::size_t corners = 0;
+    for (const Polygon& outline : outlines)
+    {
+        corners += outline.size();
+        for (const Vector<2>& corner : outline)
+        {
+            extend<2>(box, corner);
+        }
+    }
+    const double scale = photograph.distance / (photograph.points.second - photograph.points.first).norm();
+    info("Import: {}, {} x {} pixels of {:.4g} m: {} stones with {} corners, borders within {:g} pixels",
+         file.name, picture.width, picture.height, scale, count, corners, tolerance);
+    if (tolerance < photograph.tolerance)
+    {
+        info("Import: borders within the stated tolerance of {:g} pixels would cross each other",
+             photograph.tolerance);
+    }
+    Assembly<2> assembly;
+    for (const Polygon& outline : outlines)
+    {
+        Polygon placed;
+        for (const Vector<2>& corner : outline)
+        {
+            placed.emplace_back(scale * (corner - box.lower));
+        }
+        assembly.blocks.push_back({std::move(placed), photograph.thickness});
+    }
+    return assembly;
+}
+
+} // namespace drystone

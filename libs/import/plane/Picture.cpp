@@ -1,0 +1,381 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Reading of a picture and labelling of the stones in it.
+#include "import/plane/Picture.h"
+
+#include <fmt/format.h>
+#include <png.h>
+
+#include <algorithm>
+#include <array>
+#include <queue>
+
+namespace drystone
+{
+
+namespace
+{
+
+constexpr std::size_t mostPixels = 50'000'000;
+constexpr std::array<std::pair<int, int>, 4> sides{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
+
+/// Calls visit(x, y) for each pixel.
+template<class Value, class Visit>
+void forEach(const Raster<Value>& raster, const Visit& visit)
+{
+    for (int y = 0; y < raster.height; ++y)
+    {
+        for (int x = 0; x < raster.width; ++x)
+        {
+            visit(x, y);
+        }
+    }
+}
+
+/// The pixels that are reached from one through neighbours at a side for which `belongs` holds.
+template<class Belongs>
+std::vector<std::pair<int, int>> areaFrom(int x, int y, const Belongs& belongs,
+                                          Raster<std::uint8_t>& isReached)
+{
+    std::vector<std::pair<int, int>> area{{x, y}};
+    isReached.at(x, y) = 1;
+    for (std::size_t next = 0; next < area.size(); ++next)
+    {
+        const auto [px, py] = area[next];
+        for (const auto& [dx, dy] : sides)
+        {
+            if (isReached.has(px + dx, py + dy) && isReached.at(px + dx, py + dy) == 0
+                && belongs(px + dx, py + dy))
+            {
+                isReached.at(px + dx, py + dy) = 1;
+                area.emplace_back(px + dx, py + dy);
+            }
+        }
+    }
+    return area;
+}
+
+template<class Value>
+Raster<Value> alike(int width, int height, Value value)
+{
+    return {width, height,
+            std::vector<Value>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), value)};
+}
+
+/// Square of the distance to the nearest pixel where `isOne`, by two passes of lower envelopes of parabolas
+/// (Felzenszwalb and Huttenlocher, 2012): time of order of the pixels.
+template<class IsOne>
+Raster<double> distances(int width, int height, const IsOne& isOne)
+{
+    constexpr double far = 1e15;
+    Raster<double> squares = alike(width, height, far);
+    forEach(squares,
+            [&](int x, int y)
+            {
+                if (isOne(x, y))
+                {
+                    squares.at(x, y) = 0;
+                }
+            });
+    std::vector<double> line;
+    std::vector<int> places;
+    std::vector<double> bounds;
+    const auto transform = [&](int size, const auto& value)
+    {
+        line.resize(static_cast<std::size_t>(size));
+        places.assign(1, 0);
+        bounds.assign(1, -far);
+        for (int i = 0; i < size; ++i)
+        {
+            line[static_cast<std::size_t>(i)] = value(i);
+        }
+        const auto at = [&](int i) { return line[static_cast<std::size_t>(i)]; };
+        for (int i = 1; i < size; ++i)
+        {
+            const auto meet = [&](int j)
+            { return ((at(i) + double(i) * i) - (at(j) + double(j) * j)) / (2.0 * i - 2.0 * j); };
+            double place = meet(places.back());
+            while (place <= bounds.back() && places.size() > 1)
+            {
+                places.pop_back();
+                bounds.pop_back();
+                place = meet(places.back());
+            }
+            if (place <= bounds.back())
+            {
+                places.back() = i;
+                continue;
+            }
+            places.push_back(i);
+            bounds.push_back(place);
+        }
+        std::size_t k = 0;
+        for (int i = 0; i < size; ++i)
+        {
+            while (k + 1 < places.size() && bounds[k + 1] < i)
+            {
+                ++k;
+            }
+            value(i) = double(i - places[k]) * (i - places[k]) + at(places[k]);
+        }
+    };
+    for (int x = 0; x < width; ++x)
+    {
+        transform(height, [&](int y) -> double& { return squares.at(x, y); });
+    }
+    for (int y = 0; y < height; ++y)
+    {
+        transform(width, [&](int x) -> double& { return squares.at(x, y); });
+    }
+    return squares;
+}
+
+/// Stones as they are in the picture.
+Raster<int> findStones(const Raster<std::uint8_t>& brightness, const StoneSettings& settings, int& count)
+{
+    const auto isStone = [&](int x, int y)
+    { return (brightness.at(x, y) > settings.threshold) == settings.areLight; };
+    Raster<int> labels = alike(brightness.width, brightness.height, noStone);
+    Raster<std::uint8_t> isReached = alike<std::uint8_t>(brightness.width, brightness.height, 0);
+    count = 0;
+    forEach(labels,
+            [&](int x, int y)
+            {
+                if (isReached.at(x, y) != 0 || !isStone(x, y))
+                {
+                    return;
+                }
+                const auto area = areaFrom(x, y, isStone, isReached);
+                if (static_cast<int>(area.size()) < settings.leastArea)
+                {
+                    return;
+                }
+                for (const auto& [px, py] : area)
+                {
+                    labels.at(px, py) = count;
+                }
+                ++count;
+            });
+    return labels;
+}
+
+/// What stones may grow over: their closing, and the strip at their base.
+Raster<std::uint8_t> roomOf(const Raster<int>& labels, const StoneSettings& settings)
+{
+    const double reach = settings.mortar / 2.0 + 0.5;
+    // Pixels beyond the edge of the picture count: they are as free as those within.
+    const int margin = static_cast<int>(reach) + 2;
+    const int width = labels.width + 2 * margin;
+    const int height = labels.height + 2 * margin;
+    const auto isStone = [&](int x, int y)
+    { return labels.has(x - margin, y - margin) && labels.at(x - margin, y - margin) != noStone; };
+    const Raster<double> fromStones = distances(width, height, isStone);
+    const Raster<double> fromOutside =
+        distances(width, height, [&](int x, int y) { return fromStones.at(x, y) > reach * reach; });
+    Raster<std::uint8_t> room = alike<std::uint8_t>(labels.width, labels.height, 0);
+    int lowest = -1;
+    forEach(room,
+            [&](int x, int y)
+            {
+                const bool isClosed = fromOutside.at(x + margin, y + margin) > reach * reach;
+                room.at(x, y) = isClosed || labels.at(x, y) != noStone ? 1 : 0;
+                lowest = labels.at(x, y) != noStone ? y : lowest;
+            });
+    for (int y = std::max(0, lowest - settings.base + 1); settings.base > 0 && y <= lowest; ++y)
+    {
+        int left = labels.width;
+        int right = -1;
+        for (int below = y; below <= lowest; ++below)
+        {
+            for (int x = 0; x < labels.width; ++x)
+            {
+                if (labels.at(x, below) != noStone)
+                {
+                    left = std::min(left, x);
+                    right = std::max(right, x);
+                }
+            }
+        }
+        for (int x = left; x <= right; ++x)
+        {
+            room.at(x, y) = 1;
+        }
+    }
+    return room;
+}
+
+/// Stones grow from all their pixels at once, side by side, so that each stays connected.
+void grow(Raster<int>& labels, const Raster<std::uint8_t>& room)
+{
+    std::queue<std::pair<int, int>> front;
+    forEach(labels,
+            [&](int x, int y)
+            {
+                if (labels.at(x, y) != noStone)
+                {
+                    front.emplace(x, y);
+                }
+            });
+    while (!front.empty())
+    {
+        const auto [x, y] = front.front();
+        front.pop();
+        for (const auto& [dx, dy] : sides)
+        {
+            if (labels.has(x + dx, y + dy) && labels.at(x + dx, y + dy) == noStone
+                && room.at(x + dx, y + dy) != 0)
+            {
+                labels.at(x + dx, y + dy) = labels.at(x, y);
+                front.emplace(x + dx, y + dy);
+            }
+        }
+    }
+}
+
+/// Areas that only one stone touches become part of it: an outline has no hole.
+void fillHoles(Raster<int>& labels, int count)
+{
+    for (int pass = 0; pass < 2; ++pass) // free areas first, then stones within stones
+    {
+        Raster<std::uint8_t> isReached = alike<std::uint8_t>(labels.width, labels.height, 0);
+        forEach(labels,
+                [&](int x, int y)
+                {
+                    const int label = labels.at(x, y);
+                    if (isReached.at(x, y) != 0 || (label != noStone) != (pass == 1))
+                    {
+                        return;
+                    }
+                    const auto area = areaFrom(
+                        x, y, [&](int px, int py) { return labels.at(px, py) == label; }, isReached);
+                    int around = count; // none yet
+                    for (const auto& [px, py] : area)
+                    {
+                        for (const auto& [dx, dy] : sides)
+                        {
+                            const int other =
+                                labels.has(px + dx, py + dy) ? labels.at(px + dx, py + dy) : noStone - 1;
+                            if (other != label)
+                            {
+                                around = around == count || around == other ? other : noStone - 1;
+                            }
+                        }
+                    }
+                    if (around >= 0 && around < count)
+                    {
+                        for (const auto& [px, py] : area)
+                        {
+                            labels.at(px, py) = around;
+                        }
+                    }
+                });
+    }
+}
+
+/// Where two pixels of a stone touch at a corner only, a third is added to it.
+void removeCornerTouches(Raster<int>& labels)
+{
+    constexpr int mostPasses = 50;
+    bool isChanged = true;
+    for (int pass = 0; isChanged && pass < mostPasses; ++pass)
+    {
+        isChanged = false;
+        for (int y = 0; y + 1 < labels.height; ++y)
+        {
+            for (int x = 0; x + 1 < labels.width; ++x)
+            {
+                const int a = labels.at(x, y);
+                const int b = labels.at(x + 1, y);
+                const int c = labels.at(x, y + 1);
+                const int d = labels.at(x + 1, y + 1);
+                if (a == d && a != b && a != c && a != noStone)
+                {
+                    labels.at(x + 1, y) = a;
+                    isChanged = true;
+                }
+                else if (b == c && b != a && b != d && b != noStone)
+                {
+                    labels.at(x, y) = b;
+                    isChanged = true;
+                }
+            }
+        }
+    }
+}
+
+/// The largest piece of each stone stays; others become free. Stones are numbered anew.
+void keepLargestPieces(Raster<int>& labels, int& count)
+{
+    std::vector<std::vector<std::pair<int, int>>> largest(static_cast<std::size_t>(count));
+    Raster<std::uint8_t> isReached = alike<std::uint8_t>(labels.width, labels.height, 0);
+    forEach(labels,
+            [&](int x, int y)
+            {
+                const int label = labels.at(x, y);
+                if (label == noStone || isReached.at(x, y) != 0)
+                {
+                    return;
+                }
+                auto area = areaFrom(
+                    x, y, [&](int px, int py) { return labels.at(px, py) == label; }, isReached);
+                if (area.size() > largest[static_cast<std::size_t>(label)].size())
+                {
+                    largest[static_cast<std::size_t>(label)] = std::move(area);
+                }
+            });
+    std::fill(labels.pixels.begin(), labels.pixels.end(), noStone);
+    count = 0;
+    for (const auto& area : largest)
+    {
+        for (const auto& [x, y] : area)
+        {
+            labels.at(x, y) = count;
+        }
+        count += area.empty() ? 0 : 1;
+    }
+}
+
+} // namespace
+
+Raster<std::uint8_t> readPng(const ImportedFile& file)
+{
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    if (png_image_begin_read_from_memory(&image, file.bytes.data(), file.bytes.size()) == 0)
+    {
+        refuse(file, 0, fmt::format("This is no PNG that can be read: {}.", shown(image.message)));
+    }
+    if (static_cast<std::size_t>(image.width) * image.height > mostPixels)
+    {
+        const std::string size = fmt::format("{} x {}", image.width, image.height);
+        png_image_free(&image);
+        refuse(file, 0, fmt::format("The picture has {} pixels, more than {}: reduce it.", size, mostPixels));
+    }
+    image.format = PNG_FORMAT_GRAY;
+    Raster<std::uint8_t> picture =
+        alike<std::uint8_t>(static_cast<int>(image.width), static_cast<int>(image.height), 255);
+    png_color white{255, 255, 255};
+    if (png_image_finish_read(&image, &white, picture.pixels.data(), 0, nullptr) == 0)
+    {
+        refuse(file, 0,
+               fmt::format("The picture is damaged: {}. Get a complete copy of it.", shown(image.message)));
+    }
+    return picture;
+}
+
+Raster<int> labelStones(const Raster<std::uint8_t>& brightness, const StoneSettings& settings, int& count)
+{
+    Raster<int> labels = findStones(brightness, settings, count);
+    if (count == 0)
+    {
+        return labels;
+    }
+    grow(labels, roomOf(labels, settings));
+    fillHoles(labels, count);
+    removeCornerTouches(labels);
+    keepLargestPieces(labels, count);
+    fillHoles(labels, count);
+    keepLargestPieces(labels, count);
+    return labels;
+}
+
+} // namespace drystone

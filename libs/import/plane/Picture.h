@@ -1,0 +1,57 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Pictures as numbers, and what is told apart in them: the user of libpng.
+#pragma once
+
+#include "import/ImportedFile.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace drystone
+{
+
+/// Values of pixels, row by row from the top left corner.
+template<class Value>
+struct Raster
+{
+    int width = 0;
+    int height = 0;
+    std::vector<Value> pixels;
+
+    Value& at(int x, int y)
+    {
+        return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width)
+                      + static_cast<std::size_t>(x)];
+    }
+    const Value& at(int x, int y) const
+    {
+        return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width)
+                      + static_cast<std::size_t>(x)];
+    }
+    bool has(int x, int y) const { return x >= 0 && y >= 0 && x < width && y < height; }
+};
+
+/// The brightness of a PNG, 0 black to 255 white; transparent parts are white. \throws FatalIOError when it
+/// is none, or has more than 50 million pixels
+Raster<std::uint8_t> readPng(const ImportedFile& file);
+
+/// No stone: mortar, or a void.
+inline constexpr int noStone = -1;
+
+struct StoneSettings
+{
+    bool areLight = false; ///< stones are lighter than mortar
+    int threshold = 128;   ///< of the brightness between the two
+    int leastArea = 30;    ///< of a stone [pixels]; smaller spots are mortar
+    int mortar = 12;       ///< widest joint that stones grow into [pixels]
+    int base = 0;          ///< height above the lowest stone to which the lowest stones reach down [pixels]
+};
+
+/// The stones of a picture, numbered from 0 as they appear from the top left: connected areas of their
+/// brightness, grown into the mortar between them, each pixel to the nearest stone. Mortar that is wider, and
+/// what is around the stones, stays free: what is grown is the closing of the stones by half the widest
+/// joint. Areas that a stone surrounds become part of it, and stones do not touch at corners of pixels alone.
+/// \param count of stones
+Raster<int> labelStones(const Raster<std::uint8_t>& brightness, const StoneSettings& settings, int& count);
+
+} // namespace drystone

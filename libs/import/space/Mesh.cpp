@@ -1,0 +1,333 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Welding, parting and turning of the faces of a mesh.
+#include "import/space/Mesh.h"
+
+#include "geometry/space/Frame.h"
+#include "import/space/Edges.h"
+#include "import/space/Weld.h"
+
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace drystone
+{
+
+namespace
+{
+
+using EdgeRange = std::vector<FaceEdge>::const_iterator;
+
+int rootOf(std::vector<int>& parents, int index)
+{
+    while (parents[index] != index)
+    {
+        parents[index] = parents[parents[index]];
+        index = parents[index];
+    }
+    return index;
+}
+
+void join(std::vector<int>& parents, int a, int b)
+{
+    a = rootOf(parents, a);
+    b = rootOf(parents, b);
+    parents[std::max(a, b)] = std::min(a, b); // the lowest face of a piece is its root
+}
+
+/// A vertex of the face that is farthest from an edge of it: its side of the edge.
+Vector<3> sideOf(const Polyhedron& mesh, const FaceEdge& edge, const Vector<3>& along)
+{
+    Vector<3> side = Vector<3>::Zero();
+    for (const int vertex : mesh.faces[edge.face])
+    {
+        const Vector<3> arm = mesh.vertices[vertex] - mesh.vertices[edge.from];
+        const Vector<3> across = arm - along.dot(arm) * along;
+        if (across.squaredNorm() > side.squaredNorm())
+        {
+            side = across;
+        }
+    }
+    return side;
+}
+
+/// Of more than two faces at an edge those that bound a solid across it belong together. Seen along the edge,
+/// a face that runs along it from low to high vertex has its solid on the side towards smaller angles (faces
+/// are turned outwards, counter-clockwise), one that runs back towards larger ones.
+void joinAround(const Polyhedron& mesh, EdgeRange first, EdgeRange last, std::vector<int>& parents)
+{
+    const Vector<3> origin = mesh.vertices[first->low()];
+    const Vector<3> whole = mesh.vertices[first->high()] - origin;
+    const double length = whole.norm();
+    if (!(length > 0))
+    {
+        return;
+    }
+    const Vector<3> along = whole / length;
+    const Eigen::Matrix3d frame = frameOf(along);
+    struct Sheet
+    {
+        int face;
+        double angle;
+        bool isForward;
+    };
+    std::vector<Sheet> sheets;
+    for (auto edge = first; edge != last; ++edge)
+    {
+        const Vector<3> side = sideOf(mesh, *edge, along);
+        sheets.push_back({edge->face, std::atan2(frame.col(2).dot(side), frame.col(1).dot(side)),
+                          edge->from == edge->low()});
+    }
+    constexpr double turn = 2 * std::numbers::pi;
+    constexpr double sameAngle = 1e-6; // faces that lie on each other bound different solids
+    for (const Sheet& sheet : sheets)
+    {
+        if (sheet.isForward)
+        {
+            continue;
+        }
+        double nearest = 2 * turn;
+        int partner = -1;
+        for (const Sheet& other : sheets)
+        {
+            if (!other.isForward)
+            {
+                continue;
+            }
+            double angle = other.angle - sheet.angle;
+            angle += angle <= sameAngle ? turn : 0;
+            angle += angle <= sameAngle ? turn : 0;
+            if (angle < nearest)
+            {
+                nearest = angle;
+                partner = other.face;
+            }
+        }
+        if (partner >= 0)
+        {
+            join(parents, sheet.face, partner);
+        }
+    }
+}
+
+Polyhedron withFaces(const Polyhedron& mesh, const std::vector<int>& faces, std::vector<int>& newIndex)
+{
+    Polyhedron piece;
+    std::vector<int> used;
+    for (const int face : faces)
+    {
+        used.insert(used.end(), mesh.faces[face].begin(), mesh.faces[face].end());
+    }
+    std::sort(used.begin(), used.end());
+    used.erase(std::unique(used.begin(), used.end()), used.end());
+    for (const int vertex : used)
+    {
+        newIndex[vertex] = static_cast<int>(piece.vertices.size());
+        piece.vertices.push_back(mesh.vertices[vertex]);
+    }
+    for (const int face : faces)
+    {
+        std::vector<int> corners;
+        for (const int vertex : mesh.faces[face])
+        {
+            corners.push_back(newIndex[vertex]);
+        }
+        piece.faces.push_back(std::move(corners));
+    }
+    return piece;
+}
+
+} // namespace
+
+Polyhedron welded(const Polyhedron& mesh, double tolerance)
+{
+    const std::vector<int> nodeOf = weld(mesh.vertices, tolerance);
+    Polyhedron result;
+    std::vector<int> count;
+    std::vector<bool> differs;
+    for (std::size_t i = 0; i < nodeOf.size(); ++i)
+    {
+        const auto node = static_cast<std::size_t>(nodeOf[i]);
+        if (node == result.vertices.size())
+        {
+            result.vertices.push_back(mesh.vertices[i]);
+            count.push_back(1);
+            differs.push_back(false);
+            continue;
+        }
+        differs[node] = differs[node] || result.vertices[node] / count[node] != mesh.vertices[i];
+        result.vertices[node] += mesh.vertices[i];
+        ++count[node];
+    }
+    // Equal ones keep their bits.
+    for (std::size_t i = 0; i < nodeOf.size(); ++i)
+    {
+        const auto node = static_cast<std::size_t>(nodeOf[i]);
+        if (count[node] > 0)
+        {
+            result.vertices[node] =
+                differs[node] ? Vector<3>(result.vertices[node] / count[node]) : mesh.vertices[i];
+            count[node] = 0;
+        }
+    }
+    for (const std::vector<int>& face : mesh.faces)
+    {
+        std::vector<int> corners;
+        for (const int vertex : face)
+        {
+            if (corners.empty() || corners.back() != nodeOf[vertex])
+            {
+                corners.push_back(nodeOf[vertex]);
+            }
+        }
+        while (corners.size() > 1 && corners.front() == corners.back())
+        {
+            corners.pop_back();
+        }
+        if (corners.size() >= 3)
+        {
+            result.faces.push_back(std::move(corners));
+        }
+    }
+    return result;
+}
+
+std::vector<Polyhedron> parted(const Polyhedron& mesh)
+{
+    std::vector<int> parents(mesh.faces.size());
+    std::iota(parents.begin(), parents.end(), 0);
+    const std::vector<FaceEdge> edges = sortedEdges(mesh);
+    visitEdges(edges,
+               [&](EdgeRange first, EdgeRange last)
+               {
+                   constexpr int most = 64; // more faces at an edge are of no solids that one builds with
+                   if (last - first == 2)
+                   {
+                       join(parents, first->face, std::next(first)->face);
+                   }
+                   else if (last - first <= most)
+                   {
+                       joinAround(mesh, first, last, parents);
+                   }
+               });
+    std::vector<std::vector<int>> facesOf;
+    std::vector<int> pieceOf(mesh.faces.size(), -1);
+    for (int face = 0; face < static_cast<int>(mesh.faces.size()); ++face)
+    {
+        const int root = rootOf(parents, face);
+        if (pieceOf[root] < 0)
+        {
+            pieceOf[root] = static_cast<int>(facesOf.size());
+            facesOf.emplace_back();
+        }
+        facesOf[pieceOf[root]].push_back(face);
+    }
+    std::vector<Polyhedron> pieces;
+    std::vector<int> newIndex(mesh.vertices.size());
+    for (const std::vector<int>& faces : facesOf)
+    {
+        pieces.push_back(withFaces(mesh, faces, newIndex));
+    }
+    return pieces;
+}
+
+int turnOutwards(Polyhedron& mesh)
+{
+    const auto count = static_cast<int>(mesh.faces.size());
+    // Neighbours across each edge of two faces, and whether they disagree.
+    std::vector<std::vector<std::pair<int, bool>>> neighbours(mesh.faces.size());
+    bool doAgree = true;
+    const std::vector<FaceEdge> edges = sortedEdges(mesh);
+    visitEdges(edges,
+               [&](EdgeRange first, EdgeRange last)
+               {
+                   if (last - first == 2)
+                   {
+                       const EdgeRange second = std::next(first);
+                       const bool isTurned = first->from == second->from;
+                       doAgree = doAgree && !isTurned;
+                       neighbours[first->face].emplace_back(second->face, isTurned);
+                       neighbours[second->face].emplace_back(first->face, isTurned);
+                   }
+               });
+    int turned = 0;
+    const auto turn = [&](int face)
+    {
+        std::reverse(mesh.faces[face].begin(), mesh.faces[face].end());
+        ++turned;
+    };
+    const auto volumeOf = [&](const std::vector<int>& faces)
+    {
+        const Vector<3> origin = mesh.vertices[mesh.faces[faces.front()].front()];
+        double volume = 0;
+        for (const int face : faces)
+        {
+            const std::vector<int>& corners = mesh.faces[face];
+            for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+            {
+                const Vector<3> a = mesh.vertices[corners[0]] - origin;
+                const Vector<3> b = mesh.vertices[corners[i]] - origin;
+                const Vector<3> c = mesh.vertices[corners[i + 1]] - origin;
+                volume += a.dot(momentOf(b, c));
+            }
+        }
+        return volume;
+    };
+    std::vector<int> shell;
+    if (doAgree)
+    {
+        shell.resize(mesh.faces.size());
+        std::iota(shell.begin(), shell.end(), 0);
+        if (!shell.empty() && volumeOf(shell) < 0)
+        {
+            std::for_each(shell.begin(), shell.end(), turn);
+        }
+        return turned;
+    }
+    // Of each shell: 1 for faces that disagree with the face it starts from.
+    std::vector<int> mark(mesh.faces.size(), -1);
+    for (int start = 0; start < count; ++start)
+    {
+        if (mark[start] >= 0)
+        {
+            continue;
+        }
+        shell.assign(1, start);
+        mark[start] = 0;
+        for (std::size_t next = 0; next < shell.size(); ++next)
+        {
+            const int face = shell[next];
+            for (const auto& [neighbour, isTurned] : neighbours[face])
+            {
+                if (mark[neighbour] < 0)
+                {
+                    mark[neighbour] = isTurned ? 1 - mark[face] : mark[face];
+                    shell.push_back(neighbour);
+                }
+            }
+        }
+        const auto turnMarked = [&](int marked)
+        {
+            for (const int face : shell)
+            {
+                if (mark[face] == marked)
+                {
+                    turn(face);
+                }
+            }
+        };
+        turnMarked(1);
+        if (volumeOf(shell) < 0)
+        {
+            // Those that were turned are turned back.
+            turned -= 2
+                      * static_cast<int>(std::count_if(shell.begin(), shell.end(),
+                                                       [&](int face) { return mark[face] == 1; }));
+            turnMarked(0);
+            turnMarked(1);
+        }
+    }
+    return turned;
+}
+
+} // namespace drystone

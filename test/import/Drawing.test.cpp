@@ -1,0 +1,286 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Readers of drawings: closed outlines with their layers, and what is left out or refused.
+#include "import/Drawing.h"
+
+#include "ImportTesting.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+using namespace drystone;
+using test::fileOf;
+using test::reportOf;
+using testing::AllOf;
+using testing::HasSubstr;
+
+namespace
+{
+
+/// Groups `code value` to lines.
+std::string groups(std::initializer_list<std::pair<int, std::string>> list)
+{
+    std::string text;
+    for (const auto& [code, value] : list)
+    {
+        text += fmt::format("{:3}\r\n{}\r\n", code, value);
+    }
+    return text;
+}
+
+std::string section(const std::string& name, const std::string& content)
+{
+    return groups({{0, "SECTION"}, {2, name}}) + content + groups({{0, "ENDSEC"}});
+}
+
+const std::string square = groups({{0, "LWPOLYLINE"},
+                                   {8, "stone"},
+                                   {90, "4"},
+                                   {70, "1"},
+                                   {10, "0"},
+                                   {20, "0"},
+                                   {10, "2"},
+                                   {20, "0"},
+                                   {10, "2"},
+                                   {20, "1"},
+                                   {10, "0"},
+                                   {20, "1"}});
+const std::string end = groups({{0, "EOF"}});
+
+Drawing read(const std::string& text, int chords = 36)
+{
+    return readDxf(fileOf(text), {chords});
+}
+
+std::string report(const std::string& text)
+{
+    return reportOf([&] { read(text); });
+}
+
+TEST(Dxf, ClosedPolylinesAreOutlinesOfTheirLayers)
+{
+    const std::string old = groups({{0, "POLYLINE"},
+                                    {8, "brick"},
+                                    {66, "1"},
+                                    {70, "1"},
+                                    {10, "0"},
+                                    {20, "0"},
+                                    {0, "VERTEX"},
+                                    {10, "0"},
+                                    {20, "5"},
+                                    {0, "VERTEX"},
+                                    {10, "1"},
+                                    {20, "5"},
+                                    {0, "VERTEX"},
+                                    {10, "0"},
+                                    {20, "6"},
+                                    {0, "SEQEND"},
+                                    {8, "brick"}});
+    const std::string open =
+        groups({{0, "LWPOLYLINE"}, {8, "axis"}, {70, "0"}, {10, "0"}, {20, "0"}, {10, "2"}, {20, "0"}});
+    const std::string text = groups({{0, "TEXT"}, {1, "facade"}});
+    const Drawing drawing =
+        read(groups({{999, "drawn by hand"}})
+             + section("HEADER", groups({{9, "$ACADVER"}, {1, "AC1015"}, {9, "$INSUNITS"}, {70, "4"}}))
+             + section("ENTITIES", square + old + open + text) + end);
+    ASSERT_EQ(drawing.outlines.size(), 2u);
+    EXPECT_EQ(drawing.outlines[0].corners, (Polygon{{0, 0}, {2, 0}, {2, 1}, {0, 1}}));
+    EXPECT_EQ(drawing.outlines[0].layer, "stone");
+    EXPECT_EQ(drawing.outlines[1].corners, (Polygon{{0, 5}, {1, 5}, {0, 6}}));
+    EXPECT_EQ(drawing.outlines[1].layer, "brick");
+    EXPECT_EQ(drawing.unit, 0.001);
+    EXPECT_THAT(drawing.ignored, testing::UnorderedElementsAre("1 entities TEXT", "1 open polylines"));
+    const Assembly<2> assembly = drawnBlocks(drawing, {}, fileOf(""));
+    EXPECT_NEAR(areaProperties(assembly.blocks[0].outline).area, 2e-6, 1e-20);
+    ASSERT_EQ(assembly.zones.size(), 2u);
+    EXPECT_EQ(assembly.zones[1].name, "brick");
+}
+
+TEST(Dxf, BulgesAreChordsOnTheArc)
+{
+    // A half circle about (1 0) from (2 0) to (0 0), closed by a straight line.
+    const std::string arc = groups(
+        {{0, "LWPOLYLINE"}, {8, "0"}, {70, "1"}, {10, "2"}, {20, "0"}, {42, "1"}, {10, "0"}, {20, "0"}});
+    const Drawing drawing = read(section("ENTITIES", arc) + end, 36);
+    ASSERT_EQ(drawing.outlines.size(), 1u);
+    const Polygon& corners = drawing.outlines[0].corners;
+    ASSERT_EQ(corners.size(), 19u);
+    for (const Vector<2>& corner : corners)
+    {
+        EXPECT_NEAR((corner - Vector<2>(1, 0)).norm(), 1, 1e-14);
+        EXPECT_GE(corner.y(), -1e-15);
+    }
+    // The other way round the same corners result, so that neighbours meet.
+    const std::string back = groups(
+        {{0, "LWPOLYLINE"}, {8, "0"}, {70, "1"}, {10, "0"}, {20, "0"}, {42, "-1"}, {10, "2"}, {20, "0"}});
+    const Polygon reversed = read(section("ENTITIES", back) + end, 36).outlines[0].corners;
+    for (std::size_t i = 0; i <= 18; ++i)
+    {
+        EXPECT_LE((reversed[i] - corners[18 - i]).norm(), 1e-14) << i;
+    }
+}
+
+TEST(Dxf, BlocksAreInsertedMovedTurnedScaledAndRepeated)
+{
+    const std::string block = groups({{0, "BLOCK"}, {2, "brick"}, {10, "1"}, {20, "0"}})
+                              + groups({{0, "LWPOLYLINE"},
+                                        {8, "0"},
+                                        {70, "1"},
+                                        {10, "1"},
+                                        {20, "0"},
+                                        {10, "2"},
+                                        {20, "0"},
+                                        {10, "2"},
+                                        {20, "1"}})
+                              + groups({{0, "ENDBLK"}});
+    const std::string outer =
+        groups({{0, "BLOCK"}, {2, "pair"}, {10, "0"}, {20, "0"}})
+        + groups({{0, "INSERT"}, {2, "brick"}, {8, "0"}, {10, "0"}, {20, "0"}, {70, "2"}, {44, "3"}})
+        + groups({{0, "ENDBLK"}});
+    const std::string insert = groups(
+        {{0, "INSERT"}, {2, "pair"}, {8, "wall"}, {10, "10"}, {20, "20"}, {41, "2"}, {42, "2"}, {50, "90"}});
+    const Drawing drawing = read(section("BLOCKS", block + outer) + section("ENTITIES", insert) + end);
+    ASSERT_EQ(drawing.outlines.size(), 2u);
+    EXPECT_EQ(drawing.outlines[0].layer, "wall");
+    const Polygon expected{{10, 26}, {10, 28}, {8, 28}};
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+        EXPECT_LE((drawing.outlines[1].corners[i] - expected[i]).norm(), 1e-14);
+    }
+}
+
+TEST(Dxf, HiddenLayersAreLeftOut)
+{
+    const std::string tables = groups(
+        {{0, "TABLE"}, {2, "LAYER"}, {0, "LAYER"}, {2, "stone"}, {70, "0"}, {62, "-7"}, {0, "ENDTAB"}});
+    const Drawing drawing = read(section("TABLES", tables) + section("ENTITIES", square) + end);
+    EXPECT_TRUE(drawing.outlines.empty());
+    EXPECT_THAT(drawing.ignored, testing::ElementsAre("1 outlines on layers that are off or frozen"));
+    EXPECT_THAT(reportOf([&] { drawnBlocks(drawing, {}, fileOf("")); }), HasSubstr("no closed outline"));
+}
+
+TEST(Dxf, HostileFilesEndInAMessage)
+{
+    EXPECT_THAT(report("AutoCAD Binary DXF\r\n"), HasSubstr("text form"));
+    EXPECT_THAT(report("hello\n"), AllOf(HasSubstr("no integer"), HasSubstr("line 1")));
+    EXPECT_THAT(report(section("ENTITIES", square)), HasSubstr("without `EOF`"));
+    EXPECT_THAT(report(groups({{0, "SECTION"}, {2, "ENTITIES"}}) + square + end),
+                HasSubstr("before `ENDSEC`"));
+    std::string wrong = section("ENTITIES", square) + end;
+    wrong[wrong.rfind(" 20\r\n1") + 5] = 'x';
+    EXPECT_THAT(report(wrong), AllOf(HasSubstr("'x' is no number"), HasSubstr("at line")));
+    // Blocks within blocks, 10^16 of them in all.
+    std::string nested = groups({{0, "BLOCK"}, {2, "b0"}}) + square + groups({{0, "ENDBLK"}});
+    for (int level = 1; level <= 16; ++level)
+    {
+        nested += groups({{0, "BLOCK"}, {2, fmt::format("b{}", level)}});
+        for (int i = 0; i < 10; ++i)
+        {
+            nested += groups({{0, "INSERT"}, {2, fmt::format("b{}", level - 1)}, {10, "0"}, {20, "0"}});
+        }
+        nested += groups({{0, "ENDBLK"}});
+    }
+    const std::string all = groups({{0, "INSERT"}, {2, "b15"}, {10, "0"}, {20, "0"}});
+    EXPECT_THAT(report(section("BLOCKS", nested) + section("ENTITIES", all) + end),
+                HasSubstr("more than 1000000"));
+    const std::string self = groups({{0, "BLOCK"}, {2, "a"}, {0, "INSERT"}, {2, "a"}, {0, "ENDBLK"}});
+    EXPECT_THAT(
+        report(section("BLOCKS", self) + section("ENTITIES", groups({{0, "INSERT"}, {2, "a"}})) + end),
+        HasSubstr("more than 16 levels"));
+    EXPECT_THAT(report(section("ENTITIES", groups({{0, "INSERT"}, {2, "none"}})) + end),
+                HasSubstr("no block none"));
+}
+
+Drawing readVector(const std::string& content, const std::string& attributes = "")
+{
+    return readSvg(fileOf(
+        fmt::format("<?xml version=\"1.0\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" {}>\n{}\n</svg>\n",
+                    attributes, content)));
+}
+
+TEST(Svg, PathsPolygonsAndRectanglesAreOutlines)
+{
+    const Drawing drawing =
+        readVector("<g id=\"wall\"><g id=\"inner\"><path d=\"M0,0l1.5-2h2e0V0z m10 0 h1 v1 z\"/></g></g>"
+                   "<polygon points=\"0,0 1,0 1,1\"/><rect x=\"1\" y=\"2\" width=\"3\" height=\"4\"/><circle "
+                   "r=\"1\"/><path d=\"M0 0L1 1\"/>",
+                   "width=\"100mm\" viewBox=\"0 0 50 50\"");
+    ASSERT_EQ(drawing.outlines.size(), 4u);
+    EXPECT_EQ(drawing.outlines[0].corners, (Polygon{{0, 0}, {1.5, 2}, {3.5, 2}, {3.5, 0}}));
+    EXPECT_EQ(drawing.outlines[0].layer, "wall");
+    EXPECT_EQ(drawing.outlines[1].corners, (Polygon{{10, 0}, {11, 0}, {11, -1}}));
+    EXPECT_EQ(drawing.outlines[2].layer, "");
+    EXPECT_EQ(drawing.outlines[3].corners, (Polygon{{1, -2}, {4, -2}, {4, -6}, {1, -6}}));
+    EXPECT_DOUBLE_EQ(drawing.unit.value_or(0), 0.002);
+    EXPECT_THAT(drawing.ignored,
+                testing::UnorderedElementsAre("1 elements circle", "1 elements path that is open"));
+}
+
+TEST(Svg, TransformsAreApplied)
+{
+    const auto corner = [](const std::string& transform)
+    {
+        return readVector(fmt::format("<g transform=\"{}\"><polygon points=\"1 0 2 0 2 1\"/></g>", transform))
+            .outlines.front()
+            .corners.front();
+    };
+    EXPECT_EQ(corner("translate(2, 3)"), Vector<2>(3, -3));
+    EXPECT_EQ(corner("scale(2)translate(1)"), Vector<2>(4, 0));
+    EXPECT_LE((corner("rotate(90)") - Vector<2>(0, -1)).norm(), 1e-15);
+    EXPECT_LE((corner("rotate(90, 1, 1)") - Vector<2>(2, -1)).norm(), 1e-15);
+    EXPECT_EQ(corner("matrix(1 2 3 4 5 6)"), Vector<2>(6, -8));
+    EXPECT_LE((corner("skewY(45)") - Vector<2>(1, -1)).norm(), 1e-15);
+}
+
+TEST(Svg, FaultsAreNamedWithTheirLine)
+{
+    const auto reportOfSvg = [](const std::string& content)
+    { return reportOf([&] { readVector(content); }); };
+    EXPECT_THAT(reportOfSvg("<path d=\"M0 0 C1 1 2 2 3 3z\"/>"),
+                AllOf(HasSubstr("command `C`"), HasSubstr("line 3")));
+    EXPECT_THAT(reportOfSvg("\n<path d=\"M0 0 L1\"/>"),
+                AllOf(HasSubstr("number is expected"), HasSubstr("line 4")));
+    EXPECT_THAT(reportOfSvg("<path d=\"1 2\"/>"), HasSubstr("begins with a command"));
+    EXPECT_THAT(reportOfSvg("<g transform=\"turn(3)\"/>"), HasSubstr("transform `turn`"));
+    EXPECT_THAT(reportOfSvg("<g transform=\"rotate\"/>"), HasSubstr("no `(`"));
+    EXPECT_THAT(reportOfSvg("<g>"), HasSubstr("This is no SVG"));
+    EXPECT_THAT(reportOf([] { readSvg(fileOf("<html/>")); }), HasSubstr("no element `svg`"));
+    std::string deep;
+    for (int i = 0; i < 100000; ++i)
+    {
+        deep += "<g>";
+    }
+    for (int i = 0; i < 100000; ++i)
+    {
+        deep += "</g>";
+    }
+    EXPECT_THAT(reportOfSvg(deep), HasSubstr("nested deeper"));
+}
+
+TEST(Drawing, OutlinesThatAreNoBlocksAreNamedWithTheirLine)
+{
+    Drawing drawing;
+    drawing.outlines = {{{{0, 0}, {1, 0}, {1, 1}}, "a", 3}, {{{0, 0}, {1, 1}, {1, 0}, {0, 1}}, "b", 9}};
+    EXPECT_THAT(reportOf([&] { drawnBlocks(drawing, {}, fileOf("")); }),
+                AllOf(HasSubstr("The outline of block 1"), HasSubstr("line 9")));
+    DrawingSettings settings;
+    settings.layers = {"a"};
+    EXPECT_EQ(drawnBlocks(drawing, settings, fileOf("")).blocks.size(), 1u);
+    settings.scale = 1e9;
+    EXPECT_THAT(reportOf([&] { drawnBlocks(drawing, settings, fileOf("")); }), HasSubstr("smaller scale"));
+}
+
+TEST(Drawing, CornersThatAreWrittenTwiceAreOneAndOrientationDoesNotMatter)
+{
+    Drawing drawing;
+    drawing.outlines = {{{{0, 0}, {0, 1}, {1, 1}, {1, 1}, {1, 0}, {0, 0}}, "Layer 1", 0}};
+    const Assembly<2> assembly = drawnBlocks(drawing, {}, fileOf(""));
+    EXPECT_EQ(assembly.blocks[0].outline.size(), 4u);
+    EXPECT_DOUBLE_EQ(areaProperties(assembly.blocks[0].outline).area, 1);
+    EXPECT_EQ(assembly.zones[0].name, "Layer_1");
+}
+
+} // namespace

@@ -1,0 +1,110 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The texture `import` and the supports that it brings, from a dictionary.
+#include "ImportTesting.h"
+#include "dictionary/Dictionary.h"
+#include "texture/Texture.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+using namespace drystone;
+using test::reportOf;
+using testing::AllOf;
+using testing::HasSubstr;
+
+namespace
+{
+
+class Imports : public testing::Test
+{
+protected:
+    void SetUp() override
+    {
+        directory =
+            std::filesystem::path(testing::TempDir())
+            / ("imports-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+        std::filesystem::create_directories(directory);
+    }
+    void TearDown() override { std::filesystem::remove_all(directory); }
+
+    void write(const std::string& file, const std::string& text) const
+    {
+        std::ofstream(directory / file) << text;
+    }
+
+    template<int Dim = 3>
+    Assembly<Dim> make(const std::string& texture, const std::string& supports = "") const
+    {
+        return makeStructure<Dim>(Dictionary::readString("dimensions " + fmt::format("{}", Dim)
+                                                             + "; texture { type import; " + texture
+                                                             + " } supports { " + supports + " }",
+                                                         "test"),
+                                  directory);
+    }
+
+    std::filesystem::path directory;
+};
+
+const std::string wedge = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+const std::string faces = "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+
+TEST_F(Imports, LayersAreFixedByTheSupportsNameOrByPattern)
+{
+    write("a.obj", wedge + "o base.1\n" + faces + "o base.2\n" + faces + "o stone.3\n" + faces);
+    const auto supportsOf = [&](const std::string& supports)
+    {
+        std::vector<int> result;
+        for (const Block<3>& block : make("file \"a.obj\";", supports).blocks)
+        {
+            result.push_back(block.support);
+        }
+        return result;
+    };
+    EXPECT_EQ(supportsOf("base { type import; }"), (std::vector<int>{0, 0, -1}));
+    EXPECT_EQ(supportsOf("feet { type import; layers (\"b.*\"); }"), (std::vector<int>{0, 0, -1}));
+    EXPECT_THAT(reportOf([&] { supportsOf("feet { type import; }"); }),
+                AllOf(HasSubstr("no layer feet"), HasSubstr("Layers: base stone")));
+    EXPECT_THAT(reportOf([&] { supportsOf("feet { type import; layers (stones); }"); }),
+                HasSubstr("Did you mean stone?"));
+}
+
+TEST_F(Imports, TheFormatFollowsFromTheName)
+{
+    write("a.OBJ", wedge + faces);
+    write("b.txt", wedge + faces);
+    EXPECT_EQ(make("file \"a.OBJ\";").blocks.size(), 1u);
+    EXPECT_EQ(make("file \"b.txt\"; format obj;").blocks.size(), 1u);
+    EXPECT_THAT(reportOf([&] { make("file \"b.txt\";"); }),
+                AllOf(HasSubstr("ends in `.txt`"), HasSubstr("texture/file")));
+    EXPECT_THAT(reportOf([&] { make("file \"c.obj\";"); }), HasSubstr("There is no file"));
+    EXPECT_THAT(reportOf([&] { make("file \"a.OBJ\"; format dwg;"); }), HasSubstr("Valid"));
+    EXPECT_THAT(reportOf([&] { make<2>("file \"a.OBJ\";"); }), HasSubstr("dimensions 3"));
+    EXPECT_THAT(reportOf([&] { make("file \"a.dxf\";"); }), HasSubstr("type extrusion"));
+    std::filesystem::create_directory(directory / "d.obj");
+    EXPECT_THAT(reportOf([&] { make("file \"d.obj\";"); }), HasSubstr("not an ordinary file"));
+    write("e.obj", "");
+    EXPECT_THAT(reportOf([&] { make("file \"e.obj\";"); }), HasSubstr("empty"));
+}
+
+TEST_F(Imports, ADrawingGivenDepthKeepsItsLayersAndSupports)
+{
+    write("f.svg",
+          "<svg><g id=\"base\"><rect x=\"0\" y=\"-1\" width=\"1\" height=\"1\"/></g><rect x=\"0\" y=\"-2\" "
+          "width=\"1\" height=\"1\"/></svg>");
+    const Assembly<3> assembly = makeStructure<3>(
+        Dictionary::readString(
+            "dimensions 3; texture { type extrusion; of { type import; file \"f.svg\"; } thickness 0.5; } "
+            "supports { base { type import; } }",
+            "test"),
+        directory);
+    ASSERT_EQ(assembly.blocks.size(), 2u);
+    EXPECT_EQ(assembly.blocks[0].support, 0);
+    EXPECT_EQ(assembly.blocks[1].support, -1);
+    EXPECT_NEAR(volumeProperties(assembly.blocks[1].shape).volume, 0.5, 1e-15);
+    EXPECT_EQ(make<2>("file \"f.svg\"; thickness 0.3;").blocks[0].thickness, 0.3);
+}
+
+} // namespace

@@ -1,0 +1,47 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Files in memory for the tests of this library.
+#pragma once
+
+#include "core/Error.h"
+#include "geometry/space/Polyhedron.h"
+#include "import/ImportedFile.h"
+
+#include <string>
+
+namespace drystone::test
+{
+
+inline ImportedFile fileOf(std::string bytes)
+{
+    return {"sample", std::move(bytes)};
+}
+
+template<class Act>
+std::string reportOf(const Act& act)
+{
+    try
+    {
+        act();
+    }
+    catch (const FatalError& error)
+    {
+        return error.report();
+    }
+    return "no error";
+}
+
+/// The triangles of a polyhedron whose faces are convex.
+inline Polyhedron triangulated(const Polyhedron& shape)
+{
+    Polyhedron result{shape.vertices, {}};
+    for (const std::vector<int>& face : shape.faces)
+    {
+        for (std::size_t i = 1; i + 1 < face.size(); ++i)
+        {
+            result.faces.push_back({face[0], face[i], face[i + 1]});
+        }
+    }
+    return result;
+}
+
+} // namespace drystone::test
