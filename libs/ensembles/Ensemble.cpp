@@ -28,7 +28,8 @@ bool contains(const std::vector<std::string>& applications, const std::string& n
 bool canRunInProcess(const EnsembleSettings& settings)
 {
     std::vector<std::string> rest = settings.applications;
-    for (const char* application : {"blockTexture", "limitAnalysis", "contactDynamics"})
+    for (const char* application :
+         {"blockTexture", "limitAnalysis", "contactDynamics", "incrementalDynamics"})
     {
         if (!rest.empty() && rest.front() == application)
         {
@@ -41,7 +42,9 @@ bool canRunInProcess(const EnsembleSettings& settings)
                [&](const Named<Figure>& result)
                {
                    return (result.second.ofCollapse && contains(settings.applications, "limitAnalysis"))
-                          || (result.second.watch && contains(settings.applications, "contactDynamics"));
+                          || (result.second.watch && contains(settings.applications, "contactDynamics"))
+                          || (result.second.ofLeastIntensity
+                              && contains(settings.applications, "incrementalDynamics"));
                });
 }
 

@@ -60,6 +60,7 @@ struct SampleOutcome
     SampleStatus status = SampleStatus::failed;
     std::vector<double> results; ///< nan where there is none
     std::string message;         ///< why it failed
+    bool isFromOutside = false;  ///< somebody has ended an application: no fault of the sample
 };
 
 /// Computes samples, one after the other.

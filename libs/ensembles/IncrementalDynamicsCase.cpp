@@ -254,26 +254,46 @@ std::filesystem::path incrementalDynamicsFolder(const std::filesystem::path& cas
     return postProcessingFolder(caseDirectory, applicationName, time.startName());
 }
 
+LeastIntensityTable leastIntensityTable(const IncrementalDynamics& study,
+                                        const std::vector<IncrementalCurve>& curves)
+{
+    const std::string unit(nameOf(study.intensity.unit));
+    LeastIntensityTable table;
+    table.headings = {"motion[-]", fmt::format("leastIntensity[{}]", unit), fmt::format("below[{}]", unit),
+                      "kind[-]", "runs[-]"};
+    for (std::size_t motion = 0; motion < curves.size(); ++motion)
+    {
+        const IncrementalCurve finished = finishedRuns(curves[motion]);
+        if (finished.empty())
+        {
+            continue;
+        }
+        const LeastIntensity least = leastIntensity(finished);
+        const bool isKnown =
+            least.kind == LeastIntensity::Kind::found || least.kind == LeastIntensity::Kind::belowRange;
+        table.rows.push_back({static_cast<double>(motion), isKnown ? least.value : std::nan(""), least.below,
+                              static_cast<double>(least.kind), static_cast<double>(finished.size())});
+    }
+    return table;
+}
+
 void writeIncrementalDynamics(const std::filesystem::path& folder, const IncrementalDynamics& study,
                               const std::vector<IncrementalCurve>& curves)
 {
-    const std::string unit(nameOf(study.intensity.unit));
-    ColumnFile answers(folder / "leastIntensity.dat", {"motion[-]", fmt::format("leastIntensity[{}]", unit),
-                                                       fmt::format("below[{}]", unit), "kind[-]", "runs[-]"});
+    const LeastIntensityTable least = leastIntensityTable(study, curves);
+    ColumnFile answers(folder / "leastIntensity.dat", least.headings);
+    for (const std::vector<double>& row : least.rows)
+    {
+        answers.write(row);
+    }
     std::vector<IncrementalCurve> finished;
     for (std::size_t motion = 0; motion < curves.size(); ++motion)
     {
         finished.push_back(finishedRuns(curves[motion]));
-        if (finished.back().empty())
+        if (!finished.back().empty())
         {
-            continue;
+            writeTable(folder / (study.motions[motion].name + ".dat"), study, finished.back());
         }
-        writeTable(folder / (study.motions[motion].name + ".dat"), study, finished.back());
-        const LeastIntensity least = leastIntensity(finished.back());
-        const bool isKnown =
-            least.kind == LeastIntensity::Kind::found || least.kind == LeastIntensity::Kind::belowRange;
-        answers.write({{static_cast<double>(motion), isKnown ? least.value : std::nan(""), least.below,
-                        static_cast<double>(least.kind), static_cast<double>(finished.back().size())}});
     }
     if (std::none_of(finished.begin(), finished.end(), [](const auto& curve) { return curve.empty(); }))
     {

@@ -5,6 +5,7 @@
 #include "ensembles/IncrementalDynamics.h"
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace drystone
@@ -27,6 +28,17 @@ void printLeast(const IncrementalDynamics& study, const std::vector<IncrementalC
 
 /// postProcessing/incrementalDynamics/<startTime>/ of a case.
 std::filesystem::path incrementalDynamicsFolder(const std::filesystem::path& caseDirectory, const Time& time);
+
+/// A table of numbers under headings.
+struct LeastIntensityTable
+{
+    std::vector<std::string> headings;
+    std::vector<std::vector<double>> rows;
+};
+
+/// What leastIntensity.dat has: a row a motion that has runs.
+LeastIntensityTable leastIntensityTable(const IncrementalDynamics& study,
+                                        const std::vector<IncrementalCurve>& curves);
 
 /// Writes into incrementalDynamicsFolder
 /// - <motion>.dat for each motion of the ground (incrementalDynamics.dat for constant/groundMotion), a row a

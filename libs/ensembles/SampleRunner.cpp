@@ -9,6 +9,7 @@
 #include "dictionary/FilesInMemory.h"
 #include "dynamics/Advance.h"
 #include "ensembles/CaseRuns.h"
+#include "ensembles/IncrementalDynamicsCase.h"
 #include "functionObjects/MotionResults.h"
 #include "quantities/LimitAnalysisFigures.h"
 #include "texture/Texture.h"
@@ -17,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -124,7 +126,8 @@ struct SampleRunner::InProcess
     void runBuilt(const Dictionary& dictionary)
     {
         Assembly<Dim> assembly = makeStructure<Dim>(dictionary);
-        if (contains(ensemble.settings.applications, "contactDynamics"))
+        if (contains(ensemble.settings.applications, "contactDynamics")
+            || contains(ensemble.settings.applications, "incrementalDynamics"))
         {
             files.set(assemblyFile(ensemble.caseDirectory), assemblyText(assembly));
         }
@@ -162,6 +165,54 @@ struct SampleRunner::InProcess
             {
                 throw FatalError("Motion in space is not available to ensembles yet.");
             }
+        }
+        if (contains(ensemble.settings.applications, "incrementalDynamics"))
+        {
+            if constexpr (Dim == 2)
+            {
+                findLeastIntensities();
+            }
+            else
+            {
+                throw FatalError("incrementalDynamics is not available in space.");
+            }
+        }
+    }
+
+    void findLeastIntensities()
+    {
+        Time time(ensemble.caseDirectory, ControlDict::required);
+        IncrementalDynamics study = readIncrementalDynamics(ensemble.caseDirectory, time);
+        study.jobs = 1; // the other cores have samples of their own
+        const std::vector<IncrementalCurve> curves = carryOut(study);
+        if (exitStatus(curves) == 2)
+        {
+            throw NotConverged{"incrementalDynamics: a run did not converge"};
+        }
+        const LeastIntensityTable table = leastIntensityTable(study, curves);
+        for (std::size_t i = 0; i < results.size(); ++i)
+        {
+            const Figure& figure = ensemble.settings.results[i].second;
+            if (!figure.ofLeastIntensity)
+            {
+                continue;
+            }
+            const auto found = std::find_if(table.headings.begin(), table.headings.end(),
+                                            [&](const std::string& heading)
+                                            { return isColumn(heading, *figure.ofLeastIntensity); });
+            if (found == table.headings.end())
+            {
+                throw FatalError(
+                    fmt::format("{} has no column {}.", leastIntensityTableName, *figure.ofLeastIntensity));
+            }
+            std::vector<double> column;
+            for (const std::vector<double>& row : table.rows)
+            {
+                // With the digits of the table, as one that is read has them.
+                const double number = row[static_cast<std::size_t>(found - table.headings.begin())];
+                column.push_back(std::strtod(fmt::format("{:.12g}", number).c_str(), nullptr));
+            }
+            results[i] = taken(column, figure.table->take);
         }
     }
 
@@ -287,9 +338,13 @@ SampleOutcome SampleRunner::runByApplications(const std::vector<SampleValue>& va
             const SampleStatus status = done.status > 128  ? SampleStatus::crashed
                                         : done.status == 2 ? SampleStatus::notConverged
                                                            : SampleStatus::failed;
-            return {status, std::vector<double>(count, std::nan("")),
-                    fmt::format("{} ended with exit status {}: {}", application, done.status,
-                                firstLine(done.errorOutput))};
+            SampleOutcome outcome{status, std::vector<double>(count, std::nan("")),
+                                  fmt::format("{} ended with exit status {}: {}", application, done.status,
+                                              firstLine(done.errorOutput))};
+            const int signal = done.status - 128;
+            outcome.isFromOutside =
+                signal == SIGKILL || signal == SIGTERM || signal == SIGHUP || signal == SIGINT;
+            return outcome;
         }
     }
     std::vector<double> results;

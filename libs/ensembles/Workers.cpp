@@ -16,6 +16,7 @@
 #include <cstring>
 #include <ctime>
 #include <new>
+#include <optional>
 
 #include <fcntl.h>
 #include <poll.h>
@@ -125,9 +126,11 @@ Attempts attemptsOf(const fs::path& work, std::pair<long, long> range)
     return attempts;
 }
 
-/// Computes one sample until it succeeds or has no attempts left. \param failed attempts so far
-SampleRow computeSample(const Ensemble& ensemble, const fs::path& work, SampleRunner& runner,
-                        Activity& activity, long sample, int failed)
+/// Computes one sample until it succeeds or has no attempts left. \param failed attempts so far \param
+/// outside how often somebody has ended it. \return nothing when this process is to stop: the sample is then
+/// begun again
+std::optional<SampleRow> computeSample(const Ensemble& ensemble, const fs::path& work, SampleRunner& runner,
+                                       Activity& activity, long sample, int failed, int outside)
 {
     for (;;)
     {
@@ -141,16 +144,33 @@ SampleRow computeSample(const Ensemble& ensemble, const fs::path& work, SampleRu
         }
         catch (const std::bad_alloc&)
         {
-            outcome = {SampleStatus::outOfMemory,
-                       std::vector<double>(ensemble.settings.results.size(), std::nan("")), "out of memory"};
+            outcome.status = SampleStatus::outOfMemory;
+            outcome.results.assign(ensemble.settings.results.size(), std::nan(""));
+            outcome.message = "out of memory";
+        }
+        activity.sample = -1;
+        if (outcome.isFromOutside)
+        {
+            ::poll(nullptr, 0, 100); // whoever ended the application may be about to end this process
+        }
+        if (stopSignal() != 0)
+        {
+            return {};
         }
         const SampleRow row{outcome.status, failed + 1, cpuTimeOfAll() - begin, std::move(outcome.results)};
-        activity.sample = -1;
         if (!isFailure(row.status))
         {
             return row;
         }
-        addFailure(work, {sample, row.status, false, outcome.message});
+        addFailure(work, {sample, row.status, outcome.isFromOutside, outcome.message});
+        if (outcome.isFromOutside)
+        {
+            if (++outside >= mostOutsideKills)
+            {
+                return row;
+            }
+            continue;
+        }
         const bool mayBeRepeated =
             row.status == SampleStatus::outOfMemory || row.status == SampleStatus::crashed;
         if (!mayBeRepeated || row.attempts >= ensemble.settings.failures.attempts)
@@ -191,7 +211,14 @@ void computeChunk(const Ensemble& ensemble, const SampleStore& store, long chunk
             }
             else
             {
-                journal.add(sample, computeSample(ensemble, store.folder(), runner, activity, sample, own));
+                const std::optional<SampleRow> row =
+                    computeSample(ensemble, store.folder(), runner, activity, sample, own, outside);
+                if (!row)
+                {
+                    journal.sync();
+                    ::_exit(0);
+                }
+                journal.add(sample, *row);
             }
         }
         ++activity.done;

@@ -150,6 +150,10 @@ Figure makeTable(const TableFigure& settings)
     {
         figure.ofCollapse = settings.column;
     }
+    if (settings.table == leastIntensityTableName)
+    {
+        figure.ofLeastIntensity = settings.column;
+    }
     return figure;
 }
 

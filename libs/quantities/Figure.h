@@ -37,9 +37,10 @@ public:
 /// A figure that is requested: one of the three is there.
 struct Figure
 {
-    std::string unit;                      ///< empty where a table knows it
-    std::optional<TableFigure> table;      ///< read from what the applications write
-    std::optional<std::string> ofCollapse; ///< column of limitAnalysis.dat
+    std::string unit;                            ///< empty where a table knows it
+    std::optional<TableFigure> table;            ///< read from what the applications write
+    std::optional<std::string> ofCollapse;       ///< column of limitAnalysis.dat
+    std::optional<std::string> ofLeastIntensity; ///< column of leastIntensity.dat
     /// Of a motion, computed without files. \throws FatalIOError for a block that does not exist, or is fixed
     std::function<std::unique_ptr<MotionWatch>(const DynamicCase<2>& scene, const Motion<2>& start)> watch;
 };
@@ -53,5 +54,8 @@ void sayTable(Dictionary& dictionary, const std::string& key);
 
 /// The table that limitAnalysis writes, in a case.
 inline constexpr const char* limitAnalysisTableName = "postProcessing/limitAnalysis/0/limitAnalysis.dat";
+/// That of incrementalDynamics.
+inline constexpr const char* leastIntensityTableName =
+    "postProcessing/incrementalDynamics/0/leastIntensity.dat";
 
 } // namespace drystone

@@ -136,6 +136,51 @@ class Ensemble(CaseTest):
         self.assertEqual(self.table(case), self.table(inProcess))
         self.assertEqual(os.path.exists(os.path.join(inProcess, "constant/assembly")), False)
 
+    def testLeastIntensitiesAreThoseOfTheApplication(self):
+        tables = []
+        for name, applications_ in (("leastInProcess", "blockTexture incrementalDynamics"),
+                                    ("leastByFiles", "blockTexture checkBlocks incrementalDynamics")):
+            case = self.case(name, applications=applications_, samples=3, statistics="")
+            for file, old, new in (("system/ensembleDict", "limitAnalysis/0/limitAnalysis.dat\"; column alpha",
+                                    "incrementalDynamics/0/leastIntensity.dat\"; column leastIntensity"),
+                                   ("system/controlDict", "endTime         1;\ndeltaT          1;",
+                                    "endTime 0.1;\ndeltaT 0.01;")):
+                text = self.read(case, file)
+                self.assertIn(old, text)
+                with open(os.path.join(case, file), "w", encoding="utf-8") as written:
+                    written.write(text.replace(old, new))
+            with open(os.path.join(case, "system/incrementalDynamicsDict"), "w", encoding="utf-8") as written:
+                written.write("intensity { type bisection; unit g; low 0.3; high 1.1; tolerance 0.05; }\n"
+                              "criterion { type motion; displacement 1e-6; }\n")
+            with open(os.path.join(case, "constant/groundMotion"), "w", encoding="utf-8") as written:
+                written.write("direction (1 0 0);\nacceleration { type constant; value 1; }\n")
+            self.run_(case)
+            tables.append(self.table(case))
+        self.assertEqual(tables[0], tables[1])
+        self.assertTrue(all(0.4 < float(row[3]) < 1 for row in tables[0][1:]), tables[0])
+
+    def testAnApplicationThatSomebodyEndsIsBegunAgain(self):
+        case = self.case("ended", applications="blockTexture \"./nap\" limitAnalysis", samples=4)
+        with open(os.path.join(case, "nap"), "w", encoding="utf-8") as file:
+            file.write("#!/bin/bash\nexec sleep 0.5\n")
+        os.chmod(os.path.join(case, "nap"), 0o755)
+        process = self.start(case, "-jobs", "1")
+
+        def napping():
+            for worker in self.childrenOf(process.pid):
+                for child in self.childrenOf(worker):
+                    with open(f"/proc/{child}/comm", encoding="utf-8") as file:
+                        if file.read().strip() == "sleep":
+                            return child
+            return 0
+
+        self.waitFor(napping, process)
+        os.kill(napping(), signal.SIGTERM)
+        self.assertEqual(process.wait(), 0)
+        self.assertTrue(all(row[4:] == ["0", "1"] for row in self.table(case)[1:]))
+        with open(os.path.join(case, "postProcessing/ensemble/0/work/failures"), encoding="utf-8") as file:
+            self.assertEqual(len(file.readlines()), 1)
+
     def testMoreRandomSamplesExtendTheTable(self):
         for design in ("random", "sobol"):
             case = self.case("more" + design, design=design, samples=20)
