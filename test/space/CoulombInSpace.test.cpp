@@ -73,6 +73,41 @@ TEST(CoulombInSpace, TheLWallIsNoHigherThanTheLowestKnown)
     EXPECT_LE(result.alpha, 0.203232297 + 5e-10);
 }
 
+TEST(CoulombInSpace, HousesDomesTowersAndBondsAreAnswered)
+{
+    struct Case
+    {
+        const char* name;
+        double mu;
+        Vector<3> direction;
+    };
+    for (const Case& structure :
+         {Case{"houseWithDoor", 0.65, {1, 0, 0}}, Case{"domeWithOculus", 0.7, {1, 0, 0}},
+          Case{"tower", 0.6, {1, 0, 0}}, Case{"englishBond", 0.6, {0, 1, 0}},
+          Case{"flemishBond", 0.6, {0, 1, 0}}, Case{"wallL428", 0.65, {0, -1, 0}}})
+    {
+        SCOPED_TRACE(structure.name);
+        const SpaceConeProgram program = reference(structure.name, structure.mu, structure.direction);
+        expectCoulomb(program, solveNonAssociative(program));
+    }
+}
+
+// A box with cohesion over its base: C + mu W, whichever way it is pushed.
+TEST(CoulombInSpace, ABoxWithCohesionSlidesAtItsClosedForm)
+{
+    for (const double angle : {0.0, 0.5, 0.785})
+    {
+        const Assembly<3> assembly = test::onGround({makeBox({0, 0, 0}, {1, 1, 0.2})});
+        SpaceConeProgram program =
+            test::programOf(assembly, findContactPoints(assembly), 0.3,
+                            test::pushed(assembly, {std::cos(angle), std::sin(angle), 0}));
+        program.strength.assign(program.friction.size(), {.cohesion = 0.005}); // of a weight of 0.2
+        const LimitAnalysis result = solveNonAssociative(program);
+        expectCoulomb(program, result);
+        EXPECT_NEAR(result.alpha, 0.3 + 0.02 / 0.2, 1e-6) << angle;
+    }
+}
+
 TEST(CoulombInSpace, Wall1ExtrudedIsNoHigherThanInThePlane)
 {
     const SpaceConeProgram program = reference("extrudedWall1", 0.65, {1, 0, 0});

@@ -99,6 +99,35 @@ TEST(NonAssociative, AtALooseToleranceOfTheSolverHasNoAnswerOrARightOne)
     }
 }
 
+TEST(NonAssociative, KnowsCohesionAndTension)
+{
+    // A block 1 x 1 of 1000 N: shear mu W + C, overturning about an end with T at the other.
+    Assembly<2> assembly;
+    assembly.supports = {{"ground", "ground"}};
+    assembly.blocks = {rectangle(0, 0, 1, 1), rectangle(-1, -1, 2, 0, 0)};
+    const Structure block(std::move(assembly));
+    PlaneConeProgram program = block.program(0.3, block.weightLoads());
+    program.strength.assign(2, {.cohesion = 50});
+    LimitAnalysis result = solveNonAssociative(program);
+    expectCoulomb(program, result);
+    EXPECT_NEAR(result.alpha, 0.3 + 2 * 50.0 / 1000, 1e-7);
+    program = block.program(2, block.weightLoads());
+    program.strength.assign(2, {.cohesion = 100, .tension = 20});
+    result = solveNonAssociative(program);
+    expectCoulomb(program, result);
+    EXPECT_NEAR(result.alpha, 1 + 2 * 20.0 / 1000, 1e-7);
+
+    // A wall with weak mortar: a pair, and no higher than the associative one.
+    const Structure wall = standing(paperWalls()[2].bond);
+    program = wall.program(0.65, wall.weightLoads());
+    program.strength.assign(program.friction.size(), {.cohesion = 5, .tension = 3});
+    result = solveNonAssociative(program);
+    ASSERT_EQ(result.status, CollapseStatus::optimal);
+    expectCoulomb(program, result);
+    EXPECT_LE(result.alpha, result.coulomb->associative * (1 + 1e-9));
+    EXPECT_GT(result.alpha, 0.36);
+}
+
 TEST(NonAssociative, LeavesUnstableWhatIsUnstable)
 {
     const Structure structure = standing(paperWalls()[0].bond);

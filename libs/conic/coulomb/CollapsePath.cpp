@@ -17,7 +17,11 @@ using Eigen::VectorXd;
 constexpr int piecesToCorrection = 8;
 constexpr int mostCorrections = 4;
 constexpr double balanced = 1e-14;        ///< relative to the largest load
-constexpr double largestImbalance = 1e-2; ///< likewise: the path is lost
+constexpr double largestImbalance = 1e-5; ///< likewise: the path is lost
+constexpr double shortestStep = 1e-9;
+
+/// In space a step may take points beyond their piece of the law by so much of the largest load.
+constexpr double beyondLaw = 1e-9;
 
 /// A direction is refined, for what the regularisation and missing pivots have changed, until the residual is
 /// so small a share of its largest entry, at the end of the path smaller. What is larger than `accepted`
@@ -292,6 +296,13 @@ PathEnd CollapsePath<Rows, Forces>::follow(int mostPieces)
 {
     const int begin = pieces_;
     double gone = 0;
+    double longest = std::numeric_limits<double>::infinity(); // step, after one that was too long
+    struct
+    {
+        double distance = 0, alpha = 0, gone = 0;
+        VectorXd w;
+        std::vector<Piece> points;
+    } lastStep; // where it began, in space
     int last = -1;
     Boundary boundary = Boundary::none;
     for (; pieces_ < begin + mostPieces; ++pieces_)
@@ -301,14 +312,29 @@ PathEnd CollapsePath<Rows, Forces>::follow(int mostPieces)
             return PathEnd::unfinished;
         }
         pushed_ = system_.solve(system_.liveLoad);
-        const double size = pushed_.lpNorm<Eigen::Infinity>();
+        const double size = pushed_.template lpNorm<Eigen::Infinity>();
         if (!(size > 0) || !std::isfinite(size))
         {
             return PathEnd::unfinished;
         }
         if ((Forces == 3 || pieces_ % piecesToCorrection == 0) && !correct())
         {
-            return PathEnd::unfinished;
+            if (Forces == 2 || pieces_ == begin || !(longest > shortestStep))
+            {
+                return PathEnd::unfinished;
+            }
+            // The step was too long: again with a quarter of it.
+            longest = 0.25 * lastStep.distance;
+            w_ = lastStep.w;
+            alpha_ = lastStep.alpha;
+            points_ = lastStep.points;
+            gone = lastStep.gone;
+            boundary = Boundary::none;
+            for (int point = 0; point < count(); ++point)
+            {
+                update(point);
+            }
+            continue;
         }
         const VectorXd before = direction_;
         direction_ = pushed_ / size;
@@ -335,7 +361,7 @@ PathEnd CollapsePath<Rows, Forces>::follow(int mostPieces)
         choose();
         int leaving = -1;
         typename Piece::Exit first = firstExit(still * rate_.lpNorm<Eigen::Infinity>(), leaving);
-        double distance = std::min({first.distance, turningDistance(), stepLimit(gone)});
+        double distance = std::min({first.distance, turningDistance(), stepLimit(gone), longest});
         if (gone + distance > elastic_)
         {
             if (!(refineDirection(refined) < accepted))
@@ -352,6 +378,11 @@ PathEnd CollapsePath<Rows, Forces>::follow(int mostPieces)
                 return work > noWork ? PathEnd::collapse : work > -noWork ? PathEnd::fall : PathEnd::reversed;
             }
         }
+        if constexpr (Forces == 3)
+        {
+            lastStep = {distance, alpha_, gone, w_, points_};
+            longest *= 2;
+        }
         gone += distance;
         w_ += distance * rate_;
         alpha_ += distance * alphaRate_;
@@ -366,7 +397,8 @@ PathEnd CollapsePath<Rows, Forces>::follow(int mostPieces)
         {
             for (int point = 0; point < count(); ++point)
             {
-                if (points_[static_cast<std::size_t>(point)].isSliding)
+                Piece& piece = points_[static_cast<std::size_t>(point)];
+                if (piece.isSliding || piece.returnToLaw(at(point), beyondLaw))
                 {
                     update(point);
                 }

@@ -151,6 +151,21 @@ struct CollapsePiece
         isSliding = isSliding || isFree();
     }
 
+    /// Takes a point that a step has taken beyond the cone, or opened, to where it is. \return whether it was
+    bool returnToLaw(const Force& w, double tolerance)
+    {
+        const CollapsePiece before = *this;
+        if (normal == Normal::presses && normalForce(w) < -strength.tension - tolerance)
+        {
+            cross(Boundary::opening);
+        }
+        if (!isSliding && shearOf(w) > slidingLimit(w) + tolerance)
+        {
+            cross(Boundary::sliding);
+        }
+        return before.normal != normal || before.isSliding != isSliding;
+    }
+
     struct Exit
     {
         double distance = std::numeric_limits<double>::infinity();
