@@ -198,8 +198,8 @@ Assembly<Dim> readBlocks(const std::filesystem::path& caseDirectory)
     {
         throw FatalIOError(
             Dim == 2
-                ? "The blocks of this case are in space (dimensions 3): motion in space is not available "
-                  "yet, nor are studies. blockTexture, checkBlocks and limitAnalysis compute in space."
+                ? "The blocks of this case are in space (dimensions 3): studies in space are not available "
+                  "yet. blockTexture, checkBlocks, limitAnalysis and contactDynamics compute in space."
                 : "The blocks of this case are in the plane (dimensions 2), not in space.",
             dictionary.locationOf("dimensions"));
     }

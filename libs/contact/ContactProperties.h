@@ -1,10 +1,9 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// What happens at a contact: constant/contactProperties, one sub-dictionary for each effect that is
-/// simulated.
+/// What happens at a contact, as data. The keys of constant/contactProperties, one sub-dictionary for each
+/// effect that is simulated, are declared by the effects (libs/effects).
 #pragma once
 
 #include "dictionary/Options.h"
-#include "dictionary/Registry.h"
 
 #include <array>
 #include <filesystem>
@@ -36,16 +35,12 @@ struct CoulombFriction
     FlowRule flowRule = FlowRule::associative;
 };
 
-void declare(Options& options, CoulombFriction& friction);
-
 /// Rebound after an impact (Newton): the points of a contact part with `normal` times the velocity at which
 /// they met.
 struct Restitution
 {
     double normal = 0; ///< coefficient, 0 to 1
 };
-
-void declare(Options& options, Restitution& restitution);
 
 /// Strength of the joints over their area. Of cohesion: shear that a joint carries beside friction; of
 /// tension: normal stress that holds it together; of crushing: pressure that it bears.
@@ -54,15 +49,11 @@ struct JointStrength
     double strength = 0; ///< [Pa]
 };
 
-void declare(Options& options, JointStrength& strength);
-
 /// Friction of some joints only. The flow rule is that of all.
 struct JointFriction
 {
     double mu = 0; ///< friction coefficient, 0 to 1e6
 };
-
-void declare(Options& options, JointFriction& friction);
 
 /// What limit analysis knows of a joint.
 enum class ContactFormulation
@@ -81,18 +72,11 @@ struct ContactModel
     ContactFormulation formulation = ContactFormulation::points;
 };
 
-void declare(Options& options, ContactModel& model);
-
 /// Contact points of the joints in space: a grid over each, beside its corners.
 struct PointGrid
 {
     int perSide = 5; ///< points along each side of a joint
 };
-
-void declare(Options& options, PointGrid& grid);
-
-/// The points that `jointPoints { type ...; }` chooses from; nothing: the corners alone.
-const Registry<std::optional<PointGrid>>& jointPointTypes();
 
 /// What some joints have instead of what all have; the effects that it does not name stay as they are.
 struct JointProperties
@@ -102,8 +86,6 @@ struct JointProperties
     std::optional<JointStrength> tension;
     std::optional<JointStrength> crushing;
 };
-
-void declare(Options& options, JointProperties& properties);
 
 /// What the joints of a case carry and how they rebound; what is absent is not simulated and costs nothing.
 struct ContactProperties
@@ -119,43 +101,6 @@ struct ContactProperties
     std::optional<int> pointsPerJoint;    ///< of the plane; absent: the ends, and hinges that crush
     std::optional<PointGrid> jointPoints; ///< of space; absent: the corners
 };
-
-void declare(Options& options, ContactProperties& properties);
-
-/// The friction laws that `friction { type ...; }` chooses from.
-const Registry<CoulombFriction>& frictionTypes();
-
-/// An effect that constant/contactProperties knows and this version does not simulate.
-struct AbsentEffect
-{
-    std::string_view name;
-    std::string_view summary;
-};
-
-/// All of them: asking for one is an error, so that nobody takes a result for what it is not.
-const std::vector<AbsentEffect>& absentEffects();
-
-/// The effects of a case, for the log: which are simulated and which are not.
-struct EffectNames
-{
-    std::vector<std::string> simulated;
-    std::vector<std::string> absent;
-};
-/// \param ofMotion those that only motion has, after the others
-EffectNames effectNames(const ContactProperties& properties, const EffectNames& ofMotion = {});
-
-/// Reads constant/contactProperties. \throws FatalError or FatalIOError when it is missing or faulty, or asks
-/// for an effect that is unknown or absent from this version
-ContactProperties readContactProperties(const std::filesystem::path& caseDirectory);
-
-/// The dictionary, with what is there of effects that are absent from this version refused.
-Dictionary readContactDictionary(const std::filesystem::path& caseDirectory);
-
-/// Refuses effects that an application does not simulate, so that nobody takes a result for what it is not.
-/// \param names of sub-dictionaries or entries of constant/contactProperties
-/// \throws FatalIOError for the first of them that the case gives
-void refuseEffects(const std::filesystem::path& caseDirectory, const std::string& application,
-                   const std::vector<std::string>& names);
 
 /// Friction coefficient of each of `points` contact points: 0 without friction. Not for cases with `joints`.
 std::vector<double> frictionCoefficients(const ContactProperties& properties, std::size_t points);

@@ -24,5 +24,6 @@ double overlapDepth(const Polygon& a, const Polygon& b);
 /// Deepest overlap over all pairs of blocks of which at least one is free, through a broad phase.
 /// \param placements one for each block
 Penetration penetration(const Assembly<2>& assembly, const std::vector<Placement<2>>& placements);
+Penetration penetration(const Assembly<3>& assembly, const std::vector<Placement<3>>& placements);
 
 } // namespace drystone

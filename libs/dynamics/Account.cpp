@@ -33,6 +33,14 @@ StepEnergy energyOf(Step<Dim>& step)
         workOfSupports += normalWork + shearWork;
     }
     energy.externalWork = (step.load - step.scene.deadLoad).dot(result.displacement) + workOfSupports;
+    if constexpr (Dim == 3) // moments of the dead load, which have no potential
+    {
+        for (Eigen::Index row = Dim; row < result.displacement.size(); row += freedomCount<Dim>)
+        {
+            energy.externalWork += step.scene.deadLoad.template segment<3>(row).dot(
+                result.displacement.template segment<3>(row));
+        }
+    }
     const std::function<Eigen::VectorXd()> opening = [&step, &result]
     { return openingAtEnd(step, result.displacement, result.contactForce); };
     const EffectContext<Dim> context = contextOf(step);
@@ -100,5 +108,6 @@ void account(Step<Dim>& step)
 }
 
 template void account(Step<2>& step);
+template void account(Step<3>& step);
 
 } // namespace drystone

@@ -121,5 +121,10 @@ template double advanceUnparted(const DynamicCase<2>& scene, Motion<2>& motion, 
 template bool advance(const DynamicCase<2>& scene, Motion<2>& motion, double timeStep);
 template ShortenedStep advanceOrShorten(const DynamicCase<2>& scene, Motion<2>& motion, double timeStep);
 template bool advance(const DynamicCase<2>& scene, Motion<2>& motion, Time& time);
+template double advanceUnparted(const DynamicCase<3>& scene, Motion<3>& motion, double timeStep,
+                                const ImpactChoice& impacts);
+template bool advance(const DynamicCase<3>& scene, Motion<3>& motion, double timeStep);
+template ShortenedStep advanceOrShorten(const DynamicCase<3>& scene, Motion<3>& motion, double timeStep);
+template bool advance(const DynamicCase<3>& scene, Motion<3>& motion, Time& time);
 
 } // namespace drystone

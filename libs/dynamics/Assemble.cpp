@@ -89,5 +89,6 @@ void assemble(Step<Dim>& step)
 }
 
 template void assemble(Step<2>& step);
+template void assemble(Step<3>& step);
 
 } // namespace drystone

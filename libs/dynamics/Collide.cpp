@@ -238,5 +238,7 @@ bool collide(Step<Dim>& step)
 
 template bool hasImpacts(const DynamicCase<2>& scene);
 template bool collide(Step<2>& step);
+template bool hasImpacts(const DynamicCase<3>& scene);
+template bool collide(Step<3>& step);
 
 } // namespace drystone

@@ -63,5 +63,6 @@ void contribute(Step<Dim>& step)
 }
 
 template void contribute(Step<2>& step);
+template void contribute(Step<3>& step);
 
 } // namespace drystone

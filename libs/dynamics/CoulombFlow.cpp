@@ -25,8 +25,12 @@ bool solveFlow(ThetaStep& step, StepProgram<Dim>& program, const ConeSolution& s
                const StepSettings& settings, double gapTolerance, int mostNewtonSteps)
 {
     constexpr double beyond = 1e-3; // nearly for nothing: the last Newton step is exact
-    ConeSolution solution = solveCoulombNewton(
-        program, start, {beyond * settings.solver.tolerance, gapTolerance, mostNewtonSteps});
+    ConeSolution solution;
+    if constexpr (Dim == 2) // in space the fixed point of solveThetaStep alone
+    {
+        solution = solveCoulombNewton(program, start,
+                                      {beyond * settings.solver.tolerance, gapTolerance, mostNewtonSteps});
+    }
     step.iterations += solution.iterations;
     step.factorisations += solution.factorisations;
     if (solution.status != SolveStatus::optimal)
@@ -169,5 +173,15 @@ template bool solveFlow(ThetaStep& step, StepProgram<2> program, ConeSolution st
 template bool goesOnFromLastStep(ThetaStep& step, const StepProgram<2>& program, const ConeSolution& start,
                                  const Eigen::VectorXd& heading, const StepSettings& settings,
                                  const Relinearisation<2>& relinearise);
+template Eigen::VectorXd dilatancy(const StepProgram<3>& program, const Eigen::VectorXd& closing,
+                                   const Eigen::VectorXd& contactForce);
+template double errorOfFlow<3>(const Eigen::VectorXd& imposed, const Eigen::VectorXd& opening,
+                               const Eigen::VectorXd& gap, const ThetaStep& step, double least);
+template bool solveFlow(ThetaStep& step, StepProgram<3> program, ConeSolution start,
+                        const Eigen::VectorXd& heading, const StepSettings& settings,
+                        const Relinearisation<3>& relinearise, const NewtonEffort& effort);
+template bool goesOnFromLastStep(ThetaStep& step, const StepProgram<3>& program, const ConeSolution& start,
+                                 const Eigen::VectorXd& heading, const StepSettings& settings,
+                                 const Relinearisation<3>& relinearise);
 
 } // namespace drystone

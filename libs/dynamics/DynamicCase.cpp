@@ -8,13 +8,10 @@
 #include "contact/ClosedAssembly.h"
 #include "contact/Equilibrium.h"
 #include "contact/Facing.h"
-#include "contact/JointLaws.h"
 
 #include "runControl/Solution.h"
 
 #include <fmt/format.h>
-
-#include <algorithm>
 
 namespace drystone
 {
@@ -22,54 +19,34 @@ namespace drystone
 namespace
 {
 
-/// The friction coefficients of joints that have one of their own.
-template<int Dim>
-std::vector<std::pair<std::pair<int, int>, double>>
-frictionOfJoints(const std::filesystem::path& caseDirectory, const ContactProperties& contact,
-                 const Assembly<Dim>& assembly)
+/// Refuses what motion in space does not simulate yet, so that nobody takes a result for what it is not.
+void refuseInSpace(const CaseEffects<3>& read, const std::filesystem::path& caseDirectory)
 {
-    std::vector<std::pair<std::pair<int, int>, double>> result;
-    if (contact.joints.empty())
-    {
-        return result;
-    }
-    const std::vector<ContactPoint<Dim>> points = findContactPoints(assembly); // sorted by pairs
-    const std::vector<PointLaw> laws = pointLaws(caseDirectory, contact, assembly, points);
-    const double ofAll = contact.friction ? contact.friction->mu : 0;
-    for (std::size_t i = 0; i < points.size(); ++i)
-    {
-        const std::pair pair(points[i].block, points[i].neighbour);
-        if (laws[i].mu != ofAll && (result.empty() || result.back().first != pair))
-        {
-            result.emplace_back(pair, laws[i].mu);
-        }
-    }
-    return result;
-}
-
-/// Refuses effects that motion does not simulate, so that nobody takes a result for what it is not.
-template<int Dim>
-void refuseCrushing(const CaseEffects<Dim>& read)
-{
-    for (const std::string name : {"crushing", "pointsPerJoint", "jointPoints", "contact"})
+    for (const std::string name : {"restitution", "cohesion", "tension", "elasticity"})
     {
         if (read.locations.has(name))
         {
-            throw FatalIOError(
-                fmt::format("contactDynamics does not simulate {}. Remove the entry to compute without it.",
-                            name),
-                read.locations.of(name));
+            throw FatalIOError(fmt::format("contactDynamics does not simulate {} in space yet. Remove the "
+                                           "entry to compute without it.",
+                                           name),
+                               read.locations.of(name));
         }
     }
     for (const auto& [name, properties] : read.contact.joints)
     {
-        if (properties.crushing)
+        if (properties.cohesion || properties.tension)
         {
-            throw FatalIOError(fmt::format("contactDynamics does not simulate crushing, which joint {} has. "
-                                           "Remove the entry to compute without it.",
+            throw FatalIOError(fmt::format("contactDynamics does not simulate cohesion and tension in space "
+                                           "yet, which joint {} has. Remove them to compute without.",
                                            name.text),
-                               read.locations.of("joints/" + name.text + "/crushing"));
+                               read.locations.of("joints/" + name.text));
         }
+    }
+    if (const auto file = caseDirectory / "constant/supportMotion"; std::filesystem::exists(file))
+    {
+        throw FatalIOError("contactDynamics does not simulate moving supports in space yet. Remove the file "
+                           "to compute without supportMotion.",
+                           {file.string(), "", 0});
     }
 }
 
@@ -86,7 +63,10 @@ DynamicCase<Dim> readDynamicCase(const std::filesystem::path& caseDirectory,
     refuseOverlaps(assembly, caseDirectory);
     refuseAlmostJoints(assembly, caseDirectory);
     const CaseEffects<Dim> read = readCaseEffects(caseDirectory, types);
-    refuseCrushing(read);
+    if constexpr (Dim == 3)
+    {
+        refuseInSpace(read, caseDirectory);
+    }
     scene.contact = read.contact;
     scene.effectNames = effectNames(read);
     scene.gravity = readGravity<Dim>(caseDirectory);
@@ -121,19 +101,7 @@ Eigen::VectorXd loadUnder(const DynamicCase<Dim>& scene, const Eigen::Vector3d& 
 template<int Dim>
 std::vector<double> frictionAt(const DynamicCase<Dim>& scene, const std::vector<ContactPoint<Dim>>& points)
 {
-    std::vector<double> friction(points.size(), scene.contact.friction ? scene.contact.friction->mu : 0);
-    for (std::size_t i = 0; !scene.jointFriction.empty() && i < points.size(); ++i)
-    {
-        const std::pair pair(points[i].block, points[i].neighbour);
-        const auto own =
-            std::lower_bound(scene.jointFriction.begin(), scene.jointFriction.end(), pair,
-                             [](const auto& entry, const auto& key) { return entry.first < key; });
-        if (own != scene.jointFriction.end() && own->first == pair)
-        {
-            friction[i] = own->second;
-        }
-    }
-    return friction;
+    return frictionAt(scene.contact, scene.jointFriction, points);
 }
 
 template std::vector<double> frictionAt(const DynamicCase<2>& scene,
@@ -141,5 +109,10 @@ template std::vector<double> frictionAt(const DynamicCase<2>& scene,
 template DynamicCase<2> readDynamicCase(const std::filesystem::path& caseDirectory,
                                         const std::vector<EffectType<2>>& types);
 template Eigen::VectorXd loadUnder(const DynamicCase<2>& scene, const Eigen::Vector3d& ground);
+template std::vector<double> frictionAt(const DynamicCase<3>& scene,
+                                        const std::vector<ContactPoint<3>>& points);
+template DynamicCase<3> readDynamicCase(const std::filesystem::path& caseDirectory,
+                                        const std::vector<EffectType<3>>& types);
+template Eigen::VectorXd loadUnder(const DynamicCase<3>& scene, const Eigen::Vector3d& ground);
 
 } // namespace drystone

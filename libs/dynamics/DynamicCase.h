@@ -5,6 +5,7 @@
 #include "dynamics/DynamicState.h"
 #include "dynamics/Schemes.h"
 #include "effects/EffectList.h"
+#include "effects/Friction.h"
 #include "effects/GroundMotion.h"
 #include "effects/SupportMotion.h"
 
@@ -21,8 +22,7 @@ struct DynamicCase : Structure<Dim>
     ContactProperties contact;
     Effects<Dim> effects; ///< see EffectList.h; what is not there costs nothing
     EffectNames effectNames;
-    /// Of the joints as built with a mu of their own, sorted by (block, neighbour); mostly empty.
-    std::vector<std::pair<std::pair<int, int>, double>> jointFriction;
+    FrictionOfJoints jointFriction; ///< mostly empty
     GroundMotion groundMotion;
     std::vector<SupportMotion<Dim>> supportMotions; ///< of supports that move; most cases have none
     double groundFactor = 1; ///< times groundMotion: the intensity of an incremental analysis

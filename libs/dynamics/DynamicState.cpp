@@ -50,5 +50,9 @@ template Eigen::VectorXd turnedWithBlocks<2>(Eigen::VectorXd velocity, const Eig
 template DynamicState<2> stateAtRest(const Assembly<2>& assembly);
 template std::vector<BlockMass<2>> placedMasses(std::vector<BlockMass<2>> blocks,
                                                 const std::vector<Placement<2>>& placements);
+template Eigen::VectorXd turnedWithBlocks<3>(Eigen::VectorXd velocity, const Eigen::VectorXd& displacement);
+template DynamicState<3> stateAtRest(const Assembly<3>& assembly);
+template std::vector<BlockMass<3>> placedMasses(std::vector<BlockMass<3>> blocks,
+                                                const std::vector<Placement<3>>& placements);
 
 } // namespace drystone

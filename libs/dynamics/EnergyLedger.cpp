@@ -23,8 +23,12 @@ double potentialEnergy(const DynamicCase<Dim>& scene, const std::vector<Placemen
         {
             const auto load =
                 scene.deadLoad.template segment<freedomCount<Dim>>(freedomCount<Dim> * scene.free[block]);
-            energy -= load.template head<Dim>().dot(placements[block].translation)
-                      + load.template tail<rotationCount<Dim>>().dot(rowsOf(placements[block].rotation));
+            double work = load.template head<Dim>().dot(placements[block].translation);
+            if constexpr (Dim == 2) // a constant moment in space has no potential
+            {
+                work += load[2] * placements[block].rotation;
+            }
+            energy -= work;
         }
     }
     return energy;
@@ -48,5 +52,9 @@ template double kineticEnergy(const DynamicCase<2>& scene, const DynamicState<2>
 template double potentialEnergy(const DynamicCase<2>& scene, const std::vector<Placement<2>>& placements);
 template void keepLedger(EnergyLedger& ledger, const DynamicCase<2>& scene, const StepEnergy& step,
                          const DynamicState<2>& state);
+template double kineticEnergy(const DynamicCase<3>& scene, const DynamicState<3>& state);
+template double potentialEnergy(const DynamicCase<3>& scene, const std::vector<Placement<3>>& placements);
+template void keepLedger(EnergyLedger& ledger, const DynamicCase<3>& scene, const StepEnergy& step,
+                         const DynamicState<3>& state);
 
 } // namespace drystone

@@ -44,7 +44,7 @@ inline double imbalance(const EnergyLedger& ledger)
 template<int Dim>
 double kineticEnergy(const DynamicCase<Dim>& scene, const DynamicState<Dim>& state);
 
-/// Of the dead load, a constant generalised force on each block [J].
+/// Of the dead load, a constant generalised force on each block, in space without its moments [J].
 template<int Dim>
 double potentialEnergy(const DynamicCase<Dim>& scene, const std::vector<Placement<Dim>>& placements);
 

@@ -40,5 +40,6 @@ void findContacts(Step<Dim>& step)
 }
 
 template void findContacts(Step<2>& step);
+template void findContacts(Step<3>& step);
 
 } // namespace drystone

@@ -86,5 +86,7 @@ Meeting firstMeeting(Step<Dim>& step, const Eigen::VectorXd& closing,
 
 template Meeting firstMeeting(Step<2>& step, const Eigen::VectorXd& closing,
                               const std::vector<std::size_t>& approaching);
+template Meeting firstMeeting(Step<3>& step, const Eigen::VectorXd& closing,
+                              const std::vector<std::size_t>& approaching);
 
 } // namespace drystone

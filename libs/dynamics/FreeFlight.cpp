@@ -101,5 +101,11 @@ template Eigen::VectorXd flightApart(const Step<2>& step, const ThetaStep& resul
                                      const Eigen::VectorXd& velocity);
 template Eigen::VectorXd openingAfterFlight(const Step<2>& step, const ThetaStep& result,
                                             const Eigen::VectorXd& flight);
+template Eigen::VectorXd flightOf(const Step<3>& step, const ThetaStep& result,
+                                  const Eigen::VectorXd& velocity, const std::vector<std::size_t>& free);
+template Eigen::VectorXd flightApart(const Step<3>& step, const ThetaStep& result,
+                                     const Eigen::VectorXd& velocity);
+template Eigen::VectorXd openingAfterFlight(const Step<3>& step, const ThetaStep& result,
+                                            const Eigen::VectorXd& flight);
 
 } // namespace drystone

@@ -381,5 +381,8 @@ Impact impactOf(const ImpactProblem<Dim>& problem, const StepSettings& settings)
 template Impact impactOf(const ImpactProblem<2>& problem, const StepSettings& settings);
 template Eigen::VectorXd closingVelocity(const StepProgram<2>& program, const Eigen::VectorXd& velocity,
                                          const Eigen::VectorXd& closingBySupports, double timeStep);
+template Impact impactOf(const ImpactProblem<3>& problem, const StepSettings& settings);
+template Eigen::VectorXd closingVelocity(const StepProgram<3>& program, const Eigen::VectorXd& velocity,
+                                         const Eigen::VectorXd& closingBySupports, double timeStep);
 
 } // namespace drystone

@@ -128,5 +128,9 @@ template void declare(Options& options, BlockStart<2>& start);
 template void declare(Options& options, InitialMotion<2>& motion);
 template InitialState<2> readInitialMotion(const std::filesystem::path& caseDirectory,
                                            const std::string& timeName, const Assembly<2>& assembly);
+template void declare(Options& options, BlockStart<3>& start);
+template void declare(Options& options, InitialMotion<3>& motion);
+template InitialState<3> readInitialMotion(const std::filesystem::path& caseDirectory,
+                                           const std::string& timeName, const Assembly<3>& assembly);
 
 } // namespace drystone

@@ -208,5 +208,13 @@ velocitiesOfAllBlocks(const DynamicCase<2>& scene, const DynamicState<2>& state,
 template const std::vector<Vector<2>>& meanContactForces(const Motion<2>& motion);
 template StepObservation<2> observe(const DynamicCase<2>& scene, const Motion<2>& motion, const Time& time,
                                     ObservedLists<2>& lists);
+template std::vector<Strength> strengthsOf(const DynamicCase<3>& scene, const Motion<3>& motion);
+template double leaveOutBlocks(const DynamicCase<3>& scene, Motion<3>& motion);
+template Motion<3> startMotion(const DynamicCase<3>& scene, DynamicState<3> state);
+template std::vector<BlockVector<3>>
+velocitiesOfAllBlocks(const DynamicCase<3>& scene, const DynamicState<3>& state, double from, double to);
+template const std::vector<Vector<3>>& meanContactForces(const Motion<3>& motion);
+template StepObservation<3> observe(const DynamicCase<3>& scene, const Motion<3>& motion, const Time& time,
+                                    ObservedLists<3>& lists);
 
 } // namespace drystone

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "contact/MovingContacts.h"
+#include "contact/space/MovingContacts.h"
 #include "dynamics/DynamicCase.h"
 #include "dynamics/StepObservation.h"
 #include "dynamics/ThetaStep.h"

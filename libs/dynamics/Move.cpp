@@ -36,5 +36,6 @@ void move(Step<Dim>& step)
 }
 
 template void move(Step<2>& step);
+template void move(Step<3>& step);
 
 } // namespace drystone

@@ -57,7 +57,7 @@ Relinearisation<Dim> movingContactGeometry(const Step<Dim>& step)
         forgetRounding(scene, points);
         const Eigen::VectorXd closing =
             early > 0 ? applyTransposed(program, displacement) : Eigen::VectorXd(linear);
-        double error = 0;
+        double error = turnMomenta(step, displacement, contactForce, program);
         for (std::size_t i = 0; i < points.size(); ++i)
         {
             const Eigen::Index row = Dim * static_cast<Eigen::Index>(i);
@@ -69,7 +69,7 @@ Relinearisation<Dim> movingContactGeometry(const Step<Dim>& step)
             {
                 error = std::max(error, std::abs(points[i].gap - predicted));
             }
-            const Shear<Dim> slid = slip(scene, motion.state.placements, after, step.points[i]);
+            const Shear<Dim> slid = slip(step, after, i, program.contacts[i]);
             auto shear = program.gap.template segment<Dim - 1>(row + 1);
             if (program.hasStrength() && program.strength[i].cohesion > 0) // where slip decides what holds
             {
@@ -91,5 +91,12 @@ template std::vector<ContactColumns<2>> columnsAt(const DynamicCase<2>& scene,
                                                   const std::vector<ContactPoint<2>>& points);
 template void forgetRounding(const DynamicCase<2>& scene, std::vector<ContactPoint<2>>& points);
 template Relinearisation<2> movingContactGeometry(const Step<2>& step);
+template std::vector<Placement<3>> placementsAfter(const Step<3>& step, const Eigen::VectorXd& displacement,
+                                                   double share);
+template std::vector<ContactColumns<3>> columnsAt(const DynamicCase<3>& scene,
+                                                  const std::vector<Placement<3>>& placements,
+                                                  const std::vector<ContactPoint<3>>& points);
+template void forgetRounding(const DynamicCase<3>& scene, std::vector<ContactPoint<3>>& points);
+template Relinearisation<3> movingContactGeometry(const Step<3>& step);
 
 } // namespace drystone

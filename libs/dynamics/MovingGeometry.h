@@ -30,11 +30,33 @@ void forgetRounding(const DynamicCase<Dim>& scene, std::vector<ContactPoint<Dim>
 template<int Dim>
 using Shear = Eigen::Matrix<double, Dim - 1, 1>;
 
-/// By how far the neighbour has slid past the block at a contact point, along the edge or face there [m].
-Shear<2> slip(const DynamicCase<2>& scene, const std::vector<Placement<2>>& from,
-              const std::vector<Placement<2>>& to, const ContactPoint<2>& point);
-Shear<3> slip(const DynamicCase<3>& scene, const std::vector<Placement<3>>& from,
-              const std::vector<Placement<3>>& to, const ContactPoint<3>& point);
+/// By how far the neighbour has slid past the block at a contact point of the step, along the edge or face
+/// there [m]. \param to where the step leads \param columns of the point, whose directions the shear has
+Shear<2> slip(const Step<2>& step, const std::vector<Placement<2>>& to, std::size_t point,
+              const ConeColumns<3, 2>& columns);
+Shear<3> slip(const Step<3>& step, const std::vector<Placement<3>>& to, std::size_t point,
+              const ConeColumns<6, 3>& columns);
+
+/// What finite rotations change in the balance of angular momentum of a step. In the plane nothing. In space,
+/// with W the angular velocity in axes that turn with a block, R0 and R1 its orientations and J its inertia
+/// in these axes, the theta method (Simo & Wong 1991 for theta 1/2) is
+///
+///     R1 J W1 - R0 J W0 = dt m,    R1 = exp(r) R0,    r = dt R0 (theta W1 + (1 - theta) W0).
+///
+/// The axis of r is the same seen from R0 and from R1, so that r'm is the work of the moments m to the last
+/// digits, and the kinetic energy changes by r'm - (theta - 1/2) |W1 - W0|_J^2, as for translations. With w =
+/// R0 W and J0 = R0 J R0' the first equation is
+///
+///     J0 (w1 - w0) = dt m + (exp(-r) - 1)(J0 w0 + dt m),
+///
+/// that of the program but for the last term, the gyroscopic one, which is put into its load over dt.
+/// \return the largest change that makes in the rotations, times the block size [m]
+inline double turnMomenta(const Step<2>&, const Eigen::VectorXd&, const Eigen::VectorXd&, StepProgram<2>&)
+{
+    return 0;
+}
+double turnMomenta(const Step<3>& step, const Eigen::VectorXd& displacement,
+                   const Eigen::VectorXd& contactForce, StepProgram<3>& program);
 
 /// Corrects the linear prediction of the gaps of moving contacts; see Relinearisation. The step is not owned.
 ///

@@ -192,5 +192,7 @@ bool advanceInParts(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double t
 
 template class PartedStep<2>;
 template bool advanceInParts(const DynamicCase<2>& scene, Motion<2>& motion, double timeStep);
+template class PartedStep<3>;
+template bool advanceInParts(const DynamicCase<3>& scene, Motion<3>& motion, double timeStep);
 
 } // namespace drystone

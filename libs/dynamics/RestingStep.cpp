@@ -95,5 +95,12 @@ template bool standsStill(ThetaStep& step, const StepProgram<2>& program, const 
                           const ConeSolution& solution, SymbolicAnalysis* symbolic);
 template ConeSolution solveCounted(ThetaStep& step, const StepProgram<2>& program, const SolverChoice& solver,
                                    const ConeSolution& start, SymbolicAnalysis* symbolic);
+template Rest restWith(const StepProgram<3>& program, const Eigen::VectorXd& contactForce);
+template bool comesToRest(ThetaStep& step, const StepProgram<3>& program, Rest rest, double tolerance);
+template bool mayRest(const StepProgram<3>& program, const Eigen::VectorXd& outOfBalance);
+template bool standsStill(ThetaStep& step, const StepProgram<3>& program, const SolverChoice& solver,
+                          const ConeSolution& solution, SymbolicAnalysis* symbolic);
+template ConeSolution solveCounted(ThetaStep& step, const StepProgram<3>& program, const SolverChoice& solver,
+                                   const ConeSolution& start, SymbolicAnalysis* symbolic);
 
 } // namespace drystone

@@ -47,5 +47,6 @@ bool review(Step<Dim>& step)
 }
 
 template bool review(Step<2>& step);
+template bool review(Step<3>& step);
 
 } // namespace drystone

@@ -56,5 +56,10 @@ template void solve(Step<2>& step);
 template void countWork(Step<2>& step, int iterations, int factorisations, int programs);
 template Eigen::VectorXd openingAtEnd(const Step<2>& step, const Eigen::VectorXd& displacement,
                                       const Eigen::VectorXd& contactForce);
+template void beginAgain(Step<3>& step);
+template void solve(Step<3>& step);
+template void countWork(Step<3>& step, int iterations, int factorisations, int programs);
+template Eigen::VectorXd openingAtEnd(const Step<3>& step, const Eigen::VectorXd& displacement,
+                                      const Eigen::VectorXd& contactForce);
 
 } // namespace drystone

@@ -34,8 +34,9 @@ void refuseStartOverlaps(const Assembly<Dim>& assembly, const std::vector<Placem
         fmt::format(
             "At the start {} is {:.3g} m deep in {}. Blocks may touch, but not share space: correct "
             "displacement and rotation. A block that starts tilted about one of its corners has no "
-            "displacement but, beside its rotation, `about (x y);`, the place of that corner as built.",
-            blockName(assembly, displaced), deepest.depth, blockName(assembly, other)),
+            "displacement but, beside its rotation, `about ({});`, the place of that corner as built.",
+            blockName(assembly, displaced), deepest.depth, blockName(assembly, other),
+            Dim == 2 ? "x y" : "x y z"),
         places[static_cast<std::size_t>(displaced)]);
 }
 
@@ -63,6 +64,8 @@ void questionRotation(const BlockStart<Dim>& start, const SourceLocation& place)
 }
 
 template void refuseStartOverlaps(const Assembly<2>& assembly, const std::vector<Placement<2>>& placements,
+                                  const std::vector<SourceLocation>& places);
+template void refuseStartOverlaps(const Assembly<3>& assembly, const std::vector<Placement<3>>& placements,
                                   const std::vector<SourceLocation>& places);
 template void questionRotation(const BlockStart<2>& start, const SourceLocation& place);
 template void questionRotation(const BlockStart<3>& start, const SourceLocation& place);

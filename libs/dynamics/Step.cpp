@@ -70,5 +70,7 @@ EffectContext<Dim> contextOf(const Step<Dim>& step)
 
 template struct Step<2>;
 template EffectContext<2> contextOf(const Step<2>& step);
+template struct Step<3>;
+template EffectContext<3> contextOf(const Step<3>& step);
 
 } // namespace drystone

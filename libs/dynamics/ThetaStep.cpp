@@ -98,7 +98,8 @@ Eigen::VectorXd displacementUnder(const StepProgram<Dim>& program, Eigen::Vector
 template<int Dim>
 void keepMomenta(ThetaStep& step, StepProgram<Dim>& program, const Relinearisation<Dim>& relinearise)
 {
-    constexpr int mostRounds = 4; // each leaves the square of the last, in effect
+    // Each leaves the square of the last, in effect; in space the part by which a block turns in a step.
+    constexpr int mostRounds = Dim == 2 ? 4 : 40;
     constexpr double lastDigits = 1e-15;
     for (int round = 0; round < mostRounds; ++round)
     {
@@ -159,6 +160,15 @@ ThetaStep solveThetaStep(StepProgram<Dim> program, const StepSettings& settings,
     if (program.points() == 0)
     {
         step.displacement = displacementUnder(program, program.load); // free flight
+        if constexpr (Dim == 3)
+        {
+            if (relinearise) // blocks that turn
+            {
+                step.contactForce.resize(0);
+                relinearise(step.displacement, step.contactForce, program);
+                keepMomenta(step, program, relinearise);
+            }
+        }
         step.status = SolveStatus::optimal;
         return step;
     }
@@ -331,6 +341,22 @@ template ThetaStep solveThetaStep(StepProgram<2> program, const StepSettings& se
 template Eigen::VectorXd advance(DynamicState<2>& state, const std::vector<int>& free,
                                  const Eigen::VectorXd& displacement, const ThetaScheme& scheme);
 template StepEnergy stepEnergy(const ThetaStep& step, const MassMatrix<2>& mass, const Eigen::VectorXd& load,
+                               const Eigen::VectorXd& velocityBefore, const Eigen::VectorXd& velocityAfter,
+                               const ThetaScheme& scheme);
+template Eigen::VectorXd displacementUnder(const StepProgram<3>& program, Eigen::VectorXd rows);
+template void keepMomenta(ThetaStep& step, StepProgram<3>& program, const Relinearisation<3>& relinearise);
+template void setColumns(StepProgram<3>& program, const std::vector<ContactColumns<3>>& columns);
+template StepProgram<3> thetaStepProgram<3>(const MassMatrix<3>& mass, const Eigen::VectorXd& velocity,
+                                            const Eigen::VectorXd& load,
+                                            const std::vector<ContactPoint<3>>& points,
+                                            const std::vector<ContactColumns<3>>& columns,
+                                            const std::vector<double>& friction, const ThetaScheme& scheme);
+template ThetaStep solveThetaStep(StepProgram<3> program, const StepSettings& settings,
+                                  const StepGuess& guess, const Relinearisation<3>& relinearise,
+                                  SymbolicAnalysis* symbolic);
+template Eigen::VectorXd advance(DynamicState<3>& state, const std::vector<int>& free,
+                                 const Eigen::VectorXd& displacement, const ThetaScheme& scheme);
+template StepEnergy stepEnergy(const ThetaStep& step, const MassMatrix<3>& mass, const Eigen::VectorXd& load,
                                const Eigen::VectorXd& velocityBefore, const Eigen::VectorXd& velocityAfter,
                                const ThetaScheme& scheme);
 

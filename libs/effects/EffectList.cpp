@@ -2,10 +2,19 @@
 /// The list of effects, and how a case is read with it.
 #include "effects/EffectList.h"
 
+#include "assembly/CaseFile.h"
+#include "effects/Cohesion.h"
+#include "effects/Crushing.h"
 #include "effects/Deletion.h"
+#include "effects/Friction.h"
 #include "effects/JointBonds.h"
 #include "effects/JointElasticity.h"
+#include "effects/JointModel.h"
 #include "effects/MassDamping.h"
+#include "effects/Restitution.h"
+#include "effects/Tension.h"
+
+#include <fmt/format.h>
 
 namespace drystone
 {
@@ -13,8 +22,10 @@ namespace drystone
 template<int Dim>
 const std::vector<EffectType<Dim>>& effectTypes()
 {
-    static const std::vector<EffectType<Dim>> types{bondsType<Dim>(), elasticityType<Dim>(),
-                                                    dampingType<Dim>(), deletionType<Dim>()};
+    static const std::vector<EffectType<Dim>> types{
+        frictionType<Dim>(), restitutionType<Dim>(), cohesionType<Dim>(), tensionType<Dim>(),
+        crushingType<Dim>(), jointModelType<Dim>(),  bondsType<Dim>(),    elasticityType<Dim>(),
+        dampingType<Dim>(),  deletionType<Dim>()};
     return types;
 }
 
@@ -30,12 +41,36 @@ CaseEffects<Dim>::CaseEffects(const std::vector<EffectType<Dim>>& types)
 template<int Dim>
 void declare(Options& options, CaseEffects<Dim>& effects)
 {
-    declare(options, effects.contact);
     for (const DeclaredEffect<Dim>& effect : effects.declared)
     {
-        effect.declare(options);
+        effect.declare(options, effects.contact);
     }
 }
+
+namespace
+{
+
+/// The dictionary, with what is there of effects that are absent from this version refused.
+Dictionary readContactDictionary(const std::filesystem::path& caseDirectory)
+{
+    Dictionary dictionary = readCaseFile(caseDirectory, "constant/contactProperties",
+                                         "friction { type Coulomb; mu 0.65; flowRule associative; }");
+    for (const AbsentEffect& effect : absentEffects())
+    {
+        if (const Entry* entry = dictionary.findExact(effect.name))
+        {
+            throw FatalIOError(
+                fmt::format("This version does not simulate {} ({}). Remove the entry to compute "
+                            "without it; simulated are: friction restitution cohesion tension crushing "
+                            "elasticity damping deletion.",
+                            effect.name, effect.summary),
+                entry->location());
+        }
+    }
+    return dictionary;
+}
+
+} // namespace
 
 template<int Dim>
 CaseEffects<Dim> readCaseEffects(const std::filesystem::path& caseDirectory,
@@ -65,15 +100,48 @@ Effects<Dim> makeEffects(const CaseEffects<Dim>& read, const EffectSource<Dim>& 
 template<int Dim>
 EffectNames effectNames(const CaseEffects<Dim>& effects)
 {
-    EffectNames ofMotion;
+    EffectNames names;
     for (const DeclaredEffect<Dim>& effect : effects.declared)
     {
         if (!effect.name.empty())
         {
-            (effect.isGiven() ? ofMotion.simulated : ofMotion.absent).push_back(effect.name);
+            (effect.isGiven(effects.contact) ? names.simulated : names.absent).push_back(effect.name);
         }
     }
-    return effectNames(effects.contact, ofMotion);
+    for (const AbsentEffect& effect : absentEffects())
+    {
+        names.absent.emplace_back(effect.name);
+    }
+    return names;
+}
+
+ContactProperties readContactProperties(const std::filesystem::path& caseDirectory)
+{
+    return readCaseEffects<2>(caseDirectory).contact;
+}
+
+const std::vector<AbsentEffect>& absentEffects()
+{
+    static const std::vector<AbsentEffect> effects{
+        {"rollingResistance",
+         "a moment that resists rolling: blocks with corners touch at points and do not roll"},
+    };
+    return effects;
+}
+
+void refuseEffects(const std::filesystem::path& caseDirectory, const std::string& application,
+                   const std::vector<std::string>& names)
+{
+    const Dictionary dictionary = Dictionary::readFile(caseDirectory / "constant/contactProperties");
+    for (const std::string& name : names)
+    {
+        if (const Entry* entry = dictionary.findExact(name))
+        {
+            throw FatalIOError(fmt::format("{} does not simulate {}. Remove the entry to compute without it.",
+                                           application, name),
+                               entry->location());
+        }
+    }
 }
 
 EffectNames effectNamesAtRest(const ContactProperties& contact)

@@ -7,6 +7,7 @@
 #include "dictionary/EntryLocations.h"
 #include "effects/Effect.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 
@@ -31,8 +32,9 @@ template<int Dim>
 struct DeclaredEffect
 {
     std::string name; ///< of its sub-dictionary; empty: it follows from others
-    std::function<void(Options&)> declare;
-    std::function<bool()> isGiven; ///< once the dictionary was read
+    /// Its keys: of what joints carry into the contact properties, else into settings of its own.
+    std::function<void(Options&, ContactProperties&)> declare;
+    std::function<bool(const ContactProperties&)> isGiven; ///< once the dictionary was read
     /// \return null where the case does not have it \throws FatalIOError for what it does not go together
     /// with
     std::function<std::shared_ptr<const Effect<Dim>>(const EffectSource<Dim>&)> make;
@@ -51,11 +53,33 @@ EffectType<Dim> effectType(std::string name, std::string doc, Make make)
     {
         const auto settings = std::make_shared<std::optional<Settings>>();
         return DeclaredEffect<Dim>{
-            name, [name, doc, settings](Options& options) { options.optional(name, *settings, doc); },
-            [settings] { return settings->has_value(); },
+            name,
+            [name, doc, settings](Options& options, ContactProperties&)
+            { options.optional(name, *settings, doc); },
+            [settings](const ContactProperties&) { return settings->has_value(); },
             [make, settings](const EffectSource<Dim>& source) -> std::shared_ptr<const Effect<Dim>>
             { return *settings ? make(**settings, source) : nullptr; }};
     };
+}
+
+/// An effect whose settings are contact properties, which structures at rest have, too. \param make see
+/// DeclaredEffect; by default nothing: it is a parameter of the program, not a term
+template<int Dim>
+EffectType<Dim> jointEffectType(
+    std::string name, std::function<void(Options&, ContactProperties&)> declare,
+    std::function<bool(const ContactProperties&)> isGiven,
+    std::function<std::shared_ptr<const Effect<Dim>>(const EffectSource<Dim>&)> make =
+        [](const EffectSource<Dim>&) -> std::shared_ptr<const Effect<Dim>> { return nullptr; })
+{
+    return [name, declare, isGiven, make] { return DeclaredEffect<Dim>{name, declare, isGiven, make}; };
+}
+
+/// Whether some joint has a property of its own.
+template<class Property>
+bool isInJoints(const ContactProperties& contact, std::optional<Property> JointProperties::*property)
+{
+    return std::any_of(contact.joints.begin(), contact.joints.end(),
+                       [property](const auto& joint) { return (joint.second.*property).has_value(); });
 }
 
 /// All effects. A new one is a line here, and its two files.
@@ -86,10 +110,34 @@ template<int Dim>
 Effects<Dim> makeEffects(const CaseEffects<Dim>& read, const EffectSource<Dim>& source);
 
 /// The effects of a case, for the log: which are simulated and which are not.
+struct EffectNames
+{
+    std::vector<std::string> simulated;
+    std::vector<std::string> absent;
+};
 template<int Dim>
 EffectNames effectNames(const CaseEffects<Dim>& effects);
 
 /// Those of a limit analysis, which has none of motion.
 EffectNames effectNamesAtRest(const ContactProperties& contact);
+
+/// What the joints of a case carry, without the effects of motion. \throws as readCaseEffects
+ContactProperties readContactProperties(const std::filesystem::path& caseDirectory);
+
+/// An effect that constant/contactProperties knows and this version does not simulate.
+struct AbsentEffect
+{
+    std::string_view name;
+    std::string_view summary;
+};
+
+/// All of them: asking for one is an error, so that nobody takes a result for what it is not.
+const std::vector<AbsentEffect>& absentEffects();
+
+/// Refuses effects that an application does not simulate, so that nobody takes a result for what it is not.
+/// \param names of sub-dictionaries or entries of constant/contactProperties
+/// \throws FatalIOError for the first of them that the case gives
+void refuseEffects(const std::filesystem::path& caseDirectory, const std::string& application,
+                   const std::vector<std::string>& names);
 
 } // namespace drystone

@@ -335,17 +335,14 @@ std::string JointBonds<Dim>::stepText(const EffectState& before, const EffectSta
 template<int Dim>
 EffectType<Dim> bondsType()
 {
-    return []
-    {
-        return DeclaredEffect<Dim>{
-            "", [](Options&) {}, [] { return false; },
-            [](const EffectSource<Dim>& source) -> std::shared_ptr<const Effect<Dim>>
-            {
-                std::vector<Bond<Dim>> bonds =
-                    jointBonds(source.caseDirectory, source.contact, source.structure.assembly);
-                return bonds.empty() ? nullptr : std::make_shared<JointBonds<Dim>>(std::move(bonds));
-            }};
-    };
+    return jointEffectType<Dim>(
+        "", [](Options&, ContactProperties&) {}, [](const ContactProperties&) { return false; },
+        [](const EffectSource<Dim>& source) -> std::shared_ptr<const Effect<Dim>>
+        {
+            std::vector<Bond<Dim>> bonds =
+                jointBonds(source.caseDirectory, source.contact, source.structure.assembly);
+            return bonds.empty() ? nullptr : std::make_shared<JointBonds<Dim>>(std::move(bonds));
+        });
 }
 
 template class JointBonds<2>;

@@ -11,14 +11,14 @@ namespace drystone
 void declare(Options& options, ControlDictSettings& settings)
 {
     declare(options, settings.controls);
-    options.optional("functions", settings.functions, functionTypes(),
+    options.optional("functions", settings.functions, functionTypes<2>(),
                      "what is written beside the animation; each has a name of yours");
 }
 
-template<>
-FunctionList<2>::FunctionList(const Dictionary& dictionary, const std::filesystem::path& caseDirectory,
-                              const std::string& startName, const TimePoint& begin, double startTime,
-                              const Assembly<2>& assembly)
+template<int Dim>
+FunctionList<Dim>::FunctionList(const Dictionary& dictionary, const std::filesystem::path& caseDirectory,
+                                const std::string& startName, const TimePoint& begin, double startTime,
+                                const Assembly<Dim>& assembly)
 {
     for (const Entry& entry : dictionary.entries())
     {
@@ -39,7 +39,7 @@ FunctionList<2>::FunctionList(const Dictionary& dictionary, const std::filesyste
         }
         Function function;
         function.name = name;
-        function.plan = functionTypes().select(own);
+        function.plan = functionTypes<Dim>().select(own);
         if (!function.plan.enabled)
         {
             continue;
@@ -51,8 +51,8 @@ FunctionList<2>::FunctionList(const Dictionary& dictionary, const std::filesyste
     }
 }
 
-template<>
-void FunctionList<2>::write(const StepObservation<2>& step, const TimePoint& now)
+template<int Dim>
+void FunctionList<Dim>::write(const StepObservation<Dim>& step, const TimePoint& now)
 {
     for (Function& function : functions)
     {
@@ -68,8 +68,8 @@ void FunctionList<2>::write(const StepObservation<2>& step, const TimePoint& now
     }
 }
 
-template<>
-void FunctionList<2>::writeAlways(const StepObservation<2>& step)
+template<int Dim>
+void FunctionList<Dim>::writeAlways(const StepObservation<Dim>& step)
 {
     for (Function& function : functions)
     {
@@ -77,8 +77,8 @@ void FunctionList<2>::writeAlways(const StepObservation<2>& step)
     }
 }
 
-template<>
-double FunctionList<2>::timeToNextWrite(double time, double deltaT) const
+template<int Dim>
+double FunctionList<Dim>::timeToNextWrite(double time, double deltaT) const
 {
     double next = std::numeric_limits<double>::infinity();
     for (const Function& function : functions)
@@ -88,8 +88,8 @@ double FunctionList<2>::timeToNextWrite(double time, double deltaT) const
     return next;
 }
 
-template<>
-std::vector<std::string> FunctionList<2>::names() const
+template<int Dim>
+std::vector<std::string> FunctionList<Dim>::names() const
 {
     std::vector<std::string> result;
     for (const Function& function : functions)
@@ -98,5 +98,8 @@ std::vector<std::string> FunctionList<2>::names() const
     }
     return result;
 }
+
+template class FunctionList<2>;
+template class FunctionList<3>;
 
 } // namespace drystone

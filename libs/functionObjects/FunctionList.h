@@ -37,7 +37,8 @@ struct FunctionPlan
 };
 
 /// All types of function object: energy, blockMotion, contactForces, residuals.
-const Registry<FunctionPlan<2>>& functionTypes();
+template<int Dim>
+const Registry<FunctionPlan<Dim>>& functionTypes();
 
 /// system/controlDict as a whole, for -help and the annotated dictionaries: time reads the one part of it,
 /// function objects the other.

@@ -14,8 +14,8 @@
 namespace drystone
 {
 
-template<>
-void EnergyFunction<2>::write(const StepObservation<2>& step)
+template<int Dim>
+void EnergyFunction<Dim>::write(const StepObservation<Dim>& step)
 {
     if (!table)
     {
@@ -31,27 +31,31 @@ void EnergyFunction<2>::write(const StepObservation<2>& step)
                             energy.elastic, energy.dampingLoss});
 }
 
-template<>
-void BlockMotionFunction<2>::write(const StepObservation<2>& step)
+template<int Dim>
+void BlockMotionFunction<Dim>::write(const StepObservation<Dim>& step)
 {
     if (tables.empty())
     {
         for (const int block : blocks)
         {
+            const std::vector<std::string> ofPlane{"Time[s]", "ux[m]",   "uy[m]",    "rz[rad]",
+                                                   "vx[m/s]", "vy[m/s]", "wz[rad/s]"};
+            const std::vector<std::string> ofSpace{"Time[s]",   "ux[m]",     "uy[m]",    "uz[m]",   "rx[rad]",
+                                                   "ry[rad]",   "rz[rad]",   "vx[m/s]",  "vy[m/s]", "vz[m/s]",
+                                                   "wx[rad/s]", "wy[rad/s]", "wz[rad/s]"};
             tables.emplace_back(output.folder / fmt::format("block{}.dat", block),
-                                std::vector<std::string>{"Time[s]", "ux[m]", "uy[m]", "rz[rad]", "vx[m/s]",
-                                                         "vy[m/s]", "wz[rad/s]"},
-                                output.precision);
+                                Dim == 2 ? ofPlane : ofSpace, output.precision);
         }
     }
     for (std::size_t i = 0; i < blocks.size(); ++i)
     {
         const auto block = static_cast<std::size_t>(blocks[i]);
-        const Placement<2>& placement = step.placements[block];
-        const BlockVelocity<2>& velocity = step.velocities[block];
-        tables[i].write(std::array{step.time, placement.translation.x(), placement.translation.y(),
-                                   placement.rotation, velocity.linear.x(), velocity.linear.y(),
-                                   velocity.angular});
+        const Placement<Dim>& placement = step.placements[block];
+        const BlockVelocity<Dim>& velocity = step.velocities[block];
+        Eigen::Matrix<double, 1 + 2 * freedomCount<Dim>, 1> row;
+        row << step.time, placement.translation, rowsOf(placement.rotation), velocity.linear,
+            rowsOf(velocity.angular);
+        tables[i].write({row.data(), static_cast<std::size_t>(row.size())});
     }
 }
 
@@ -59,20 +63,22 @@ namespace
 {
 
 /// Force on the structure and its moment about the origin.
+template<int Dim>
 struct Reaction
 {
-    Vector<2> force = Vector<2>::Zero();
-    double moment = 0;
+    Vector<Dim> force = Vector<Dim>::Zero();
+    Eigen::Matrix<double, rotationCount<Dim>, 1> moment =
+        Eigen::Matrix<double, rotationCount<Dim>, 1>::Zero();
 };
 
-std::vector<Reaction> supportReactions(const StepObservation<2>& step)
+template<int Dim>
+std::vector<Reaction<Dim>> supportReactions(const StepObservation<Dim>& step)
 {
-    std::vector<Reaction> reactions(step.assembly->supports.size());
+    std::vector<Reaction<Dim>> reactions(step.assembly->supports.size());
     for (std::size_t i = 0; i < step.contactPoints.size(); ++i)
     {
-        const ContactPoint<2>& point = step.contactPoints[i];
-        const Vector<2> onBlock =
-            step.contactForces[i].x() * point.normal + step.contactForces[i].y() * tangent(point);
+        const ContactPoint<Dim>& point = step.contactPoints[i];
+        const Vector<Dim> onBlock = contactFrame(point) * step.contactForces[i];
         const auto supportOf = [&](int block)
         { return step.assembly->blocks[static_cast<std::size_t>(block)].support; };
         const int under = supportOf(point.neighbour);
@@ -82,18 +88,18 @@ std::vector<Reaction> supportReactions(const StepObservation<2>& step)
         {
             continue;
         }
-        Reaction& reaction = reactions[static_cast<std::size_t>(std::max(under, own))];
-        const Vector<2> force = own < 0 ? onBlock : Vector<2>(-onBlock);
+        Reaction<Dim>& reaction = reactions[static_cast<std::size_t>(std::max(under, own))];
+        const Vector<Dim> force = own < 0 ? onBlock : Vector<Dim>(-onBlock);
         reaction.force += force;
-        reaction.moment += cross(point.position, force);
+        reaction.moment += momentOf(point.position, force);
     }
     return reactions;
 }
 
 } // namespace
 
-template<>
-void ContactForcesFunction<2>::write(const StepObservation<2>& step)
+template<int Dim>
+void ContactForcesFunction<Dim>::write(const StepObservation<Dim>& step)
 {
     if (!table)
     {
@@ -106,7 +112,11 @@ void ContactForcesFunction<2>::write(const StepObservation<2>& step)
                                          "largestShearForce[N]"};
         for (const Support& support : step.assembly->supports)
         {
-            for (const char* component : {".x[N]", ".y[N]", ".moment[Nm]"})
+            const std::vector<std::string> components =
+                Dim == 2 ? std::vector<std::string>{".x[N]", ".y[N]", ".moment[Nm]"}
+                         : std::vector<std::string>{".x[N]",        ".y[N]",        ".z[N]",
+                                                    ".momentX[Nm]", ".momentY[Nm]", ".momentZ[Nm]"};
+            for (const std::string& component : components)
             {
                 columns.push_back(support.name + component);
             }
@@ -114,33 +124,41 @@ void ContactForcesFunction<2>::write(const StepObservation<2>& step)
         table.emplace(output.folder / "contactForces.dat", columns, output.precision);
         if (listing == ContactPointTable::all)
         {
-            points.emplace(output.folder / "points.dat",
-                           std::vector<std::string>{"Time[s]", "block[-]", "neighbour[-]", "x[m]", "y[m]",
-                                                    "gap[m]", "normalForce[N]", "shearForce[N]", "state[-]"},
-                           output.precision);
+            points.emplace(
+                output.folder / "points.dat",
+                Dim == 2
+                    ? std::vector<std::string>{"Time[s]", "block[-]", "neighbour[-]", "x[m]", "y[m]",
+                                               "gap[m]", "normalForce[N]", "shearForce[N]", "state[-]"}
+                    : std::vector<std::string>{"Time[s]", "block[-]", "neighbour[-]", "x[m]", "y[m]", "z[m]",
+                                               "gap[m]", "normalForce[N]", "shearForce[N]", "state[-]"},
+                output.precision);
         }
     }
 
     double largestNormal = 0;
     double largestShear = 0;
-    for (const Vector<2>& force : step.contactForces)
+    for (const Vector<Dim>& force : step.contactForces)
     {
         largestNormal = std::max(largestNormal, force.x());
-        largestShear = std::max(largestShear, std::abs(force.y()));
+        largestShear = std::max(largestShear, force.template tail<Dim - 1>().norm());
     }
     const std::vector<ContactState> states =
         contactStates(step.contactForces, step.frictionCoefficients, step.cohesions);
     std::array<int, 3> counts{};
     for (std::size_t i = 0; i < step.contactPoints.size(); ++i)
     {
-        const ContactPoint<2>& point = step.contactPoints[i];
-        const Vector<2>& force = step.contactForces[i];
+        const ContactPoint<Dim>& point = step.contactPoints[i];
+        const Vector<Dim>& force = step.contactForces[i];
         const auto state = static_cast<int>(states[i]);
         ++counts[static_cast<std::size_t>(state)];
         if (points)
         {
-            points->write(std::array{step.time, 1.0 * point.block, 1.0 * point.neighbour, point.position.x(),
-                                     point.position.y(), point.gap, force.x(), force.y(), 1.0 * state});
+            // In the plane shear has a sign, in space a size.
+            const double shear = Dim == 2 ? force[1] : force.template tail<Dim - 1>().norm();
+            Eigen::Matrix<double, 7 + Dim, 1> row;
+            row << step.time, 1.0 * point.block, 1.0 * point.neighbour, point.position, point.gap, force.x(),
+                shear, 1.0 * state;
+            points->write({row.data(), static_cast<std::size_t>(row.size())});
         }
     }
 
@@ -148,15 +166,16 @@ void ContactForcesFunction<2>::write(const StepObservation<2>& step)
                             1.0 * counts[0], 1.0 * counts[1],
                             1.0 * counts[2], largestNormal,
                             largestShear};
-    for (const Reaction& reaction : supportReactions(step))
+    for (const Reaction<Dim>& reaction : supportReactions(step))
     {
-        row.insert(row.end(), {reaction.force.x(), reaction.force.y(), reaction.moment});
+        row.insert(row.end(), reaction.force.begin(), reaction.force.end());
+        row.insert(row.end(), reaction.moment.begin(), reaction.moment.end());
     }
     table->write(row);
 }
 
-template<>
-void ResidualsFunction<2>::write(const StepObservation<2>& step)
+template<int Dim>
+void ResidualsFunction<Dim>::write(const StepObservation<Dim>& step)
 {
     if (!table)
     {
@@ -173,8 +192,8 @@ void ResidualsFunction<2>::write(const StepObservation<2>& step)
                             1.0 * r.retries, r.flowError});
 }
 
-template<>
-void StageTimesFunction<2>::write(const StepObservation<2>& step)
+template<int Dim>
+void StageTimesFunction<Dim>::write(const StepObservation<Dim>& step)
 {
     if (!step.stageTimes)
     {
@@ -200,5 +219,16 @@ void StageTimesFunction<2>::write(const StepObservation<2>& step)
     row.insert(row.end(), step.stageTimes->seconds.begin(), step.stageTimes->seconds.end());
     table->write(row);
 }
+
+template class EnergyFunction<2>;
+template class BlockMotionFunction<2>;
+template class ContactForcesFunction<2>;
+template class ResidualsFunction<2>;
+template class StageTimesFunction<2>;
+template class EnergyFunction<3>;
+template class BlockMotionFunction<3>;
+template class ContactForcesFunction<3>;
+template class ResidualsFunction<3>;
+template class StageTimesFunction<3>;
 
 } // namespace drystone

@@ -11,7 +11,8 @@ namespace
 {
 
 /// Keys that every function object takes.
-void declareCommon(Options& options, FunctionPlan<2>& plan)
+template<int Dim>
+void declareCommon(Options& options, FunctionPlan<Dim>& plan)
 {
     options.optional("enabled", plan.enabled, "whether the function is carried out");
     declare(options, plan.control);
@@ -23,20 +24,22 @@ void declareCommon(Options& options, FunctionPlan<2>& plan)
 }
 
 /// Settings of a function without keys of its own.
+template<int Dim>
 struct PlainSettings
 {
-    FunctionPlan<2> plan;
+    FunctionPlan<Dim> plan;
 };
 
-void declare(Options& options, PlainSettings& settings)
+template<int Dim>
+void declare(Options& options, PlainSettings<Dim>& settings)
 {
     declareCommon(options, settings.plan);
 }
 
-template<class Function>
-FunctionPlan<2> planPlain(PlainSettings settings)
+template<int Dim, class Function>
+FunctionPlan<Dim> planPlain(PlainSettings<Dim> settings)
 {
-    settings.plan.make = [](FunctionOutput output, const Assembly<2>&)
+    settings.plan.make = [](FunctionOutput output, const Assembly<Dim>&)
     { return std::make_unique<Function>(std::move(output)); };
     return settings.plan;
 }
@@ -59,23 +62,26 @@ void read(TokenCursor& cursor, BlockSelection& selection)
     drystone::read(cursor, selection.indices);
 }
 
+template<int Dim>
 struct BlockMotionSettings
 {
-    FunctionPlan<2> plan;
+    FunctionPlan<Dim> plan;
     BlockSelection blocks;
 };
 
-void declare(Options& options, BlockMotionSettings& settings)
+template<int Dim>
+void declare(Options& options, BlockMotionSettings<Dim>& settings)
 {
     options.required("blocks", settings.blocks, "indices of the blocks to follow, or all").example("(3 7)");
     declareCommon(options, settings.plan);
 }
 
-FunctionPlan<2> planBlockMotion(BlockMotionSettings settings, const Dictionary& dictionary)
+template<int Dim>
+FunctionPlan<Dim> planBlockMotion(BlockMotionSettings<Dim> settings, const Dictionary& dictionary)
 {
     const SourceLocation location = dictionary.locationOf("blocks");
     settings.plan.make =
-        [selection = settings.blocks, location](FunctionOutput output, const Assembly<2>& assembly)
+        [selection = settings.blocks, location](FunctionOutput output, const Assembly<Dim>& assembly)
     {
         const int count = static_cast<int>(assembly.blocks.size());
         std::vector<int> blocks = selection.indices;
@@ -92,51 +98,58 @@ FunctionPlan<2> planBlockMotion(BlockMotionSettings settings, const Dictionary& 
                     location);
             }
         }
-        return std::make_unique<BlockMotionFunction<2>>(std::move(output), std::move(blocks));
+        return std::make_unique<BlockMotionFunction<Dim>>(std::move(output), std::move(blocks));
     };
     return settings.plan;
 }
 
+template<int Dim>
 struct ContactForcesSettings
 {
-    FunctionPlan<2> plan;
+    FunctionPlan<Dim> plan;
     bool points = false;
 };
 
-void declare(Options& options, ContactForcesSettings& settings)
+template<int Dim>
+void declare(Options& options, ContactForcesSettings<Dim>& settings)
 {
     options.optional("points", settings.points, "also list each contact point, in points.dat");
     declareCommon(options, settings.plan);
 }
 
-FunctionPlan<2> planContactForces(ContactForcesSettings settings)
+template<int Dim>
+FunctionPlan<Dim> planContactForces(ContactForcesSettings<Dim> settings)
 {
     const auto table = settings.points ? ContactPointTable::all : ContactPointTable::none;
-    settings.plan.make = [table](FunctionOutput output, const Assembly<2>&)
-    { return std::make_unique<ContactForcesFunction<2>>(std::move(output), table); };
+    settings.plan.make = [table](FunctionOutput output, const Assembly<Dim>&)
+    { return std::make_unique<ContactForcesFunction<Dim>>(std::move(output), table); };
     return settings.plan;
 }
 
 } // namespace
 
-const Registry<FunctionPlan<2>>& functionTypes()
+template<int Dim>
+const Registry<FunctionPlan<Dim>>& functionTypes()
 {
-    static const Registry<FunctionPlan<2>> registry{
+    static const Registry<FunctionPlan<Dim>> registry{
         "function",
-        {model<FunctionPlan<2>, PlainSettings>("energy", "the energy ledger and its imbalance",
-                                               planPlain<EnergyFunction<2>>),
-         model<FunctionPlan<2>, BlockMotionSettings>("blockMotion", "placement and velocity of some blocks",
-                                                     planBlockMotion),
-         model<FunctionPlan<2>, ContactForcesSettings>(
+        {model<FunctionPlan<Dim>, PlainSettings<Dim>>("energy", "the energy ledger and its imbalance",
+                                                      planPlain<Dim, EnergyFunction<Dim>>),
+         model<FunctionPlan<Dim>, BlockMotionSettings<Dim>>(
+             "blockMotion", "placement and velocity of some blocks", planBlockMotion<Dim>),
+         model<FunctionPlan<Dim>, ContactForcesSettings<Dim>>(
              "contactForces",
              "contact points and reactions of supports, means over the step with the impulses of impacts",
-             planContactForces),
-         model<FunctionPlan<2>, PlainSettings>("residuals", "convergence of the solver",
-                                               planPlain<ResidualsFunction<2>>),
-         model<FunctionPlan<2>, PlainSettings>("stageTimes",
-                                               "elapsed time that each stage of the steps takes",
-                                               planPlain<StageTimesFunction<2>>)}};
+             planContactForces<Dim>),
+         model<FunctionPlan<Dim>, PlainSettings<Dim>>("residuals", "convergence of the solver",
+                                                      planPlain<Dim, ResidualsFunction<Dim>>),
+         model<FunctionPlan<Dim>, PlainSettings<Dim>>("stageTimes",
+                                                      "elapsed time that each stage of the steps takes",
+                                                      planPlain<Dim, StageTimesFunction<Dim>>)}};
     return registry;
 }
+
+template const Registry<FunctionPlan<2>>& functionTypes<2>();
+template const Registry<FunctionPlan<3>>& functionTypes<3>();
 
 } // namespace drystone

@@ -44,8 +44,9 @@ const char* const noInput = "does not say from which input it was computed: an o
 
 } // namespace
 
-std::vector<InputFile> inputOfMotion(const std::filesystem::path& caseDirectory, const DynamicCase<2>& scene,
-                                     const Time& time)
+template<int Dim>
+std::vector<InputFile> inputOfMotion(const std::filesystem::path& caseDirectory,
+                                     const DynamicCase<Dim>& scene, const Time& time)
 {
     std::vector<InputFile> files =
         inputOf(caseDirectory, scene.assembly, "contactDynamics",
@@ -177,5 +178,10 @@ void compareWithInput(const std::filesystem::path& file, const std::vector<Input
                      {file.string(), "", 0});
     }
 }
+
+template std::vector<InputFile> inputOfMotion(const std::filesystem::path& caseDirectory,
+                                              const DynamicCase<2>& scene, const Time& time);
+template std::vector<InputFile> inputOfMotion(const std::filesystem::path& caseDirectory,
+                                              const DynamicCase<3>& scene, const Time& time);
 
 } // namespace drystone

@@ -16,8 +16,9 @@ namespace drystone
 /// What a motion follows from: the assembly, constant/, the motion that it began with, system/schemes,
 /// contactDynamics in system/solution, and the steps of system/controlDict. What only says how long to run
 /// and what to write is not in it.
-std::vector<InputFile> inputOfMotion(const std::filesystem::path& caseDirectory, const DynamicCase<2>& scene,
-                                     const Time& time);
+template<int Dim>
+std::vector<InputFile> inputOfMotion(const std::filesystem::path& caseDirectory,
+                                     const DynamicCase<Dim>& scene, const Time& time);
 
 /// The last of them: the steps of controlDict, which may be read again while a run goes on.
 InputFile inputOfSteps(const Time& time);

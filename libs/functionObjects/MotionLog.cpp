@@ -20,7 +20,8 @@ double worst(const StepResiduals& residuals)
 
 } // namespace
 
-void printScene(const DynamicCase<2>& scene, const Motion<2>& motion, const Time& time,
+template<int Dim>
+void printScene(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const Time& time,
                 const std::vector<std::string>& functions)
 {
     auto [simulated, absent] = scene.effectNames;
@@ -29,14 +30,15 @@ void printScene(const DynamicCase<2>& scene, const Motion<2>& motion, const Time
     (scene.schemes.smallDisplacements ? absent : simulated).emplace_back("largeDisplacements");
     printEffects(simulated, absent);
     info("{}", summary(scene.groundMotion));
-    info("Blocks: {} free, contact points: {}", scene.mass.size() / 3, motion.points.size());
-    printClosure(scene.assembly);
-    if (scene.contact.friction)
+    info("Blocks: {} free, contact points: {}", scene.mass.size() / freedomCount<Dim>, motion.points.size());
+    if (Dim == 3 && motion.contacts)
     {
-        info("Friction: mu {:g}, flow rule {}", scene.contact.friction->mu,
-             scene.contact.friction->flowRule == FlowRule::associative
-                 ? "associative (a joint that slides opens)"
-                 : "nonAssociative (Coulomb)");
+        info("Contacts: those of the start, followed; motion in space finds no new ones");
+    }
+    printClosure(scene.assembly);
+    if (const std::string text = frictionText(scene.contact); !text.empty())
+    {
+        info("{}", text);
     }
     for (std::size_t i = 0; i < scene.effects.size(); ++i)
     {
@@ -60,7 +62,8 @@ void printScene(const DynamicCase<2>& scene, const Motion<2>& motion, const Time
     printLine();
 }
 
-void printStep(const DynamicCase<2>& scene, const Motion<2>& motion)
+template<int Dim>
+void printStep(const DynamicCase<Dim>& scene, const Motion<Dim>& motion)
 {
     const StepResiduals& residuals = motion.residuals;
     info("{}:  Solving for contact, Initial residual = {:.6g}, Final residual = {:.6g}, No Iterations {}",
@@ -91,12 +94,13 @@ void printStep(const DynamicCase<2>& scene, const Motion<2>& motion)
     }
 }
 
-void printIntegrationError(const DynamicCase<2>& scene, const Motion<2>& motion)
+template<int Dim>
+void printIntegrationError(const DynamicCase<Dim>& scene, const Motion<Dim>& motion)
 {
     const double theta = scene.schemes.timeIntegration.theta;
     // What rounding moves a structure that stands still by says nothing: the energy of a fall by as little.
     constexpr double rounding = 1e-12;
-    const double fall = rounding * scene.blockSize * scene.deadLoad.lpNorm<1>();
+    const double fall = rounding * scene.blockSize * scene.deadLoad.template lpNorm<1>();
     if (theta > 0.5 && motion.largestKinetic > fall)
     {
         info("Estimated error of the time integration: theta {:g} has dissipated {:.3g} J outside impacts, "
@@ -122,23 +126,25 @@ namespace
 {
 
 /// By how far the velocities now and the loads would take the block that is fastest in one step [m].
-double farthestInOneStep(const DynamicCase<2>& scene, const Motion<2>& motion, const Time& time)
+template<int Dim>
+double farthestInOneStep(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const Time& time)
 {
     const double timeStep = time.controls().deltaT;
     const Eigen::VectorXd load =
         loadUnder(scene, meanGroundAcceleration(scene.groundMotion, time.value(), time.value() + timeStep));
     double farthest = 0;
-    for (Eigen::Index row = 0; row < load.size(); row += 3)
+    for (Eigen::Index row = 0; row < load.size(); row += freedomCount<Dim>)
     {
-        const Vector<2> displacement =
-            timeStep
-            * (motion.state.velocity.segment<2>(row) + timeStep / scene.mass[row] * load.segment<2>(row));
+        const Vector<Dim> displacement = timeStep
+                                         * (motion.state.velocity.template segment<Dim>(row)
+                                            + timeStep / scene.mass[row] * load.template segment<Dim>(row));
         farthest = std::max(farthest, displacement.norm());
     }
     return farthest;
 }
 
-std::string stepWithoutEnd(const DynamicCase<2>& scene, const Motion<2>& motion, const Time& time)
+template<int Dim>
+std::string stepWithoutEnd(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const Time& time)
 {
     const double farthest = farthestInOneStep(scene, motion, time);
     return fmt::format(
@@ -150,7 +156,7 @@ std::string stepWithoutEnd(const DynamicCase<2>& scene, const Motion<2>& motion,
         "small "
         "part of their size in a step, or raise maximumFactorisations in system/solution/contactDynamics.",
         time.name(), scene.solution.maximumFactorisations, motion.work.attempts - 1, motion.work.mostPoints,
-        scene.mass.size() / 3, time.controls().deltaT, farthest, farthest / scene.blockSize);
+        scene.mass.size() / freedomCount<Dim>, time.controls().deltaT, farthest, farthest / scene.blockSize);
 }
 
 } // namespace
@@ -182,7 +188,8 @@ void printStopOrEnd(const Time& time)
     std::fflush(stdout);
 }
 
-std::string unsolvedStep(const DynamicCase<2>& scene, const Motion<2>& motion, const Time& time)
+template<int Dim>
+std::string unsolvedStep(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const Time& time)
 {
     if (motion.work.isUsedUp())
     {
@@ -197,5 +204,16 @@ std::string unsolvedStep(const DynamicCase<2>& scene, const Motion<2>& motion, c
         scene.solution.solver == SolverType::gaussSeidel ? "maximumSweeps, or choose another solver,"
                                                          : "maximumIterations");
 }
+
+template void printScene(const DynamicCase<2>& scene, const Motion<2>& motion, const Time& time,
+                         const std::vector<std::string>& functions);
+template void printStep(const DynamicCase<2>& scene, const Motion<2>& motion);
+template void printIntegrationError(const DynamicCase<2>& scene, const Motion<2>& motion);
+template std::string unsolvedStep(const DynamicCase<2>& scene, const Motion<2>& motion, const Time& time);
+template void printScene(const DynamicCase<3>& scene, const Motion<3>& motion, const Time& time,
+                         const std::vector<std::string>& functions);
+template void printStep(const DynamicCase<3>& scene, const Motion<3>& motion);
+template void printIntegrationError(const DynamicCase<3>& scene, const Motion<3>& motion);
+template std::string unsolvedStep(const DynamicCase<3>& scene, const Motion<3>& motion, const Time& time);
 
 } // namespace drystone

@@ -11,14 +11,17 @@ namespace drystone
 {
 
 /// Before the first step: effects, ground motion with its peak, duration and unit, schemes, size, functions.
-void printScene(const DynamicCase<2>& scene, const Motion<2>& motion, const Time& time,
+template<int Dim>
+void printScene(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const Time& time,
                 const std::vector<std::string>& functions);
 
 /// `interiorPoint:  Solving for contact, Initial residual = .., Final residual = .., No Iterations ..`
-void printStep(const DynamicCase<2>& scene, const Motion<2>& motion);
+template<int Dim>
+void printStep(const DynamicCase<Dim>& scene, const Motion<Dim>& motion);
 
 /// After the last step: what theta above 1/2 has dissipated outside impacts, as an estimate of the error.
-void printIntegrationError(const DynamicCase<2>& scene, const Motion<2>& motion);
+template<int Dim>
+void printIntegrationError(const DynamicCase<Dim>& scene, const Motion<Dim>& motion);
 
 /// After the last step: the time that each stage of the steps has taken, and its part of all.
 void printStageTimes(const StageTimes& times);
@@ -27,6 +30,7 @@ void printStageTimes(const StageTimes& times);
 void printStopOrEnd(const Time& time);
 
 /// Why a run ends here, and what may repair it.
-std::string unsolvedStep(const DynamicCase<2>& scene, const Motion<2>& motion, const Time& time);
+template<int Dim>
+std::string unsolvedStep(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const Time& time);
 
 } // namespace drystone

@@ -49,11 +49,25 @@ void visitResiduals(Residuals& residuals, const Visit& visit)
     visit("solverRetries", residuals.retries);
 }
 
+/// The vector with this index in a list of them.
+template<int Size>
+Eigen::Matrix<double, Size, 1> vectorAt(const std::vector<double>& values, std::size_t index)
+{
+    return Eigen::Map<const Eigen::Matrix<double, Size, 1>>(&values[Size * index]);
+}
+
+template<class Derived>
+void append(std::vector<double>& values, const Eigen::MatrixBase<Derived>& vector)
+{
+    values.insert(values.end(), vector.derived().begin(), vector.derived().end());
+}
+
 /// The integers that identify corner and edge of one contact point.
 constexpr std::size_t featureNumbers = 5;
 
-FunctionList<2> readFunctions(const std::filesystem::path& caseDirectory, const DynamicCase<2>& scene,
-                              Time& time, FunctionObjects functionObjects)
+template<int Dim>
+FunctionList<Dim> readFunctions(const std::filesystem::path& caseDirectory, const DynamicCase<Dim>& scene,
+                                Time& time, FunctionObjects functionObjects)
 {
     const Dictionary* functions = time.controlDict().findDict("functions");
     if (!functions || functionObjects == FunctionObjects::none)
@@ -80,21 +94,23 @@ TimeState timeOf(const State& saved)
 }
 
 /// The motion stored in a state.
-Motion<2> motionOf(const DynamicCase<2>& scene, const State& saved)
+template<int Dim>
+Motion<Dim> motionOf(const DynamicCase<Dim>& scene, const State& saved)
 {
-    DynamicState<2> state = stateAtRest(scene.assembly);
+    DynamicState<Dim> state = stateAtRest(scene.assembly);
     state.time = stateScalar(saved, "time");
     const std::size_t blocks = state.placements.size();
-    const auto& translation = stateArray(saved, "translation", 2 * blocks);
-    const auto& rotation = stateArray(saved, "rotation", blocks);
+    const auto& translation = stateArray(saved, "translation", Dim * blocks);
+    const auto& rotation = stateArray(saved, "rotation", rotationCount<Dim> * blocks);
     for (std::size_t block = 0; block < blocks; ++block)
     {
-        state.placements[block] = {{translation[2 * block], translation[2 * block + 1]}, rotation[block]};
+        state.placements[block] = {vectorAt<Dim>(translation, block),
+                                   turnOf<Dim>(vectorAt<rotationCount<Dim>>(rotation, block))};
     }
     const auto& velocity = stateArray(saved, "velocity", static_cast<std::size_t>(state.velocity.size()));
     state.velocity = Eigen::Map<const Eigen::VectorXd>(velocity.data(), state.velocity.size());
 
-    Motion<2> motion = startMotion(scene, std::move(state));
+    Motion<Dim> motion = startMotion(scene, std::move(state));
     visitLedger(motion.energy, [&](const char* name, double& value) { value = stateScalar(saved, name); });
     visitResiduals(motion.residuals, [&](const char* name, auto& value)
                    { value = static_cast<std::decay_t<decltype(value)>>(stateScalar(saved, name)); });
@@ -102,36 +118,36 @@ Motion<2> motionOf(const DynamicCase<2>& scene, const State& saved)
     const std::size_t points = gapsThere == saved.arrays.end() ? 0 : gapsThere->second.size();
     const auto& gaps = stateArray(saved, "contactGap", points);
     const auto& features = stateArray(saved, "contactFeature", featureNumbers * points);
-    const auto& forces = stateArray(saved, "contactForce", 2 * points);
+    const auto& forces = stateArray(saved, "contactForce", Dim * points);
     if (!motion.contacts && motion.points.size() != points)
     {
         throw FatalError(fmt::format("{} has {} contact points, the structure as built {}: with "
                                      "`smallDisplacements yes;` they must be the same. Start from time 0.",
                                      saved.file.string(), points, motion.points.size()));
     }
-    const auto& positions = stateArray(saved, "contactPosition", 2 * points);
-    const auto& normals = stateArray(saved, "contactNormal", 2 * points);
+    const auto& positions = stateArray(saved, "contactPosition", Dim * points);
+    const auto& normals = stateArray(saved, "contactNormal", Dim * points);
     motion.points.resize(points);
     motion.contactForces.resize(points);
     for (std::size_t i = 0; i < points; ++i)
     {
-        ContactPoint<2>& point = motion.points[i];
+        ContactPoint<Dim>& point = motion.points[i];
         const double* numbers = &features[featureNumbers * i];
         point.block = static_cast<int>(numbers[0]);
         point.neighbour = static_cast<int>(numbers[1]);
         point.feature = {static_cast<int>(numbers[2]), static_cast<int>(numbers[3]),
                          static_cast<int>(numbers[4])};
         point.gap = gaps[i];
-        point.position = {positions[2 * i], positions[2 * i + 1]};
-        point.normal = {normals[2 * i], normals[2 * i + 1]};
-        motion.contactForces[i] = {forces[2 * i], forces[2 * i + 1]};
+        point.position = vectorAt<Dim>(positions, i);
+        point.normal = vectorAt<Dim>(normals, i);
+        motion.contactForces[i] = vectorAt<Dim>(forces, i);
     }
     if (saved.arrays.contains("contactForceMean")) // else the same
     {
-        const auto& means = stateArray(saved, "contactForceMean", 2 * points);
+        const auto& means = stateArray(saved, "contactForceMean", Dim * points);
         for (std::size_t i = 0; i < points; ++i)
         {
-            motion.meanForces.emplace_back(means[2 * i], means[2 * i + 1]);
+            motion.meanForces.push_back(vectorAt<Dim>(means, i));
         }
     }
     if (saved.arrays.contains("interiorForce"))
@@ -141,7 +157,7 @@ Motion<2> motionOf(const DynamicCase<2>& scene, const State& saved)
             const auto& values = stateArray(saved, name, static_cast<std::size_t>(size));
             return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(values.data(), size));
         };
-        const auto ofPoints = 2 * static_cast<Eigen::Index>(points);
+        const auto ofPoints = Dim * static_cast<Eigen::Index>(points);
         motion.interior = {vectorOf("interiorForce", ofPoints), vectorOf("interiorOpening", ofPoints),
                            vectorOf("interiorDisplacement", motion.state.velocity.size())};
     }
@@ -155,14 +171,16 @@ Motion<2> motionOf(const DynamicCase<2>& scene, const State& saved)
 
 } // namespace
 
-void writePrograms(DynamicCase<2>& scene, const std::filesystem::path& caseDirectory, const Time& time)
+template<int Dim>
+void writePrograms(DynamicCase<Dim>& scene, const std::filesystem::path& caseDirectory, const Time& time)
 {
     scene.solution.observer = programWriter(
         scene.solution.writeProgram, [caseDirectory, &time]
         { return postProcessingFolder(caseDirectory, "contactDynamics", time.name()) / "coneProgram"; });
 }
 
-State stateOf(const DynamicCase<2>& scene, const Motion<2>& motion, const Time& time)
+template<int Dim>
+State stateOf(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const Time& time)
 {
     State state;
     const TimeState now = time.state();
@@ -179,10 +197,10 @@ State stateOf(const DynamicCase<2>& scene, const Motion<2>& motion, const Time& 
     visitLedger(motion.energy, [&](const char* name, double value) { state.scalars[name] = value; });
     auto& translation = state.arrays["translation"];
     auto& rotation = state.arrays["rotation"];
-    for (const Placement<2>& placement : motion.state.placements)
+    for (const Placement<Dim>& placement : motion.state.placements)
     {
-        translation.insert(translation.end(), {placement.translation.x(), placement.translation.y()});
-        rotation.push_back(placement.rotation);
+        append(translation, placement.translation);
+        append(rotation, rowsOf(placement.rotation));
     }
     state.arrays["velocity"].assign(motion.state.velocity.begin(), motion.state.velocity.end());
     for (std::size_t i = 0; i < scene.effects.size(); ++i)
@@ -196,21 +214,20 @@ State stateOf(const DynamicCase<2>& scene, const Motion<2>& motion, const Time& 
     auto& normals = state.arrays["contactNormal"];
     for (std::size_t i = 0; i < motion.points.size(); ++i)
     {
-        const ContactPoint<2>& point = motion.points[i];
+        const ContactPoint<Dim>& point = motion.points[i];
         for (const int number : {point.block, point.neighbour, point.feature.vertexBlock,
                                  point.feature.vertex, point.feature.edge})
         {
             features.push_back(number);
         }
         gaps.push_back(point.gap);
-        positions.insert(positions.end(), {point.position.x(), point.position.y()});
-        normals.insert(normals.end(), {point.normal.x(), point.normal.y()});
-        forces.insert(forces.end(), {motion.contactForces[i].x(), motion.contactForces[i].y()});
+        append(positions, point.position);
+        append(normals, point.normal);
+        append(forces, motion.contactForces[i]);
     }
-    for (const Vector<2>& mean : motion.meanForces)
+    for (const Vector<Dim>& mean : motion.meanForces)
     {
-        auto& means = state.arrays["contactForceMean"];
-        means.insert(means.end(), {mean.x(), mean.y()});
+        append(state.arrays["contactForceMean"], mean);
     }
     if (const InteriorStart& interior = motion.interior; !interior.isEmpty())
     {
@@ -222,7 +239,9 @@ State stateOf(const DynamicCase<2>& scene, const Motion<2>& motion, const Time& 
     return state;
 }
 
-Motion<2> startOrContinue(const std::filesystem::path& caseDirectory, const DynamicCase<2>& scene, Time& time)
+template<int Dim>
+Motion<Dim> startOrContinue(const std::filesystem::path& caseDirectory, const DynamicCase<Dim>& scene,
+                            Time& time)
 {
     const std::string startName = time.startName();
     const std::filesystem::path file = caseDirectory / startName / "state";
@@ -251,7 +270,8 @@ Motion<2> startOrContinue(const std::filesystem::path& caseDirectory, const Dyna
     return motionOf(scene, saved);
 }
 
-void postProcess(const std::filesystem::path& caseDirectory, const DynamicCase<2>& scene, const Time& time)
+template<int Dim>
+void postProcess(const std::filesystem::path& caseDirectory, const DynamicCase<Dim>& scene, const Time& time)
 {
     std::vector<std::pair<std::string, State>> states;
     for (const TimeDirectory& directory : timeDirectories(caseDirectory))
@@ -270,13 +290,13 @@ void postProcess(const std::filesystem::path& caseDirectory, const DynamicCase<2
     compareWithInput(states, inputOfMotion(caseDirectory, scene, time));
     const Dictionary functions =
         time.controlDict().found("functions") ? time.controlDict().subDict("functions") : Dictionary();
-    FunctionList<2> list(functions, caseDirectory, states.front().first, {}, 0, scene.assembly);
-    ObservedLists<2> lists;
+    FunctionList<Dim> list(functions, caseDirectory, states.front().first, {}, 0, scene.assembly);
+    ObservedLists<Dim> lists;
     for (const auto& [name, saved] : states)
     {
         info("Time = {}", name);
-        const Motion<2> motion = motionOf(scene, saved);
-        StepObservation<2> seen = observe(scene, motion, time, lists);
+        const Motion<Dim> motion = motionOf(scene, saved);
+        StepObservation<Dim> seen = observe(scene, motion, time, lists);
         const TimeState then = timeOf(saved);
         seen.time = then.value;
         seen.timeStep = stateScalar(saved, "stepLength");
@@ -286,8 +306,10 @@ void postProcess(const std::filesystem::path& caseDirectory, const DynamicCase<2
     }
 }
 
-MotionResults::MotionResults(std::filesystem::path directory, const DynamicCase<2>& dynamicCase,
-                             const Motion<2>& currentMotion, Time& runTime, FunctionObjects functionObjects)
+template<int Dim>
+MotionResults<Dim>::MotionResults(std::filesystem::path directory, const DynamicCase<Dim>& dynamicCase,
+                                  const Motion<Dim>& currentMotion, Time& runTime,
+                                  FunctionObjects functionObjects)
     : caseDirectory(std::move(directory)),
       scene(dynamicCase),
       motion(currentMotion),
@@ -304,9 +326,10 @@ MotionResults::MotionResults(std::filesystem::path directory, const DynamicCase<
                     { return functionList.timeToNextWrite(value, deltaT); });
 }
 
-void MotionResults::write()
+template<int Dim>
+void MotionResults<Dim>::write()
 {
-    ObservedLists<2> lists;
+    ObservedLists<Dim> lists;
     functionList.write(observe(scene, motion, time, lists), time.point());
     if (time.isWriteTime())
     {
@@ -314,7 +337,8 @@ void MotionResults::write()
     }
 }
 
-void MotionResults::writeNow()
+template<int Dim>
+void MotionResults<Dim>::writeNow()
 {
     State state = stateOf(scene, motion, time);
     input.back() = inputOfSteps(time); // controlDict may have been read again
@@ -323,19 +347,23 @@ void MotionResults::writeNow()
     writeFrames();
 }
 
-void MotionResults::writeFrames()
+template<int Dim>
+void MotionResults<Dim>::writeFrames()
 {
     std::vector<double> velocities;
     std::vector<double> angular;
     for (const int free : scene.free)
     {
-        const Eigen::Vector3d velocity =
-            free >= 0 ? Eigen::Vector3d(motion.state.velocity.segment<3>(3 * free)) : Eigen::Vector3d::Zero();
-        velocities.insert(velocities.end(), {velocity.x(), velocity.y()});
-        angular.push_back(velocity.z());
+        BlockVector<Dim> velocity = BlockVector<Dim>::Zero();
+        if (free >= 0)
+        {
+            velocity = motion.state.velocity.template segment<freedomCount<Dim>>(freedomCount<Dim> * free);
+        }
+        append(velocities, velocity.template head<Dim>());
+        append(angular, velocity.template tail<rotationCount<Dim>>());
     }
-    std::vector<Field> fields{{"velocity", 2, std::move(velocities)},
-                              {"angularVelocity", 1, std::move(angular)}};
+    std::vector<Field> fields{{"velocity", Dim, std::move(velocities)},
+                              {"angularVelocity", rotationCount<Dim>, std::move(angular)}};
     for (std::size_t i = 0; i < scene.effects.size(); ++i)
     {
         for (EffectField& field : scene.effects[i]->blockFields(motion.effectStates[i]))
@@ -345,7 +373,7 @@ void MotionResults::writeFrames()
     }
     blocks.write(time.value(), blockFrame(scene.assembly, motion.state.placements, std::move(fields)));
     const std::vector<double> friction = frictionAt(scene, motion.points);
-    const std::vector<Vector<2>>& forces = meanContactForces(motion);
+    const std::vector<Vector<Dim>>& forces = meanContactForces(motion);
     std::vector<double> cohesion;
     std::vector<Field> pointFields;
     if (traitsOf(scene.effects).holdsJoints)
@@ -363,12 +391,30 @@ void MotionResults::writeFrames()
                                 std::move(pointFields)));
 }
 
-void MotionResults::writeFirstFrames()
+template<int Dim>
+void MotionResults<Dim>::writeFirstFrames()
 {
     if (blocks.times().empty() || blocks.times().back() < time.value())
     {
         writeFrames();
     }
 }
+
+template Motion<2> startOrContinue(const std::filesystem::path& caseDirectory, const DynamicCase<2>& scene,
+                                   Time& time);
+template State stateOf(const DynamicCase<2>& scene, const Motion<2>& motion, const Time& time);
+template void postProcess(const std::filesystem::path& caseDirectory, const DynamicCase<2>& scene,
+                          const Time& time);
+template void writePrograms(DynamicCase<2>& scene, const std::filesystem::path& caseDirectory,
+                            const Time& time);
+template class MotionResults<2>;
+template Motion<3> startOrContinue(const std::filesystem::path& caseDirectory, const DynamicCase<3>& scene,
+                                   Time& time);
+template State stateOf(const DynamicCase<3>& scene, const Motion<3>& motion, const Time& time);
+template void postProcess(const std::filesystem::path& caseDirectory, const DynamicCase<3>& scene,
+                          const Time& time);
+template void writePrograms(DynamicCase<3>& scene, const std::filesystem::path& caseDirectory,
+                            const Time& time);
+template class MotionResults<3>;
 
 } // namespace drystone

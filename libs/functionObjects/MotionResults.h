@@ -18,19 +18,23 @@ namespace drystone
 /// bit; without one, `<time>/motion`, or the structure as built at rest.
 /// \throws FatalError when a run is to continue at a time that has no state, or the state is of another
 /// structure. Warns when it is of other input (KeptResults.h)
-Motion<2> startOrContinue(const std::filesystem::path& caseDirectory, const DynamicCase<2>& scene,
-                          Time& time);
+template<int Dim>
+Motion<Dim> startOrContinue(const std::filesystem::path& caseDirectory, const DynamicCase<Dim>& scene,
+                            Time& time);
 
 /// The state that `startOrContinue` continues from.
-State stateOf(const DynamicCase<2>& scene, const Motion<2>& motion, const Time& time);
+template<int Dim>
+State stateOf(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const Time& time);
 
 /// `-postProcess`: runs the functions of controlDict on each state stored in the case, in order of time, into
 /// postProcessing/<function>/<first time>/. \throws FatalError when there is no state
-void postProcess(const std::filesystem::path& caseDirectory, const DynamicCase<2>& scene, const Time& time);
+template<int Dim>
+void postProcess(const std::filesystem::path& caseDirectory, const DynamicCase<Dim>& scene, const Time& time);
 
 /// Lets the solver write its cone programs as postProcessing/contactDynamics/<time>/coneProgram, when
 /// `writeProgram` of system/solution requests it. \param time of the run; must outlive the scene
-void writePrograms(DynamicCase<2>& scene, const std::filesystem::path& caseDirectory, const Time& time);
+template<int Dim>
+void writePrograms(DynamicCase<Dim>& scene, const std::filesystem::path& caseDirectory, const Time& time);
 
 /// Whether the functions of controlDict are run.
 enum class FunctionObjects
@@ -42,13 +46,14 @@ enum class FunctionObjects
 /// Writes the results of one run. Holds references to the scene, the motion and the time of the run, and
 /// makes the time end adjusted steps where its functions write: it must therefore not be moved, and must live
 /// as long as the time steps.
+template<int Dim>
 class MotionResults
 {
 public:
     /// Checks the functions and the folders; writes nothing yet.
     /// \throws FatalIOError for faults in the functions, FatalError for a folder that cannot be written
-    MotionResults(std::filesystem::path directory, const DynamicCase<2>& dynamicCase,
-                  const Motion<2>& currentMotion, Time& runTime, FunctionObjects functionObjects);
+    MotionResults(std::filesystem::path directory, const DynamicCase<Dim>& dynamicCase,
+                  const Motion<Dim>& currentMotion, Time& runTime, FunctionObjects functionObjects);
     MotionResults(const MotionResults&) = delete;
     MotionResults& operator=(const MotionResults&) = delete;
 
@@ -62,16 +67,16 @@ public:
     /// Writes time directory and frames at the present time, due or not: before a run is abandoned.
     void writeNow();
 
-    const FunctionList<2>& functions() const { return functionList; }
+    const FunctionList<Dim>& functions() const { return functionList; }
 
 private:
     void writeFrames();
 
     std::filesystem::path caseDirectory;
-    const DynamicCase<2>& scene;
-    const Motion<2>& motion;
+    const DynamicCase<Dim>& scene;
+    const Motion<Dim>& motion;
     Time& time;
-    FunctionList<2> functionList;
+    FunctionList<Dim> functionList;
     std::vector<InputFile> input; ///< that the motion follows from, the steps last
     StateWriter states;
     VtkSeries blocks;

@@ -4,6 +4,7 @@
 #include "assembly/Materials.h"
 #include "contact/ClosedAssembly.h"
 #include "contact/ContactProperties.h"
+#include "effects/EffectList.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -1,6 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Strengths of joints: names, patterns, areas, and every fault with its line.
 #include "contact/JointLaws.h"
+#include "effects/EffectList.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

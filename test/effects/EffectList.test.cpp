@@ -141,7 +141,7 @@ TEST(EffectList, ACaseOnDiskIsReadWithAnExtendedList)
         << "friction { type Coulomb; mu 0.5; }\ngroundSpring { block 1; stiffness 2; }\n";
     const CaseEffects<2> read = readCaseEffects(directory, extendedList());
     EXPECT_EQ(read.contact.friction->mu, 0.5);
-    EXPECT_TRUE(read.declared.back().isGiven());
+    EXPECT_TRUE(read.declared.back().isGiven(read.contact));
     EXPECT_EQ(read.locations.of("groundSpring/stiffness").line, 2);
     EXPECT_EQ(read.locations.of("joints/3-7").line, read.locations.of("").line);
     EXPECT_THROW(readCaseEffects<2>(directory), FatalIOError);

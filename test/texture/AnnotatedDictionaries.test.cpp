@@ -3,6 +3,7 @@
 #include "assembly/Loads.h"
 #include "assembly/Materials.h"
 #include "contact/ContactProperties.h"
+#include "effects/EffectList.h"
 #include "texture/Texture.h"
 
 #include <gtest/gtest.h>

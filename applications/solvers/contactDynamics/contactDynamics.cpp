@@ -1,6 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// contactDynamics: steps a structure of rigid blocks with dry joints through time (Portioli, Cascini &
 /// Landolfo 2017, eq. 1-9).
+#include "assembly/AssemblyFile.h"
 #include "assembly/Loads.h"
 #include "assembly/Materials.h"
 #include "core/Error.h"
@@ -21,10 +22,11 @@ using namespace drystone;
 namespace
 {
 
-int run(const CommandLine& commandLine)
+template<int Dim>
+int runIn(const CommandLine& commandLine)
 {
     Time time(commandLine.caseDirectory, ControlDict::required);
-    DynamicCase<2> scene = readDynamicCase<2>(commandLine.caseDirectory);
+    auto scene = readDynamicCase<Dim>(commandLine.caseDirectory);
     question(doubtsAboutTimes(scene.groundMotion, scene.schemes, time.controls(), time.controlDict()));
     if (commandLine.postProcess)
     {
@@ -32,14 +34,21 @@ int run(const CommandLine& commandLine)
         printEnd();
         return 0;
     }
-    Motion<2> motion = startOrContinue(commandLine.caseDirectory, scene, time);
-    MotionResults results(commandLine.caseDirectory, scene, motion, time,
-                          commandLine.noFunctionObjects ? FunctionObjects::none
-                                                        : FunctionObjects::asInControlDict);
+    Motion<Dim> motion = startOrContinue(commandLine.caseDirectory, scene, time);
+    MotionResults<Dim> results(commandLine.caseDirectory, scene, motion, time,
+                               commandLine.noFunctionObjects ? FunctionObjects::none
+                                                             : FunctionObjects::asInControlDict);
     printScene(scene, motion, time, results.functions().names());
     if (commandLine.dryRun)
     {
-        printLine(adviceText(scene, adviseEffects(scene, motion.state)));
+        if constexpr (Dim == 2)
+        {
+            printLine(adviceText(scene, adviseEffects(scene, motion.state)));
+        }
+        else
+        {
+            printLine("Advice by closed-form criteria: none in space.");
+        }
         printEnd();
         return 0;
     }
@@ -70,6 +79,11 @@ int run(const CommandLine& commandLine)
     }
     printStopOrEnd(time);
     return time.exitStatus();
+}
+
+int run(const CommandLine& commandLine)
+{
+    return assemblyDimensions(commandLine.caseDirectory) == 3 ? runIn<3>(commandLine) : runIn<2>(commandLine);
 }
 
 } // namespace

@@ -25,9 +25,12 @@ Vector<2> displacementOf(const DynamicCase<2>& scene, int block, const Vector<2>
 
 } // namespace
 
-Shear<2> slip(const DynamicCase<2>& scene, const std::vector<Placement<2>>& from,
-              const std::vector<Placement<2>>& to, const ContactPoint<2>& point)
+Shear<2> slip(const Step<2>& step, const std::vector<Placement<2>>& to, std::size_t index,
+              const ConeColumns<3, 2>&)
 {
+    const DynamicCase<2>& scene = step.scene;
+    const std::vector<Placement<2>>& from = step.motion.state.placements;
+    const ContactPoint<2>& point = step.points[index];
     const auto edgeBlock =
         static_cast<std::size_t>(point.feature.vertexBlock == point.block ? point.neighbour : point.block);
     const Eigen::Rotation2Dd turn(to[edgeBlock].rotation - from[edgeBlock].rotation);

@@ -1,0 +1,241 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Contacts in space that are followed, and the ends of that.
+#include "contact/space/MovingContacts.h"
+
+#include "contact/AlmostJoints.h"
+#include "core/Error.h"
+#include "geometry/BroadPhase.h"
+#include "geometry/Rotation.h"
+#include "geometry/space/PolyhedronOverlap.h"
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace drystone
+{
+namespace
+{
+
+/// In mean block sizes: how far a corner may leave its face, how far blocks may enter each other.
+constexpr double mayLeave = 0.05;
+constexpr double mayEnter = 1e-3;
+
+constexpr double sameVertex = 1e-6; // in mean block sizes
+
+bool isVertex(const Polyhedron& shape, const Vector<3>& point, double reach)
+{
+    return std::any_of(shape.vertices.begin(), shape.vertices.end(),
+                       [&](const Vector<3>& vertex) { return (vertex - point).norm() <= reach; });
+}
+
+/// How far a point of the plane of a face is outside its outline, corners against the clock seen from
+/// outside; for a concave one at most that [m].
+double distanceOutside(const std::vector<Vector<3>>& outline, const Vector<3>& outward,
+                       const Vector<3>& point)
+{
+    double nearest = std::numeric_limits<double>::infinity();
+    bool isInside = false;
+    const Eigen::Vector3d along = outward.unitOrthogonal();
+    const Eigen::Vector3d across = outward.cross(along);
+    const auto flat = [&](const Vector<3>& p) { return Vector<2>(p.dot(along), p.dot(across)); };
+    const Vector<2> here = flat(point);
+    for (std::size_t i = 0; i < outline.size(); ++i)
+    {
+        const Vector<2> from = flat(outline[i]);
+        const Vector<2> to = flat(outline[(i + 1) % outline.size()]);
+        const Vector<2> edge = to - from;
+        const double part = std::clamp((here - from).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
+        nearest = std::min(nearest, (here - from - part * edge).norm());
+        if ((from.y() > here.y()) != (to.y() > here.y())
+            && here.x() < from.x() + (here.y() - from.y()) / edge.y() * edge.x())
+        {
+            isInside = !isInside;
+        }
+    }
+    return isInside ? 0 : nearest;
+}
+
+/// The face of a block that a point lies on and that looks in a direction.
+const std::vector<int>& faceUnder(const Polyhedron& shape, const Vector<3>& point, const Vector<3>& outward)
+{
+    const std::vector<int>* best = nullptr;
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::vector<int>& face : shape.faces)
+    {
+        const Vector<3> normal = areaVector(shape, face).normalized();
+        std::vector<Vector<3>> outline;
+        for (const int vertex : face)
+        {
+            outline.push_back(shape.vertices[static_cast<std::size_t>(vertex)]);
+        }
+        const double away = std::abs(normal.dot(point - outline.front()))
+                            + distanceOutside(outline, normal, point) + (normal - outward).norm();
+        if (away < least)
+        {
+            least = away;
+            best = &face;
+        }
+    }
+    return *best;
+}
+
+} // namespace
+
+MovingContacts<3>::MovingContacts(const Assembly<3>& structure, const MovingContactOptions& options)
+    : assembly(structure),
+      asBuilt(findContactPoints(structure, options.tolerance)),
+      isLeftOut(structure.blocks.size(), false),
+      blockSize(meanBlockSize(structure))
+{
+    for (const Block<3>& block : assembly.blocks)
+    {
+        centroids.push_back(volumeProperties(block.shape).centroid);
+    }
+    for (ContactPoint<3>& point : asBuilt)
+    {
+        const auto shapeOf = [this](int block) -> const Polyhedron&
+        { return assembly.blocks[static_cast<std::size_t>(block)].shape; };
+        const double reach = sameVertex * blockSize;
+        const bool isOfNeighbour = !isVertex(shapeOf(point.block), point.position, reach)
+                                   && isVertex(shapeOf(point.neighbour), point.position, reach);
+        Pair pair;
+        pair.cornerBlock = isOfNeighbour ? point.neighbour : point.block;
+        pair.faceBlock = isOfNeighbour ? point.block : point.neighbour;
+        pair.corner = point.position;
+        pair.outward = isOfNeighbour ? Vector<3>(-point.normal) : point.normal;
+        const Polyhedron& shape = shapeOf(pair.faceBlock);
+        for (const int vertex : faceUnder(shape, point.position, pair.outward))
+        {
+            pair.outline.push_back(shape.vertices[static_cast<std::size_t>(vertex)]);
+        }
+        point.feature = {pair.cornerBlock, static_cast<int>(pairs.size()), 0}; // each point is itself
+        known.emplace_back(point.block, point.neighbour);
+        pairs.push_back(std::move(pair));
+    }
+    std::sort(known.begin(), known.end());
+    known.erase(std::unique(known.begin(), known.end()), known.end());
+    points = asBuilt;
+}
+
+Vector<3> MovingContacts<3>::placed(int block, const Vector<3>& point, const Placement<3>& placement) const
+{
+    const Vector<3> arm = point - centroids[static_cast<std::size_t>(block)];
+    return point + placement.translation + swing(placement.rotation, arm);
+}
+
+void MovingContacts<3>::measure(const std::vector<Placement<3>>& placements,
+                                std::vector<ContactPoint<3>>& measured) const
+{
+    measured = points;
+    for (ContactPoint<3>& point : measured)
+    {
+        const Pair& pair = pairs[static_cast<std::size_t>(point.feature.vertex)];
+        const Placement<3>& ofCorner = placements[static_cast<std::size_t>(pair.cornerBlock)];
+        const Placement<3>& ofFace = placements[static_cast<std::size_t>(pair.faceBlock)];
+        const Vector<3> outward = turned(ofFace.rotation, pair.outward);
+        // Corner and face coincide as built: the gap is what they have moved by, to the last digits.
+        const Vector<3> cornerMoves =
+            ofCorner.translation
+            + swing(ofCorner.rotation, pair.corner - centroids[static_cast<std::size_t>(pair.cornerBlock)]);
+        const Vector<3> faceMoves =
+            ofFace.translation
+            + swing(ofFace.rotation, pair.corner - centroids[static_cast<std::size_t>(pair.faceBlock)]);
+        point.position = pair.corner + cornerMoves;
+        point.gap = outward.dot(cornerMoves - faceMoves);
+        point.normal = pair.cornerBlock == point.block ? outward : Vector<3>(-outward);
+    }
+}
+
+const std::vector<ContactPoint<3>>& MovingContacts<3>::update(const std::vector<Placement<3>>& now, double)
+{
+    points.clear();
+    for (const ContactPoint<3>& point : asBuilt)
+    {
+        if (!isLeftOut[static_cast<std::size_t>(point.block)]
+            && !isLeftOut[static_cast<std::size_t>(point.neighbour)])
+        {
+            points.push_back(point);
+        }
+    }
+    measure(now, points);
+    refuseLostPoints(now);
+    refuseNewContacts(now);
+    return points;
+}
+
+const std::vector<ContactPoint<3>>& MovingContacts<3>::update(const std::vector<Placement<3>>& now,
+                                                              const std::vector<Placement<3>>&, double margin)
+{
+    return update(now, margin);
+}
+
+void MovingContacts<3>::refuseLostPoints(const std::vector<Placement<3>>& now) const
+{
+    for (const ContactPoint<3>& point : points)
+    {
+        if (point.gap > mayEnter * blockSize)
+        {
+            continue; // apart
+        }
+        const Pair& pair = pairs[static_cast<std::size_t>(point.feature.vertex)];
+        const Placement<3>& ofFace = now[static_cast<std::size_t>(pair.faceBlock)];
+        std::vector<Vector<3>> outline;
+        for (const Vector<3>& vertex : pair.outline)
+        {
+            outline.push_back(placed(pair.faceBlock, vertex, ofFace));
+        }
+        const double outside =
+            distanceOutside(outline, turned(ofFace.rotation, pair.outward), point.position);
+        if (outside > mayLeave * blockSize)
+        {
+            throw FatalError(fmt::format(
+                "A corner of {} has left the face of {} that it was built on by {:.3g} m. Motion in space "
+                "follows the contact points of the start and does not find new ones: it ends here.",
+                blockName(assembly, pair.cornerBlock), blockName(assembly, pair.faceBlock), outside));
+        }
+    }
+}
+
+void MovingContacts<3>::refuseNewContacts(const std::vector<Placement<3>>& now) const
+{
+    std::vector<Box<3>> boxes;
+    for (std::size_t block = 0; block < now.size(); ++block)
+    {
+        Box<3> box;
+        for (const Vector<3>& vertex : assembly.blocks[block].shape.vertices)
+        {
+            extend(box, placed(static_cast<int>(block), vertex, now[block]));
+        }
+        boxes.push_back(isLeftOut[block] ? Box<3>() : enlarged(box, -mayEnter * blockSize));
+    }
+    for (const auto& [block, neighbour] : findMeetingPairs(boxes))
+    {
+        const Block<3>& one = assembly.blocks[static_cast<std::size_t>(block)];
+        const Block<3>& other = assembly.blocks[static_cast<std::size_t>(neighbour)];
+        const bool isKnown = std::binary_search(known.begin(), known.end(), std::pair(block, neighbour));
+        if (isKnown || (one.support >= 0 && other.support >= 0))
+        {
+            continue;
+        }
+        const double depth = overlapDepth(placedShape(one, now[static_cast<std::size_t>(block)]),
+                                          placedShape(other, now[static_cast<std::size_t>(neighbour)]));
+        if (depth > mayEnter * blockSize)
+        {
+            throw FatalError(fmt::format(
+                "{} and {}, which shared no contact point at the start, have run into each other ({:.3g} m "
+                "deep). Motion in space follows the contact points of the start and does not find new ones: "
+                "it ends here.",
+                blockName(assembly, block), blockName(assembly, neighbour), depth));
+        }
+    }
+}
+
+void MovingContacts<3>::leaveOut(int block)
+{
+    isLeftOut[static_cast<std::size_t>(block)] = true;
+}
+
+} // namespace drystone

@@ -1,0 +1,66 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Slips of corners on faces, and momenta of blocks that turn, in space.
+#include "dynamics/MovingGeometry.h"
+
+namespace drystone
+{
+namespace
+{
+
+/// How a point of a block, now at `position`, is displaced; to the last digits, however little that is [m].
+Vector<3> displacementOf(const DynamicCase<3>& scene, int block, const Vector<3>& position,
+                         const std::vector<Placement<3>>& from, const std::vector<Placement<3>>& to)
+{
+    const auto index = static_cast<std::size_t>(block);
+    const Vector<3> arm = position - scene.blocks[index].centroid - from[index].translation;
+    return to[index].translation - from[index].translation
+           + swing(turnBetween(from[index].rotation, to[index].rotation), arm);
+}
+
+} // namespace
+
+Shear<3> slip(const Step<3>& step, const std::vector<Placement<3>>& to, std::size_t index,
+              const ConeColumns<6, 3>& columns)
+{
+    const ContactPoint<3>& point = step.points[index];
+    const std::vector<Placement<3>>& from = step.motion.state.placements;
+    const auto faceBlock =
+        static_cast<std::size_t>(point.feature.vertexBlock == point.block ? point.neighbour : point.block);
+    // The columns have the directions of shear where they were taken, 1 - theta of the way.
+    const Vector<3> turn = step.scheme.theta * turnBetween(from[faceBlock].rotation, to[faceBlock].rotation);
+    const Vector<3> slid = displacementOf(step.scene, point.neighbour, point.position, from, to)
+                           - displacementOf(step.scene, point.block, point.position, from, to);
+    Shear<3> along;
+    for (int component = 0; component < 2; ++component)
+    {
+        const Vector<3> direction = columns.onSecond.col(1 + component).head<3>();
+        along[component] = turned(turn, direction).dot(slid);
+    }
+    return along;
+}
+
+double turnMomenta(const Step<3>& step, const Eigen::VectorXd& displacement,
+                   const Eigen::VectorXd& contactForce, StepProgram<3>& program)
+{
+    const Eigen::VectorXd byContacts = applyEquilibrium(program, contactForce);
+    const double timeStep = step.scheme.timeStep;
+    double error = 0;
+    for (int body = 0; body < program.bodies; ++body)
+    {
+        const Eigen::Index row = 6 * body + 3;
+        const Vector<3> moment = step.load.segment<3>(row) - byContacts.segment<3>(row);
+        const Vector<3> momentum =
+            step.mass.tensors[static_cast<std::size_t>(body)] * step.solved.velocity.segment<3>(row)
+            + timeStep * moment;
+        const Vector<3> load = step.program.load.segment<3>(row)
+                               + swing(Vector<3>(-displacement.segment<3>(row)), momentum) / timeStep;
+        BlockVector<3> change = BlockVector<3>::Zero();
+        change.tail<3>() = load - program.load.segment<3>(row);
+        const BlockVector<3> moved = solveBlock(program.inertia[static_cast<std::size_t>(body)], change);
+        error = std::max(error, step.scene.blockSize * moved.tail<3>().norm());
+        program.load.segment<3>(row) = load;
+    }
+    return error;
+}
+
+} // namespace drystone

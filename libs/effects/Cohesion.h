@@ -1,0 +1,18 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// cohesion { strength c; }: shear that joints carry in addition to friction, until they break
+/// (JointBonds.h).
+#pragma once
+
+#include "effects/EffectList.h"
+
+namespace drystone
+{
+
+/// Its key among those of a joint.
+void declareCohesion(Options& options, JointProperties& properties);
+
+/// Its entry of the list.
+template<int Dim>
+EffectType<Dim> cohesionType();
+
+} // namespace drystone

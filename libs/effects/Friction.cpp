@@ -1,0 +1,134 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Coulomb friction: its keys, and the coefficient of each point.
+#include "effects/Friction.h"
+
+#include "contact/JointLaws.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace drystone
+{
+namespace
+{
+
+/// Beyond it a number is rather an angle in degrees; 10 serves to exclude sliding.
+constexpr double steepestFriction = 10;
+constexpr auto frictionNote =
+    "dry stone has 0.3 to 1, and a friction angle of 31 degrees is tan(31 degrees) = 0.6";
+
+} // namespace
+
+void declare(Options& options, CoulombFriction& friction)
+{
+    options.required("mu", friction.mu, "friction coefficient")
+        .unit("-")
+        .atLeast(0)
+        .atMost(1e6)
+        .usual(0, steepestFriction, frictionNote)
+        .example("0.65");
+    options.optional("flowRule", friction.flowRule, "whether a joint that slides opens");
+}
+
+void declare(Options& options, JointFriction& friction)
+{
+    options.required("mu", friction.mu, "friction coefficient")
+        .unit("-")
+        .atLeast(0)
+        .atMost(1e6)
+        .usual(0, steepestFriction, frictionNote)
+        .example("0.4");
+}
+
+const Registry<CoulombFriction>& frictionTypes()
+{
+    static const Registry<CoulombFriction> registry{
+        "friction",
+        {model<CoulombFriction, CoulombFriction>("Coulomb", "shear up to mu times the normal force",
+                                                 [](CoulombFriction friction) { return friction; })}};
+    return registry;
+}
+
+void declareFriction(Options& options, JointProperties& properties)
+{
+    options.optional("friction", properties.friction, "shear by normal force");
+}
+
+template<int Dim>
+FrictionOfJoints frictionOfJoints(const std::filesystem::path& caseDirectory,
+                                  const ContactProperties& contact, const Assembly<Dim>& assembly)
+{
+    FrictionOfJoints result;
+    if (contact.joints.empty())
+    {
+        return result;
+    }
+    const std::vector<ContactPoint<Dim>> points = findContactPoints(assembly); // sorted by pairs
+    const std::vector<PointLaw> laws = pointLaws(caseDirectory, contact, assembly, points);
+    const double ofAll = contact.friction ? contact.friction->mu : 0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+        const std::pair pair(points[i].block, points[i].neighbour);
+        if (laws[i].mu != ofAll && (result.empty() || result.back().first != pair))
+        {
+            result.emplace_back(pair, laws[i].mu);
+        }
+    }
+    return result;
+}
+
+template<int Dim>
+std::vector<double> frictionAt(const ContactProperties& contact, const FrictionOfJoints& ofJoints,
+                               const std::vector<ContactPoint<Dim>>& points)
+{
+    std::vector<double> friction = frictionCoefficients(contact, points.size());
+    for (std::size_t i = 0; !ofJoints.empty() && i < points.size(); ++i)
+    {
+        const std::pair pair(points[i].block, points[i].neighbour);
+        const auto own =
+            std::lower_bound(ofJoints.begin(), ofJoints.end(), pair,
+                             [](const auto& entry, const auto& key) { return entry.first < key; });
+        if (own != ofJoints.end() && own->first == pair)
+        {
+            friction[i] = own->second;
+        }
+    }
+    return friction;
+}
+
+std::string frictionText(const ContactProperties& contact)
+{
+    return !contact.friction ? std::string()
+                             : fmt::format("Friction: mu {:g}, flow rule {}", contact.friction->mu,
+                                           contact.friction->flowRule == FlowRule::associative
+                                               ? "associative (a joint that slides opens)"
+                                               : "nonAssociative (Coulomb)");
+}
+
+template<int Dim>
+EffectType<Dim> frictionType()
+{
+    return jointEffectType<Dim>(
+        "friction",
+        [](Options& options, ContactProperties& contact)
+        {
+            options.optional("friction", contact.friction, frictionTypes(),
+                             "shear at the contacts; absent: frictionless");
+        },
+        [](const ContactProperties& contact)
+        { return contact.friction.has_value() || isInJoints(contact, &JointProperties::friction); });
+}
+
+template FrictionOfJoints frictionOfJoints(const std::filesystem::path& caseDirectory,
+                                           const ContactProperties& contact, const Assembly<2>& assembly);
+template FrictionOfJoints frictionOfJoints(const std::filesystem::path& caseDirectory,
+                                           const ContactProperties& contact, const Assembly<3>& assembly);
+template std::vector<double> frictionAt(const ContactProperties& contact, const FrictionOfJoints& ofJoints,
+                                        const std::vector<ContactPoint<2>>& points);
+template std::vector<double> frictionAt(const ContactProperties& contact, const FrictionOfJoints& ofJoints,
+                                        const std::vector<ContactPoint<3>>& points);
+template EffectType<2> frictionType<2>();
+template EffectType<3> frictionType<3>();
+
+} // namespace drystone

@@ -1,0 +1,114 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The keys of joints.
+#include "effects/JointModel.h"
+
+#include "effects/Cohesion.h"
+#include "effects/Crushing.h"
+#include "effects/Friction.h"
+#include "effects/Tension.h"
+
+#include <fmt/format.h>
+
+namespace drystone
+{
+namespace
+{
+
+/// Nobody is to take a result for what it is not. \return nothing
+template<int Dim>
+std::shared_ptr<const Effect<Dim>> refuseInMotion(const EffectSource<Dim>& source)
+{
+    for (const std::string name : {"pointsPerJoint", "jointPoints", "contact"})
+    {
+        if (source.locations.has(name))
+        {
+            throw FatalIOError(
+                fmt::format("contactDynamics does not simulate {}. Remove the entry to compute without it.",
+                            name),
+                source.locations.of(name));
+        }
+    }
+    return nullptr;
+}
+
+} // namespace
+
+void declare(Options& options, ContactModel& model)
+{
+    options.optional("formulation", model.formulation,
+                     "forces at points of a joint, or the stress resultants N, T, M of the whole joint");
+}
+
+void declare(Options& options, PointGrid& grid)
+{
+    options.optional("perSide", grid.perSide, "points along each side of a joint").atLeast(2).atMost(100);
+}
+
+void declare(Options& options, JointProperties& properties)
+{
+    declareFriction(options, properties);
+    declareCohesion(options, properties);
+    declareTension(options, properties);
+    declareCrushing(options, properties);
+}
+
+namespace
+{
+
+struct CornersAlone
+{
+};
+
+void declare(Options&, CornersAlone&) {}
+
+} // namespace
+
+const Registry<std::optional<PointGrid>>& jointPointTypes()
+{
+    static const Registry<std::optional<PointGrid>> registry{
+        "jointPoints",
+        {model<std::optional<PointGrid>, CornersAlone>("corners", "the corners of each joint",
+                                                       [](const CornersAlone&) -> std::optional<PointGrid>
+                                                       { return std::nullopt; }),
+         model<std::optional<PointGrid>, PointGrid>(
+             "grid", "a grid of points over each joint, each with its part of the area",
+             [](const PointGrid& grid) -> std::optional<PointGrid> { return grid; })}};
+    return registry;
+}
+
+template<int Dim>
+EffectType<Dim> jointModelType()
+{
+    return jointEffectType<Dim>(
+        "surfaceContact",
+        [](Options& options, ContactProperties& contact)
+        {
+            options.optional("contact", contact.contact,
+                             "what limitAnalysis knows of a joint; absent: points");
+            options
+                .optional("pointsPerJoint", contact.pointsPerJoint,
+                          "contact points along each joint of the plane, of limitAnalysis; absent: its ends, "
+                          "and where it "
+                          "crushes as many as that takes")
+                .atLeast(2)
+                .atMost(1000)
+                .example("11");
+            options.optional(
+                "jointPoints", contact.jointPoints, jointPointTypes(),
+                "contact points of each joint in space, of limitAnalysis; absent: its corners, and where it "
+                "crushes as many as that takes. Twisting a joint with cohesion, or one that crushes, takes "
+                "more at its corners than over its face: then compare grids");
+            options.optional(
+                "joints", contact.joints,
+                "what some joints have instead: by name, as 3-7 for that of blocks 3 and 7, 12-ground for "
+                "that of block 12 and the support ground, or by quoted pattern");
+        },
+        [](const ContactProperties& contact)
+        { return contact.contact && contact.contact->formulation == ContactFormulation::surface; },
+        refuseInMotion<Dim>);
+}
+
+template EffectType<2> jointModelType<2>();
+template EffectType<3> jointModelType<3>();
+
+} // namespace drystone
