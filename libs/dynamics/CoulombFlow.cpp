@@ -3,6 +3,7 @@
 #include "dynamics/CoulombFlow.h"
 
 #include "conic/CoulombNewton.h"
+#include "dynamics/FollowedFlow.h"
 #include "dynamics/RestingStep.h"
 
 #include <algorithm>
@@ -37,6 +38,16 @@ bool solveFlow(ThetaStep& step, StepProgram<Dim>& program, const ConeSolution& s
     {
         return false;
     }
+    takeOver(step, program, std::move(solution), settings, gapTolerance, 0);
+    return true;
+}
+
+} // namespace
+
+template<int Dim>
+void takeOver(ThetaStep& step, StepProgram<Dim>& program, ConeSolution solution, const StepSettings& settings,
+              double gapTolerance, double backwards)
+{
     solution.displacement =
         displacementUnder(program, program.load - applyEquilibrium(program, solution.contactForce));
     Eigen::VectorXd closing = applyTransposed(program, solution.displacement);
@@ -55,8 +66,11 @@ bool solveFlow(ThetaStep& step, StepProgram<Dim>& program, const ConeSolution& s
         }
         auto shearGap = program.gap.template segment<Dim - 1>(Dim * point + 1);
         const auto shearOpen = open.template tail<Dim - 1>();
-        if (force.template tail<Dim - 1>().norm() < strength.cohesion + mu * force[0]
-            && shearOpen.norm() <= gapTolerance)
+        const auto shear = force.template tail<Dim - 1>();
+        const bool sticks = shear.norm() < strength.cohesion + mu * force[0];
+        const bool isBackwards = shear.dot(shearOpen) > 0;
+        if ((sticks && shearOpen.norm() <= gapTolerance)
+            || (!sticks && isBackwards && shearOpen.norm() <= backwards))
         {
             shearGap -= shearOpen;
         }
@@ -72,10 +86,7 @@ bool solveFlow(ThetaStep& step, StepProgram<Dim>& program, const ConeSolution& s
     step.displacement = std::move(solution.displacement);
     step.contactForce = std::move(solution.contactForce);
     step.closing = std::move(closing);
-    return true;
 }
-
-} // namespace
 
 template<int Dim>
 Eigen::VectorXd dilatancy(const StepProgram<Dim>& program, const Eigen::VectorXd& closing,
@@ -149,12 +160,17 @@ bool solveFlow(ThetaStep& step, StepProgram<Dim> program, ConeSolution start, co
 template<int Dim>
 bool goesOnFromLastStep(ThetaStep& step, const StepProgram<Dim>& program, const ConeSolution& start,
                         const Eigen::VectorXd& heading, const StepSettings& settings,
-                        const Relinearisation<Dim>& relinearise)
+                        const Relinearisation<Dim>& relinearise, SymbolicAnalysis& symbolic)
 {
     if (settings.solver.solver != SolverType::automatic || program.hasCompliance()
         || start.contactForce.isZero(0))
     {
         return false;
+    }
+    if (followFlow(step, program, start, settings, relinearise, symbolic)
+        && !mayRest(program, program.load - applyEquilibrium(program, step.contactForce)))
+    {
+        return true;
     }
     const NewtonEffort effort{
         newtonStepsFromLastStep,
@@ -172,7 +188,7 @@ template bool solveFlow(ThetaStep& step, StepProgram<2> program, ConeSolution st
                         const Relinearisation<2>& relinearise, const NewtonEffort& effort);
 template bool goesOnFromLastStep(ThetaStep& step, const StepProgram<2>& program, const ConeSolution& start,
                                  const Eigen::VectorXd& heading, const StepSettings& settings,
-                                 const Relinearisation<2>& relinearise);
+                                 const Relinearisation<2>& relinearise, SymbolicAnalysis& symbolic);
 template Eigen::VectorXd dilatancy(const StepProgram<3>& program, const Eigen::VectorXd& closing,
                                    const Eigen::VectorXd& contactForce);
 template double errorOfFlow<3>(const Eigen::VectorXd& imposed, const Eigen::VectorXd& opening,
@@ -182,6 +198,10 @@ template bool solveFlow(ThetaStep& step, StepProgram<3> program, ConeSolution st
                         const Relinearisation<3>& relinearise, const NewtonEffort& effort);
 template bool goesOnFromLastStep(ThetaStep& step, const StepProgram<3>& program, const ConeSolution& start,
                                  const Eigen::VectorXd& heading, const StepSettings& settings,
-                                 const Relinearisation<3>& relinearise);
+                                 const Relinearisation<3>& relinearise, SymbolicAnalysis& symbolic);
+template void takeOver(ThetaStep& step, StepProgram<2>& program, ConeSolution solution,
+                       const StepSettings& settings, double gapTolerance, double backwards);
+template void takeOver(ThetaStep& step, StepProgram<3>& program, ConeSolution solution,
+                       const StepSettings& settings, double gapTolerance, double backwards);
 
 } // namespace drystone

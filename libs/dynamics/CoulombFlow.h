@@ -27,6 +27,13 @@ struct NewtonEffort
     double gapTolerance; ///< error allowed in gaps that no motion closes [m]
 };
 
+/// Takes over a solution of Coulomb's law, with gaps that are right to a tolerance as the points which touch
+/// want them. \param program its gaps without what the flow opens; with it on return \param backwards how far
+/// points at their limit may slide against it, as those do that give way and whose limit has become less
+template<int Dim>
+void takeOver(ThetaStep& step, StepProgram<Dim>& program, ConeSolution solution, const StepSettings& settings,
+              double gapTolerance, double backwards);
+
 /// Coulomb's law by Newton's method, with gaps that are right where the blocks end up. Closed rings of blocks
 /// are mobile to first order only: as they move, some points open by the square of their displacements, and
 /// which of them carries what is then decided by less than contactTolerance. So gaps are taken as known to
@@ -43,6 +50,6 @@ bool solveFlow(ThetaStep& step, StepProgram<Dim> program, ConeSolution start, co
 template<int Dim>
 bool goesOnFromLastStep(ThetaStep& step, const StepProgram<Dim>& program, const ConeSolution& start,
                         const Eigen::VectorXd& heading, const StepSettings& settings,
-                        const Relinearisation<Dim>& relinearise);
+                        const Relinearisation<Dim>& relinearise, SymbolicAnalysis& symbolic);
 
 } // namespace drystone

@@ -5,6 +5,7 @@
 #include "conic/form/Form.h"
 #include "dynamics/AcceleratedIteration.h"
 #include "dynamics/CoulombFlow.h"
+#include "dynamics/FollowedFlow.h"
 #include "dynamics/RestingStep.h"
 
 #include <algorithm>
@@ -207,7 +208,9 @@ ThetaStep solveThetaStep(StepProgram<Dim> program, const StepSettings& settings,
     }
     const Eigen::VectorXd heading =
         guess.displacement.size() > 0 ? guess.displacement : Eigen::VectorXd::Zero(program.load.size());
-    if (isCoulomb && goesOnFromLastStep(step, program, start, heading, settings, relinearise))
+    SymbolicAnalysis own;
+    SymbolicAnalysis& analysis = symbolic ? *symbolic : own;
+    if (isCoulomb && goesOnFromLastStep(step, program, start, heading, settings, relinearise, analysis))
     {
         return step;
     }
@@ -220,6 +223,10 @@ ThetaStep solveThetaStep(StepProgram<Dim> program, const StepSettings& settings,
         if (isNewtonsTurn)
         {
             program.gap = gap;
+            if (step.programs == 1 && followFlow(step, program, start, settings, relinearise, analysis))
+            {
+                return step;
+            }
             if (solveFlow(step, program, start, heading, settings, relinearise,
                           {isImpact ? newtonStepsOfImpact : newtonSteps, settings.contactTolerance}))
             {

@@ -22,6 +22,9 @@ public:
     /// Symbolic analysis; nothing is permuted.
     explicit BlockLu(const BlockPattern& matrix);
 
+    /// Of the matrix.
+    const BlockPattern& pattern() const { return matrix_; }
+
     /// Numeric factorisation on the pattern of the analysis. \param lower blocks (i, j), i >= j
     /// \param upperTransposed transposes of the blocks (j, i) in the same places; those on the diagonal are
     /// not read \return false where a diagonal block cannot be inverted

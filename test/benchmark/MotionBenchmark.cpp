@@ -22,6 +22,7 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <limits>
 
@@ -32,9 +33,16 @@ namespace
 
 constexpr int largeWall = 80; // units; its multiplier:
 constexpr double largeMultiplier = 0.43059535;
+constexpr int mediumWall = 20; // likewise
+constexpr double mediumMultiplier = 0.4313;
 
-/// The case of a wall, 1 to 6 or `largeWall`, in a folder of its own, the ground at `share` of the collapse
-/// multiplier.
+double multiplierOf(long wall)
+{
+    return wall <= 6 ? paperMultipliers[wall - 1] : wall == mediumWall ? mediumMultiplier : largeMultiplier;
+}
+
+/// The case of a wall, 1 to 6, `mediumWall` or `largeWall`, in a folder of its own, the ground at `share` of
+/// the collapse multiplier.
 std::filesystem::path makeCase(long wall, double share)
 {
     const bool isPapers = wall <= 6;
@@ -54,7 +62,7 @@ std::filesystem::path makeCase(long wall, double share)
            "writeControl timeStep; writeInterval 10; purgeWrite 1;\n";
     std::ofstream(folder / "constant/groundMotion")
         << fmt::format("direction (-1 0 0); acceleration {{ type constant; value {}; }}\n",
-                       share * (isPapers ? paperMultipliers[wall - 1] : largeMultiplier) * 9.81);
+                       share * multiplierOf(wall) * 9.81);
     writeWholeFile(assemblyFile(folder), assemblyText(isPapers ? paperWall(static_cast<int>(wall))
                                                                : squareWall(static_cast<int>(wall))));
     return folder;
@@ -68,6 +76,7 @@ void run(benchmark::State& state, const std::filesystem::path& folder, const Dyn
     const PlaneConeProgram statics = limitAnalysisOf(scene.assembly);
     double factorisations = 0;
     double programs = 0;
+    std::vector<int> ofSteps; // factorisations of each
     long steps = 0;
     double used = 0;
     double simulated = 0;
@@ -94,6 +103,7 @@ void run(benchmark::State& state, const std::filesystem::path& folder, const Dyn
                 results.write();
             }
             factorisations += motion.residuals.factorisations;
+            ofSteps.push_back(motion.residuals.factorisations);
             programs += motion.residuals.programs;
             ++steps;
         }
@@ -110,6 +120,8 @@ void run(benchmark::State& state, const std::filesystem::path& folder, const Dyn
     state.counters["CHOLMOD F[ms]"] = 1e3 * cholmodUnit;
     state.counters["step[CHOLMOD F]"] = least / stepsOfRun / cholmodUnit;
     state.counters["factorisations/step"] = factorisations / static_cast<double>(steps);
+    std::nth_element(ofSteps.begin(), ofSteps.begin() + steps / 2, ofSteps.end());
+    state.counters["median factorisations"] = ofSteps[static_cast<std::size_t>(steps / 2)];
     state.counters["programs/step"] = programs / static_cast<double>(steps);
     std::filesystem::remove_all(folder);
 }
@@ -139,18 +151,17 @@ BENCHMARK(smallDisplacementsTo1em6)
     ->UseManualTime()
     ->Unit(benchmark::kSecond);
 
-void nonAssociative(benchmark::State& state)
+/// The same collapse by either flow rule, so that their costs can be compared in one run.
+void flowRules(benchmark::State& state)
 {
     const std::filesystem::path folder = makeCase(state.range(0), 1.1);
     DynamicCase<2> scene = readDynamicCase<2>(folder);
-    scene.contact.friction->flowRule = FlowRule::nonAssociative;
+    scene.contact.friction->flowRule = state.range(1) > 0 ? FlowRule::nonAssociative : FlowRule::associative;
     run(state, folder, scene, false);
 }
-BENCHMARK(nonAssociative)
-    ->ArgName("wall")
-    ->Arg(1)
-    ->Arg(3)
-    ->Arg(6)
+BENCHMARK(flowRules)
+    ->ArgNames({"wall", "coulomb"})
+    ->ArgsProduct({{1, 2, 3, 4, 5, 6, mediumWall}, {0, 1}})
     ->Iterations(1)
     ->UseManualTime()
     ->Unit(benchmark::kSecond);

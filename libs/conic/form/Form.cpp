@@ -200,19 +200,27 @@ void setNumbers(Form<Rows>& form, const ConeProgram<Rows, Forces>& program, doub
 } // namespace
 
 template<int Rows, int Forces>
+void analyse(const ConeProgram<Rows, Forces>& program, SymbolicAnalysis& symbolic)
+{
+    std::vector<Coupling> touching = touchingBodies(program);
+    if (symbolic.order.empty() || symbolic.bodies != program.bodies || symbolic.touching != touching)
+    {
+        symbolic.bodies = program.bodies;
+        symbolic.order = eliminationOrder(program.bodies, touching);
+        symbolic.touching = std::move(touching);
+        symbolic.systems = {};
+        symbolic.unsymmetricSystems = {};
+    }
+}
+
+template<int Rows, int Forces>
 Form<Rows> makeForm(const ConeProgram<Rows, Forces>& program, SymbolicAnalysis& symbolic, double multiplier)
 {
     Form<Rows> form;
     form.bodies = program.bodies;
     form.scaling.lever = powerOfTwo(meanLeverArm(program));
-    form.couplings = touchingBodies(program);
-    if (symbolic.order.empty() || symbolic.bodies != program.bodies || symbolic.touching != form.couplings)
-    {
-        symbolic.bodies = program.bodies;
-        symbolic.touching = form.couplings;
-        symbolic.order = eliminationOrder(program.bodies, form.couplings);
-        symbolic.systems = {};
-    }
+    analyse(program, symbolic);
+    form.couplings = symbolic.touching;
     form.position.assign(program.bodies, 0);
     for (int place = 0; place < program.bodies; ++place)
     {
@@ -295,6 +303,8 @@ SchurSystem<Rows>& schurSystem(Form<Rows>& form, SymbolicAnalysis& symbolic)
     return *kept;
 }
 
+template void analyse(const PlaneConeProgram&, SymbolicAnalysis&);
+template void analyse(const SpaceConeProgram&, SymbolicAnalysis&);
 template Form<3> makeForm(const PlaneConeProgram&, SymbolicAnalysis&, double);
 template Form<6> makeForm(const SpaceConeProgram&, SymbolicAnalysis&, double);
 template SchurSystem<3>& schurSystem(Form<3>&, SymbolicAnalysis&);

@@ -6,6 +6,7 @@
 
 #include "conic/ConeProgram.h"
 #include "conic/cones/ConeProduct.h"
+#include "linear/BlockLu.h"
 #include "linear/DoubleDouble.h"
 #include "linear/SchurSystem.h"
 
@@ -144,6 +145,7 @@ struct SymbolicAnalysis
     std::vector<Coupling> touching; ///< pairs of bodies as the program numbers them, in its order
     std::vector<int> order;         ///< of elimination
     std::tuple<std::optional<SchurSystem<3>>, std::optional<SchurSystem<6>>> systems;
+    std::tuple<std::optional<BlockLu<3>>, std::optional<BlockLu<6>>> unsymmetricSystems;
 
     template<int Rows>
     std::optional<SchurSystem<Rows>>& system()
@@ -151,11 +153,21 @@ struct SymbolicAnalysis
         return std::get<std::optional<SchurSystem<Rows>>>(systems);
     }
     template<int Rows>
+    std::optional<BlockLu<Rows>>& unsymmetric()
+    {
+        return std::get<std::optional<BlockLu<Rows>>>(unsymmetricSystems);
+    }
+    template<int Rows>
     const std::optional<SchurSystem<Rows>>& system() const
     {
         return std::get<std::optional<SchurSystem<Rows>>>(systems);
     }
 };
+
+/// Brings the pairs of bodies that touch and the order of elimination up to date; where they change the
+/// systems are forgotten.
+template<int Rows, int Forces>
+void analyse(const ConeProgram<Rows, Forces>& program, SymbolicAnalysis& symbolic);
 
 /// Structure and numbers of the form of a program. \param symbolic brought up to date but for its system
 /// \param multiplier that is expected, where it is large: forces are scaled by what it makes of the live load

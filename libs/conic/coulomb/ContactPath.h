@@ -1,0 +1,110 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The forces of a step in time found by following them from those of the step before, through each change of
+/// a point between open, sticking and sliding: Coulomb's law, or the associative one, from a warm start.
+#pragma once
+
+#include "conic/coulomb/ContactSystem.h"
+
+namespace drystone
+{
+
+struct ContactPathSettings
+{
+    Sliding sliding = Sliding::coulomb;
+    double stiffness = 0;     ///< k of every point, in both directions [N/m]
+    double tolerance = 1e-12; ///< on the equations of motion, relative to the largest load
+    int maximumPivots = 1000; ///< changes of state of single points, in one call
+};
+
+/// Solves, for a plane program with inertia,
+///
+///     Mbar y + A c = f,      c_k = law of  w_k = k (A'y - g)_k   at each point k        (SlidingLaw.h)
+///
+/// the step of rigid blocks whose points give way by 1/k: as little as is wanted, since y tends to that of
+/// rigid points as k grows, and c to the least |c| among the forces that rigid points may carry. These are
+/// not unique, and a solver that takes any of them finds another set of points that stick in each step; the
+/// least forces change only as the motion does.
+///
+/// With w instead of y in front the law is linear on pieces, and so is the whole problem. Where a start has
+/// forces c0 and any w0 with law(w0) = c0,
+///
+///     Mbar y + A law(w) = f - (1 - t) r0,      w = k (A'y - g) + (1 - t) (w0 - k (A'y0 - g))
+///
+/// is solved by the start at t = 0 and is the problem at t = 1: r0 is what the start leaves of the equations
+/// of motion. The path in between is piecewise linear. It is followed from piece to piece, one point changing
+/// its state at a time (the parametric active set: Best 1996; Ferreau, Bock & Diehl 2008; for laws that are
+/// not monotone Eaves & Scarf 1976): with the new piece's matrix the path goes on beyond the side, forwards
+/// or, where the determinant changes its sign, backwards in t. A step without changes of state costs one
+/// factorisation, and each change one solve: the pieces' matrices differ by rank 1.
+class ContactPath
+{
+public:
+    using VectorXd = Eigen::VectorXd;
+
+    /// \param program with inertia, without multiplier, compliance and crushing, and with
+    /// Sliding::associative without strengths \param start forces and displacements, sized as in the solution
+    /// \param symbolic kept from program to program (form/Form.h), not owned
+    /// \throws std::invalid_argument for any other program or start
+    ContactPath(const PlaneConeProgram& program, const ConeSolution& start,
+                const ContactPathSettings& settings, SymbolicAnalysis& symbolic);
+
+    /// Goes to the solution from the start, or from the last one where columns and gaps have changed since.
+    /// \return whether it was reached
+    bool follow(const PlaneConeProgram& program);
+
+    VectorXd displacement() const;
+    const VectorXd& contactForce() const { return force; }
+
+    int pivots = 0;
+    int factorisations = 0;
+
+private:
+    /// What has changed in a point since the factorisation: D by u v', and so S by rho A u (A v)'.
+    struct Change
+    {
+        int point;
+        Eigen::Vector2d v;
+        VectorXd solved;    ///< S^-1 rho A u, S before the change
+        double determinant; ///< of S after the change over that before
+    };
+    /// Where the path leaves its piece.
+    struct Exit
+    {
+        int point = -1; ///< or none
+        PieceSide side{Eigen::Vector2d::Zero(), 0, {}};
+        double length = 0; ///< in t
+    };
+
+    SlidingLaw lawOf(int point) const;
+    void begin(const VectorXd& startForce);
+    void findForces();
+    VectorXd residual() const;
+    bool factorise();
+    VectorXd solve(const VectorXd& rows);
+    VectorXd corrected(VectorXd solved) const;
+    bool walk(const VectorXd& residualOfStart, const VectorXd& change);
+    Exit firstExit(const VectorXd& rate, double sense, double farthest, const Exit& last) const;
+    bool cross(const Exit& exit, VectorXd& direction, VectorXd& rate);
+    bool isRounding(const VectorXd& left) const;
+    bool polish();
+
+    const ContactPathSettings settings;
+    ContactSystem<3, 2> system;
+    std::vector<ConeColumns<3, 2>> given; ///< of the program
+    std::vector<SlidingLaw> laws;
+    VectorXd start;
+    VectorXd load; ///< of x with y = start + L'^-1 x
+    VectorXd gap;  ///< likewise
+    double enough; ///< of the residual
+    VectorXd rho;  ///< k of each point
+    VectorXd x, w;
+    VectorXd force; ///< law(w)
+    std::vector<PointState<2>> states;
+    std::vector<PieceSides> sides;     ///< of `states`
+    std::vector<PointForce<2>> pieces; ///< of `states`, when it was factorised
+    bool isFactorised = false;
+    std::vector<Change> changes; ///< since then
+    int mostPivots = 0;
+};
+
+} // namespace drystone

@@ -1,0 +1,144 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Coulomb's law in a step by following the forces of the step before: how stiff points are, and where the
+/// path begins.
+#include "dynamics/FollowedFlow.h"
+
+#include "conic/coulomb/ContactPath.h"
+#include "dynamics/CoulombFlow.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace drystone
+{
+namespace
+{
+
+constexpr int mostRelinearisations = 10;
+
+/// Points that follow the flow overlap by up to this share of a block, and by at most half of it under the
+/// largest force of the step before.
+constexpr double mostOverlap = 3e-10;
+
+/// Error allowed in gaps that are linear predictions, where it does not become less.
+constexpr double partOfOverlap = 0.1;
+
+/// Changes of state of points allowed from the forces of the last step; where they do not suffice, it was of
+/// another kind. From any forces so many times the number of points.
+constexpr int fewPivots = 24;
+constexpr int manyPivots = 4;
+
+/// From forces of another kind, such as those of the interior point, the way to nearly rigid points is long
+/// and winding; by way of points that are softer by these factors it is short.
+constexpr std::array<double, 3> softening{65536, 256, 1};
+
+/// In powers of 4 times what stops all of a structure in one step, so that it stays from step to step and is
+/// the same in any units. \return the stiffness with which points overlap by no more under a force [N/m]
+double stiffnessFor(const StepProgram<2>& program, double force, double overlap)
+{
+    double inertia = 0;
+    for (const StepProgram<2>::Inertia& ofBody : program.inertia)
+    {
+        inertia += ofBody(0, 0);
+    }
+    return inertia * std::exp2(2 * std::ceil(0.5 * std::log2(force / (inertia * overlap))));
+}
+
+/// A program whose flow is followed, and what counts the work.
+struct FollowedFlow
+{
+    StepProgram<2> program;
+    const StepSettings& settings;
+    SymbolicAnalysis& symbolic;
+    ThetaStep& step;
+};
+
+/// From a solution to that for points of this stiffness. \param relinearise or empty: with the gaps as they
+/// are \param gapTolerance of the linear prediction \return whether it was reached
+bool followTo(FollowedFlow& flow, ConeSolution& solution, double stiffness, int maximumPivots,
+              const Relinearisation<2>& relinearise, double gapTolerance)
+{
+    constexpr double beyond = 1e-3;
+    constexpr double exact = 1e-3;
+    ContactPath path(flow.program, solution,
+                     {Sliding::coulomb, stiffness, beyond * flow.settings.solver.tolerance, maximumPivots},
+                     flow.symbolic);
+    bool isReached = false;
+    double before = std::numeric_limits<double>::infinity();
+    for (int round = 0; !isReached && round <= mostRelinearisations && path.follow(flow.program); ++round)
+    {
+        solution.contactForce = path.contactForce();
+        solution.displacement = displacementUnder(
+            flow.program, flow.program.load - applyEquilibrium(flow.program, solution.contactForce));
+        if (!relinearise)
+        {
+            isReached = true;
+            break;
+        }
+        // To rounding: what is left of an error differs between motions that are alike.
+        const double error = relinearise(solution.displacement, solution.contactForce, flow.program);
+        isReached = error <= exact * gapTolerance || (error <= gapTolerance && error >= 0.5 * before);
+        before = error;
+    }
+    flow.step.iterations += path.factorisations;
+    flow.step.factorisations += path.factorisations;
+    return isReached;
+}
+
+} // namespace
+
+template<>
+bool followFlow<2>(ThetaStep& step, const StepProgram<2>& program, const ConeSolution& start,
+                   const StepSettings& settings, const Relinearisation<2>& relinearise,
+                   SymbolicAnalysis& symbolic)
+{
+    const double largest = start.contactForce.size() > 0 ? start.contactForce.lpNorm<Eigen::Infinity>() : 0;
+    if (!relinearise || settings.overlaps == Overlaps::none || program.hasCompliance()
+        || program.hasCrushing() || !(largest > 0))
+    {
+        return false;
+    }
+    const double overlap = mostOverlap * settings.blockSize;
+    const double stiffness = stiffnessFor(program, largest, overlap / 2);
+    const int few = fewPivots + program.points() / 4;
+    const int many = manyPivots * program.points();
+    FollowedFlow flow{program, settings, symbolic, step};
+    ConeSolution solution = start;
+    bool isReached = followTo(flow, solution, stiffness, few, relinearise, partOfOverlap * overlap);
+    if (!isReached)
+    {
+        flow.program = program;
+        solution = start;
+        isReached = true;
+        for (std::size_t stage = 0; isReached && stage < softening.size(); ++stage)
+        {
+            const bool isLast = stage + 1 == softening.size();
+            isReached = followTo(flow, solution, stiffness / softening[stage], many,
+                                 isLast ? relinearise : Relinearisation<2>{}, partOfOverlap * overlap);
+        }
+    }
+    if (!isReached)
+    {
+        return false;
+    }
+    solution.status = SolveStatus::optimal;
+    ThetaStep taken = step;
+    takeOver(taken, flow.program, std::move(solution), settings, overlap, overlap);
+    const bool isRight = taken.certificate.worst() <= settings.solver.tolerance;
+    if (isRight)
+    {
+        step = std::move(taken);
+    }
+    return isRight;
+}
+
+template<>
+bool followFlow<3>(ThetaStep&, const StepProgram<3>&, const ConeSolution&, const StepSettings&,
+                   const Relinearisation<3>&, SymbolicAnalysis&)
+{
+    return false;
+}
+
+} // namespace drystone

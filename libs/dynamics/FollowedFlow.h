@@ -1,0 +1,31 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Coulomb's law in a step by following the forces of the step before.
+#pragma once
+
+#include "dynamics/ThetaStep.h"
+
+namespace drystone
+{
+
+/// Coulomb's law by following forces from a start to those of points that overlap by less than 1e-9 of a
+/// block (conic/coulomb/ContactPath.h). Rigid forces are not unique, and with them neither is the motion:
+/// these are the least, so that the motion depends on the places and velocities of the blocks only, and
+/// changes as they do. Only in the plane, where overlaps are damped, with blocks that move and forces to
+/// begin with. \param program its gaps without what the flow opens \return whether it was reached; otherwise
+/// the step is as it was but for the work counted
+template<int Dim>
+bool followFlow(ThetaStep& step, const StepProgram<Dim>& program, const ConeSolution& start,
+                const StepSettings& settings, const Relinearisation<Dim>& relinearise,
+                SymbolicAnalysis& symbolic);
+template<>
+bool followFlow<2>(ThetaStep& step, const StepProgram<2>& program, const ConeSolution& start,
+                   const StepSettings& settings, const Relinearisation<2>& relinearise,
+                   SymbolicAnalysis& symbolic);
+
+/// Not reached: cones of space are round, their laws have no pieces.
+template<>
+bool followFlow<3>(ThetaStep& step, const StepProgram<3>& program, const ConeSolution& start,
+                   const StepSettings& settings, const Relinearisation<3>& relinearise,
+                   SymbolicAnalysis& symbolic);
+
+} // namespace drystone
