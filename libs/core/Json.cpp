@@ -36,7 +36,7 @@ public:
     bool end_array() override { return close(); }
     bool key(std::string& name) override
     {
-        std::get<JsonValue::Object>(parents.back()->content).emplace_back(std::move(name), JsonValue{});
+        std::get<JsonValue::Object>(parents.back()->content).push_back({std::move(name), {}});
         return true;
     }
     bool parse_error(std::size_t position, const std::string&,
@@ -60,7 +60,7 @@ private:
         {
             return list->emplace_back(std::move(value));
         }
-        return std::get<JsonValue::Object>(parents.back()->content).back().second = std::move(value);
+        return std::get<JsonValue::Object>(parents.back()->content).back().value = std::move(value);
     }
     bool add(JsonValue value)
     {

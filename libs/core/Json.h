@@ -14,11 +14,13 @@
 namespace drystone
 {
 
+struct JsonMember;
+
 /// A value: null, a switch, a number, a text, a list or an object, whose members keep their order.
 struct JsonValue
 {
     using List = std::vector<JsonValue>;
-    using Object = std::vector<std::pair<std::string, JsonValue>>;
+    using Object = std::vector<JsonMember>;
 
     std::variant<std::monostate, bool, double, std::string, List, Object> content;
 
@@ -32,6 +34,13 @@ struct JsonValue
     /// The first member of this name; nullptr where there is none, or the value is no object. Takes time of
     /// the order of the members.
     const JsonValue* find(std::string_view key) const;
+};
+
+/// A member of an object.
+struct JsonMember
+{
+    std::string key;
+    JsonValue value;
 };
 
 /// What keeps a text from being JSON: `the text is no JSON here`.

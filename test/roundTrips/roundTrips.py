@@ -88,7 +88,8 @@ def faultOfOthers(case):
         view = gltf["bufferViews"][accessor["bufferView"]]
         numbers = struct.unpack(f"<{3 * accessor['count']}f", buffer[view["byteOffset"]:][:view["byteLength"]])
         for axis in range(3):
-            if "min" in accessor and abs(min(numbers[axis::3]) - accessor["min"][axis]) > 1e-6:
+            if "min" in accessor and abs(
+                    min(numbers[axis::3]) - accessor["min"][axis]) > 1e-6 * max(1, abs(accessor["min"][axis])):
                 return f"glTF: minimum of {accessor}"
     script = (case / "export/other.lmgc90").read_text()
     compile(script, "lmgc90", "exec")
