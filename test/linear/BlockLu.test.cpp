@@ -55,6 +55,25 @@ TEST(BlockLu, SolvesWhatADenseFactorisationSolves)
     Eigen::VectorXd x = right;
     factor.solve(x);
     EXPECT_LT((x - dense.partialPivLu().solve(right)).lpNorm<Eigen::Infinity>(), 1e-14);
+
+    // Some columns and rows changed: the same to the last bit as from the beginning.
+    const std::vector<int> changed{5, 20};
+    for (const int column : changed)
+    {
+        for (int entry = pattern.columnStart[column]; entry < pattern.columnStart[column + 1]; ++entry)
+        {
+            lower[entry] *= 1.5;
+            upperTransposed[entry] *= 0.5;
+        }
+    }
+    ASSERT_TRUE(factor.refactorise(lower, upperTransposed, changed));
+    x = right;
+    factor.solve(x);
+    BlockLu<3> anew(pattern);
+    ASSERT_TRUE(anew.factorise(lower, upperTransposed));
+    Eigen::VectorXd y = right;
+    anew.solve(y);
+    EXPECT_EQ(x, y);
 }
 
 TEST(BlockLu, ASingularPivotIsNoticed)
