@@ -34,7 +34,7 @@ namespace
 constexpr int largeWall = 80; // units; its multiplier:
 constexpr double largeMultiplier = 0.43059535;
 constexpr int mediumWall = 20; // likewise
-constexpr double mediumMultiplier = 0.4313;
+constexpr double mediumMultiplier = 0.50720395;
 
 double multiplierOf(long wall)
 {
