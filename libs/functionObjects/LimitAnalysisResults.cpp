@@ -355,7 +355,7 @@ void checkFunctions(const Dictionary& controlDict, const std::filesystem::path&,
 {
     if (const Entry* functions = controlDict.find("functions"))
     {
-        info("Functions of system/controlDict apply to time stepping, which is not available in space: {}\n",
+        info("Functions of system/controlDict apply to time stepping and are not run here: {}\n",
              fmt::join(functions->dictionary().keywords(), " "));
     }
 }

@@ -26,7 +26,7 @@ std::filesystem::path limitAnalysisTable(const std::filesystem::path& caseDirect
 std::filesystem::path limitAnalysisInput(const std::filesystem::path& caseDirectory);
 
 /// Checks the functions of controlDict and reports that they are not run: they follow motion, which limit
-/// analysis does not have. In space, where there is no motion yet, they are named and not checked.
+/// analysis does not have. In space they are named and not checked.
 /// \throws FatalIOError for faults in them
 void checkFunctions(const Dictionary& controlDict, const std::filesystem::path& caseDirectory,
                     const Assembly<2>& assembly);
