@@ -9,6 +9,8 @@
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -63,6 +65,25 @@ void writeWholeFile(const std::filesystem::path& file, std::string_view content)
         ::unlink(temporary.c_str());
         refuse(file, reason);
     }
+}
+
+std::string contentOfFile(const std::filesystem::path& file)
+{
+    std::error_code unknown;
+    if (std::filesystem::is_directory(file, unknown)) // which opens, and then throws as it is read
+    {
+        return {};
+    }
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::filesystem::path sharedFolder()
+{
+    std::error_code unknown;
+    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", unknown);
+    const std::filesystem::path folder = program.parent_path().parent_path() / "share" / "drystone";
+    return !unknown && std::filesystem::is_directory(folder, unknown) ? folder : std::filesystem::path();
 }
 
 void requireWritable(const std::filesystem::path& folder)

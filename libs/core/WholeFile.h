@@ -1,8 +1,10 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Files that are written whole or not at all.
+/// Files that are written whole or not at all, and read whole; and where the files are that an installation
+/// shares.
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 namespace drystone
@@ -13,6 +15,14 @@ namespace drystone
 /// \throws FatalError naming the file and the system's reason (no permission, disk full, ...); the
 /// old file then stands.
 void writeWholeFile(const std::filesystem::path& file, std::string_view content);
+
+/// The bytes of a file; none where it cannot be read, which the caller has to tell from an empty one where
+/// that matters.
+std::string contentOfFile(const std::filesystem::path& file);
+
+/// `share/drystone` beside the `bin` of the running application, of a build or of an installation; empty
+/// where there is no such folder.
+std::filesystem::path sharedFolder();
 
 /// Finds out whether files can be written into a folder, which need not exist yet, without touching anything:
 /// for a run to ask before it computes.

@@ -1,6 +1,8 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// From statements to a dictionary: macros, directives, includes, arithmetic and the merging of entries.
 #include "dictionary/Dictionary.h"
+
+#include "core/WholeFile.h"
 #include "dictionary/DictionaryGrammar.h"
 #include "dictionary/DictionaryPattern.h"
 #include "dictionary/Expression.h"
@@ -914,10 +916,8 @@ std::filesystem::path etcDirectory()
         return directory;
     // An installed application has it beside its folder.
     std::error_code unknown;
-    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", unknown);
-    const std::filesystem::path installed =
-        program.parent_path().parent_path() / "share" / "drystone" / "etc";
-    return !unknown && std::filesystem::is_directory(installed, unknown) ? installed : DRYSTONE_ETC_DIRECTORY;
+    const std::filesystem::path installed = sharedFolder() / "etc";
+    return std::filesystem::is_directory(installed, unknown) ? installed : DRYSTONE_ETC_DIRECTORY;
 }
 
 } // namespace drystone

@@ -11,8 +11,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 
 namespace drystone
@@ -61,9 +59,7 @@ Entry lookUp(const fs::path& caseDirectory, const CaseEntry& entry, const Dictio
 void setEntry(const fs::path& caseDirectory, const CaseEntry& entry, const std::string& value)
 {
     const fs::path file = caseDirectory / entry.file;
-    std::ifstream stream(file, std::ios::binary);
-    const std::string text(std::istreambuf_iterator<char>(stream), {});
-    writeWholeFile(file, withEntrySet(text, entry.file, entry.entry, value));
+    writeWholeFile(file, withEntrySet(contentOfFile(file), entry.file, entry.entry, value));
 }
 
 std::string faultOfName(const std::string& name)

@@ -4,6 +4,7 @@
 
 #include "core/Error.h"
 #include "core/Signals.h"
+#include "core/WholeFile.h"
 #include "runControl/Case.h"
 
 #include <fmt/format.h>
@@ -61,12 +62,6 @@ void copyInto(const fs::path& from, const fs::path& to)
             fs::copy_file(entry.path(), to / entry.path().filename(), fs::copy_options::overwrite_existing);
         }
     }
-}
-
-std::string contentOf(const fs::path& file)
-{
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 void listFiles(const fs::path& folder, std::vector<fs::path>& files)
@@ -138,7 +133,7 @@ std::uint64_t fingerprint(const fs::path& caseDirectory, const std::string& left
         const fs::path name = file.lexically_relative(caseDirectory);
         if (name != leftOut)
         {
-            all += name.string() + '\0' + contentOf(file) + '\0';
+            all += name.string() + '\0' + contentOfFile(file) + '\0';
         }
     }
     return fingerprint(all);
@@ -152,7 +147,7 @@ std::vector<std::vector<double>> readHistory(const fs::path& file, const std::st
     {
         return rows;
     }
-    const std::string text = contentOf(file);
+    const std::string text = contentOfFile(file);
     if (!text.starts_with(heading))
     {
         throw FatalError(fmt::format("{} belongs to another {}: the files of the case, or the settings, were "

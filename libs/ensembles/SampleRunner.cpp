@@ -5,6 +5,7 @@
 #include "assembly/AssemblyFile.h"
 #include "contact/ClosedAssembly.h"
 #include "contact/JointClosure.h"
+#include "core/WholeFile.h"
 #include "dictionary/DictionaryEdit.h"
 #include "dictionary/FilesInMemory.h"
 #include "dynamics/Advance.h"
@@ -19,8 +20,6 @@
 #include <algorithm>
 #include <cmath>
 #include <csignal>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <new>
 
@@ -116,8 +115,7 @@ struct SampleRunner::InProcess
         const auto [text, isNew] = originals.try_emplace(file);
         if (isNew)
         {
-            std::ifstream stream(ensemble.caseDirectory / file, std::ios::binary);
-            text->second.assign(std::istreambuf_iterator<char>(stream), {});
+            text->second = contentOfFile(ensemble.caseDirectory / file);
         }
         return text->second;
     }

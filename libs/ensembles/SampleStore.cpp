@@ -30,12 +30,6 @@ namespace
     throw FatalError(fmt::format("Cannot write {}: {}.", file.string(), std::strerror(errno)));
 }
 
-std::string contentOf(const fs::path& file)
-{
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 /// A lock on one byte of a file for this process. \return 0, or the error
 int lockByte(int descriptor, long byte, short type, int command)
 {
@@ -124,7 +118,7 @@ SampleStore::SampleStore(const fs::path& caseDirectory, const std::string& plan,
     const fs::path planFile = work / "plan";
     if (fs::exists(planFile, error))
     {
-        if (contentOf(planFile) != plan)
+        if (contentOfFile(planFile) != plan)
         {
             throw FatalError(fmt::format(
                 "{} belongs to another ensemble: the files of the case, or the variables, the design, the "

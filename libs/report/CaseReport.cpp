@@ -30,8 +30,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <set>
 #include <sstream>
 
@@ -42,12 +40,6 @@ namespace
 {
 
 namespace fs = std::filesystem;
-
-std::string contentOf(const fs::path& file)
-{
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 /// Files below a folder with an ending, sorted, so that a report is the same each time.
 std::vector<fs::path> filesWithEnding(const fs::path& folder, const std::string& ending)
@@ -112,7 +104,7 @@ std::vector<LimitAnalysis> storedAnswers(const fs::path& caseDirectory, const Nu
     // Combinations of loads are named in a table of their own, in the same order.
     std::vector<std::string> names;
     std::istringstream combinations(
-        contentOf(limitAnalysisTable(caseDirectory).replace_filename("combinations.dat")));
+        contentOfFile(limitAnalysisTable(caseDirectory).replace_filename("combinations.dat")));
     std::string line;
     std::getline(combinations, line);
     while (std::getline(combinations, line))
@@ -200,7 +192,7 @@ void addPictures(HtmlPage& page, const fs::path& caseDirectory)
     for (const fs::path& file : files)
     {
         const std::string name = fs::relative(file, caseDirectory).string();
-        const std::string drawing = contentOf(file);
+        const std::string drawing = contentOfFile(file);
         if (drawing.size() > largest)
         {
             page.paragraph(fmt::format("Left out for its size, {:.1f} MB: {}.",
@@ -355,7 +347,7 @@ std::vector<std::string> warningsIn(const fs::path& caseDirectory)
         {
             continue;
         }
-        std::istringstream log(contentOf(caseDirectory / name));
+        std::istringstream log(contentOfFile(caseDirectory / name));
         for (std::string line; std::getline(log, line);)
         {
             if (!line.starts_with("--> DRYSTONE Warning"))
@@ -400,7 +392,7 @@ void addRepetition(HtmlPage& page, const fs::path& caseDirectory)
     std::vector<std::string> commands;
     for (const std::string& name : namesIn(caseDirectory))
     {
-        std::istringstream log(name.starts_with("log.") ? contentOf(caseDirectory / name) : "");
+        std::istringstream log(name.starts_with("log.") ? contentOfFile(caseDirectory / name) : "");
         for (std::string line; std::getline(log, line);)
         {
             if (line.starts_with("Exec    : "))
@@ -419,7 +411,7 @@ void addRepetition(HtmlPage& page, const fs::path& caseDirectory)
     }
     page.paragraph(fmt::format("{}, with the input above, in the directory of the case:", versionText()));
     page.verbatim(fmt::format("{}", fmt::join(commands, "\n")));
-    const std::string fingerprints = contentOf(limitAnalysisInput(caseDirectory));
+    const std::string fingerprints = contentOfFile(limitAnalysisInput(caseDirectory));
     if (!fingerprints.empty())
     {
         page.paragraph("Fingerprints of the input that the multiplier follows from:");

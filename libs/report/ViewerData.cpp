@@ -2,12 +2,12 @@
 /// Writes what the viewer reads.
 #include "report/ViewerData.h"
 
+#include "core/WholeFile.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <cmath>
-#include <fstream>
-#include <iterator>
 
 namespace drystone
 {
@@ -99,12 +99,8 @@ std::string viewerJson(const Assembly<Dim>& assembly, const std::vector<BlockFra
 
 std::optional<std::string> viewerScript()
 {
-    std::error_code unknown;
-    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", unknown);
-    std::ifstream stream(program.parent_path().parent_path() / "share" / "drystone" / "viewer.js",
-                         std::ios::binary);
-    const std::string script{std::istreambuf_iterator<char>(stream), {}};
-    if (unknown || script.empty())
+    const std::string script = contentOfFile(sharedFolder() / "viewer.js");
+    if (script.empty())
     {
         return std::nullopt;
     }
