@@ -174,10 +174,7 @@ Model<Statistic> fractilesStatistic()
             {
                 requireExpression(settings.intensity, names, intensity);
                 requireExpression(settings.response, names, response);
-                if (std::find(names.begin(), names.end(), settings.curve) == names.end())
-                {
-                    throw FatalIOError(unknownWordMessage("variable", settings.curve, names), curve);
-                }
+                requireVariable(settings.curve, names, curve);
             };
             statistic.evaluate = [settings](const std::string& name, const SampleTable& table)
             { return evaluateFractiles(settings, name, table); };

@@ -401,9 +401,9 @@ Model<Statistic> fragilityStatistic()
             {
                 requireExpression(settings.intensity, names, intensity);
                 requireExpression(settings.exceeded, names, exceeded);
-                if (settings.curve && std::find(names.begin(), names.end(), *settings.curve) == names.end())
+                if (settings.curve)
                 {
-                    throw FatalIOError(unknownWordMessage("variable", *settings.curve, names), curve);
+                    requireVariable(*settings.curve, names, curve);
                 }
             };
             statistic.evaluate = [settings](const std::string& name, const SampleTable& table)

@@ -270,6 +270,15 @@ std::vector<double> valuesOf(const std::string& expression, const SampleTable& t
     return values;
 }
 
+void requireVariable(const std::string& name, const std::vector<std::string>& names,
+                     const SourceLocation& location)
+{
+    if (std::find(names.begin(), names.end(), name) == names.end())
+    {
+        throw FatalIOError(unknownWordMessage("variable", name, names), location);
+    }
+}
+
 void requireExpression(const std::string& expression, const std::vector<std::string>& names,
                        const SourceLocation& location)
 {

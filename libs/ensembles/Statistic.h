@@ -74,6 +74,10 @@ std::vector<double> valuesOf(const std::string& expression, const SampleTable& t
 void requireExpression(const std::string& expression, const std::vector<std::string>& names,
                        const SourceLocation& location);
 
+/// \throws FatalIOError when it is none of these names, with the nearest of them
+void requireVariable(const std::string& name, const std::vector<std::string>& names,
+                     const SourceLocation& location);
+
 /// A fractile of sorted values, interpolated between the two nearest. \param part 0 to 1
 double fractile(const std::vector<double>& sorted, double part);
 

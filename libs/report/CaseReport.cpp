@@ -61,10 +61,11 @@ template<int Dim>
 void addStructure(HtmlPage& page, const fs::path& caseDirectory, const Assembly<Dim>& assembly)
 {
     const AssemblyStatistics<Dim> counts = countAssembly(assembly);
+    const std::vector<BlockMass<Dim>> shapes = blockMasses(assembly);
     double volume = 0;
-    for (const Block<Dim>& block : assembly.blocks)
+    for (std::size_t block = 0; block < shapes.size(); ++block)
     {
-        volume += block.support < 0 ? blockMass<Dim>(block).volume : 0;
+        volume += assembly.blocks[block].support < 0 ? shapes[block].volume : 0;
     }
     std::vector<std::string> lengths;
     for (int axis = 0; axis < Dim; ++axis)
@@ -82,13 +83,12 @@ void addStructure(HtmlPage& page, const fs::path& caseDirectory, const Assembly<
         && fs::exists(caseDirectory / "constant/g", none))
     {
         const Vector<Dim> gravity = readGravity<Dim>(caseDirectory);
-        const std::vector<double> densities = readDensities<Dim>(caseDirectory, assembly, gravity);
+        const std::vector<double> masses =
+            massesOf(shapes, readDensities<Dim>(caseDirectory, assembly, gravity));
         double mass = 0;
-        for (std::size_t block = 0; block < assembly.blocks.size(); ++block)
+        for (std::size_t block = 0; block < masses.size(); ++block)
         {
-            mass += assembly.blocks[block].support < 0
-                        ? densities[block] * blockMass<Dim>(assembly.blocks[block]).volume
-                        : 0;
+            mass += assembly.blocks[block].support < 0 ? masses[block] : 0;
         }
         rows.push_back({"weight of the free blocks",
                         fmt::format("{} ({:.4g} kg under {:.4g} m/s2)", forceText(mass * gravity.norm()),

@@ -236,7 +236,7 @@ void peers(benchmark::State& state)
     state.counters["points"] = program.points();
     state.counters["alpha"] = answer->solution.multiplier;
     state.counters["iterations"] = answer->solution.iterations;
-    state.counters["factorisations"] = answer->solution.factorisations; // 0: not told
+    state.counters["factorisations"] = answer->solution.factorisations; // 0: not reported
     state.counters["memory[GB]"] = peakMemory();
     state.counters["certificate"] = certifyOptimal(program, answer->solution).worst();
     state.counters["solve[s]"] = answer->seconds;

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Pictures as numbers, and what is told apart in them: the user of libpng.
+/// Pictures as numbers, and what is distinguished in them: the user of libpng.
 #pragma once
 
 #include "import/ImportedFile.h"
