@@ -82,7 +82,7 @@ double hoverOf(const DynamicCase<2>& scene, const Motion<2>& motion)
 }
 
 /// A figure of the state at the end of a run.
-Quantity quantityAtTheEnd(InstantFigure figure, const AccuracyCase& ofCase)
+Quantity quantityAtTheEnd(InstantFigure<2> figure, const AccuracyCase& ofCase)
 {
     Quantity quantity;
     quantity.summary = fmt::format("{} at {:g} s", figure.subject, ofCase.endTime);
@@ -232,7 +232,7 @@ QuantityPlan makeEnergy(const EndEnergy& settings)
 {
     QuantityPlan plan{QuantityKind::motion, settings.reference, {}};
     plan.make = [settings](const AccuracyCase& study)
-    { return quantityAtTheEnd(energyOf(settings.part), study); };
+    { return quantityAtTheEnd(energyOf<2>(settings.part), study); };
     return plan;
 }
 

@@ -411,7 +411,10 @@ void Sampler::readTable(const Dictionary&, const std::filesystem::path& caseDire
         }
         if (line.starts_with("#"))
         {
-            columns = cells;
+            if (places.empty()) // comments between rows are no headings
+            {
+                columns = cells;
+            }
             continue;
         }
         if (cells.empty())

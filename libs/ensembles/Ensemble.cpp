@@ -37,15 +37,16 @@ bool canRunInProcess(const EnsembleSettings& settings)
         }
     }
     return rest.empty()
-           && std::all_of(
-               settings.results.begin(), settings.results.end(),
-               [&](const Named<Figure>& result)
-               {
-                   return (result.second.ofCollapse && contains(settings.applications, "limitAnalysis"))
-                          || (result.second.watch && contains(settings.applications, "contactDynamics"))
-                          || (result.second.ofLeastIntensity
-                              && contains(settings.applications, "incrementalDynamics"));
-               });
+           && std::all_of(settings.results.begin(), settings.results.end(),
+                          [&](const Named<Figure>& result)
+                          {
+                              return (result.second.ofCollapse
+                                      && contains(settings.applications, "limitAnalysis"))
+                                     || (result.second.isOfMotion()
+                                         && contains(settings.applications, "contactDynamics"))
+                                     || (result.second.ofLeastIntensity
+                                         && contains(settings.applications, "incrementalDynamics"));
+                          });
 }
 
 /// Refuses results that the applications do not have.
@@ -54,7 +55,7 @@ void requireResults(const Ensemble& ensemble)
     for (const auto& [name, figure] : ensemble.settings.results)
     {
         const SourceLocation place = ensemble.dictionary.subDict("results").locationOf(name);
-        if (figure.watch && !ensemble.isInProcess)
+        if (figure.isOfMotion() && !ensemble.isInProcess)
         {
             throw FatalIOError(
                 fmt::format(

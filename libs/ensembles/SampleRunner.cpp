@@ -155,14 +155,7 @@ struct SampleRunner::InProcess
         }
         if (contains(ensemble.settings.applications, "contactDynamics"))
         {
-            if constexpr (Dim == 2)
-            {
-                move();
-            }
-            else
-            {
-                throw FatalError("Motion in space is not available to ensembles yet.");
-            }
+            move<Dim>();
         }
         if (contains(ensemble.settings.applications, "incrementalDynamics"))
         {
@@ -242,18 +235,19 @@ struct SampleRunner::InProcess
         }
     }
 
+    template<int Dim>
     void move()
     {
         const fs::path& directory = ensemble.caseDirectory;
         Time time(directory, ControlDict::required);
-        const DynamicCase<2> scene = readDynamicCase<2>(directory);
-        Motion<2> motion = startOrContinue(directory, scene, time);
-        std::vector<std::pair<std::size_t, std::unique_ptr<MotionWatch>>> watches;
+        const DynamicCase<Dim> scene = readDynamicCase<Dim>(directory);
+        Motion<Dim> motion = startOrContinue(directory, scene, time);
+        std::vector<std::pair<std::size_t, std::unique_ptr<MotionWatch<Dim>>>> watches;
         for (std::size_t i = 0; i < results.size(); ++i)
         {
-            if (const Figure& figure = ensemble.settings.results[i].second; figure.watch)
+            if (const auto& watch = std::get<WatchMaker<Dim>>(ensemble.settings.results[i].second.watch))
             {
-                watches.emplace_back(i, figure.watch(scene, motion));
+                watches.emplace_back(i, watch(scene, motion));
                 watches.back().second->observe(motion, 0);
             }
         }

@@ -8,10 +8,12 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <ctime>
 #include <fstream>
 #include <iterator>
+#include <limits>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -96,6 +98,12 @@ std::vector<double> numbersOf(const std::string& line)
         }
         numbers.push_back(value);
     }
+}
+
+/// Whether a number of a file is a whole one that a long has: without rounding in a double.
+bool isWhole(double number, double least, double most)
+{
+    return number >= least && number <= most && number == std::floor(number);
 }
 
 } // namespace
@@ -244,8 +252,9 @@ void readJournal(const fs::path& file, std::size_t results, std::map<long, Sampl
     for (std::string line; std::getline(stream, line);)
     {
         const std::vector<double> numbers = numbersOf(line);
-        const bool isRow = numbers.size() == 4 + results && numbers[0] >= 0 && numbers[1] >= 0
-                           && numbers[1] < sampleStatuses;
+        const bool isRow = numbers.size() == 4 + results && isWhole(numbers[0], 0, 0x1p53)
+                           && isWhole(numbers[1], 0, sampleStatuses - 1)
+                           && isWhole(numbers[2], 0, std::numeric_limits<int>::max());
         if (isRow)
         {
             rows.try_emplace(static_cast<long>(numbers[0]),

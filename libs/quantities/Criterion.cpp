@@ -9,7 +9,7 @@ namespace drystone
 namespace
 {
 
-Criterion above(InstantFigure figure, double limit)
+Criterion above(InstantFigure<2> figure, double limit)
 {
     std::string summary = fmt::format("{} above {:g} {}", figure.subject, limit, figure.unit);
     return {std::move(figure), limit, std::move(summary)};

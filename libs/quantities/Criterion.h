@@ -20,9 +20,9 @@ namespace drystone
 /// A figure and its limit. Immutable, so that threads can share it.
 struct Criterion
 {
-    InstantFigure figure; ///< displacement, rotation or drop, never negative
-    double limit = 0;     ///< a run meets the criterion as soon as the figure is above this
-    std::string summary;  ///< for the log: `displacement of any corner above 1e-06 m`
+    InstantFigure<2> figure; ///< displacement, rotation or drop, never negative
+    double limit = 0;        ///< a run meets the criterion as soon as the figure is above this
+    std::string summary;     ///< for the log: `displacement of any corner above 1e-06 m`
 };
 
 /// Makes a criterion once the structure is known. \throws FatalIOError for a block that does not exist, or is

@@ -14,24 +14,25 @@ namespace
 {
 
 /// One number of those that a figure has at the instants of a motion.
-class InstantWatch final : public MotionWatch
+template<int Dim>
+class InstantWatch final : public MotionWatch<Dim>
 {
 public:
-    InstantWatch(InstantFigure watched, DynamicState<2> begin, Take number)
+    InstantWatch(InstantFigure<Dim> watched, DynamicState<Dim> begin, Take number)
         : figure(std::move(watched)), start(std::move(begin)), take(number)
     {
     }
-    void observe(const Motion<2>& motion, double) override { values.push_back(figure.at(start, motion)); }
+    void observe(const Motion<Dim>& motion, double) override { values.push_back(figure.at(start, motion)); }
     double value() const override { return taken(values, take); }
 
 private:
-    InstantFigure figure;
-    DynamicState<2> start;
+    InstantFigure<Dim> figure;
+    DynamicState<Dim> start;
     Take take;
     std::vector<double> values;
 };
 
-class ReturnTimeWatch final : public MotionWatch
+class ReturnTimeWatch final : public MotionWatch<2>
 {
 public:
     ReturnTimeWatch(ReturnWatch watched, std::size_t number) : returns(watched), count(number) {}
@@ -46,15 +47,34 @@ private:
     std::size_t count;
 };
 
-/// \param make of the structure the figure at one instant
+template<int Dim, class Make>
+WatchMaker<Dim> instantWatch(Take take, Make make)
+{
+    return [take, make](const DynamicCase<Dim>& scene, const Motion<Dim>& start)
+    { return std::make_unique<InstantWatch<Dim>>(make(scene.assembly), start.state, take); };
+}
+
+/// \param make of the structure, an assembly of the plane or of space, the figure at one instant
 template<class Make>
 Figure instantFigure(std::string unit, Take take, Make make)
 {
     Figure figure;
     figure.unit = std::move(unit);
-    figure.watch = [take, make](const DynamicCase<2>& scene, const Motion<2>& start)
-    { return std::make_unique<InstantWatch>(make(scene.assembly), start.state, take); };
+    figure.watch = {instantWatch<2>(take, make), instantWatch<3>(take, make)};
     return figure;
+}
+
+/// A direction of a dictionary in the space of an assembly, of length 1.
+template<int Dim>
+Vector<Dim> unitDirection(const std::array<double, 3>& direction, const SourceLocation& location)
+{
+    const Vector<Dim> inSpace = Eigen::Map<const Vector<3>>(direction.data()).head<Dim>();
+    if (!(inSpace.norm() > 0))
+    {
+        throw FatalIOError(
+            fmt::format("The direction has no length in {}.", Dim == 2 ? "the plane" : "space"), location);
+    }
+    return inSpace.normalized();
 }
 
 void declareTake(Options& options, Take& take)
@@ -107,11 +127,9 @@ void declare(Options& options, DisplacementSettings& settings)
     options.check("direction",
                   [&settings]
                   {
-                      return !settings.direction      ? ""
-                             : !settings.common.block ? "A direction is for one block: give `block`."
-                             : std::hypot((*settings.direction)[0], (*settings.direction)[1]) > 0
-                                 ? ""
-                                 : "The direction has no length in the plane.";
+                      return !settings.direction     ? ""
+                             : settings.common.block ? ""
+                                                     : "A direction is for one block: give `block`.";
                   });
 }
 
@@ -159,29 +177,37 @@ Figure makeTable(const TableFigure& settings)
 
 Figure makeDisplacement(const DisplacementSettings& settings, const Dictionary& dictionary)
 {
-    return instantFigure("m", settings.common.take,
-                         [settings, location = dictionary.locationOf("block")](const Assembly<2>& assembly)
-                         {
-                             if (!settings.direction)
-                             {
-                                 return displacementOf(assembly, settings.common.block, location);
-                             }
-                             const Vector<2> direction((*settings.direction)[0], (*settings.direction)[1]);
-                             return displacementAlong(assembly, *settings.common.block,
-                                                      direction.normalized(), location);
-                         });
+    return instantFigure(
+        "m", settings.common.take,
+        [settings, block = dictionary.locationOf("block"),
+         direction = dictionary.locationOf("direction")]<int Dim>(const Assembly<Dim>& assembly)
+        {
+            return settings.direction
+                       ? displacementAlong(assembly, *settings.common.block,
+                                           unitDirection<Dim>(*settings.direction, direction), block)
+                       : displacementOf(assembly, settings.common.block, block);
+        });
 }
 
 Figure makeReturnTime(const ReturnTimeSettings& settings, const Dictionary& dictionary)
 {
     Figure figure;
     figure.unit = "s";
-    figure.watch =
+    std::get<WatchMaker<2>>(figure.watch) =
         [settings, location = dictionary.locationOf("block")](const DynamicCase<2>& scene, const Motion<2>&)
     {
         const std::size_t block = freeBlock(scene.assembly, settings.block, location);
         return std::make_unique<ReturnTimeWatch>(ReturnWatch(block, 3 * scene.free[block] + 2),
                                                  static_cast<std::size_t>(settings.count));
+    };
+    std::get<WatchMaker<3>>(figure.watch) =
+        [location = dictionary.location()](const DynamicCase<3>&,
+                                           const Motion<3>&) -> std::unique_ptr<MotionWatch<3>>
+    {
+        throw FatalIOError(
+            "A block of space has no one axis to rock about: returnTime is a figure of the plane. "
+            "`type rotation;` is there in space too.",
+            location);
     };
     return figure;
 }
@@ -203,40 +229,42 @@ const Registry<Figure>& figureTypes()
                  figure.table = TableFigure{limitAnalysisTableName, "alpha", Take::first};
                  return figure;
              }),
-         model<Figure, FarthestSettings>(
-             "motion", "displacement of any corner of any block",
-             [](const FarthestSettings& settings, const Dictionary& dictionary)
-             {
-                 return instantFigure("m", settings.take,
-                                      [location = dictionary.location()](const Assembly<2>& assembly)
-                                      { return farthestCorner(assembly, location); });
-             }),
+         model<Figure, FarthestSettings>("motion", "displacement of any corner of any block",
+                                         [](const FarthestSettings& settings, const Dictionary& dictionary)
+                                         {
+                                             return instantFigure(
+                                                 "m", settings.take,
+                                                 [location = dictionary.location()]<int Dim>(
+                                                     const Assembly<Dim>& assembly)
+                                                 { return farthestCorner(assembly, location); });
+                                         }),
          model<Figure, DisplacementSettings>("displacement", "of the mass centre of a block",
                                              makeDisplacement),
          model<Figure, BlockFigureSettings>(
              "rotation", "of a block, without its sign",
              [](const BlockFigureSettings& settings, const Dictionary& dictionary)
              {
-                 return instantFigure(
-                     "rad", settings.take,
-                     [settings, location = dictionary.locationOf("block")](const Assembly<2>& assembly)
-                     { return rotationOf(assembly, settings.block, location); });
+                 return instantFigure("rad", settings.take,
+                                      [settings, location = dictionary.locationOf("block")]<int Dim>(
+                                          const Assembly<Dim>& assembly)
+                                      { return rotationOf(assembly, settings.block, location); });
              }),
          model<Figure, BlockFigureSettings>(
              "drop", "by which the mass centre of a block sinks",
              [](const BlockFigureSettings& settings, const Dictionary& dictionary)
              {
-                 return instantFigure(
-                     "m", settings.take,
-                     [settings, location = dictionary.locationOf("block")](const Assembly<2>& assembly)
-                     { return dropOf(assembly, settings.block, location); });
+                 return instantFigure("m", settings.take,
+                                      [settings, location = dictionary.locationOf("block")]<int Dim>(
+                                          const Assembly<Dim>& assembly)
+                                      { return dropOf(assembly, settings.block, location); });
              }),
          model<Figure, EnergySettings>("energy", "a part of the ledger of energy",
                                        [](const EnergySettings& settings)
                                        {
-                                           return instantFigure("J", settings.take,
-                                                                [part = settings.part](const Assembly<2>&)
-                                                                { return energyOf(part); });
+                                           return instantFigure(
+                                               "J", settings.take,
+                                               [part = settings.part]<int Dim>(const Assembly<Dim>&)
+                                               { return energyOf<Dim>(part); });
                                        }),
          model<Figure, ReturnTimeSettings>("returnTime", "when a block that rocks is upright again",
                                            makeReturnTime)}};

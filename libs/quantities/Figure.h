@@ -14,6 +14,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
 
 namespace drystone
 {
@@ -24,15 +25,22 @@ template<int Dim>
 struct Motion;
 
 /// Follows a motion; has a figure of it at the end.
+template<int Dim>
 class MotionWatch
 {
 public:
     virtual ~MotionWatch() = default;
     /// To be called before the first step, with 0, and after each one. \param timeStep that led here [s]
-    virtual void observe(const Motion<2>& motion, double timeStep) = 0;
+    virtual void observe(const Motion<Dim>& motion, double timeStep) = 0;
     /// nan where the run has no such figure
     virtual double value() const = 0;
 };
+
+/// Begins to follow a motion. \throws FatalIOError for a block that does not exist, or is fixed, and for what
+/// motions of this dimension do not have
+template<int Dim>
+using WatchMaker =
+    std::function<std::unique_ptr<MotionWatch<Dim>>(const DynamicCase<Dim>& scene, const Motion<Dim>& start)>;
 
 /// A figure that is requested: one of the three is there.
 struct Figure
@@ -41,8 +49,11 @@ struct Figure
     std::optional<TableFigure> table;            ///< read from what the applications write
     std::optional<std::string> ofCollapse;       ///< column of limitAnalysis.dat
     std::optional<std::string> ofLeastIntensity; ///< column of leastIntensity.dat
-    /// Of a motion, computed without files. \throws FatalIOError for a block that does not exist, or is fixed
-    std::function<std::unique_ptr<MotionWatch>(const DynamicCase<2>& scene, const Motion<2>& start)> watch;
+    /// Of a motion of the plane or of space, computed without files: std::get<WatchMaker<Dim>>(watch); either
+    /// both are there or none.
+    std::tuple<WatchMaker<2>, WatchMaker<3>> watch;
+
+    bool isOfMotion() const { return static_cast<bool>(std::get<WatchMaker<2>>(watch)); }
 };
 
 /// All types: table (which `type` need not say), multiplier, motion, displacement, rotation, drop, energy,

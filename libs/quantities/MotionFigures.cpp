@@ -2,6 +2,8 @@
 /// Measures of a motion.
 #include "quantities/MotionFigures.h"
 
+#include "assembly/BlockShape.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,7 +15,8 @@ namespace
 {
 
 /// The blocks that a figure is taken over: the one that is named, or all free ones.
-std::vector<int> watchedBlocks(const Assembly<2>& assembly, std::optional<int> block,
+template<int Dim>
+std::vector<int> watchedBlocks(const Assembly<Dim>& assembly, std::optional<int> block,
                                const SourceLocation& location)
 {
     const int count = static_cast<int>(assembly.blocks.size());
@@ -43,10 +46,10 @@ std::vector<int> watchedBlocks(const Assembly<2>& assembly, std::optional<int> b
 }
 
 /// The largest value of a figure over some blocks, at least 0; figure(block, placement at start, now).
-template<class Figure>
+template<int Dim, class Figure>
 auto largestOver(std::vector<int> blocks, Figure figure)
 {
-    return [blocks = std::move(blocks), figure](const DynamicState<2>& start, const Motion<2>& now)
+    return [blocks = std::move(blocks), figure](const DynamicState<Dim>& start, const Motion<Dim>& now)
     {
         double largest = 0;
         for (const int block : blocks)
@@ -65,70 +68,83 @@ std::string nameOf(std::optional<int> block)
 
 } // namespace
 
-InstantFigure farthestCorner(const Assembly<2>& assembly, const SourceLocation& location)
+template<int Dim>
+InstantFigure<Dim> farthestCorner(const Assembly<Dim>& assembly, const SourceLocation& location)
 {
-    std::vector<Polygon> outlines;
-    std::vector<Vector<2>> centres;
-    for (const Block<2>& block : assembly.blocks)
+    // One a block: its corners as built, from its mass centre.
+    std::vector<std::vector<Vector<Dim>>> arms;
+    for (const Block<Dim>& block : assembly.blocks)
     {
-        outlines.push_back(block.outline);
-        centres.push_back(blockMass(block).centroid);
+        const Vector<Dim> centre = blockMass(block).centroid;
+        arms.push_back(cornersOf(block));
+        for (Vector<Dim>& corner : arms.back())
+        {
+            corner -= centre;
+        }
     }
-    InstantFigure figure{"displacement", "m", "displacement of any corner", {}};
+    InstantFigure<Dim> figure{"displacement", "m", "displacement of any corner", {}};
     figure.at =
-        largestOver(watchedBlocks(assembly, {}, location),
-                    [outlines, centres](std::size_t block, const Placement<2>& start, const Placement<2>& now)
-                    {
-                        const Polygon before = placed(outlines[block], centres[block], start);
-                        const Polygon after = placed(outlines[block], centres[block], now);
-                        double farthest = 0;
-                        for (std::size_t corner = 0; corner < before.size(); ++corner)
-                        {
-                            farthest = std::max(farthest, (after[corner] - before[corner]).norm());
-                        }
-                        return farthest;
-                    });
+        largestOver<Dim>(watchedBlocks(assembly, {}, location),
+                         [arms](std::size_t block, const Placement<Dim>& start, const Placement<Dim>& now)
+                         {
+                             double farthest = 0;
+                             for (const Vector<Dim>& arm : arms[block])
+                             {
+                                 const Vector<Dim> way = now.translation - start.translation
+                                                         + swing(now.rotation, arm)
+                                                         - swing(start.rotation, arm);
+                                 farthest = std::max(farthest, way.norm());
+                             }
+                             return farthest;
+                         });
     return figure;
 }
 
-InstantFigure displacementOf(const Assembly<2>& assembly, std::optional<int> block,
-                             const SourceLocation& location)
+template<int Dim>
+InstantFigure<Dim> displacementOf(const Assembly<Dim>& assembly, std::optional<int> block,
+                                  const SourceLocation& location)
 {
-    InstantFigure figure{"displacement", "m", "displacement of " + nameOf(block), {}};
-    figure.at = largestOver(watchedBlocks(assembly, block, location),
-                            [](std::size_t, const Placement<2>& start, const Placement<2>& now)
-                            { return (now.translation - start.translation).norm(); });
+    InstantFigure<Dim> figure{"displacement", "m", "displacement of " + nameOf(block), {}};
+    figure.at = largestOver<Dim>(watchedBlocks(assembly, block, location),
+                                 [](std::size_t, const Placement<Dim>& start, const Placement<Dim>& now)
+                                 { return (now.translation - start.translation).norm(); });
     return figure;
 }
 
-InstantFigure displacementAlong(const Assembly<2>& assembly, int block, const Vector<2>& direction,
-                                const SourceLocation& location)
+template<int Dim>
+InstantFigure<Dim> displacementAlong(const Assembly<Dim>& assembly, int block, const Vector<Dim>& direction,
+                                     const SourceLocation& location)
 {
     const std::size_t index = freeBlock(assembly, block, location);
-    return {"displacement", "m",
-            fmt::format("displacement of block {} along ({:g} {:g})", block, direction.x(), direction.y()),
-            [index, direction](const DynamicState<2>& start, const Motion<2>& now) {
+    const std::string along =
+        Dim == 2 ? fmt::format("({:g} {:g})", direction[0], direction[1])
+                 : fmt::format("({:g} {:g} {:g})", direction[0], direction[1], direction[Dim - 1]);
+    return {"displacement", "m", fmt::format("displacement of block {} along {}", block, along),
+            [index, direction](const DynamicState<Dim>& start, const Motion<Dim>& now) {
                 return direction.dot(now.state.placements[index].translation
                                      - start.placements[index].translation);
             }};
 }
 
-InstantFigure rotationOf(const Assembly<2>& assembly, std::optional<int> block,
-                         const SourceLocation& location)
+template<int Dim>
+InstantFigure<Dim> rotationOf(const Assembly<Dim>& assembly, std::optional<int> block,
+                              const SourceLocation& location)
 {
-    InstantFigure figure{"rotation", "rad", "rotation of " + nameOf(block), {}};
-    figure.at = largestOver(watchedBlocks(assembly, block, location),
-                            [](std::size_t, const Placement<2>& start, const Placement<2>& now)
-                            { return std::abs(now.rotation - start.rotation); });
+    InstantFigure<Dim> figure{"rotation", "rad", "rotation of " + nameOf(block), {}};
+    figure.at = largestOver<Dim>(watchedBlocks(assembly, block, location),
+                                 [](std::size_t, const Placement<Dim>& start, const Placement<Dim>& now)
+                                 { return rowsOf(turnBetween(start.rotation, now.rotation)).norm(); });
     return figure;
 }
 
-InstantFigure dropOf(const Assembly<2>& assembly, std::optional<int> block, const SourceLocation& location)
+template<int Dim>
+InstantFigure<Dim> dropOf(const Assembly<Dim>& assembly, std::optional<int> block,
+                          const SourceLocation& location)
 {
-    InstantFigure figure{"drop", "m", "drop of " + nameOf(block), {}};
-    figure.at = largestOver(watchedBlocks(assembly, block, location),
-                            [](std::size_t, const Placement<2>& start, const Placement<2>& now)
-                            { return start.translation.y() - now.translation.y(); });
+    InstantFigure<Dim> figure{"drop", "m", "drop of " + nameOf(block), {}};
+    figure.at = largestOver<Dim>(watchedBlocks(assembly, block, location),
+                                 [](std::size_t, const Placement<Dim>& start, const Placement<Dim>& now)
+                                 { return start.translation[Dim - 1] - now.translation[Dim - 1]; });
     return figure;
 }
 
@@ -171,13 +187,15 @@ double partOf(const EnergyLedger& energy, EnergyPart part)
     return energy.frictionLoss + energy.impactLoss + energy.algorithmicLoss + energy.dampingLoss;
 }
 
-InstantFigure energyOf(EnergyPart part)
+template<int Dim>
+InstantFigure<Dim> energyOf(EnergyPart part)
 {
     return {"energy", "J", fmt::format("energy ({})", nameOf(part)),
-            [part](const DynamicState<2>&, const Motion<2>& now) { return partOf(now.energy, part); }};
+            [part](const DynamicState<Dim>&, const Motion<Dim>& now) { return partOf(now.energy, part); }};
 }
 
-std::size_t freeBlock(const Assembly<2>& assembly, int block, const SourceLocation& location)
+template<int Dim>
+std::size_t freeBlock(const Assembly<Dim>& assembly, int block, const SourceLocation& location)
 {
     const int count = static_cast<int>(assembly.blocks.size());
     if (block >= count)
@@ -224,5 +242,29 @@ double ReturnWatch::timeToUpright(double timeStep) const
     const double untilUpright = closing + root > 0 ? 2 * turn / (closing + root) : timeStep;
     return std::clamp(untilUpright, 0.0, timeStep);
 }
+
+template InstantFigure<2> farthestCorner(const Assembly<2>& assembly, const SourceLocation& location);
+template InstantFigure<2> displacementOf(const Assembly<2>& assembly, std::optional<int> block,
+                                         const SourceLocation& location);
+template InstantFigure<2> displacementAlong(const Assembly<2>& assembly, int block,
+                                            const Vector<2>& direction, const SourceLocation& location);
+template InstantFigure<2> rotationOf(const Assembly<2>& assembly, std::optional<int> block,
+                                     const SourceLocation& location);
+template InstantFigure<2> dropOf(const Assembly<2>& assembly, std::optional<int> block,
+                                 const SourceLocation& location);
+template InstantFigure<2> energyOf(EnergyPart part);
+template std::size_t freeBlock(const Assembly<2>& assembly, int block, const SourceLocation& location);
+
+template InstantFigure<3> farthestCorner(const Assembly<3>& assembly, const SourceLocation& location);
+template InstantFigure<3> displacementOf(const Assembly<3>& assembly, std::optional<int> block,
+                                         const SourceLocation& location);
+template InstantFigure<3> displacementAlong(const Assembly<3>& assembly, int block,
+                                            const Vector<3>& direction, const SourceLocation& location);
+template InstantFigure<3> rotationOf(const Assembly<3>& assembly, std::optional<int> block,
+                                     const SourceLocation& location);
+template InstantFigure<3> dropOf(const Assembly<3>& assembly, std::optional<int> block,
+                                 const SourceLocation& location);
+template InstantFigure<3> energyOf(EnergyPart part);
+template std::size_t freeBlock(const Assembly<3>& assembly, int block, const SourceLocation& location);
 
 } // namespace drystone

@@ -16,34 +16,43 @@ namespace drystone
 {
 
 /// A figure at one instant. Immutable, so that threads can share it.
+template<int Dim>
 struct InstantFigure
 {
     std::string name;    ///< displacement, rotation, drop, energy
     std::string unit;    ///< m, rad, J
     std::string subject; ///< `displacement of block 3`
     /// \param start the state in which the run began
-    std::function<double(const DynamicState<2>& start, const Motion<2>& now)> at;
+    std::function<double(const DynamicState<Dim>& start, const Motion<Dim>& now)> at;
 };
 
 /// Displacement of any corner of any free block, the farthest [m].
 /// \param location for messages \throws FatalIOError when no block is free
-InstantFigure farthestCorner(const Assembly<2>& assembly, const SourceLocation& location);
+template<int Dim>
+InstantFigure<Dim> farthestCorner(const Assembly<Dim>& assembly, const SourceLocation& location);
 
 /// Displacement of the mass centre of a block, or the largest of all free blocks [m].
 /// \throws FatalIOError, as those below, for a block that does not exist, or is fixed
-InstantFigure displacementOf(const Assembly<2>& assembly, std::optional<int> block,
-                             const SourceLocation& location);
+template<int Dim>
+InstantFigure<Dim> displacementOf(const Assembly<Dim>& assembly, std::optional<int> block,
+                                  const SourceLocation& location);
 
 /// Displacement of the mass centre of a block along a unit vector, with its sign [m].
-InstantFigure displacementAlong(const Assembly<2>& assembly, int block, const Vector<2>& direction,
-                                const SourceLocation& location);
+template<int Dim>
+InstantFigure<Dim> displacementAlong(const Assembly<Dim>& assembly, int block, const Vector<Dim>& direction,
+                                     const SourceLocation& location);
 
-/// Rotation without its sign of a block, or the largest of all free blocks [rad].
-InstantFigure rotationOf(const Assembly<2>& assembly, std::optional<int> block,
-                         const SourceLocation& location);
+/// Rotation without its sign of a block, or the largest of all free blocks [rad]; in space the angle of the
+/// rotation that leads from the start to now, at most pi.
+template<int Dim>
+InstantFigure<Dim> rotationOf(const Assembly<Dim>& assembly, std::optional<int> block,
+                              const SourceLocation& location);
 
-/// By how much the mass centre of a block has sunk, or the most of all free blocks; 0 where it has risen [m].
-InstantFigure dropOf(const Assembly<2>& assembly, std::optional<int> block, const SourceLocation& location);
+/// By how much the mass centre of a block has sunk (along -y in the plane, -z in space), or the most of all
+/// free blocks; 0 where it has risen [m].
+template<int Dim>
+InstantFigure<Dim> dropOf(const Assembly<Dim>& assembly, std::optional<int> block,
+                          const SourceLocation& location);
 
 /// Parts of the ledger of energy.
 enum class EnergyPart
@@ -59,13 +68,15 @@ std::string_view nameOf(EnergyPart part);
 double partOf(const EnergyLedger& energy, EnergyPart part);
 
 /// Energy [J].
-InstantFigure energyOf(EnergyPart part);
+template<int Dim>
+InstantFigure<Dim> energyOf(EnergyPart part);
 
 /// The block that a figure refers to. \throws FatalIOError for one that does not exist, or is fixed
-std::size_t freeBlock(const Assembly<2>& assembly, int block, const SourceLocation& location);
+template<int Dim>
+std::size_t freeBlock(const Assembly<Dim>& assembly, int block, const SourceLocation& location);
 
-/// Detects when a block that rocks returns to upright. Between two steps the instant is extrapolated from the
-/// state before, because impacts change the state after.
+/// Detects when a block of the plane that rocks returns to upright. Between two steps the instant is
+/// extrapolated from the state before, because impacts change the state after.
 class ReturnWatch
 {
 public:

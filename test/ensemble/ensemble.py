@@ -7,6 +7,7 @@ ensemble.py BIN CASE       CASE: the tutorial masonryPanels
 import hashlib
 import os
 import random
+import re
 import shutil
 import signal
 import subprocess
@@ -158,6 +159,52 @@ class Ensemble(CaseTest):
             tables.append(self.table(case))
         self.assertEqual(tables[0], tables[1])
         self.assertTrue(all(0.4 < float(row[3]) < 1 for row in tables[0][1:]), tables[0])
+
+    def testMotionsInSpaceHaveFigures(self):
+        """A box under a pulse a of the ground of length T slides (a - mu g) a T^2/(2 mu g) along it."""
+        case = os.path.join(self.root.name, "space")
+        self.copyInput(os.path.join(tutorial, "../../contactDynamics/slidingBlock/basePulse"), case)
+        for file, pattern, text in (
+                ("constant/g", r"\(0 -9[.]81 0\)", "(0 0 -9.81)"),
+                ("constant/groundMotion", r"\(1 0 0\)", "(3 4 0)"),
+                ("system/blockTextureDict", r"(?s)dimensions.*",
+                 "dimensions 3;\ntexture { type boxes; blocks ( ((0 0 0) (0.5 0.5 0.2)) ); }\n"
+                 "supports { ground { type ground; } }\n"),
+                ("system/controlDict", r"(?s)functions\s*\{.*", "")):
+            before = self.read(case, file)
+            after = re.sub(pattern, text, before)
+            with open(os.path.join(case, file), "w", encoding="utf-8") as written:
+                written.write(after)
+            self.assertTrue(before != after or "controlDict" in file, file)
+        with open(os.path.join(case, "system/ensembleDict"), "w", encoding="utf-8") as written:
+            written.write(header % "ensembleDict" + """
+applications (blockTexture contactDynamics);
+variables { mu { file "constant/contactProperties"; entry "friction/mu"; distribution { type list; values (0.2 0.3); } } }
+design { type grid; }
+results
+{
+    way  { type displacement; block 0; direction (3 4 0); take last; }
+    far  { type displacement; }
+    turn { type rotation; }
+    drop { type drop; }
+    lost { type energy; part frictionLoss; }
+}
+""")
+        self.run_(case)
+        a, duration, mass = 4.905, 0.5, 0.5 * 0.5 * 0.2 * 2000
+        for row in self.table(case)[1:]:
+            mu, way, far, turn, drop, lost = (float(word) for word in row[1:7])
+            slip = (a - mu * 9.81) * a * duration**2 / (2 * mu * 9.81)
+            self.assertAlmostEqual(abs(way) / slip, 1, delta=0.02, msg=row)
+            self.assertAlmostEqual(far, abs(way), places=9)
+            self.assertLess(turn, 1e-9)
+            self.assertLess(drop, 1e-9)
+            self.assertAlmostEqual(lost / (mu * mass * 9.81 * slip), 1, delta=0.03)
+        refused = self.read(case, "system/ensembleDict").replace("{ type rotation; }", "{ type returnTime; block 0; }")
+        with open(os.path.join(case, "system/ensembleDict"), "w", encoding="utf-8") as written:
+            written.write(refused)
+        shutil.rmtree(os.path.join(case, "postProcessing"))
+        self.assertIn("returnTime is a figure of the plane", self.run_(case, status=2).stdout)
 
     def testAnApplicationThatSomebodyEndsIsBegunAgain(self):
         case = self.case("ended", applications="blockTexture \"./nap\" limitAnalysis", samples=4)
