@@ -95,8 +95,8 @@ bool followFlow<2>(ThetaStep& step, const StepProgram<2>& program, const ConeSol
                    SymbolicAnalysis& symbolic)
 {
     const double largest = start.contactForce.size() > 0 ? start.contactForce.lpNorm<Eigen::Infinity>() : 0;
-    if (!relinearise || settings.overlaps == Overlaps::none || program.hasCompliance()
-        || program.hasCrushing() || !(largest > 0))
+    if (!relinearise || !followsFlow<2>(settings) || program.hasCompliance() || program.hasCrushing()
+        || !(largest > 0))
     {
         return false;
     }

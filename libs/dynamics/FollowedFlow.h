@@ -7,6 +7,14 @@
 namespace drystone
 {
 
+/// Whether the flow of such steps is followed. Then the smallest overlap tells a force: none may be taken for
+/// rounding, which each step would put in its place.
+template<int Dim>
+bool followsFlow(const StepSettings& settings)
+{
+    return Dim == 2 && settings.flowRule == FlowRule::nonAssociative && settings.overlaps == Overlaps::damped;
+}
+
 /// Coulomb's law by following forces from a start to those of points that overlap by less than 1e-9 of a
 /// block (conic/coulomb/ContactPath.h). Rigid forces are not unique, and with them neither is the motion:
 /// these are the least, so that the motion depends on the places and velocities of the blocks only, and

@@ -2,6 +2,8 @@
 /// Gaps and slips of moving contacts to the last digits.
 #include "dynamics/MovingGeometry.h"
 
+#include "dynamics/FollowedFlow.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -54,7 +56,10 @@ Relinearisation<Dim> movingContactGeometry(const Step<Dim>& step)
         }
         const auto after = placementsAfter(step, displacement);
         motion.contacts->measure(after, points);
-        forgetRounding(scene, points);
+        if (!followsFlow<Dim>(step.settings))
+        {
+            forgetRounding(scene, points);
+        }
         const Eigen::VectorXd closing =
             early > 0 ? applyTransposed(program, displacement) : Eigen::VectorXd(linear);
         double error = turnMomenta(step, displacement, contactForce, program);

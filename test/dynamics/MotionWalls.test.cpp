@@ -223,7 +223,8 @@ Assembly<2> mirrored(Assembly<2> assembly)
 }
 
 // Rigid forces are not unique and Coulomb's law makes the motion depend on them: with any of them a wall and
-// its mirror image differed by 12% after 0.05 s. The least forces are the same in both.
+// its mirror image differed by 12% after 0.05 s. The least forces are the same in both, as long as no overlap
+// is taken for rounding: that left 1e-6.
 TEST(WallByCoulombsLaw, FallsLikeItsMirrorImageWithFewFactorisations)
 {
     DynamicCase<2> scene = wall(3, 0, {.mu = 0.65, .flowRule = FlowRule::nonAssociative, .tolerance = 1e-9});
@@ -251,9 +252,9 @@ TEST(WallByCoulombsLaw, FallsLikeItsMirrorImageWithFewFactorisations)
         const Vector<2>& imaged = ofImage.state.placements[block].translation;
         difference = std::max(difference, (there - Vector<2>(-imaged.x(), imaged.y())).norm());
     }
-    EXPECT_LT(difference, 1e-5 * largestDisplacement(motion));
+    EXPECT_LT(difference, 1e-10 * largestDisplacement(motion));
     std::nth_element(factorisations.begin(), factorisations.begin() + 12, factorisations.end());
-    EXPECT_LE(factorisations[12], 4);
+    EXPECT_LE(factorisations[12], 2);
 }
 
 /// Blocks that fly 7 m in a step of theirs, where the gaps of 40,000 points are anything but linear: 25 steps

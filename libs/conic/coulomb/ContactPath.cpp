@@ -321,14 +321,14 @@ bool ContactPath::isRounding(const VectorXd& left) const
            || changed.lpNorm<Eigen::Infinity>() <= asGoodAsItGets * force.lpNorm<Eigen::Infinity>();
 }
 
-/// Newton's steps in the states reached take away the rounding of the path.
+/// Newton's steps in the states reached take away the rounding of the path. w is kept by increments: where a
+/// point slides by metres, k (A'x - g) would be rounded to as much as small forces.
 bool ContactPath::polish()
 {
     constexpr int mostSteps = 6;
     double before = std::numeric_limits<double>::infinity();
     for (int step = 0; step <= mostSteps; ++step)
     {
-        w = settings.stiffness * (system.closings(x) - gap);
         findForces();
         const VectorXd left = residual();
         const double now = left.lpNorm<Eigen::Infinity>();
@@ -349,7 +349,9 @@ bool ContactPath::polish()
             const Eigen::Vector2d trial = w.segment<2>(row);
             ofPieces.segment<2>(row) = forceOn<2>(laws[point], states[point], trial).force;
         }
-        x += solve(load - x - system.forcesOnBodies(ofPieces));
+        const VectorXd moved = solve(load - x - system.forcesOnBodies(ofPieces));
+        x += moved;
+        w += settings.stiffness * system.closings(moved);
     }
     return false;
 }
