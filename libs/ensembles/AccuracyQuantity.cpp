@@ -255,7 +255,7 @@ void declare(Options& options, Threshold& settings)
 
 /// The least intensity at which a run meets the criterion, by the plan's trials.
 Measurement measureThreshold(const AccuracyCase& study, const RunSetting& setting, const StepPhase& phase,
-                             const IntensityPlan& plan, const Criterion& criterion, double unit)
+                             const IntensityPlan& plan, const Criterion<2>& criterion, double unit)
 {
     DynamicCase<2> scene = sceneWith(study, setting);
     Measurement sum;
@@ -315,7 +315,7 @@ private:
 };
 
 /// By Housner's equation, between the lowest and the highest intensity of the plan.
-double housnerThreshold(const AccuracyCase& study, const IntensityPlan& plan, const Criterion& criterion,
+double housnerThreshold(const AccuracyCase& study, const IntensityPlan& plan, const Criterion<2>& criterion,
                         double unit)
 {
     const HousnerCase housner = housnerCase(study);
@@ -367,7 +367,7 @@ QuantityPlan makeThreshold(const Threshold& settings, const Dictionary& dictiona
                                location);
         }
         const double unit = settings.intensity.unit == IntensityUnit::g ? scene.gravity.norm() : 1;
-        const Criterion criterion = settings.criterion(scene.assembly);
+        const Criterion<2> criterion = settings.criterion(scene.assembly);
         const IntensityPlan& intensity = settings.intensity;
         Quantity quantity;
         quantity.summary = "least peak acceleration of the ground at which a run meets: " + criterion.summary;

@@ -29,7 +29,8 @@ struct Job
 };
 
 /// Carries out the runs, several at a time, and reports each as soon as all before it are complete.
-std::vector<IncrementalRun> runAll(const IncrementalDynamics& study, const std::vector<Job>& jobs,
+template<int Dim>
+std::vector<IncrementalRun> runAll(const IncrementalDynamics<Dim>& study, const std::vector<Job>& jobs,
                                    const RunReport& report)
 {
     std::vector<IncrementalRun> runs(jobs.size());
@@ -109,13 +110,14 @@ void declare(Options& options, IncrementalDynamicsSettings& settings)
                      "largest figure over the whole motion");
 }
 
-IncrementalRun runAt(const IncrementalDynamics& study, const StudyMotion& ground, double intensity)
+template<int Dim>
+IncrementalRun runAt(const IncrementalDynamics<Dim>& study, const StudyMotion& ground, double intensity)
 {
     const double cpuTimeBefore = threadCpuTime();
-    DynamicCase<2> scene = study.scene;
+    DynamicCase<Dim> scene = study.scene;
     scene.groundMotion = ground.ground;
     scene.groundFactor = study.factor(ground, intensity);
-    Motion<2> motion = study.start;
+    Motion<Dim> motion = study.start;
     Time time(study.controls, study.startTime);
 
     IncrementalRun run;
@@ -157,7 +159,8 @@ IncrementalRun runAt(const IncrementalDynamics& study, const StudyMotion& ground
     return run;
 }
 
-std::vector<IncrementalCurve> carryOut(const IncrementalDynamics& study, const RunReport& report)
+template<int Dim>
+std::vector<IncrementalCurve> carryOut(const IncrementalDynamics<Dim>& study, const RunReport& report)
 {
     std::vector<IncrementalCurve> curves(study.motions.size());
     for (;;)
@@ -211,5 +214,12 @@ int exitStatus(const std::vector<IncrementalCurve>& curves)
     }
     return 0;
 }
+
+template IncrementalRun runAt(const IncrementalDynamics<2>& study, const StudyMotion& ground,
+                              double intensity);
+template std::vector<IncrementalCurve> carryOut(const IncrementalDynamics<2>& study, const RunReport& report);
+template IncrementalRun runAt(const IncrementalDynamics<3>& study, const StudyMotion& ground,
+                              double intensity);
+template std::vector<IncrementalCurve> carryOut(const IncrementalDynamics<3>& study, const RunReport& report);
 
 } // namespace drystone

@@ -47,15 +47,16 @@ struct StudyMotion
 };
 
 /// All data of an incremental analysis, the same for all its runs.
+template<int Dim>
 struct IncrementalDynamics
 {
-    DynamicCase<2> scene; ///< groundMotion and groundFactor are set for each run
-    Motion<2> start;      ///< each run starts from a copy
+    DynamicCase<Dim> scene; ///< groundMotion and groundFactor are set for each run
+    Motion<Dim> start;      ///< each run starts from a copy
     TimeControls controls;
     TimeState startTime;
     double gravity = 0; ///< of constant/g [m/s2]
     IntensityPlan intensity;
-    Criterion criterion;
+    Criterion<Dim> criterion;
     std::vector<StudyMotion> motions; ///< at least one
     int jobs = 1;
     bool stopWhenMet = true;
@@ -84,7 +85,8 @@ struct IncrementalRun
 
 /// One run from the start at an intensity. A pure function of its arguments except for `cpuTime` and a signal
 /// that requests the program to stop.
-IncrementalRun runAt(const IncrementalDynamics& study, const StudyMotion& motion, double intensity);
+template<int Dim>
+IncrementalRun runAt(const IncrementalDynamics<Dim>& study, const StudyMotion& motion, double intensity);
 
 /// Runs of one motion of the ground, by increasing intensity.
 using IncrementalCurve = std::vector<IncrementalRun>;
@@ -96,7 +98,8 @@ using RunReport = std::function<void(std::size_t motion, const IncrementalRun& r
 /// All runs, `jobs` at a time. The result does not depend on `jobs`. After a signal no further run is
 /// started.
 /// \return one curve for each ground motion
-std::vector<IncrementalCurve> carryOut(const IncrementalDynamics& study, const RunReport& report = {});
+template<int Dim>
+std::vector<IncrementalCurve> carryOut(const IncrementalDynamics<Dim>& study, const RunReport& report = {});
 
 /// The conclusion from the verdicts. \param curve not empty
 LeastIntensity leastIntensity(const IncrementalCurve& curve);

@@ -81,7 +81,8 @@ IncrementalCurve finishedRuns(const IncrementalCurve& curve)
     return finished;
 }
 
-void writeTable(const std::filesystem::path& file, const IncrementalDynamics& study,
+template<int Dim>
+void writeTable(const std::filesystem::path& file, const IncrementalDynamics<Dim>& study,
                 const IncrementalCurve& curve)
 {
     ColumnFile table(file, {fmt::format("intensity[{}]", nameOf(study.intensity.unit)), "factor[-]",
@@ -94,10 +95,11 @@ void writeTable(const std::filesystem::path& file, const IncrementalDynamics& st
     }
 }
 
-void writePicture(const std::filesystem::path& file, const IncrementalDynamics& study,
+template<int Dim>
+void writePicture(const std::filesystem::path& file, const IncrementalDynamics<Dim>& study,
                   const std::vector<IncrementalCurve>& curves)
 {
-    const Criterion& criterion = study.criterion;
+    const Criterion<Dim>& criterion = study.criterion;
     Plot plot;
     plot.title = fmt::format("Largest {} over the run", criterion.figure.name);
     plot.subtitle =
@@ -132,7 +134,8 @@ void writePicture(const std::filesystem::path& file, const IncrementalDynamics& 
 
 } // namespace
 
-IncrementalDynamics readIncrementalDynamics(const std::filesystem::path& caseDirectory, Time& time)
+template<int Dim>
+IncrementalDynamics<Dim> readIncrementalDynamics(const std::filesystem::path& caseDirectory, Time& time)
 {
     const Dictionary dictionary = Dictionary::readFile(
         requireCaseFile(caseDirectory, "system/incrementalDynamicsDict",
@@ -145,8 +148,8 @@ IncrementalDynamics readIncrementalDynamics(const std::filesystem::path& caseDir
                            time.controlDict().locationOf("stopAt"));
     }
 
-    IncrementalDynamics study;
-    study.scene = readDynamicCase<2>(caseDirectory);
+    IncrementalDynamics<Dim> study;
+    study.scene = readDynamicCase<Dim>(caseDirectory);
     study.start = startOrContinue(caseDirectory, study.scene, time);
     study.controls = time.controls();
     study.startTime = time.state();
@@ -169,7 +172,8 @@ IncrementalDynamics readIncrementalDynamics(const std::filesystem::path& caseDir
     return study;
 }
 
-void printStudy(const IncrementalDynamics& study)
+template<int Dim>
+void printStudy(const IncrementalDynamics<Dim>& study)
 {
     auto [simulated, absent] = study.scene.effectNames;
     simulated.emplace_back("groundMotion");
@@ -183,7 +187,8 @@ void printStudy(const IncrementalDynamics& study)
         }
         info("{}", summary(motion.ground));
     }
-    info("Blocks: {} free, contact points: {}", study.scene.mass.size() / 3, study.start.points.size());
+    info("Blocks: {} free, contact points: {}", study.scene.mass.size() / freedomCount<Dim>,
+         study.start.points.size());
     info("Each run: theta {:g}, deltaT {:g} s, to {:g} s; solver {}, tolerance {:g}",
          study.scene.schemes.timeIntegration.theta, study.controls.deltaT, study.controls.endTime,
          nameOf(study.scene.solution.solver), study.scene.solution.tolerance);
@@ -194,7 +199,8 @@ void printStudy(const IncrementalDynamics& study)
     printLine();
 }
 
-void printRun(const IncrementalDynamics& study, std::size_t motion, const IncrementalRun& run)
+template<int Dim>
+void printRun(const IncrementalDynamics<Dim>& study, std::size_t motion, const IncrementalRun& run)
 {
     info("{}intensity = {:.9g} {}  {} = {:.4g} {}  {}{}  ({} steps, residual {:.2g}, {:.2f} s)",
          study.motions.size() > 1 ? study.motions[motion].name + ": " : "", run.intensity,
@@ -203,7 +209,8 @@ void printRun(const IncrementalDynamics& study, std::size_t motion, const Increm
          run.steps, run.worstResidual, run.cpuTime);
 }
 
-void printLeast(const IncrementalDynamics& study, const std::vector<IncrementalCurve>& curves)
+template<int Dim>
+void printLeast(const IncrementalDynamics<Dim>& study, const std::vector<IncrementalCurve>& curves)
 {
     const std::string_view unit = nameOf(study.intensity.unit);
     printLine();
@@ -254,7 +261,8 @@ std::filesystem::path incrementalDynamicsFolder(const std::filesystem::path& cas
     return postProcessingFolder(caseDirectory, applicationName, time.startName());
 }
 
-LeastIntensityTable leastIntensityTable(const IncrementalDynamics& study,
+template<int Dim>
+LeastIntensityTable leastIntensityTable(const IncrementalDynamics<Dim>& study,
                                         const std::vector<IncrementalCurve>& curves)
 {
     const std::string unit(nameOf(study.intensity.unit));
@@ -277,7 +285,8 @@ LeastIntensityTable leastIntensityTable(const IncrementalDynamics& study,
     return table;
 }
 
-void writeIncrementalDynamics(const std::filesystem::path& folder, const IncrementalDynamics& study,
+template<int Dim>
+void writeIncrementalDynamics(const std::filesystem::path& folder, const IncrementalDynamics<Dim>& study,
                               const std::vector<IncrementalCurve>& curves)
 {
     const LeastIntensityTable least = leastIntensityTable(study, curves);
@@ -300,5 +309,27 @@ void writeIncrementalDynamics(const std::filesystem::path& folder, const Increme
         writePicture(folder / "incrementalDynamics.svg", study, finished);
     }
 }
+
+template IncrementalDynamics<2> readIncrementalDynamics(const std::filesystem::path& caseDirectory,
+                                                        Time& time);
+template void printStudy(const IncrementalDynamics<2>& study);
+template void printRun(const IncrementalDynamics<2>& study, std::size_t motion, const IncrementalRun& run);
+template void printLeast(const IncrementalDynamics<2>& study, const std::vector<IncrementalCurve>& curves);
+template LeastIntensityTable leastIntensityTable(const IncrementalDynamics<2>& study,
+                                                 const std::vector<IncrementalCurve>& curves);
+template void writeIncrementalDynamics(const std::filesystem::path& folder,
+                                       const IncrementalDynamics<2>& study,
+                                       const std::vector<IncrementalCurve>& curves);
+
+template IncrementalDynamics<3> readIncrementalDynamics(const std::filesystem::path& caseDirectory,
+                                                        Time& time);
+template void printStudy(const IncrementalDynamics<3>& study);
+template void printRun(const IncrementalDynamics<3>& study, std::size_t motion, const IncrementalRun& run);
+template void printLeast(const IncrementalDynamics<3>& study, const std::vector<IncrementalCurve>& curves);
+template LeastIntensityTable leastIntensityTable(const IncrementalDynamics<3>& study,
+                                                 const std::vector<IncrementalCurve>& curves);
+template void writeIncrementalDynamics(const std::filesystem::path& folder,
+                                       const IncrementalDynamics<3>& study,
+                                       const std::vector<IncrementalCurve>& curves);
 
 } // namespace drystone

@@ -15,16 +15,20 @@ namespace drystone
 /// state that it would start from, and system/incrementalDynamicsDict.
 /// \param time of this case, its controlDict required
 /// \throws FatalIOError or FatalError for the first fault found
-IncrementalDynamics readIncrementalDynamics(const std::filesystem::path& caseDirectory, Time& time);
+template<int Dim>
+IncrementalDynamics<Dim> readIncrementalDynamics(const std::filesystem::path& caseDirectory, Time& time);
 
 /// Before the first run: effects, motions of the ground, criterion, jobs.
-void printStudy(const IncrementalDynamics& study);
+template<int Dim>
+void printStudy(const IncrementalDynamics<Dim>& study);
 
 /// One line for a completed run.
-void printRun(const IncrementalDynamics& study, std::size_t motion, const IncrementalRun& run);
+template<int Dim>
+void printRun(const IncrementalDynamics<Dim>& study, std::size_t motion, const IncrementalRun& run);
 
 /// `Least acceleration that meets the criterion a_g = 0.643 g`, or why there is none; for each motion.
-void printLeast(const IncrementalDynamics& study, const std::vector<IncrementalCurve>& curves);
+template<int Dim>
+void printLeast(const IncrementalDynamics<Dim>& study, const std::vector<IncrementalCurve>& curves);
 
 /// postProcessing/incrementalDynamics/<startTime>/ of a case.
 std::filesystem::path incrementalDynamicsFolder(const std::filesystem::path& caseDirectory, const Time& time);
@@ -37,7 +41,8 @@ struct LeastIntensityTable
 };
 
 /// What leastIntensity.dat has: a row a motion that has runs.
-LeastIntensityTable leastIntensityTable(const IncrementalDynamics& study,
+template<int Dim>
+LeastIntensityTable leastIntensityTable(const IncrementalDynamics<Dim>& study,
                                         const std::vector<IncrementalCurve>& curves);
 
 /// Writes into incrementalDynamicsFolder
@@ -49,7 +54,8 @@ LeastIntensityTable leastIntensityTable(const IncrementalDynamics& study,
 ///   `nan` but for the first two;
 /// - incrementalDynamics.svg, the quantity of the criterion over the intensity.
 /// \throws FatalError naming what cannot be written
-void writeIncrementalDynamics(const std::filesystem::path& folder, const IncrementalDynamics& study,
+template<int Dim>
+void writeIncrementalDynamics(const std::filesystem::path& folder, const IncrementalDynamics<Dim>& study,
                               const std::vector<IncrementalCurve>& curves);
 
 } // namespace drystone

@@ -159,21 +159,15 @@ struct SampleRunner::InProcess
         }
         if (contains(ensemble.settings.applications, "incrementalDynamics"))
         {
-            if constexpr (Dim == 2)
-            {
-                findLeastIntensities();
-            }
-            else
-            {
-                throw FatalError("incrementalDynamics is not available in space.");
-            }
+            findLeastIntensities<Dim>();
         }
     }
 
+    template<int Dim>
     void findLeastIntensities()
     {
         Time time(ensemble.caseDirectory, ControlDict::required);
-        IncrementalDynamics study = readIncrementalDynamics(ensemble.caseDirectory, time);
+        IncrementalDynamics<Dim> study = readIncrementalDynamics<Dim>(ensemble.caseDirectory, time);
         study.jobs = 1; // the other cores have samples of their own
         const std::vector<IncrementalCurve> curves = carryOut(study);
         if (exitStatus(curves) == 2)

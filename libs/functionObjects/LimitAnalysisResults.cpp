@@ -335,28 +335,20 @@ std::filesystem::path limitAnalysisInput(const std::filesystem::path& caseDirect
     return limitAnalysisTable(caseDirectory).replace_filename("input");
 }
 
+template<int Dim>
 void checkFunctions(const Dictionary& controlDict, const std::filesystem::path& caseDirectory,
-                    const Assembly<2>& assembly)
+                    const Assembly<Dim>& assembly)
 {
     const Entry* functions = controlDict.find("functions");
     if (!functions)
     {
         return;
     }
-    const FunctionList<2> list(functions->dictionary(), caseDirectory, "0", {}, 0, assembly);
+    const FunctionList<Dim> list(functions->dictionary(), caseDirectory, "0", {}, 0, assembly);
     if (!list.names().empty())
     {
         info("Functions of system/controlDict apply to time stepping and are not run here: {}\n",
              fmt::join(list.names(), " "));
-    }
-}
-
-void checkFunctions(const Dictionary& controlDict, const std::filesystem::path&, const Assembly<3>&)
-{
-    if (const Entry* functions = controlDict.find("functions"))
-    {
-        info("Functions of system/controlDict apply to time stepping and are not run here: {}\n",
-             fmt::join(functions->dictionary().keywords(), " "));
     }
 }
 
@@ -591,6 +583,10 @@ bool runPushover(const std::filesystem::path& caseDirectory, const LimitAnalysis
     return pushover.end != PushoverEnd::notConverged;
 }
 
+template void checkFunctions(const Dictionary& controlDict, const std::filesystem::path& caseDirectory,
+                             const Assembly<2>& assembly);
+template void checkFunctions(const Dictionary& controlDict, const std::filesystem::path& caseDirectory,
+                             const Assembly<3>& assembly);
 template bool runPushover(const std::filesystem::path& caseDirectory, const LimitAnalysisCase<2>& structure);
 template bool runPushover(const std::filesystem::path& caseDirectory, const LimitAnalysisCase<3>& structure);
 template void printLimitAnalysisCase(const LimitAnalysisCase<2>& structure);

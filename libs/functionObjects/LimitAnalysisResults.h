@@ -26,12 +26,11 @@ std::filesystem::path limitAnalysisTable(const std::filesystem::path& caseDirect
 std::filesystem::path limitAnalysisInput(const std::filesystem::path& caseDirectory);
 
 /// Checks the functions of controlDict and reports that they are not run: they follow motion, which limit
-/// analysis does not have. In space they are named and not checked.
+/// analysis does not have.
 /// \throws FatalIOError for faults in them
+template<int Dim>
 void checkFunctions(const Dictionary& controlDict, const std::filesystem::path& caseDirectory,
-                    const Assembly<2>& assembly);
-void checkFunctions(const Dictionary& controlDict, const std::filesystem::path& caseDirectory,
-                    const Assembly<3>& assembly);
+                    const Assembly<Dim>& assembly);
 
 /// For `-postProcess`: the solver has already written all its results.
 /// \throws FatalError when there are no results

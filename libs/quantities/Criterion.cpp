@@ -9,7 +9,15 @@ namespace drystone
 namespace
 {
 
-Criterion above(InstantFigure<2> figure, double limit)
+/// \param make of an assembly, of the plane or of space, the criterion
+template<class Make>
+CriterionMaker forBoth(Make make)
+{
+    return {make, make};
+}
+
+template<int Dim>
+Criterion<Dim> above(InstantFigure<Dim> figure, double limit)
 {
     std::string summary = fmt::format("{} above {:g} {}", figure.subject, limit, figure.unit);
     return {std::move(figure), limit, std::move(summary)};
@@ -36,8 +44,8 @@ void declare(Options& options, MotionSettings& settings)
 
 CriterionMaker makeMotion(const MotionSettings& settings, const Dictionary& dictionary)
 {
-    return [settings, location = dictionary.location()](const Assembly<2>& assembly)
-    { return above(farthestCorner(assembly, location), settings.displacement); };
+    return forBoth([settings, location = dictionary.location()]<int Dim>(const Assembly<Dim>& assembly)
+                   { return above(farthestCorner(assembly, location), settings.displacement); });
 }
 
 struct DisplacementSettings
@@ -57,8 +65,9 @@ void declare(Options& options, DisplacementSettings& settings)
 
 CriterionMaker makeDisplacement(const DisplacementSettings& settings, const Dictionary& dictionary)
 {
-    return [settings, location = dictionary.locationOf("block")](const Assembly<2>& assembly)
-    { return above(displacementOf(assembly, settings.block, location), settings.limit); };
+    return forBoth(
+        [settings, location = dictionary.locationOf("block")]<int Dim>(const Assembly<Dim>& assembly)
+        { return above(displacementOf(assembly, settings.block, location), settings.limit); });
 }
 
 struct RotationSettings
@@ -78,8 +87,9 @@ void declare(Options& options, RotationSettings& settings)
 
 CriterionMaker makeRotation(const RotationSettings& settings, const Dictionary& dictionary)
 {
-    return [settings, location = dictionary.locationOf("block")](const Assembly<2>& assembly)
-    { return above(rotationOf(assembly, settings.block, location), settings.limit); };
+    return forBoth(
+        [settings, location = dictionary.locationOf("block")]<int Dim>(const Assembly<Dim>& assembly)
+        { return above(rotationOf(assembly, settings.block, location), settings.limit); });
 }
 
 struct CollapseSettings
@@ -100,15 +110,16 @@ void declare(Options& options, CollapseSettings& settings)
 
 CriterionMaker makeCollapse(const CollapseSettings& settings, const Dictionary& dictionary)
 {
-    return [settings, location = dictionary.locationOf("block")](const Assembly<2>& assembly)
-    {
-        Criterion criterion =
-            above(dropOf(assembly, settings.block, location), settings.drop * meanBlockSize(assembly));
-        criterion.summary = fmt::format(
-            "{} falls by more than {:g} m",
-            settings.block ? fmt::format("block {}", *settings.block) : "any block", criterion.limit);
-        return criterion;
-    };
+    return forBoth(
+        [settings, location = dictionary.locationOf("block")]<int Dim>(const Assembly<Dim>& assembly)
+        {
+            Criterion<Dim> criterion =
+                above(dropOf(assembly, settings.block, location), settings.drop * meanBlockSize(assembly));
+            criterion.summary = fmt::format(
+                "{} falls by more than {:g} m",
+                settings.block ? fmt::format("block {}", *settings.block) : "any block", criterion.limit);
+            return criterion;
+        });
 }
 
 } // namespace

@@ -18,16 +18,24 @@ namespace drystone
 {
 
 /// A figure and its limit. Immutable, so that threads can share it.
+template<int Dim>
 struct Criterion
 {
-    InstantFigure<2> figure; ///< displacement, rotation or drop, never negative
-    double limit = 0;        ///< a run meets the criterion as soon as the figure is above this
-    std::string summary;     ///< for the log: `displacement of any corner above 1e-06 m`
+    InstantFigure<Dim> figure; ///< displacement, rotation or drop, never negative
+    double limit = 0;          ///< a run meets the criterion as soon as the figure is above this
+    std::string summary;       ///< for the log: `displacement of any corner above 1e-06 m`
 };
 
 /// Makes a criterion once the structure is known. \throws FatalIOError for a block that does not exist, or is
 /// fixed
-using CriterionMaker = std::function<Criterion(const Assembly<2>&)>;
+struct CriterionMaker
+{
+    std::function<Criterion<2>(const Assembly<2>&)> inPlane;
+    std::function<Criterion<3>(const Assembly<3>&)> inSpace;
+
+    Criterion<2> operator()(const Assembly<2>& assembly) const { return inPlane(assembly); }
+    Criterion<3> operator()(const Assembly<3>& assembly) const { return inSpace(assembly); }
+};
 
 /// All types: motion, displacement, rotation, collapse.
 const Registry<CriterionMaker>& criterionTypes();

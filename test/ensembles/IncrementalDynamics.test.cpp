@@ -45,9 +45,9 @@ StudyMotion constantMotion(double acceleration)
     return {"constant", ground, std::abs(acceleration)};
 }
 
-IncrementalDynamics studyOf(const BlockCase& block)
+IncrementalDynamics<2> studyOf(const BlockCase& block)
 {
-    IncrementalDynamics study;
+    IncrementalDynamics<2> study;
     DynamicCase<2>& scene = study.scene;
     scene.assembly.supports.push_back({"ground", "ground"});
     scene.assembly.blocks.push_back({rectangle(-5, -1, 10 + block.width, 1), 1, 0});
@@ -110,7 +110,7 @@ TEST(IncrementalDynamics, ABlockRocksAtWidthOverHeightTimesG)
 
 TEST(IncrementalDynamics, MirroredGroundGivesTheSameThreshold)
 {
-    IncrementalDynamics study = studyOf({.width = 0.5, .height = 2, .mu = 2});
+    IncrementalDynamics<2> study = studyOf({.width = 0.5, .height = 2, .mu = 2});
     study.motions = {constantMotion(-7)};
     EXPECT_NEAR(leastIntensity(carryOut(study).at(0)).value, 0.2505, 1e-12);
 }
@@ -146,7 +146,7 @@ TEST(IncrementalDynamics, AnyNumberOfThreadsGivesTheSameBits)
     std::vector<std::vector<IncrementalCurve>> results;
     for (const int jobs : {1, 3})
     {
-        IncrementalDynamics study = studyOf({.mu = 0.3, .intensity = intensity, .jobs = jobs});
+        IncrementalDynamics<2> study = studyOf({.mu = 0.3, .intensity = intensity, .jobs = jobs});
         study.motions.push_back(constantMotion(-1));
         study.stopWhenMet = false;
         auto& order = reports[results.size()];
@@ -172,7 +172,7 @@ TEST(IncrementalDynamics, AnyNumberOfThreadsGivesTheSameBits)
 
 TEST(IncrementalDynamics, ARunThatGoesOnReachesTheClosedFormOfSliding)
 {
-    IncrementalDynamics study = studyOf({.mu = 0.3, .intensity = "type list; values (0.5);"});
+    IncrementalDynamics<2> study = studyOf({.mu = 0.3, .intensity = "type list; values (0.5);"});
     study.stopWhenMet = false;
     const IncrementalRun run = carryOut(study).at(0).at(0);
     EXPECT_EQ(run.verdict, Verdict::meets);
@@ -186,7 +186,7 @@ TEST(IncrementalDynamics, ARunThatGoesOnReachesTheClosedFormOfSliding)
 
 TEST(IncrementalDynamics, ARunThatDoesNotConvergeIsNeverCountedAsStanding)
 {
-    IncrementalDynamics study = studyOf({.mu = 0.3, .intensity = "type list; values (0.2 0.5);"});
+    IncrementalDynamics<2> study = studyOf({.mu = 0.3, .intensity = "type list; values (0.2 0.5);"});
     study.scene.solution.solver = SolverType::interiorPoint;
     study.scene.solution.maximumIterations = 1;
     const auto curves = carryOut(study);
@@ -203,15 +203,55 @@ TEST(IncrementalDynamics, ASignalStopsIt)
     const auto curves = carryOut(studyOf({}));
     EXPECT_EQ(exitStatus(curves), 130);
     EXPECT_TRUE(curves.at(0).empty());
-    const IncrementalDynamics study = studyOf({});
+    const IncrementalDynamics<2> study = studyOf({});
     EXPECT_EQ(runAt(study, study.motions[0], 0.2).verdict, Verdict::interrupted);
     forgetStopSignal();
     EXPECT_EQ(runAt(study, study.motions[0], 0.2).verdict, Verdict::stands);
 }
 
+// A box of 0.5 x 1 x 2 m, pushed along (3 4 0): it slides at mu g, or rocks where the force meets an edge of
+// the face: the ground accelerates along (0.6 0.8 0) a, and about the edge across x it turns at 0.6 a = 0.5/2
+// g.
+TEST(IncrementalDynamics, InSpaceABoxSlidesAndRocksAtTheClosedForms)
+{
+    const auto leastOfBox = [](double mu, const std::string& criterion)
+    {
+        IncrementalDynamics<3> study;
+        DynamicCase<3>& scene = study.scene;
+        Assembly<3> assembly;
+        assembly.supports.push_back({"ground", "ground"});
+        assembly.blocks.resize(2);
+        assembly.blocks[0].shape = makeBox({-5, -5, -1}, {5, 5, 0});
+        assembly.blocks[0].support = 0;
+        assembly.blocks[1].shape = makeBox({0, 0, 0}, {0.5, 1, 2});
+        const std::vector<double> densities(2, 1800);
+        setStructure(scene, std::move(assembly), densities);
+        scene.gravity = {0, 0, -g};
+        scene.deadLoad = gravityLoad(scene.assembly, massesOf(scene.blocks, densities), scene.gravity);
+        scene.contact.friction = CoulombFriction{mu, FlowRule::nonAssociative};
+        scene.solution.tolerance = 1e-11;
+        study.start = startMotion(scene, stateAtRest(scene.assembly));
+        study.controls.deltaT = 0.002;
+        study.controls.endTime = 0.1;
+        study.startTime = {0, study.controls.deltaT, 0, 0, 0};
+        study.gravity = g;
+        study.intensity = intensityTypes().select(
+            Dictionary::readString("type bisection; low 0.1005; high 0.5005; tolerance 0.001;"));
+        study.criterion = criterionTypes().select(Dictionary::readString(criterion))(scene.assembly);
+        GroundMotion ground;
+        ground.components.push_back({{std::make_shared<ConstantAcceleration>(3), ""}, {0.6, 0.8, 0}});
+        study.motions.push_back({"constant", ground, 3});
+        const auto curves = carryOut(study);
+        EXPECT_EQ(exitStatus(curves), 0);
+        return leastIntensity(curves.at(0)).value;
+    };
+    EXPECT_NEAR(leastOfBox(0.3, "type motion; displacement 1e-6;"), 0.3005, 1e-12);
+    EXPECT_NEAR(leastOfBox(2, "type rotation; limit 1e-6;"), 0.4175, 1e-12); // above 0.25/0.6 = 0.41667
+}
+
 TEST(Criterion, MeasuresFromWhereTheRunBegan)
 {
-    const IncrementalDynamics study = studyOf({.width = 0.5, .height = 2});
+    const IncrementalDynamics<2> study = studyOf({.width = 0.5, .height = 2});
     const auto measured = [&](const std::string& text, const Placement<2>& start, const Placement<2>& now)
     {
         DynamicState<2> before = study.start.state;
@@ -235,7 +275,7 @@ TEST(Criterion, MeasuresFromWhereTheRunBegan)
 
 TEST(Criterion, CollapseIsInBlockSizes)
 {
-    const IncrementalDynamics study =
+    const IncrementalDynamics<2> study =
         studyOf({.width = 0.5, .height = 2, .criterion = "type collapse; drop 0.25;"});
     EXPECT_DOUBLE_EQ(study.criterion.limit, 0.25);
     EXPECT_DOUBLE_EQ(

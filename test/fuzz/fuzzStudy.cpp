@@ -34,7 +34,7 @@ constexpr const char* tableFile = "table.dat";
 void readIncremental(const std::filesystem::path& caseDirectory)
 {
     Time time(caseDirectory, ControlDict::required);
-    readIncrementalDynamics(caseDirectory, time);
+    readIncrementalDynamics<2>(caseDirectory, time);
 }
 
 void readAccuracy(const std::filesystem::path& caseDirectory)

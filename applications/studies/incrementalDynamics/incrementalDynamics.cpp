@@ -1,6 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// incrementalDynamics: repeats the motion of contactDynamics over a growing ground acceleration and finds
 /// the least one that meets a criterion; with several records an incremental dynamic analysis.
+#include "assembly/AssemblyFile.h"
 #include "core/Error.h"
 #include "core/Log.h"
 #include "core/Signals.h"
@@ -13,14 +14,15 @@ using namespace drystone;
 namespace
 {
 
-int run(const CommandLine& commandLine)
+template<int Dim>
+int runIn(const CommandLine& commandLine)
 {
     if (commandLine.postProcess)
     {
         throw FatalError("incrementalDynamics writes its tables when it runs: omit -postProcess.");
     }
     Time time(commandLine.caseDirectory, ControlDict::required);
-    const IncrementalDynamics study = readIncrementalDynamics(commandLine.caseDirectory, time);
+    const auto study = readIncrementalDynamics<Dim>(commandLine.caseDirectory, time);
     if (!commandLine.noFunctionObjects)
     {
         checkFunctions(time.controlDict(), commandLine.caseDirectory, study.scene.assembly);
@@ -40,6 +42,11 @@ int run(const CommandLine& commandLine)
     printExecutionTime();
     printStopOrEnd("The tables hold the runs that are done; started again, it begins anew.");
     return exitStatus(curves);
+}
+
+int run(const CommandLine& commandLine)
+{
+    return assemblyDimensions(commandLine.caseDirectory) == 3 ? runIn<3>(commandLine) : runIn<2>(commandLine);
 }
 
 } // namespace
