@@ -62,36 +62,74 @@ void printScene(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const 
     printLine();
 }
 
+namespace
+{
+
+/// What happened in the step besides its solution, a line each; mostly nothing.
 template<int Dim>
-void printStep(const DynamicCase<Dim>& scene, const Motion<Dim>& motion)
+std::vector<std::string> eventsOf(const DynamicCase<Dim>& scene, const Motion<Dim>& motion)
 {
     const StepResiduals& residuals = motion.residuals;
-    info("{}:  Solving for contact, Initial residual = {:.6g}, Final residual = {:.6g}, No Iterations {}",
-         nameOf(scene.solution.solver), residuals.initialResidual, worst(residuals), residuals.iterations);
+    std::vector<std::string> events;
     if (residuals.flowError > scene.schemes.contactTolerance * scene.blockSize)
     {
-        info("Coulomb's law is satisfied to {:.2g} m of dilatancy after {} programs", residuals.flowError,
-             residuals.programs);
+        events.push_back(fmt::format("Coulomb's law is satisfied to {:.2g} m of dilatancy after {} programs",
+                                     residuals.flowError, residuals.programs));
     }
     for (std::size_t i = 0; i < scene.effects.size(); ++i)
     {
-        const std::string text =
-            scene.effects[i]->stepText(motion.effectStatesBefore[i], motion.effectStates[i]);
+        std::string text = scene.effects[i]->stepText(motion.effectStatesBefore[i], motion.effectStates[i]);
         if (!text.empty())
         {
-            info("{}", text);
+            events.push_back(std::move(text));
         }
     }
     constexpr double shown = 0.9995; // with less of a difference three digits show none
     if (motion.restitutionShare < shown)
     {
-        info("Restitution: {:.3g} instead of {:g} in an impact, where friction and more would create energy",
-             motion.restitutionShare * scene.restitution(), scene.restitution());
+        events.push_back(fmt::format(
+            "Restitution: {:.3g} instead of {:g} in an impact, where friction and more would create energy",
+            motion.restitutionShare * scene.restitution(), scene.restitution()));
     }
     if (residuals.retries > 0)
     {
-        info("The step was shortened {} times to be solved", residuals.retries);
+        events.push_back(fmt::format("The step was shortened {} times to be solved", residuals.retries));
     }
+    return events;
+}
+
+} // namespace
+
+template<int Dim>
+void printStep(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const Time& time)
+{
+    const std::vector<std::string> events = eventsOf(scene, motion);
+    if (!time.isLogTime() && events.empty())
+    {
+        return;
+    }
+    if (!time.isLogTime())
+    {
+        printLine("Time = " + time.name()); // of a step in turn it is printed when the step begins
+    }
+    const StepResiduals& residuals = motion.residuals;
+    info("{}:  Solving for contact, Initial residual = {:.6g}, Final residual = {:.6g}, No Iterations {}",
+         nameOf(scene.solution.solver), residuals.initialResidual, worst(residuals), residuals.iterations);
+    for (const std::string& event : events)
+    {
+        printLine(event);
+    }
+    printExecutionTime();
+}
+
+template<int Dim>
+void printSummary(const MotionSummary<Dim>& summary, const Motion<Dim>& motion)
+{
+    for (const std::string& line : summary.lines(motion.state))
+    {
+        printLine(line);
+    }
+    printLine();
 }
 
 template<int Dim>
@@ -207,12 +245,14 @@ std::string unsolvedStep(const DynamicCase<Dim>& scene, const Motion<Dim>& motio
 
 template void printScene(const DynamicCase<2>& scene, const Motion<2>& motion, const Time& time,
                          const std::vector<std::string>& functions);
-template void printStep(const DynamicCase<2>& scene, const Motion<2>& motion);
+template void printStep(const DynamicCase<2>& scene, const Motion<2>& motion, const Time& time);
+template void printSummary(const MotionSummary<2>& summary, const Motion<2>& motion);
 template void printIntegrationError(const DynamicCase<2>& scene, const Motion<2>& motion);
 template std::string unsolvedStep(const DynamicCase<2>& scene, const Motion<2>& motion, const Time& time);
 template void printScene(const DynamicCase<3>& scene, const Motion<3>& motion, const Time& time,
                          const std::vector<std::string>& functions);
-template void printStep(const DynamicCase<3>& scene, const Motion<3>& motion);
+template void printStep(const DynamicCase<3>& scene, const Motion<3>& motion, const Time& time);
+template void printSummary(const MotionSummary<3>& summary, const Motion<3>& motion);
 template void printIntegrationError(const DynamicCase<3>& scene, const Motion<3>& motion);
 template std::string unsolvedStep(const DynamicCase<3>& scene, const Motion<3>& motion, const Time& time);
 

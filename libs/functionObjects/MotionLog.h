@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dynamics/Motion.h"
+#include "functionObjects/MotionSummary.h"
 
 #include <string>
 #include <vector>
@@ -15,9 +16,16 @@ template<int Dim>
 void printScene(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const Time& time,
                 const std::vector<std::string>& functions);
 
-/// `interiorPoint:  Solving for contact, Initial residual = .., Final residual = .., No Iterations ..`
+/// After a step, where logFrequency has its turn:
+/// `interiorPoint:  Solving for contact, Initial residual = .., Final residual = .., No Iterations ..`,
+/// events (joints that break, a step that was shortened) and the CPU time. Of other steps the events only,
+/// under their time.
 template<int Dim>
-void printStep(const DynamicCase<Dim>& scene, const Motion<Dim>& motion);
+void printStep(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const Time& time);
+
+/// After the last step: its largest displacement, and whether the blocks rest.
+template<int Dim>
+void printSummary(const MotionSummary<Dim>& summary, const Motion<Dim>& motion);
 
 /// After the last step: what theta above 1/2 has dissipated outside impacts, as an estimate of the error.
 template<int Dim>

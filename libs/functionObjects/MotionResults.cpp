@@ -14,6 +14,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
 namespace drystone
 {
 namespace
@@ -344,6 +347,7 @@ void MotionResults<Dim>::writeNow()
     input.back() = inputOfSteps(time); // controlDict may have been read again
     state.texts[inputInState] = textsOf(input);
     states.write(time.name(), state);
+    statesWritten.push_back(time.name());
     writeFrames();
 }
 
@@ -398,6 +402,28 @@ void MotionResults<Dim>::writeFirstFrames()
     {
         writeFrames();
     }
+}
+
+template<int Dim>
+void MotionResults<Dim>::printWritten() const
+{
+    std::vector<std::string> kept; // purgeWrite may have removed the others
+    std::copy_if(statesWritten.begin(), statesWritten.end(), std::back_inserter(kept),
+                 [this](const std::string& name) { return std::filesystem::exists(caseDirectory / name); });
+    if (!kept.empty())
+    {
+        info("Wrote {}; `startFrom latestTime;` continues from the last",
+             kept.size() == 1 ? "the state of time " + kept.front()
+                              : fmt::format("{} states, {} to {}", kept.size(), kept.front(), kept.back()));
+    }
+    info("Wrote {}: blocks and contacts, {} frames; .vtp.series opens in ParaView",
+         (caseDirectory / "VTK").lexically_normal().string(), blocks.times().size());
+    if (const std::vector<std::string> names = functionList.names(); !names.empty())
+    {
+        info("Wrote {}: {}", (caseDirectory / "postProcessing").lexically_normal().string(),
+             fmt::join(names, " "));
+    }
+    printLine();
 }
 
 template Motion<2> startOrContinue(const std::filesystem::path& caseDirectory, const DynamicCase<2>& scene,

@@ -67,6 +67,9 @@ public:
     /// Writes time directory and frames at the present time, due or not: before a run is abandoned.
     void writeNow();
 
+    /// What was written and where, on standard output.
+    void printWritten() const;
+
     const FunctionList<Dim>& functions() const { return functionList; }
 
 private:
@@ -79,6 +82,7 @@ private:
     FunctionList<Dim> functionList;
     std::vector<InputFile> input; ///< that the motion follows from, the steps last
     StateWriter states;
+    std::vector<std::string> statesWritten; ///< names of their times
     VtkSeries blocks;
     VtkSeries contacts;
 };

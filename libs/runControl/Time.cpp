@@ -50,6 +50,10 @@ void declare(Options& options, TimeControls& controls)
     options.optional("endTime", controls.endTime, "for `stopAt endTime`").unit("s");
     options.optional("deltaT", controls.deltaT, "length of a time step").unit("s").above(0);
     declare(options, controls.output);
+    options
+        .optional("logFrequency", controls.logFrequency,
+                  "one step in so many has its lines in the log; events are printed in any step")
+        .atLeast(1);
     options.optional("purgeWrite", controls.purgeWrite, "number of time directories to keep, 0 for all")
         .atLeast(0);
     options.optional("writeFormat", controls.writeFormat, "of the restart state");

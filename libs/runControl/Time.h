@@ -86,7 +86,8 @@ struct TimeControls
     double endTime = 1;   ///< [s]
     double deltaT = 0.01; ///< [s]
     OutputSettings output;
-    int purgeWrite = 0; ///< number of time directories to keep; 0 keeps all
+    int logFrequency = 1; ///< every so many steps have their lines in the log
+    int purgeWrite = 0;   ///< number of time directories to keep; 0 keeps all
     WriteFormat writeFormat = WriteFormat::ascii;
     int writePrecision = 6;
     TimeFormat timeFormat = TimeFormat::general;
@@ -159,6 +160,9 @@ public:
     /// Whether the state is to be written at the end of this step; the same answer all through a step. A
     /// signal that has come by the first time it is asked makes it yes, and this step the last.
     bool isWriteTime();
+
+    /// Whether this step has its lines in the log, as logFrequency of controlDict has it.
+    bool isLogTime() const { return count % settings.logFrequency == 0; }
 
     /// For function objects.
     TimePoint point();

@@ -256,6 +256,24 @@ class RunControl(CaseTest):
         self.assertEqual(process.returncode, 0)
         self.assertLess(float(self.times(case)[-1]), 100)
 
+    def testLogFrequencyThinsTheLogAndChangesNothingElse(self):
+        full = self.copy("logFull")
+        thin = self.copy("logThin", logFrequency="50")
+        said = {case: self.run_(case).stdout for case in (full, thin)}
+        self.assertEqual(len(re.findall("^Time = ", said[full], re.M)), 300)
+        self.assertEqual(re.findall(r"^Time = (\S+)", said[thin], re.M), ["0.1", "0.2", "0.3", "0.4", "0.5", "0.6"])
+        self.assertEqual(len(re.findall("Solving for contact", said[thin])), 6)
+        self.assertEqual(self.state(full), self.state(thin))
+
+    def testTheLogClosesWithWhatMovedAndWhatWasWritten(self):
+        case = self.copy("closing")
+        said = self.run_(case).stdout
+        largest = re.search(r"^Largest displacement: (\S+) m, block (\d), at (\S+) s$", said, re.M)
+        self.assertGreater(float(largest.group(1)), 0)
+        self.assertRegex(said, r"(?m)^The blocks (stand still|have come to rest|are at rest since|move at the end)")
+        self.assertIn("Wrote 3 states, 0.2 to 0.6;", said)
+        self.assertIn(f"Wrote {case}/VTK: blocks and contacts, 4 frames", said)
+
     def testAdjustTimeStepTakesLongStepsAtRestAndShortOnesInMotion(self):
         case = self.copy("adjusted", adjustTimeStep="on", writeControl="adjustableRunTime", endTime="1", deltaT="0.0001", writeInterval="1")
         self.write(case, "system/schemes", header % "schemes" + "maxDisplacement 0.01;\nmaxDeltaT 0.02;\n")

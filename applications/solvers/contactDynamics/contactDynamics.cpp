@@ -56,23 +56,29 @@ int runIn(const CommandLine& commandLine)
     catchStopSignals();
     writePrograms(scene, commandLine.caseDirectory, time);
     results.writeFirstFrames();
+    MotionSummary<Dim> summary(scene);
     Progress progress;
     while (time.loop())
     {
-        printLine("Time = " + time.name());
+        if (time.isLogTime())
+        {
+            printLine("Time = " + time.name());
+        }
         if (!advance(scene, motion, time))
         {
             results.writeNow();
             throw FatalError(unsolvedStep(scene, motion, time), 2);
         }
-        printStep(scene, motion);
+        summary.observe(motion.state);
         results.write();
-        printExecutionTime();
+        printStep(scene, motion, time);
         progress.update(time.progress());
     }
     progress.clear();
     printIntegrationError(scene, motion);
     printStageTimes(motion.stageTimes);
+    printSummary(summary, motion);
+    results.printWritten();
     if (commandLine.has("report"))
     {
         writeReport(commandLine.caseDirectory, reportFile(commandLine.caseDirectory));

@@ -1,0 +1,117 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Follows a run for its closing lines.
+#include "functionObjects/MotionSummary.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace drystone
+{
+
+template<int Dim>
+MotionSummary<Dim>::MotionSummary(const DynamicCase<Dim>& dynamicCase) : scene(dynamicCase)
+{
+}
+
+template<int Dim>
+double MotionSummary<Dim>::restSpeed() const
+{
+    constexpr double share = 1e-8; // of the block size; v^2 = 2 g h
+    return std::sqrt(2 * scene.gravity.norm() * share * scene.blockSize);
+}
+
+template<int Dim>
+double MotionSummary<Dim>::speedOf(const DynamicState<Dim>& state, int free) const
+{
+    const auto velocity = state.velocity.template segment<freedomCount<Dim>>(freedomCount<Dim> * free);
+    return std::max(velocity.template head<Dim>().norm(),
+                    0.5 * scene.blockSize * velocity.template tail<rotationCount<Dim>>().norm());
+}
+
+template<int Dim>
+void MotionSummary<Dim>::observe(const DynamicState<Dim>& state)
+{
+    isObserved = true;
+    double speed = 0;
+    for (std::size_t block = 0; block < scene.free.size(); ++block)
+    {
+        if (scene.free[block] < 0)
+        {
+            continue;
+        }
+        const double displacement = state.placements[block].translation.norm();
+        if (displacement > largest)
+        {
+            largest = displacement;
+            farthestBlock = static_cast<int>(block);
+            timeOfLargest = state.time;
+        }
+        speed = std::max(speed, speedOf(state, scene.free[block]));
+    }
+    fastest = std::max(fastest, speed);
+    const bool restsNow = speed <= restSpeed();
+    if (restsNow && !rests)
+    {
+        restsSince = state.time;
+    }
+    rests = restsNow;
+}
+
+template<int Dim>
+std::vector<std::string> MotionSummary<Dim>::lines(const DynamicState<Dim>& last) const
+{
+    if (!isObserved)
+    {
+        return {};
+    }
+    std::vector<std::string> text;
+    text.push_back(farthestBlock < 0 ? "Largest displacement: 0 m"
+                                     : fmt::format("Largest displacement: {:.3g} m, block {}, at {:.4g} s",
+                                                   largest, farthestBlock, timeOfLargest));
+    if (fastest <= restSpeed())
+    {
+        text.push_back(fmt::format("The blocks stand still: none was faster than {:.2g} m/s", fastest));
+        return text;
+    }
+    int away = 0;
+    int freeBlocks = 0;
+    int fastestBlock = -1;
+    double speed = -1;
+    for (std::size_t block = 0; block < scene.free.size(); ++block)
+    {
+        const int free = scene.free[block];
+        if (free < 0)
+        {
+            continue;
+        }
+        ++freeBlocks;
+        away += last.placements[block].translation.norm() > 0.5 * scene.blockSize;
+        if (speedOf(last, free) > speed)
+        {
+            speed = speedOf(last, free);
+            fastestBlock = static_cast<int>(block);
+        }
+    }
+    // A block that rocks is slow at its turning points, for less than it takes to fall through its size.
+    const double pause = std::sqrt(2 * scene.blockSize / std::max(scene.gravity.norm(), 1e-300));
+    const bool isLong = last.time - restsSince >= pause;
+    text.push_back(
+        !rests   ? fmt::format("The blocks move at the end, block {} at {:.2g} m/s: a later endTime shows "
+                                 "where they come to rest",
+                               fastestBlock, speed)
+        : isLong ? fmt::format("The blocks have come to rest, at {:.4g} s", restsSince)
+                 : fmt::format("The blocks are at rest since {:.4g} s, which may be a turning point: a "
+                               "later endTime shows it",
+                               restsSince));
+    text.push_back(
+        fmt::format("Farther from their places than half the mean block size of {:.3g} m: {} of {} blocks",
+                    scene.blockSize, away, freeBlocks));
+    return text;
+}
+
+template class MotionSummary<2>;
+template class MotionSummary<3>;
+
+} // namespace drystone

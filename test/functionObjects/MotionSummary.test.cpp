@@ -1,0 +1,90 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The closing lines of a run, of states with known displacements and velocities.
+#include "functionObjects/MotionSummary.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+using namespace drystone;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+namespace
+{
+
+/// Two free blocks of unit size on a fixed one.
+DynamicCase<2> stack()
+{
+    DynamicCase<2> scene;
+    Assembly<2> assembly;
+    assembly.blocks = {{{{0, -1}, {1, -1}, {1, 0}, {0, 0}}, 1, 0},
+                       {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 1, -1},
+                       {{{0, 1}, {1, 1}, {1, 2}, {0, 2}}, 1, -1}};
+    assembly.supports = {{"ground", "ground"}};
+    setStructure(scene, std::move(assembly), {2000, 2000, 2000});
+    scene.gravity = {0, -9.81};
+    return scene;
+}
+
+/// The upper block at a place, at a speed.
+DynamicState<2> upperAt(const DynamicCase<2>& scene, double time, double x, double speed)
+{
+    DynamicState<2> state = stateAtRest(scene.assembly);
+    state.time = time;
+    state.placements[2].translation.x() = x;
+    state.velocity[3] = speed;
+    return state;
+}
+
+std::vector<std::string> linesAfter(const DynamicCase<2>& scene, const std::vector<DynamicState<2>>& states)
+{
+    MotionSummary<2> summary(scene);
+    for (const DynamicState<2>& state : states)
+    {
+        summary.observe(state);
+    }
+    return summary.lines(states.back());
+}
+
+} // namespace
+
+TEST(MotionSummary, SaysNothingOfARunWithoutSteps)
+{
+    const DynamicCase<2> scene = stack();
+    EXPECT_TRUE(MotionSummary<2>(scene).lines(stateAtRest(scene.assembly)).empty());
+}
+
+TEST(MotionSummary, OfBlocksThatNeverMoveSaysThatTheyStandStill)
+{
+    const DynamicCase<2> scene = stack();
+    EXPECT_THAT(linesAfter(scene, {upperAt(scene, 0.5, 0, 0), upperAt(scene, 1, 0, 1e-9)}),
+                ElementsAre("Largest displacement: 0 m", StartsWith("The blocks stand still")));
+}
+
+TEST(MotionSummary, KeepsTheLargestDisplacementWithItsBlockAndTime)
+{
+    const DynamicCase<2> scene = stack();
+    const auto lines = linesAfter(scene, {upperAt(scene, 0.5, 0.6, 0.2), upperAt(scene, 0.75, 0.25, -0.5)});
+    EXPECT_THAT(lines,
+                ElementsAre("Largest displacement: 0.6 m, block 2, at 0.5 s",
+                            StartsWith("The blocks move at the end, block 2 at 0.5 m/s"),
+                            "Farther from their places than half the mean block size of 1 m: 0 of 2 blocks"));
+}
+
+TEST(MotionSummary, BlocksThatAreSlowForLongEnoughHaveComeToRest)
+{
+    const DynamicCase<2> scene = stack();
+    // A fall through the block's size takes 0.45 s.
+    const auto lines = linesAfter(
+        scene, {upperAt(scene, 0.5, 0.6, 0.2), upperAt(scene, 1, 0.7, 0), upperAt(scene, 1.5, 0.7, 1e-9)});
+    EXPECT_EQ(lines.at(1), "The blocks have come to rest, at 1 s");
+    EXPECT_THAT(lines.at(2), HasSubstr("1 of 2 blocks"));
+}
+
+TEST(MotionSummary, ATurningPointIsNoRest)
+{
+    const DynamicCase<2> scene = stack();
+    const auto lines = linesAfter(scene, {upperAt(scene, 0.9, 0.6, 0.2), upperAt(scene, 1, 0.7, 0)});
+    EXPECT_THAT(lines.at(1), StartsWith("The blocks are at rest since 1 s, which may be a turning point"));
+}
