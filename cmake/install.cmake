@@ -9,19 +9,22 @@ install(TARGETS ${drystone_applications} RUNTIME DESTINATION ${CMAKE_INSTALL_BIN
 install(DIRECTORY tutorials DESTINATION ${share} USE_SOURCE_PERMISSIONS
     PATTERN VTK EXCLUDE PATTERN postProcessing EXCLUDE PATTERN constant/assembly EXCLUDE PATTERN "log.*" EXCLUDE
     PATTERN parameterSearch/points EXCLUDE REGEX "/[0-9]+\\.[0-9.e+-]*$" EXCLUDE)
-install(DIRECTORY etc/annotated etc/tools DESTINATION ${share}/etc USE_SOURCE_PERMISSIONS)
-install(FILES README.md CHANGELOG.md LICENSE CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY etc/annotated etc/cases etc/tools DESTINATION ${share}/etc USE_SOURCE_PERMISSIONS)
+install(FILES README.md GUIDE.md CHANGELOG.md LICENSE CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES etc/bash_completion DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME blockTexture)
 
 # A tutorial that was copied elsewhere finds RunFunctions beside the applications: in bin/ of the build and of the
-# installation. bash-completion looks for a file by the name of the command.
+# installation. drystone-new is a script that stands there in the same way. bash-completion looks for a file by the name
+# of the command.
 file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
 file(CREATE_LINK ${PROJECT_SOURCE_DIR}/etc/tools/RunFunctions ${CMAKE_BINARY_DIR}/bin/drystoneRunFunctions SYMBOLIC)
+file(CREATE_LINK ${PROJECT_SOURCE_DIR}/etc/tools/drystone-new ${CMAKE_BINARY_DIR}/bin/drystone-new SYMBOLIC)
 install(CODE "
     set(prefix \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}\")
     file(CREATE_LINK ../${share}/etc/tools/RunFunctions \"\${prefix}/${CMAKE_INSTALL_BINDIR}/drystoneRunFunctions\" SYMBOLIC)
+    file(CREATE_LINK ../${share}/etc/tools/drystone-new \"\${prefix}/${CMAKE_INSTALL_BINDIR}/drystone-new\" SYMBOLIC)
     file(MAKE_DIRECTORY \"\${prefix}/${CMAKE_INSTALL_MANDIR}/man1\")
-    foreach(application ${drystone_applications})
+    foreach(application ${drystone_applications} drystone-new)
         if(NOT application STREQUAL blockTexture)
             file(CREATE_LINK blockTexture
                 \"\${prefix}/${CMAKE_INSTALL_DATADIR}/bash-completion/completions/\${application}\" SYMBOLIC)

@@ -50,6 +50,13 @@ class Installation(unittest.TestCase):
         self.assertIn("drystoneRunFunctions", done.stderr)
         self.assertNotIn("runApplication", done.stderr)
 
+    def testANewCaseIsWrittenAndComputed(self):
+        done = bash("drystone-new garden-wall && cd garden-wall && blockTexture && limitAnalysis", self.root.name, self.path)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertIn("at collapse 861.6 N", done.stdout)
+        self.assertEqual(bash("drystone-new -version", self.root.name, self.path).stdout,
+                         bash("limitAnalysis -version", self.root.name, self.path).stdout)
+
     def testVersionNamesNameVersionAndCommit(self):
         done = bash("limitAnalysis -version", self.root.name, self.path)
         self.assertRegex(done.stdout, r"^Drystone \d+\.\d+\.\d+( at [0-9a-f]+)?\n$")
@@ -89,6 +96,7 @@ class Installation(unittest.TestCase):
         self.assertNotIn("-parallel", self.complete("limitAnalysis -"))
         self.assertEqual(self.complete("solveProgram program -solver g"), ["gaussSeidel"])
         self.assertEqual(self.complete("solveProgram program -tolerance "), [])
+        self.assertEqual(self.complete("drystone-new ga"), ["garden-wall"])
         dictionary = ("system/solution", "limitAnalysis { solver interiorPoint; tolerance 1e-9; }\n")
         self.assertEqual(self.complete("caseDictionary system/solution -entry l", dictionary), ["limitAnalysis"])
         self.assertEqual(self.complete("caseDictionary system/solution -entry limitAnalysis/", dictionary),
