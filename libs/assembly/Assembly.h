@@ -64,6 +64,7 @@ struct JointClosure
     int joints = 0;       ///< that were closed
     double largest = 0;   ///< distance of their faces, or depth in each other, before [m]
     double tolerance = 0; ///< up to which joints are closed [m]
+    double alongAxes = 0; ///< the same of faces parallel to an axis or, in space, to a plane of two axes [m]
     double rounding = 0;  ///< unit of the last digit of the coordinates; 0: they have all digits [m]
 };
 

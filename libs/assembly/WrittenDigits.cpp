@@ -25,6 +25,9 @@ constexpr double leastShare = 0.1;
 /// number of digits, corners were placed so on purpose: the wedge (0 0) (1 0.001), say.
 constexpr double leastAgreement = 2.0 / 3;
 
+/// A normal with a smaller part along an axis is perpendicular to it: rounding turns faces by less.
+constexpr double leastPart = 1e-3;
+
 struct WrittenNumber
 {
     int significant = 0; ///< digits
@@ -63,9 +66,54 @@ int mostCommonDigits(const std::vector<WrittenNumber>& numbers, int WrittenNumbe
     return *place;
 }
 
+/// Calls `visit(coordinate)` for those that place an edge across itself: all, unless it is parallel to an
+/// axis.
+template<class Visit>
+void visitCoordinates(const Block<2>& block, const Visit& visit)
+{
+    for (std::size_t i = 0; i < block.outline.size(); ++i)
+    {
+        const Vector<2>& from = block.outline[i];
+        const Vector<2>& to = block.outline[(i + 1) % block.outline.size()];
+        if (from.x() != to.x() && from.y() != to.y())
+        {
+            visit(from.x());
+            visit(from.y());
+            visit(to.x());
+            visit(to.y());
+        }
+    }
+}
+
+/// The same of faces: along the axes that the normal has a part of, unless the face is parallel to two.
+template<class Visit>
+void visitCoordinates(const Block<3>& block, const Visit& visit)
+{
+    for (const std::vector<int>& face : block.shape.faces)
+    {
+        const Vector<3> normal = areaVector(block.shape, face).normalized();
+        const auto isAlong = [&](int axis) { return std::abs(normal[axis]) > leastPart; };
+        if (isAlong(0) + isAlong(1) + isAlong(2) < 2)
+        {
+            continue;
+        }
+        for (const int corner : face)
+        {
+            for (int axis = 0; axis < 3; ++axis)
+            {
+                if (isAlong(axis))
+                {
+                    visit(block.shape.vertices[static_cast<std::size_t>(corner)][axis]);
+                }
+            }
+        }
+    }
+}
+
 } // namespace
 
-double writtenRounding(const Assembly<2>& assembly)
+template<int Dim>
+double writtenRounding(const Assembly<Dim>& assembly)
 {
     std::vector<WrittenNumber> numbers;
     std::size_t count = 0;
@@ -82,20 +130,9 @@ double writtenRounding(const Assembly<2>& assembly)
             numbers.push_back(number);
         }
     };
-    for (const Block<2>& block : assembly.blocks)
+    for (const Block<Dim>& block : assembly.blocks)
     {
-        for (std::size_t i = 0; i < block.outline.size(); ++i)
-        {
-            const Vector<2>& from = block.outline[i];
-            const Vector<2>& to = block.outline[(i + 1) % block.outline.size()];
-            if (from.x() != to.x() && from.y() != to.y())
-            {
-                add(from.x());
-                add(from.y());
-                add(to.x());
-                add(to.y());
-            }
-        }
+        visitCoordinates(block, add);
     }
     if (numbers.empty() || static_cast<double>(numbers.size()) < leastAgreement * static_cast<double>(count))
     {
@@ -130,5 +167,8 @@ double writtenRounding(const Assembly<2>& assembly)
     }
     return std::pow(10.0, largest + 1 - significant);
 }
+
+template double writtenRounding(const Assembly<2>& assembly);
+template double writtenRounding(const Assembly<3>& assembly);
 
 } // namespace drystone

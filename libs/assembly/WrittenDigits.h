@@ -12,9 +12,11 @@ namespace drystone
 /// coordinates). 0 where a third of the coordinates or more have another number of digits, or all of a
 /// double, 15 or more: then rounding does not explain where they are.
 ///
-/// Only ends of edges that are not parallel to an axis are looked at: corners on one line along an axis round
-/// alike, so that their rounding opens no joint, and coordinates like 0.5 say nothing of rounding. A
-/// coordinate counts with its shortest decimal text that reads back as the same double.
-double writtenRounding(const Assembly<2>& assembly);
+/// Only corners of faces (edges of the plane) that are not parallel to the axes are looked at, and of these
+/// the coordinates that place them across the face: corners on one line along an axis round alike, so that
+/// their rounding opens no joint, and coordinates like 0.5 say nothing of rounding. A coordinate counts with
+/// its shortest decimal text that reads back as the same double.
+template<int Dim>
+double writtenRounding(const Assembly<Dim>& assembly);
 
 } // namespace drystone

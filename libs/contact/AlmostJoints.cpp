@@ -3,6 +3,7 @@
 #include "contact/AlmostJoints.h"
 
 #include "assembly/AssemblyFile.h"
+#include "contact/JointClosure.h"
 
 #include <fmt/format.h>
 
@@ -57,7 +58,7 @@ std::string faultText(const Assembly<Dim>& assembly, const std::vector<Facing<Di
         "coordinates in system/blockTextureDict",
         blockName(assembly, worst.block), blockName(assembly, worst.neighbour),
         asWritten<Dim>(placeOf(worst)), most, isApart(worst) ? "apart" : "in each other",
-        std::max(assembly.closure.tolerance, CheckLimits{}.jointTolerance * meanBlockSize(assembly)),
+        usualJointTolerance(assembly, worst.isOblique),
         pieces.size() > 1 ? fmt::format(" {} pairs of faces do so.", pieces.size()) : "");
     // One digit more than the faces need.
     const double unit = std::pow(10.0, std::floor(std::log10(most)));

@@ -365,7 +365,7 @@ std::vector<Overlap<Dim>> findOverlaps(const Assembly<Dim>& assembly, const Chec
 template<int Dim>
 AssemblyStatistics<Dim> countAssembly(const Assembly<Dim>& assembly)
 {
-    return count(assembly, findContactPoints(assembly, contactTolerance(assembly)));
+    return count(assembly, findContactPoints(assembly));
 }
 
 template<int Dim>
@@ -382,8 +382,7 @@ AssemblyReport<Dim> checkAssembly(const Assembly<Dim>& assembly, CheckExtent ext
         enlargedBoxes.push_back(enlarged<Dim>(findings.boxes.back(), limits.jointTolerance * findings.size));
     }
     findings.near = findMeetingPairs(enlargedBoxes);
-    findings.points =
-        findContactPoints(assembly, std::max(limits.jointTolerance, contactTolerance(assembly)));
+    findings.points = findContactPoints(assembly);
     findings.overlaps = overlapsOf(assembly, limits, findings.largestOverlap);
     findings.almostJoints = findAlmostJoints(assembly, limits);
 

@@ -3,15 +3,15 @@
 #include "contact/ContactPoint.h"
 
 #include "contact/Facing.h"
+#include "contact/JointClosure.h"
 
 namespace drystone
 {
 
 template<>
-std::vector<ContactPoint<2>> findContactPoints(const Assembly<2>& assembly, double relativeTolerance)
+std::vector<ContactPoint<2>> findContactPoints(const Assembly<2>& assembly)
 {
-    const double distance = relativeTolerance * meanBlockSize(assembly);
-    const std::vector<FacingPiece> joints = findFacingPieces(assembly, facingTolerance(distance, distance));
+    const std::vector<FacingPiece> joints = findFacingPieces(assembly, closedFacing(assembly));
 
     std::vector<ContactPoint<2>> points;
     points.reserve(2 * joints.size());

@@ -59,9 +59,11 @@ inline Eigen::Matrix3d contactFrame(const ContactPoint<3>& point)
 
 /// Contact points of the structure as built. In the plane: for each pair of blocks whose outlines share a
 /// straight edge (conforming or not), the two ends of each shared piece. Two edges share a piece when their
-/// directions are opposite to 1e-3 rad, they lie within the distance tolerance of each other at both ends of
-/// the piece, and it is longer than the tolerance. Vertices that split a straight edge do not split a joint;
-/// blocks that meet at a corner alone have none; neither have two fixed blocks. Gaps are 0.
+/// directions are opposite to 1e-3 rad, they lie within the tolerance of each other at both ends of
+/// the piece, and it is longer than the tolerance: 1e-6 of the mean block size (square root of the free
+/// blocks' mean face, cube root of their mean volume), or in space what closeJoints allowed
+/// (Assembly::closure). Vertices that split a straight edge do not split a joint; blocks that meet at a
+/// corner alone have none; neither have two fixed blocks. Gaps are 0.
 ///
 /// In space: for each pair of faces of two blocks that lie on each other, convex or not, the corners of each
 /// polygon that they share, in order round it, under the same conditions on directions and distances at all
@@ -71,10 +73,8 @@ inline Eigen::Matrix3d contactFrame(const ContactPoint<3>& point)
 ///
 /// Points of one joint follow each other; joints are sorted by (block, neighbour), block < neighbour. Finding
 /// them takes time of order n log n in the number of edges or faces: 0.5 s for 100,000 blocks of the plane.
-/// \param tolerance distance relative to the mean block size (square root of the free blocks' mean face, cube
-/// root of their mean volume)
 template<int Dim>
-std::vector<ContactPoint<Dim>> findContactPoints(const Assembly<Dim>& assembly, double tolerance = 1e-6);
+std::vector<ContactPoint<Dim>> findContactPoints(const Assembly<Dim>& assembly);
 
 /// The same joints with `pointsPerJoint` points each, at equal distances from end to end. \param ends the two
 /// points of each joint, as findContactPoints gives them

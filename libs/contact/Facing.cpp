@@ -23,14 +23,14 @@ bool isParallelToAxis(const OutlineEdge& edge)
 bool findPiece(const OutlineEdge& a, const OutlineEdge& b, const FacingTolerance& tolerance,
                FacingPiece& piece)
 {
-    const bool isOblique =
-        tolerance.oblique > tolerance.distance && !(isParallelToAxis(a) && isParallelToAxis(b));
-    const double distance = isOblique ? tolerance.oblique : tolerance.distance;
+    const bool isOblique = !(isParallelToAxis(a) && isParallelToAxis(b));
+    const bool isWider = isOblique && tolerance.oblique > tolerance.distance;
+    const double distance = isWider ? tolerance.oblique : tolerance.distance;
     // Both ends of both edges may be off by the distance.
     const double angle =
-        isOblique ? std::max(tolerance.angle,
-                             4 * distance / std::min((a.to - a.from).norm(), (b.to - b.from).norm()))
-                  : tolerance.angle;
+        isWider ? std::max(tolerance.angle,
+                           4 * distance / std::min((a.to - a.from).norm(), (b.to - b.from).norm()))
+                : tolerance.angle;
     const Vector<2> alongA = (a.to - a.from).normalized();
     const Vector<2> alongB =
         (b.from - b.to).normalized(); // reversed: outlines pass a joint in opposite directions
@@ -67,7 +67,7 @@ bool findPiece(const OutlineEdge& a, const OutlineEdge& b, const FacingTolerance
     }
     const auto pointAt = [&](double s) -> Vector<2>
     { return origin + s * along + (heightA(s) + heightB(s)) / 2 * across; };
-    piece = {a.block, b.block, pointAt(begin), pointAt(end), across, gapAtBegin, gapAtEnd, -1, -1};
+    piece = {a.block, b.block, pointAt(begin), pointAt(end), across, gapAtBegin, gapAtEnd, -1, -1, isOblique};
     return true;
 }
 

@@ -32,6 +32,7 @@ struct FacingPiece
     double gapAtTo = 0;     ///< [m]
     int edge = -1;          ///< of `block`, index in outlineEdges
     int neighbourEdge = -1; ///< of `neighbour`, likewise
+    bool isOblique = false; ///< one of the edges is not parallel to an axis
 };
 
 /// How near two edges must be to face each other.
@@ -42,7 +43,8 @@ struct FacingTolerance
     double straight = 0;    ///< vertices this near to a straight edge do not split it [m]
     double leastLength = 0; ///< of a piece [m]
     double oblique = 0; ///< instead of `distance`, where it is more, and one of the edges is not parallel to
-                        ///< an axis; directions may then differ by what such distances turn the edges by
+                        ///< an axis, one of the faces not to two; directions may then differ by what such
+                        ///< distances turn them by
 };
 
 /// Pieces are at least as long as their largest gap; what is straight is so to half of a joint's tolerance.

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Faces of joints are put on common lines.
+/// Faces of joints are put on common lines; in space they are counted.
 #include "contact/JointClosure.h"
 
 #include "assembly/WrittenDigits.h"
@@ -27,8 +27,10 @@ namespace
 constexpr double usualTolerance = 1e-6;
 constexpr double coarsestRounding = 1e-3;
 
-/// Units of the last digit by which faces that were meant to meet may be apart: 1.41, and a little.
-constexpr double roundingUnits = 1.5;
+/// Units of the last digit by which faces that were meant to meet may be apart: 1.41, in space 1.73, and a
+/// little.
+template<int Dim>
+constexpr double roundingUnits = Dim == 2 ? 1.5 : 1.8;
 
 /// No corner moves farther than this many tolerances.
 constexpr double farthestMove = 5;
@@ -345,15 +347,26 @@ void fit(const Faces& faces, std::vector<Vector<2>>& place, double exact)
     }
 }
 
+/// The corners of a block [m].
+const Polygon& cornersOf(const Block<2>& block)
+{
+    return block.outline;
+}
+const std::vector<Vector<3>>& cornersOf(const Block<3>& block)
+{
+    return block.shape.vertices;
+}
+
 /// What rounding in double precision leaves between faces that meet [m].
-double exactness(const Assembly<2>& assembly, double size)
+template<int Dim>
+double exactness(const Assembly<Dim>& assembly, double size)
 {
     double extent = 0;
-    for (const Block<2>& block : assembly.blocks)
+    for (const Block<Dim>& block : assembly.blocks)
     {
-        for (const Vector<2>& corner : block.outline)
+        for (const Vector<Dim>& corner : cornersOf(block))
         {
-            extent = std::max(extent, corner.lpNorm<Eigen::Infinity>());
+            extent = std::max(extent, corner.template lpNorm<Eigen::Infinity>());
         }
     }
     return std::max(1e-12 * size, 64 * std::numeric_limits<double>::epsilon() * extent);
@@ -361,21 +374,22 @@ double exactness(const Assembly<2>& assembly, double size)
 
 } // namespace
 
-JointTolerance jointTolerance(const Assembly<2>& assembly)
+template<int Dim>
+JointTolerance jointTolerance(const Assembly<Dim>& assembly)
 {
     const double size = meanBlockSize(assembly);
     JointTolerance tolerance;
     tolerance.rounding = writtenRounding(assembly);
     tolerance.distance = assembly.jointTolerance.value_or(usualTolerance * size);
     tolerance.oblique = assembly.jointTolerance.value_or(
-        std::clamp(roundingUnits * tolerance.rounding, usualTolerance * size, coarsestRounding * size));
+        std::clamp(roundingUnits<Dim> * tolerance.rounding, usualTolerance * size, coarsestRounding * size));
     return tolerance;
 }
 
 void closeJoints(Assembly<2>& assembly)
 {
     const JointTolerance tolerance = jointTolerance(assembly);
-    assembly.closure = {0, 0, tolerance.oblique, tolerance.rounding};
+    assembly.closure = {0, 0, tolerance.oblique, tolerance.distance, tolerance.rounding};
     const double size = meanBlockSize(assembly);
     if (!(size > 0) || !std::isfinite(size))
     {
@@ -436,18 +450,46 @@ void closeJoints(Assembly<2>& assembly)
 
 void closeJoints(Assembly<3>& assembly)
 {
-    assembly.closure = {0, 0, assembly.jointTolerance.value_or(usualTolerance * meanBlockSize(assembly)), 0};
-}
-
-double contactTolerance(const Assembly<2>&)
-{
-    return usualTolerance;
-}
-
-double contactTolerance(const Assembly<3>& assembly)
-{
+    const JointTolerance tolerance = jointTolerance(assembly);
+    assembly.closure = {0, 0, tolerance.oblique, tolerance.distance, tolerance.rounding};
     const double size = meanBlockSize(assembly);
-    return size > 0 ? std::max(usualTolerance, assembly.closure.tolerance / size) : usualTolerance;
+    if (!(size > 0) || !std::isfinite(size) || !assembly.statedJoints.empty())
+    {
+        return;
+    }
+    const double exact = exactness(assembly, size);
+    for (const FacingPatch& patch : findFacingPatches(assembly, closedFacing(assembly)))
+    {
+        if (openness(patch) > exact)
+        {
+            ++assembly.closure.joints;
+            assembly.closure.largest = std::max(assembly.closure.largest, openness(patch));
+        }
+    }
+}
+
+FacingTolerance closedFacing(const Assembly<2>& assembly)
+{
+    const double distance = usualTolerance * meanBlockSize(assembly);
+    return facingTolerance(distance, distance);
+}
+
+FacingTolerance closedFacing(const Assembly<3>& assembly)
+{
+    const double distance = usualJointTolerance(assembly, false);
+    const double oblique = usualJointTolerance(assembly, true);
+    const double larger = std::max(distance, oblique);
+    FacingTolerance tolerance = facingTolerance(larger, larger);
+    tolerance.distance = distance;
+    tolerance.oblique = oblique;
+    return tolerance;
+}
+
+template<int Dim>
+double usualJointTolerance(const Assembly<Dim>& assembly, bool isOblique)
+{
+    return std::max(usualTolerance * meanBlockSize(assembly),
+                    isOblique ? assembly.closure.tolerance : assembly.closure.alongAxes);
 }
 
 template<int Dim>
@@ -461,8 +503,11 @@ void printClosure(const Assembly<Dim>& assembly)
             : closure.rounding > 0
                 ? fmt::format("as coordinates written to {:.3g} m explain", closure.rounding)
                 : "1e-6 of the mean block size";
-        info("Joints: {} closed whose faces were up to {:.3g} m from meeting; closed are those within {:.3g} "
-             "m, {}",
+        info(Dim == 2
+                 ? "Joints: {} closed whose faces were up to {:.3g} m from meeting; closed are those "
+                   "within {:.3g} m, {}"
+                 : "Joints: {} taken as they are whose faces are up to {:.3g} m from meeting; joints are "
+                   "those within {:.3g} m, {}",
              closure.joints, closure.largest, closure.tolerance, reason);
     }
     if (const int apart = facesApartOnPurpose(assembly); apart > 0)
@@ -473,6 +518,10 @@ void printClosure(const Assembly<Dim>& assembly)
     }
 }
 
+template JointTolerance jointTolerance(const Assembly<2>& assembly);
+template JointTolerance jointTolerance(const Assembly<3>& assembly);
+template double usualJointTolerance(const Assembly<2>& assembly, bool isOblique);
+template double usualJointTolerance(const Assembly<3>& assembly, bool isOblique);
 template void printClosure(const Assembly<2>& assembly);
 template void printClosure(const Assembly<3>& assembly);
 

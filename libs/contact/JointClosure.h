@@ -3,6 +3,7 @@
 #pragma once
 
 #include "assembly/Assembly.h"
+#include "contact/Facing.h"
 
 namespace drystone
 {
@@ -10,18 +11,19 @@ namespace drystone
 /// How near faces must be to be meant as a joint [m].
 struct JointTolerance
 {
-    double distance = 0; ///< of faces parallel to an axis: 1e-6 of the mean block size
-    double oblique =
-        0; ///< of other faces: 1.5 units of the last digit of the coordinates, where that is more
+    double distance = 0; ///< of faces parallel to an axis, in space to two: 1e-6 of the mean block size
+    double oblique = 0;  ///< of other faces: 1.5 units of the last digit of the coordinates, in space 1.8,
+                         ///< where that is more
     double rounding = 0; ///< this unit, see writtenRounding
 };
 
 /// The tolerance of an assembly; where the user states one, it is that of all faces.
 ///
 /// Rounding moves a corner by up to half a unit along each axis, hence across a line by up to 0.71 units, and
-/// two lines by up to 1.41 units from each other. It is not followed beyond 1e-3 of the mean block size: such
-/// coordinates are too coarse for the blocks.
-JointTolerance jointTolerance(const Assembly<2>& assembly);
+/// two lines by up to 1.41 units from each other; across a plane by 0.87, and two planes by 1.73. It is not
+/// followed beyond 1e-3 of the mean block size: such coordinates are too coarse for the blocks.
+template<int Dim>
+JointTolerance jointTolerance(const Assembly<Dim>& assembly);
 
 /// Moves corners so that the faces of joints meet exactly, where they are apart or in each other by no more
 /// than the tolerance: corners within the tolerance of each other become one, and the faces that meet along a
@@ -31,18 +33,24 @@ JointTolerance jointTolerance(const Assembly<2>& assembly);
 ///
 /// Fills in Assembly::closure. Time of order n log n in the number of edges.
 ///
-/// In space no corner is moved: faces within the tolerance, 1e-6 of the mean block size or the one that the
-/// user states, are joints where they are.
+/// In space no corner is moved, since three planes and more that meet at a corner leave it no room: faces
+/// within the tolerance are joints where they are, their contact points halfway between them, and
+/// Assembly::closure counts those that do not meet.
 void closeJoints(Assembly<2>& assembly);
 void closeJoints(Assembly<3>& assembly);
 
-/// The tolerance that findContactPoints needs, relative to the mean block size, once joints are closed: in
-/// the plane their faces meet, in space they may be as far apart as closeJoints allows.
-double contactTolerance(const Assembly<2>& assembly);
-double contactTolerance(const Assembly<3>& assembly);
+/// By which faces are found that are joints, once closeJoints has seen the assembly: in the plane they meet,
+/// in space they are as near as Assembly::closure says. Pieces are longer, and patches wider, than either.
+FacingTolerance closedFacing(const Assembly<2>& assembly);
+FacingTolerance closedFacing(const Assembly<3>& assembly);
+
+/// How near the two faces must be to be a joint [m]. \param isOblique see FacingPiece, FacingPatch
+template<int Dim>
+double usualJointTolerance(const Assembly<Dim>& assembly, bool isOblique);
 
 /// Says on the log which joints were closed: `Joints: 82 closed whose faces were up to 1.1e-06 m from
-/// meeting, ...`, and how many faces almost meet and are apart on purpose; nothing where there are none.
+/// meeting, ...`, in space which were taken as they are, and how many faces almost meet and are apart on
+/// purpose; nothing where there are none.
 template<int Dim>
 void printClosure(const Assembly<Dim>& assembly);
 

@@ -52,7 +52,7 @@ bool namesStrength(const ContactProperties& contact)
 std::vector<PointLaw> setContactPoints(const std::filesystem::path& caseDirectory,
                                        LimitAnalysisCase<3>& structure)
 {
-    structure.points = findContactPoints(structure.assembly, contactTolerance(structure.assembly));
+    structure.points = findContactPoints(structure.assembly);
     if (!structure.contact.jointPoints && !namesStrength(structure.contact))
     {
         return pointLaws(caseDirectory, structure.contact, structure.assembly, structure.points);

@@ -82,7 +82,7 @@ TEST(SpaceAssemblyChecks, FacesThatAlmostMeetAreAGapUnlessThatIsStated)
     assembly.jointTolerance = 5e-3;
     closeJoints(assembly);
     EXPECT_THAT(failed(assembly), IsEmpty());
-    EXPECT_EQ(findContactPoints(assembly, contactTolerance(assembly)).size(), 4U);
+    EXPECT_EQ(findContactPoints(assembly).size(), 4U);
 }
 
 TEST(SpaceAssemblyChecks, SliversAreFound)

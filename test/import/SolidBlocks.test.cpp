@@ -232,10 +232,7 @@ TEST(SolidBlocks, RoundedCoordinatesAreMadePlaneAndJointsAreFound)
             }
         }
         closeJoints(assembly);
-        EXPECT_EQ(
-            static_cast<std::size_t>(findContactPoints(assembly, contactTolerance(assembly)).back().joint),
-            joints)
-            << unit;
+        EXPECT_EQ(static_cast<std::size_t>(findContactPoints(assembly).back().joint), joints) << unit;
     }
 }
 

@@ -102,7 +102,7 @@ TEST_P(PublishedStructure, HasItsMultipliers)
                     fs::absolute(path).string(), published.texture, published.supports),
         "test"));
     closeJoints(assembly);
-    const std::vector<ContactPoint<3>> points = findContactPoints(assembly, contactTolerance(assembly));
+    const std::vector<ContactPoint<3>> points = findContactPoints(assembly);
     ASSERT_FALSE(points.empty());
     EXPECT_EQ(points.back().joint + 1, published.joints);
     if (published.points > 0)

@@ -140,7 +140,7 @@ std::vector<StatedJoint<3>> jointsOf(Assembly<3> assembly)
     closeJoints(assembly);
     std::vector<StatedJoint<3>> joints;
     int last = -1;
-    for (const ContactPoint<3>& point : findContactPoints(assembly, contactTolerance(assembly)))
+    for (const ContactPoint<3>& point : findContactPoints(assembly))
     {
         if (point.joint != last)
         {

@@ -2,6 +2,7 @@
 /// The search for faces that almost meet.
 #include "contact/AlmostJoints.h"
 
+#include "contact/JointClosure.h"
 #include "geometry/space/PolyhedronOverlap.h"
 
 #include <algorithm>
@@ -33,13 +34,14 @@ std::vector<FacingPatch> findAlmostJoints(const Assembly<3>& assembly, const Che
         return {}; // what is a joint does not depend on distances
     }
     const double size = meanBlockSize(assembly);
-    const double jointTolerance = std::max(limits.jointTolerance * size, assembly.closure.tolerance);
-    FacingTolerance tolerance = facingTolerance(limits.gap * size, jointTolerance);
+    FacingTolerance tolerance = facingTolerance(limits.gap * size, usualJointTolerance(assembly, true));
     tolerance.angle = limits.gapAngle;
     std::vector<FacingPatch> patches = findFacingPatches(assembly, tolerance);
     std::erase_if(patches,
                   [&](const FacingPatch& patch)
                   {
+                      const double jointTolerance = std::max(limits.jointTolerance * size,
+                                                             usualJointTolerance(assembly, patch.isOblique));
                       // Outer faces of thin blocks that lie on each other have passed each other, too.
                       return openness(patch) <= jointTolerance
                              || (!isApart(patch)

@@ -2,6 +2,7 @@
 /// Contact points at the corners of the patches where faces lie on each other, or in a grid over these.
 #include "contact/ContactPoint.h"
 
+#include "contact/JointClosure.h"
 #include "contact/space/FacingPatches.h"
 #include "contact/space/PatchCells.h"
 
@@ -34,14 +35,13 @@ std::vector<ContactPoint<3>> statedPoints(const Assembly<3>& assembly)
 } // namespace
 
 template<>
-std::vector<ContactPoint<3>> findContactPoints(const Assembly<3>& assembly, double relativeTolerance)
+std::vector<ContactPoint<3>> findContactPoints(const Assembly<3>& assembly)
 {
     if (!assembly.statedJoints.empty())
     {
         return statedPoints(assembly);
     }
-    const double distance = relativeTolerance * meanBlockSize(assembly);
-    const std::vector<FacingPatch> joints = findFacingPatches(assembly, facingTolerance(distance, distance));
+    const std::vector<FacingPatch> joints = findFacingPatches(assembly, closedFacing(assembly));
 
     std::vector<ContactPoint<3>> points;
     points.reserve(4 * joints.size());

@@ -22,6 +22,8 @@ struct Face
     int index = -1;                       ///< in the block's shape
     Vector<3> normal = Vector<3>::Zero(); ///< outward
     Vector<3> centre = Vector<3>::Zero(); ///< mean of the corners
+    double width = 0;                     ///< area over the longest extent [m]
+    bool isOblique = false;               ///< not parallel to two axes
     Box<3> box;                           ///< with the distance at which faces still meet
 };
 
@@ -29,6 +31,7 @@ struct Face
 std::vector<Face> facesOf(const Assembly<3>& assembly, const FacingTolerance& tolerance)
 {
     std::vector<Face> faces;
+    const double reach = std::max(tolerance.distance, tolerance.oblique);
     for (std::size_t block = 0; block < assembly.blocks.size(); ++block)
     {
         const Polyhedron& shape = assembly.blocks[block].shape;
@@ -49,7 +52,10 @@ std::vector<Face> facesOf(const Assembly<3>& assembly, const FacingTolerance& to
                 extend<3>(face.box, shape.vertices[corner]);
             }
             face.centre /= static_cast<double>(shape.faces[i].size());
-            face.box = enlarged(face.box, tolerance.distance);
+            const Vector<3> extent = face.box.upper - face.box.lower;
+            face.width = area.norm() / extent.norm();
+            face.isOblique = extent.minCoeff() > 0;
+            face.box = enlarged(face.box, reach);
             faces.push_back(face);
         }
     }
@@ -77,10 +83,19 @@ double heightAt(const Face& face, const Vector<3>& point, const Vector<3>& norma
     return face.normal.dot(face.centre - point) / face.normal.dot(normal);
 }
 
+/// By how much the normals of faces may differ whose corners may be off by the tolerance of oblique faces.
+double angleOf(const Face& a, const Face& b, const FacingTolerance& tolerance)
+{
+    return std::max(tolerance.angle, 4 * tolerance.oblique / std::min(a.width, b.width));
+}
+
 void findPatches(const Assembly<3>& assembly, const Face& a, const Face& b, const FacingTolerance& tolerance,
                  std::vector<FacingPatch>& patches)
 {
-    if ((a.normal + b.normal).norm() > tolerance.angle)
+    const bool isOblique = a.isOblique || b.isOblique;
+    const bool isWider = isOblique && tolerance.oblique > tolerance.distance;
+    const double distance = isWider ? tolerance.oblique : tolerance.distance;
+    if ((a.normal + b.normal).norm() > (isWider ? angleOf(a, b, tolerance) : tolerance.angle))
     {
         return;
     }
@@ -95,14 +110,14 @@ void findPatches(const Assembly<3>& assembly, const Face& a, const Face& b, cons
     std::reverse(polygonB.begin(), polygonB.end());
     for (const Polygon& part : intersection(polygonA, polygonB, tolerance.leastLength))
     {
-        FacingPatch patch{a.block, b.block, a.index, b.index, {}, {}, -normal};
+        FacingPatch patch{a.block, b.block, a.index, b.index, {}, {}, -normal, isOblique};
         bool isNear = true;
         for (const Vector<2>& corner : part)
         {
             const Vector<3> point = origin + corner.x() * frame.col(1) + corner.y() * frame.col(2);
             const double heightA = heightAt(a, point, normal);
             const double heightB = heightAt(b, point, normal);
-            isNear = isNear && std::abs(heightB - heightA) <= tolerance.distance;
+            isNear = isNear && std::abs(heightB - heightA) <= distance;
             patch.corners.emplace_back(point + (heightA + heightB) / 2 * normal);
             patch.gaps.push_back(heightB - heightA);
         }
@@ -118,6 +133,14 @@ void findPatches(const Assembly<3>& assembly, const Face& a, const Face& b, cons
 std::vector<FacingPatch> findFacingPatches(const Assembly<3>& assembly, const FacingTolerance& tolerance)
 {
     const std::vector<Face> faces = facesOf(assembly, tolerance);
+    double angle = tolerance.angle;
+    if (tolerance.oblique > tolerance.distance)
+    {
+        for (const Face& face : faces)
+        {
+            angle = std::max(angle, angleOf(face, face, tolerance));
+        }
+    }
     std::vector<FacingPatch> patches;
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -128,8 +151,7 @@ std::vector<FacingPatch> findFacingPatches(const Assembly<3>& assembly, const Fa
         std::vector<Box<3>> boxes[2];
         for (std::size_t i = 0; i < faces.size(); ++i)
         {
-            if (std::abs(faces[i].normal[axis])
-                >= faces[i].normal.cwiseAbs().maxCoeff() - 2 * tolerance.angle)
+            if (std::abs(faces[i].normal[axis]) >= faces[i].normal.cwiseAbs().maxCoeff() - 2 * angle)
             {
                 const int side = faces[i].normal[axis] > 0 ? 0 : 1;
                 indices[side].push_back(static_cast<int>(i));

@@ -21,15 +21,16 @@ struct FacingPatch
     std::vector<Vector<3>> corners;       ///< counter-clockwise seen from outside `block` [m]
     std::vector<double> gaps;             ///< at each corner, along the normal; negative: they overlap [m]
     Vector<3> normal = Vector<3>::Zero(); ///< unit vector from `neighbour` into `block`
+    bool isOblique = false;               ///< one of the faces is not parallel to two axes
 };
 
 /// All facing patches of blocks that are not both fixed, sorted by (block, neighbour, face, neighbourFace).
 /// Two faces have a patch where they overlap in projection, if their normals are opposite to
-/// `tolerance.angle` and they lie within `tolerance.distance` of each other at every corner of the patch;
-/// several patches where concave faces overlap in several places. A patch is wider than
-/// `tolerance.leastLength` somewhere: faces that touch along an edge or at a corner alone have none. Corners
-/// that only split a straight edge within `tolerance.straight` are left out. Time is of order n log n in the
-/// number of faces. `tolerance.oblique` is not used.
+/// `tolerance.angle` and they lie within `tolerance.distance` of each other at every corner of the patch, or
+/// within `tolerance.oblique` where that is more and one of them is not parallel to two axes; several patches
+/// where concave faces overlap in several places. A patch is wider than `tolerance.leastLength` somewhere:
+/// faces that touch along an edge or at a corner alone have none. Corners that only split a straight edge
+/// within `tolerance.straight` are left out. Time is of order n log n in the number of faces.
 std::vector<FacingPatch> findFacingPatches(const Assembly<3>& assembly, const FacingTolerance& tolerance);
 
 } // namespace drystone

@@ -84,9 +84,9 @@ const std::vector<int>& faceUnder(const Polyhedron& shape, const Vector<3>& poin
 
 } // namespace
 
-MovingContacts<3>::MovingContacts(const Assembly<3>& structure, const MovingContactOptions& options)
+MovingContacts<3>::MovingContacts(const Assembly<3>& structure, const MovingContactOptions&)
     : assembly(structure),
-      asBuilt(findContactPoints(structure, options.tolerance)),
+      asBuilt(findContactPoints(structure)),
       isLeftOut(structure.blocks.size(), false),
       blockSize(meanBlockSize(structure))
 {
