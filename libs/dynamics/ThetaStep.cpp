@@ -83,6 +83,24 @@ bool isWorkUsedUp(const StepSettings& settings, const ThetaStep& step, const Ste
                   > settings.work->mostOfAttempt;
 }
 
+/// The solver's choice with no more iterations a program than the work left to the step allows for, but as
+/// many as an ordinary program takes: the one that crosses the border is brought to its end, not beyond.
+template<int Dim>
+SolverChoice withinWork(const StepSettings& settings, const ThetaStep& step, const StepProgram<Dim>& program)
+{
+    constexpr double ordinary = 30;
+    SolverChoice choice = settings.solver;
+    if (settings.work)
+    {
+        const double left = settings.work->most - settings.work->done
+                            - workOf(step.iterations, step.factorisations, program.points(), program.bodies);
+        const double iterations = left / workOf(1, 1, program.points(), program.bodies);
+        choice.maximumIterations =
+            static_cast<int>(std::min<double>(choice.maximumIterations, std::max(ordinary, iterations)));
+    }
+    return choice;
+}
+
 } // namespace
 
 template<int Dim>
@@ -237,7 +255,8 @@ ThetaStep solveThetaStep(StepProgram<Dim> program, const StepSettings& settings,
         {
             program.gap[Dim * point] = gap[Dim * point] + imposed[point];
         }
-        const bool isBalanced = solveOnce(step, program, settings.solver, start, symbolic);
+        const bool isBalanced =
+            solveOnce(step, program, withinWork(settings, step, program), start, symbolic);
         // Only the last program of Coulomb's law has to be solved to the tolerance.
         const bool isSolved = step.status == SolveStatus::optimal;
         if (!isSolved
