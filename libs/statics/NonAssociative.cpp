@@ -21,8 +21,8 @@ constexpr double firstSpread = 0.2;
 constexpr double secondSpread = 0.5;
 constexpr double largestSpread = 1.5;
 
-/// gamma of the second path; later ones have 1.01 to 2.
-constexpr double secondPenalty = 1.1;
+/// gamma of the first path, whose mechanism is that of the associative law; later ones have 1.01 to 2.
+constexpr double firstPenalty = 5;
 
 /// Forces at the start of a path are moved inwards by this share of those for the dead load.
 constexpr double inwards = 0.01;
@@ -43,6 +43,19 @@ constexpr double startTolerance = 1e-6;
 /// Points that open or slide by less than this share of the largest rate stand still.
 constexpr double stillRate = 1e-7;
 
+/// Exchanges of forces and mechanism after a path, while each lowers the multiplier by this share.
+constexpr int mostExchanges = 8;
+constexpr double leastGain = 1e-7;
+
+/// Forces nearer to a limit than this share of the largest are at it.
+constexpr double atLimit = 1e-7;
+
+/// A mechanism is another one where what is in the way of a lower multiplier moves less by this share.
+constexpr double smallestChange = 1e-3;
+
+/// Of the forces that keep points from moving, whose weights in the objective are at most 1.
+constexpr double widestBound = 1e4;
+
 /// Forces and what they carry besides the dead load.
 struct Start
 {
@@ -57,6 +70,13 @@ struct Pair
     VectorXd mechanism;
     CoulombResiduals residuals;
     bool exists() const { return contactForce.size() > 0; }
+};
+
+/// A pair with the least multiplier that its mechanism allows.
+struct Least
+{
+    Pair pair;
+    VectorXd balance; ///< multipliers of the equations of balance
 };
 
 template<int Rows, int Forces>
@@ -80,7 +100,8 @@ public:
         if (work.status == CollapseStatus::optimal)
         {
             range.associative = work.alpha;
-            associative_ = {work.alpha, work.contactForce};
+            associative_ = {
+                work.alpha, work.contactForce, work.mechanism / program.liveLoad.dot(work.mechanism), {}};
         }
     }
 
@@ -100,19 +121,22 @@ public:
     void go(int number)
     {
         ++range.starts;
-        const bool isFirst = number == 0;
-        double spread = isFirst ? firstSpread : number == 1 ? secondSpread : largestSpread * uniform();
+        double spread = number == 0 ? firstSpread : number == 1 ? secondSpread : largestSpread * uniform();
         std::optional<Start> start;
-        if (!isFirst && number % pathsToOtherForces == pathsToOtherForces - 1)
+        if (number == 0)
+        {
+            start = associative_.exists() ? lowForces(associative_, firstPenalty) : std::nullopt;
+        }
+        else if (number % pathsToOtherForces == pathsToOtherForces - 1)
         {
             start = otherRest();
         }
-        else if (lowest.exists())
+        else if (number > 1 && lowest.exists())
         {
-            const double gamma = number == 1 ? secondPenalty : 1 + std::pow(10, -2 * uniform());
+            const double gamma = 1 + std::pow(10, -2 * uniform());
             start = lowForces(number % 2 == 1 ? lowest : latest_, gamma);
         }
-        else if (!isFirst)
+        else if (number > 1)
         {
             spread = largestSpread * uniform();
         }
@@ -254,11 +278,30 @@ private:
         {
             return false;
         }
-        if (std::optional<Pair> least = leastOf(pair))
-        {
-            consider(std::move(*least));
-        }
+        descend(std::move(pair));
         return true;
+    }
+
+    /// From a pair to lower ones: the least multiplier with its mechanism held, then another mechanism of
+    /// those forces, in turn, while the multiplier falls.
+    void descend(Pair pair)
+    {
+        double highest = std::numeric_limits<double>::infinity();
+        for (int round = 0; round < mostExchanges; ++round)
+        {
+            std::optional<Least> least = leastOf(pair);
+            if (!least || !(least->pair.alpha < highest) || !consider(least->pair))
+            {
+                return;
+            }
+            highest = least->pair.alpha - leastGain * std::abs(least->pair.alpha);
+            std::optional<VectorXd> other = otherMechanism(*least);
+            if (!other)
+            {
+                return;
+            }
+            pair = {least->pair.alpha, std::move(least->pair.contactForce), std::move(*other), {}};
+        }
     }
 
     /// The same with a little dilatancy, which is taken away at the end but for what the tolerance allows;
@@ -272,7 +315,7 @@ private:
         {
             return true;
         }
-        if (associative_.contactForce.size() == 0)
+        if (!associative_.exists())
         {
             return false;
         }
@@ -285,7 +328,7 @@ private:
     /// Least alpha among the forces that suit the mechanism of a pair: those of points that open or crush
     /// stay as they are; at points that slide, t = (C + mu n) d against the slip, so that one column remains,
     /// with the constant part as a load; all others are free within their limits.
-    std::optional<Pair> leastOf(const Pair& pair)
+    std::optional<Least> leastOf(const Pair& pair)
     {
         const VectorXd closing = applyTransposed(program_, pair.mechanism);
         const double still = stillRate * closing.template lpNorm<Eigen::Infinity>();
@@ -367,7 +410,112 @@ private:
                 force = from;
             }
         }
-        return least;
+        return Least{std::move(least), solved.displacement};
+    }
+
+    /// Of the mechanisms that forces of a least multiplier allow, one that moves points as little as may be
+    /// which keep the multiplier from being less:
+    ///
+    ///     minimise  sum_k w_k s_k + v_k o_k    subject to  L'y = 1,
+    ///
+    /// slips s_k and opening rates o_k of the points where the forces are at their limits; at others nothing
+    /// moves. The weights are by how much the multiplier would fall for a unit less of shear against the
+    /// slip, or more of pressure: with u for the multipliers of the equations of balance, L'u = -1,
+    ///
+    ///     w = -d'(A'u)_t,    v = (A'u)_n + mu |(A'u)_t|,    no less than 0.
+    ///
+    /// Where s_k or o_k becomes zero the next forces have that freedom. \return none where no point is in the
+    /// way of a lower multiplier, so that it is the least nearby
+    std::optional<VectorXd> otherMechanism(const Least& least)
+    {
+        const VectorXd closing = applyTransposed(program_, least.pair.mechanism);
+        const double still = stillRate * closing.template lpNorm<Eigen::Infinity>();
+        const VectorXd price = applyTransposed(program_, least.balance);
+        const VectorXd& forces = least.pair.contactForce;
+        const double none = atLimit * forces.template lpNorm<Eigen::Infinity>();
+        VectorXd against = VectorXd::Zero(forces.size()); // w and v, as forces of the points
+        for (int point = 0; point < program_.points(); ++point)
+        {
+            const double friction = program_.friction[static_cast<std::size_t>(point)];
+            const auto slip = closing.template segment<Forces - 1>(Forces * point + 1);
+            const auto shearPrice = price.template segment<Forces - 1>(Forces * point + 1);
+            const double normalPrice = price[Forces * point];
+            if (closing[Forces * point] < -still)
+            {
+                against[Forces * point] = std::max(0.0, normalPrice + friction * shearPrice.norm());
+            }
+            else if (slip.norm() > still)
+            {
+                const double weight = std::max(0.0, -shearPrice.dot(slip) / slip.norm());
+                against.template segment<Forces - 1>(Forces * point + 1) = -weight * slip / slip.norm();
+            }
+        }
+        const double largest = against.template lpNorm<Eigen::Infinity>();
+        if (!(largest > stillRate * price.template lpNorm<Eigen::Infinity>()))
+        {
+            return std::nullopt;
+        }
+        against /= largest;
+
+        // Every component of A'y that is restricted, as a point with a normal force alone: one that must not
+        // close, or one that must not move, which a force between wide bounds prevents.
+        Program rates;
+        rates.bodies = program_.bodies;
+        rates.liveLoad = program_.liveLoad;
+        rates.load = applyEquilibrium(program_, against);
+        const auto restrict =
+            [&](int point, const Eigen::Matrix<double, Forces, 1>& component, bool isOneSided)
+        {
+            ConeColumns<Rows, Forces> columns = program_.contacts[static_cast<std::size_t>(point)];
+            for (auto* side : {&columns.onFirst, &columns.onSecond})
+            {
+                side->col(0) = (*side * component).eval();
+                side->template rightCols<Forces - 1>().setZero();
+            }
+            rates.contacts.push_back(columns);
+            rates.friction.push_back(0);
+            rates.strength.push_back(isOneSided ? Strength{}
+                                                : Strength{.tension = widestBound, .crushing = widestBound});
+        };
+        using Force = Eigen::Matrix<double, Forces, 1>;
+        for (int point = 0; point < program_.points(); ++point)
+        {
+            const Strength strength =
+                program_.hasStrength() ? program_.strength[static_cast<std::size_t>(point)] : Strength{};
+            const Force force = forces.template segment<Forces>(Forces * point);
+            const double limit =
+                strength.cohesion + program_.friction[static_cast<std::size_t>(point)] * force[0];
+            const auto shear = force.template tail<Forces - 1>();
+            Force component = Force::Unit(0);
+            const bool opens = force[0] <= -strength.tension + none;
+            const bool closes = force[0] >= strength.crushing - none;
+            restrict(point, closes ? Force(-component) : component, opens || closes);
+            if (limit <= none)
+            {
+                continue;
+            }
+            if (shear.norm() < limit - none)
+            {
+                for (int i = 1; i < Forces; ++i)
+                {
+                    restrict(point, Force::Unit(i), false);
+                }
+                continue;
+            }
+            component << 0, -shear / shear.norm();
+            restrict(point, component, true);
+            if constexpr (Forces == 3)
+            {
+                component << 0, -shear[1] / shear.norm(), shear[0] / shear.norm();
+                restrict(point, component, false);
+            }
+        }
+        const ConeSolution solved = solve(rates, solver_);
+        const double inTheWay = -rates.load.dot(least.pair.mechanism);
+        return solved.status == SolveStatus::optimal
+                       && -rates.load.dot(solved.displacement) < (1 - smallestChange) * inTheWay
+                   ? std::optional(solved.displacement)
+                   : std::nullopt;
     }
 
     const Program& program_;
@@ -376,7 +524,7 @@ private:
     LimitAnalysis& work_;
     SymbolicAnalysis symbolic_; ///< of the last program: most have the same points
     std::mt19937 random_;
-    Start associative_; ///< empty without associative collapse
+    Pair associative_; ///< where there is one; of the associative law
     Start rest_;
     Pair latest_;
 };
@@ -411,11 +559,9 @@ LimitAnalysis solveNonAssociative(const ConeProgram<Rows, Forces>& program,
     Search<Rows, Forces> search(program, settings, solver, result);
     if (search.findRest())
     {
-        const auto goesOn = [&](int start)
-        {
+        const auto goesOn = [&](int start) {
             return start < settings.starts
-                   || (start < settings.starts + furtherStarts && !search.lowest.exists()
-                       && !search.fall.exists() && !search.below.exists());
+                   || (start < settings.starts + furtherStarts && !search.lowest.exists());
         };
         for (int start = 0; goesOn(start); ++start)
         {

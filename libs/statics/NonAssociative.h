@@ -12,7 +12,7 @@ namespace drystone
 /// Keys of `nonAssociative { ... }` in system/solution/limitAnalysis.
 struct NonAssociativeSettings
 {
-    int starts = 1;          ///< paths to collapse; more of them while there is no pair
+    int starts = 1;          ///< paths to collapse; more of them while there is no collapse
     int seed = 1;            ///< of the random numbers that they are made from
     double tolerance = 1e-6; ///< on the residuals of a pair of forces and mechanism
 };
@@ -23,18 +23,21 @@ void declare(Options& options, NonAssociativeSettings& settings);
 /// Tin-Loi 2001: a program with complementarity constraints, whose solutions are many).
 ///
 /// A pair is the end of a path on which the live load pushes the structure until it collapses
-/// (conic/coulomb/CollapsePath.h). The first path begins with forces that carry the dead load; each further
-/// one elsewhere:
-/// - from forces of a low multiplier that suit a mechanism already found, those of the program
+/// (conic/coulomb/CollapsePath.h). The first path begins with forces of a low multiplier that suit the
+/// mechanism of the associative collapse, those of the program
 ///
 ///       minimise  alpha + gamma sum_k (mu |s_k| + o_k) n_k,    s_k slip and o_k opening rate of point k,
 ///
-///   in which the dissipation of the mechanism is a penalty; lower pairs are nearby where gamma is little
-///   above 1, at which the multiplier would follow from the power alone;
-/// - or, at times, from other forces that carry the dead load, and with other stiffnesses of the joints.
+/// in which the dissipation of the mechanism is a penalty. Each further path begins elsewhere: with forces
+/// that carry the dead load; likewise with forces that suit the mechanism of a pair already found, where
+/// lower pairs are nearby if gamma is little above 1, at which the multiplier would follow from the power
+/// alone; at times with other forces that carry the dead load, and with other stiffnesses of the joints.
 ///
-/// With the mechanism of a pair held its multiplier is then made least, which is a convex program: nothing
-/// presses where points open, friction is at its limit against the slip where they slide.
+/// From each pair the search goes down to the least nearby. With its mechanism held the multiplier is made
+/// least, which is a convex program: nothing presses where points open, friction is at its limit against the
+/// slip where they slide. With those forces held another mechanism is chosen of the many that they allow, one
+/// that does not move the points which keep the multiplier from being less; and so on, in turn, until there
+/// is none.
 ///
 /// Where a path ends with blocks that fall under the dead load alone, so that the live load does no work on
 /// the mechanism, it is repeated with a little dilatancy, by which they wedge, and that is taken away again

@@ -92,7 +92,7 @@ TEST(NightlyCoulombWalls, FiveHundredAreAnsweredAtTwentyTimesTheAssociativeTime)
               << " unstable, " << outcome.below << " below zero, " << outcome.unanswered
               << " not answered; time over that of the associative law: median " << median << ", nine of ten "
               << outcome.times[outcome.times.size() * 9 / 10] << '\n';
-    EXPECT_LE(outcome.falls + outcome.below, 10);
+    EXPECT_LE(outcome.falls + outcome.below, 5);
     EXPECT_LE(outcome.unanswered, 1);
     EXPECT_LE(median, 20);
 }

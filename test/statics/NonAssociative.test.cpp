@@ -26,29 +26,42 @@ void expectCoulomb(const PlaneConeProgram& program, const LimitAnalysis& result)
 
 } // namespace
 
-TEST(NonAssociative, MeetsTheLowestKnownMultipliersOfTheSixWalls)
+TEST(NonAssociative, MeetsTheLowestKnownMultipliersOfTheSixWallsByDefault)
 {
-    // Lowest found by a complementarity search; of wall 6 0.29 to 0.30 is known, to two digits.
-    const double known[] = {0.638982, 0.557416, 0.355817, 0.263736, 0.208629, 0.30};
-    // None higher than what an earlier search found.
-    const double met[] = {0.638982, 0.557416, 0.355817, 0.263736, 0.207973, 0.300811};
-    const int starts[] = {16, 64, 16, 16, 256, 12};
+    // None higher than what earlier searches found from many starts; of wall 6 a lower one came with them.
+    const double met[] = {0.638982, 0.557416, 0.355817, 0.263736, 0.207973, 0.295762};
     const std::vector<Wall> walls = paperWalls();
     for (std::size_t i = 0; i < walls.size(); ++i)
     {
         const Structure structure = standing(walls[i].bond);
         const PlaneConeProgram program = structure.program(0.65, structure.weightLoads());
-        const LimitAnalysis result = solveNonAssociative(program, {.starts = starts[i]});
+        const LimitAnalysis result = solveNonAssociative(program);
         ASSERT_EQ(result.status, CollapseStatus::optimal) << "wall " << i + 1;
         expectCoulomb(program, result);
         EXPECT_LE(result.alpha, met[i] + 5e-7) << "wall " << i + 1;
-        EXPECT_LE(result.alpha, 1.03 * known[i]) << "wall " << i + 1;
-        EXPECT_GE(result.alpha, 0.97 * known[i]) << "wall " << i + 1;
+        EXPECT_GE(result.alpha, 0.98 * met[i]) << "wall " << i + 1;
         ASSERT_TRUE(result.coulomb.has_value());
         EXPECT_NEAR(result.coulomb->associative, walls[i].alpha, 1e-6);
         EXPECT_LE(result.coulomb->highest, result.coulomb->associative + 1e-9);
         EXPECT_EQ(result.coulomb->lowest, result.alpha);
-        EXPECT_GE(result.coulomb->converged, 6) << "of " << result.coulomb->starts;
+        EXPECT_EQ(result.coulomb->starts, 1);
+        EXPECT_EQ(result.coulomb->converged, 1);
+    }
+}
+
+TEST(NonAssociative, MoreStartsLeadToCollapsesAndToNoneHigherThanTheFirst)
+{
+    const std::vector<Wall> walls = paperWalls();
+    for (std::size_t i = 0; i < walls.size(); ++i)
+    {
+        const Structure structure = standing(walls[i].bond);
+        const PlaneConeProgram program = structure.program(0.65, structure.weightLoads());
+        const LimitAnalysis one = solveNonAssociative(program);
+        const LimitAnalysis twelve = solveNonAssociative(program, {.starts = 12});
+        ASSERT_EQ(twelve.status, CollapseStatus::optimal) << "wall " << i + 1;
+        expectCoulomb(program, twelve);
+        EXPECT_LE(twelve.alpha, one.alpha) << "wall " << i + 1;
+        EXPECT_GE(twelve.coulomb->converged, 6) << "wall " << i + 1;
     }
 }
 

@@ -41,6 +41,9 @@ constexpr double endOfElasticity = 1e8;
 /// A mechanism on which the live load does less work, relative to its largest entries, is a fall.
 constexpr double noWork = 1e-10;
 
+/// A mechanism moves under a load that does not grow: by no more than this for displacements of one.
+constexpr double noGrowth = 1e-8;
+
 /// A slip may turn by this angle in one step, and more where its force is a small share of the largest load.
 constexpr double largestTurn = 0.2;
 constexpr double smallForce = 0.05;
@@ -374,6 +377,10 @@ PathEnd CollapsePath<Rows, Forces>::follow(int mostPieces)
             if (gone + distance > elastic_)
             {
                 correct();
+                if (alphaRate_ > noGrowth)
+                {
+                    return PathEnd::unfinished;
+                }
                 const double work = system_.liveLoad.dot(direction_);
                 return work > noWork ? PathEnd::collapse : work > -noWork ? PathEnd::fall : PathEnd::reversed;
             }

@@ -24,7 +24,7 @@ enum class PathEnd
     collapse,  ///< a pair of forces and mechanism on which the live load does work
     fall,      ///< a pair on whose mechanism it does none: the dead load alone drives it
     reversed,  ///< a pair on whose mechanism it does negative work
-    unfinished ///< the pieces are used up, or rounding ends the path
+    unfinished ///< the pieces are used up, rounding ends the path, or the load grows without limit
 };
 
 /// A pair of forces and mechanism that obey Coulomb's law without dilatancy:
