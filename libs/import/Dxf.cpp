@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// AutoCAD DXF. Own reader: dxflib reserves as many vertices as a polyline announces, and names no line.
+/// AutoCAD DXF. ImportedFile.h says why the reader is our own.
 #include "import/Drawing.h"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Wavefront OBJ. Own reader: tinyobjloader takes a word that is no number for 0 and names no line.
+/// Wavefront OBJ. ImportedFile.h says why the reader is our own.
 #include "import/Solids.h"
 
 #include <fmt/format.h>

@@ -172,6 +172,10 @@ TEST(Dxf, HostileFilesEndInAMessage)
     std::string wrong = section("ENTITIES", square) + end;
     wrong[wrong.rfind(" 20\r\n1") + 5] = 'x';
     EXPECT_THAT(report(wrong), AllOf(HasSubstr("'x' is no number"), HasSubstr("at line")));
+    // A polyline that announces more corners than there is memory for.
+    std::string many = section("ENTITIES", square) + end;
+    many.replace(many.find(" 90\r\n4") + 5, 1, "2147483647");
+    EXPECT_EQ(read(many).outlines.size(), 1u);
     // Blocks within blocks, 10^16 of them in all.
     std::string nested = groups({{0, "BLOCK"}, {2, "b0"}}) + square + groups({{0, "ENDBLK"}});
     for (int level = 1; level <= 16; ++level)

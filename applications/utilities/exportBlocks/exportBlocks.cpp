@@ -69,7 +69,10 @@ std::optional<Number> numberOf(const CommandLine& commandLine, const std::string
 /// The time directory that -time names; empty: as built.
 std::string timeOf(const CommandLine& commandLine)
 {
-    const std::vector<TimeDirectory> times = timeDirectories(commandLine.caseDirectory);
+    std::vector<TimeDirectory> times = timeDirectories(commandLine.caseDirectory);
+    std::erase_if(times, // 0/motion is a start, no state
+                  [&](const TimeDirectory& directory)
+                  { return !fs::exists(commandLine.caseDirectory / directory.name / "state"); });
     const std::string text = commandLine.get("time").value_or("");
     if (text.empty())
     {
@@ -91,7 +94,7 @@ std::string timeOf(const CommandLine& commandLine)
         {
             names += " " + directory.name;
         }
-        throw FatalError(fmt::format("There is no time {} in this case.\n\nTimes:{}", text,
+        throw FatalError(fmt::format("There is no state of time {} in this case.\n\nTimes:{}", text,
                                      names.empty() ? " none; contactDynamics writes them" : names));
     }
     return found->name;
@@ -106,12 +109,7 @@ std::vector<Placement<Dim>> placementsAt(const fs::path& caseDirectory, const st
     {
         return {};
     }
-    const fs::path file = caseDirectory / time / "state";
-    if (!fs::exists(file))
-    {
-        throw FatalError(fmt::format("Time {} has no state: {} is not there.", time, file.string()));
-    }
-    const State state = readState(file);
+    const State state = readState(caseDirectory / time / "state");
     constexpr std::size_t rotations = rotationCount<Dim>;
     const std::vector<double>& translation = stateArray(state, "translation", Dim * blocks);
     const std::vector<double>& rotation = stateArray(state, "rotation", rotations * blocks);

@@ -18,6 +18,13 @@ inline std::string written(double value, const WrittenNumbers& numbers)
                             : fmt::format("{}", value + 0.0);
 }
 
+/// As `written`, but with 17 digits where all are requested, though fewer would read as the same double: a
+/// reader may take 0.25 and 0.125 for what rounding left of coordinates (DigitCount does).
+inline std::string writtenInFull(double value, const WrittenNumbers& numbers)
+{
+    return numbers.decimals ? written(value, numbers) : fmt::format("{:#.17g}", value + 0.0);
+}
+
 /// `x y z` with a separator between.
 inline std::string written(const Vector<3>& place, const WrittenNumbers& numbers, std::string_view separator)
 {

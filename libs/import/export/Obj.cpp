@@ -17,7 +17,8 @@ std::string objText(const std::vector<ExportedSolid>& solids, const WrittenNumbe
         fmt::format_to(out, "o block_{}\nusemtl {}\n", i, solids[i].layer);
         for (const Vector<3>& vertex : solids[i].shape.vertices)
         {
-            fmt::format_to(out, "v {}\n", written(vertex, numbers, " "));
+            fmt::format_to(out, "v {} {} {}\n", writtenInFull(vertex.x(), numbers),
+                           writtenInFull(vertex.y(), numbers), writtenInFull(vertex.z(), numbers));
         }
         for (const std::vector<int>& face : solids[i].shape.faces)
         {

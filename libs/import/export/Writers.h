@@ -1,6 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Texts of files for other programs. Numbers are the shortest that read back as the same bits, unless a
-/// number of decimals is requested; glTF has single precision.
+/// Texts of files for other programs. Numbers read back as the same bits, unless a number of decimals is
+/// requested; glTF has single precision.
 #pragma once
 
 #include "import/export/ExportedSolids.h"
@@ -18,7 +18,8 @@ struct WrittenNumbers
     std::optional<int> decimals = {};
 };
 
-/// Wavefront OBJ, an object `block_<index>` a block, its layer as material.
+/// Wavefront OBJ, an object `block_<index>` a block, its layer as material. Imported again, blocks whose
+/// faces are plane are the same to the last bit.
 std::string objText(const std::vector<ExportedSolid>& solids, const WrittenNumbers& numbers);
 
 /// COMPAS JSON, an assembly of compas_assembly: fixed blocks have `is_support`, joints are interfaces. \param

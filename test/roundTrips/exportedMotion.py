@@ -1,0 +1,164 @@
+#!/usr/bin/env python3
+# Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+"""Moments of a motion as exportBlocks writes them, in each format, in the plane and in space.
+
+A brick flies over the ground and turns. Where its corners are at each written time follows from its displacement and
+rotation in blockMotion's table (Rodrigues' formula), and every format must have just these points.
+"""
+import base64
+import json
+import math
+import pathlib
+import re
+import struct
+import sys
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+from caseTest import CaseTest, header  # noqa: E402
+
+endings = {"obj": "obj", "compasJson": "json", "dxf": "dxf", "gltf": "gltf", "lmgc90": "py", "3dec": "dat"}
+box = {2: ((0, 5), (1, 5.4)), 3: ((0, 0, 5), (1, 0.6, 5.4))}
+thickness = 0.3
+number = r"[-+]?\d[\d.]*(?:e[-+]?\d+)?"
+
+
+def writeCase(case, dimensions):
+    isPlane = dimensions == 2
+    (low, high) = box[dimensions]
+    outline = f"(({low[0]} {low[1]}) ({high[0]} {low[1]}) ({high[0]} {high[1]}) ({low[0]} {high[1]}))"
+    texture = (f"type polygons; thickness {thickness}; blocks ( {outline} );" if isPlane else
+               f"type boxes; blocks ( (({' '.join(map(str, low))}) ({' '.join(map(str, high))})) );")
+    files = {
+        "constant/g": f"value ({'0 -9.81' if isPlane else '0 0'} {'0' if isPlane else '-9.81'});",
+        "constant/materialProperties": "density 2000;",
+        "constant/contactProperties": "friction { type Coulomb; mu 0.5; }",
+        "0/motion": "\"0\" { " + ("velocity (0.5 1); angularVelocity 2;" if isPlane
+                                  else "velocity (0.5 0.2 1); angularVelocity (1 2 3);") + " }",
+        "system/blockTextureDict": f"dimensions {dimensions}; texture {{ {texture} }} "
+                                   "supports { ground { type ground; } }",
+        "system/schemes": "timeIntegration { type theta; theta 0.5; }",
+        "system/solution": "contactDynamics { solver automatic; tolerance 1e-10; }",
+        "system/controlDict": "application contactDynamics; startFrom startTime; startTime 0; stopAt endTime; "
+                              "endTime 0.2; deltaT 0.01; writeControl runTime; writeInterval 0.1; functions { "
+                              "motion { type blockMotion; blocks (0); writeControl timeStep; writeInterval 1; "
+                              "writePrecision 15; } }"}
+    for name, text in files.items():
+        file = pathlib.Path(case) / name
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(header % file.name + text + "\n", encoding="ascii")
+
+
+def cross(a, b):
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+
+
+def expectedPoints(dimensions, row):
+    """Corners of the brick where a row of blockMotion's table puts it; those of the plane as a solid in x-z."""
+    (low, high) = box[dimensions]
+    if dimensions == 2:
+        cosine, sine = math.cos(row["rz"]), math.sin(row["rz"])
+        centre = [(a + b) / 2 for a, b in zip(low, high)]
+        points = []
+        for x in (low[0], high[0]):
+            for y in (low[1], high[1]):
+                arm = (x - centre[0], y - centre[1])
+                place = (centre[0] + row["ux"] + cosine * arm[0] - sine * arm[1],
+                         centre[1] + row["uy"] + sine * arm[0] + cosine * arm[1])
+                points += [(place[0], depth, place[1]) for depth in (0, thickness)]
+        return sorted(points)
+    rotation = [row["rx"], row["ry"], row["rz"]]
+    angle = math.hypot(*rotation)
+    axis = [part / angle for part in rotation]
+    centre = [(a + b) / 2 for a, b in zip(low, high)]
+    points = []
+    for x in (low[0], high[0]):
+        for y in (low[1], high[1]):
+            for z in (low[2], high[2]):
+                arm = [x - centre[0], y - centre[1], z - centre[2]]
+                turned = cross(axis, arm)
+                along = sum(a * b for a, b in zip(axis, arm))
+                points.append(tuple(centre[i] + row["u" + "xyz"[i]] + math.cos(angle) * arm[i]
+                                    + math.sin(angle) * turned[i] + (1 - math.cos(angle)) * along * axis[i]
+                                    for i in range(3)))
+    return sorted(points)
+
+
+def pointsOf(format_, text, dimensions):
+    """All places of the first block in a file, each once."""
+    if format_ == "obj":
+        first = text.split("o block_")[1]
+        places = [map(float, line.split()[1:]) for line in first.splitlines() if line.startswith("v ")]
+    elif format_ == "compasJson":
+        vertices = json.loads(text)["data"]["graph"]["data"]["node"]["0"]["block"]["data"]["vertex"]
+        places = [[vertex[axis] for axis in "xyz"] for vertex in vertices.values()]
+    elif format_ == "dxf":
+        groups = text.splitlines()
+        places, place, layer = [], {}, None
+        for code, value in zip(map(int, groups[0::2]), groups[1::2]):
+            if code == 8:
+                layer = value
+            elif layer == "blocks" and 10 <= code < 40:
+                place[code // 10] = float(value)
+                if len(place) == 3:
+                    places.append([place[1], place[2], place[3]])
+                    place = {}
+            elif code == 0:
+                place = {}
+        if dimensions == 2:  # a drawing: closed polylines, the place of POLYLINE itself says nothing
+            places = [[x, depth, y] for x, y, _ in places[1:] for depth in (0, thickness)]
+    elif format_ == "gltf":
+        gltf = json.loads(text)
+        data = base64.b64decode(gltf["buffers"][0]["uri"].split(",")[1], validate=True)
+        mesh = gltf["meshes"][gltf["nodes"][0]["mesh"]]
+        accessor = gltf["accessors"][mesh["primitives"][0]["attributes"]["POSITION"]]
+        view = gltf["bufferViews"][accessor["bufferView"]]
+        values = struct.unpack_from(f"<{3 * accessor['count']}f", data, view["byteOffset"])
+        places = [[x, -z, y] for x, y, z in zip(values[0::3], values[1::3], values[2::3])]
+    elif format_ == "lmgc90":
+        rows = text.split("\nblock([")[1].split("], [")[0].splitlines()[1:]
+        places = [[float(value) for value in re.findall(number, row)] for row in rows if row.strip()]
+    else:
+        lines = text.split("block create polyhedron")[1].split("; block")[0]
+        places = [[float(value) for value in word.split(",")] for word in lines.split() if word.count(",") == 2]
+    return sorted({tuple(round(value, 12) + 0.0 for value in place) for place in places})
+
+
+class ExportedMotion(CaseTest):
+    application = "exportBlocks"
+
+    def check(self, dimensions):
+        case = pathlib.Path(self.root.name) / f"flight{dimensions}"
+        writeCase(case, dimensions)
+        for self.application in ("blockTexture", "contactDynamics"):
+            self.run_(case)
+        self.application = "exportBlocks"
+        lines = self.read(case, "postProcessing/motion/0/block0.dat").splitlines()
+        names = [name.split("[")[0] for name in lines[0].lstrip("# ").split()]
+        table = [dict(zip(names, map(float, line.split()))) for line in lines[1:]]
+        rotationAt = {}
+        for time, option in (("0.1", "0.1"), ("0.2", "latestTime"), ("0.2", "0.2")):
+            row = next(row for row in table if abs(row["Time"] - float(time)) < 1e-9)
+            rotationAt[time] = row["rz"]
+            expected = expectedPoints(dimensions, row)
+            for format_, ending in endings.items():
+                with self.subTest(dimensions=dimensions, time=option, format=format_):
+                    self.run_(case, "-format", format_, "-time", option)
+                    text = self.read(case, f"export/blocks_{time}.{ending}")
+                    found = pointsOf(format_, text, dimensions)
+                    self.assertEqual(len(found), 8)
+                    most = max(abs(a - b) for p, q in zip(found, expected) for a, b in zip(p, q))
+                    self.assertLess(most, 1e-5 if format_ == "gltf" else 1e-11)
+        self.assertGreater(abs(rotationAt["0.2"] - rotationAt["0.1"]), 0.1)  # it does turn
+        done = self.run_(case, "-time", "0.15", status=1)
+        self.assertIn("There is no state of time 0.15 in this case.\n\nTimes: 0.1 0.2\n", done.stderr)
+
+    def test_ofThePlane(self):
+        self.check(2)
+
+    def test_ofSpace(self):
+        self.check(3)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
