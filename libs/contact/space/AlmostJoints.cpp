@@ -34,14 +34,16 @@ std::vector<FacingPatch> findAlmostJoints(const Assembly<3>& assembly, const Che
         return {}; // what is a joint does not depend on distances
     }
     const double size = meanBlockSize(assembly);
-    FacingTolerance tolerance = facingTolerance(limits.gap * size, usualJointTolerance(assembly, true));
+    const double straight = std::max(limits.jointTolerance * size, usualJointTolerance(assembly, false));
+    const double oblique = usualJointTolerance(assembly, true);
+    FacingTolerance tolerance = facingTolerance(limits.gap * size, oblique);
     tolerance.angle = limits.gapAngle;
     std::vector<FacingPatch> patches = findFacingPatches(assembly, tolerance);
     std::erase_if(patches,
                   [&](const FacingPatch& patch)
                   {
-                      const double jointTolerance = std::max(limits.jointTolerance * size,
-                                                             usualJointTolerance(assembly, patch.isOblique));
+                      const double jointTolerance =
+                          patch.isOblique ? std::max(limits.jointTolerance * size, oblique) : straight;
                       // Outer faces of thin blocks that lie on each other have passed each other, too.
                       return openness(patch) <= jointTolerance
                              || (!isApart(patch)
