@@ -68,7 +68,7 @@ struct Colliding
 };
 
 /// With ImpactInstant::stepStart all collide now that the step closes, if one was closing when it began.
-/// \param closing velocity of the points [m/s], two a point
+/// \param closing velocity of the points [m/s], Dim a point
 template<int Dim>
 Colliding collidingPoints(const Step<Dim>& step, const Eigen::VectorXd& closing)
 {
@@ -153,7 +153,7 @@ bool takeImpact(Step<Dim>& step, std::vector<std::size_t> meeting)
     solved.velocity = std::move(impact.velocity);
     if (solved.impulse.size() == 0)
     {
-        solved.impulse = Eigen::VectorXd::Zero(2 * step.program.points());
+        solved.impulse = Eigen::VectorXd::Zero(Dim * step.program.points());
     }
     for (std::size_t i = 0; i < meeting.size(); ++i)
     {

@@ -205,6 +205,45 @@ TEST(SpaceMotion, APrismRocksOnAnEdgeInEveryDirection)
     }
 }
 
+// With theta 1/2 impacts are apart from the steps, and their impulses belong to the mean forces of the step:
+// at the corners of a hundred boxes that fall flat by 1 mm and stop, with what carries their weight.
+TEST(SpaceMotion, BoxesThatFallFlatStopByTheImpulsesOfTheirCorners)
+{
+    constexpr double timeStep = 1e-3;
+    constexpr double height = 1e-3;
+    Assembly<3> assembly;
+    assembly.supports.push_back({"ground", "ground"});
+    assembly.blocks.push_back(boxBlock({-1, -1, -1}, {21, 21, 0}, 0));
+    for (int i = 0; i < 100; ++i)
+    {
+        const Vector<3> corner(2 * (i % 10), 2 * (i / 10), 0);
+        assembly.blocks.push_back(boxBlock(corner, corner + Vector<3>(1, 1, 0.5)));
+    }
+    const DynamicCase<3> scene = sceneOf(std::move(assembly), 0.5, 0.6, {0, 0, -g});
+    DynamicState<3> start = stateAtRest(scene.assembly);
+    for (std::size_t block = 1; block < start.placements.size(); ++block)
+    {
+        start.placements[block].translation.z() = height;
+    }
+    Motion<3> motion = startMotion(scene, start);
+    const double weight = 1000 * g;
+    Vector<3> impulse = Vector<3>::Zero(); // of all contact forces
+    for (int step = 0; step < 30; ++step)
+    {
+        ASSERT_TRUE(advance(scene, motion, timeStep)) << step;
+        const auto& forces = motion.meanForces.empty() ? motion.contactForces : motion.meanForces;
+        ASSERT_EQ(forces.size(), 400u);
+        for (const Vector<3>& force : forces)
+        {
+            impulse += timeStep * force;
+        }
+    }
+    EXPECT_LE(motion.state.velocity.lpNorm<Eigen::Infinity>(), 1e-9);
+    EXPECT_NEAR(impulse[0], 100 * weight * 30 * timeStep, 1e-6 * 100 * weight * 30 * timeStep);
+    EXPECT_LE(impulse.tail<2>().norm(), 1e-6 * impulse[0]);
+    EXPECT_NEAR(motion.state.placements[1].translation.z(), 0, 1e-9);
+}
+
 TEST(SpaceMotion, EndsWhereTheContactsOfTheStartNoLongerSuffice)
 {
     // Over the rim of the ground, and into a block that was not touched.
