@@ -2,6 +2,8 @@
 /// Limits to the forces of points.
 #include "contact/JointLaws.h"
 
+#include "geometry/PolygonShape.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -104,28 +106,40 @@ namespace
 void addPatchAreas(const std::vector<ContactPoint<3>>& points, std::size_t first, std::size_t last,
                    std::vector<double>& areas)
 {
-    const Vector<3>& normal = points[first].normal;
-    const Vector<3>& origin = points[first].position;
-    const auto arm = [&](std::size_t i) -> Vector<3>
-    { return points[i < last ? i : first].position - origin; };
-    double area = 0;
-    Vector<3> moment = Vector<3>::Zero();
+    const Eigen::Matrix3d frame = contactFrame(points[first]);
+    std::vector<std::size_t> corners;
+    Polygon outline;
     for (std::size_t i = first; i < last; ++i)
     {
-        const double part = normal.dot(momentOf(arm(i), arm(i + 1))) / 2;
-        area += part;
-        moment += part / 3 * (arm(i) + arm(i + 1));
+        const Vector<3> arm = points[i].position - points[first].position;
+        outline.emplace_back(frame.col(1).dot(arm), frame.col(2).dot(arm));
+        corners.push_back(i);
     }
-    const Vector<3> centroid = moment / area;
-    for (std::size_t i = first; i < last; ++i)
+    if (areaProperties(outline).area < 0)
     {
-        // Of the sign of the whole, whichever way round the corners run.
-        const Vector<3> from = arm(i) - centroid;
-        const Vector<3> to = arm(i + 1) - centroid;
-        const double part = normal.dot(momentOf(from, to)) / 2;
-        const double half = std::copysign(part, part * area) / 2;
-        areas[i] += half;
-        areas[i + 1 < last ? i + 1 : first] += half;
+        std::reverse(outline.begin(), outline.end());
+        std::reverse(corners.begin(), corners.end());
+    }
+    if (isConvex(outline))
+    {
+        const Vector<2> centroid = areaProperties(outline).centroid;
+        for (std::size_t i = 0; i < outline.size(); ++i)
+        {
+            const std::size_t next = (i + 1) % outline.size();
+            const double part = cross(outline[i] - centroid, outline[next] - centroid) / 2;
+            areas[corners[i]] += part / 2;
+            areas[corners[next]] += part / 2;
+        }
+        return;
+    }
+    for (const auto& triangle : triangulate(outline))
+    {
+        const double part = cross(triangle[1] - triangle[0], triangle[2] - triangle[0]) / 2;
+        for (const Vector<2>& corner : triangle)
+        {
+            const auto at = std::find(outline.begin(), outline.end(), corner) - outline.begin();
+            areas[corners[static_cast<std::size_t>(at)]] += part / 3;
+        }
     }
 }
 

@@ -27,9 +27,10 @@ std::string jointName(const Assembly<Dim>& assembly, int block, int neighbour);
 
 /// Area that each point stands for [m2]. In the plane: thickness times half the way to its neighbours in the
 /// joint. The thickness is the lesser of the two blocks', or that of the free one. In space, for points at
-/// the corners of a patch: the triangles from the centroid of the patch to its edges, half of each for either
-/// end, so that the areas add up to that of the patch and their moments to its own (vertexAreas of
-/// space/PatchCells.h, which also has those of points within it and of concave patches).
+/// the corners of a patch: of a convex one the triangles from its centroid to its edges, half of each for
+/// either end; of a concave one, whose centroid may lie outside, a third of the triangles that it is divided
+/// into. None is negative, they add up to the area of the patch and their moments to its own (vertexAreas of
+/// space/PatchCells.h has those of points within it).
 ///
 /// With the ends among the points a block of uniform pressure from one end inwards has its resultant where it
 /// belongs to second order in their distance.

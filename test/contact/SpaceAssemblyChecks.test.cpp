@@ -116,9 +116,16 @@ TEST(SpaceAssemblyChecks, ConcaveBlocksMayHoldOthersInTheirNotch)
 
 TEST(SpaceJointLaws, AreasOfPointsHaveTheAreaAndTheCentroidOfTheirPatch)
 {
+    // The third is an L, whose centroid lies outside it, the fourth a comb.
     for (const Polyhedron& shape :
-         {makeBox({1, 2, 0}, {4, 4, 1}), makePrism({{0, 0, 0}, {3, 0, 0}, {4, 1, 0}, {1, 3, 0}},
-                                                   {{0, 0, 1}, {3, 0, 1}, {4, 1, 1}, {1, 3, 1}})})
+         {makeBox({1, 2, 0}, {4, 4, 1}),
+          makePrism({{0, 0, 0}, {3, 0, 0}, {4, 1, 0}, {1, 3, 0}},
+                    {{0, 0, 1}, {3, 0, 1}, {4, 1, 1}, {1, 3, 1}}),
+          makePrism({{0, 0, 0}, {4, 0, 0}, {4, 1, 0}, {1, 1, 0}, {1, 4, 0}, {0, 4, 0}},
+                    {{0, 0, 1}, {4, 0, 1}, {4, 1, 1}, {1, 1, 1}, {1, 4, 1}, {0, 4, 1}}),
+          makePrism(
+              {{0, 0, 0}, {5, 0, 0}, {5, 4, 0}, {4, 4, 0}, {3.5, 1, 0}, {2, 1, 0}, {1, 4, 0}, {0, 4, 0}},
+              {{0, 0, 1}, {5, 0, 1}, {5, 4, 1}, {4, 4, 1}, {3.5, 1, 1}, {2, 1, 1}, {1, 4, 1}, {0, 4, 1}})})
     {
         const Assembly<3> assembly = onGround({shape});
         const std::vector<ContactPoint<3>> points = findContactPoints(assembly);
