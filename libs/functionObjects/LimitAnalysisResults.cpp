@@ -5,6 +5,7 @@
 #include "functionObjects/EarlierResults.h"
 
 #include "conic/ProgramFile.h"
+#include "contact/AlmostJoints.h"
 #include "contact/ContactState.h"
 #include "contact/Facing.h"
 #include "contact/JointClosure.h"
@@ -525,6 +526,9 @@ std::string endText(PushoverEnd end)
         return "alpha has decreased to zero: the structure overturns by itself";
     case PushoverEnd::falling:
         return "blocks have lost their support: the structure collapses by itself";
+    case PushoverEnd::meeting:
+        return "blocks meet where a corner or an edge alone touches the other, which pushover in space does "
+               "not follow: the curve is incomplete";
     case PushoverEnd::stepsUsedUp:
         return "maximumSteps has been reached, and the structure still stands";
     case PushoverEnd::unbounded:
@@ -580,7 +584,13 @@ bool runPushover(const std::filesystem::path& caseDirectory, const LimitAnalysis
     }
     info("Pushover: {} positions; {}{}\n", pushover.curve.size(), endText(pushover.end),
          pushover.curve.empty() ? "" : fmt::format(", at d = {:.6g} m", pushover.curve.back().displacement));
-    return pushover.end != PushoverEnd::notConverged;
+    if (pushover.end == PushoverEnd::meeting)
+    {
+        info("{} and {} would be {:.3g} m in each other\n",
+             blockName(structure.assembly, pushover.overlap.block),
+             blockName(structure.assembly, pushover.overlap.neighbour), pushover.overlap.depth);
+    }
+    return pushover.end != PushoverEnd::notConverged && pushover.end != PushoverEnd::meeting;
 }
 
 template void checkFunctions(const Dictionary& controlDict, const std::filesystem::path& caseDirectory,

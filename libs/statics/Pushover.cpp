@@ -229,6 +229,12 @@ Pushover solvePushover(const PushoverScene<Dim>& scene, const PushoverSettings& 
         const Eigen::VectorXd& displacement =
             motion.status == SolveStatus::optimal ? motion.displacement : solution.displacement;
         placements = pushedOn(std::move(placements), free, displacement, work);
+        result.overlap = contacts.missed(placements);
+        if (result.overlap.block >= 0)
+        {
+            result.end = PushoverEnd::meeting;
+            return result;
+        }
         point.displacement += work / liveForce;
         point.largest += work * largestOf<Dim>(radius, free, displacement);
     }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "conic/InteriorPoint.h"
+#include "contact/Penetration.h"
 #include "dictionary/Options.h"
 #include "statics/LimitAnalysis.h"
 
@@ -35,6 +36,7 @@ enum class PushoverEnd
 {
     overturned, ///< alpha reached zero: the last point is there, by interpolation
     falling, ///< in the last position, with alpha 0, it cannot stand by itself: blocks have lost their hold
+    meeting, ///< in space: blocks meet where faces do not face each other, and no contact parts them
     stepsUsedUp, ///< maximumSteps
     unbounded,   ///< no live load makes it move
     unstable,    ///< it cannot carry its dead load as built
@@ -45,6 +47,7 @@ struct Pushover
 {
     std::vector<CapacityPoint> curve;
     PushoverEnd end = PushoverEnd::notConverged;
+    Penetration overlap; ///< of the position after the last one, with PushoverEnd::meeting
 };
 
 /// What is followed, with loads that act at the mass centres and keep their direction.
@@ -70,7 +73,8 @@ using PushoverObserver = std::function<void(const CapacityPoint&, const std::vec
 /// from a second program with A in the middle of the first one's step: a block that turns about a corner
 /// then keeps it to third order in the step. Gaps that remain are closed by the next step.
 /// The flow rule is the associative one: what slides rises. In space contacts are those of faces that face
-/// each other (PushoverContacts.h).
+/// each other (PushoverContacts.h); where blocks meet otherwise, deeper than a twentieth of their size, the
+/// curve ends before.
 template<int Dim>
 Pushover solvePushover(const PushoverScene<Dim>& scene, const PushoverSettings& settings,
                        const InteriorPointSettings& solver, const PushoverObserver<Dim>& observe);

@@ -16,6 +16,9 @@ namespace
 
 constexpr double farthestTurn = 0.85; ///< of two faces from facing each other: |n1 + n2|, 50 degrees
 
+/// Contacts leave overlaps of the order of the square of a step. Relative to the mean block size.
+constexpr double mayEnter = 0.05;
+
 Eigen::Matrix3d matrixOf(const Vector<3>& rotation)
 {
     const double angle = rotation.norm();
@@ -99,6 +102,12 @@ void PushoverContacts<3>::measure(const std::vector<Placement<3>>& placements,
         point.position = position;
         point.normal = normal.normalized();
     }
+}
+
+Penetration PushoverContacts<3>::missed(const std::vector<Placement<3>>& placements) const
+{
+    const Penetration overlap = penetration(asBuilt, placements);
+    return overlap.depth > mayEnter * meanBlockSize(asBuilt) ? overlap : Penetration();
 }
 
 std::vector<Placement<2>> pushedOn(std::vector<Placement<2>> placements, const std::vector<int>& free,

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "contact/MovingContacts.h"
+#include "contact/Penetration.h"
 
 #include <vector>
 
@@ -30,6 +31,8 @@ public:
     {
         contacts.measure(placements, points);
     }
+    /// None: corners against edges are all there is.
+    Penetration missed(const std::vector<Placement<2>>&) const { return {}; }
 
 private:
     MovingContacts<2> contacts;
@@ -37,8 +40,7 @@ private:
 
 /// The corners of the patches where faces of two blocks face each other, turned from each other by up to 50
 /// degrees: a block that rocks about an edge keeps the patch under it, whose gap grows from nothing at that
-/// edge. Blocks in whose faces corners or edges alone get into others have no contact there; so far they move
-/// through each other.
+/// edge. Where a corner or an edge alone meets another block there is no contact; `missed` finds such blocks.
 template<>
 class PushoverContacts<3>
 {
@@ -48,6 +50,8 @@ public:
     std::vector<ContactPoint<3>> update(const std::vector<Placement<3>>& placements, double margin);
     /// Points move with their two blocks, and are halfway between where these take them.
     void measure(const std::vector<Placement<3>>& placements, std::vector<ContactPoint<3>>& points) const;
+    /// The deepest overlap of blocks that no contact parts: one of more than a twentieth of their mean size.
+    Penetration missed(const std::vector<Placement<3>>& placements) const;
 
 private:
     Assembly<3> asBuilt;

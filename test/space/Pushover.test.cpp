@@ -82,6 +82,48 @@ TEST(PushoverInSpace, OfABoxThatSlidesNeverEnds)
     EXPECT_NEAR(pushover.curve.back().alpha, 0.1, 1e-6);
 }
 
+// The box turns towards a sharp edge, whose faces look 63 degrees past it: nothing would stop it there. Where
+// it meets a face instead it stops, and turns on about that.
+TEST(PushoverInSpace, EndsWhereBlocksMeetWithoutAContact)
+{
+    const Polyhedron box = makeBox({-0.25, -0.25, 0}, {0.25, 0.25, 2});
+    const auto prism = [](const std::vector<Vector<2>>& outline)
+    {
+        std::vector<Vector<3>> bottom;
+        std::vector<Vector<3>> top;
+        for (const Vector<2>& corner : outline)
+        {
+            bottom.emplace_back(corner.x(), corner.y(), 0);
+            top.emplace_back(corner.x(), corner.y(), 1.8);
+        }
+        return makePrism(bottom, top);
+    };
+    // The box would be there when its top has moved by about 0.2 m, and overturns by itself at 0.5 m.
+    for (const bool isSharp : {true, false})
+    {
+        Assembly<3> assembly =
+            onGround({box, isSharp ? prism({{0.4, 0}, {1, -0.3}, {1, 0.3}})
+                                   : prism({{0.4, -0.35}, {0.6, -0.35}, {0.6, 0.35}, {0.4, 0.35}})});
+        assembly.blocks[1].support = 0;
+        const Pushover pushover = push(assembly, 0.65, {1, 0, 0}, {.step = 0.01, .maximumSteps = 60});
+        ASSERT_GT(pushover.curve.size(), 10U);
+        EXPECT_LT(pushover.curve.back().displacement, 0.15);
+        if (isSharp)
+        {
+            EXPECT_EQ(pushover.end, PushoverEnd::meeting);
+            EXPECT_EQ(pushover.overlap.block, 0);
+            EXPECT_EQ(pushover.overlap.neighbour, 1);
+            EXPECT_GT(pushover.overlap.depth, 0.02);
+            EXPECT_GT(pushover.curve.back().displacement, 0.08);
+        }
+        else
+        {
+            EXPECT_NE(pushover.end, PushoverEnd::overturned);
+            EXPECT_NE(pushover.end, PushoverEnd::meeting);
+        }
+    }
+}
+
 // Two columns under a lintel, and a tower of three blocks: one mechanism each.
 TEST(PushoverInSpace, OfAnExtrudedStructureIsThatOfThePlane)
 {
