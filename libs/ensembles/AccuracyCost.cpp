@@ -114,7 +114,8 @@ std::vector<std::vector<AccuracyPoint>> curvesOf(const SweepResult& sweep)
         }
         curve->push_back(point);
     }
-    const double towardsFine = sweep.axis == SweepAxis::pointsPerJoint ? 1 : -1;
+    const bool isOfPoints = sweep.axis == SweepAxis::pointsPerJoint || sweep.axis == SweepAxis::pointsPerSide;
+    const double towardsFine = isOfPoints ? 1 : -1;
     for (auto& curve : curves)
     {
         std::sort(curve.begin(), curve.end(),
@@ -230,21 +231,25 @@ std::vector<PointPair> formulationPairs(const std::vector<AccuracyPoint>& points
     return pairsAgainst(points, &RunSetting::formulation, ContactFormulation::points);
 }
 
-std::vector<PointPair> pointsPerJointPairs(const std::vector<AccuracyPoint>& points)
+std::vector<PointPair> jointPointsPairs(const std::vector<AccuracyPoint>& points)
 {
+    // A structure has one of the two: the other is 0.
+    const auto number = [](const RunSetting& setting)
+    { return std::max(setting.pointsPerJoint, setting.pointsPerSide); };
     int most = 0;
     for (const AccuracyPoint& point : points)
     {
-        most = std::max(most, point.setting.pointsPerJoint);
+        most = std::max(most, number(point.setting));
     }
     return pairsOf(
         points,
         [](RunSetting setting)
         {
             setting.pointsPerJoint = 0;
+            setting.pointsPerSide = 0;
             return setting;
         },
-        [most](const RunSetting& setting) { return setting.pointsPerJoint != most; });
+        [most, number](const RunSetting& setting) { return number(setting) != most; });
 }
 
 Extrapolation extrapolate(double coarse, double middle, double fine)

@@ -94,8 +94,8 @@ std::vector<PointPair> displacementPairs(const std::vector<AccuracyPoint>& point
 /// Contact by points compared with contact by surfaces.
 std::vector<PointPair> formulationPairs(const std::vector<AccuracyPoint>& points);
 
-/// Few points per joint compared with the largest number available.
-std::vector<PointPair> pointsPerJointPairs(const std::vector<AccuracyPoint>& points);
+/// Few points per joint, or along each side of it in space, compared with the largest number available.
+std::vector<PointPair> jointPointsPairs(const std::vector<AccuracyPoint>& points);
 
 /// The limit of figures at steps 4 h, 2 h and h, with the order that they show.
 struct Extrapolation

@@ -27,11 +27,20 @@ namespace fs = std::filesystem;
 constexpr const char* applicationName = "accuracyCost";
 
 /// Rejects keys without meaning for a quantity.
+template<int Dim>
 void rejectKeys(const Dictionary& dictionary, QuantityKind kind)
 {
+    const std::string ofOthers = Dim == 2 ? "pointsPerSide" : "pointsPerJoint";
+    if (dictionary.found(ofOthers))
+    {
+        throw FatalIOError(Dim == 2 ? "pointsPerSide is for structures in space: write pointsPerJoint."
+                                    : "pointsPerJoint divides joints of the plane: write pointsPerSide, of "
+                                      "which a rectangular joint has the square.",
+                           dictionary.locationOf(ofOthers));
+    }
     const std::vector<std::string> meaningless =
         kind == QuantityKind::motion
-            ? std::vector<std::string>{"pointsPerJoint", "formulation", "repeats"}
+            ? std::vector<std::string>{"pointsPerJoint", "pointsPerSide", "formulation", "repeats"}
             : std::vector<std::string>{"deltaT", "theta", "solver", "displacements", "phases"};
     for (const std::string& key : meaningless)
     {
@@ -48,18 +57,24 @@ void rejectKeys(const Dictionary& dictionary, QuantityKind kind)
 }
 
 /// Rejects settings that the case cannot be computed with.
-void requirePossible(const AccuracyCase& study, QuantityKind kind, const RunSetting& setting,
+template<int Dim>
+void requirePossible(const AccuracyCase<Dim>& study, QuantityKind kind, const RunSetting& setting,
                      const Dictionary& dictionary)
 {
     if (kind == QuantityKind::limitAnalysis)
     {
-        const LimitAnalysisCase<2>& structure = study.structures.at(setting.pointsPerJoint);
+        const LimitAnalysisCase<Dim>& structure = study.structures.at(jointPointsOf<Dim>(setting));
         if (setting.flowRule == FlowRule::nonAssociative
             && (structure.program.hasStrength() || structure.movement))
         {
             throw FatalIOError("limitAnalysis follows the non-associative flow rule with friction alone: "
                                "remove nonAssociative.",
                                dictionary.locationOf("flowRule"));
+        }
+        if (Dim == 3 && setting.formulation == ContactFormulation::surface)
+        {
+            throw FatalIOError("Contact by surfaces is for joints of the plane: remove surface.",
+                               dictionary.locationOf("formulation"));
         }
         const bool hasPoints = setting.pointsPerJoint > 0 || structure.contact.pointsPerJoint;
         if (setting.formulation == ContactFormulation::surface
@@ -72,7 +87,7 @@ void requirePossible(const AccuracyCase& study, QuantityKind kind, const RunSett
         }
         return;
     }
-    const DynamicCase<2>& scene = *study.scene;
+    const DynamicCase<Dim>& scene = *study.scene;
     if (setting.flowRule == FlowRule::nonAssociative && !scene.contact.friction)
     {
         throw FatalIOError("The case has no friction, so that there is no flow rule to choose: remove it.",
@@ -125,11 +140,12 @@ std::string historyHeading(const fs::path& caseDirectory, const Dictionary& dict
     return fmt::format(
         "# case {:016x} quantities {:016x} on {}\n"
         "# quantity[-] deltaT[s] theta[-] flowRule[-] solver[-] tolerance[-] pointsPerJoint[-] "
-        "displacements[-] formulation[-] phase[-] phases[-] value hover[m] steps[-] cpuTime[s] residual[-] "
+        "pointsPerSide[-] displacements[-] formulation[-] phase[-] phases[-] value hover[m] steps[-] "
+        "cpuTime[s] residual[-] "
         "end[-]\n",
         ofCase, fingerprint(quantities), processorName());
 }
-constexpr std::size_t historyNumbers = 17;
+constexpr std::size_t historyNumbers = 18;
 
 /// When the first runs of a setting are not solved, this many of them, the others are not tried: a solver
 /// that fails takes a long time to do so.
@@ -187,8 +203,7 @@ std::vector<RunPlan> sweepPlans(const AccuracyStudy& study, std::size_t index)
 /// Approximate work of a plan, in steps of a motion; limit analyses count as some tens.
 double workOf(const AccuracyStudy& study, const RunPlan& plan)
 {
-    const double time = study.scene.endTime - study.scene.start.time;
-    return plan.runs * (plan.setting.deltaT > 0 ? time / plan.setting.deltaT : 30);
+    return plan.runs * (plan.setting.deltaT > 0 ? study.duration / plan.setting.deltaT : 30);
 }
 
 /// Carries out runs, shows their progress, and keeps them.
@@ -234,7 +249,7 @@ public:
             }
             const StudyQuantity& quantity = study.quantities[plan.quantity];
             const double start = clockTime();
-            const Measurement run = quantity.quantity.measure(study.scene, plan.setting, key.phase);
+            const Measurement run = quantity.quantity.measure(plan.setting, key.phase);
             if (run.end == RunEnd::interrupted)
             {
                 runs.write();
@@ -362,7 +377,7 @@ std::optional<Reference> referenceOf(const AccuracyStudy& study, std::size_t ind
 }
 
 /// By Housner's equation. \throws FatalIOError when it is about another case
-double housnerValue(const AccuracyCase& scene, const Quantity& quantity, const SourceLocation& location)
+double housnerValue(const Quantity& quantity, const SourceLocation& location)
 {
     if (!quantity.housner)
     {
@@ -371,7 +386,7 @@ double housnerValue(const AccuracyCase& scene, const Quantity& quantity, const S
     }
     try
     {
-        return quantity.housner(scene);
+        return quantity.housner();
     }
     catch (const FatalError& error)
     {
@@ -400,6 +415,7 @@ fs::path accuracyFolder(const fs::path& caseDirectory)
     return postProcessingFolder(caseDirectory, applicationName, "0");
 }
 
+template<int Dim>
 AccuracyStudy readAccuracyStudy(const fs::path& caseDirectory)
 {
     const Dictionary dictionary =
@@ -412,7 +428,9 @@ AccuracyStudy readAccuracyStudy(const fs::path& caseDirectory)
 
     AccuracyStudy study;
     study.sweeps = settings.sweeps;
-    study.scene.caseDirectory = caseDirectory;
+    study.caseDirectory = caseDirectory;
+    const auto shared = std::make_shared<AccuracyCase<Dim>>();
+    AccuracyCase<Dim>& ofCase = *shared;
     const auto ofKind = [&](QuantityKind kind)
     {
         return std::any_of(settings.quantities.begin(), settings.quantities.end(),
@@ -422,38 +440,40 @@ AccuracyStudy readAccuracyStudy(const fs::path& caseDirectory)
     if (ofKind(QuantityKind::motion))
     {
         Time time(caseDirectory, ControlDict::required);
-        study.scene.scene = readDynamicCase<2>(caseDirectory);
-        study.scene.start = startOrContinue(caseDirectory, *study.scene.scene, time).state;
-        study.scene.endTime = time.controls().endTime;
-        const DynamicCase<2>& scene = *study.scene.scene;
+        ofCase.scene = readDynamicCase<Dim>(caseDirectory);
+        ofCase.start = startOrContinue(caseDirectory, *ofCase.scene, time).state;
+        ofCase.endTime = time.controls().endTime;
+        study.duration = ofCase.endTime - ofCase.start.time;
+        const DynamicCase<Dim>& scene = *ofCase.scene;
         ofMotion = {time.controls().deltaT,
                     scene.schemes.timeIntegration.theta,
                     scene.flowRule(),
                     scene.solution.solver,
                     scene.solution.tolerance,
                     0,
+                    0,
                     scene.schemes.smallDisplacements ? Displacements::small : Displacements::large};
-        if (!(study.scene.endTime > study.scene.start.time))
+        if (!(study.duration > 0))
         {
             throw FatalIOError("The motions of the study end where they begin: raise endTime.",
                                time.controlDict().locationOf("endTime"));
         }
     }
     RunSetting ofCollapse;
-    const auto structureWith = [&](int pointsPerJoint)
+    const auto structureWith = [&](const RunSetting& setting)
     {
-        if (!study.scene.structures.contains(pointsPerJoint))
+        const int points = jointPointsOf<Dim>(setting);
+        if (!ofCase.structures.contains(points))
         {
-            study.scene.structures.emplace(
-                pointsPerJoint,
-                readLimitAnalysisCase<2>(caseDirectory,
-                                         pointsPerJoint > 0 ? std::optional(pointsPerJoint) : std::nullopt));
+            ofCase.structures.emplace(
+                points,
+                readLimitAnalysisCase<Dim>(caseDirectory, points > 0 ? std::optional(points) : std::nullopt));
         }
     };
     if (ofKind(QuantityKind::limitAnalysis))
     {
-        structureWith(0);
-        const LimitAnalysisCase<2>& structure = study.scene.structures.at(0);
+        structureWith({});
+        const LimitAnalysisCase<Dim>& structure = ofCase.structures.at(0);
         ofCollapse.flowRule =
             structure.contact.friction ? structure.contact.friction->flowRule : FlowRule::associative;
         ofCollapse.solver = SolverType::interiorPoint;
@@ -465,23 +485,25 @@ AccuracyStudy readAccuracyStudy(const fs::path& caseDirectory)
     for (const auto& [name, plan] : settings.quantities)
     {
         const bool isMotion = plan.kind == QuantityKind::motion;
+        const RunSetting& own = isMotion ? ofMotion : ofCollapse;
         study.quantities.push_back(
-            {name, plan.kind, plan.make(study.scene), plan.reference, isMotion ? ofMotion : ofCollapse, 0});
+            {name, plan.kind, plan.make(shared), plan.reference, own,
+             [shared, own, kind = plan.kind] { return unitOfWork(*shared, own, kind); }, 0});
         const Dictionary& reference = quantities.subDict(name).subDict("reference");
         if (plan.reference.kind == ReferencePlan::Kind::Housner)
         {
             StudyQuantity& quantity = study.quantities.back();
-            quantity.housner = housnerValue(study.scene, quantity.quantity, reference.locationOf("type"));
+            quantity.housner = housnerValue(quantity.quantity, reference.locationOf("type"));
         }
         if (plan.reference.kind == ReferencePlan::Kind::finest)
         {
-            rejectKeys(reference, plan.kind);
+            rejectKeys<Dim>(reference, plan.kind);
             const RunSetting finest = finestSetting(plan.reference, study.quantities.back().ofCase);
             if (!isMotion)
             {
-                structureWith(finest.pointsPerJoint);
+                structureWith(finest);
             }
-            requirePossible(study.scene, plan.kind, finest, reference);
+            requirePossible(ofCase, plan.kind, finest, reference);
         }
     }
     for (const auto& [name, sweep] : settings.sweeps)
@@ -501,29 +523,33 @@ AccuracyStudy readAccuracyStudy(const fs::path& caseDirectory)
                                own.locationOf("quantity"));
         }
         study.quantityOfSweep.push_back(static_cast<std::size_t>(quantity - study.quantities.begin()));
-        rejectKeys(own, quantity->kind);
-        if (sweep.along && (*sweep.along == SweepAxis::deltaT || *sweep.along == SweepAxis::pointsPerJoint)
+        rejectKeys<Dim>(own, quantity->kind);
+        if (sweep.along && *sweep.along != SweepAxis::tolerance
             && (*sweep.along == SweepAxis::deltaT) != (quantity->kind == QuantityKind::motion))
         {
             throw FatalIOError(
                 quantity->kind == QuantityKind::motion
-                    ? "pointsPerJoint is for multipliers: let this sweep go along deltaT or tolerance."
-                    : "deltaT is for motions: let this sweep go along tolerance or pointsPerJoint.",
+                    ? "Contact points are for multipliers: let this sweep go along deltaT or tolerance."
+                    : "deltaT is for motions: let this sweep go along tolerance, pointsPerJoint or "
+                      "pointsPerSide.",
                 own.locationOf("along"));
         }
         for (const RunSetting& setting : settingsOf(sweep, quantity->ofCase))
         {
             if (quantity->kind == QuantityKind::limitAnalysis)
             {
-                structureWith(setting.pointsPerJoint);
+                structureWith(setting);
             }
-            requirePossible(study.scene, quantity->kind, setting, own);
+            requirePossible(ofCase, quantity->kind, setting, own);
         }
     }
     requireWritable(accuracyFolder(caseDirectory));
     study.heading = historyHeading(caseDirectory, dictionary);
     return study;
 }
+
+template AccuracyStudy readAccuracyStudy<2>(const fs::path& caseDirectory);
+template AccuracyStudy readAccuracyStudy<3>(const fs::path& caseDirectory);
 
 void printAccuracyStudy(const AccuracyStudy& study)
 {
@@ -546,16 +572,16 @@ void printAccuracyStudy(const AccuracyStudy& study)
 }
 
 AccuracyRuns::AccuracyRuns(const AccuracyStudy& accuracyStudy)
-    : study(accuracyStudy), file(accuracyFolder(study.scene.caseDirectory) / "history.dat")
+    : study(accuracyStudy), file(accuracyFolder(study.caseDirectory) / "history.dat")
 {
     for (const std::vector<double>& row : readHistory(file, study.heading, historyNumbers, applicationName))
     {
         const auto whole = [&row](std::size_t column) { return static_cast<int>(row[column]); };
         RunKey key{static_cast<std::size_t>(row[0]),
-                   {row[1], row[2], FlowRule{whole(3)}, SolverType{whole(4)}, row[5], whole(6),
-                    Displacements{whole(7)}, ContactFormulation{whole(8)}},
-                   {whole(9), whole(10)}};
-        add(key, {row[11], row[12], row[13], row[14], row[15], RunEnd{whole(16)}});
+                   {row[1], row[2], FlowRule{whole(3)}, SolverType{whole(4)}, row[5], whole(6), whole(7),
+                    Displacements{whole(8)}, ContactFormulation{whole(9)}},
+                   {whole(10), whole(11)}};
+        add(key, {row[12], row[13], row[14], row[15], row[16], RunEnd{whole(17)}});
     }
     if (size() > 0)
     {
@@ -585,11 +611,12 @@ void AccuracyRuns::write() const
         const RunSetting& setting = key.setting;
         const Measurement& run = runs.at(key);
         // The fewest digits that read back as the same number.
-        text += fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}\n", key.quantity,
+        text += fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}\n", key.quantity,
                             setting.deltaT, setting.theta, int(setting.flowRule), int(setting.solver),
-                            setting.tolerance, setting.pointsPerJoint, int(setting.displacements),
-                            int(setting.formulation), key.phase.index, key.phase.count, run.value, run.hover,
-                            run.steps, run.cpuTime, run.worstResidual, int(run.end));
+                            setting.tolerance, setting.pointsPerJoint, setting.pointsPerSide,
+                            int(setting.displacements), int(setting.formulation), key.phase.index,
+                            key.phase.count, run.value, run.hover, run.steps, run.cpuTime, run.worstResidual,
+                            int(run.end));
     }
     writeWholeFile(file, text);
 }
@@ -612,7 +639,7 @@ AccuracyResults carryOut(const AccuracyStudy& study, AccuracyRuns& runs)
             return interrupted();
         }
         results.references.push_back(*reference);
-        results.unitsOfWork.push_back(unitOfWork(study.scene, quantity.ofCase, quantity.kind));
+        results.unitsOfWork.push_back(quantity.unitOfWork());
         info("Reference of {}: {:.9g}{}{}: {}", quantity.name, reference->value,
              quantity.quantity.unit == "-" ? "" : " " + quantity.quantity.unit,
              reference->uncertainty > 0 ? fmt::format(" +- {:.2g}", reference->uncertainty) : "",
@@ -684,7 +711,7 @@ void writeAccuracyResults(const AccuracyStudy& study, const AccuracyResults& res
     {
         return;
     }
-    const fs::path folder = accuracyFolder(study.scene.caseDirectory);
+    const fs::path folder = accuracyFolder(study.caseDirectory);
     writeWholeFile(folder / "accuracyCost.csv", accuracyTable(study, results));
     writePictures(folder, study, results);
     writeWholeFile(folder / "accuracyCost.md", accuracyPage(study, results));

@@ -35,14 +35,16 @@ struct StudyQuantity
     QuantityKind kind = QuantityKind::motion;
     Quantity quantity;
     ReferencePlan reference;
-    RunSetting ofCase;  ///< how the case itself is computed
-    double housner = 0; ///< the value of that reference, where it is used
+    RunSetting ofCase;                  ///< how the case itself is computed
+    std::function<double()> unitOfWork; ///< measures F, of the setting of the case [s]
+    double housner = 0;                 ///< the value of that reference, where it is used
 };
 
-/// A study that has been read and checked.
+/// A study that has been read and checked; its quantities hold the case, of the plane or of space.
 struct AccuracyStudy
 {
-    AccuracyCase scene;
+    std::filesystem::path caseDirectory;
+    double duration = 0; ///< of a motion [s]
     std::vector<StudyQuantity> quantities;
     std::vector<Named<Sweep>> sweeps;
     std::vector<std::size_t> quantityOfSweep;
@@ -51,6 +53,7 @@ struct AccuracyStudy
 
 /// Reads system/accuracyCostDict and, as far as its quantities need them, the input of contactDynamics and
 /// limitAnalysis. \throws FatalIOError or FatalError for the first fault found
+template<int Dim>
 AccuracyStudy readAccuracyStudy(const std::filesystem::path& caseDirectory);
 
 /// Before the first run: quantities, references, sweeps.

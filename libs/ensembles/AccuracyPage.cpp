@@ -71,6 +71,10 @@ std::string textOf(const RunSetting& setting, const ShownKeys& shown)
     {
         parts.push_back(fmt::format("{} points a joint", setting.pointsPerJoint));
     }
+    if (shown.pointsPerSide)
+    {
+        parts.push_back(fmt::format("{} points a side", setting.pointsPerSide));
+    }
     if (shown.displacements)
     {
         parts.push_back(wordOf(setting.displacements) + " displacements");
@@ -85,10 +89,17 @@ std::string textOf(const RunSetting& setting, const ShownKeys& shown)
 ShownKeys keysOf(const RunSetting& setting, QuantityKind kind)
 {
     const bool isMotion = kind == QuantityKind::motion;
-    return {isMotion, isMotion,
-            true,     isMotion,
-            true,     setting.pointsPerJoint > 0,
-            isMotion, setting.formulation == ContactFormulation::surface};
+    ShownKeys shown;
+    shown.deltaT = isMotion;
+    shown.theta = isMotion;
+    shown.flowRule = true;
+    shown.solver = isMotion;
+    shown.tolerance = true;
+    shown.pointsPerJoint = setting.pointsPerJoint > 0;
+    shown.pointsPerSide = setting.pointsPerSide > 0;
+    shown.displacements = isMotion;
+    shown.formulation = setting.formulation == ContactFormulation::surface;
+    return shown;
 }
 
 /// What varies along a curve is not shown.
@@ -97,6 +108,7 @@ ShownKeys withoutAxis(ShownKeys shown, std::optional<SweepAxis> axis)
     shown.deltaT = shown.deltaT && axis != SweepAxis::deltaT;
     shown.tolerance = shown.tolerance && axis != SweepAxis::tolerance;
     shown.pointsPerJoint = shown.pointsPerJoint && axis != SweepAxis::pointsPerJoint;
+    shown.pointsPerSide = shown.pointsPerSide && axis != SweepAxis::pointsPerSide;
     return shown;
 }
 
@@ -150,9 +162,10 @@ const Sweep& planOf(const AccuracyStudy& study, const SweepResult& sweep)
 
 std::string axisName(SweepAxis axis)
 {
-    return axis == SweepAxis::pointsPerJoint ? "points a joint"
-           : axis == SweepAxis::deltaT       ? "deltaT [s]"
-                                             : "tolerance";
+    return axis == SweepAxis::pointsPerJoint  ? "points a joint"
+           : axis == SweepAxis::pointsPerSide ? "points a side"
+           : axis == SweepAxis::deltaT        ? "deltaT [s]"
+                                              : "tolerance";
 }
 
 /// The tolerances with more than one solver and enough settings.
@@ -475,7 +488,7 @@ std::vector<CheapestRow> cheapestRows(const AccuracyStudy& study, const Accuracy
 std::string accuracyTable(const AccuracyStudy& study, const AccuracyResults& results)
 {
     std::string text = "sweep,quantity,deltaT[s],theta,flowRule,solver,tolerance,pointsPerJoint,"
-                       "displacements,formulation,runs,"
+                       "pointsPerSide,displacements,formulation,runs,"
                        "failed,value,medianError,worstError,hover[m],steps,cpuTime[s],F[s],residual\n";
     for (const SweepResult& sweep : results.sweeps)
     {
@@ -483,13 +496,13 @@ std::string accuracyTable(const AccuracyStudy& study, const AccuracyResults& res
         {
             const RunSetting& setting = point.setting;
             text += fmt::format(
-                "{},{},{},{},{},{},{},{},{},{},{},{},{:.12g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},"
+                "{},{},{},{},{},{},{},{},{},{},{},{},{},{:.12g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},"
                 "{:.6g}\n",
                 sweep.name, quantityOf(study, sweep).name, setting.deltaT, setting.theta,
                 wordOf(setting.flowRule), wordOf(setting.solver), setting.tolerance, setting.pointsPerJoint,
-                wordOf(setting.displacements), wordOf(setting.formulation), point.runs, point.failed,
-                point.value, point.medianError, point.worstError, point.hover, point.steps, point.cpuTime,
-                results.unitsOfWork[sweep.quantity], point.worstResidual);
+                setting.pointsPerSide, wordOf(setting.displacements), wordOf(setting.formulation), point.runs,
+                point.failed, point.value, point.medianError, point.worstError, point.hover, point.steps,
+                point.cpuTime, results.unitsOfWork[sweep.quantity], point.worstResidual);
         }
     }
     return text;
@@ -555,7 +568,7 @@ std::string accuracyPage(const AccuracyStudy& study, const AccuracyResults& resu
         text += pairSection(study, sweep, "Point against surface contact", "points", "surface",
                             formulationPairs(sweep.points));
         text += pairSection(study, sweep, "Few points a joint against many", "few", "many",
-                            pointsPerJointPairs(sweep.points));
+                            jointPointsPairs(sweep.points));
         text += pairSection(study, sweep, "Large against small displacements", "large", "small",
                             displacementPairs(sweep.points));
     }

@@ -62,11 +62,12 @@ void declare(Options& options, FinestSettings& settings)
 
 /// The largest gap at a point that carries force [m]: at least a hundredth of the largest force or load,
 /// since solvers that end inside the cones leave small forces, within their tolerance, at points far apart.
-double hoverOf(const DynamicCase<2>& scene, const Motion<2>& motion)
+template<int Dim>
+double hoverOf(const DynamicCase<Dim>& scene, const Motion<Dim>& motion)
 {
     constexpr double carriesForce = 1e-2;
-    double largestForce = scene.deadLoad.lpNorm<Eigen::Infinity>(); // about mass centres: no moments
-    for (const Vector<2>& force : motion.contactForces)
+    double largestForce = scene.deadLoad.template lpNorm<Eigen::Infinity>(); // about mass centres: no moments
+    for (const Vector<Dim>& force : motion.contactForces)
     {
         largestForce = std::max(largestForce, force[0]);
     }
@@ -81,20 +82,31 @@ double hoverOf(const DynamicCase<2>& scene, const Motion<2>& motion)
     return hover;
 }
 
+/// A case that quantities share.
+template<int Dim>
+using SharedCase = std::shared_ptr<const AccuracyCase<Dim>>;
+
+/// \param make of a case, of the plane or of space, the quantity
+template<class Make>
+QuantityMaker forBoth(Make make)
+{
+    return {make, make};
+}
+
 /// A figure of the state at the end of a run.
-Quantity quantityAtTheEnd(InstantFigure<2> figure, const AccuracyCase& ofCase)
+template<int Dim>
+Quantity quantityAtTheEnd(InstantFigure<Dim> figure, const SharedCase<Dim>& study)
 {
     Quantity quantity;
-    quantity.summary = fmt::format("{} at {:g} s", figure.subject, ofCase.endTime);
+    quantity.summary = fmt::format("{} at {:g} s", figure.subject, study->endTime);
     quantity.unit = figure.unit;
-    quantity.measure = [figure = std::move(figure)](const AccuracyCase& study, const RunSetting& setting,
-                                                    const StepPhase& phase)
+    quantity.measure = [figure = std::move(figure), study](const RunSetting& setting, const StepPhase& phase)
     {
         double last = notKnown;
-        Measurement result = stepThrough(sceneWith(study, setting), study, setting, phase,
-                                         [&](const Motion<2>& motion, double)
+        Measurement result = stepThrough(sceneWith(*study, setting), *study, setting, phase,
+                                         [&](const Motion<Dim>& motion, double)
                                          {
-                                             last = figure.at(study.start, motion);
+                                             last = figure.at(study->start, motion);
                                              return true;
                                          });
         result.value = result.end == RunEnd::done ? last : notKnown;
@@ -129,20 +141,25 @@ void declare(Options& options, ReturnTime& settings)
 QuantityPlan makeReturnTime(const ReturnTime& settings, const Dictionary& dictionary)
 {
     QuantityPlan plan{QuantityKind::motion, settings.reference, {}};
-    plan.make = [settings, location = dictionary.locationOf("block")](const AccuracyCase& study)
+    plan.make.inSpace = [location = dictionary.locationOf("type")](const SharedCase<3>&) -> Quantity
     {
-        const std::size_t block = freeBlock(study.scene->assembly, settings.block, location);
-        const Eigen::Index row = 3 * study.scene->free[block] + 2;
+        throw FatalIOError("returnTime is of blocks that rock in the plane. In space take displacement, "
+                           "energy or threshold.",
+                           location);
+    };
+    plan.make.inPlane = [settings, location = dictionary.locationOf("block")](const SharedCase<2>& study)
+    {
+        const std::size_t block = freeBlock(study->scene->assembly, settings.block, location);
+        const Eigen::Index row = 3 * study->scene->free[block] + 2;
         const auto count = static_cast<std::size_t>(settings.count);
         Quantity quantity;
         quantity.summary = fmt::format("time at which block {} is upright again for the {} time",
                                        settings.block, ordinal(settings.count));
         quantity.unit = "s";
-        quantity.measure =
-            [block, row, count](const AccuracyCase& of, const RunSetting& setting, const StepPhase& phase)
+        quantity.measure = [study, block, row, count](const RunSetting& setting, const StepPhase& phase)
         {
             ReturnWatch watch(block, row);
-            Measurement result = stepThrough(sceneWith(of, setting), of, setting, phase,
+            Measurement result = stepThrough(sceneWith(*study, setting), *study, setting, phase,
                                              [&](const Motion<2>& motion, double timeStep)
                                              {
                                                  watch.observe(motion, timeStep);
@@ -155,12 +172,12 @@ QuantityPlan makeReturnTime(const ReturnTime& settings, const Dictionary& dictio
             result.value = result.end == RunEnd::done ? watch.returns()[count - 1] : notKnown;
             return result;
         };
-        quantity.housner = [count](const AccuracyCase& of)
+        quantity.housner = [study, count]
         {
-            const HousnerCase housner = housnerCase(of);
+            const HousnerCase housner = housnerCase(*study);
             RockingRun run;
             run.start = housner.start;
-            run.endTime = of.endTime;
+            run.endTime = study->endTime;
             run.untilVerdict = false;
             const RockingHistory history = rockingMotion(housner.block, ConstantAcceleration(0), run);
             if (history.impacts.size() < count)
@@ -194,21 +211,27 @@ void declare(Options& options, EndDisplacement& settings)
     options.check("direction",
                   [&settings]
                   {
-                      return std::hypot(settings.direction[0], settings.direction[1]) > 0
-                                 ? ""
-                                 : "The direction has no length in the plane.";
+                      const auto& [x, y, z] = settings.direction;
+                      return std::hypot(x, y, z) > 0 ? "" : "The direction has no length.";
                   });
 }
 
 QuantityPlan makeDisplacement(const EndDisplacement& settings, const Dictionary& dictionary)
 {
     QuantityPlan plan{QuantityKind::motion, settings.reference, {}};
-    plan.make = [settings, location = dictionary.locationOf("block")](const AccuracyCase& study)
-    {
-        const Vector<2> direction = Vector<2>(settings.direction[0], settings.direction[1]).normalized();
-        return quantityAtTheEnd(displacementAlong(study.scene->assembly, settings.block, direction, location),
-                                study);
-    };
+    plan.make = forBoth(
+        [settings, location = dictionary.locationOf("block"),
+         place = dictionary.locationOf("direction")]<int Dim>(const SharedCase<Dim>& study)
+        {
+            const Vector<Dim> way = Eigen::Map<const Vector<Dim>>(settings.direction.data());
+            if (!(way.norm() > 0))
+            {
+                throw FatalIOError("The direction has no length in the plane.", place);
+            }
+            return quantityAtTheEnd<Dim>(
+                displacementAlong<Dim>(study->scene->assembly, settings.block, way.normalized(), location),
+                study);
+        });
     return plan;
 }
 
@@ -231,8 +254,8 @@ void declare(Options& options, EndEnergy& settings)
 QuantityPlan makeEnergy(const EndEnergy& settings)
 {
     QuantityPlan plan{QuantityKind::motion, settings.reference, {}};
-    plan.make = [settings](const AccuracyCase& study)
-    { return quantityAtTheEnd(energyOf<2>(settings.part), study); };
+    plan.make = forBoth([settings]<int Dim>(const SharedCase<Dim>& study)
+                        { return quantityAtTheEnd<Dim>(energyOf<Dim>(settings.part), study); });
     return plan;
 }
 
@@ -254,10 +277,12 @@ void declare(Options& options, Threshold& settings)
 }
 
 /// The least intensity at which a run meets the criterion, by the plan's trials.
-Measurement measureThreshold(const AccuracyCase& study, const RunSetting& setting, const StepPhase& phase,
-                             const IntensityPlan& plan, const Criterion<2>& criterion, double unit)
+template<int Dim>
+Measurement measureThreshold(const AccuracyCase<Dim>& study, const RunSetting& setting,
+                             const StepPhase& phase, const IntensityPlan& plan,
+                             const Criterion<Dim>& criterion, double unit)
 {
-    DynamicCase<2> scene = sceneWith(study, setting);
+    DynamicCase<Dim> scene = sceneWith(study, setting);
     Measurement sum;
     std::vector<Trial> trials;
     for (std::vector<double> next = plan.next(trials); !next.empty(); next = plan.next(trials))
@@ -268,7 +293,7 @@ Measurement measureThreshold(const AccuracyCase& study, const RunSetting& settin
             Verdict verdict = Verdict::stands;
             const Measurement run =
                 stepThrough(scene, study, setting, phase,
-                            [&](const Motion<2>& motion, double)
+                            [&](const Motion<Dim>& motion, double)
                             {
                                 if (criterion.figure.at(study.start, motion) > criterion.limit)
                                 {
@@ -315,8 +340,8 @@ private:
 };
 
 /// By Housner's equation, between the lowest and the highest intensity of the plan.
-double housnerThreshold(const AccuracyCase& study, const IntensityPlan& plan, const Criterion<2>& criterion,
-                        double unit)
+double housnerThreshold(const AccuracyCase<2>& study, const IntensityPlan& plan,
+                        const Criterion<2>& criterion, double unit)
 {
     const HousnerCase housner = housnerCase(study);
     const auto& components = study.scene->groundMotion.components;
@@ -357,27 +382,32 @@ double housnerThreshold(const AccuracyCase& study, const IntensityPlan& plan, co
 QuantityPlan makeThreshold(const Threshold& settings, const Dictionary& dictionary)
 {
     QuantityPlan plan{QuantityKind::motion, settings.reference, {}};
-    plan.make = [settings, location = dictionary.location()](const AccuracyCase& study)
-    {
-        const DynamicCase<2>& scene = *study.scene;
-        if (!(peakAcceleration(scene.groundMotion) > 0))
+    plan.make = forBoth(
+        [settings, location = dictionary.location()]<int Dim>(const SharedCase<Dim>& study)
         {
-            throw FatalIOError("The ground does not move, so that there is nothing to make stronger: say in "
-                               "constant/groundMotion how it does.",
-                               location);
-        }
-        const double unit = settings.intensity.unit == IntensityUnit::g ? scene.gravity.norm() : 1;
-        const Criterion<2> criterion = settings.criterion(scene.assembly);
-        const IntensityPlan& intensity = settings.intensity;
-        Quantity quantity;
-        quantity.summary = "least peak acceleration of the ground at which a run meets: " + criterion.summary;
-        quantity.unit = nameOf(intensity.unit);
-        quantity.measure = [=](const AccuracyCase& of, const RunSetting& setting, const StepPhase& phase)
-        { return measureThreshold(of, setting, phase, intensity, criterion, unit); };
-        quantity.housner = [=](const AccuracyCase& of)
-        { return housnerThreshold(of, intensity, criterion, unit); };
-        return quantity;
-    };
+            const DynamicCase<Dim>& scene = *study->scene;
+            if (!(peakAcceleration(scene.groundMotion) > 0))
+            {
+                throw FatalIOError(
+                    "The ground does not move, so that there is nothing to make stronger: say in "
+                    "constant/groundMotion how it does.",
+                    location);
+            }
+            const double unit = settings.intensity.unit == IntensityUnit::g ? scene.gravity.norm() : 1;
+            const Criterion<Dim> criterion = settings.criterion(scene.assembly);
+            const IntensityPlan intensity = settings.intensity;
+            Quantity quantity;
+            quantity.summary =
+                "least peak acceleration of the ground at which a run meets: " + criterion.summary;
+            quantity.unit = nameOf(intensity.unit);
+            quantity.measure = [=](const RunSetting& setting, const StepPhase& phase)
+            { return measureThreshold<Dim>(*study, setting, phase, intensity, criterion, unit); };
+            if constexpr (Dim == 2)
+            {
+                quantity.housner = [=] { return housnerThreshold(*study, intensity, criterion, unit); };
+            }
+            return quantity;
+        });
     return plan;
 }
 
@@ -392,9 +422,10 @@ void declare(Options& options, CollapseMultiplier& settings)
     options.required("reference", settings.reference, referenceTypes(), "what the figure is compared with");
 }
 
-Measurement measureMultiplier(const AccuracyCase& study, const RunSetting& setting)
+template<int Dim>
+Measurement measureMultiplier(const AccuracyCase<Dim>& study, const RunSetting& setting)
 {
-    LimitAnalysisCase<2> structure = study.structures.at(setting.pointsPerJoint);
+    LimitAnalysisCase<Dim> structure = study.structures.at(jointPointsOf<Dim>(setting));
     structure.solution.solver = SolverType::interiorPoint;
     structure.solution.tolerance = setting.tolerance;
     if (structure.contact.friction)
@@ -418,15 +449,16 @@ Measurement measureMultiplier(const AccuracyCase& study, const RunSetting& setti
 QuantityPlan makeMultiplier(const CollapseMultiplier& settings)
 {
     QuantityPlan plan{QuantityKind::limitAnalysis, settings.reference, {}};
-    plan.make = [](const AccuracyCase&)
-    {
-        Quantity quantity;
-        quantity.summary = "collapse load multiplier";
-        quantity.unit = "-";
-        quantity.measure = [](const AccuracyCase& of, const RunSetting& setting, const StepPhase&)
-        { return measureMultiplier(of, setting); };
-        return quantity;
-    };
+    plan.make = forBoth(
+        []<int Dim>(const SharedCase<Dim>& study)
+        {
+            Quantity quantity;
+            quantity.summary = "collapse load multiplier";
+            quantity.unit = "-";
+            quantity.measure = [study](const RunSetting& setting, const StepPhase&)
+            { return measureMultiplier(*study, setting); };
+            return quantity;
+        });
     return plan;
 }
 
@@ -486,7 +518,7 @@ const Registry<QuantityPlan>& quantityTypes()
     return registry;
 }
 
-HousnerCase housnerCase(const AccuracyCase& study)
+HousnerCase housnerCase(const AccuracyCase<2>& study)
 {
     const DynamicCase<2>& scene = *study.scene;
     const auto refuse = [](const std::string& reason)
@@ -541,9 +573,10 @@ HousnerCase housnerCase(const AccuracyCase& study)
     return result;
 }
 
-DynamicCase<2> sceneWith(const AccuracyCase& study, const RunSetting& setting)
+template<int Dim>
+DynamicCase<Dim> sceneWith(const AccuracyCase<Dim>& study, const RunSetting& setting)
 {
-    DynamicCase<2> scene = *study.scene;
+    DynamicCase<Dim> scene = *study.scene;
     scene.schemes.timeIntegration.theta = setting.theta;
     scene.schemes.smallDisplacements = setting.displacements == Displacements::small;
     scene.solution.solver = setting.solver;
@@ -555,12 +588,14 @@ DynamicCase<2> sceneWith(const AccuracyCase& study, const RunSetting& setting)
     return scene;
 }
 
-Measurement stepThrough(const DynamicCase<2>& scene, const AccuracyCase& study, const RunSetting& setting,
-                        const StepPhase& phase, const MotionObserver& observe)
+template<int Dim>
+Measurement stepThrough(const DynamicCase<Dim>& scene, const AccuracyCase<Dim>& study,
+                        const RunSetting& setting, const StepPhase& phase,
+                        const std::type_identity_t<MotionObserver<Dim>>& observe)
 {
     Measurement result;
     const double begin = cpuTime();
-    Motion<2> motion = startMotion(scene, study.start);
+    Motion<Dim> motion = startMotion(scene, study.start);
     bool goesOn = observe(motion, 0);
     double stepLength = phase.firstStep() * setting.deltaT;
     while (goesOn && motion.state.time < study.endTime)
@@ -606,19 +641,31 @@ Measurement stepThrough(const DynamicCase<2>& scene, const AccuracyCase& study, 
     return result;
 }
 
-double unitOfWork(const AccuracyCase& study, const RunSetting& setting, QuantityKind kind)
+template<int Dim>
+double unitOfWork(const AccuracyCase<Dim>& study, const RunSetting& setting, QuantityKind kind)
 {
     if (kind == QuantityKind::limitAnalysis)
     {
-        return unitOfWork(study.structures.at(setting.pointsPerJoint).program);
+        return unitOfWork(study.structures.at(jointPointsOf<Dim>(setting)).program);
     }
-    const DynamicCase<2>& scene = *study.scene;
-    const std::vector<ContactPoint<2>> points = findContactPoints(scene.assembly);
+    const DynamicCase<Dim>& scene = *study.scene;
+    const std::vector<ContactPoint<Dim>> points = findContactPoints(scene.assembly);
     const double mu = scene.contact.friction ? scene.contact.friction->mu : 0;
-    return unitOfWork(thetaStepProgram(scene.mass, Eigen::VectorXd::Zero(scene.mass.size()), scene.deadLoad,
-                                       points, equilibriumColumns(scene.assembly, scene.blocks, points),
-                                       std::vector<double>(points.size(), mu),
-                                       {setting.theta, setting.deltaT}));
+    return unitOfWork(
+        thetaStepProgram(massAt(scene, study.start.placements), Eigen::VectorXd::Zero(scene.mass.size()),
+                         scene.deadLoad, points, equilibriumColumns(scene.assembly, scene.blocks, points),
+                         std::vector<double>(points.size(), mu), {setting.theta, setting.deltaT}));
 }
+
+template Measurement stepThrough(const DynamicCase<2>& scene, const AccuracyCase<2>& study,
+                                 const RunSetting& setting, const StepPhase& phase,
+                                 const MotionObserver<2>& observe);
+template DynamicCase<2> sceneWith(const AccuracyCase<2>& study, const RunSetting& setting);
+template double unitOfWork(const AccuracyCase<2>& study, const RunSetting& setting, QuantityKind kind);
+template Measurement stepThrough(const DynamicCase<3>& scene, const AccuracyCase<3>& study,
+                                 const RunSetting& setting, const StepPhase& phase,
+                                 const MotionObserver<3>& observe);
+template DynamicCase<3> sceneWith(const AccuracyCase<3>& study, const RunSetting& setting);
+template double unitOfWork(const AccuracyCase<3>& study, const RunSetting& setting, QuantityKind kind);
 
 } // namespace drystone

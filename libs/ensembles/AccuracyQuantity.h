@@ -11,12 +11,12 @@
 #include "ensembles/RunSettings.h"
 #include "statics/LimitAnalysisCase.h"
 
-#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
 
 namespace drystone
 {
@@ -58,14 +58,23 @@ struct Measurement
 };
 
 /// The structure to be computed, read once; no run changes it.
+template<int Dim>
 struct AccuracyCase
 {
-    std::filesystem::path caseDirectory;
-    std::optional<DynamicCase<2>> scene; ///< where a quantity is one of motion
-    DynamicState<2> start;
-    double endTime = 0;                             ///< [s]
-    std::map<int, LimitAnalysisCase<2>> structures; ///< by points per joint, 0: as specified in the case
+    std::optional<DynamicCase<Dim>> scene; ///< where a quantity is one of motion
+    DynamicState<Dim> start;
+    double endTime = 0; ///< [s]
+    /// By the number of contact points (jointPointsOf), 0: as specified in the case.
+    std::map<int, LimitAnalysisCase<Dim>> structures;
 };
+
+/// The setting that counts the contact points of a joint: in the plane pointsPerJoint, in space
+/// pointsPerSide.
+template<int Dim>
+int jointPointsOf(const RunSetting& setting)
+{
+    return Dim == 2 ? setting.pointsPerJoint : setting.pointsPerSide;
+}
 
 /// The value that a figure is compared with.
 struct Reference
@@ -75,15 +84,15 @@ struct Reference
     std::string text;       ///< where it comes from, for the page
 };
 
-/// A figure ready to be measured.
+/// A figure of a case, ready to be measured: it holds the case, of the plane or of space.
 struct Quantity
 {
     std::string summary; ///< `time at which block 1 is upright again for the 3rd time`
     std::string unit;
     /// One run. Depends only on its arguments, except for `cpuTime` and signals.
-    std::function<Measurement(const AccuracyCase&, const RunSetting&, const StepPhase&)> measure;
+    std::function<Measurement(const RunSetting&, const StepPhase&)> measure;
     /// The figure from Housner's equation; empty where that does not give it.
-    std::function<double(const AccuracyCase&)> housner = {};
+    std::function<double()> housner = {};
 };
 
 /// The contents of `reference { type ...; }`.
@@ -103,13 +112,26 @@ struct ReferencePlan : RunSettingsOf<PerhapsOneOf> ///< of the finest run; absen
 };
 const Registry<ReferencePlan>& referenceTypes();
 
+/// Makes a quantity of a case. \throws FatalIOError for a block that does not exist, or is fixed, and for
+/// what there is in the plane only
+struct QuantityMaker
+{
+    template<int Dim>
+    using Make = std::function<Quantity(const std::shared_ptr<const AccuracyCase<Dim>>&)>;
+
+    Make<2> inPlane;
+    Make<3> inSpace;
+
+    Quantity operator()(const std::shared_ptr<const AccuracyCase<2>>& study) const { return inPlane(study); }
+    Quantity operator()(const std::shared_ptr<const AccuracyCase<3>>& study) const { return inSpace(study); }
+};
+
 /// A quantity of the dictionary.
 struct QuantityPlan
 {
     QuantityKind kind = QuantityKind::motion;
     ReferencePlan reference;
-    /// \throws FatalIOError for a block that does not exist, or is fixed
-    std::function<Quantity(const AccuracyCase&)> make;
+    QuantityMaker make;
 };
 
 /// All types: returnTime, displacement, energy, threshold, multiplier.
@@ -124,20 +146,25 @@ struct HousnerCase
     int index = 0; ///< of the block
 };
 /// \throws FatalError naming the property of the case that does not agree with Housner's equation
-HousnerCase housnerCase(const AccuracyCase& study);
+HousnerCase housnerCase(const AccuracyCase<2>& study);
 
 /// Steps a case with a setting, and reports each state.
 /// \param observe called before the first step with a step of 0, and after each one; false ends the run
 /// \return how the run ended, with its costs; `value` remains 0
-using MotionObserver = std::function<bool(const Motion<2>& motion, double timeStep)>;
-Measurement stepThrough(const DynamicCase<2>& scene, const AccuracyCase& study, const RunSetting& setting,
-                        const StepPhase& phase, const MotionObserver& observe);
+template<int Dim>
+using MotionObserver = std::function<bool(const Motion<Dim>& motion, double timeStep)>;
+template<int Dim>
+Measurement stepThrough(const DynamicCase<Dim>& scene, const AccuracyCase<Dim>& study,
+                        const RunSetting& setting, const StepPhase& phase,
+                        const std::type_identity_t<MotionObserver<Dim>>& observe);
 
 /// The scene of a case with a setting in place of its own.
-DynamicCase<2> sceneWith(const AccuracyCase& study, const RunSetting& setting);
+template<int Dim>
+DynamicCase<Dim> sceneWith(const AccuracyCase<Dim>& study, const RunSetting& setting);
 
 /// F: CPU time of one assembly, factorisation and solution of the Schur matrix of the case, that of its first
 /// step or of its collapse [s].
-double unitOfWork(const AccuracyCase& study, const RunSetting& setting, QuantityKind kind);
+template<int Dim>
+double unitOfWork(const AccuracyCase<Dim>& study, const RunSetting& setting, QuantityKind kind);
 
 } // namespace drystone

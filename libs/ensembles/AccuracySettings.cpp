@@ -63,8 +63,8 @@ void declare(Options& options, Sweep& sweep)
                     "steps of a motion; absent, here and in all lists below: the value of the case");
     options
         .optional("along", sweep.along,
-                  "the setting that varies along one curve; absent: the first of deltaT, tolerance and "
-                  "pointsPerJoint that has several values")
+                  "the setting that varies along one curve; absent: the first of deltaT, tolerance, "
+                  "pointsPerJoint and pointsPerSide that has several values")
         .example("deltaT");
     options
         .optional("phases", sweep.phases,
@@ -83,6 +83,7 @@ void declare(Options& options, Sweep& sweep)
     twins("solver", sweep.solver);
     twins("tolerance", sweep.tolerance);
     twins("pointsPerJoint", sweep.pointsPerJoint);
+    twins("pointsPerSide", sweep.pointsPerSide);
     twins("displacements", sweep.displacements);
     twins("formulation", sweep.formulation);
 }
@@ -139,6 +140,10 @@ SweepAxis axisOf(const Sweep& sweep, QuantityKind kind)
     {
         return SweepAxis::pointsPerJoint;
     }
+    if (sweep.pointsPerSide.size() > 1)
+    {
+        return SweepAxis::pointsPerSide;
+    }
     return kind == QuantityKind::motion ? SweepAxis::deltaT : SweepAxis::tolerance;
 }
 
@@ -151,9 +156,11 @@ double alongAxis(const RunSetting& setting, SweepAxis axis)
     case SweepAxis::tolerance:
         return setting.tolerance;
     case SweepAxis::pointsPerJoint:
+        return setting.pointsPerJoint;
+    case SweepAxis::pointsPerSide:
         break;
     }
-    return setting.pointsPerJoint;
+    return setting.pointsPerSide;
 }
 
 RunSetting curveOf(RunSetting setting, SweepAxis axis)
@@ -169,6 +176,9 @@ RunSetting curveOf(RunSetting setting, SweepAxis axis)
     case SweepAxis::pointsPerJoint:
         setting.pointsPerJoint = 0;
         break;
+    case SweepAxis::pointsPerSide:
+        setting.pointsPerSide = 0;
+        break;
     }
     return setting;
 }
@@ -182,6 +192,7 @@ std::vector<RunSetting> settingsOf(const Sweep& sweep, const RunSetting& ofCase)
     settings = combined(settings, sweep.displacements, &RunSetting::displacements);
     settings = combined(settings, sweep.formulation, &RunSetting::formulation);
     settings = combined(settings, sweep.pointsPerJoint, &RunSetting::pointsPerJoint);
+    settings = combined(settings, sweep.pointsPerSide, &RunSetting::pointsPerSide);
     settings = combined(settings, sweep.tolerance, &RunSetting::tolerance);
     settings = combined(settings, sweep.deltaT, &RunSetting::deltaT);
     return settings;

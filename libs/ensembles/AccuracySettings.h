@@ -25,20 +25,22 @@ enum class SweepAxis
 {
     deltaT,
     tolerance,
-    pointsPerJoint
+    pointsPerJoint,
+    pointsPerSide
 };
-inline std::array<std::pair<std::string_view, SweepAxis>, 3> namesOf(SweepAxis)
+inline std::array<std::pair<std::string_view, SweepAxis>, 4> namesOf(SweepAxis)
 {
     return {{{"deltaT", SweepAxis::deltaT},
              {"tolerance", SweepAxis::tolerance},
-             {"pointsPerJoint", SweepAxis::pointsPerJoint}}};
+             {"pointsPerJoint", SweepAxis::pointsPerJoint},
+             {"pointsPerSide", SweepAxis::pointsPerSide}}};
 }
 
 /// All combinations of some settings. An empty list stands for the value of the case.
 struct Sweep : RunSettingsOf<ListOf>
 {
     std::string quantity;
-    std::optional<SweepAxis> along; ///< absent: the first of the three that has several values
+    std::optional<SweepAxis> along; ///< absent: the first of these that has several values
     int phases = 20;
     int repeats = 5;
 };

@@ -24,7 +24,8 @@ struct RunSettingsOf
     Held<FlowRule> flowRule{};
     Held<SolverType> solver{};
     Held<double> tolerance{};
-    Held<int> pointsPerJoint{};
+    Held<int> pointsPerJoint{}; ///< of the plane
+    Held<int> pointsPerSide{};  ///< of space: along each side of a joint, in a grid
     Held<Displacements> displacements{};
     Held<ContactFormulation> formulation{};
 
@@ -53,6 +54,7 @@ void forEachKey(const Visit& visit, Settings&&... settings)
     visit(settings.solver...);
     visit(settings.tolerance...);
     visit(settings.pointsPerJoint...);
+    visit(settings.pointsPerSide...);
     visit(settings.displacements...);
     visit(settings.formulation...);
 }
@@ -86,10 +88,18 @@ void declareSettings(Options& options, RunSettingsOf<Held>& settings, const std:
         .above(0)
         .atMost(1e-3)
         .example(example("(1e-4 1e-8)", "1e-11"));
-    options.optional("pointsPerJoint", settings.pointsPerJoint, "of a multiplier: contact points a joint")
+    options
+        .optional("pointsPerJoint", settings.pointsPerJoint,
+                  "of a multiplier in the plane: contact points a joint")
         .atLeast(2)
         .atMost(1000)
         .example(example("(2 5 21)", "21"));
+    options
+        .optional("pointsPerSide", settings.pointsPerSide,
+                  "of a multiplier in space: `jointPoints { type grid; }` with as many points a side")
+        .atLeast(2)
+        .atMost(100)
+        .example(example("(2 5 9)", "9"));
     options.optional("displacements", settings.displacements, "of a motion: large or small")
         .example(example("(large small)", "large"));
     options

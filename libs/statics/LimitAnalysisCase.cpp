@@ -370,14 +370,14 @@ void declare(Options& options, LimitAnalysisControls& controls)
 
 template<int Dim>
 LimitAnalysisCase<Dim> readLimitAnalysisCase(const std::filesystem::path& caseDirectory,
-                                             std::optional<int> pointsPerJoint)
+                                             std::optional<int> jointPoints)
 {
-    return readLimitAnalysisCase(caseDirectory, readAssembly<Dim>(caseDirectory), pointsPerJoint);
+    return readLimitAnalysisCase(caseDirectory, readAssembly<Dim>(caseDirectory), jointPoints);
 }
 
 template<int Dim>
 LimitAnalysisCase<Dim> readLimitAnalysisCase(const std::filesystem::path& caseDirectory,
-                                             Assembly<Dim> assembly, std::optional<int> pointsPerJoint)
+                                             Assembly<Dim> assembly, std::optional<int> jointPoints)
 {
     LimitAnalysisCase<Dim> result;
     const auto controls = readOptions<LimitAnalysisControls>(readSolution(caseDirectory, "limitAnalysis"));
@@ -397,9 +397,13 @@ LimitAnalysisCase<Dim> readLimitAnalysisCase(const std::filesystem::path& caseDi
     requireFreeBlock(result.assembly, caseDirectory);
 
     result.contact = readCaseEffects<2>(caseDirectory).contact;
-    if (pointsPerJoint)
+    if (jointPoints && Dim == 2)
     {
-        result.contact.pointsPerJoint = pointsPerJoint;
+        result.contact.pointsPerJoint = jointPoints;
+    }
+    if (jointPoints && Dim == 3)
+    {
+        result.contact.jointPoints = PointGrid{*jointPoints};
     }
     const Vector<Dim> gravity = readGravity<Dim>(caseDirectory);
     const std::vector<BlockMass<Dim>> blocks = blockMasses(result.assembly);
@@ -482,15 +486,15 @@ Pushover solvePushover(const LimitAnalysisCase<Dim>& structure, const PushoverOb
 }
 
 template LimitAnalysisCase<2> readLimitAnalysisCase(const std::filesystem::path& caseDirectory,
-                                                    std::optional<int> pointsPerJoint);
+                                                    std::optional<int> jointPoints);
 template LimitAnalysisCase<2> readLimitAnalysisCase(const std::filesystem::path& caseDirectory,
-                                                    Assembly<2> assembly, std::optional<int> pointsPerJoint);
+                                                    Assembly<2> assembly, std::optional<int> jointPoints);
 template LimitAnalysis solveLimitAnalysis(LimitAnalysisCase<2>& structure);
 template std::vector<LimitAnalysis> solveLimitAnalyses(LimitAnalysisCase<2>& structure);
 template LimitAnalysisCase<3> readLimitAnalysisCase(const std::filesystem::path& caseDirectory,
-                                                    std::optional<int> pointsPerJoint);
+                                                    std::optional<int> jointPoints);
 template LimitAnalysisCase<3> readLimitAnalysisCase(const std::filesystem::path& caseDirectory,
-                                                    Assembly<3> assembly, std::optional<int> pointsPerJoint);
+                                                    Assembly<3> assembly, std::optional<int> jointPoints);
 template LimitAnalysis solveLimitAnalysis(LimitAnalysisCase<3>& structure);
 template std::vector<LimitAnalysis> solveLimitAnalyses(LimitAnalysisCase<3>& structure);
 template Pushover solvePushover(const LimitAnalysisCase<2>& structure, const PushoverObserver<2>& observe);

@@ -45,18 +45,19 @@ struct LimitAnalysisCase
 };
 
 /// Reads constant/assembly, g, materialProperties, contactProperties, loads and system/solution.
-/// \param pointsPerJoint instead of what the case has; for studies of the plane
+/// \param jointPoints contact points of a joint instead of what the case has, for studies: in the plane
+/// pointsPerJoint, in space as many along each side
 /// \throws FatalIOError with the first thing that is wrong: blocks that overlap, a live load that is missing,
 /// a solver that is none for limit analysis, what is not available in space
 template<int Dim>
 LimitAnalysisCase<Dim> readLimitAnalysisCase(const std::filesystem::path& caseDirectory,
-                                             std::optional<int> pointsPerJoint = {});
+                                             std::optional<int> jointPoints = {});
 
 /// The same of blocks that are not read from constant/assembly. \param assembly joints closed, as by
 /// readAssembly
 template<int Dim>
 LimitAnalysisCase<Dim> readLimitAnalysisCase(const std::filesystem::path& caseDirectory,
-                                             Assembly<Dim> assembly, std::optional<int> pointsPerJoint = {});
+                                             Assembly<Dim> assembly, std::optional<int> jointPoints = {});
 
 /// Collapse by the flow rule of the case, for a positive multiplier; for a support that moves, settlement.
 ///

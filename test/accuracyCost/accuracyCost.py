@@ -70,7 +70,7 @@ class AccuracyCost(CaseTest):
     def runs(self, case):
         """Rows of the history without their times."""
         rows = [line.split() for line in self.read(case, results + "/history.dat").splitlines() if line[0] != "#"]
-        return [row[:14] + row[15:] for row in rows]
+        return [row[:15] + row[16:] for row in rows]
 
     def testAStudyLeavesTableHistoryPicturesAndAPageThatShowsThem(self):
         case = self.case("plain")
@@ -202,6 +202,54 @@ class AccuracyCost(CaseTest):
                              rf"(?s)remove surface.*accuracyCostDict\S* at line {line}")
         motion = self.case("motion", more="m { quantity first;\nformulation (points); }")
         self.assertIn("formulation is for multipliers", self.run_(motion, "-dry-run", status=1).stderr)
+
+    def spaceCase(self, name, of="jointPoints/box", sweep="points { quantity alpha; pointsPerSide (2 9 3); }", **changes):
+        """A tutorial of space with another sweep. changes: (file, old, new)"""
+        case = os.path.join(self.root.name, name)
+        shutil.copytree(os.path.join(tutorial, "../../space", of), case,
+                        ignore=shutil.ignore_patterns("VTK", "postProcessing", "log.*", "assembly"))
+        self.replace(case, "system/accuracyCostDict", r"(?s)sweeps\s*\{.*\}", "sweeps\n{\n%s\n}" % sweep)
+        for change in changes.values():
+            self.replace(case, *change)
+        subprocess.run([os.path.join(applications, "blockTexture"), "-case", case], check=True, capture_output=True)
+        return case
+
+    def testInSpacePointsASideApproachTheTorsionOfACohesionWithTheSquareOfTheirDistance(self):
+        case = self.spaceCase("torsion", sweep="points { quantity alpha; pointsPerSide (17 2 9 5); }\n"
+                                               "own { quantity alpha; tolerance (1e-6 1e-9); }")
+        self.run_(case)
+        rows = self.table(case)
+        error = {int(row["pointsPerSide"]): float(row["medianError"]) for row in rows if row["sweep"] == "points"}
+        self.assertAlmostEqual(error[2], 1.767766953 / 0.956494646 - 1, delta=1e-6)  # six digits: sqrt(2) a/2 times c a^2
+        self.assertLess(error[17], 0.003)
+        self.assertGreater(error[5] / error[9], 3)
+        self.assertGreater(error[9] / error[17], 3)
+        self.assertEqual([row["pointsPerSide"] for row in rows if row["sweep"] == "own"], ["0", "0"])
+        page = self.read(case, results + "/accuracyCost.md")
+        self.assertRegex(page, r"(?s)\| setting \| points a side \|.*\| 2 \|.*\| 5 \|.*\| 9 \|.*\| 17 \|")
+        self.assertIn("Few points a joint against many", page)
+        known = self.read(case, results + "/history.dat")
+        self.run_(case)
+        self.assertEqual(self.read(case, results + "/history.dat"), known)
+
+    def testInSpaceABoxThatSlidesAcrossItsAxesStopsWhereTheClosedFormSays(self):
+        case = self.spaceCase("slides", "slidingBox/box",
+                              "steps { quantity slip; deltaT (0.02 0.01 0.005); theta (0.5 1); phases 2; }")
+        self.run_(case)
+        error = {(row["deltaT[s]"], row["theta"]): float(row["medianError"]) for row in self.table(case)}
+        self.assertAlmostEqual(error["0.01", "1"] / error["0.005", "1"], 2, delta=0.2)
+        self.assertLess(error["0.005", "0.5"], 0.1 * error["0.005", "1"])
+
+    def testWhatThereIsInThePlaneOnlyIsRefusedInSpaceWithItsLine(self):
+        for name, sweep, says in (("joint", "p { quantity alpha;\npointsPerJoint (2 5); }", "write pointsPerSide"),
+                                  ("surfaces", "p { quantity alpha;\nformulation (surface); }", "joints of the plane")):
+            errors = self.run_(self.spaceCase(name, sweep=sweep), "-dry-run", status=1).stderr
+            self.assertRegex(errors, rf"(?s){says}.*accuracyCostDict\S* at line \d+")
+        case = self.spaceCase("upright", "slidingBox/box", "s { quantity slip; deltaT (0.02 0.01); }",
+                              quantity=("system/accuracyCostDict", r"type\s+displacement;", "type returnTime;"),
+                              direction=("system/accuracyCostDict", r"direction.*", ""))
+        self.assertRegex(self.run_(case, "-dry-run", status=1).stderr,
+                         r"(?s)returnTime is of blocks that rock in the plane.*accuracyCostDict\S* at line \d+")
 
     def testHousnersEquationOfAnotherCaseIsRefusedWithItsLine(self):
         case = self.case("rebound")

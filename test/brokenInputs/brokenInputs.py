@@ -427,6 +427,7 @@ brokenInputs = [
     inAccuracy("unknownSolver", "theta (0.5 1)", "solver (interiorPoynt)", r"Did you mean interiorPoint\?"),
     inAccuracy("thetaOfAMultiplier", "tolerance (1e-4 1e-8);", "theta (0.5 1);", r"theta is for motions"),
     inAccuracy("pointsOfAMotion", "theta (0.5 1)", "pointsPerJoint (2 5)", r"pointsPerJoint is for multipliers"),
+    inAccuracy("pointsOfSpace", "tolerance (1e-4 1e-8)", "pointsPerSide (2 5)", r"write pointsPerJoint"),
     inAccuracy("alongPointsOfAMotion", "theta (0.5 1)", "along pointsPerJoint", r"deltaT or tolerance"),
     inAccuracy("quantityOfNoBlock", "block 0", "block 999", r"There is no block 999"),
     inAccuracy("HousnerOfAWall", "type finest; deltaT 0.005;", "type Housner;", r"does not give this quantity"),

@@ -24,9 +24,10 @@ Polygon rectangle(double left, double bottom, double width, double height)
 }
 
 /// The block of 0.5 x 2 m, turned about its left corner by half its slenderness, or at rest.
-AccuracyCase rockingCase(double share = 0.5)
+std::shared_ptr<AccuracyCase<2>> rockingCase(double share = 0.5)
 {
-    AccuracyCase study;
+    const auto shared = std::make_shared<AccuracyCase<2>>();
+    AccuracyCase<2>& study = *shared;
     DynamicCase<2> scene;
     Assembly<2> assembly;
     assembly.supports.push_back({"ground", "ground"});
@@ -45,15 +46,16 @@ AccuracyCase rockingCase(double share = 0.5)
                                  rotation};
     study.endTime = 3;
     study.scene = std::move(scene);
-    return study;
+    return shared;
 }
 
 RunSetting settingWith(double deltaT, double theta)
 {
-    return {deltaT, theta, FlowRule::nonAssociative, SolverType::automatic, 1e-11, 0, Displacements::large};
+    return {deltaT, theta, FlowRule::nonAssociative, SolverType::automatic, 1e-11,
+            0,      0,     Displacements::large};
 }
 
-Quantity returnOf(int count, const AccuracyCase& study)
+Quantity returnOf(int count, const std::shared_ptr<const AccuracyCase<2>>& study)
 {
     return quantityTypes()
         .select(Dictionary::readString("type returnTime; block 1; count " + std::to_string(count)
@@ -64,11 +66,10 @@ Quantity returnOf(int count, const AccuracyCase& study)
 /// Error of the first return at a step.
 double errorAt(double deltaT, double theta)
 {
-    const AccuracyCase study = rockingCase();
-    const Quantity quantity = returnOf(1, study);
-    const Measurement run = quantity.measure(study, settingWith(deltaT, theta), {});
+    const Quantity quantity = returnOf(1, rockingCase());
+    const Measurement run = quantity.measure(settingWith(deltaT, theta), {});
     EXPECT_EQ(run.end, RunEnd::done);
-    return std::abs(run.value / quantity.housner(study) - 1);
+    return std::abs(run.value / quantity.housner() - 1);
 }
 
 AccuracyPoint pointWith(RunSetting setting, double error, double cpuTime, int failed = 0)
@@ -96,8 +97,7 @@ const std::string quantities = "quantities { a { type multiplier; reference { ty
 
 TEST(AccuracyCost, TheReferenceIsTheQuarterPeriodOfHousnersEquation)
 {
-    const AccuracyCase study = rockingCase();
-    EXPECT_NEAR(returnOf(1, study).housner(study), 1.975213 / 4, 2e-7);
+    EXPECT_NEAR(returnOf(1, rockingCase()).housner(), 1.975213 / 4, 2e-7);
 }
 
 TEST(AccuracyCost, AgainstHousnersEquationBackwardEulerHasOrderOneAndTheTrapezoidalRuleTwo)
@@ -109,13 +109,12 @@ TEST(AccuracyCost, AgainstHousnersEquationBackwardEulerHasOrderOneAndTheTrapezoi
 
 TEST(AccuracyCost, ImpactsAtOtherPhasesOfAStepGiveOtherErrors)
 {
-    const AccuracyCase study = rockingCase();
-    const Quantity quantity = returnOf(2, study);
-    const double reference = quantity.housner(study);
+    const Quantity quantity = returnOf(2, rockingCase());
+    const double reference = quantity.housner();
     std::vector<Measurement> runs;
     for (int phase = 0; phase < 20; ++phase)
     {
-        runs.push_back(quantity.measure(study, settingWith(0.01, 1), {phase, 20}));
+        runs.push_back(quantity.measure(settingWith(0.01, 1), {phase, 20}));
     }
     const AccuracyPoint point = summarise(settingWith(0.01, 1), runs, reference, 20);
     EXPECT_TRUE(point.isWhole());
@@ -125,9 +124,9 @@ TEST(AccuracyCost, ImpactsAtOtherPhasesOfAStepGiveOtherErrors)
 
 TEST(AccuracyCost, TheFirstStepIsAPartOfOneAndTheLastEndsAtTheEndTime)
 {
-    const AccuracyCase study = rockingCase(0);
+    const auto study = rockingCase(0);
     std::vector<double> times;
-    const Measurement run = stepThrough(*study.scene, study, settingWith(0.4, 1), {1, 4},
+    const Measurement run = stepThrough(*study->scene, *study, settingWith(0.4, 1), {1, 4},
                                         [&](const Motion<2>& motion, double)
                                         {
                                             times.push_back(motion.state.time);
@@ -141,27 +140,27 @@ TEST(AccuracyCost, TheFirstStepIsAPartOfOneAndTheLastEndsAtTheEndTime)
 
 TEST(AccuracyCost, ABlockThatDoesNotComeBackInTimeHasNoFigure)
 {
-    AccuracyCase study = rockingCase();
-    study.endTime = 0.3;
+    const auto study = rockingCase();
+    study->endTime = 0.3;
     const Quantity quantity = returnOf(1, study);
-    const Measurement run = quantity.measure(study, settingWith(0.01, 1), {});
+    const Measurement run = quantity.measure(settingWith(0.01, 1), {});
     EXPECT_EQ(run.end, RunEnd::missing);
     EXPECT_TRUE(std::isnan(run.value));
-    EXPECT_THROW(quantity.housner(study), FatalError);
+    EXPECT_THROW(quantity.housner(), FatalError);
 }
 
 TEST(AccuracyCost, HousnersEquationIsForOneUprightBlockAlone)
 {
-    AccuracyCase study = rockingCase();
-    EXPECT_NEAR(housnerCase(study).block.slenderness(), std::atan(0.25), 1e-15);
-    study.scene->contact.restitution = Restitution{0.5};
-    EXPECT_THROW(housnerCase(study), FatalError);
+    auto study = rockingCase();
+    EXPECT_NEAR(housnerCase(*study).block.slenderness(), std::atan(0.25), 1e-15);
+    study->scene->contact.restitution = Restitution{0.5};
+    EXPECT_THROW(housnerCase(*study), FatalError);
     study = rockingCase();
-    study.scene->assembly.blocks[1].outline = {{-0.25, 0}, {0.25, 0}, {0.1, 2}, {-0.1, 2}};
-    EXPECT_THROW(housnerCase(study), FatalError);
+    study->scene->assembly.blocks[1].outline = {{-0.25, 0}, {0.25, 0}, {0.1, 2}, {-0.1, 2}};
+    EXPECT_THROW(housnerCase(*study), FatalError);
     study = rockingCase();
-    study.scene->assembly.blocks.push_back({rectangle(2, 0, 0.5, 2), 1, -1});
-    EXPECT_THROW(housnerCase(study), FatalError);
+    study->scene->assembly.blocks.push_back({rectangle(2, 0, 0.5, 2), 1, -1});
+    EXPECT_THROW(housnerCase(*study), FatalError);
 }
 
 TEST(AccuracyCost, AFailedRunMakesThePointNoAnswer)
@@ -318,6 +317,26 @@ TEST(AccuracyCost, ASweepHasAllCombinationsAndTheCasesOwnWhereItGivesNone)
     EXPECT_EQ(sweep.phases, 20);
 }
 
+TEST(AccuracyCost, ASweepOverPointsASideGoesFromFewToMany)
+{
+    const AccuracySettings settings =
+        read(quantities + "sweeps { s { quantity a; pointsPerSide (9 2 5); } }");
+    SweepResult sweep;
+    sweep.axis = axisOf(settings.sweeps.at(0).second, QuantityKind::limitAnalysis);
+    EXPECT_EQ(sweep.axis, SweepAxis::pointsPerSide);
+    for (const RunSetting& setting : settingsOf(settings.sweeps[0].second, {}))
+    {
+        EXPECT_EQ(jointPointsOf<3>(setting), setting.pointsPerSide);
+        EXPECT_EQ(jointPointsOf<2>(setting), 0);
+        sweep.points.push_back(pointWith(setting, 0.1, 1));
+    }
+    const auto curves = curvesOf(sweep);
+    ASSERT_EQ(curves.size(), 1u);
+    ASSERT_EQ(curves[0].size(), 3u);
+    EXPECT_EQ(curves[0][0].setting.pointsPerSide, 2);
+    EXPECT_EQ(curves[0][2].setting.pointsPerSide, 9);
+}
+
 TEST(AccuracyCost, CurvesHoldWhatDiffersAlongTheAxisAloneFromCoarseToFine)
 {
     SweepResult sweep;
@@ -349,8 +368,17 @@ TEST(AccuracyCost, PairsDifferInOneThingAlone)
     EXPECT_EQ(pairs[0].first, &points[0]);
     EXPECT_EQ(pairs[0].second, &points[2]);
     EXPECT_TRUE(displacementPairs(points).empty());
-    EXPECT_TRUE(pointsPerJointPairs(points).empty());
+    EXPECT_TRUE(jointPointsPairs(points).empty());
     EXPECT_TRUE(formulationPairs(points).empty());
+    RunSetting coarse = associative;
+    coarse.pointsPerSide = 2;
+    RunSetting fine = coarse;
+    fine.pointsPerSide = 9;
+    const std::vector<AccuracyPoint> grids{pointWith(fine, 0.1, 1), pointWith(coarse, 0.1, 1)};
+    const std::vector<PointPair> sides = jointPointsPairs(grids);
+    ASSERT_EQ(sides.size(), 1u);
+    EXPECT_EQ(sides[0].first, &grids[1]);
+    EXPECT_EQ(sides[0].second, &grids[0]);
     RunSetting surface = other;
     surface.formulation = ContactFormulation::surface;
     const std::vector<AccuracyPoint> both{pointWith(surface, 0.1, 1), pointWith(other, 0.1, 1)};

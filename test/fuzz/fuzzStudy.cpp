@@ -39,7 +39,7 @@ void readIncremental(const std::filesystem::path& caseDirectory)
 
 void readAccuracy(const std::filesystem::path& caseDirectory)
 {
-    readAccuracyStudy(caseDirectory);
+    readAccuracyStudy<2>(caseDirectory);
 }
 
 void readSearch(const std::filesystem::path& caseDirectory)

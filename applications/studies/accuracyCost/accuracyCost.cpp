@@ -1,6 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// accuracyCost: the CPU time of accuracy: errors of figures against a reference and the CPU time they take,
 /// over steps, schemes, flow rules, solvers, tolerances and contact points.
+#include "assembly/AssemblyFile.h"
 #include "core/Error.h"
 #include "core/Log.h"
 #include "core/Signals.h"
@@ -19,7 +20,9 @@ int run(const CommandLine& commandLine)
         throw FatalError("accuracyCost writes its tables when it runs: omit -postProcess. Called again, "
                          "it writes them again from the known runs.");
     }
-    const AccuracyStudy study = readAccuracyStudy(commandLine.caseDirectory);
+    const std::filesystem::path& directory = commandLine.caseDirectory;
+    const AccuracyStudy study = assemblyDimensions(directory) == 3 ? readAccuracyStudy<3>(directory)
+                                                                   : readAccuracyStudy<2>(directory);
     printAccuracyStudy(study);
     AccuracyRuns runs(study);
     if (commandLine.dryRun)
