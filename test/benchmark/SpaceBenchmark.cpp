@@ -205,7 +205,7 @@ std::vector<Peer> contestants()
              answer.seconds = cpuSeconds() - start;
              return answer;
          }}};
-    for (const std::optional<Peer>& peer : {cvxopt(), ecos()})
+    for (const std::optional<Peer>& peer : {cvxopt(), ecos(), qoco()})
     {
         if (peer)
         {

@@ -48,6 +48,8 @@ std::optional<Peer> cvxopt();
 /// ECOS on limit analysis, as a package of R (Debian's r-cran-ecosolver), through files; for benchmarks, not
 /// among installedPeers.
 std::optional<Peer> ecos();
+/// QOCO on limit analysis, through its library, which nobody has unless he built it; likewise for benchmarks.
+std::optional<Peer> qoco();
 /// Siconos' block Gauss-Seidel on steps with Coulomb's law, plane and space.
 std::optional<Peer> siconosGaussSeidel();
 /// Siconos' method of Lemke on plane steps with Coulomb's law.
