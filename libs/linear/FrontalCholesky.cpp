@@ -1,27 +1,12 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "linear/FrontalCholesky.h"
 
+#include "linear/DenseKernel.h"
 #include "linear/PivotBlock.h"
-
-#include <dlfcn.h>
 
 #include <algorithm>
 #include <array>
-
-/// BLAS by its Fortran names: those of CBLAS are also in libraries that are not made for speed, such as
-/// GSL's.
-extern "C"
-{
-    /// C = factor A B' + keep C. All are stored by columns; each number of rows, columns and depth, and each
-    /// matrix's distance between columns, is passed by its address.
-    void dgemm_(const char* transposeA, const char* transposeB, const int* rows, const int* columns,
-                const int* depth, const double* factor, const double* a, const int* aStride, const double* b,
-                const int* bStride, const double* keep, double* c, const int* cStride);
-    /// The lower triangle of C = factor A A' + keep C.
-    void dsyrk_(const char* triangle, const char* transpose, const int* rows, const int* depth,
-                const double* factor, const double* a, const int* aStride, const double* keep, double* c,
-                const int* cStride);
-}
+#include <cstdint>
 
 namespace drystone
 {
@@ -41,10 +26,13 @@ struct Amalgamation
 };
 constexpr std::array<Amalgamation, 4> amalgamations{{{8, 1}, {24, 0.8}, {64, 0.2}, {1 << 30, 0.1}}};
 
-/// Columns eliminated together by the kernel below. In wider fronts BLAS does what is between such panels:
-/// from this width on its packing pays (walls of 80 units: 13.8 ms with 48, 14.5 with 24 or 96, 16.6 with
-/// BLAS alone).
+/// Columns eliminated together by the kernel below. In wider fronts the dense kernel does what is between
+/// such panels.
 constexpr int panelWidth = 48;
+
+/// Columns of a front from which on the packing of the dense kernel pays for its U. Measured on walls of 40
+/// and 160 units: 1.27 and 52.6 ms with 12, 1.36 and 56 with 24, 1.5 and 60 with 48.
+constexpr int denseFrom = 12;
 
 /// The kernel works on three columns at once, of one body or half a body of six rows, and on registers of
 /// four rows.
@@ -64,22 +52,6 @@ constexpr std::size_t roundedUpTo = 10'000'000;
 
 /// Tiles may reach so far beyond the end of a matrix, where they find and leave numbers without meaning.
 constexpr std::size_t overhang = 2 * lanes;
-
-/// BLAS works on the thread it is called from: runs in parallel are the callers' affair, results do not
-/// depend on the number of threads, and the fronts are too small to gain by it. It is asked by name, since
-/// another library than OpenBLAS may have been linked.
-void useOneThread()
-{
-    static const bool done = []
-    {
-        if (void* threads = dlsym(RTLD_DEFAULT, "openblas_set_num_threads"))
-        {
-            reinterpret_cast<void (*)(int)>(threads)(1);
-        }
-        return true;
-    }();
-    static_cast<void>(done);
-}
 
 enum class Target
 {
@@ -370,7 +342,6 @@ template<int Rows>
 FrontalCholesky<Rows>::FrontalCholesky(const BlockPattern& matrix, const BlockPattern& factor)
 {
     static_assert(Rows % columnsAtOnce == 0);
-    useOneThread();
     std::vector<int> frontOf(matrix.columns());
     std::size_t size = 0;
     for (const Supernode& supernode : supernodes(factor, Rows))
@@ -519,8 +490,21 @@ void FrontalCholesky<Rows>::addUpdates(const Front& front, Into into)
     }
 }
 
+template<int Rows>
+void FrontalCholesky<Rows>::updateDensely(const DenseUpdate& task)
+{
+    constexpr std::size_t alignment = 64 / sizeof(double);
+    if (packed_.empty())
+    {
+        packed_.resize(denseKernelWork + alignment);
+    }
+    const auto address = reinterpret_cast<std::uintptr_t>(packed_.data()) / sizeof(double);
+    denseKernel().update(task, packed_.data() + (alignment - address % alignment) % alignment);
+}
+
 /// L11 and L21 from the columns of the front, panel by panel: the columns of a panel are freed of those
-/// before it by BLAS, then three at a time by the kernel. Diagonal blocks of three rows are kept inverted.
+/// before it by the dense kernel, then three at a time by the kernel. Diagonal blocks of three rows are kept
+/// inverted.
 template<int Rows>
 bool FrontalCholesky<Rows>::eliminateColumns(const Front& front)
 {
@@ -533,13 +517,15 @@ bool FrontalCholesky<Rows>::eliminateColumns(const Front& front)
         double* corner = columns + panel * Index{height} + panel;
         if (panel > 0)
         {
-            const int rows = height - panel;
-            const int own = end - panel;
             const double* before = columns + panel;
-            const double subtract = -1;
-            const double keep = 1;
-            dgemm_("N", "T", &rows, &own, &panel, &subtract, before, &height, before, &height, &keep, corner,
-                   &height);
+            updateDensely({.target = DenseUpdate::Target::subtract,
+                           .rows = height - panel,
+                           .columns = end - panel,
+                           .depth = panel,
+                           .a = before,
+                           .aStride = height,
+                           .c = corner,
+                           .cStride = height});
         }
         for (int column = panel; column < end; column += columnsAtOnce)
         {
@@ -589,12 +575,16 @@ void FrontalCholesky<Rows>::updateBelow(const Front& front)
     const int stride = front.updateStride();
     const double* rows = factor_.data() + front.columns + front.width();
     double* update = updates_.data() + front.update;
-    if (front.width() > panelWidth)
+    if (front.width() > denseFrom)
     {
-        const int width = front.width();
-        const double subtract = -1;
-        const double keep = 0;
-        dsyrk_("L", "N", &below, &width, &subtract, rows, &height, &keep, update, &stride);
+        updateDensely({.target = DenseUpdate::Target::set,
+                       .rows = below,
+                       .columns = below,
+                       .depth = front.width(),
+                       .a = rows,
+                       .aStride = height,
+                       .c = update,
+                       .cStride = stride});
         return;
     }
     for (int column = 0; column < below; column += columnsAtOnce)

@@ -12,6 +12,8 @@
 namespace drystone
 {
 
+struct DenseUpdate;
+
 /// S = L L' by fronts (Duff & Reid 1983). Columns of L with nearly the same rows form a front, a dense matrix
 ///
 ///     [ L11     ]   columns of the front
@@ -80,6 +82,7 @@ private:
     void addUpdates(const Front& front, Into into);
     bool eliminateColumns(const Front& front);
     void updateBelow(const Front& front);
+    void updateDensely(const DenseUpdate& task);
     template<int Sides, class Scalar>
     void solveFor(const std::array<double*, Sides>& x, const Scalar* factor);
 
@@ -90,8 +93,9 @@ private:
     std::vector<double> factor_;
     std::vector<float> rounded_; ///< L in single precision, once it was needed
     std::vector<double> updates_;
-    std::vector<Run> runs_;    ///< work of `addUpdates`
-    std::vector<double> work_; ///< of solves: one front's part of each right side
+    std::vector<Run> runs_;      ///< work of `addUpdates`
+    std::vector<double> work_;   ///< of solves: one front's part of each right side
+    std::vector<double> packed_; ///< work of the dense kernel, once it was needed
     int highest_ = 0;
 };
 
