@@ -4,6 +4,7 @@ set(leftOutWithSanitizers
     # compare times with those of an optimised build
     dictionary.Dictionary.AMillionNumbersAreReadInASecond
     io.VtkSeries.AFrameOf146BlocksAnd702ContactsTakesNoLongerThanAStepOrTwo
+    roundTrips.manyBlocks
 )
 
 list(JOIN leftOutWithSanitizers " " leftOutWithSanitizers)

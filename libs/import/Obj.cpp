@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <unordered_map>
 
 namespace drystone
@@ -156,10 +157,34 @@ private:
     {
         if (!current.faces.empty())
         {
+            orderAsInFile();
             solids.solids.push_back(std::move(current));
         }
         current = {};
         own.clear();
+    }
+
+    /// Vertices in the order of the file instead of that in which faces name them: what is written from
+    /// blocks gives these blocks again, to the last index.
+    void orderAsInFile()
+    {
+        std::vector<std::pair<int, int>> places(own.begin(), own.end());
+        std::sort(places.begin(), places.end());
+        std::vector<Vector<3>> ordered;
+        std::vector<int> newIndex(places.size());
+        for (const auto& [inFile, inSolid] : places)
+        {
+            newIndex[static_cast<std::size_t>(inSolid)] = static_cast<int>(ordered.size());
+            ordered.push_back(current.vertices[static_cast<std::size_t>(inSolid)]);
+        }
+        current.vertices = std::move(ordered);
+        for (std::vector<int>& face : current.faces)
+        {
+            for (int& vertex : face)
+            {
+                vertex = newIndex[static_cast<std::size_t>(vertex)];
+            }
+        }
     }
 
     const ImportedFile& file;

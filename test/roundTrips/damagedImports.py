@@ -8,6 +8,7 @@ import concurrent.futures
 import os
 import pathlib
 import random
+import re
 import subprocess
 import sys
 import tempfile
@@ -25,7 +26,7 @@ def samples():
     """(format, bytes) of each sample file: the corpus of fuzzing, and the files of tutorials where they are small."""
     for format_ in [*plane, *solid]:
         for file in sorted((root / "test/fuzz" / format_).iterdir()):
-            if not file.name[:10].isalnum() or len(file.name) != 10:  # those with a number for a name come from fuzzing
+            if not re.fullmatch("[0-9a-f]{10,}", file.name):  # those with a number for a name come from fuzzing
                 yield f"{format_}/{file.name}", format_, file.read_bytes()
     ending = {".obj": "obj", ".json": "compasJson", ".dxf": "dxf", ".svg": "svg", ".png": "png"}
     for file in sorted((root / "tutorials").glob("**/constant/triSurface/*")) + sorted(

@@ -120,8 +120,8 @@ def main():
                 failures += 1
                 print(f"{name}: {fault}")
             hasManyThicknesses = re.search(r"^thickness\s+\d+\n\(", text, re.M)
-            formats = [("dxf", [], 1e-9)] if dimensions == 2 else [("obj", [], 1e-9), ("compasJson", [], 1e-9),
-                                                                   ("obj", ["-decimals", "4"], 1e-4)]
+            formats = ([("dxf", [], 1e-9), ("dxf", ["-decimals", "4"], 1e-4)] if dimensions == 2 else
+                       [("obj", [], 1e-9), ("compasJson", [], 1e-9), ("obj", ["-decimals", "4"], 1e-4)])
             if dimensions == 3 and "supports\n{\n}" not in text and len(supportNames(case)) > 1:
                 formats = [one for one in formats if one[0] != "compasJson"]  # which knows supports, but not their names
             for format_, options, gate in formats:
