@@ -24,10 +24,12 @@
 #include "io/Plot.h"
 #include "quantities/LimitAnalysisFigures.h"
 #include "runControl/CaseFiles.h"
+#include "statics/JointDissipation.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace drystone
@@ -261,6 +263,31 @@ void printCoulombRange(const CoulombRange& range, const LimitAnalysis& result)
     }
 }
 
+/// In space, where joints have strengths: by how much their points are on the unsafe side.
+void printWholeJoints(const LimitAnalysisCase<2>&, const LimitAnalysis&) {}
+void printWholeJoints(const LimitAnalysisCase<3>& structure, const LimitAnalysis& result)
+{
+    constexpr double worthSaying = 1e-5;
+    if (structure.movement || result.coulomb)
+    {
+        return;
+    }
+    Eigen::VectorXd live = structure.loads.live;
+    for (const auto& [name, loads] : structure.combinations)
+    {
+        live = name == result.combination ? loads.live : live;
+    }
+    const double less = dissipatedLess(structure.program, structure.patches, live, result.mechanism);
+    if (less > worthSaying * std::abs(result.alpha))
+    {
+        info("Over the whole faces of its joints this mechanism has alpha <= {:.6g}, {:.2g}% less: strengths "
+             "act "
+             "at contact points. With a finer grid of jointPoints both come nearer to the exact multiplier.",
+             result.alpha - std::copysign(less, live.dot(result.mechanism)),
+             100 * less / std::abs(result.alpha));
+    }
+}
+
 /// The suffix of the file names of each answer: the combination, and `Negative` for the negative end.
 std::vector<std::string> suffixes(const std::vector<LimitAnalysis>& results)
 {
@@ -293,6 +320,7 @@ void printLimitAnalysis(const LimitAnalysisCase<Dim>& structure, const std::vect
                      structure.assembly.supports[structure.movement->support].name, result.alpha);
             }
             info("Collapse load multiplier alpha = {:.9g}", result.alpha);
+            printWholeJoints(structure, result);
             for (const std::string& sentence : loadMeaning(structure, result))
             {
                 printLine(sentence);

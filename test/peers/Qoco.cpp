@@ -9,6 +9,8 @@
 
 #include <Eigen/SparseCore>
 
+#include <cstdlib>
+
 namespace drystone
 {
 namespace
@@ -57,10 +59,11 @@ std::optional<PeerAnswer> solve(const ConeProgram<Rows, Forces>& program, double
     settings.reltol = tolerance;
 
     PeerAnswer answer;
-    QOCOSolver solver{};
+    // Its cleanup frees the solver, too.
+    auto* solver = static_cast<QOCOSolver*>(std::calloc(1, sizeof(QOCOSolver)));
     const double start = cpuSeconds();
     const bool isSetUp =
-        qoco_setup(&solver, form->unknowns, static_cast<int>(form->bounds.size()), form->equations, nullptr,
+        qoco_setup(solver, form->unknowns, static_cast<int>(form->bounds.size()), form->equations, nullptr,
                    form->cost.data(), &equalityView, form->load.data(), &limitsView, form->bounds.data(),
                    form->rays, form->cones, sizes.data(), &settings)
         == QOCO_NO_ERROR;
@@ -68,13 +71,13 @@ std::optional<PeerAnswer> solve(const ConeProgram<Rows, Forces>& program, double
     {
         return {};
     }
-    qoco_solve(&solver);
+    qoco_solve(solver);
     answer.seconds = cpuSeconds() - start;
-    const QOCOSolution& found = *solver.sol;
+    const QOCOSolution& found = *solver->sol;
     answer.solution =
         solutionOf(program, *form, {found.x, found.x + form->unknowns}, {found.y, found.y + form->equations});
     answer.solution.iterations = found.iters;
-    qoco_cleanup(&solver);
+    qoco_cleanup(solver);
     return answer;
 }
 

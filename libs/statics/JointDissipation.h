@@ -1,0 +1,33 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// What joints with strengths dissipate over their whole faces, not at their contact points alone.
+#pragma once
+
+#include "contact/space/PatchCells.h"
+#include "statics/StaticProgram.h"
+
+#include <vector>
+
+namespace drystone
+{
+
+/// By how much less the joints dissipate over their faces than at their points, with the live load doing unit
+/// work: the multiplier of limit analysis minus this is still an upper bound of that of the joints, and never
+/// above the first.
+///
+/// Forces at points carry at least what the stress over their cells does (vertexAreas), so that the
+/// multiplier of points is an upper bound. A mechanism gives another one, its dissipation over the work of
+/// the live load (Koiter's kinematic theorem). With closing rates c = A' y, linear over a joint since blocks
+/// are rigid, a stress n in [-T, N], |t| <= C + mu n dissipates per area at most
+///
+///     d(c) = C |c_t| + N max(0, w) + T max(0, -w),   w = c_n + mu |c_t|,
+///
+/// which is convex in c: its integral over a cell is never above the sum over the vertices times their areas.
+/// The two differ where d bends within a cell: where a joint is twisted, and at the ends of zones that crush.
+/// It is integrated over triangles that are divided until this changes no more, each time from above.
+/// \param patches with the points of the program, joint after joint, and `strength` of each
+/// \param liveLoad that does work on the mechanism \param mechanism (ux uy uz rx ry rz) of each free block,
+/// of any size
+double dissipatedLess(const SpaceConeProgram& program, const std::vector<PatchCells>& patches,
+                      const Eigen::VectorXd& liveLoad, const Eigen::VectorXd& mechanism);
+
+} // namespace drystone

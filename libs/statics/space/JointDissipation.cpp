@@ -1,0 +1,157 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Integration of the dissipation over the cells of patches.
+#include "statics/JointDissipation.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace drystone
+{
+namespace
+{
+
+constexpr int mostDivisions = 8;
+
+/// Of a joint per area [Pa].
+struct StressLimits
+{
+    double mu = 0;
+    Strength strength;
+};
+
+/// d(c).
+double rateOf(const StressLimits& limits, const Vector<3>& closing)
+{
+    const double slip = closing.tail<2>().norm();
+    const double squeezed = closing[0] + limits.mu * slip;
+    double rate = limits.strength.cohesion * slip + limits.strength.tension * std::max(0.0, -squeezed);
+    if (squeezed > 0 && limits.strength.isBounded()) // otherwise it is rounding
+    {
+        rate += limits.strength.crushing * squeezed;
+    }
+    return rate;
+}
+
+/// Of a triangle by which its sum over the corners exceeds the integral. \param rates at the corners
+/// \param enough differences that do not matter
+double excessOver(const StressLimits& limits, double area, const std::array<Vector<3>, 3>& closing,
+                  const std::array<double, 3>& rates, double enough, int divisions)
+{
+    std::array<Vector<3>, 3> middle; // opposite to each corner
+    std::array<double, 3> middleRates{};
+    double less = 0;
+    for (int i = 0; i < 3; ++i)
+    {
+        const int j = (i + 1) % 3;
+        const int k = (i + 2) % 3;
+        middle[i] = (closing[j] + closing[k]) / 2;
+        middleRates[i] = rateOf(limits, middle[i]);
+        // A corner is one of a part, of a third of a quarter of the area; a middle one of three.
+        less += area / 4 * ((rates[j] + rates[k]) / 2 - middleRates[i]);
+    }
+    if (less <= enough || divisions == 0)
+    {
+        return less;
+    }
+    double excess = less;
+    for (int i = 0; i < 3; ++i)
+    {
+        const int j = (i + 1) % 3;
+        const int k = (i + 2) % 3;
+        excess += excessOver(limits, area / 4, {closing[i], middle[k], middle[j]},
+                             {rates[i], middleRates[k], middleRates[j]}, enough / 4, divisions - 1);
+    }
+    return excess + excessOver(limits, area / 4, middle, middleRates, enough / 4, divisions - 1);
+}
+
+} // namespace
+
+double dissipatedLess(const SpaceConeProgram& program, const std::vector<PatchCells>& patches,
+                      const Eigen::VectorXd& liveLoad, const Eigen::VectorXd& mechanism)
+{
+    const double work = std::abs(liveLoad.dot(mechanism));
+    if (!(work > 0) || !program.hasStrength())
+    {
+        return 0;
+    }
+    const Eigen::VectorXd closing = applyTransposed(program, mechanism) / work;
+    double dissipated = 0; // at the points, by which small differences are judged
+    std::vector<StressLimits> ofPoint;
+    std::vector<double> rates;
+    std::size_t first = 0;
+    for (const PatchCells& patch : patches)
+    {
+        const std::vector<double> areas = vertexAreas(patch);
+        for (std::size_t vertex = 0; vertex < areas.size(); ++vertex)
+        {
+            const std::size_t point = first + vertex;
+            const double area = areas[vertex];
+            const Strength& whole = program.strength[point];
+            StressLimits limits{program.friction[point], whole};
+            limits.strength.cohesion = area > 0 ? whole.cohesion / area : 0;
+            limits.strength.tension = area > 0 ? whole.tension / area : 0;
+            limits.strength.crushing =
+                area > 0 ? whole.crushing / area : std::numeric_limits<double>::infinity();
+            rates.push_back(rateOf(limits, closing.segment<3>(3 * static_cast<Eigen::Index>(point))));
+            dissipated += area * rates.back();
+            ofPoint.push_back(limits);
+        }
+        first += areas.size();
+    }
+    const double enough = 1e-5 * dissipated / static_cast<double>(std::max<std::size_t>(1, first));
+
+    double less = 0;
+    first = 0;
+    for (const PatchCells& patch : patches)
+    {
+        const auto closingAt = [&](int vertex) -> Vector<3>
+        { return closing.segment<3>(3 * (static_cast<Eigen::Index>(first) + vertex)); };
+        const auto rateAt = [&](int vertex) { return rates[first + static_cast<std::size_t>(vertex)]; };
+        for (const std::vector<int>& cell : patch.cells)
+        {
+            // As in vertexAreas: triangles about the centroid, whose function is shared out to the corners.
+            Polygon outline;
+            for (const int vertex : cell)
+            {
+                outline.push_back(patch.vertices[static_cast<std::size_t>(vertex)]);
+            }
+            const Vector<2> centroid = areaProperties(outline).centroid;
+            const std::size_t corners = cell.size();
+            std::vector<double> parts(corners); // area of the triangle from each corner to the next
+            double area = 0;
+            for (std::size_t i = 0; i < corners; ++i)
+            {
+                parts[i] = std::abs(cross(outline[i] - centroid, outline[(i + 1) % corners] - centroid)) / 2;
+                area += parts[i];
+            }
+            if (!(area > 0))
+            {
+                continue;
+            }
+            Vector<3> atCentroid = Vector<3>::Zero();
+            double sharedRate = 0;
+            for (std::size_t i = 0; i < corners; ++i)
+            {
+                const double share = (parts[i] + parts[(i + corners - 1) % corners]) / (2 * area);
+                atCentroid += share * closingAt(cell[i]);
+                sharedRate += share * rateAt(cell[i]);
+            }
+            const StressLimits& limits = ofPoint[first + static_cast<std::size_t>(cell[0])];
+            const double rate = rateOf(limits, atCentroid);
+            less += area / 3 * (sharedRate - rate);
+            for (std::size_t i = 0; i < corners; ++i)
+            {
+                const int from = cell[i];
+                const int to = cell[(i + 1) % corners];
+                less += excessOver(limits, parts[i], {closingAt(from), closingAt(to), atCentroid},
+                                   {rateAt(from), rateAt(to), rate}, enough, mostDivisions);
+            }
+        }
+        first += patch.vertices.size();
+    }
+    return less;
+}
+
+} // namespace drystone

@@ -1,0 +1,108 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+// What joints dissipate over their faces, beside what they do at their points: the kinematic bound of the
+// mechanism that the points have.
+#include "statics/JointDissipation.h"
+#include "SpaceStructures.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace drystone
+{
+namespace
+{
+
+using test::Chance;
+using test::onGround;
+using test::pushed;
+
+/// Per area.
+struct Stresses
+{
+    double cohesion = 0;
+    double tension = 0;
+    double crushing = std::numeric_limits<double>::infinity();
+};
+
+struct Bounds
+{
+    double ofPoints = 0;
+    double ofFaces = 0;
+};
+
+/// \param perSide points of a grid
+Bounds boundsOf(const Assembly<3>& assembly, double mu, const LoadVectors& loads, const Stresses& stresses,
+                int perSide)
+{
+    std::vector<PatchCells> patches = patchCells(findContactPoints(assembly));
+    for (PatchCells& patch : patches)
+    {
+        cutIntoGrid(patch, perSide);
+    }
+    SpaceConeProgram program = test::programOf(assembly, pointsOf(patches), mu, loads);
+    for (const double area : areasOf(patches))
+    {
+        program.strength.push_back(
+            {stresses.cohesion * area, stresses.tension * area, stresses.crushing * area});
+    }
+    const LimitAnalysis result = solveLimitAnalysis(program);
+    EXPECT_EQ(result.status, CollapseStatus::optimal);
+    return {result.alpha, result.alpha - dissipatedLess(program, patches, loads.live, result.mechanism)};
+}
+
+// However few points there are, they find that the box turns about its axis, and that takes c times the
+// integral of r over the square of the side 2 a, c (2 a)3 (sqrt 2 + log(1 + sqrt 2))/6.
+TEST(JointDissipation, OfABoxThatIsTwistedGivesTheTorsionOfItsWholeJoint)
+{
+    const double a = 0.5;
+    const Assembly<3> assembly = onGround({makeBox({-a, -a, 0}, {a, a, 0.1})});
+    LoadVectors loads = pushed(assembly, {1, 0, 0});
+    loads.live.setZero();
+    loads.live[5] = 1;
+    const double expected = std::pow(2 * a, 3) * (std::sqrt(2.0) + std::log(1 + std::sqrt(2.0))) / 6;
+    for (const int perSide : {2, 3, 6, 9})
+    {
+        const Bounds bounds = boundsOf(assembly, 0, loads, {1, 0}, perSide);
+        EXPECT_GT(bounds.ofPoints, 1.01 * expected) << perSide;
+        EXPECT_NEAR(bounds.ofFaces, expected, 2e-5 * expected) << perSide;
+        EXPECT_GE(bounds.ofFaces, expected * (1 - 1e-9)) << perSide;
+    }
+}
+
+TEST(JointDissipation, OfFrictionAloneIsThatOfThePoints)
+{
+    const Assembly<3> assembly =
+        onGround({makeBox({0, 0, 0}, {0.6, 0.4, 0.1}), makeBox({0.1, 0, 0.1}, {0.5, 0.4, 0.3})});
+    const Bounds bounds = boundsOf(assembly, 0.5, pushed(assembly, {0.6, 0.8, 0}), {0, 0, 1e9}, 2);
+    EXPECT_NEAR(bounds.ofFaces, bounds.ofPoints, 1e-6 * bounds.ofPoints);
+}
+
+// A finer grid is an upper bound of its own, which comes near the exact multiplier.
+TEST(JointDissipation, BoundsWhatFinerGridsFindFromAbove)
+{
+    double left = 0; // of the errors of the points
+    double all = 0;
+    for (int i = 0; i < 20; ++i)
+    {
+        Chance chance(i);
+        const double height = chance(0.3, 1);
+        const Assembly<3> assembly = onGround({makeBox({0, 0, 0}, {chance(0.3, 1), chance(0.3, 1), height})});
+        LoadVectors loads = pushed(assembly, {chance(-1, 1), chance(-1, 1), 0});
+        loads.live[5] += chance(-0.5, 0.5) * loads.live.norm(); // off its centre
+        const double mu = chance(0.2, 0.8);
+        const double pressure = height * chance(0, 1);
+        const Stresses stresses{mu * pressure + height * chance(0, 1), pressure, height * chance(2, 20)};
+        const Bounds coarse = boundsOf(assembly, mu, loads, stresses, 3);
+        const Bounds fine = boundsOf(assembly, mu, loads, stresses, 17);
+        EXPECT_LE(coarse.ofFaces, coarse.ofPoints) << i;
+        EXPECT_LE(fine.ofFaces, fine.ofPoints) << i;
+        EXPECT_GE(coarse.ofFaces, fine.ofFaces * (1 - 2e-3)) << i;
+        left += (coarse.ofFaces - fine.ofFaces) / fine.ofFaces;
+        all += (coarse.ofPoints - fine.ofFaces) / fine.ofFaces;
+    }
+    EXPECT_LT(left, 0.8 * all);
+}
+
+} // namespace
+} // namespace drystone
