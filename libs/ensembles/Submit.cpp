@@ -97,8 +97,7 @@ std::string slurmScript(const fs::path& program, const fs::path& caseDirectory, 
     const std::string command =
         fmt::format("{} -case {} -parallel", quoted(program.string()), quoted(caseDirectory.string()));
     return heading(caseDirectory, wordsOf(options), "ensemble", "log.ensemble.%A_%a")
-           + fmt::format("export OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1\n"
-                         "if [ \"${{SLURM_NTASKS:-1}}\" -gt 1 ]\n"
+           + fmt::format("if [ \"${{SLURM_NTASKS:-1}}\" -gt 1 ]\n"
                          "then\n"
                          "    exec srun --cpus-per-task=\"${{SLURM_CPUS_PER_TASK:-1}}\" {0}\n"
                          "fi\n"

@@ -1,11 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "linear/SchurSystem.h"
 
-#include <cholmod.h>
-
-#include <algorithm>
-#include <numeric>
-
 namespace drystone
 {
 namespace
@@ -26,77 +21,7 @@ namespace
 /// A solution takes six to ten solves with each factor.
 constexpr double frontalOperations = 5e5;
 
-/// Bodies from which the order is by nested dissection instead of minimum degree. Measured likewise: 3.7
-/// against 4.3 ms at 1,620 blocks and 37 against 39 ms at 6,440 are within the noise of F, the whole solution
-/// at 6,440 takes 3.3 s with minimum degree and 2.9 s with dissection.
-constexpr int dissectionBodies = 3000;
-
-/// A CHOLMOD workspace that cleans up after itself.
-struct Workspace
-{
-    cholmod_common common;
-    Workspace()
-    {
-        cholmod_start(&common);
-        common.print = 0; // a matrix that is not positive definite is an answer here, not a message
-        common.error_handler = nullptr;
-    }
-    ~Workspace() { cholmod_finish(&common); }
-    Workspace(const Workspace&) = delete;
-    Workspace& operator=(const Workspace&) = delete;
-};
-
 } // namespace
-
-std::vector<int> eliminationOrder(int bodies, const std::vector<Coupling>& couplings)
-{
-    std::vector<int> order(bodies);
-    std::iota(order.begin(), order.end(), 0);
-    if (bodies < 2)
-    {
-        return order;
-    }
-    Workspace workspace;
-    cholmod_common& common = workspace.common;
-    // Upper triangle of the graph of bodies, one entry a pair.
-    std::vector<Coupling> pairs;
-    pairs.reserve(couplings.size() + bodies);
-    for (const Coupling& pair : couplings)
-    {
-        pairs.push_back({std::max(pair[0], pair[1]), std::min(pair[0], pair[1])});
-    }
-    for (int body = 0; body < bodies; ++body)
-    {
-        pairs.push_back({body, body});
-    }
-    std::sort(pairs.begin(), pairs.end());
-    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-    cholmod_sparse* graph =
-        cholmod_allocate_sparse(bodies, bodies, pairs.size(), 1, 1, 1, CHOLMOD_PATTERN, &common);
-    auto* start = static_cast<int*>(graph->p);
-    auto* row = static_cast<int*>(graph->i);
-    std::fill(start, start + bodies + 1, 0);
-    for (std::size_t entry = 0; entry < pairs.size(); ++entry)
-    {
-        row[entry] = pairs[entry][1];
-        ++start[pairs[entry][0] + 1];
-    }
-    std::partial_sum(start, start + bodies + 1, start);
-
-    common.nmethods = 1;
-    common.method[0].ordering = bodies < dissectionBodies ? CHOLMOD_AMD : CHOLMOD_METIS;
-    common.postorder = 1;
-    common.supernodal = CHOLMOD_SIMPLICIAL;
-    cholmod_factor* factor = cholmod_analyze(graph, &common);
-    if (factor)
-    {
-        const auto* permutation = static_cast<const int*>(factor->Perm);
-        std::copy(permutation, permutation + bodies, order.begin());
-    }
-    cholmod_free_factor(&factor, &common);
-    cholmod_free_sparse(&graph, &common);
-    return order;
-}
 
 template<int Rows, class Scalar>
 SchurSystem<Rows, Scalar>::SchurSystem(int bodies, const std::vector<Coupling>& couplings)

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "linear/BlockCholesky.h"
+#include "linear/EliminationOrder.h"
 #include "linear/FrontalCholesky.h"
 
 #include <Eigen/Core>
@@ -13,10 +14,6 @@
 
 namespace drystone
 {
-
-/// An order in which to eliminate the bodies so that the factor stays sparse: minimum degree, or nested
-/// dissection for large systems. \return order[position] = body
-std::vector<int> eliminationOrder(int bodies, const std::vector<Coupling>& couplings);
 
 /// A block-sparse symmetric matrix and its Cholesky factor. The pattern is analysed once, in the constructor;
 /// then any number of times: setZero, add, factorise, solve. Bodies are expected in elimination order:

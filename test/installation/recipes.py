@@ -14,7 +14,7 @@ root = os.path.abspath(sys.argv.pop(1))
 libraries = {
     "libeigen3-dev": ("eigen", "eigen"), "libfmt-dev": ("fmt", "fmt"), "tao-pegtl-dev": ("pegtl", None),
     "libmuparser-dev": ("muparser", "muparser"), "nlohmann-json3-dev": ("nlohmann-json", "nlohmann_json"),
-    "libsuitesparse-dev": ("suite-sparse", "suitesparse"), "libopenblas-dev": ("blas", "libblas"),
+    "libsuitesparse-dev": ("suite-sparse", "suitesparse"), "libmetis-dev": ("metis", "metis"),
     "libgsl-dev": ("gsl", "gsl"), "libnlopt-dev": ("nlopt", "nlopt"), "libpolyclipping-dev": ("polyclipping", None),
     "voro++-dev": ("voropp", "voro"), "libvtk9-dev": ("vtk", "vtk-base"), "libdeflate-dev": ("libdeflate", "libdeflate"),
     "libpugixml-dev": ("pugixml", "pugixml"), "libpng-dev": ("libpng", "libpng"),

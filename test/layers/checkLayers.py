@@ -48,6 +48,7 @@ thirdParty = {
     "GSL": r"gsl/",
     "NLopt": r"nlopt",
     "SuiteSparse": r"(suitesparse/)?(cholmod|amd|colamd|ccolamd|camd|umfpack|SuiteSparse)",
+    "METIS": r"metis\.h",
     "BLAS and LAPACK": r"(cblas|lapacke?|openblas)",
     "Clipper": r"polyclipping/",
     "Voro++": r"voro\+\+/",

@@ -12,8 +12,6 @@
 
 #include <cstdlib>
 
-#include <unistd.h>
-
 using namespace drystone;
 
 namespace
@@ -124,16 +122,6 @@ int run(const CommandLine& commandLine)
     return stopSignal() != 0 ? exitStatusOfSignal(stopSignal()) : status;
 }
 
-/// Samples run side by side: a library that starts threads of its own in each would only slow them down.
-void requireOneThread(char* argv[])
-{
-    if (!std::getenv("OPENBLAS_NUM_THREADS"))
-    {
-        ::setenv("OPENBLAS_NUM_THREADS", "1", 1);
-        ::execv("/proc/self/exe", argv); // libraries read it when they are loaded
-    }
-}
-
 /// The two files of -evaluate as one argument, a line each: other options have one.
 std::vector<std::string> joined(int argc, char* argv[])
 {
@@ -154,7 +142,6 @@ std::vector<std::string> joined(int argc, char* argv[])
 
 int main(int argc, char* argv[])
 {
-    requireOneThread(argv);
     ApplicationDescription description;
     description.name = "ensemble";
     description.summary =
