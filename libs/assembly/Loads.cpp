@@ -545,6 +545,7 @@ CaseLoads<Dim> readLoads(const std::filesystem::path& caseDirectory, const LoadC
             dictionary.location());
     }
     CaseLoads<Dim> loads;
+    loads.locations = EntryLocations(dictionary);
     loads.multiplier = cases.multiplier;
     loads.dead = cases.dead(context);
     loads.movement = readMovement(dictionary, context.assembly);

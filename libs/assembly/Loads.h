@@ -3,6 +3,7 @@
 #pragma once
 
 #include "assembly/Assembly.h"
+#include "dictionary/EntryLocations.h"
 #include "dictionary/Options.h"
 #include "dictionary/Registry.h"
 
@@ -54,6 +55,7 @@ template<int Dim>
 struct CaseLoads : LoadVectors
 {
     std::optional<SupportMovement<Dim>> movement = {}; ///< instead of `live`
+    EntryLocations locations = {};                     ///< of the entries of constant/loads, for messages
 };
 
 /// Weight of the free blocks. \param masses of all blocks [kg] \param gravity [m/s2]

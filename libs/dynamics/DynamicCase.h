@@ -6,8 +6,6 @@
 #include "dynamics/Schemes.h"
 #include "effects/EffectList.h"
 #include "effects/Friction.h"
-#include "effects/GroundMotion.h"
-#include "effects/SupportMotion.h"
 
 #include <filesystem>
 
@@ -23,9 +21,6 @@ struct DynamicCase : Structure<Dim>
     Effects<Dim> effects; ///< see EffectList.h; what is not there costs nothing
     EffectNames effectNames;
     FrictionOfJoints jointFriction; ///< mostly empty
-    GroundMotion groundMotion;
-    std::vector<SupportMotion<Dim>> supportMotions; ///< of supports that move; most cases have none
-    double groundFactor = 1; ///< times groundMotion: the intensity of an incremental analysis
     Schemes schemes;
     SolverChoice solution;
 
@@ -44,17 +39,12 @@ struct DynamicCase : Structure<Dim>
 template<int Dim>
 std::vector<double> frictionAt(const DynamicCase<Dim>& scene, const std::vector<ContactPoint<Dim>>& points);
 
-/// Reads constant/assembly, g, materialProperties, contactProperties, loads, groundMotion and supportMotion
-/// (these three may be absent: gravity alone, ground and supports at rest), system/schemes and the
-/// sub-dictionary contactDynamics of system/solution. \throws FatalIOError with the first thing that is wrong
+/// Reads constant/assembly, g, materialProperties, contactProperties, loads (may be absent: gravity alone),
+/// the files of effects (likewise), system/schemes and the sub-dictionary contactDynamics of
+/// system/solution. \throws FatalIOError with the first thing that is wrong
 /// \param types the effects that it may have
 template<int Dim>
 DynamicCase<Dim> readDynamicCase(const std::filesystem::path& caseDirectory,
                                  const std::vector<EffectType<Dim>>& types = effectTypes<Dim>());
-
-/// The load on the free blocks while the ground accelerates: dead - groundFactor M a. \param ground mean
-/// acceleration over the step [m/s2]
-template<int Dim>
-Eigen::VectorXd loadUnder(const DynamicCase<Dim>& scene, const Eigen::Vector3d& ground);
 
 } // namespace drystone

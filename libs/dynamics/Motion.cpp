@@ -96,7 +96,7 @@ std::vector<BlockVector<Dim>> velocitiesOfAllBlocks(const DynamicCase<Dim>& scen
                                                     const DynamicState<Dim>& state, double from, double to)
 {
     std::vector<BlockVector<Dim>> result =
-        supportVelocities(scene.supportMotions, scene.assembly, scene.blocks, state.placements, from, to);
+        supportVelocities(scene.effects, scene, state.placements, from, to);
     for (std::size_t block = 0; block < scene.free.size(); ++block)
     {
         if (scene.free[block] >= 0)

@@ -41,15 +41,14 @@ Step<Dim>::Step(const DynamicCase<Dim>& dynamicCase, Motion<Dim>& current, doubl
     motion.attempt = {};
 
     const double start = motion.state.time;
-    load = loadUnder(scene, meanGroundAcceleration(scene.groundMotion, start, start + length));
+    load = scene.deadLoad;
     const EffectContext<Dim> context = contextOf(*this);
     for (std::size_t i = 0; i < scene.effects.size(); ++i)
     {
         scene.effects[i]->addLoad(context, motion.effectStates[i], load);
     }
     acceleration = largestAcceleration(scene, load);
-    supports = supportSteps(scene.supportMotions, scene.assembly, scene.blocks, motion.state.placements,
-                            start, start + length);
+    supports = supportSteps(scene.effects, scene, motion.state.placements, start, start + length);
 }
 
 template<int Dim>
@@ -63,6 +62,7 @@ EffectContext<Dim> contextOf(const Step<Dim>& step)
             .mass = step.mass,
             .displacements = step.scene.displacements(),
             .theta = step.scheme.theta,
+            .start = step.motion.state.time,
             .timeStep = step.scheme.timeStep,
             .acceleration = step.acceleration,
             .contactTolerance = step.settings.contactTolerance,

@@ -4,11 +4,11 @@
 
 #include "conic/Certificate.h"
 #include "conic/SolverChoice.h"
-#include "contact/ContactProperties.h"
 #include "contact/Equilibrium.h"
 #include "dynamics/DynamicState.h"
 #include "dynamics/StepWork.h"
 #include "effects/Effect.h"
+#include "effects/Friction.h"
 
 #include <functional>
 #include <type_traits>

@@ -1,16 +1,15 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// The keys of cohesion; what it does is in contact/JointLaws for structures at rest, in JointBonds for
-/// motion.
+/// Cohesion: its keys, and its part in the laws of joints; what it does in motion is in JointBonds.
 #include "effects/Cohesion.h"
 
-#include "effects/JointStrength.h"
+#include "effects/JointLaws.h"
 
 namespace drystone
 {
 
-void declareCohesion(Options& options, JointProperties& properties)
+double cohesionOf(const JointOfCase& joint)
 {
-    options.optional("cohesion", properties.cohesion, "shear beside friction");
+    return stressOf(joint.own.cohesion, joint.contact.cohesion).value_or(0);
 }
 
 template<int Dim>
@@ -24,7 +23,12 @@ EffectType<Dim> cohesionType()
                              "shear of the joints beside friction, in motion until they break; absent: none");
         },
         [](const ContactProperties& contact)
-        { return contact.cohesion.has_value() || isInJoints(contact, &JointProperties::cohesion); });
+        { return contact.cohesion.has_value() || isInJoints(contact, &JointProperties::cohesion); },
+        [](const EffectSource<Dim>& source) { return refuseInSpace(source, "cohesion"); },
+        {[](Options& options, JointProperties& properties)
+         { options.optional("cohesion", properties.cohesion, "shear beside friction"); },
+         [](const JointOfCase& joint, double area, PointLaw& law)
+         { law.cohesion = cohesionOf(joint) * area; }});
 }
 
 template EffectType<2> cohesionType<2>();

@@ -3,13 +3,13 @@
 /// (JointBonds.h).
 #pragma once
 
-#include "effects/EffectList.h"
+#include "effects/EffectType.h"
 
 namespace drystone
 {
 
-/// Its key among those of a joint.
-void declareCohesion(Options& options, JointProperties& properties);
+/// Of a joint [Pa].
+double cohesionOf(const JointOfCase& joint);
 
 /// Its entry of the list.
 template<int Dim>

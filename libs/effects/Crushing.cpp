@@ -1,8 +1,8 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// The keys of crushing, and its refusal in motion; what it does is in contact/JointLaws.
+/// Crushing: its keys, its part in the laws of joints, and its refusal in motion.
 #include "effects/Crushing.h"
 
-#include "effects/JointStrength.h"
+#include "effects/JointLaws.h"
 
 #include <fmt/format.h>
 
@@ -11,35 +11,23 @@ namespace drystone
 namespace
 {
 
-/// Nobody is to take a result for what it is not. \return nothing
-template<int Dim>
-std::shared_ptr<const Effect<Dim>> refuseInMotion(const EffectSource<Dim>& source)
+void limitPressure(const JointOfCase& joint, double area, PointLaw& law)
 {
-    if (source.contact.crushing)
+    const std::optional<double> strength = stressOf(joint.own.crushing, joint.contact.crushing);
+    if (!strength)
+    {
+        return;
+    }
+    law.crushing = *strength * area;
+    if (law.crushing == 0)
     {
         throw FatalIOError(
-            "contactDynamics does not simulate crushing. Remove the entry to compute without it.",
-            source.locations.of("crushing"));
+            fmt::format("Joint {} bears no pressure: give crushing {{ strength ...; }} above 0.", joint.name),
+            joint.contact.locations.of(joint.own.crushing ? "joints/" + joint.entry : "crushing"));
     }
-    for (const auto& [name, properties] : source.contact.joints)
-    {
-        if (properties.crushing)
-        {
-            throw FatalIOError(fmt::format("contactDynamics does not simulate crushing, which joint {} has. "
-                                           "Remove the entry to compute without it.",
-                                           name.text),
-                               source.locations.of("joints/" + name.text + "/crushing"));
-        }
-    }
-    return nullptr;
 }
 
 } // namespace
-
-void declareCrushing(Options& options, JointProperties& properties)
-{
-    options.optional("crushing", properties.crushing, "pressure that the joint bears");
-}
 
 template<int Dim>
 EffectType<Dim> crushingType()
@@ -50,7 +38,14 @@ EffectType<Dim> crushingType()
         { options.optional("crushing", contact.crushing, "pressure that the joints bear; absent: any"); },
         [](const ContactProperties& contact)
         { return contact.crushing.has_value() || isInJoints(contact, &JointProperties::crushing); },
-        refuseInMotion<Dim>);
+        [](const EffectSource<Dim>& source) -> std::shared_ptr<const Effect<Dim>>
+        {
+            refuseEffect(source.contact, "contactDynamics", "crushing");
+            return nullptr;
+        },
+        {[](Options& options, JointProperties& properties)
+         { options.optional("crushing", properties.crushing, "pressure that the joint bears"); },
+         [](const JointOfCase& joint, double area, PointLaw& law) { limitPressure(joint, area, law); }});
 }
 
 template EffectType<2> crushingType<2>();

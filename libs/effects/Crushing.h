@@ -2,13 +2,10 @@
 /// crushing { strength f; }: pressure that joints bear, of structures at rest; motion refuses it.
 #pragma once
 
-#include "effects/EffectList.h"
+#include "effects/EffectType.h"
 
 namespace drystone
 {
-
-/// Its key among those of a joint.
-void declareCrushing(Options& options, JointProperties& properties);
 
 /// Its entry of the list.
 template<int Dim>

@@ -2,6 +2,8 @@
 /// Blocks that are computed no further.
 #include "effects/Deletion.h"
 
+#include "effects/ContactProperties.h"
+
 #include <algorithm>
 #include <functional>
 
@@ -86,7 +88,7 @@ EffectType<Dim> deletionType()
                 throw FatalIOError(
                     "With `smallDisplacements yes;` no block leaves where it was built: remove deletion, or "
                     "set `smallDisplacements no;` in system/schemes.",
-                    source.locations.of("deletion"));
+                    source.contact.locations.of("deletion"));
             }
             return std::make_shared<BlockDeletion<Dim>>(deletion);
         });

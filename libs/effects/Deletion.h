@@ -2,7 +2,7 @@
 /// deletion { box (lower upper); }: blocks that leave a box stop there for good.
 #pragma once
 
-#include "effects/EffectList.h"
+#include "effects/EffectType.h"
 
 namespace drystone
 {

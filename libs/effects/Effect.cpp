@@ -15,11 +15,58 @@ EffectTraits traitsOf(const Effects<Dim>& effects)
         all.isCompliant = all.isCompliant || own.isCompliant;
         all.holdsJoints = all.holdsJoints || own.holdsJoints;
         all.actsOnBlocks = all.actsOnBlocks || own.actsOnBlocks;
+        all.movesSupports = all.movesSupports || own.movesSupports;
     }
     return all;
 }
 
+template<int Dim>
+std::vector<SupportStep<Dim>> supportSteps(const Effects<Dim>& effects, const Structure<Dim>& structure,
+                                           const std::vector<Placement<Dim>>& placements, double from,
+                                           double to)
+{
+    for (const auto& effect : effects)
+    {
+        auto steps = effect->supportSteps(structure, placements, from, to);
+        if (!steps.empty())
+        {
+            return steps;
+        }
+    }
+    return {};
+}
+
+template<int Dim>
+std::vector<BlockVector<Dim>> supportVelocities(const Effects<Dim>& effects, const Structure<Dim>& structure,
+                                                const std::vector<Placement<Dim>>& placements, double from,
+                                                double to)
+{
+    for (const auto& effect : effects)
+    {
+        auto velocities = effect->supportVelocities(structure, placements, from, to);
+        if (!velocities.empty())
+        {
+            return velocities;
+        }
+    }
+    return std::vector<BlockVector<Dim>>(structure.assembly.blocks.size(), BlockVector<Dim>::Zero());
+}
+
 template EffectTraits traitsOf(const Effects<2>& effects);
+template std::vector<SupportStep<2>> supportSteps(const Effects<2>& effects, const Structure<2>& structure,
+                                                  const std::vector<Placement<2>>& placements, double from,
+                                                  double to);
+template std::vector<BlockVector<2>> supportVelocities(const Effects<2>& effects,
+                                                       const Structure<2>& structure,
+                                                       const std::vector<Placement<2>>& placements,
+                                                       double from, double to);
 template EffectTraits traitsOf(const Effects<3>& effects);
+template std::vector<SupportStep<3>> supportSteps(const Effects<3>& effects, const Structure<3>& structure,
+                                                  const std::vector<Placement<3>>& placements, double from,
+                                                  double to);
+template std::vector<BlockVector<3>> supportVelocities(const Effects<3>& effects,
+                                                       const Structure<3>& structure,
+                                                       const std::vector<Placement<3>>& placements,
+                                                       double from, double to);
 
 } // namespace drystone

@@ -6,6 +6,7 @@
 #include "contact/ContactPoint.h"
 #include "effects/StepEnergy.h"
 #include "effects/Structure.h"
+#include "effects/SupportStep.h"
 
 #include <array>
 #include <functional>
@@ -35,6 +36,8 @@ constexpr std::array<std::pair<std::string_view, Displacements>, 2> namesOf(Disp
 template<int Dim>
 using StepProgram = ConeProgram<freedomCount<Dim>, Dim>;
 
+struct GroundMotion;
+
 /// What an effect remembers from step to step. A step that is not solved leaves it as it was.
 struct EffectState
 {
@@ -57,6 +60,7 @@ struct EffectContext
     const MassMatrix<Dim>& mass; ///< M with the blocks where they are at the start of the step
     Displacements displacements = Displacements::large;
     double theta = 1;            ///< weight of the end of the step
+    double start = 0;            ///< of the step [s]
     double timeStep = 0;         ///< [s]
     double acceleration = 0;     ///< the largest that the loads give a block [m/s2]
     double contactTolerance = 0; ///< error allowed in the gaps at the end of the step [m]
@@ -83,7 +87,8 @@ struct EffectTraits
 {
     bool isCompliant = false;  ///< contact points give way under force
     bool holdsJoints = false;  ///< joints have strengths in addition to friction
-    bool actsOnBlocks = false; ///< blocks that touch nothing feel it too
+    bool actsOnBlocks = false; ///< blocks that touch nothing feel it too, and not as a load
+    bool movesSupports = false;
 };
 
 /// Numbers under names, as a state keeps them.
@@ -110,6 +115,27 @@ public:
 
     /// Adds to the forces on the blocks [N, N, N m]: those that are known before the step is solved.
     virtual void addLoad(const EffectContext<Dim>&, const EffectState&, Eigen::VectorXd& /*load*/) const {}
+
+    /// The motion of the ground that the run is seen from; null: the effect is none of that.
+    virtual const GroundMotion* groundMotion() const { return nullptr; }
+
+    /// How each block goes with its support between two instants; not at all for all others; empty: nothing
+    /// moves supports. \param placements at the first instant
+    virtual std::vector<SupportStep<Dim>> supportSteps(const Structure<Dim>&,
+                                                       const std::vector<Placement<Dim>>& /*placements*/,
+                                                       double /*from*/, double /*to*/) const
+    {
+        return {};
+    }
+
+    /// The mean velocities (ux uy rz) of the mass centres of all blocks between two instants, zero where no
+    /// support moves them; of one at an instant where they are the same [m/s, m/s, rad/s]. Empty: likewise
+    virtual std::vector<BlockVector<Dim>> supportVelocities(const Structure<Dim>&,
+                                                            const std::vector<Placement<Dim>>& /*placements*/,
+                                                            double /*from*/, double /*to*/) const
+    {
+        return {};
+    }
 
     /// Adds to the program, which has the terms of the rigid step; its load is addLoad's.
     virtual void contribute(const EffectContext<Dim>&, EffectState&, StepProgram<Dim>&) const {}
@@ -160,5 +186,16 @@ using Effects = std::vector<std::shared_ptr<const Effect<Dim>>>;
 /// What all of them together are.
 template<int Dim>
 EffectTraits traitsOf(const Effects<Dim>& effects);
+
+/// As of one effect, for the one among them that moves supports.
+template<int Dim>
+std::vector<SupportStep<Dim>> supportSteps(const Effects<Dim>& effects, const Structure<Dim>& structure,
+                                           const std::vector<Placement<Dim>>& placements, double from,
+                                           double to);
+/// Likewise; one a block in any case.
+template<int Dim>
+std::vector<BlockVector<Dim>> supportVelocities(const Effects<Dim>& effects, const Structure<Dim>& structure,
+                                                const std::vector<Placement<Dim>>& placements, double from,
+                                                double to);
 
 } // namespace drystone

@@ -7,11 +7,13 @@
 #include "effects/Crushing.h"
 #include "effects/Deletion.h"
 #include "effects/Friction.h"
+#include "effects/GroundMotion.h"
 #include "effects/JointBonds.h"
 #include "effects/JointElasticity.h"
 #include "effects/JointModel.h"
 #include "effects/MassDamping.h"
 #include "effects/Restitution.h"
+#include "effects/SupportMotion.h"
 #include "effects/Tension.h"
 
 #include <fmt/format.h>
@@ -23,9 +25,9 @@ template<int Dim>
 const std::vector<EffectType<Dim>>& effectTypes()
 {
     static const std::vector<EffectType<Dim>> types{
-        frictionType<Dim>(), restitutionType<Dim>(), cohesionType<Dim>(), tensionType<Dim>(),
-        crushingType<Dim>(), jointModelType<Dim>(),  bondsType<Dim>(),    elasticityType<Dim>(),
-        dampingType<Dim>(),  deletionType<Dim>()};
+        frictionType<Dim>(), restitutionType<Dim>(),  cohesionType<Dim>(),      tensionType<Dim>(),
+        crushingType<Dim>(), jointModelType<Dim>(),   bondsType<Dim>(),         elasticityType<Dim>(),
+        dampingType<Dim>(),  groundMotionType<Dim>(), supportMotionType<Dim>(), deletionType<Dim>()};
     return types;
 }
 
@@ -44,6 +46,17 @@ void declare(Options& options, CaseEffects<Dim>& effects)
     for (const DeclaredEffect<Dim>& effect : effects.declared)
     {
         effect.declare(options, effects.contact);
+    }
+}
+
+void declare(Options& options, JointProperties& properties)
+{
+    for (const EffectType<2>& type : effectTypes<2>()) // the keys are the same in space
+    {
+        if (const DeclaredEffect<2> effect = type(); effect.ofJoints.declare)
+        {
+            effect.ofJoints.declare(options, properties);
+        }
     }
 }
 
@@ -70,16 +83,31 @@ Dictionary readContactDictionary(const std::filesystem::path& caseDirectory)
     return dictionary;
 }
 
+template<int Dim>
+CaseEffects<Dim> readContactFile(const std::filesystem::path& caseDirectory,
+                                 const std::vector<EffectType<Dim>>& types)
+{
+    const Dictionary dictionary = readContactDictionary(caseDirectory);
+    CaseEffects<Dim> effects(types);
+    readOptions(dictionary, effects);
+    effects.contact.locations = EntryLocations(dictionary);
+    return effects;
+}
+
 } // namespace
 
 template<int Dim>
 CaseEffects<Dim> readCaseEffects(const std::filesystem::path& caseDirectory,
                                  const std::vector<EffectType<Dim>>& types)
 {
-    const Dictionary dictionary = readContactDictionary(caseDirectory);
-    CaseEffects<Dim> effects(types);
-    readOptions(dictionary, effects);
-    effects.locations = EntryLocations(dictionary);
+    CaseEffects<Dim> effects = readContactFile(caseDirectory, types);
+    for (const DeclaredEffect<Dim>& declared : effects.declared)
+    {
+        if (declared.readFile)
+        {
+            declared.readFile(caseDirectory);
+        }
+    }
     return effects;
 }
 
@@ -117,7 +145,17 @@ EffectNames effectNames(const CaseEffects<Dim>& effects)
 
 ContactProperties readContactProperties(const std::filesystem::path& caseDirectory)
 {
-    return readCaseEffects<2>(caseDirectory).contact;
+    return readContactFile(caseDirectory, effectTypes<2>()).contact;
+}
+
+EffectNames withSimulated(EffectNames names, const std::string& name)
+{
+    std::erase(names.absent, name);
+    if (std::find(names.simulated.begin(), names.simulated.end(), name) == names.simulated.end())
+    {
+        names.simulated.push_back(name);
+    }
+    return names;
 }
 
 const std::vector<AbsentEffect>& absentEffects()
@@ -129,17 +167,24 @@ const std::vector<AbsentEffect>& absentEffects()
     return effects;
 }
 
-void refuseEffects(const std::filesystem::path& caseDirectory, const std::string& application,
-                   const std::vector<std::string>& names)
+void refuseEffect(const ContactProperties& contact, const std::string& computation, const std::string& key,
+                  const std::string& where)
 {
-    const Dictionary dictionary = Dictionary::readFile(caseDirectory / "constant/contactProperties");
-    for (const std::string& name : names)
+    if (contact.locations.has(key))
     {
-        if (const Entry* entry = dictionary.findExact(name))
+        throw FatalIOError(fmt::format("{} does not simulate {}{}. Remove the entry to compute without it.",
+                                       computation, key, where),
+                           contact.locations.of(key));
+    }
+    for (const auto& [name, properties] : contact.joints)
+    {
+        if (const std::string entry = "joints/" + name.text + "/" + key; contact.locations.has(entry))
         {
-            throw FatalIOError(fmt::format("{} does not simulate {}. Remove the entry to compute without it.",
-                                           application, name),
-                               entry->location());
+            throw FatalIOError(
+                fmt::format("{} does not simulate {}{}, which joint {} has. Remove the entry to compute "
+                            "without it.",
+                            computation, key, where, name.text),
+                contact.locations.of(entry));
         }
     }
 }

@@ -2,91 +2,19 @@
 /// The effects that time stepping knows, and what a case says of them in constant/contactProperties.
 #pragma once
 
-#include "conic/SolverChoice.h"
-#include "contact/ContactProperties.h"
-#include "dictionary/EntryLocations.h"
-#include "effects/Effect.h"
+#include "effects/ContactProperties.h"
+#include "effects/EffectType.h"
 
-#include <algorithm>
 #include <filesystem>
-#include <optional>
 
 namespace drystone
 {
-
-/// How a case is computed, for what an effect does not go together with.
-template<int Dim>
-struct EffectSource
-{
-    const Structure<Dim>& structure;
-    const ContactProperties& contact;
-    const EntryLocations& locations; ///< of the entries of constant/contactProperties
-    std::filesystem::path caseDirectory;
-    Displacements displacements = Displacements::large;
-    double theta = 1;
-    SolverType solver = SolverType::automatic;
-};
-
-/// An effect whose keys are declared: its settings, until it is made of them.
-template<int Dim>
-struct DeclaredEffect
-{
-    std::string name; ///< of its sub-dictionary; empty: it follows from others
-    /// Its keys: of what joints carry into the contact properties, else into settings of its own.
-    std::function<void(Options&, ContactProperties&)> declare;
-    std::function<bool(const ContactProperties&)> isGiven; ///< once the dictionary was read
-    /// \return null where the case does not have it \throws FatalIOError for what it does not go together
-    /// with
-    std::function<std::shared_ptr<const Effect<Dim>>(const EffectSource<Dim>&)> make;
-};
-
-/// An entry of the list: makes a declared effect with settings of its own.
-template<int Dim>
-using EffectType = std::function<DeclaredEffect<Dim>()>;
-
-/// An effect with a sub-dictionary of this name. \param make from its settings and an EffectSource; null for
-/// settings that request nothing
-template<int Dim, class Settings, class Make>
-EffectType<Dim> effectType(std::string name, std::string doc, Make make)
-{
-    return [name, doc, make]
-    {
-        const auto settings = std::make_shared<std::optional<Settings>>();
-        return DeclaredEffect<Dim>{
-            name,
-            [name, doc, settings](Options& options, ContactProperties&)
-            { options.optional(name, *settings, doc); },
-            [settings](const ContactProperties&) { return settings->has_value(); },
-            [make, settings](const EffectSource<Dim>& source) -> std::shared_ptr<const Effect<Dim>>
-            { return *settings ? make(**settings, source) : nullptr; }};
-    };
-}
-
-/// An effect whose settings are contact properties, which structures at rest have, too. \param make see
-/// DeclaredEffect; by default nothing: it is a parameter of the program, not a term
-template<int Dim>
-EffectType<Dim> jointEffectType(
-    std::string name, std::function<void(Options&, ContactProperties&)> declare,
-    std::function<bool(const ContactProperties&)> isGiven,
-    std::function<std::shared_ptr<const Effect<Dim>>(const EffectSource<Dim>&)> make =
-        [](const EffectSource<Dim>&) -> std::shared_ptr<const Effect<Dim>> { return nullptr; })
-{
-    return [name, declare, isGiven, make] { return DeclaredEffect<Dim>{name, declare, isGiven, make}; };
-}
-
-/// Whether some joint has a property of its own.
-template<class Property>
-bool isInJoints(const ContactProperties& contact, std::optional<Property> JointProperties::*property)
-{
-    return std::any_of(contact.joints.begin(), contact.joints.end(),
-                       [property](const auto& joint) { return (joint.second.*property).has_value(); });
-}
 
 /// All effects. A new one is a line here, and its two files.
 template<int Dim>
 const std::vector<EffectType<Dim>>& effectTypes();
 
-/// constant/contactProperties as it is read: what joints carry, and the effects of motion.
+/// What a case says of effects: constant/contactProperties with what joints carry, and files of their own.
 template<int Dim>
 struct CaseEffects
 {
@@ -94,13 +22,12 @@ struct CaseEffects
 
     ContactProperties contact;
     std::vector<DeclaredEffect<Dim>> declared;
-    EntryLocations locations;
 };
 template<int Dim>
 void declare(Options& options, CaseEffects<Dim>& effects);
 
-/// Reads the file of a case. \throws FatalError or FatalIOError when it is missing or faulty, or requests an
-/// effect that is unknown or absent from this version
+/// Reads the files of a case. \throws FatalError or FatalIOError when one is missing or faulty, or requests
+/// an effect that is unknown or absent from this version
 template<int Dim>
 CaseEffects<Dim> readCaseEffects(const std::filesystem::path& caseDirectory,
                                  const std::vector<EffectType<Dim>>& types = effectTypes<Dim>());
@@ -118,6 +45,9 @@ struct EffectNames
 template<int Dim>
 EffectNames effectNames(const CaseEffects<Dim>& effects);
 
+/// With an effect among those that are simulated, wherever it was.
+EffectNames withSimulated(EffectNames names, const std::string& name);
+
 /// Those of a limit analysis, which has none of motion.
 EffectNames effectNamesAtRest(const ContactProperties& contact);
 
@@ -133,11 +63,5 @@ struct AbsentEffect
 
 /// All of them: asking for one is an error, so that nobody takes a result for what it is not.
 const std::vector<AbsentEffect>& absentEffects();
-
-/// Refuses effects that an application does not simulate, so that nobody takes a result for what it is not.
-/// \param names of sub-dictionaries or entries of constant/contactProperties
-/// \throws FatalIOError for the first of them that the case gives
-void refuseEffects(const std::filesystem::path& caseDirectory, const std::string& application,
-                   const std::vector<std::string>& names);
 
 } // namespace drystone

@@ -2,7 +2,7 @@
 /// Coulomb friction: its keys, and the coefficient of each point.
 #include "effects/Friction.h"
 
-#include "contact/JointLaws.h"
+#include "effects/JointLaws.h"
 
 #include <fmt/format.h>
 
@@ -50,14 +50,13 @@ const Registry<CoulombFriction>& frictionTypes()
     return registry;
 }
 
-void declareFriction(Options& options, JointProperties& properties)
+std::vector<double> frictionCoefficients(const ContactProperties& contact, std::size_t points)
 {
-    options.optional("friction", properties.friction, "shear by normal force");
+    return std::vector<double>(points, contact.friction ? contact.friction->mu : 0);
 }
 
 template<int Dim>
-FrictionOfJoints frictionOfJoints(const std::filesystem::path& caseDirectory,
-                                  const ContactProperties& contact, const Assembly<Dim>& assembly)
+FrictionOfJoints frictionOfJoints(const ContactProperties& contact, const Assembly<Dim>& assembly)
 {
     FrictionOfJoints result;
     if (contact.joints.empty())
@@ -65,7 +64,7 @@ FrictionOfJoints frictionOfJoints(const std::filesystem::path& caseDirectory,
         return result;
     }
     const std::vector<ContactPoint<Dim>> points = findContactPoints(assembly); // sorted by pairs
-    const std::vector<PointLaw> laws = pointLaws(caseDirectory, contact, assembly, points);
+    const std::vector<PointLaw> laws = pointLaws(contact, assembly, points);
     const double ofAll = contact.friction ? contact.friction->mu : 0;
     for (std::size_t i = 0; i < points.size(); ++i)
     {
@@ -117,13 +116,20 @@ EffectType<Dim> frictionType()
                              "shear at the contacts; absent: frictionless");
         },
         [](const ContactProperties& contact)
-        { return contact.friction.has_value() || isInJoints(contact, &JointProperties::friction); });
+        { return contact.friction.has_value() || isInJoints(contact, &JointProperties::friction); },
+        noEffect<Dim>,
+        {[](Options& options, JointProperties& properties)
+         { options.optional("friction", properties.friction, "shear by normal force"); },
+         [](const JointOfCase& joint, double, PointLaw& law)
+         {
+             law.mu = joint.own.friction       ? joint.own.friction->mu
+                      : joint.contact.friction ? joint.contact.friction->mu
+                                               : 0;
+         }});
 }
 
-template FrictionOfJoints frictionOfJoints(const std::filesystem::path& caseDirectory,
-                                           const ContactProperties& contact, const Assembly<2>& assembly);
-template FrictionOfJoints frictionOfJoints(const std::filesystem::path& caseDirectory,
-                                           const ContactProperties& contact, const Assembly<3>& assembly);
+template FrictionOfJoints frictionOfJoints(const ContactProperties& contact, const Assembly<2>& assembly);
+template FrictionOfJoints frictionOfJoints(const ContactProperties& contact, const Assembly<3>& assembly);
 template std::vector<double> frictionAt(const ContactProperties& contact, const FrictionOfJoints& ofJoints,
                                         const std::vector<ContactPoint<2>>& points);
 template std::vector<double> frictionAt(const ContactProperties& contact, const FrictionOfJoints& ofJoints,

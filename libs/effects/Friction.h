@@ -4,10 +4,39 @@
 #pragma once
 
 #include "dictionary/Registry.h"
-#include "effects/EffectList.h"
+#include "effects/EffectType.h"
+
+#include <array>
+#include <string_view>
+#include <utility>
 
 namespace drystone
 {
+
+/// Which way a sliding joint moves.
+enum class FlowRule
+{
+    associative,   ///< normal to the cone: a joint that slides by s opens by mu s
+    nonAssociative ///< Coulomb's law: a joint slides without opening
+};
+
+inline std::array<std::pair<std::string_view, FlowRule>, 2> namesOf(FlowRule)
+{
+    return {{{"associative", FlowRule::associative}, {"nonAssociative", FlowRule::nonAssociative}}};
+}
+
+/// Coulomb friction: |t| <= mu n.
+struct CoulombFriction
+{
+    double mu = 0; ///< friction coefficient, 0 to 1e6
+    FlowRule flowRule = FlowRule::associative;
+};
+
+/// Friction of some joints only. The flow rule is that of all.
+struct JointFriction
+{
+    double mu = 0; ///< friction coefficient, 0 to 1e6
+};
 
 void declare(Options& options, CoulombFriction& friction);
 void declare(Options& options, JointFriction& friction);
@@ -15,14 +44,13 @@ void declare(Options& options, JointFriction& friction);
 /// The friction laws that `friction { type ...; }` chooses from.
 const Registry<CoulombFriction>& frictionTypes();
 
-/// Its key among those of a joint.
-void declareFriction(Options& options, JointProperties& properties);
-
 /// The friction coefficients of joints as built that have one of their own, sorted by (block, neighbour).
 using FrictionOfJoints = std::vector<std::pair<std::pair<int, int>, double>>;
 template<int Dim>
-FrictionOfJoints frictionOfJoints(const std::filesystem::path& caseDirectory,
-                                  const ContactProperties& contact, const Assembly<Dim>& assembly);
+FrictionOfJoints frictionOfJoints(const ContactProperties& contact, const Assembly<Dim>& assembly);
+
+/// Friction coefficient of each of `points` contact points: 0 without friction. Not for cases with `joints`.
+std::vector<double> frictionCoefficients(const ContactProperties& contact, std::size_t points);
 
 /// Friction coefficient of each point: that of its joint as built where that has one of its own.
 template<int Dim>

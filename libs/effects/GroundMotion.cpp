@@ -139,4 +139,63 @@ GroundMotion readGroundMotion(const Dictionary& dictionary, const std::filesyste
     return motion;
 }
 
+template<int Dim>
+void MovingGround<Dim>::addLoad(const EffectContext<Dim>& context, const EffectState&,
+                                Eigen::VectorXd& load) const
+{
+    const Eigen::Vector3d mean =
+        meanGroundAcceleration(motion, context.start, context.start + context.timeStep);
+    for (Eigen::Index row = 0; row < load.size(); row += freedomCount<Dim>)
+    {
+        load.segment<Dim>(row) -= motion.factor * context.structure.mass[row] * mean.head<Dim>();
+    }
+}
+
+template<int Dim>
+std::string MovingGround<Dim>::startText(const EffectState&) const
+{
+    return summary(motion);
+}
+
+template<int Dim>
+GroundMotion groundMotionOf(const Effects<Dim>& effects)
+{
+    const auto moving = std::find_if(effects.begin(), effects.end(),
+                                     [](const auto& effect) { return effect->groundMotion() != nullptr; });
+    return moving != effects.end() ? *(*moving)->groundMotion() : GroundMotion{};
+}
+
+template<int Dim>
+void setGroundMotion(Effects<Dim>& effects, GroundMotion motion)
+{
+    auto moved = std::make_shared<MovingGround<Dim>>(std::move(motion));
+    const auto before = std::find_if(effects.begin(), effects.end(),
+                                     [](const auto& effect) { return effect->groundMotion() != nullptr; });
+    if (before != effects.end())
+    {
+        *before = std::move(moved);
+    }
+    else
+    {
+        effects.insert(effects.begin(), std::move(moved));
+    }
+}
+
+template<int Dim>
+EffectType<Dim> groundMotionType()
+{
+    return fileEffectType<Dim>(
+        "groundMotion", [](const Dictionary& dictionary, const EffectSource<Dim>& source)
+        { return std::make_shared<MovingGround<Dim>>(readGroundMotion(dictionary, source.caseDirectory)); });
+}
+
+template class MovingGround<2>;
+template GroundMotion groundMotionOf(const Effects<2>& effects);
+template void setGroundMotion(Effects<2>& effects, GroundMotion motion);
+template EffectType<2> groundMotionType<2>();
+template class MovingGround<3>;
+template GroundMotion groundMotionOf(const Effects<3>& effects);
+template void setGroundMotion(Effects<3>& effects, GroundMotion motion);
+template EffectType<3> groundMotionType<3>();
+
 } // namespace drystone

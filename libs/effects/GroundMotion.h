@@ -14,6 +14,7 @@
 #pragma once
 
 #include "dictionary/Registry.h"
+#include "effects/EffectType.h"
 #include "timeSeries/GroundAccelerationTypes.h"
 
 #include <Eigen/Core>
@@ -33,16 +34,18 @@ struct GroundMotion
         Eigen::Vector3d direction = Eigen::Vector3d::UnitX(); ///< of unit length
     };
     std::vector<Component> components; ///< empty: the ground is still
+    double factor = 1;                 ///< times all of them: the intensity of an incremental analysis
 };
 
-/// Acceleration of the ground at a time [m/s2]; at a jump, after it.
+/// Acceleration of the ground at a time [m/s2], without the factor; at a jump, after it.
 Eigen::Vector3d groundAcceleration(const GroundMotion& motion, double time);
 
-/// Mean acceleration of the ground over a step [m/s2]: exact, however the kinks of the motion lie in the
-/// step. The momentum a step takes from the ground is -m times this times the length of the step.
+/// Mean acceleration of the ground over a step [m/s2], without the factor: exact, however the kinks of the
+/// motion lie in the step. The momentum a step takes from the ground is -m times this times the length of the
+/// step.
 Eigen::Vector3d meanGroundAcceleration(const GroundMotion& motion, double from, double to);
 
-/// The largest peak among the components [m/s2]; 0 for a ground at rest.
+/// The largest peak among the components [m/s2], without the factor; 0 for a ground at rest.
 double peakAcceleration(const GroundMotion& motion);
 
 /// What the log says of the motion: for each component direction, type, peak acceleration [m/s2 and g],
@@ -70,5 +73,32 @@ void declare(Options& options, GroundMotionSettings& settings);
 /// The motion that constant/groundMotion describes, with its records read.
 /// \throws FatalIOError for what is wrong with the dictionary or with a file it names
 GroundMotion readGroundMotion(const Dictionary& dictionary, const std::filesystem::path& caseDirectory);
+
+/// Each block feels -m a, with the mean acceleration of the ground over the step times the factor.
+template<int Dim>
+class MovingGround final : public Effect<Dim>
+{
+public:
+    explicit MovingGround(GroundMotion ofGround) : motion(std::move(ofGround)) {}
+    const GroundMotion* groundMotion() const override { return &motion; }
+    void addLoad(const EffectContext<Dim>& context, const EffectState& state,
+                 Eigen::VectorXd& load) const override;
+    std::string startText(const EffectState& state) const override;
+
+private:
+    GroundMotion motion;
+};
+
+/// The motion of the ground among the effects of a case; a still ground where there is none.
+template<int Dim>
+GroundMotion groundMotionOf(const Effects<Dim>& effects);
+
+/// Gives a case another motion of the ground. It contributes where the one before did, or first.
+template<int Dim>
+void setGroundMotion(Effects<Dim>& effects, GroundMotion motion);
+
+/// Its entry of the list.
+template<int Dim>
+EffectType<Dim> groundMotionType();
 
 } // namespace drystone

@@ -2,7 +2,7 @@
 /// Bonds of joints: where they hold, when they break.
 #include "effects/JointBonds.h"
 
-#include "contact/JointLaws.h"
+#include "effects/JointLaws.h"
 
 #include <fmt/format.h>
 
@@ -50,8 +50,7 @@ Vector<Dim> placed(const Vector<Dim>& position, int block, const std::vector<Blo
 } // namespace
 
 template<int Dim>
-std::vector<Bond<Dim>> jointBonds(const std::filesystem::path& caseDirectory,
-                                  const ContactProperties& properties, const Assembly<Dim>& assembly)
+std::vector<Bond<Dim>> jointBonds(const ContactProperties& properties, const Assembly<Dim>& assembly)
 {
     const bool isInJoints =
         std::any_of(properties.joints.begin(), properties.joints.end(),
@@ -61,7 +60,7 @@ std::vector<Bond<Dim>> jointBonds(const std::filesystem::path& caseDirectory,
         return {};
     }
     const std::vector<ContactPoint<Dim>> points = findContactPoints(assembly);
-    const std::vector<PointLaw> laws = pointLaws(caseDirectory, properties, assembly, points);
+    const std::vector<PointLaw> laws = pointLaws(properties, assembly, points);
     std::vector<Bond<Dim>> bonds;
     bonds.reserve(points.size());
     bool isAny = false;
@@ -339,10 +338,10 @@ EffectType<Dim> bondsType()
         "", [](Options&, ContactProperties&) {}, [](const ContactProperties&) { return false; },
         [](const EffectSource<Dim>& source) -> std::shared_ptr<const Effect<Dim>>
         {
-            std::vector<Bond<Dim>> bonds =
-                jointBonds(source.caseDirectory, source.contact, source.structure.assembly);
+            std::vector<Bond<Dim>> bonds = jointBonds(source.contact, source.structure.assembly);
             return bonds.empty() ? nullptr : std::make_shared<JointBonds<Dim>>(std::move(bonds));
-        });
+        },
+        {});
 }
 
 template class JointBonds<2>;

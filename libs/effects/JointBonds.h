@@ -2,7 +2,7 @@
 /// cohesion { strength c; } and tension { strength s; } in motion: joints that hold until they break.
 #pragma once
 
-#include "effects/EffectList.h"
+#include "effects/EffectType.h"
 
 #include <filesystem>
 #include <vector>
@@ -36,8 +36,7 @@ struct Bond
 /// The bonds of a structure, two a joint in the order of findContactPoints, some perhaps of no strength;
 /// empty where no joint has cohesion or tension. \throws FatalIOError, see pointLaws
 template<int Dim>
-std::vector<Bond<Dim>> jointBonds(const std::filesystem::path& caseDirectory,
-                                  const ContactProperties& properties, const Assembly<Dim>& assembly);
+std::vector<Bond<Dim>> jointBonds(const ContactProperties& properties, const Assembly<Dim>& assembly);
 
 /// Whether the two ends of each bond are no longer where they were joined, or it has no strength.
 /// \param centroids of all blocks as built \param reach how far apart they may be [m]

@@ -2,6 +2,8 @@
 /// Compliance of contact points, and what it stores.
 #include "effects/JointElasticity.h"
 
+#include "effects/ContactProperties.h"
+
 #include <fmt/format.h>
 
 namespace drystone
@@ -22,7 +24,7 @@ void refuseCombinations(const EffectSource<Dim>& source)
                 fmt::format("Joints are either elastic or hold by {0}, which is rigid until it "
                             "breaks: remove elasticity, or {0}.",
                             effect),
-                source.locations.of(effect));
+                contact.locations.of(effect));
         }
     }
     for (const auto& [name, properties] : contact.joints)
@@ -32,26 +34,26 @@ void refuseCombinations(const EffectSource<Dim>& source)
             throw FatalIOError(fmt::format("Joints are either elastic or hold by cohesion and tension, which "
                                            "are rigid until they break: remove elasticity, or those of {}.",
                                            name.text),
-                               source.locations.of("joints/" + name.text));
+                               contact.locations.of("joints/" + name.text));
         }
     }
     if (contact.restitution)
     {
         throw FatalIOError("Elastic contact points rebound by themselves: remove restitution, or elasticity.",
-                           source.locations.of("restitution"));
+                           contact.locations.of("restitution"));
     }
     if (source.theta < 1)
     {
         throw FatalIOError("Elastic contact points are integrated with theta 1 only: set `theta 1;` in "
                            "system/schemes, or remove elasticity.",
-                           source.locations.of("elasticity"));
+                           contact.locations.of("elasticity"));
     }
     if (source.solver == SolverType::interiorPoint || source.solver == SolverType::augmentedLagrangian)
     {
         throw FatalIOError(
             "Elastic contact points are solved by Newton's method of their own, or by gaussSeidel: set "
             "`solver automatic;` for contactDynamics in system/solution, or remove elasticity.",
-            source.locations.of("elasticity"));
+            contact.locations.of("elasticity"));
     }
 }
 
@@ -119,6 +121,7 @@ EffectType<Dim> elasticityType()
                                        "contact points that give way under force, in motion; absent: rigid",
                                        [](const Elasticity& elasticity, const EffectSource<Dim>& source)
                                        {
+                                           refuseInSpace(source, "elasticity");
                                            refuseCombinations(source);
                                            return std::make_shared<JointElasticity<Dim>>(elasticity);
                                        });

@@ -2,7 +2,7 @@
 /// elasticity { normal kn; tangential kt; }: contact points that give way under force like springs.
 #pragma once
 
-#include "effects/EffectList.h"
+#include "effects/EffectType.h"
 
 namespace drystone
 {

@@ -2,37 +2,10 @@
 /// The keys of joints.
 #include "effects/JointModel.h"
 
-#include "effects/Cohesion.h"
-#include "effects/Crushing.h"
-#include "effects/Friction.h"
-#include "effects/Tension.h"
-
-#include <fmt/format.h>
+#include "effects/ContactProperties.h"
 
 namespace drystone
 {
-namespace
-{
-
-/// Nobody is to take a result for what it is not. \return nothing
-template<int Dim>
-std::shared_ptr<const Effect<Dim>> refuseInMotion(const EffectSource<Dim>& source)
-{
-    for (const std::string name : {"pointsPerJoint", "jointPoints", "contact"})
-    {
-        if (source.locations.has(name))
-        {
-            throw FatalIOError(
-                fmt::format("contactDynamics does not simulate {}. Remove the entry to compute without it.",
-                            name),
-                source.locations.of(name));
-        }
-    }
-    return nullptr;
-}
-
-} // namespace
-
 void declare(Options& options, ContactModel& model)
 {
     options.optional("formulation", model.formulation,
@@ -42,14 +15,6 @@ void declare(Options& options, ContactModel& model)
 void declare(Options& options, PointGrid& grid)
 {
     options.optional("perSide", grid.perSide, "points along each side of a joint").atLeast(2).atMost(100);
-}
-
-void declare(Options& options, JointProperties& properties)
-{
-    declareFriction(options, properties);
-    declareCohesion(options, properties);
-    declareTension(options, properties);
-    declareCrushing(options, properties);
 }
 
 namespace
@@ -105,7 +70,15 @@ EffectType<Dim> jointModelType()
         },
         [](const ContactProperties& contact)
         { return contact.contact && contact.contact->formulation == ContactFormulation::surface; },
-        refuseInMotion<Dim>);
+        [](const EffectSource<Dim>& source) -> std::shared_ptr<const Effect<Dim>>
+        {
+            for (const std::string key : {"pointsPerJoint", "jointPoints", "contact"})
+            {
+                refuseEffect(source.contact, "contactDynamics", key);
+            }
+            return nullptr;
+        },
+        {});
 }
 
 template EffectType<2> jointModelType<2>();

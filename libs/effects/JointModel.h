@@ -4,14 +4,41 @@
 #pragma once
 
 #include "dictionary/Registry.h"
-#include "effects/EffectList.h"
+#include "effects/EffectType.h"
+
+#include <array>
+#include <optional>
+#include <string_view>
+#include <utility>
 
 namespace drystone
 {
 
+/// What limit analysis knows of a joint.
+enum class ContactFormulation
+{
+    points, ///< forces (n, t) at points along it
+    surface ///< stress resultants (N, T, M) of the whole
+};
+
+inline std::array<std::pair<std::string_view, ContactFormulation>, 2> namesOf(ContactFormulation)
+{
+    return {{{"points", ContactFormulation::points}, {"surface", ContactFormulation::surface}}};
+}
+
+struct ContactModel
+{
+    ContactFormulation formulation = ContactFormulation::points;
+};
+
+/// Contact points of the joints in space: a grid over each, beside its corners.
+struct PointGrid
+{
+    int perSide = 5; ///< points along each side of a joint
+};
+
 void declare(Options& options, ContactModel& model);
 void declare(Options& options, PointGrid& grid);
-void declare(Options& options, JointProperties& properties);
 
 /// The points that `jointPoints { type ...; }` chooses from; nothing: the corners alone.
 const Registry<std::optional<PointGrid>>& jointPointTypes();

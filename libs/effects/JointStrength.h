@@ -2,11 +2,17 @@
 /// { strength c; }: what cohesion, tension and crushing, each an effect of its own, are given by.
 #pragma once
 
-#include "contact/ContactProperties.h"
 #include "dictionary/Options.h"
 
 namespace drystone
 {
+
+/// Strength of the joints over their area. Of cohesion: shear that a joint carries beside friction; of
+/// tension: normal stress that holds it together; of crushing: pressure that it bears.
+struct JointStrength
+{
+    double strength = 0; ///< [Pa]
+};
 
 void declare(Options& options, JointStrength& strength);
 

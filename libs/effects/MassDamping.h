@@ -2,7 +2,7 @@
 /// damping { massProportional a; }: a force -a M u on each block.
 #pragma once
 
-#include "effects/EffectList.h"
+#include "effects/EffectType.h"
 
 namespace drystone
 {

@@ -2,6 +2,8 @@
 /// The keys of restitution.
 #include "effects/Restitution.h"
 
+#include "effects/ContactProperties.h"
+
 namespace drystone
 {
 
@@ -24,7 +26,8 @@ EffectType<Dim> restitutionType()
         "restitution",
         [](Options& options, ContactProperties& contact)
         { options.optional("restitution", contact.restitution, "rebound after an impact; absent: none"); },
-        [](const ContactProperties& contact) { return contact.restitution.has_value(); });
+        [](const ContactProperties& contact) { return contact.restitution.has_value(); },
+        [](const EffectSource<Dim>& source) { return refuseInSpace(source, "restitution"); }, {});
 }
 
 template EffectType<2> restitutionType<2>();

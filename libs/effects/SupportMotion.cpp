@@ -174,10 +174,9 @@ void declare(Options& options, SupportMotionFile<Dim>& file)
 }
 
 template<int Dim>
-std::vector<SupportMotion<Dim>> readSupportMotions(const std::filesystem::path& caseDirectory,
+std::vector<SupportMotion<Dim>> readSupportMotions(const Dictionary& dictionary,
                                                    const Assembly<Dim>& assembly)
 {
-    const Dictionary dictionary = Dictionary::readFileIfPresent(caseDirectory / "constant/supportMotion");
     std::vector<SupportMotion<Dim>> motions;
     for (const auto& [name, settings] : readOptions<SupportMotionFile<Dim>>(dictionary).supports)
     {
@@ -217,26 +216,11 @@ std::vector<SupportMotion<Dim>> readSupportMotions(const std::filesystem::path& 
 }
 
 template<int Dim>
-BlockVector<Dim> displacementAfter(const SupportStep<Dim>& step, double share)
+std::vector<SupportStep<Dim>> MovingSupports<Dim>::supportSteps(const Structure<Dim>& structure,
+                                                                const std::vector<Placement<Dim>>& placements,
+                                                                double from, double to) const
 {
-    BlockVector<Dim> displacement;
-    const Turn<Dim> turn = share * step.rotation;
-    displacement << share * step.translation + swing(turn, step.arm), rowsOf(turn);
-    return displacement;
-}
-
-template<int Dim>
-std::vector<SupportStep<Dim>>
-supportSteps(const std::vector<SupportMotion<Dim>>& motions, const Assembly<Dim>& assembly,
-             const std::vector<BlockMass<Dim>>& blocks, const std::vector<Placement<Dim>>& placements,
-             double from, double to)
-{
-    std::vector<SupportStep<Dim>> steps;
-    if (motions.empty())
-    {
-        return steps;
-    }
-    steps.resize(assembly.blocks.size());
+    std::vector<SupportStep<Dim>> steps(structure.assembly.blocks.size());
     for (const SupportMotion<Dim>& motion : motions)
     {
         SupportStep<Dim> step;
@@ -250,9 +234,9 @@ supportSteps(const std::vector<SupportMotion<Dim>>& motions, const Assembly<Dim>
         }
         for (std::size_t block = 0; block < steps.size(); ++block)
         {
-            if (assembly.blocks[block].support == motion.support)
+            if (structure.assembly.blocks[block].support == motion.support)
             {
-                const Vector<Dim> arm = blocks[block].centroid - motion.centre;
+                const Vector<Dim> arm = structure.blocks[block].centroid - motion.centre;
                 step.arm = arm + swing(placements[block].rotation, arm);
                 steps[block] = step;
             }
@@ -263,11 +247,11 @@ supportSteps(const std::vector<SupportMotion<Dim>>& motions, const Assembly<Dim>
 
 template<int Dim>
 std::vector<BlockVector<Dim>>
-supportVelocities(const std::vector<SupportMotion<Dim>>& motions, const Assembly<Dim>& assembly,
-                  const std::vector<BlockMass<Dim>>& blocks, const std::vector<Placement<Dim>>& placements,
-                  double from, double to)
+MovingSupports<Dim>::supportVelocities(const Structure<Dim>& structure,
+                                       const std::vector<Placement<Dim>>& placements, double from,
+                                       double to) const
 {
-    std::vector<BlockVector<Dim>> velocities(assembly.blocks.size(), BlockVector<Dim>::Zero());
+    std::vector<BlockVector<Dim>> velocities(structure.assembly.blocks.size(), BlockVector<Dim>::Zero());
     for (const SupportMotion<Dim>& motion : motions)
     {
         const Turn<Dim> spin =
@@ -276,9 +260,9 @@ supportVelocities(const std::vector<SupportMotion<Dim>>& motions, const Assembly
             (motion.velocity ? motion.velocity->mean(from, to) : 0) * motion.direction;
         for (std::size_t block = 0; block < velocities.size(); ++block)
         {
-            if (assembly.blocks[block].support == motion.support)
+            if (structure.assembly.blocks[block].support == motion.support)
             {
-                const Vector<Dim> built = blocks[block].centroid - motion.centre;
+                const Vector<Dim> built = structure.blocks[block].centroid - motion.centre;
                 const Vector<Dim> arm = built + swing(placements[block].rotation, built);
                 velocities[block] << ofCentre + velocityOfArm(spin, arm), rowsOf(spin);
             }
@@ -288,77 +272,35 @@ supportVelocities(const std::vector<SupportMotion<Dim>>& motions, const Assembly
 }
 
 template<int Dim>
-void moveWithSupports(std::vector<Placement<Dim>>& placements, const std::vector<SupportStep<Dim>>& steps,
-                      double share)
+EffectType<Dim> supportMotionType()
 {
-    for (std::size_t block = 0; block < steps.size(); ++block)
-    {
-        const BlockVector<Dim> displacement = displacementAfter(steps[block], share);
-        placements[block].translation += displacement.template head<Dim>();
-        placements[block].rotation = composed(placements[block].rotation,
-                                              turnOf<Dim>(displacement.template tail<rotationCount<Dim>>()));
-    }
-}
-
-template<int Dim>
-Eigen::VectorXd closingBySupports(const std::vector<ContactPoint<Dim>>& points,
-                                  const std::vector<ContactColumns<Dim>>& columns,
-                                  const std::vector<SupportStep<Dim>>& supports)
-{
-    if (supports.empty())
-    {
-        return {};
-    }
-    Eigen::VectorXd closing(Dim * static_cast<Eigen::Index>(points.size()));
-    for (std::size_t i = 0; i < points.size(); ++i)
-    {
-        const auto part = [&](const typename ContactColumns<Dim>::Matrix& column, int block) -> Vector<Dim>
-        { return column.transpose() * displacementAfter(supports[static_cast<std::size_t>(block)]); };
-        closing.segment<Dim>(Dim * static_cast<Eigen::Index>(i)) =
-            part(columns[i].onBlock, points[i].block) + part(columns[i].onNeighbour, points[i].neighbour);
-    }
-    return closing;
+    return fileEffectType<Dim>(
+        "supportMotion",
+        [](const Dictionary& dictionary,
+           const EffectSource<Dim>& source) -> std::shared_ptr<const Effect<Dim>>
+        {
+            if (Dim == 3) // so that nobody takes a result for what it is not
+            {
+                throw FatalIOError("contactDynamics does not simulate moving supports in space yet. Remove "
+                                   "the file to compute without supportMotion.",
+                                   {dictionary.location().file, "", 0});
+            }
+            auto motions = readSupportMotions(dictionary, source.structure.assembly);
+            return motions.empty() ? nullptr : std::make_shared<MovingSupports<Dim>>(std::move(motions));
+        });
 }
 
 template void declare(Options& options, SupportMotionSettings<2>& settings);
 template void declare(Options& options, SupportMotionFile<2>& file);
-template std::vector<SupportMotion<2>> readSupportMotions(const std::filesystem::path& caseDirectory,
+template std::vector<SupportMotion<2>> readSupportMotions(const Dictionary& dictionary,
                                                           const Assembly<2>& assembly);
-template BlockVector<2> displacementAfter(const SupportStep<2>& step, double share);
-template std::vector<SupportStep<2>> supportSteps(const std::vector<SupportMotion<2>>& motions,
-                                                  const Assembly<2>& assembly,
-                                                  const std::vector<BlockMass<2>>& blocks,
-                                                  const std::vector<Placement<2>>& placements, double from,
-                                                  double to);
-template std::vector<BlockVector<2>> supportVelocities(const std::vector<SupportMotion<2>>& motions,
-                                                       const Assembly<2>& assembly,
-                                                       const std::vector<BlockMass<2>>& blocks,
-                                                       const std::vector<Placement<2>>& placements,
-                                                       double from, double to);
-template void moveWithSupports(std::vector<Placement<2>>& placements,
-                               const std::vector<SupportStep<2>>& steps, double share);
-template Eigen::VectorXd closingBySupports(const std::vector<ContactPoint<2>>& points,
-                                           const std::vector<ContactColumns<2>>& columns,
-                                           const std::vector<SupportStep<2>>& supports);
+template class MovingSupports<2>;
+template EffectType<2> supportMotionType<2>();
 template void declare(Options& options, SupportMotionSettings<3>& settings);
 template void declare(Options& options, SupportMotionFile<3>& file);
-template std::vector<SupportMotion<3>> readSupportMotions(const std::filesystem::path& caseDirectory,
+template std::vector<SupportMotion<3>> readSupportMotions(const Dictionary& dictionary,
                                                           const Assembly<3>& assembly);
-template BlockVector<3> displacementAfter(const SupportStep<3>& step, double share);
-template std::vector<SupportStep<3>> supportSteps(const std::vector<SupportMotion<3>>& motions,
-                                                  const Assembly<3>& assembly,
-                                                  const std::vector<BlockMass<3>>& blocks,
-                                                  const std::vector<Placement<3>>& placements, double from,
-                                                  double to);
-template std::vector<BlockVector<3>> supportVelocities(const std::vector<SupportMotion<3>>& motions,
-                                                       const Assembly<3>& assembly,
-                                                       const std::vector<BlockMass<3>>& blocks,
-                                                       const std::vector<Placement<3>>& placements,
-                                                       double from, double to);
-template void moveWithSupports(std::vector<Placement<3>>& placements,
-                               const std::vector<SupportStep<3>>& steps, double share);
-template Eigen::VectorXd closingBySupports(const std::vector<ContactPoint<3>>& points,
-                                           const std::vector<ContactColumns<3>>& columns,
-                                           const std::vector<SupportStep<3>>& supports);
+template class MovingSupports<3>;
+template EffectType<3> supportMotionType<3>();
 
 } // namespace drystone

@@ -8,13 +8,9 @@
 /// In space a rotation has an `axis (0 0 1);`, too.
 #pragma once
 
-#include "contact/Equilibrium.h"
-#include "dictionary/Options.h"
-#include "effects/MassMatrix.h"
+#include "effects/EffectType.h"
 #include "geometry/Rotation.h"
 #include "timeSeries/GroundAcceleration.h"
-
-#include <filesystem>
 
 namespace drystone
 {
@@ -57,50 +53,32 @@ struct SupportMotion
     Turn<Dim> axis = unitTurn<Dim>(); ///< that it turns about: in space a unit vector, in the plane 1
 };
 
-/// How a block goes with its support over a time; all zero where the support stands still.
-template<int Dim>
-struct SupportStep
-{
-    Vector<Dim> translation = Vector<Dim>::Zero(); ///< of the support's centre [m]
-    Turn<Dim> rotation = noTurn<Dim>();            ///< [rad]
-    Vector<Dim> arm = Vector<Dim>::Zero(); ///< from that centre to the block's mass centre at the start [m]
-};
-
-/// The displacement (ux uy rz) of the block's mass centre after a share of the time: to the last digits.
-template<int Dim>
-BlockVector<Dim> displacementAfter(const SupportStep<Dim>& step, double share = 1);
-
-/// The supports of a case that move; none where the file is absent.
+/// The supports that constant/supportMotion moves.
 /// \throws FatalIOError for what is wrong with the file, or a name that no support has
 template<int Dim>
-std::vector<SupportMotion<Dim>> readSupportMotions(const std::filesystem::path& caseDirectory,
+std::vector<SupportMotion<Dim>> readSupportMotions(const Dictionary& dictionary,
                                                    const Assembly<Dim>& assembly);
 
-/// How each block goes with its support between two instants; not at all for all others. Empty without
-/// motions. \param centroids as built, in `blocks` \param placements at the first instant
+/// Supports take the blocks that they hold along; contact forces work on them.
 template<int Dim>
-std::vector<SupportStep<Dim>>
-supportSteps(const std::vector<SupportMotion<Dim>>& motions, const Assembly<Dim>& assembly,
-             const std::vector<BlockMass<Dim>>& blocks, const std::vector<Placement<Dim>>& placements,
-             double from, double to);
+class MovingSupports final : public Effect<Dim>
+{
+public:
+    explicit MovingSupports(std::vector<SupportMotion<Dim>> ofSupports) : motions(std::move(ofSupports)) {}
+    EffectTraits traits() const override { return {.movesSupports = true}; }
+    std::vector<SupportStep<Dim>> supportSteps(const Structure<Dim>& structure,
+                                               const std::vector<Placement<Dim>>& placements, double from,
+                                               double to) const override;
+    std::vector<BlockVector<Dim>> supportVelocities(const Structure<Dim>& structure,
+                                                    const std::vector<Placement<Dim>>& placements,
+                                                    double from, double to) const override;
 
-/// Moves blocks by a share of the way that they go with their supports. \param steps see supportSteps
-template<int Dim>
-void moveWithSupports(std::vector<Placement<Dim>>& placements, const std::vector<SupportStep<Dim>>& steps,
-                      double share = 1);
+private:
+    std::vector<SupportMotion<Dim>> motions;
+};
 
-/// By how much points close and slide because supports move, two a point [m]; empty where none does.
+/// Its entry of the list.
 template<int Dim>
-Eigen::VectorXd closingBySupports(const std::vector<ContactPoint<Dim>>& points,
-                                  const std::vector<ContactColumns<Dim>>& columns,
-                                  const std::vector<SupportStep<Dim>>& supports);
-
-/// The mean velocities (ux uy rz) of the mass centres of all blocks between two instants; of one at an
-/// instant where they are the same [m/s, m/s, rad/s]. \return one a block, zero where no support moves it
-template<int Dim>
-std::vector<BlockVector<Dim>>
-supportVelocities(const std::vector<SupportMotion<Dim>>& motions, const Assembly<Dim>& assembly,
-                  const std::vector<BlockMass<Dim>>& blocks, const std::vector<Placement<Dim>>& placements,
-                  double from, double to);
+EffectType<Dim> supportMotionType();
 
 } // namespace drystone

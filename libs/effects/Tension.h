@@ -2,13 +2,10 @@
 /// tension { strength s; }: normal stress that holds joints together until they break (JointBonds.h).
 #pragma once
 
-#include "effects/EffectList.h"
+#include "effects/EffectType.h"
 
 namespace drystone
 {
-
-/// Its key among those of a joint.
-void declareTension(Options& options, JointProperties& properties);
 
 /// Its entry of the list.
 template<int Dim>

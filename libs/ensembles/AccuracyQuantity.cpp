@@ -6,6 +6,7 @@
 #include "core/Log.h"
 #include "core/Signals.h"
 #include "dynamics/Advance.h"
+#include "effects/GroundMotion.h"
 #include "ensembles/Intensity.h"
 #include "quantities/Criterion.h"
 
@@ -283,13 +284,15 @@ Measurement measureThreshold(const AccuracyCase<Dim>& study, const RunSetting& s
                              const Criterion<Dim>& criterion, double unit)
 {
     DynamicCase<Dim> scene = sceneWith(study, setting);
+    GroundMotion ground = groundMotionOf(scene.effects);
     Measurement sum;
     std::vector<Trial> trials;
     for (std::vector<double> next = plan.next(trials); !next.empty(); next = plan.next(trials))
     {
         for (const double intensity : next)
         {
-            scene.groundFactor = intensity * unit / peakAcceleration(scene.groundMotion);
+            ground.factor = intensity * unit / peakAcceleration(ground);
+            setGroundMotion(scene.effects, ground);
             Verdict verdict = Verdict::stands;
             const Measurement run =
                 stepThrough(scene, study, setting, phase,
@@ -344,7 +347,7 @@ double housnerThreshold(const AccuracyCase<2>& study, const IntensityPlan& plan,
                         const Criterion<2>& criterion, double unit)
 {
     const HousnerCase housner = housnerCase(study);
-    const auto& components = study.scene->groundMotion.components;
+    const auto components = groundMotionOf(study.scene->effects).components;
     if (components.size() != 1 || std::abs(components.front().direction.y()) > 1e-12)
     {
         throw FatalError("Housner's equation is for a ground that moves along x alone.");
@@ -386,7 +389,7 @@ QuantityPlan makeThreshold(const Threshold& settings, const Dictionary& dictiona
         [settings, location = dictionary.location()]<int Dim>(const SharedCase<Dim>& study)
         {
             const DynamicCase<Dim>& scene = *study->scene;
-            if (!(peakAcceleration(scene.groundMotion) > 0))
+            if (!(peakAcceleration(groundMotionOf(scene.effects)) > 0))
             {
                 throw FatalIOError(
                     "The ground does not move, so that there is nothing to make stronger: say in "

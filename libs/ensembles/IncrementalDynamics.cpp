@@ -115,14 +115,15 @@ IncrementalRun runAt(const IncrementalDynamics<Dim>& study, const StudyMotion& g
 {
     const double cpuTimeBefore = threadCpuTime();
     DynamicCase<Dim> scene = study.scene;
-    scene.groundMotion = ground.ground;
-    scene.groundFactor = study.factor(ground, intensity);
+    GroundMotion scaled = ground.ground;
+    scaled.factor = study.factor(ground, intensity);
+    setGroundMotion(scene.effects, scaled);
     Motion<Dim> motion = study.start;
     Time time(study.controls, study.startTime);
 
     IncrementalRun run;
     run.intensity = intensity;
-    run.factor = scene.groundFactor;
+    run.factor = scaled.factor;
     run.endTime = time.value();
     while (time.loop())
     {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "dynamics/Advance.h"
+#include "effects/GroundMotion.h"
 #include "ensembles/Intensity.h"
 #include "quantities/Criterion.h"
 
@@ -50,7 +51,7 @@ struct StudyMotion
 template<int Dim>
 struct IncrementalDynamics
 {
-    DynamicCase<Dim> scene; ///< groundMotion and groundFactor are set for each run
+    DynamicCase<Dim> scene; ///< its motion of the ground is set for each run
     Motion<Dim> start;      ///< each run starts from a copy
     TimeControls controls;
     TimeState startTime;

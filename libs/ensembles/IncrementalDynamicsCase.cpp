@@ -150,13 +150,14 @@ IncrementalDynamics<Dim> readIncrementalDynamics(const std::filesystem::path& ca
 
     IncrementalDynamics<Dim> study;
     study.scene = readDynamicCase<Dim>(caseDirectory);
-    study.start = startOrContinue(caseDirectory, study.scene, time);
     study.controls = time.controls();
     study.startTime = time.state();
     study.gravity = study.scene.gravity.norm();
     study.intensity = settings.intensity;
     study.criterion = settings.criterion(study.scene.assembly);
-    study.motions = studyMotions(caseDirectory, study.scene.groundMotion, settings, dictionary);
+    study.motions = studyMotions(caseDirectory, groundMotionOf(study.scene.effects), settings, dictionary);
+    setGroundMotion(study.scene.effects, study.motions.front().ground); // before the effects have states
+    study.start = startOrContinue(caseDirectory, study.scene, time);
     for (const StudyMotion& motion : study.motions)
     {
         question(doubtsAboutTimes(motion.ground, study.scene.schemes, time.controls(), time.controlDict()));
@@ -175,8 +176,7 @@ IncrementalDynamics<Dim> readIncrementalDynamics(const std::filesystem::path& ca
 template<int Dim>
 void printStudy(const IncrementalDynamics<Dim>& study)
 {
-    auto [simulated, absent] = study.scene.effectNames;
-    simulated.emplace_back("groundMotion");
+    auto [simulated, absent] = withSimulated(study.scene.effectNames, "groundMotion");
     (study.scene.schemes.smallDisplacements ? absent : simulated).emplace_back("largeDisplacements");
     printEffects(simulated, absent);
     for (const StudyMotion& motion : study.motions)

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "conic/SolverChoice.h"
-#include "contact/ContactProperties.h"
 #include "dictionary/Options.h"
+#include "effects/ContactProperties.h"
 #include "effects/Effect.h"
 
 #include <optional>

@@ -2,6 +2,7 @@
 /// Computes the advice of `-dry-run` by limit analyses of the scene, and words it.
 #include "functionObjects/EffectAdvice.h"
 
+#include "effects/GroundMotion.h"
 #include "statics/LimitAnalysis.h"
 
 #include <fmt/format.h>
@@ -61,10 +62,10 @@ struct Statics
 std::vector<Vector<2>> corners(const DynamicCase<2>& scene)
 {
     std::vector<Vector<2>> result{Vector<2>::Zero()};
-    for (const GroundMotion::Component& component : scene.groundMotion.components)
+    const GroundMotion ground = groundMotionOf(scene.effects);
+    for (const GroundMotion::Component& component : ground.components)
     {
-        const Vector<2> peak =
-            scene.groundFactor * component.acceleration->peak() * component.direction.head<2>();
+        const Vector<2> peak = ground.factor * component.acceleration->peak() * component.direction.head<2>();
         std::vector<Vector<2>> more;
         for (const Vector<2>& corner : result)
         {
@@ -90,7 +91,7 @@ std::string reasonAgainst(const DynamicCase<2>& scene, const DynamicState<2>& st
     {
         return "the blocks do not start at rest as built";
     }
-    if (!scene.supportMotions.empty())
+    if (traitsOf(scene.effects).movesSupports)
     {
         return "supports move";
     }
@@ -108,7 +109,7 @@ std::string reasonAgainst(const DynamicCase<2>& scene, const DynamicState<2>& st
     {
         return fmt::format("more than {} contact points", mostPoints);
     }
-    if (scene.groundMotion.components.size() > 4)
+    if (groundMotionOf(scene.effects).components.size() > 4)
     {
         return "the ground moves along more than four directions";
     }

@@ -4,6 +4,7 @@
 
 #include "contact/JointClosure.h"
 #include "core/Log.h"
+#include "dynamics/Step.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -25,11 +26,8 @@ void printScene(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const 
                 const std::vector<std::string>& functions)
 {
     auto [simulated, absent] = scene.effectNames;
-    (scene.groundMotion.components.empty() ? absent : simulated).emplace_back("groundMotion");
-    (scene.supportMotions.empty() ? absent : simulated).emplace_back("supportMotion");
     (scene.schemes.smallDisplacements ? absent : simulated).emplace_back("largeDisplacements");
     printEffects(simulated, absent);
-    info("{}", summary(scene.groundMotion));
     info("Blocks: {} free, contact points: {}", scene.mass.size() / freedomCount<Dim>, motion.points.size());
     if (Dim == 3 && motion.contacts)
     {
@@ -168,8 +166,8 @@ template<int Dim>
 double farthestInOneStep(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const Time& time)
 {
     const double timeStep = time.controls().deltaT;
-    const Eigen::VectorXd load =
-        loadUnder(scene, meanGroundAcceleration(scene.groundMotion, time.value(), time.value() + timeStep));
+    Motion<Dim> copy = motion;
+    const Eigen::VectorXd load = Step<Dim>(scene, copy, timeStep, {}).load;
     double farthest = 0;
     for (Eigen::Index row = 0; row < load.size(); row += freedomCount<Dim>)
     {

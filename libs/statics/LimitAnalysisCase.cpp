@@ -6,8 +6,8 @@
 #include "contact/AlmostJoints.h"
 #include "contact/ClosedAssembly.h"
 #include "contact/JointClosure.h"
-#include "contact/JointLaws.h"
 #include "effects/EffectList.h"
+#include "effects/JointLaws.h"
 #include "runControl/Solution.h"
 #include "statics/CrushingHinges.h"
 #include "statics/Settlement.h"
@@ -27,8 +27,7 @@ constexpr double hingeTolerance = 1e-7;
 constexpr int mostHingeRounds = 30;
 
 /// Finds the points and reads what each carries.
-std::vector<PointLaw> setContactPoints(const std::filesystem::path& caseDirectory,
-                                       LimitAnalysisCase<2>& structure)
+std::vector<PointLaw> setContactPoints(LimitAnalysisCase<2>& structure)
 {
     const int pointsPerJoint = structure.contact.pointsPerJoint.value_or(2);
     structure.points = findContactPoints(structure.assembly);
@@ -36,7 +35,7 @@ std::vector<PointLaw> setContactPoints(const std::filesystem::path& caseDirector
     {
         structure.points = divideJoints(structure.points, pointsPerJoint);
     }
-    return pointLaws(caseDirectory, structure.contact, structure.assembly, structure.points);
+    return pointLaws(structure.contact, structure.assembly, structure.points);
 }
 
 /// Whether any joint is given a cohesion, a tension or a pressure that it bears.
@@ -49,13 +48,12 @@ bool namesStrength(const ContactProperties& contact)
                           [&](const auto& joint) { return isAmong(joint.second); });
 }
 
-std::vector<PointLaw> setContactPoints(const std::filesystem::path& caseDirectory,
-                                       LimitAnalysisCase<3>& structure)
+std::vector<PointLaw> setContactPoints(LimitAnalysisCase<3>& structure)
 {
     structure.points = findContactPoints(structure.assembly);
     if (!structure.contact.jointPoints && !namesStrength(structure.contact))
     {
-        return pointLaws(caseDirectory, structure.contact, structure.assembly, structure.points);
+        return pointLaws(structure.contact, structure.assembly, structure.points);
     }
     structure.patches = patchCells(structure.points);
     if (structure.contact.jointPoints)
@@ -66,8 +64,7 @@ std::vector<PointLaw> setContactPoints(const std::filesystem::path& caseDirector
         }
     }
     structure.points = pointsOf(structure.patches);
-    return pointLaws(caseDirectory, structure.contact, structure.assembly, structure.points,
-                     areasOf(structure.patches));
+    return pointLaws(structure.contact, structure.assembly, structure.points, areasOf(structure.patches));
 }
 
 /// Empty where no point has any: cones cost less.
@@ -112,10 +109,9 @@ bool isSurfaceContact(const ContactProperties& contact)
 }
 
 /// Refuses what contact by surfaces is not formulated for.
-void requireSurfaceContact(const LimitAnalysisCase<2>& structure, const std::filesystem::path& caseDirectory)
+void requireSurfaceContact(const LimitAnalysisCase<2>& structure)
 {
-    const Dictionary dictionary = Dictionary::readFile(caseDirectory / "constant/contactProperties");
-    const SourceLocation place = dictionary.subDict("contact").locationOf("formulation");
+    const SourceLocation place = structure.contact.locations.of("contact/formulation");
     if (structure.program.hasStrength() || structure.contact.pointsPerJoint || structure.pushover
         || structure.loads.movement)
     {
@@ -134,11 +130,14 @@ void requireSurfaceContact(const LimitAnalysisCase<2>& structure, const std::fil
 
 /// Refuses what a capacity curve does not follow.
 template<int Dim>
-void requirePushover(const LimitAnalysisCase<Dim>& structure, const std::filesystem::path& caseDirectory)
+void requirePushover(const LimitAnalysisCase<Dim>& structure)
 {
-    refuseEffects(caseDirectory, "pushover",
-                  {"cohesion", "tension", "crushing", "pointsPerJoint", "jointPoints", "joints"});
-    const SourceLocation place = readSolution(caseDirectory, "limitAnalysis").locationOf("pushover");
+    for (const std::string key :
+         {"cohesion", "tension", "crushing", "pointsPerJoint", "jointPoints", "joints"})
+    {
+        refuseEffect(structure.contact, "pushover", key);
+    }
+    const SourceLocation place = structure.solutionLocations.of("pushover");
     if (flowRuleOf(structure.contact) == FlowRule::nonAssociative)
     {
         throw FatalIOError(
@@ -168,45 +167,44 @@ void requirePushover(const LimitAnalysisCase<Dim>& structure, const std::filesys
 }
 
 /// Refuses what the case asks for and the plane does not have.
-void requireAvailable(const LimitAnalysisCase<2>& structure, const std::filesystem::path& caseDirectory)
+void requireAvailable(const LimitAnalysisCase<2>& structure)
 {
     if (structure.contact.jointPoints)
     {
         throw FatalIOError(
             "jointPoints are for structures in space. Write `pointsPerJoint 11;`, or remove the entry.",
-            Dictionary::readFile(caseDirectory / "constant/contactProperties").locationOf("jointPoints"));
+            structure.contact.locations.of("jointPoints"));
     }
     if (structure.pushover)
     {
-        requirePushover(structure, caseDirectory);
+        requirePushover(structure);
     }
     if (isSurfaceContact(structure.contact))
     {
-        requireSurfaceContact(structure, caseDirectory);
+        requireSurfaceContact(structure);
     }
 }
 
 /// Refuses what the case asks for and space does not have.
-void requireAvailable(const LimitAnalysisCase<3>& structure, const std::filesystem::path& caseDirectory)
+void requireAvailable(const LimitAnalysisCase<3>& structure)
 {
-    const Dictionary contact = Dictionary::readFile(caseDirectory / "constant/contactProperties");
     if (structure.contact.pointsPerJoint)
     {
         throw FatalIOError(
             "pointsPerJoint divides joints of the plane. In space write `jointPoints { type grid; "
             "perSide 5; }`, or remove the entry: points inside a joint add nothing with friction alone.",
-            contact.locationOf("pointsPerJoint"));
+            structure.contact.locations.of("pointsPerJoint"));
     }
     if (isSurfaceContact(structure.contact))
     {
         throw FatalIOError(
             "`formulation surface;` is for joints of the plane. Remove it: points at the corners of a "
             "joint carry the same as its whole face.",
-            contact.subDict("contact").locationOf("formulation"));
+            structure.contact.locations.of("contact/formulation"));
     }
     if (structure.pushover)
     {
-        requirePushover(structure, caseDirectory);
+        requirePushover(structure);
     }
 }
 
@@ -380,7 +378,9 @@ LimitAnalysisCase<Dim> readLimitAnalysisCase(const std::filesystem::path& caseDi
                                              Assembly<Dim> assembly, std::optional<int> jointPoints)
 {
     LimitAnalysisCase<Dim> result;
-    const auto controls = readOptions<LimitAnalysisControls>(readSolution(caseDirectory, "limitAnalysis"));
+    const Dictionary solution = readSolution(caseDirectory, "limitAnalysis");
+    const auto controls = readOptions<LimitAnalysisControls>(solution);
+    result.solutionLocations = EntryLocations(solution);
     result.solution = controls.solver;
     result.nonAssociative = controls.nonAssociative;
     result.pushover = controls.pushover;
@@ -388,7 +388,7 @@ LimitAnalysisCase<Dim> readLimitAnalysisCase(const std::filesystem::path& caseDi
     {
         throw FatalIOError(nameOf(result.solution.solver)
                                + " solves steps in time only. Write `solver interiorPoint;`.",
-                           readSolution(caseDirectory, "limitAnalysis").locationOf("solver"));
+                           result.solutionLocations.of("solver"));
     }
     result.solution.solver = SolverType::interiorPoint;
     result.assembly = std::move(assembly);
@@ -396,7 +396,7 @@ LimitAnalysisCase<Dim> readLimitAnalysisCase(const std::filesystem::path& caseDi
     refuseAlmostJoints(result.assembly, caseDirectory);
     requireFreeBlock(result.assembly, caseDirectory);
 
-    result.contact = readCaseEffects<2>(caseDirectory).contact;
+    result.contact = readContactProperties(caseDirectory);
     if (jointPoints && Dim == 2)
     {
         result.contact.pointsPerJoint = jointPoints;
@@ -421,7 +421,7 @@ LimitAnalysisCase<Dim> readLimitAnalysisCase(const std::filesystem::path& caseDi
         static_cast<LoadVectors&>(loads) = result.combinations.front().second;
     }
 
-    const std::vector<PointLaw> laws = setContactPoints(caseDirectory, result);
+    const std::vector<PointLaw> laws = setContactPoints(result);
     for (const PointLaw& law : laws)
     {
         result.friction.push_back(law.mu);
@@ -430,35 +430,33 @@ LimitAnalysisCase<Dim> readLimitAnalysisCase(const std::filesystem::path& caseDi
     result.loads = loads;
     result.movement = loads.movement;
     result.program = programOf(result, strengthsOf(laws));
-    requireAvailable(result, caseDirectory);
+    requireAvailable(result);
     result.multiplier = loads.multiplier;
     if (loads.movement)
     {
-        const Dictionary dictionary = Dictionary::readFile(caseDirectory / "constant/loads");
         if (loads.multiplier != Multiplier::positive)
         {
             throw FatalIOError("A support that moves has no multiplier: reverse its direction instead.",
-                               dictionary.locationOf("multiplier"));
+                               loads.locations.of("multiplier"));
         }
         if (flowRuleOf(result.contact) == FlowRule::nonAssociative)
         {
             throw FatalIOError("supportMovement follows the associative flow rule only. Write `flowRule "
                                "associative;` in constant/contactProperties.",
-                               dictionary.subDict("live").locationOf("type"));
+                               loads.locations.of("live/type"));
         }
         if (result.program.gap.isZero(0))
         {
             throw FatalIOError("The support that moves touches no block: nothing settles.",
-                               dictionary.subDict("live").locationOf("support"));
+                               loads.locations.of("live/support"));
         }
     }
     if (result.program.hasCrushing() && flowRuleOf(result.contact) == FlowRule::nonAssociative)
     {
-        const Dictionary dictionary = Dictionary::readFile(caseDirectory / "constant/contactProperties");
         throw FatalIOError(
             "limitAnalysis follows the non-associative flow rule with joints that do not crush. "
             "Write `flowRule associative;`, or remove crushing.",
-            dictionary.subDict("friction").locationOf("flowRule"));
+            result.contact.locations.of("friction/flowRule"));
     }
     return result;
 }

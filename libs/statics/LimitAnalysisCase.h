@@ -3,8 +3,8 @@
 #pragma once
 
 #include "conic/SolverChoice.h"
-#include "contact/ContactProperties.h"
 #include "contact/space/PatchCells.h"
+#include "effects/ContactProperties.h"
 #include "statics/NonAssociative.h"
 #include "statics/Pushover.h"
 
@@ -36,6 +36,7 @@ struct LimitAnalysisCase
     int freeBlocks = 0;
     StaticProgram<Dim> program;
     SolverChoice solution;
+    EntryLocations solutionLocations; ///< of the entries of system/solution/limitAnalysis, for messages
     NonAssociativeSettings nonAssociative;
     Multiplier multiplier = Multiplier::positive;                  ///< which ends of the range are asked for
     std::optional<SupportMovement<Dim>> movement;                  ///< instead of a live load

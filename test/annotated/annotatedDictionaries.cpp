@@ -13,6 +13,7 @@
 #include "dynamics/InitialMotion.h"
 #include "dynamics/Schemes.h"
 #include "effects/GroundMotion.h"
+#include "effects/SupportMotion.h"
 #include "ensembles/AccuracySettings.h"
 #include "ensembles/EnsembleSettings.h"
 #include "ensembles/IncrementalDynamics.h"

@@ -9,9 +9,11 @@
 
 #include "dynamics/Advance.h"
 #include "effects/Deletion.h"
+#include "effects/GroundMotion.h"
 #include "effects/JointBonds.h"
 #include "effects/JointElasticity.h"
 #include "effects/MassDamping.h"
+#include "effects/SupportMotion.h"
 #include "texture/Texture.h"
 
 #include <benchmark/benchmark.h>
@@ -65,7 +67,7 @@ void cohesion(DynamicCase<2>& scene)
     friction(scene);
     scene.contact.cohesion = JointStrength{20};
     scene.contact.tension = JointStrength{10};
-    scene.effects.push_back(std::make_shared<JointBonds<2>>(jointBonds({}, scene.contact, scene.assembly)));
+    scene.effects.push_back(std::make_shared<JointBonds<2>>(jointBonds(scene.contact, scene.assembly)));
 }
 
 void elasticity(DynamicCase<2>& scene)
@@ -94,15 +96,17 @@ void groundMotion(DynamicCase<2>& scene)
         GroundMotion::Component component;
         component.direction = direction;
         component.acceleration = std::make_shared<SinePulse>(PulseShape{0.5, 0.2, 0}, 2);
-        scene.groundMotion.components.push_back(component);
+        GroundMotion ground = groundMotionOf(scene.effects);
+        ground.components.push_back(component);
+        setGroundMotion(scene.effects, ground);
     }
 }
 
 void supportMotion(DynamicCase<2>& scene)
 {
     friction(scene);
-    scene.supportMotions = {
-        {0, {1, 0}, tabulatedAcceleration({0, 1}, {0, 0.5}, Interpolation::linear, OutOfBounds::zero)}};
+    scene.effects.push_back(std::make_shared<MovingSupports<2>>(std::vector<SupportMotion<2>>{
+        {0, {1, 0}, tabulatedAcceleration({0, 1}, {0, 0.5}, Interpolation::linear, OutOfBounds::zero)}}));
 }
 
 /// Restitution and cohesion cannot be combined with elasticity.

@@ -4,7 +4,7 @@
 #include "contact/AssemblyChecks.h"
 #include "contact/ContactState.h"
 #include "contact/JointClosure.h"
-#include "contact/JointLaws.h"
+#include "contact/PointAreas.h"
 #include "contact/SupportPaths.h"
 
 #include <gmock/gmock.h>

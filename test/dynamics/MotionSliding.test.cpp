@@ -111,7 +111,9 @@ void heave(DynamicCase<2>& scene, std::shared_ptr<const GroundAcceleration> acce
     GroundMotion::Component component;
     component.direction = Eigen::Vector3d::UnitY();
     component.acceleration = std::move(acceleration);
-    scene.groundMotion.components.push_back(component);
+    GroundMotion ground = groundMotionOf(scene.effects);
+    ground.components.push_back(component);
+    setGroundMotion(scene.effects, ground);
 }
 
 TEST(SlidingBlock, AGroundThatAlsoRisesPressesTheBlockOn)

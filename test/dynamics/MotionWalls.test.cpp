@@ -200,7 +200,7 @@ TEST(WallUnderARecord, IsSolvedToTheLastDigitsInEveryStep)
     groundRecord.file = record.string();
     groundRecord.peakAcceleration = 0.2 * scenes::g;
     DynamicCase<2> scene = wall(6, 0, {.mu = 0.65, .flowRule = FlowRule::associative, .tolerance = 1e-12});
-    scene.groundMotion.components = {{recordedAcceleration(groundRecord, ""), Eigen::Vector3d::UnitX()}};
+    setGroundMotion<2>(scene.effects, {{{recordedAcceleration(groundRecord, ""), Eigen::Vector3d::UnitX()}}});
     Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
     for (int step = 0; step < 120; ++step)
     {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dynamics/Advance.h"
+#include "effects/GroundMotion.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -111,7 +112,7 @@ inline void shake(DynamicCase<2>& scene, std::shared_ptr<const GroundAcceleratio
 {
     GroundMotion::Component component;
     component.acceleration = std::move(acceleration);
-    scene.groundMotion.components = {component};
+    setGroundMotion<2>(scene.effects, {{component}});
 }
 
 /// What the ledger leaves unexplained, relative to the largest of its terms.

@@ -176,7 +176,7 @@ TEST(Stages, ReviewAsksForAnotherSolutionWhenABondBreaksAndNotWithoutOne)
         {
             scene.contact.cohesion = JointStrength{strength};
             scene.contact.tension = JointStrength{strength};
-            scene.effects = {std::make_shared<JointBonds<2>>(jointBonds({}, scene.contact, scene.assembly))};
+            scene.effects = {std::make_shared<JointBonds<2>>(jointBonds(scene.contact, scene.assembly))};
         }
         Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
         Step<2> step(scene, motion, timeStep, {});

@@ -42,9 +42,10 @@ DynamicCase<2> sceneWith(const std::string& contactProperties, double theta = 0.
     DynamicCase<2> scene = sceneOf(blockInTheAir(), {.theta = theta, .gravity = {0, 0}});
     CaseEffects<2> read(extendedList());
     readOptions(Dictionary::readString(contactProperties, "constant/contactProperties"), read);
-    read.locations = EntryLocations(Dictionary::readString(contactProperties, "constant/contactProperties"));
-    scene.effects = makeEffects(
-        read, {scene, read.contact, read.locations, {}, scene.displacements(), theta, SolverType::automatic});
+    read.contact.locations =
+        EntryLocations(Dictionary::readString(contactProperties, "constant/contactProperties"));
+    scene.effects =
+        makeEffects(read, {scene, read.contact, {}, scene.displacements(), theta, SolverType::automatic});
     scene.effectNames = effectNames(read);
     return scene;
 }
@@ -142,8 +143,8 @@ TEST(EffectList, ACaseOnDiskIsReadWithAnExtendedList)
     const CaseEffects<2> read = readCaseEffects(directory, extendedList());
     EXPECT_EQ(read.contact.friction->mu, 0.5);
     EXPECT_TRUE(read.declared.back().isGiven(read.contact));
-    EXPECT_EQ(read.locations.of("groundSpring/stiffness").line, 2);
-    EXPECT_EQ(read.locations.of("joints/3-7").line, read.locations.of("").line);
+    EXPECT_EQ(read.contact.locations.of("groundSpring/stiffness").line, 2);
+    EXPECT_EQ(read.contact.locations.of("joints/3-7").line, read.contact.locations.of("").line);
     EXPECT_THROW(readCaseEffects<2>(directory), FatalIOError);
     std::filesystem::remove_all(directory);
 }
@@ -155,7 +156,7 @@ TEST(EffectList, WhatIsAbsentIsNotInTheList)
     {
         CaseEffects<2> read;
         readOptions(Dictionary::readString(text, "constant/contactProperties"), read);
-        return makeEffects(read, {structure, read.contact, read.locations, {}});
+        return makeEffects(read, {structure, read.contact, {}});
     };
     EXPECT_TRUE(effectsOf("friction { type Coulomb; mu 0.6; }").empty());
     EXPECT_TRUE(effectsOf("damping { massProportional 0; }").empty());

@@ -2,6 +2,8 @@
 /// The made-up effect: a spring to the ground.
 #include "GroundSpring.h"
 
+#include "effects/ContactProperties.h"
+
 #include <fmt/format.h>
 
 namespace drystone
@@ -78,7 +80,7 @@ EffectType<2> groundSpringType()
             {
                 throw FatalIOError(
                     fmt::format("There is no free block {} for a spring to hold.", settings.block),
-                    source.locations.of("groundSpring/block"));
+                    source.contact.locations.of("groundSpring/block"));
             }
             return std::make_shared<GroundSpring>(settings);
         });

@@ -4,7 +4,7 @@
 /// a line in the list.
 #pragma once
 
-#include "effects/EffectList.h"
+#include "effects/EffectType.h"
 
 namespace drystone
 {

@@ -46,14 +46,14 @@ DynamicCase<2> bondedScene(Assembly<2> assembly, const Settings& settings, doubl
     DynamicCase<2> scene = sceneOf(std::move(assembly), settings);
     scene.contact.cohesion = JointStrength{cohesion};
     scene.contact.tension = JointStrength{tension};
-    scene.effects = {std::make_shared<JointBonds<2>>(jointBonds({}, scene.contact, scene.assembly))};
+    scene.effects = {std::make_shared<JointBonds<2>>(jointBonds(scene.contact, scene.assembly))};
     return scene;
 }
 
-/// Of a scene with no other effect than bonds.
+/// Of a scene whose last effect is bonds.
 int brokenBonds(const DynamicCase<2>& scene, const Motion<2>& motion)
 {
-    return dynamic_cast<const JointBonds<2>&>(*scene.effects.at(0)).broken(motion.effectStates.at(0));
+    return dynamic_cast<const JointBonds<2>&>(*scene.effects.back()).broken(motion.effectStates.back());
 }
 
 DynamicCase<2> bondedScene(Assembly<2> assembly, Settings settings, double cohesion, double tension,
@@ -353,7 +353,7 @@ TEST(JointBonds, StrengthsBelongToJointsByName)
     name.text = "1-2";
     name.matches = [](std::string_view joint) { return joint == "1-2"; };
     scene.contact.joints.emplace_back(name, glued);
-    const std::vector<Bond<2>> bonds = jointBonds({}, scene.contact, scene.assembly);
+    const std::vector<Bond<2>> bonds = jointBonds(scene.contact, scene.assembly);
     scene.effects = {std::make_shared<JointBonds<2>>(bonds)};
     ASSERT_EQ(bonds.size(), 4u);
     int held = 0;
@@ -367,7 +367,7 @@ TEST(JointBonds, StrengthsBelongToJointsByName)
     EXPECT_EQ(brokenBonds(scene, motion), 0);
     EXPECT_EQ(std::count(motion.effectStates[0].flags.begin(), motion.effectStates[0].flags.end(), true), 2);
     scene.contact.joints[0].second.cohesion = JointStrength{0};
-    EXPECT_TRUE(jointBonds({}, scene.contact, scene.assembly).empty());
+    EXPECT_TRUE(jointBonds(scene.contact, scene.assembly).empty());
 }
 
 TEST(JointBonds, EndsThatAreApartFromTheStartDoNotHold)

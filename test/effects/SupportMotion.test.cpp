@@ -3,6 +3,7 @@
 #include "../dynamics/Scenes.h"
 
 #include "effects/Deletion.h"
+#include "effects/SupportMotion.h"
 
 #include <gtest/gtest.h>
 
@@ -65,7 +66,8 @@ TEST(SupportMotion, CarriesABlockAsAGroundThatAcceleratesLeavesItBehind)
         relative.schemes.smallDisplacements = small;
         DynamicCase<2> absolute = relative;
         shake(relative, std::make_shared<RectangularPulse>(PulseShape{0.5 * g, 0.5, 0}));
-        absolute.supportMotions = {motionOf({1, 0}, {{0, 0}, {0.5, 0.25 * g}, {10, 0.25 * g}})};
+        absolute.effects = {std::make_shared<MovingSupports<2>>(
+            std::vector{motionOf({1, 0}, {{0, 0}, {0.5, 0.25 * g}, {10, 0.25 * g}})})};
         Motion<2> fromTheGround = startMotion(relative, stateAtRest(relative.assembly));
         Motion<2> fromOutside = startMotion(absolute, stateAtRest(absolute.assembly));
         for (int step = 0; step < 1500; ++step)
@@ -97,7 +99,8 @@ TEST(SupportMotion, MakesABlockRockAsTheGroundDoes)
         DynamicCase<2> relative = blockOnGround({.theta = theta, .mu = 5}, 0.5, 2);
         DynamicCase<2> absolute = relative;
         shake(relative, std::make_shared<RectangularPulse>(PulseShape{0.32 * g, 0.5, 0}));
-        absolute.supportMotions = {motionOf({1, 0}, {{0, 0}, {0.5, 0.16 * g}, {10, 0.16 * g}})};
+        absolute.effects = {std::make_shared<MovingSupports<2>>(
+            std::vector{motionOf({1, 0}, {{0, 0}, {0.5, 0.16 * g}, {10, 0.16 * g}})})};
         Motion<2> fromTheGround = startMotion(relative, stateAtRest(relative.assembly));
         Motion<2> fromOutside = startMotion(absolute, stateAtRest(absolute.assembly));
         double largest = 0;
@@ -122,7 +125,8 @@ TEST(SupportMotion, ThatStartsAllAtOncePushesABlockAsAPlasticImpactDoes)
     for (const double theta : {1.0, 0.5})
     {
         DynamicCase<2> scene = blockOnGround({.theta = theta});
-        scene.supportMotions = {motionOf({0, 1}, {{0, 1}, {10, 1}})};
+        scene.effects = {
+            std::make_shared<MovingSupports<2>>(std::vector{motionOf({0, 1}, {{0, 1}, {10, 1}})})};
         Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
         ASSERT_NO_FATAL_FAILURE(run(scene, motion, 1e-2, 0.5));
         const double mass = scene.mass[0];
@@ -137,7 +141,8 @@ TEST(SupportMotion, ThatStartsAllAtOncePushesABlockAsAPlasticImpactDoes)
 TEST(SupportMotion, ThatSettlesTakesABlockAlongAsLongAsItFallsSlowerThanTheBlock)
 {
     DynamicCase<2> scene = blockOnGround({});
-    scene.supportMotions = {motionOf({0, -1}, {{0, 0}, {0.5, 0.25 * g}, {1, 0}})}; // g/2 down, then g/2 up
+    scene.effects = {std::make_shared<MovingSupports<2>>(
+        std::vector{motionOf({0, -1}, {{0, 0}, {0.5, 0.25 * g}, {1, 0}})})}; // g/2 down, then g/2 up
     Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
     const double weight = scene.mass[0] * g;
     const auto force = [&motion] { return motion.contactForces[0].x() + motion.contactForces[1].x(); };
@@ -155,13 +160,15 @@ TEST(SupportMotion, ThatSettlesTakesABlockAlongAsLongAsItFallsSlowerThanTheBlock
 
 TEST(SupportMotion, OfNoSupportIsNone)
 {
-    const Assembly<2> assembly = ground(-1, 1);
-    const std::vector<BlockMass<2>> blocks = blockMasses(assembly);
-    const auto& placements = stateAtRest(assembly).placements;
-    EXPECT_TRUE(supportSteps({}, assembly, blocks, placements, 0, 1).empty());
-    const auto steps =
-        supportSteps({motionOf({0, 1}, {{1, 2}, {2, 2}})}, assembly, blocks, placements, 0, 1.5);
-    ASSERT_EQ(steps.size(), 1u);
+    DynamicCase<2> scene = blockOnGround({});
+    const auto& placements = stateAtRest(scene.assembly).placements;
+    EXPECT_TRUE(supportSteps(scene.effects, scene, placements, 0, 1).empty());
+    EXPECT_EQ(supportVelocities(scene.effects, scene, placements, 0, 1),
+              std::vector<BlockVector<2>>(2, BlockVector<2>::Zero()));
+    scene.effects = {std::make_shared<MovingSupports<2>>(std::vector{motionOf({0, 1}, {{1, 2}, {2, 2}})})};
+    const auto steps = supportSteps(scene.effects, scene, placements, 0, 1.5);
+    ASSERT_EQ(steps.size(), 2u);
+    EXPECT_EQ(displacementAfter(steps[1]), (BlockVector<2>::Zero()));
     EXPECT_NEAR(displacementAfter(steps[0]).y(), 1, 1e-15);
     EXPECT_EQ(displacementAfter(steps[0])[2], 0);
 }
@@ -169,22 +176,20 @@ TEST(SupportMotion, OfNoSupportIsNone)
 TEST(SupportMotion, TurnsABlockAboutTheCentre)
 {
     // A quarter turn about (1, 0) in 2 s, in ten parts: the mass centre (0, -0.5) comes to (1.5, -1).
-    const Assembly<2> assembly = ground(-1, 1);
-    const std::vector<BlockMass<2>> blocks = blockMasses(assembly);
-    std::vector<Placement<2>> placements = stateAtRest(assembly).placements;
+    const DynamicCase<2> scene = sceneOf(ground(-1, 1), {});
+    std::vector<Placement<2>> placements = stateAtRest(scene.assembly).placements;
     const double spin = std::numbers::pi / 4;
-    const SupportMotion<2> turning = turningAbout({1, 0}, {{0, spin}, {2, spin}});
+    const MovingSupports<2> turning({turningAbout({1, 0}, {{0, spin}, {2, spin}})});
     for (int part = 0; part < 10; ++part)
     {
-        const auto steps =
-            supportSteps({turning}, assembly, blocks, placements, 0.2 * part, 0.2 * (part + 1));
+        const auto steps = turning.supportSteps(scene, placements, 0.2 * part, 0.2 * (part + 1));
         const Vector<3> displacement = displacementAfter(steps[0]);
         placements[0].translation += displacement.head<2>();
         placements[0].rotation += displacement[2];
     }
     EXPECT_NEAR(placements[0].rotation, std::numbers::pi / 2, 1e-14);
     EXPECT_NEAR((placements[0].translation - Vector<2>(1.5, -0.5)).norm(), 0, 1e-14);
-    const auto velocities = supportVelocities({turning}, assembly, blocks, placements, 1, 1);
+    const auto velocities = turning.supportVelocities(scene, placements, 1, 1);
     // The arm from (1, 0) is now (0.5, -1).
     EXPECT_NEAR((velocities[0] - Vector<3>(spin, 0.5 * spin, spin)).norm(), 0, 1e-14);
 }
@@ -196,7 +201,8 @@ TEST(SupportMotion, ABlockOnATableThatTiltsIsLiftedAndSlipsAtTheAngleOfFriction)
     {
         DynamicCase<2> scene = blockOnGround({.mu = 0.2, .tolerance = 1e-10});
         scene.schemes.smallDisplacements = small;
-        scene.supportMotions = {turningAbout({0, 0}, {{0, 0}, {0.1, 0.1}, {10, 0.1}})}; // 0.005 rad less
+        scene.effects = {std::make_shared<MovingSupports<2>>(
+            std::vector{turningAbout({0, 0}, {{0, 0}, {0.1, 0.1}, {10, 0.1}})})}; // 0.005 rad less
         Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
         const auto slip = [&]
         {

@@ -26,7 +26,9 @@ DynamicCase<2> shakenBlock(double mu, double horizontal, double vertical = 0)
         GroundMotion::Component component;
         component.direction = direction;
         component.acceleration = std::make_shared<ConstantAcceleration>(value * g);
-        scene.groundMotion.components.push_back(component);
+        GroundMotion ground = groundMotionOf(scene.effects);
+        ground.components.push_back(component);
+        setGroundMotion(scene.effects, ground);
     };
     if (horizontal != 0)
     {

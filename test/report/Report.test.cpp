@@ -1,7 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// The parts of a report: HTML, tables of input, histories, the data of the viewer.
-#include "contact/ContactProperties.h"
 #include "core/WholeFile.h"
+#include "effects/ContactProperties.h"
 #include "effects/EffectList.h"
 #include "report/Histories.h"
 #include "report/HtmlPage.h"

@@ -2,7 +2,7 @@
 // Joints in space that crush or hold together: closed forms of the rectangular stress block, walls of the
 // plane, and the approach of points to it from above.
 #include "SpaceStructures.h"
-#include "contact/JointLaws.h"
+#include "contact/PointAreas.h"
 #include "contact/space/PatchCells.h"
 #include "statics/CrushingHinges.h"
 #include "texture/RunningBond.h"

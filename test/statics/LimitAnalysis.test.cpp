@@ -4,7 +4,7 @@
 #include "Structures.h"
 #include "conic/Certificate.h"
 #include "conic/UpperBounds.h"
-#include "contact/JointLaws.h"
+#include "contact/PointAreas.h"
 #include "statics/CrushingHinges.h"
 #include "texture/Arch.h"
 

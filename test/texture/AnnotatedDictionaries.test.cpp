@@ -2,7 +2,7 @@
 /// The annotated dictionaries in etc/ can be used unchanged.
 #include "assembly/Loads.h"
 #include "assembly/Materials.h"
-#include "contact/ContactProperties.h"
+#include "effects/ContactProperties.h"
 #include "effects/EffectList.h"
 #include "texture/Texture.h"
 

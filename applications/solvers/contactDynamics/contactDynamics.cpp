@@ -10,6 +10,7 @@
 #include "dynamics/Advance.h"
 #include "dynamics/GroundMotionPlausibility.h"
 #include "dynamics/InitialMotion.h"
+#include "effects/SupportMotion.h"
 #include "functionObjects/EffectAdvice.h"
 #include "functionObjects/MotionLog.h"
 #include "functionObjects/MotionResults.h"
@@ -27,7 +28,8 @@ int runIn(const CommandLine& commandLine)
 {
     Time time(commandLine.caseDirectory, ControlDict::required);
     auto scene = readDynamicCase<Dim>(commandLine.caseDirectory);
-    question(doubtsAboutTimes(scene.groundMotion, scene.schemes, time.controls(), time.controlDict()));
+    question(
+        doubtsAboutTimes(groundMotionOf(scene.effects), scene.schemes, time.controls(), time.controlDict()));
     if (commandLine.postProcess)
     {
         postProcess(commandLine.caseDirectory, scene, time);

@@ -1,9 +1,9 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Materials, contact properties and loads as a case states them: good files, and every fault with its line.
+#include "effects/ContactProperties.h"
 #include "assembly/Loads.h"
 #include "assembly/Materials.h"
 #include "contact/ClosedAssembly.h"
-#include "contact/ContactProperties.h"
 #include "effects/EffectList.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Strengths of joints: names, patterns, areas, and every fault with its line.
-#include "contact/JointLaws.h"
+#include "effects/JointLaws.h"
 #include "effects/EffectList.h"
 
 #include <gmock/gmock.h>
@@ -34,8 +34,7 @@ protected:
         std::ofstream(directory / "constant/contactProperties") << text;
         const ContactProperties properties = readContactProperties(directory);
         const std::vector<ContactPoint<2>> ends = findContactPoints(assembly);
-        return pointLaws(directory, properties, assembly,
-                         divideJoints(ends, properties.pointsPerJoint.value_or(2)));
+        return pointLaws(properties, assembly, divideJoints(ends, properties.pointsPerJoint.value_or(2)));
     }
     std::string report(const std::string& text)
     {

@@ -1,0 +1,56 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// What a case says of its joints in constant/contactProperties: the settings of the effects that structures
+/// at rest have, too, each declared in its own files.
+#pragma once
+
+#include "dictionary/EntryLocations.h"
+#include "dictionary/Options.h"
+#include "effects/Friction.h"
+#include "effects/JointModel.h"
+#include "effects/JointStrength.h"
+#include "effects/Restitution.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace drystone
+{
+
+/// What some joints have instead of what all have; the effects that it does not name stay as they are.
+struct JointProperties
+{
+    std::optional<JointFriction> friction;
+    std::optional<JointStrength> cohesion;
+    std::optional<JointStrength> tension;
+    std::optional<JointStrength> crushing;
+};
+
+void declare(Options& options, JointProperties& properties);
+
+/// What the joints of a case carry and how they rebound; what is absent is not simulated and costs nothing.
+struct ContactProperties
+{
+    std::optional<CoulombFriction> friction; ///< absent: frictionless
+    std::optional<Restitution> restitution;  ///< absent: impacts are plastic
+    std::optional<JointStrength> cohesion;   ///< absent: shear by friction alone
+    std::optional<JointStrength> tension;    ///< absent: joints open freely
+    std::optional<JointStrength> crushing;   ///< absent: any pressure is borne
+    std::optional<ContactModel> contact;     ///< absent: points; in limit analysis only
+    /// By name (see jointName), exact names before the last pattern that matches.
+    std::vector<std::pair<NamePattern, JointProperties>> joints;
+    std::optional<int> pointsPerJoint;    ///< of the plane; absent: the ends, and hinges that crush
+    std::optional<PointGrid> jointPoints; ///< of space; absent: the corners
+    EntryLocations locations;             ///< of the entries of constant/contactProperties, for messages
+};
+
+/// Whether some joint has a property of its own.
+template<class Property>
+bool isInJoints(const ContactProperties& contact, std::optional<Property> JointProperties::*property)
+{
+    return std::any_of(contact.joints.begin(), contact.joints.end(),
+                       [property](const auto& joint) { return (joint.second.*property).has_value(); });
+}
+
+} // namespace drystone
