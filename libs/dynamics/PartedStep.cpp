@@ -11,10 +11,12 @@ namespace drystone
 namespace
 {
 
+/// Points that stay as built have no features; they are known by their places.
 template<int Dim>
 bool isSame(const ContactPoint<Dim>& a, const ContactPoint<Dim>& b)
 {
-    return a.block == b.block && a.neighbour == b.neighbour && a.feature == b.feature;
+    return a.block == b.block && a.neighbour == b.neighbour && a.feature == b.feature
+           && (a.feature.vertexBlock >= 0 || a.position == b.position);
 }
 
 } // namespace

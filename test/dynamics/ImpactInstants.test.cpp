@@ -49,6 +49,29 @@ double errorOfRest(scenes::Settings settings, double timeStep)
     return error;
 }
 
+// A step in which a block lands is parted there; each point has its own impulse of the parts, in small
+// displacements as in large ones.
+TEST(ImpactInstants, EveryPointOfAPartedStepHasAnImpulseOfItsOwn)
+{
+    for (const bool small : {false, true})
+    {
+        Assembly<2> assembly = scenes::ground(-4, 4);
+        assembly.blocks.push_back(scenes::rectangle(0, 0, 1, 0.4));
+        DynamicCase<2> scene = scenes::sceneOf(assembly, {.theta = 0.5, .restitution = 0.5});
+        scene.schemes.smallDisplacements = small;
+        DynamicState<2> start = stateAtRest(scene.assembly);
+        start.placements[1].translation.y() = 5e-3;
+        start.velocity[1] = -1;
+        Motion<2> motion = startMotion(scene, start);
+        ASSERT_TRUE(advance(scene, motion, 1e-2));
+        EXPECT_GT(motion.state.velocity[1], 0) << "it has rebounded";
+        const std::vector<Vector<2>>& forces = meanContactForces(motion);
+        ASSERT_EQ(forces.size(), 2u);
+        EXPECT_GT(forces[0].x(), 0);
+        EXPECT_NEAR(forces[0].x(), forces[1].x(), 1e-6 * forces[0].x()) << (small ? "small" : "large");
+    }
+}
+
 TEST(ImpactInstants, ABounceEndsWithinTwoStepsOfItsTimeForEveryTheta)
 {
     for (const double theta : {1.0, 0.75, 0.5})
