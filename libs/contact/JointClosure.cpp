@@ -42,21 +42,21 @@ constexpr int mostRounds = 100;
 class Groups
 {
 public:
-    explicit Groups(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
+    explicit Groups(std::size_t count) : parent(count) { std::iota(parent.begin(), parent.end(), 0); }
 
     int of(int thing)
     {
-        while (parent_[thing] != thing)
+        while (parent[thing] != thing)
         {
-            parent_[thing] = parent_[parent_[thing]];
-            thing = parent_[thing];
+            parent[thing] = parent[parent[thing]];
+            thing = parent[thing];
         }
         return thing;
     }
-    void unite(int one, int other) { parent_[of(one)] = of(other); }
+    void unite(int one, int other) { parent[of(one)] = of(other); }
 
 private:
-    std::vector<int> parent_;
+    std::vector<int> parent;
 };
 
 /// A straight line: the places x with normal (x - point) = 0.

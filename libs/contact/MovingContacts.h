@@ -98,7 +98,7 @@ public:
     void leaveOut(int block);
 
     /// How many times the neighbour list was built [-].
-    int rebuilds() const { return rebuilds_; }
+    int rebuilds() const { return rebuildCount; }
 
 private:
     /// Corners and edges of all blocks, one after the other; edge i of a block runs from its corner i to the
@@ -151,33 +151,34 @@ private:
     bool excludeEachOther(const Candidate& a, const Candidate& b) const;
 
     // Of the blocks as built.
-    std::vector<int> first_;              ///< block b has the corners first_[b] to first_[b + 1]
-    std::vector<int> next_, previous_;    ///< corner round the outline
-    std::vector<int> vertex_;             ///< index of the corner in the block's outline
-    std::vector<char> isConvex_;          ///< corner turns left
-    std::vector<double> length_;          ///< of edge i [m]
-    std::vector<Vector<2>> localCorner_;  ///< relative to the mass centre [m]
-    std::vector<Vector<2>> localTangent_; ///< of edge i
-    std::vector<Vector<2>> centroid_;     ///< of each block [m]
-    std::vector<char> isFixed_;           ///< block belongs to a support
-    std::vector<char> isLeftOut_;         ///< see leaveOut; empty while there is none
-    std::vector<double> radius_;          ///< of each block about its mass centre [m]
-    std::vector<double> deepest_;         ///< overlap beyond which a block's contacts are not trusted [m]
-    double tolerance_ = 0;                ///< [m]
-    double skin_ = 0;                     ///< [m]
+    std::vector<int> first;              ///< block b has the corners first[b] to first[b + 1]
+    std::vector<int> next, previous;     ///< corner round the outline
+    std::vector<int> vertex;             ///< index of the corner in the block's outline
+    std::vector<char> isConvexCorner;    ///< corner turns left
+    std::vector<double> edgeLength;      ///< of edge i [m]
+    std::vector<Vector<2>> localCorner;  ///< relative to the mass centre [m]
+    std::vector<Vector<2>> localTangent; ///< of edge i
+    std::vector<Vector<2>> centroids;    ///< of each block [m]
+    std::vector<char> isFixed;           ///< block belongs to a support
+    std::vector<char> leftOut;           ///< see leaveOut; empty while there is none
+    std::vector<double> radii;           ///< of each block about its mass centre [m]
+    std::vector<double> deepest;         ///< overlap beyond which a block's contacts are not trusted [m]
+    double pointTolerance = 0;           ///< [m]
+    double skin = 0;                     ///< [m]
 
     // Of the last update.
-    Outlines now_, aheadStorage_;
-    const Outlines* ahead_ = nullptr; ///< `now_` when nothing is said of where the blocks are heading
-    std::vector<BoundingBox> reach_;  ///< of each block, now and ahead, with half the margin
-    std::vector<BoundingBox> fat_;    ///< reach at the last search, with half the skin
-    std::vector<std::pair<int, int>> neighbours_;
-    int block_ = -1, neighbour_ = -1; ///< pair being looked at
-    std::vector<Candidate> candidates_;
-    std::vector<ContactPoint<2>> points_;
-    std::vector<std::pair<int, int>> cornerAndEdge_; ///< of each point, indices into Outlines
-    int joint_ = 0;
-    int rebuilds_ = 0;
+    Outlines placedNow, aheadStorage;
+    const Outlines* placedAhead =
+        nullptr;                      ///< `placedNow` when nothing is said of where the blocks are heading
+    std::vector<BoundingBox> reaches; ///< of each block, now and ahead, with half the margin
+    std::vector<BoundingBox> fat;     ///< reach at the last search, with half the skin
+    std::vector<std::pair<int, int>> neighbours;
+    int pairBlock = -1, pairNeighbour = -1; ///< pair being looked at
+    std::vector<Candidate> candidates;
+    std::vector<ContactPoint<2>> found;
+    std::vector<std::pair<int, int>> cornerAndEdge; ///< of each point, indices into Outlines
+    int joints = 0;
+    int rebuildCount = 0;
 };
 
 } // namespace drystone

@@ -133,16 +133,16 @@ public:
         }
         catch (const FatalIOError& fault)
         {
-            faults_.push_back(fault);
+            collected.push_back(fault);
         }
     }
-    bool isEmpty() const { return faults_.empty(); }
-    bool isFull() const { return faults_.size() >= most; }
+    bool isEmpty() const { return collected.empty(); }
+    bool isFull() const { return collected.size() >= most; }
 
     /// Whether a key that is not known is said to be likely this one: it is then not missing as well.
     bool suggest(const std::string& key) const
     {
-        return std::any_of(faults_.begin(), faults_.end(),
+        return std::any_of(collected.begin(), collected.end(),
                            [&](const FatalIOError& fault) {
                                return std::string_view(fault.what()).find("Did you mean " + key + "?")
                                       != std::string_view::npos;
@@ -153,18 +153,18 @@ public:
     /// one fault it is that fault.
     void report() const
     {
-        if (faults_.empty())
+        if (collected.empty())
             return;
         std::string text;
-        for (std::size_t i = 0; i + 1 < faults_.size(); ++i)
-            text += fmt::format("{}\n\n{}\n\n", faults_[i].what(), describe(faults_[i].location()));
-        throw FatalIOError(text + faults_.back().what(), faults_.back().location(),
-                           faults_.front().exitStatus());
+        for (std::size_t i = 0; i + 1 < collected.size(); ++i)
+            text += fmt::format("{}\n\n{}\n\n", collected[i].what(), describe(collected[i].location()));
+        throw FatalIOError(text + collected.back().what(), collected.back().location(),
+                           collected.front().exitStatus());
     }
 
 private:
     static constexpr std::size_t most = 20; ///< more than a user reads
-    std::vector<FatalIOError> faults_;
+    std::vector<FatalIOError> collected;
 };
 
 std::string withUnit(const OptionDescription& option)

@@ -103,9 +103,7 @@ std::string timeName(double value, TimeFormat format, int precision)
 }
 
 Time::Time(const fs::path& caseDirectory, ControlDict presence)
-    : caseDirectory_(caseDirectory),
-      file((caseDirectory / "system/controlDict").lexically_normal()),
-      needed(presence)
+    : file((caseDirectory / "system/controlDict").lexically_normal()), needed(presence)
 {
     requireCase(caseDirectory);
     if (presence == ControlDict::required)

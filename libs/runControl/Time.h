@@ -194,7 +194,6 @@ private:
     /// The longest step up to `wanted` of which a whole number ends on the next instant to stop at.
     double fittingStep(double wanted) const;
 
-    std::filesystem::path caseDirectory_;
     std::filesystem::path file;
     std::filesystem::file_time_type fileTime;
     ControlDict needed;
