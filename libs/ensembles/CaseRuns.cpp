@@ -269,4 +269,30 @@ ApplicationRun runInCase(const std::string& application, const fs::path& caseDir
     return run;
 }
 
+CaseRun runCopy(const fs::path& caseDirectory, const fs::path& target, const std::vector<OtherEntry>& entries,
+                const CaseApplications& applications)
+{
+    copyCase(caseDirectory, target);
+    for (const auto& [place, text] : entries)
+    {
+        setEntry(target, place, text);
+    }
+    CaseRun run;
+    for (const std::string& directory : applications.cases)
+    {
+        for (const std::string& application : applications.applications)
+        {
+            const fs::path there = (target / directory).lexically_normal();
+            static_cast<ApplicationRun&>(run) = runInCase(application, there, applications.options);
+            run.application = application;
+            run.directory = directory;
+            if (run.isInterrupted || run.status != 0)
+            {
+                return run;
+            }
+        }
+    }
+    return run;
+}
+
 } // namespace drystone

@@ -4,12 +4,14 @@
 #pragma once
 
 #include "dictionary/Fingerprint.h"
+#include "ensembles/CaseEntry.h"
 
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace drystone
@@ -46,5 +48,29 @@ struct ApplicationRun
 /// \throws FatalError when there is no such application
 ApplicationRun runInCase(const std::string& application, const std::filesystem::path& caseDirectory,
                          const std::vector<std::string>& options);
+
+/// An entry of a case with another value, as its text.
+using OtherEntry = std::pair<CaseEntry, std::string>;
+
+/// What is run in a copy of a case.
+struct CaseApplications
+{
+    std::vector<std::string> applications; ///< in this order, up to the first that fails
+    std::vector<std::string> cases{"."};   ///< in each of which all of them are run, in the copy
+    std::vector<std::string> options;
+};
+
+/// The application with which a copy has ended: the one that failed, or the last.
+struct CaseRun : ApplicationRun
+{
+    std::string application;
+    std::string directory; ///< of `cases`
+};
+
+/// Copies a case to `target` with other values of some entries, and runs applications there, until one fails
+/// or this process is requested to stop. \throws as
+/// copyCase, setEntry and runInCase
+CaseRun runCopy(const std::filesystem::path& caseDirectory, const std::filesystem::path& target,
+                const std::vector<OtherEntry>& entries, const CaseApplications& applications);
 
 } // namespace drystone

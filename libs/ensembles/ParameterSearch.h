@@ -1,141 +1,16 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Smallest or largest value of a result of a case over some of its entries: system/parameterSearchDict.
-///
-///     applications (blockTexture limitAnalysis);      // run one after the other in a copy of the case
-///     variables
-///     {
-///         thickness { file "system/blockTextureDict"; entry "texture/thickness"; bounds (0.05 0.3); }
-///     }
-///     results
-///     {
-///         alpha { table "postProcessing/limitAnalysis/0/limitAnalysis.dat"; column alpha; otherwise -0.1; }
-///     }
-///     objective   { goal minimise; value thickness; }
-///     constraints { stands { value alpha; atLeast 0; } }
-///     search      ( { algorithm DIRECT_L; maximumEvaluations 30; } { algorithm COBYLA; } );
+/// The search for the smallest or largest value of a result of a case over some of its entries.
 #pragma once
 
-#include "dictionary/Options.h"
-#include "ensembles/CaseEntry.h"
-#include "quantities/TableFigure.h"
+#include "ensembles/SearchSettings.h"
 
-#include <array>
-#include <map>
+#include <functional>
 #include <optional>
-#include <string>
+#include <utility>
 #include <vector>
 
 namespace drystone
 {
-
-/// An entry of a dictionary of the case that is varied. It must be a number.
-struct SearchVariable
-{
-    CaseEntry place;
-    std::array<double, 2> bounds{0, 0};
-    std::optional<double> start; ///< absent: the value of the case, or the nearer bound
-    double firstStep = 0.25;     ///< of local algorithms [width of the bounds]
-};
-void declare(Options& options, SearchVariable& variable);
-
-/// A number in a table of the applications.
-struct SearchResult
-{
-    TableFigure figure;
-    std::optional<double> otherwise; ///< where the table has none, or one that is not finite
-};
-void declare(Options& options, SearchResult& result);
-
-enum class SearchGoal
-{
-    minimise,
-    maximise,
-};
-inline std::array<std::pair<std::string_view, SearchGoal>, 2> namesOf(SearchGoal)
-{
-    return {{{"minimise", SearchGoal::minimise}, {"maximise", SearchGoal::maximise}}};
-}
-
-/// The value to be minimised or maximised: arithmetic of variables and results.
-struct SearchObjective
-{
-    SearchGoal goal = SearchGoal::minimise;
-    std::string value;
-
-    double sign() const { return goal == SearchGoal::minimise ? 1 : -1; } ///< times the value is to be least
-};
-void declare(Options& options, SearchObjective& objective);
-
-/// A condition: arithmetic of variables and results, within limits.
-struct SearchConstraint
-{
-    std::string value;
-    std::optional<double> atLeast;
-    std::optional<double> atMost;
-    double tolerance = 1e-8; ///< by which the limits may be missed, in the unit of the value
-};
-void declare(Options& options, SearchConstraint& constraint);
-
-/// Algorithms of NLopt, by NLopt's names without the first two letters, and one of our own. The global ones
-/// search the whole range; the local ones start from the best point known.
-enum class SearchAlgorithm
-{
-    bisection,  ///< of one variable: the end of the range in which constraints hold
-    DIRECT,     ///< divides the bounds into boxes; global
-    DIRECT_L,   ///< the same, nearer to the best box; global
-    CRS2_LM,    ///< random population with local mutation; global
-    ISRES,      ///< evolution, with constraints; global
-    ESCH,       ///< evolution; global
-    BOBYQA,     ///< quadratic models; local
-    COBYLA,     ///< linear models, with constraints; local
-    SBPLX,      ///< simplex on subspaces, for functions that are not smooth; local
-    NELDERMEAD, ///< simplex; local
-    PRAXIS      ///< principal axes; local
-};
-inline std::array<std::pair<std::string_view, SearchAlgorithm>, 11> namesOf(SearchAlgorithm)
-{
-    using enum SearchAlgorithm;
-    return {{{"bisection", bisection},
-             {"DIRECT", DIRECT},
-             {"DIRECT_L", DIRECT_L},
-             {"CRS2_LM", CRS2_LM},
-             {"ISRES", ISRES},
-             {"ESCH", ESCH},
-             {"BOBYQA", BOBYQA},
-             {"COBYLA", COBYLA},
-             {"SBPLX", SBPLX},
-             {"NELDERMEAD", NELDERMEAD},
-             {"PRAXIS", PRAXIS}}};
-}
-std::string_view nameOf(SearchAlgorithm algorithm);
-bool isGlobal(SearchAlgorithm algorithm);
-bool takesConstraints(SearchAlgorithm algorithm);
-
-/// One algorithm of a sequence, each of which begins with the best point of those before it.
-struct SearchStage
-{
-    SearchAlgorithm algorithm = SearchAlgorithm::BOBYQA;
-    int maximumEvaluations = 200;
-    double tolerance = 1e-6; ///< a local search ends when variables change by less [width of the bounds]
-    double objectiveTolerance = 0;   ///< ... or the objective does
-    std::optional<double> stopValue; ///< ends as soon as the objective is as good as this
-    int population = 0;              ///< of CRS2_LM, ISRES and ESCH; 0: NLopt's choice
-};
-void declare(Options& options, SearchStage& stage);
-
-/// The contents of the dictionary.
-struct ParameterSearchSettings
-{
-    std::vector<std::string> applications;
-    std::vector<std::string> cases{"."}; ///< in which they are run, in the case directory
-    std::vector<Named<SearchVariable>> variables;
-    std::vector<Named<SearchResult>> results;
-    SearchObjective objective;
-    std::vector<Named<SearchConstraint>> constraints;
-    std::vector<SearchStage> search;
-    int seed = 1; ///< of the random numbers of CRS2_LM, ISRES and ESCH
-};
-void declare(Options& options, ParameterSearchSettings& settings);
 
 /// A point of the search and its results.
 struct Evaluation
@@ -146,10 +21,6 @@ struct Evaluation
     std::vector<double> constraints; ///< values
     double violation = 0;            ///< largest violation of a limit beyond its tolerance; 0: all hold
 };
-
-/// The value of an expression of variables and results. \throws std::invalid_argument
-double valueOf(const std::string& expression, const ParameterSearchSettings& settings,
-               const std::vector<double>& variables, const std::vector<double>& results);
 
 /// Objective and constraints at a point whose results are known. \throws FatalError when an expression has no
 /// finite value there

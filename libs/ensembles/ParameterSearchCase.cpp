@@ -116,38 +116,26 @@ PointRun runPoint(const ParameterSearch& search, const std::vector<double>& vari
 {
     const ParameterSearchSettings& settings = search.settings;
     const fs::path folder = search.caseDirectory / "parameterSearch/evaluation";
-    copyCase(search.caseDirectory, folder);
+    std::vector<OtherEntry> entries;
     for (std::size_t i = 0; i < variables.size(); ++i)
     {
-        setEntry(folder, settings.variables[i].second.place, fmt::format("{}", variables[i]));
+        entries.emplace_back(settings.variables[i].second.place, fmt::format("{}", variables[i]));
     }
+    const CaseRun done = runCopy(search.caseDirectory, folder, entries,
+                                 {settings.applications, settings.cases, search.options});
     PointRun run;
-    for (const std::string& directory : settings.cases)
+    run.isInterrupted = done.isInterrupted;
+    if (run.isInterrupted)
     {
-        const fs::path caseDirectory = (folder / directory).lexically_normal();
-        for (const std::string& application : settings.applications)
-        {
-            const ApplicationRun done = runInCase(application, caseDirectory, search.options);
-            if (done.isInterrupted)
-            {
-                run.isInterrupted = true;
-                return run;
-            }
-            if (done.status != 0)
-            {
-                run.failure = fmt::format(
-                    "{} ended with exit status {} (parameterSearch/evaluation/{}log.{})", application,
-                    done.status, directory == "." ? "" : directory + "/", application);
-                run.failureStatus = done.status;
-                run.errorOutput = done.errorOutput;
-                // A table of an earlier application may be from before the failure.
-                break;
-            }
-        }
-        if (!run.failure.empty())
-        {
-            break;
-        }
+        return run;
+    }
+    if (done.status != 0) // a table of an earlier application may be from before the failure
+    {
+        run.failure = fmt::format("{} ended with exit status {} (parameterSearch/evaluation/{}log.{})",
+                                  done.application, done.status,
+                                  done.directory == "." ? "" : done.directory + "/", done.application);
+        run.failureStatus = done.status;
+        run.errorOutput = done.errorOutput;
     }
     for (std::size_t i = 0; i < settings.results.size(); ++i)
     {

@@ -311,27 +311,26 @@ SampleOutcome SampleRunner::run(const std::vector<SampleValue>& values)
 SampleOutcome SampleRunner::runByApplications(const std::vector<SampleValue>& values)
 {
     const std::size_t count = ensemble.settings.results.size();
-    copyCase(ensemble.caseDirectory, scratch);
+    std::vector<OtherEntry> entries;
     for (std::size_t k = 0; k < values.size(); ++k)
     {
-        setEntry(scratch, ensemble.settings.variables[k].second.place, entryText(values[k]));
+        entries.emplace_back(ensemble.settings.variables[k].second.place, entryText(values[k]));
     }
-    for (const std::string& application : ensemble.settings.applications)
+    const CaseRun done = runCopy(ensemble.caseDirectory, scratch, entries,
+                                 {ensemble.settings.applications, {"."}, ensemble.options});
+    const bool isCutShort = done.isInterrupted && done.application != ensemble.settings.applications.back();
+    if (done.status != 0 || isCutShort)
     {
-        const ApplicationRun done = runInCase(application, scratch, ensemble.options);
-        if (done.status != 0)
-        {
-            const SampleStatus status = done.status > 128  ? SampleStatus::crashed
-                                        : done.status == 2 ? SampleStatus::notConverged
-                                                           : SampleStatus::failed;
-            SampleOutcome outcome{status, std::vector<double>(count, std::nan("")),
-                                  fmt::format("{} ended with exit status {}: {}", application, done.status,
-                                              firstLine(done.errorOutput))};
-            const int signal = done.status - 128;
-            outcome.isFromOutside =
-                signal == SIGKILL || signal == SIGTERM || signal == SIGHUP || signal == SIGINT;
-            return outcome;
-        }
+        const SampleStatus status = done.status > 128  ? SampleStatus::crashed
+                                    : done.status == 2 ? SampleStatus::notConverged
+                                                       : SampleStatus::failed;
+        SampleOutcome outcome{status, std::vector<double>(count, std::nan("")),
+                              fmt::format("{} ended with exit status {}: {}", done.application, done.status,
+                                          firstLine(done.errorOutput))};
+        const int signal = done.status - 128;
+        outcome.isFromOutside =
+            isCutShort || signal == SIGKILL || signal == SIGTERM || signal == SIGHUP || signal == SIGINT;
+        return outcome;
     }
     std::vector<double> results;
     for (const auto& [name, figure] : ensemble.settings.results)

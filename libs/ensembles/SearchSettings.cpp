@@ -1,0 +1,290 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Declares the settings of a search.
+#include "ensembles/SearchSettings.h"
+
+#include "dictionary/Expression.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace drystone
+{
+namespace
+{
+
+constexpr const char* insideTheCase =
+    "A search changes and reads copies of the case: give a path within the case directory, relative to it.";
+
+/// Empty when an expression of these names can be evaluated.
+std::string expressionFault(const std::string& expression, const ParameterSearchSettings& settings)
+{
+    // A value at which hardly any expression is undefined.
+    const std::vector<double> variables(settings.variables.size(), 0.5123);
+    const std::vector<double> results(settings.results.size(), 0.4321);
+    try
+    {
+        valueOf(expression, settings, variables, results);
+    }
+    catch (const std::invalid_argument& error)
+    {
+        if (std::string_view(error.what()).find("finite") != std::string_view::npos)
+        {
+            return {}; // undefined at this point; it may be defined elsewhere
+        }
+        std::string names;
+        for (const auto& [name, variable] : settings.variables)
+        {
+            names += " " + name;
+        }
+        for (const auto& [name, result] : settings.results)
+        {
+            names += " " + name;
+        }
+        std::string reason = error.what();
+        reason.erase(reason.find_last_not_of('.') + 1);
+        return fmt::format("`{}` is not arithmetic of variables and results: {}.\n\nVariables and results:{}",
+                           expression, reason, names);
+    }
+    return {};
+}
+
+std::string nameFault(const std::string& name, std::set<std::string>& names)
+{
+    if (std::string fault = faultOfName(name); !fault.empty())
+    {
+        return fault;
+    }
+    if (!names.insert(name).second)
+    {
+        return fmt::format("Two variables or results have the name {}: choose another one.", name);
+    }
+    return {};
+}
+
+} // namespace
+
+std::string_view nameOf(SearchAlgorithm algorithm)
+{
+    for (const auto& [name, value] : namesOf(algorithm))
+    {
+        if (value == algorithm)
+        {
+            return name;
+        }
+    }
+    return {};
+}
+
+bool isGlobal(SearchAlgorithm algorithm)
+{
+    using enum SearchAlgorithm;
+    return algorithm == DIRECT || algorithm == DIRECT_L || algorithm == CRS2_LM || algorithm == ISRES
+           || algorithm == ESCH;
+}
+
+bool takesConstraints(SearchAlgorithm algorithm)
+{
+    using enum SearchAlgorithm;
+    return algorithm == bisection || algorithm == DIRECT || algorithm == DIRECT_L || algorithm == ISRES
+           || algorithm == COBYLA;
+}
+
+void declare(Options& options, SearchVariable& variable)
+{
+    declare(options, variable.place);
+    options.required("bounds", variable.bounds, "smallest and largest value tried").example("(0.05 0.3)");
+    options.optional("start", variable.start, "where local algorithms begin; absent: the value in the file")
+        .example("0.15");
+    options
+        .optional("firstStep", variable.firstStep, "of local algorithms, as part of the width of the bounds")
+        .above(0)
+        .atMost(1);
+    options.check("bounds",
+                  [&variable]
+                  {
+                      return variable.bounds[0] < variable.bounds[1]
+                                 ? ""
+                                 : "The range between these bounds is empty: give the lower one first.";
+                  });
+    options.check("start",
+                  [&variable]
+                  {
+                      return !variable.start
+                                     || (variable.bounds[0] <= *variable.start
+                                         && *variable.start <= variable.bounds[1])
+                                 ? ""
+                                 : "The start lies outside the bounds: give a value between them.";
+                  });
+}
+
+void declare(Options& options, SearchResult& result)
+{
+    declare(options, result.figure);
+    options
+        .optional("otherwise", result.otherwise,
+                  "used where there is no finite number: the structure does not stand, or an application "
+                  "failed; absent: that ends the search")
+        .example("-0.1");
+}
+
+void declare(Options& options, SearchObjective& objective)
+{
+    options.required("goal", objective.goal, "whether the value is minimised or maximised")
+        .example("minimise");
+    options.required("value", objective.value, "arithmetic of variables and results").example("thickness");
+}
+
+void declare(Options& options, SearchConstraint& constraint)
+{
+    options.required("value", constraint.value, "arithmetic of variables and results").example("alpha");
+    options.optional("atLeast", constraint.atLeast, "lower limit of the value").example("0");
+    options.optional("atMost", constraint.atMost, "upper limit of the value").example("1");
+    options.optional("tolerance", constraint.tolerance, "by which the limits may be missed").atLeast(0);
+    options.check("value",
+                  [&constraint]
+                  {
+                      return constraint.atLeast || constraint.atMost
+                                 ? ""
+                                 : "A constraint has a limit: give `atLeast` or `atMost`, or both.";
+                  });
+    options.check("atLeast",
+                  [&constraint]
+                  {
+                      return constraint.atLeast && constraint.atMost
+                                     && *constraint.atLeast > *constraint.atMost
+                                 ? "atLeast is above atMost: nothing meets both."
+                                 : "";
+                  });
+}
+
+void declare(Options& options, SearchStage& stage)
+{
+    options.required("algorithm", stage.algorithm, "of NLopt").example("BOBYQA");
+    options.optional("maximumEvaluations", stage.maximumEvaluations, "of the objective").atLeast(1);
+    options
+        .optional("tolerance", stage.tolerance,
+                  "a local algorithm ends when variables change by less, as part of the width of the bounds")
+        .atLeast(0);
+    options.optional("objectiveTolerance", stage.objectiveTolerance, "... or the objective does").atLeast(0);
+    options.optional("stopValue", stage.stopValue, "ends as soon as the objective is as good as this")
+        .example("1e-9");
+    options.optional("population", stage.population, "of CRS2_LM, ISRES and ESCH; 0: as NLopt chooses")
+        .atLeast(0)
+        .atMost(100000);
+}
+
+void declare(Options& options, ParameterSearchSettings& settings)
+{
+    options.required("applications", settings.applications, "run one after the other for each point")
+        .oneOf({"blockTexture", "checkBlocks", "limitAnalysis", "contactDynamics", "incrementalDynamics"})
+        .example("(blockTexture limitAnalysis)");
+    options.optional("cases", settings.cases, "in which directories of the case they are run");
+    options.required("variables", settings.variables, "entries that are varied; any names")
+        .example("thickness");
+    options.required("results", settings.results, "numbers in tables of the applications; any names")
+        .example("alpha");
+    options.required("objective", settings.objective, "the value to be minimised or maximised");
+    options.optional("constraints", settings.constraints, "conditions that have to hold; any names")
+        .example("stands");
+    options.required("search", settings.search, "algorithms, each beginning with the best point so far")
+        .example("( { algorithm DIRECT_L; maximumEvaluations 40; } { algorithm BOBYQA; } )");
+    options.optional("seed", settings.seed, "of random numbers").atLeast(0);
+    options.check("applications", [&settings]
+                  { return settings.applications.empty() ? "Nothing is run: give applications." : ""; });
+    options.check("cases",
+                  [&settings]
+                  {
+                      const bool isFine =
+                          !settings.cases.empty()
+                          && std::all_of(settings.cases.begin(), settings.cases.end(), isInsideCase);
+                      return isFine ? "" : insideTheCase;
+                  });
+    options.check("variables",
+                  [&settings]() -> std::string
+                  {
+                      std::set<std::string> names;
+                      for (const auto& [name, variable] : settings.variables)
+                      {
+                          if (std::string fault = nameFault(name, names); !fault.empty())
+                          {
+                              return fault;
+                          }
+                      }
+                      return names.empty() ? "There is no variable." : "";
+                  });
+    options.check("results",
+                  [&settings]() -> std::string
+                  {
+                      std::set<std::string> names;
+                      for (const auto& [name, variable] : settings.variables)
+                      {
+                          names.insert(name);
+                      }
+                      for (const auto& [name, result] : settings.results)
+                      {
+                          if (std::string fault = nameFault(name, names); !fault.empty())
+                          {
+                              return fault;
+                          }
+                      }
+                      return "";
+                  });
+    options.check("objective", [&settings] { return expressionFault(settings.objective.value, settings); });
+    options.check("constraints",
+                  [&settings]() -> std::string
+                  {
+                      for (const auto& [name, constraint] : settings.constraints)
+                      {
+                          if (std::string fault = expressionFault(constraint.value, settings); !fault.empty())
+                          {
+                              return fault;
+                          }
+                      }
+                      return "";
+                  });
+    options.check("search",
+                  [&settings]() -> std::string
+                  {
+                      if (settings.search.empty())
+                      {
+                          return "Give at least one algorithm.";
+                      }
+                      for (const SearchStage& stage : settings.search)
+                      {
+                          const bool isBisection = stage.algorithm == SearchAlgorithm::bisection;
+                          if (isBisection && (settings.variables.size() != 1 || settings.constraints.empty()))
+                          {
+                              return "bisection finds where constraints cease to hold, along one variable: "
+                                     "give it constraints, and one variable.";
+                          }
+                          if (!settings.constraints.empty() && !takesConstraints(stage.algorithm))
+                          {
+                              return fmt::format(
+                                  "{} takes no constraints.\n\nAlgorithms that do: COBYLA DIRECT "
+                                  "DIRECT_L ISRES",
+                                  nameOf(stage.algorithm));
+                          }
+                      }
+                      return "";
+                  });
+}
+
+double valueOf(const std::string& expression, const ParameterSearchSettings& settings,
+               const std::vector<double>& variables, const std::vector<double>& results)
+{
+    std::map<std::string, double> names;
+    for (std::size_t i = 0; i < variables.size(); ++i)
+    {
+        names[settings.variables[i].first] = variables[i];
+    }
+    for (std::size_t i = 0; i < results.size(); ++i)
+    {
+        names[settings.results[i].first] = results[i];
+    }
+    return evaluateExpression(expression, names);
+}
+
+} // namespace drystone
