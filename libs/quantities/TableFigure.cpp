@@ -77,6 +77,29 @@ bool isColumn(std::string_view heading, std::string_view name)
            || (heading.size() > name.size() && heading.starts_with(name) && heading[name.size()] == '[');
 }
 
+std::optional<TableLine> nextLine(std::istream& table)
+{
+    TableLine line;
+    if (!std::getline(table, line.text))
+    {
+        return std::nullopt;
+    }
+    line.isHeading = line.text.starts_with("#");
+    std::istringstream words(line.isHeading ? line.text.substr(1) : line.text);
+    for (std::string word; words >> word;)
+    {
+        line.words.push_back(word);
+    }
+    return line;
+}
+
+std::optional<double> numberIn(const std::string& word)
+{
+    char* end = nullptr;
+    const double value = std::strtod(word.c_str(), &end);
+    return end == word.c_str() || *end != 0 ? std::nullopt : std::optional(value);
+}
+
 std::optional<std::vector<double>> readColumn(const fs::path& table, const std::string& name)
 {
     std::error_code ignored;
@@ -88,18 +111,11 @@ std::optional<std::vector<double>> readColumn(const fs::path& table, const std::
     std::vector<std::string> columns;
     std::vector<double> values;
     std::size_t wanted = 0;
-    for (std::string line; std::getline(stream, line);)
+    while (const std::optional<TableLine> line = nextLine(stream))
     {
-        std::istringstream words(line);
-        std::string word;
-        if (line.starts_with("#"))
+        if (line->isHeading)
         {
-            columns.clear();
-            words.get();
-            while (words >> word)
-            {
-                columns.push_back(word);
-            }
+            columns = line->words;
             continue;
         }
         if (values.empty())
@@ -114,18 +130,13 @@ std::optional<std::vector<double>> readColumn(const fs::path& table, const std::
             }
             wanted = static_cast<std::size_t>(found - columns.begin());
         }
-        std::size_t read = 0;
-        while (read <= wanted && words >> word)
+        const std::optional<double> value =
+            wanted < line->words.size() ? numberIn(line->words[wanted]) : std::nullopt;
+        if (!value)
         {
-            ++read;
+            throw FatalError(fmt::format("{} is not a table of numbers: `{}`.", table.string(), line->text));
         }
-        char* end = nullptr;
-        const double value = std::strtod(word.c_str(), &end);
-        if (read <= wanted || end == word.c_str() || *end != 0)
-        {
-            throw FatalError(fmt::format("{} is not a table of numbers: `{}`.", table.string(), line));
-        }
-        values.push_back(value);
+        values.push_back(*value);
     }
     return values;
 }

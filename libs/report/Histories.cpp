@@ -2,12 +2,13 @@
 /// Reads tables and draws them over time.
 #include "report/Histories.h"
 
+#include "quantities/TableFigure.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <sstream>
 
 namespace drystone
 {
@@ -26,49 +27,36 @@ std::pair<std::string, std::string> nameAndUnit(const std::string& heading)
     return {heading.substr(0, bracket), heading.substr(bracket + 1, heading.size() - bracket - 2)};
 }
 
-std::vector<double> numbersOf(const std::string& line)
-{
-    std::istringstream stream(line);
-    std::vector<double> numbers;
-    for (std::string word; stream >> word;)
-    {
-        char* end = nullptr;
-        numbers.push_back(std::strtod(word.c_str(), &end));
-        if (*end != '\0')
-        {
-            return {};
-        }
-    }
-    return numbers;
-}
-
 } // namespace
 
 NumberTable readNumberTable(const std::filesystem::path& file)
 {
     NumberTable table;
     std::ifstream stream(file);
-    std::string line;
-    if (!std::getline(stream, line) || !line.starts_with("# "))
+    const std::optional<TableLine> heading = nextLine(stream);
+    if (!heading || !heading->isHeading)
     {
         return table;
     }
-    std::istringstream headings(line.substr(2));
-    for (std::string heading; headings >> heading;)
+    for (const std::string& word : heading->words)
     {
-        const auto [name, unit] = nameAndUnit(heading);
+        const auto [name, unit] = nameAndUnit(word);
         table.names.push_back(name);
         table.units.push_back(unit);
     }
     table.columns.resize(table.names.size());
-    while (std::getline(stream, line))
+    while (const std::optional<TableLine> line = nextLine(stream))
     {
-        const std::vector<double> numbers = numbersOf(line);
-        if (numbers.size() != table.names.size())
+        std::vector<double> numbers;
+        for (const std::string& word : line->words)
         {
-            continue;
+            if (const std::optional<double> number = numberIn(word))
+            {
+                numbers.push_back(*number);
+            }
         }
-        for (std::size_t column = 0; column < numbers.size(); ++column)
+        const bool isRow = line->words.size() == table.names.size() && numbers.size() == table.names.size();
+        for (std::size_t column = 0; isRow && column < numbers.size(); ++column)
         {
             table.columns[column].push_back(numbers[column]);
         }

@@ -10,6 +10,8 @@ import re
 import sys
 import tempfile
 
+import checkTree
+
 # What each library may include besides itself. Sorted from the bottom up; a library only sees those below it.
 below = {
     "core": "",
@@ -165,23 +167,14 @@ def selfTest():
             found = violations(tree({**good, name: good.get(name, "") + line + "\n"}))
             if len(found) != 1 or message not in found[0]:
                 failures.append(f"{line} in {name}: expected '{message}', got {found}")
-    for failure in failures:
-        print("self-test:", failure)
-    print(f"{len(planted)} planted violations, {len(failures)} failures")
-    return failures
+    return len(planted), failures
 
 
-def main():
-    if "--self-test" in sys.argv[1:]:
-        return 1 if selfTest() else 0
-    root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parents[2])
+def check(root):
     found = violations(root)
     count = len(list(sourceFiles(root)))
-    for line in found:
-        print(line)
-    print(f"{count} files, {len(found)} violations")
-    return 1 if found or not count else 0
+    return found if count else ["no source files"], f"{count} files, {len(found)} violations"
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(checkTree.run(check, selfTest))

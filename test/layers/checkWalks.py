@@ -17,6 +17,8 @@ import re
 import sys
 import tempfile
 
+import checkTree
+
 item = re.compile(r"(\d+)\. `([^`]+)`(?: \((included by|includes) (\d+)\))?")
 heading = re.compile(r"#+ ")
 
@@ -107,22 +109,14 @@ def selfTest():
         found = faultsOf({**good, "CONTRIBUTING.md": good["CONTRIBUTING.md"].replace(old, new)})
         if not any(message in line for line in found):
             failures.append(f"expected '{message}', got {found}")
-    for failure in failures:
-        print("self-test:", failure)
-    print(f"{len(planted)} planted faults, {len(failures)} failures")
-    return failures
+    return len(planted), failures
 
 
-def main():
-    if "--self-test" in sys.argv[1:]:
-        return 1 if selfTest() else 0
-    root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parents[2])
+def check(root):
     found = faults(root)
-    for line in found:
-        print(line)
-    print(f"{len(walks((root / 'CONTRIBUTING.md').read_text(encoding='utf-8')))} walks, {len(found)} faults")
-    return 1 if found else 0
+    count = len(walks((root / "CONTRIBUTING.md").read_text(encoding="utf-8")))
+    return found, f"{count} walks, {len(found)} faults"
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(checkTree.run(check, selfTest))

@@ -1,34 +1,18 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "RandomAssembly.h"
 
+#include "Random.h"
+
 #include "texture/Arch.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <random>
 
 namespace drystone
 {
 namespace
 {
-
-class Random
-{
-public:
-    explicit Random(unsigned seed) : engine_(seed) {}
-
-    /// Evenly from low to high; std::uniform_real_distribution differs among libraries.
-    double between(double low, double high)
-    {
-        return low + (high - low) * std::ldexp(static_cast<double>(engine_() >> 11), -53);
-    }
-    int upTo(int most) { return std::min(most, static_cast<int>(between(0, most + 1.0))); }
-    bool happens(double chance) { return between(0, 1) < chance; }
-
-private:
-    std::mt19937_64 engine_;
-};
 
 Block<2> rectangle(double left, double bottom, double right, double top, int support = -1)
 {
@@ -275,26 +259,8 @@ RandomAssembly randomAssembly(unsigned seed)
     made.loads.dead = gravityLoad(made.assembly, made.masses, gravity);
     const double angle = random.between(0, 2 * std::numbers::pi);
     const Vector<2> direction(std::cos(angle), std::sin(angle));
-    if (random.happens(0.5))
-    {
-        made.loads.live = inertialLoad(made.assembly, made.masses, gravity, direction);
-    }
-    else
-    {
-        std::vector<int> candidates;
-        for (std::size_t block = 0; block < made.free.size(); ++block)
-        {
-            if (made.free[block] >= 0)
-            {
-                candidates.push_back(static_cast<int>(block));
-            }
-        }
-        const int block =
-            candidates[static_cast<std::size_t>(random.upTo(static_cast<int>(candidates.size()) - 1))];
-        const Vector<2> at = made.assembly.blocks[static_cast<std::size_t>(block)].outline[0];
-        made.loads.live =
-            pointLoad(made.assembly, block, at, made.loads.dead.lpNorm<Eigen::Infinity>() * direction);
-    }
+    made.loads.live = randomLiveLoad<2>(made.assembly, made.masses, made.free, made.loads.dead, gravity,
+                                        direction, 0.5, random);
     return made;
 }
 

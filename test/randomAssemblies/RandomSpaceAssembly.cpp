@@ -1,7 +1,9 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "RandomSpaceAssembly.h"
 
-#include "contact/JointLaws.h"
+#include "Random.h"
+
+#include "contact/PointAreas.h"
 #include "dictionary/Dictionary.h"
 #include "texture/Texture.h"
 
@@ -12,37 +14,11 @@
 #include <map>
 #include <numbers>
 #include <optional>
-#include <random>
 
 namespace drystone
 {
 namespace
 {
-
-class Random
-{
-public:
-    explicit Random(unsigned seed) : engine_(seed) {}
-
-    /// Evenly from low to high; std::uniform_real_distribution differs among libraries.
-    double between(double low, double high)
-    {
-        return low + (high - low) * std::ldexp(static_cast<double>(engine_() >> 11), -53);
-    }
-    int upTo(int most) { return std::min(most, static_cast<int>(between(0, most + 1.0))); }
-    bool happens(double chance) { return between(0, 1) < chance; }
-    /// Evenly over the sphere (Archimedes).
-    Vector<3> direction()
-    {
-        const double z = between(-1, 1);
-        const double angle = between(0, 2 * std::numbers::pi);
-        const double r = std::sqrt(1 - z * z);
-        return {r * std::cos(angle), r * std::sin(angle), z};
-    }
-
-private:
-    std::mt19937_64 engine_;
-};
 
 Assembly<3> onGround(const std::vector<Polyhedron>& shapes)
 {
@@ -277,26 +253,8 @@ RandomSpaceAssembly randomSpaceAssembly(unsigned seed)
     const Vector<3> gravity(0, 0, -9.81);
     made.loads.dead = gravityLoad(made.assembly, masses, gravity);
     const Vector<3> direction = random.direction();
-    if (random.happens(0.7))
-    {
-        made.loads.live = inertialLoad(made.assembly, masses, gravity, direction);
-    }
-    else
-    {
-        std::vector<int> candidates;
-        for (std::size_t block = 0; block < made.free.size(); ++block)
-        {
-            if (made.free[block] >= 0)
-            {
-                candidates.push_back(static_cast<int>(block));
-            }
-        }
-        const int block =
-            candidates[static_cast<std::size_t>(random.upTo(static_cast<int>(candidates.size()) - 1))];
-        made.loads.live = pointLoad(made.assembly, block,
-                                    made.assembly.blocks[static_cast<std::size_t>(block)].shape.vertices[0],
-                                    made.loads.dead.lpNorm<Eigen::Infinity>() * direction);
-    }
+    made.loads.live =
+        randomLiveLoad<3>(made.assembly, masses, made.free, made.loads.dead, gravity, direction, 0.7, random);
     if (random.happens(0.4))
     {
         const double pressure = 2000 * 9.81 * height;
