@@ -26,8 +26,10 @@ constexpr double mostOverlap = 3e-10;
 constexpr double partOfOverlap = 0.1;
 
 /// Changes of state of points allowed from the forces of the last step; where they do not suffice, it was of
-/// another kind. From any forces so many times the number of points.
+/// another kind. So many, and one more for every so many points; from any forces so many times the number of
+/// points.
 constexpr int fewPivots = 24;
+constexpr int pointsToAPivot = 10;
 constexpr int manyPivots = 4;
 
 /// From forces of another kind, such as those of the interior point, the way to nearly rigid points is long
@@ -102,7 +104,7 @@ bool followFlow<2>(ThetaStep& step, const StepProgram<2>& program, const ConeSol
     }
     const double overlap = mostOverlap * settings.blockSize;
     const double stiffness = stiffnessFor(program, largest, overlap / 2);
-    const int few = fewPivots + program.points() / 4;
+    const int few = fewPivots + program.points() / pointsToAPivot;
     const int many = manyPivots * program.points();
     FollowedFlow flow{program, settings, symbolic, step};
     ConeSolution solution = start;

@@ -114,6 +114,10 @@ void BlockLu<Rows>::solve(Eigen::Ref<Eigen::VectorXd> x) const
     for (int column = 0; column < matrix_.columns(); ++column)
     {
         const Segment value = x.template segment<Rows>(Rows * column);
+        if (value.isZero(0)) // as most are where few rows are loaded
+        {
+            continue;
+        }
         for (int entry = start[column] + 1; entry < start[column + 1]; ++entry)
         {
             x.template segment<Rows>(Rows * row[entry]) -= lower_[entry].lazyProduct(value);

@@ -2,6 +2,7 @@
 #include "conic/coulomb/ContactPath.h"
 
 #include <Eigen/LU>
+#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -27,6 +28,11 @@ constexpr std::size_t mostChanges = 24;
 /// Where corrections gain nothing any more, the error that may be left in overlaps, as a share of the
 /// largest.
 constexpr double asGoodAsItGets = 0.5;
+
+/// What a solution of the linear system may leave of the right-hand side, and the directions tried to
+/// have it so.
+constexpr double acceptedLoss = 1e-10;
+constexpr int mostDirections = 30;
 
 bool haveSameColumns(const std::vector<ConeColumns<3, 2>>& some, const std::vector<ConeColumns<3, 2>>& others)
 {
@@ -177,6 +183,61 @@ Eigen::VectorXd ContactPath::solve(const VectorXd& rows)
     return corrected(system.solve(rows));
 }
 
+/// S times a direction, in the states of now.
+Eigen::VectorXd ContactPath::times(const VectorXd& direction) const
+{
+    VectorXd change = settings.stiffness * system.closings(direction);
+    for (std::size_t point = 0; point < laws.size(); ++point)
+    {
+        const auto row = 2 * static_cast<Eigen::Index>(point);
+        const Eigen::Vector2d trial = w.segment<2>(row);
+        change.segment<2>(row) =
+            (forceOn<2>(laws[point], states[point], trial).derivative * change.segment<2>(row)).eval();
+    }
+    return direction + system.forcesOnBodies(change);
+}
+
+/// LU without exchange of rows between blocks may lose all digits where blocks slide freely. What it leaves
+/// is then of few dimensions, and the method of generalised minimal residuals (Saad & Schultz 1986), with LU
+/// as its preconditioner, ends in as many steps.
+Eigen::VectorXd ContactPath::solveExactly(const VectorXd& rows)
+{
+    VectorXd solved = solve(rows);
+    const double size = rows.norm();
+    if (!((rows - times(solved)).norm() > acceptedLoss * size))
+    {
+        return solved;
+    }
+    Eigen::MatrixXd basis(rows.size(), mostDirections + 1);
+    Eigen::MatrixXd directions(rows.size(), mostDirections);
+    Eigen::MatrixXd projected = Eigen::MatrixXd::Zero(mostDirections + 1, mostDirections);
+    basis.col(0) = rows / size;
+    for (int step = 0; step < mostDirections; ++step)
+    {
+        directions.col(step) = solve(basis.col(step));
+        VectorXd next = times(directions.col(step));
+        for (int pass = 0; pass < 2; ++pass)
+        {
+            const VectorXd along = basis.leftCols(step + 1).transpose() * next;
+            next -= basis.leftCols(step + 1) * along;
+            projected.col(step).head(step + 1) += along;
+        }
+        const double left = next.norm();
+        projected(step + 1, step) = left;
+        VectorXd target = VectorXd::Zero(step + 2);
+        target[0] = size;
+        const Eigen::MatrixXd matrix = projected.topLeftCorner(step + 2, step + 1);
+        const VectorXd shares = matrix.colPivHouseholderQr().solve(target);
+        const double residualLeft = (target - matrix * shares).norm();
+        if (!(residualLeft > acceptedLoss * size) || step + 1 == mostDirections || !(left > 0))
+        {
+            return directions.leftCols(step + 1) * shares;
+        }
+        basis.col(step + 1) = next / left;
+    }
+    return solved;
+}
+
 /// The point changes its state. \return whether there is a matrix for the new piece
 bool ContactPath::cross(const Exit& exit, VectorXd& direction, VectorXd& rate)
 {
@@ -278,7 +339,7 @@ bool ContactPath::walk(const VectorXd& residualOfStart, const VectorXd& change)
                 forceChange.segment<2>(row) =
                     forceOn<2>(laws[point], states[point], trial).derivative * change.segment<2>(row);
             }
-            direction = solve(residualOfStart - system.forcesOnBodies(forceChange));
+            direction = solveExactly(residualOfStart - system.forcesOnBodies(forceChange));
             rate = change + settings.stiffness * system.closings(direction);
         }
         double sense = 1;
@@ -349,7 +410,7 @@ bool ContactPath::polish()
             const Eigen::Vector2d trial = w.segment<2>(row);
             ofPieces.segment<2>(row) = forceOn<2>(laws[point], states[point], trial).force;
         }
-        const VectorXd moved = solve(load - x - system.forcesOnBodies(ofPieces));
+        const VectorXd moved = solveExactly(load - x - system.forcesOnBodies(ofPieces));
         x += moved;
         w += settings.stiffness * system.closings(moved);
     }

@@ -81,6 +81,8 @@ private:
     VectorXd residual() const;
     bool factorise();
     VectorXd solve(const VectorXd& rows);
+    VectorXd times(const VectorXd& direction) const;
+    VectorXd solveExactly(const VectorXd& rows);
     VectorXd corrected(VectorXd solved) const;
     bool walk(const VectorXd& residualOfStart, const VectorXd& change);
     Exit firstExit(const VectorXd& rate, double sense, double farthest, const Exit& last) const;
