@@ -9,7 +9,7 @@ install(TARGETS ${drystone_applications} RUNTIME DESTINATION ${CMAKE_INSTALL_BIN
 install(DIRECTORY tutorials DESTINATION ${share} USE_SOURCE_PERMISSIONS
     PATTERN VTK EXCLUDE PATTERN postProcessing EXCLUDE PATTERN constant/assembly EXCLUDE PATTERN "log.*" EXCLUDE
     PATTERN parameterSearch/points EXCLUDE REGEX "/[0-9]+\\.[0-9.e+-]*$" EXCLUDE)
-install(DIRECTORY etc/annotated etc/cases etc/tools DESTINATION ${share}/etc USE_SOURCE_PERMISSIONS)
+install(DIRECTORY etc/annotated etc/cases etc/paraview etc/tools DESTINATION ${share}/etc USE_SOURCE_PERMISSIONS)
 install(FILES README.md GUIDE.md CHANGELOG.md LICENSE CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES etc/bash_completion DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME blockTexture)
 

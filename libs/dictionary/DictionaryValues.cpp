@@ -3,6 +3,7 @@
 #include "dictionary/Dictionary.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -57,6 +58,52 @@ bool isNotFinite(std::string_view text)
     if (!lower.empty() && (lower.front() == '-' || lower.front() == '+'))
         lower.erase(0, 1);
     return lower == "nan" || lower == "inf" || lower == "infinity";
+}
+
+/// Whether a word is the name of a unit, alone or behind a number: kN, 0.6kN.
+bool isUnit(std::string_view text)
+{
+    const std::size_t begin = text.find_first_not_of("+-.0123456789");
+    static constexpr std::array units{"N",  "kN", "MN", "Pa", "kPa", "MPa", "GPa", "m",   "mm",
+                                      "cm", "kg", "t",  "g",  "s",   "ms",  "deg", "rad", "Hz"};
+    if (begin == std::string_view::npos)
+    {
+        return false;
+    }
+    // A power or a quotient of units begins with one: N/m2, m2.
+    const std::string_view unit = text.substr(begin, text.find_first_of("/*^0123456789", begin) - begin);
+    return std::find(units.begin(), units.end(), unit) != units.end();
+}
+
+/// What somebody who is used to other notations may have meant, or nothing; begins with a blank.
+std::string_view hintFor(const Token& token)
+{
+    if (token.kind == TokenKind::macro || token.kind == TokenKind::directive)
+    {
+        return " It has not been expanded.";
+    }
+    if (token.kind != TokenKind::word && token.kind != TokenKind::number
+        && token.kind != TokenKind::punctuation)
+    {
+        return "";
+    }
+    if (isNotFinite(token.text))
+    {
+        return " Only finite numbers can be computed with.";
+    }
+    if (token.text.find(',') != std::string_view::npos)
+    {
+        return " Numbers are separated by blanks and have a decimal point: 0.6, not 0,6.";
+    }
+    if (token.text.starts_with('='))
+    {
+        return " An entry is `key value;`, without `=`.";
+    }
+    if (isUnit(token.text))
+    {
+        return " Values are in SI units (N, m, kg, s, Pa, rad), which are not written: 5 kN is 5000.";
+    }
+    return "";
 }
 
 template<class Integer>
@@ -129,15 +176,8 @@ void TokenCursor::failExpected(std::string_view what) const
             fail(fmt::format("{} has no value: {} is expected.", owner->keyword(), what));
         fail(fmt::format("The value of {} ends too early: {} is expected.", owner->keyword(), what));
     }
-    std::string hint;
-    if (next->kind == TokenKind::word && isNotFinite(next->text))
-        hint = " Only finite numbers can be computed with.";
-    else if (next->kind == TokenKind::word && next->text.find(',') != std::string_view::npos)
-        hint = " Numbers are separated by blanks and have a decimal point.";
-    else if (next->kind == TokenKind::macro || next->kind == TokenKind::directive)
-        hint = " It has not been expanded.";
     fail(fmt::format("The value of {} is wrong: {} is expected but {} is found.{}", owner->keyword(), what,
-                     shown(*next), hint));
+                     shown(*next), hintFor(*next)));
 }
 
 void TokenCursor::expectEnd() const
@@ -153,8 +193,9 @@ void TokenCursor::expectEnd() const
                         "line {}?",
                         owner->keyword(), shown(*next), next->line, lineBefore),
             SourceLocation{owner->locationOf(*next).file, owner->location().entry, lineBefore});
-    fail(fmt::format("The value of {} should end before {}. Is a `;` missing, or is this one value too many?",
-                     owner->keyword(), shown(*next)));
+    const std::string_view hint = hintFor(*next);
+    fail(fmt::format("The value of {} should end before {}.{}", owner->keyword(), shown(*next),
+                     hint.empty() ? " Is a `;` missing, or is this one value too many?" : hint));
 }
 
 TokenCursor::ListStart TokenCursor::openList()

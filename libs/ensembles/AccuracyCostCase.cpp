@@ -26,12 +26,24 @@ namespace fs = std::filesystem;
 
 constexpr const char* applicationName = "accuracyCost";
 
+/// Whether a key asks for something: an empty list or the default, as etc/annotated has them, does not.
+bool asksFor(const Dictionary& dictionary, const std::string& key)
+{
+    if (!dictionary.found(key))
+    {
+        return false;
+    }
+    const std::string value = dictionary.lookupPath(key).valueText();
+    return value != "()" && !(key == "repeats" && value == std::to_string(Sweep().repeats))
+           && !(key == "phases" && value == std::to_string(Sweep().phases));
+}
+
 /// Rejects keys without meaning for a quantity.
 template<int Dim>
 void rejectKeys(const Dictionary& dictionary, QuantityKind kind)
 {
     const std::string ofOthers = Dim == 2 ? "pointsPerSide" : "pointsPerJoint";
-    if (dictionary.found(ofOthers))
+    if (asksFor(dictionary, ofOthers))
     {
         throw FatalIOError(Dim == 2 ? "pointsPerSide is for structures in space: write pointsPerJoint."
                                     : "pointsPerJoint divides joints of the plane: write pointsPerSide, of "
@@ -44,7 +56,7 @@ void rejectKeys(const Dictionary& dictionary, QuantityKind kind)
             : std::vector<std::string>{"deltaT", "theta", "solver", "displacements", "phases"};
     for (const std::string& key : meaningless)
     {
-        if (dictionary.found(key))
+        if (asksFor(dictionary, key))
         {
             throw FatalIOError(
                 kind == QuantityKind::motion

@@ -290,7 +290,13 @@ void writeIncrementalDynamics(const std::filesystem::path& folder, const Increme
                               const std::vector<IncrementalCurve>& curves)
 {
     const LeastIntensityTable least = leastIntensityTable(study, curves);
-    ColumnFile answers(folder / "leastIntensity.dat", least.headings);
+    // Of several motions, which number is which record.
+    std::vector<std::string> names;
+    for (std::size_t motion = 0; motion < study.motions.size() && study.motions.size() > 1; ++motion)
+    {
+        names.push_back(fmt::format("motion {}: {}", motion, study.motions[motion].name));
+    }
+    ColumnFile answers(folder / "leastIntensity.dat", least.headings, 12, names);
     for (const std::vector<double>& row : least.rows)
     {
         answers.write(row);

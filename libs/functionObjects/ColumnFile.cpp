@@ -23,7 +23,8 @@ namespace
 
 } // namespace
 
-ColumnFile::ColumnFile(const std::filesystem::path& path, const std::vector<std::string>& columns, int digits)
+ColumnFile::ColumnFile(const std::filesystem::path& path, const std::vector<std::string>& columns, int digits,
+                       const std::vector<std::string>& notes)
     : file(path), columnCount(columns.size()), precision(digits)
 {
     std::error_code error;
@@ -36,6 +37,10 @@ ColumnFile::ColumnFile(const std::filesystem::path& path, const std::vector<std:
     if (!stream)
     {
         refuse(file, errno);
+    }
+    for (const std::string& note : notes)
+    {
+        put("# " + note + "\n");
     }
     put(fmt::format("# {}\n", fmt::join(columns, "  ")));
 }

@@ -21,8 +21,10 @@ public:
     /// Starts the file and replaces an existing one; missing folders are created.
     /// \param columns with their units, without blanks: `Time[s]`
     /// \param digits significant ones
+    /// \param notes lines of comment above the columns
     /// \throws FatalError naming the file and the system's reason
-    ColumnFile(const std::filesystem::path& path, const std::vector<std::string>& columns, int digits = 12);
+    ColumnFile(const std::filesystem::path& path, const std::vector<std::string>& columns, int digits = 12,
+               const std::vector<std::string>& notes = {});
 
     /// Adds a row.
     /// \param values one per column

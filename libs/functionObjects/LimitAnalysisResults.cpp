@@ -444,7 +444,7 @@ PolyData<Dim> thrustFrame(const std::vector<JointForce<Dim>>& joints)
 {
     PolyData<Dim> data;
     data.kind = CellKind::point;
-    Field force{"jointForce", Dim, {}};
+    Field force{"jointForce[N]", Dim, {}};
     for (const JointForce<Dim>& joint : joints)
     {
         data.points.push_back(joint.centre);
@@ -492,15 +492,19 @@ void writeAnswer(const std::filesystem::path& caseDirectory, const LimitAnalysis
     picture.subtitle = fmt::format("{}, {} blocks, {} contact points", caption(structure, result),
                                    structure.freeBlocks, structure.points.size());
     picture.towardsViewer = towardsViewer;
+    picture.load = loadArrow(structure, result);
+    const double drawn = 0.5 * meanBlockSize(assembly);
+    picture.motion = fmt::format("moved by up to {:.2g} m in this picture", drawn);
     if constexpr (Dim == 3)
     {
         picture.marks = jointMarks(assembly, structure.points, structure.friction, rates);
     }
-    writeMechanismPicture(file("mechanism", ".svg"), assembly,
-                          mechanismPlacements(assembly, rates, 0.5 * meanBlockSize(assembly)), picture);
+    writeMechanismPicture(file("mechanism", ".svg"), assembly, mechanismPlacements(assembly, rates, drawn),
+                          picture);
     if constexpr (Dim == 2)
     {
         picture.thrust = jointForces(structure.points, forces);
+        picture.motion.clear();
         writeMechanismPicture(file("thrust", ".svg"), assembly,
                               std::vector<Placement<2>>(assembly.blocks.size()), picture);
     }
@@ -536,9 +540,9 @@ void writeLimitAnalysisResults(const std::filesystem::path& caseDirectory,
     }
     writeInput(limitAnalysisInput(caseDirectory), inputOfLimitAnalysis(caseDirectory, structure.assembly));
     writeWholeFile(limitAnalysisTable(caseDirectory), tableText(structure, results, cpuTime));
-    info("Wrote {}: limitAnalysis.dat (table), mechanism.svg and thrust.{} (pictures{})",
+    info("Wrote {}: limitAnalysis.dat and thrust.dat (tables), mechanism.svg{}{}",
          limitAnalysisTable(caseDirectory).parent_path().lexically_normal().string(),
-         Dim == 2 ? "svg" : "dat", results.size() > 1 ? ", one an answer" : "");
+         Dim == 2 ? " and thrust.svg (pictures" : " (picture", results.size() > 1 ? ", one an answer)" : ")");
     info("Wrote {}: blocks (mechanism), contacts (forces), thrust; .vtp.series opens in ParaView\n",
          (caseDirectory / "VTK").lexically_normal().string());
 }

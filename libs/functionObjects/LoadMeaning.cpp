@@ -59,6 +59,18 @@ Vector<Dim> resultantOf(const Eigen::VectorXd& load)
     return resultant;
 }
 
+namespace
+{
+
+/// Of forces that cancel, rounding leaves a little.
+template<int Dim>
+bool cancels(const Vector<Dim>& resultant, const Eigen::VectorXd& load)
+{
+    return resultant.norm() <= 1e-9 * load.lpNorm<1>();
+}
+
+} // namespace
+
 template<int Dim>
 std::vector<std::string> loadMeaning(const LimitAnalysisCase<Dim>& structure, const LimitAnalysis& result)
 {
@@ -80,8 +92,7 @@ std::vector<std::string> loadMeaning(const LimitAnalysisCase<Dim>& structure, co
         return sentences;
     }
     const Vector<Dim> live = resultantOf<Dim>(loads.live);
-    // Of forces that cancel, rounding leaves a little.
-    if (live.norm() <= 1e-9 * loads.live.template lpNorm<1>())
+    if (cancels<Dim>(live, loads.live))
     {
         sentences.emplace_back("Live load: its forces cancel, there is no resultant");
         return sentences;
@@ -101,7 +112,34 @@ std::vector<std::string> loadMeaning(const LimitAnalysisCase<Dim>& structure, co
     return sentences;
 }
 
+template<int Dim>
+std::optional<LoadArrow> loadArrow(const LimitAnalysisCase<Dim>& structure, const LimitAnalysis& result)
+{
+    LoadArrow arrow;
+    if (structure.movement)
+    {
+        arrow.direction.template head<Dim>() = structure.movement->direction;
+        arrow.label = "movement of the support";
+        return arrow;
+    }
+    const LoadVectors& loads = loadsOf(structure, result);
+    const Vector<Dim> live = resultantOf<Dim>(loads.live);
+    if (cancels<Dim>(live, loads.live))
+    {
+        return std::nullopt;
+    }
+    const bool isKnown = result.status == CollapseStatus::optimal;
+    arrow.direction.template head<Dim>() = isKnown && result.alpha < 0 ? -live : live;
+    arrow.label =
+        isKnown ? fmt::format("live load {}", forceText(std::abs(result.alpha) * live.norm())) : "live load";
+    return arrow;
+}
+
 template Vector<2> resultantOf<2>(const Eigen::VectorXd& load);
+template std::optional<LoadArrow> loadArrow<2>(const LimitAnalysisCase<2>& structure,
+                                               const LimitAnalysis& result);
+template std::optional<LoadArrow> loadArrow<3>(const LimitAnalysisCase<3>& structure,
+                                               const LimitAnalysis& result);
 template Vector<3> resultantOf<3>(const Eigen::VectorXd& load);
 template std::vector<std::string> loadMeaning(const LimitAnalysisCase<2>& structure,
                                               const LimitAnalysis& result);

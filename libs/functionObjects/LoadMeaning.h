@@ -3,8 +3,10 @@
 /// = 48.9996.
 #pragma once
 
+#include "io/MechanismPicture.h"
 #include "statics/LimitAnalysisCase.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,5 +25,10 @@ Vector<Dim> resultantOf(const Eigen::VectorXd& load);
 /// settling support its reaction. A live load without resultant, such as a couple, is said to have none.
 template<int Dim>
 std::vector<std::string> loadMeaning(const LimitAnalysisCase<Dim>& structure, const LimitAnalysis& result);
+
+/// The same for a picture: the resultant of the live load, at collapse where there is one, or the movement of
+/// a settling support. None where the live load has no resultant.
+template<int Dim>
+std::optional<LoadArrow> loadArrow(const LimitAnalysisCase<Dim>& structure, const LimitAnalysis& result);
 
 } // namespace drystone

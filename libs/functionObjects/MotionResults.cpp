@@ -323,8 +323,6 @@ MotionResults<Dim>::MotionResults(std::filesystem::path directory, const Dynamic
       blocks(caseDirectory / "VTK", "blocks", time.startValue()),
       contacts(caseDirectory / "VTK", "contacts", time.startValue())
 {
-    requireWritable(caseDirectory);
-    requireWritable(caseDirectory / "VTK");
     time.stopAlsoAt([this](double value, double deltaT)
                     { return functionList.timeToNextWrite(value, deltaT); });
 }
@@ -366,8 +364,8 @@ void MotionResults<Dim>::writeFrames()
         append(velocities, velocity.template head<Dim>());
         append(angular, velocity.template tail<rotationCount<Dim>>());
     }
-    std::vector<Field> fields{{"velocity", Dim, std::move(velocities)},
-                              {"angularVelocity", rotationCount<Dim>, std::move(angular)}};
+    std::vector<Field> fields{{"velocity[m/s]", Dim, std::move(velocities)},
+                              {"angularVelocity[rad/s]", rotationCount<Dim>, std::move(angular)}};
     for (std::size_t i = 0; i < scene.effects.size(); ++i)
     {
         for (EffectField& field : scene.effects[i]->blockFields(motion.effectStates[i]))
@@ -398,6 +396,8 @@ void MotionResults<Dim>::writeFrames()
 template<int Dim>
 void MotionResults<Dim>::writeFirstFrames()
 {
+    requireWritable(caseDirectory);
+    requireWritable(caseDirectory / "VTK");
     if (blocks.times().empty() || blocks.times().back() < time.value())
     {
         writeFrames();

@@ -39,8 +39,8 @@ BlockFrame readFrame(const std::filesystem::path& file, double time, std::size_t
     reader->Update();
     vtkCellData* fields = reader->GetOutput()->GetCellData();
     vtkDataArray* block = fields->GetArray("blockId");
-    vtkDataArray* displacement = fields->GetArray("displacement");
-    vtkDataArray* rotation = fields->GetArray("rotation");
+    vtkDataArray* displacement = fields->GetArray("displacement[m]");
+    vtkDataArray* rotation = fields->GetArray("rotation[rad]");
     if (!block || !displacement || !rotation || displacement->GetNumberOfComponents() != 3)
     {
         fail("blockId, displacement or rotation is missing");

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace drystone
@@ -131,18 +132,21 @@ bool isEar(const Polygon& outline, std::size_t i)
 
 /// Cuts an outline into polygons that viewers fill correctly: they paint a fan of triangles around the first
 /// corner. Most blocks, including concave ones, have a corner from which all of it is visible, and need only
-/// start there. The others are cut into triangles by ear clipping.
-std::vector<Polygon> fans(Polygon outline)
+/// start there. The others are cut into triangles by ear clipping. \returns indices of corners, polygon by
+/// polygon
+std::vector<std::vector<int>> fans(Polygon outline)
 {
+    std::vector<int> corners(outline.size());
+    std::iota(corners.begin(), corners.end(), 0);
     for (std::size_t first = 0; first < outline.size(); ++first)
     {
         if (isCoveredByFan(outline, first))
         {
-            std::rotate(outline.begin(), outline.begin() + static_cast<std::ptrdiff_t>(first), outline.end());
-            return {outline};
+            std::rotate(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(first), corners.end());
+            return {corners};
         }
     }
-    std::vector<Polygon> pieces;
+    std::vector<std::vector<int>> pieces;
     while (outline.size() > 3)
     {
         std::size_t ear = 0;
@@ -152,41 +156,32 @@ std::vector<Polygon> fans(Polygon outline)
             ++ear;
         }
         const std::size_t count = outline.size();
-        pieces.push_back({outline[(ear + count - 1) % count], outline[ear], outline[(ear + 1) % count]});
+        pieces.push_back({corners[(ear + count - 1) % count], corners[ear], corners[(ear + 1) % count]});
         outline.erase(outline.begin() + static_cast<std::ptrdiff_t>(ear));
+        corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(ear));
     }
-    pieces.push_back(outline);
+    pieces.push_back(corners);
     return pieces;
 }
 
-/// The polygons that show a block, from its corners where it is.
-std::vector<Polygon> cellsOf(const Block<2>&, const std::vector<Vector<2>>& corners)
+/// The polygons that show a block, as indices of its corners. \param corners where they are
+std::vector<std::vector<int>> cellsOf(const Block<2>&, const std::vector<Vector<2>>& corners)
 {
     return fans(corners);
 }
 
-std::vector<std::vector<Vector<3>>> cellsOf(const Block<3>& block, const std::vector<Vector<3>>& corners)
+std::vector<std::vector<int>> cellsOf(const Block<3>& block, const std::vector<Vector<3>>& corners)
 {
-    std::vector<std::vector<Vector<3>>> cells;
+    std::vector<std::vector<int>> cells;
     const Polyhedron placed{corners, block.shape.faces};
     for (const std::vector<int>& indices : placed.faces)
     {
-        const FacePolygon face = facePolygon(placed, indices);
-        if (isCoveredByFan(face.outline, 0))
+        for (const std::vector<int>& piece : fans(facePolygon(placed, indices).outline))
         {
-            std::vector<Vector<3>>& cell = cells.emplace_back();
-            for (const int index : indices)
+            std::vector<int>& cell = cells.emplace_back();
+            for (const int corner : piece)
             {
-                cell.push_back(corners[static_cast<std::size_t>(index)]);
-            }
-            continue;
-        }
-        for (const Polygon& piece : fans(face.outline))
-        {
-            std::vector<Vector<3>>& cell = cells.emplace_back();
-            for (const Vector<2>& corner : piece)
-            {
-                cell.emplace_back(face.origin + face.frame.rightCols<2>() * corner);
+                cell.push_back(indices[static_cast<std::size_t>(corner)]);
             }
         }
     }
@@ -222,8 +217,9 @@ PolyData<Dim> blockFrame(const Assembly<Dim>& assembly, const std::vector<Placem
 
     Field blockId = emptyField("blockId", 1, count, FieldType::integer);
     Field support = emptyField("support", 1, count, FieldType::integer);
-    Field displacement = emptyField("displacement", Dim, count);
-    Field rotation = emptyField("rotation", rotationCount<Dim>, count);
+    Field displacement = emptyField("displacement[m]", Dim, count);
+    Field rotation = emptyField("rotation[rad]", rotationCount<Dim>, count);
+    Field pointDisplacement{"pointDisplacement[m]", Dim, {}, FieldType::real};
     PolyData<Dim> data;
     data.kind = CellKind::polygon;
     std::vector<std::size_t> blockOfCell;
@@ -238,6 +234,12 @@ PolyData<Dim> blockFrame(const Assembly<Dim>& assembly, const std::vector<Placem
     for (std::size_t i = 0; i < count; ++i)
     {
         const Placement<Dim> placement = placements.empty() ? Placement<Dim>{} : placements[i];
+        std::vector<Vector<Dim>> moved = placed[i];
+        const std::vector<Vector<Dim>> built = cornersOf(assembly.blocks[i]);
+        for (std::size_t k = 0; k < moved.size(); ++k)
+        {
+            moved[k] -= built[k];
+        }
         if (isGround(assembly, assembly.blocks[i]))
         {
             for (Vector<Dim>& vertex : placed[i])
@@ -248,10 +250,14 @@ PolyData<Dim> blockFrame(const Assembly<Dim>& assembly, const std::vector<Placem
                 }
             }
         }
-        for (const std::vector<Vector<Dim>>& cell : cellsOf(assembly.blocks[i], placed[i]))
+        for (const std::vector<int>& cell : cellsOf(assembly.blocks[i], placed[i]))
         {
             data.cellSizes.push_back(static_cast<int>(cell.size()));
-            data.points.insert(data.points.end(), cell.begin(), cell.end());
+            for (const int corner : cell)
+            {
+                data.points.push_back(placed[i][static_cast<std::size_t>(corner)]);
+                addVector(pointDisplacement, moved[static_cast<std::size_t>(corner)].data());
+            }
             blockOfCell.push_back(i);
         }
         blockId.values.push_back(static_cast<double>(i));
@@ -259,6 +265,7 @@ PolyData<Dim> blockFrame(const Assembly<Dim>& assembly, const std::vector<Placem
         addVector(displacement, placement.translation.data());
         addRotation(rotation, placement);
     }
+    data.pointFields.push_back(std::move(pointDisplacement));
     data.fields = {std::move(blockId), std::move(support), std::move(displacement), std::move(rotation)};
     std::move(fields.begin(), fields.end(), std::back_inserter(data.fields));
     if (blockOfCell.size() != count)
@@ -286,10 +293,10 @@ PolyData<Dim> contactFrame(const std::vector<ContactPoint<Dim>>& points,
     PolyData<Dim> data;
     data.kind = CellKind::point;
     data.points.reserve(count);
-    Field contactForce = emptyField("contactForce", Dim, count);
-    Field normalForce = emptyField("normalForce", 1, count);
-    Field tangentialForce = emptyField("tangentialForce", 1, count);
-    Field gap = emptyField("gap", 1, count);
+    Field contactForce = emptyField("contactForce[N]", Dim, count);
+    Field normalForce = emptyField("normalForce[N]", 1, count);
+    Field tangentialForce = emptyField("tangentialForce[N]", 1, count);
+    Field gap = emptyField("gap[m]", 1, count);
     Field state = emptyField("state", 1, count, FieldType::integer);
     Field block = emptyField("block", 1, count, FieldType::integer);
     Field neighbour = emptyField("neighbour", 1, count, FieldType::integer);

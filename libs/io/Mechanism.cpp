@@ -116,8 +116,8 @@ void writeMechanism(VtkSeries& series, const Assembly<Dim>& assembly,
 {
     const double largest = largestDisplacement(assembly, rates);
     const double factor = largest > 0 ? 1 / largest : 0;
-    Field displacementRate{"displacementRate", Dim, {}, FieldType::real};
-    Field rotationRate{"rotationRate", rotationCount<Dim>, {}, FieldType::real};
+    Field displacementRate{"displacementRate[-]", Dim, {}, FieldType::real};
+    Field rotationRate{"rotationRate[rad/m]", rotationCount<Dim>, {}, FieldType::real};
     for (Eigen::Index i = 0; i < rates.cols(); ++i)
     {
         for (int row = 0; row < freedomCount<Dim>; ++row)

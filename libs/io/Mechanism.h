@@ -37,8 +37,8 @@ std::vector<Placement<Dim>> mechanismPlacements(const Assembly<Dim>& assembly,
                                                 double amplitude);
 
 /// Writes the mechanism as an animation: `frames` frames at the times 0 to 1, from the structure as built to
-/// a largest displacement of half a mean block, growing linearly; fields `displacementRate` and
-/// `rotationRate`, scaled so that the largest corner displacement rate is 1, in addition to those of
+/// a largest displacement of half a mean block, growing linearly; fields `displacementRate[-]` and
+/// `rotationRate[rad/m]`, scaled so that the largest corner displacement rate is 1, in addition to those of
 /// blockFrame. Where nothing moves there is one frame, at time 0.
 template<int Dim>
 void writeMechanism(VtkSeries& series, const Assembly<Dim>& assembly,

@@ -7,6 +7,7 @@
 #include "io/JointMarks.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,13 @@ template<int Dim>
 std::vector<JointForce<Dim>> jointForces(const std::vector<ContactPoint<Dim>>& points,
                                          const std::vector<Vector<Dim>>& forces);
 
+/// A load as an arrow in the notes below a picture.
+struct LoadArrow
+{
+    Vector<3> direction = Vector<3>::Zero(); ///< of any length; in the plane z = 0
+    std::string label = "";                  ///< for instance "live load 24.6 kN"
+};
+
 struct MechanismPicture
 {
     std::string title = "";    ///< for instance "masonryPanels/wall1"
@@ -49,12 +57,15 @@ struct MechanismPicture
     Vector<3> towardsViewer = usualView(); ///< of space: a unit vector
     /// Of space: hinges and sliding joints, drawn where they are seen on the displaced blocks.
     std::vector<JointMark> marks = {};
+    std::optional<LoadArrow> load = {}; ///< drawn where its direction is seen
+    std::string motion = "";            ///< how far the blocks are drawn from where they are
 };
 
 /// The displaced blocks, shaded by their displacement, over the dashed outline of the structure as built;
 /// fixed blocks are hatched. In space seen without perspective, hidden faces behind others
 /// (MechanismPicture.cpp in space/) and without the outline as built; fixed blocks are grey, the lines of
-/// hinges and the edges of sliding joints coloured. Text of an SVG file.
+/// hinges and the edges of sliding joints coloured. Below are a scale bar, the load and what is said of the
+/// motion. Text of an SVG file.
 ///
 /// \param placements one per block
 std::string mechanismSvg(const Assembly<2>& assembly, const std::vector<Placement<2>>& placements,

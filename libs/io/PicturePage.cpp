@@ -1,7 +1,10 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/PicturePage.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 
 namespace drystone
 {
@@ -9,7 +12,7 @@ namespace drystone
 PicturePage makePicturePage(const MechanismPicture& picture, const Vector<2>& world)
 {
     constexpr double margin = 16;
-    constexpr double legend = 44;
+    constexpr double legend = 72;
     const double head = picture.title.empty() && picture.subtitle.empty() ? margin : 64;
     const double scale = std::min((picture.width - 2 * margin) / world.x(), 1.4 * picture.width / world.y());
     const Vector<2> room = scale * world;
@@ -28,6 +31,62 @@ PicturePage makePicturePage(const MechanismPicture& picture, const Vector<2>& wo
                           {.size = 14, .anchor = TextAnchor::middle});
     }
     return page;
+}
+
+double roundLength(double length)
+{
+    const double power = std::pow(10, std::floor(std::log10(length)));
+    for (const double factor : {5.0, 2.0})
+    {
+        if (factor * power <= length * (1 + 1e-12))
+        {
+            return factor * power;
+        }
+    }
+    return power;
+}
+
+void paintNotes(PicturePage& page, const MechanismPicture& picture, const Vector<2>& onPage)
+{
+    constexpr double size = 12;
+    SvgDrawing& drawing = page.drawing;
+    const double y = page.legend() + 30;
+    double x = 20;
+    // A sixth of the page, rounded down.
+    const double metres = roundLength(picture.width / 6 / page.scale);
+    const double bar = metres * page.scale;
+    const SvgStyle ink{.stroke = "#222222", .strokeWidth = 1.4};
+    drawing.line({x, y + 7}, {x + bar, y + 7}, ink);
+    for (const double end : {x, x + bar})
+    {
+        drawing.line({end, y + 3}, {end, y + 11}, ink);
+    }
+    const std::string length = fmt::format("{:g} m", metres);
+    drawing.text({x + bar + 6, y + 11}, length, {.size = size});
+    x += bar + 6 + textWidth(length, size) + 18;
+    if (picture.load)
+    {
+        // Seen along its own direction a load is a point.
+        const Vector<2> half = 13 * onPage;
+        const Vector<2> centre(x + 13, y + 7);
+        const SvgStyle red{.stroke = "#b3261e", .strokeWidth = 2.2};
+        if (onPage.norm() < 0.2)
+        {
+            drawing.circle(centre, 3, {.fill = red.stroke});
+        }
+        else
+        {
+            const Vector<2> along = onPage.normalized();
+            const Vector<2> across(-along.y(), along.x());
+            const Vector<2> tip = centre + half;
+            drawing.line(centre - half, tip - 5 * along, red);
+            drawing.polygon({tip, tip - 8 * along + 4 * across, tip - 8 * along - 4 * across},
+                            {.fill = red.stroke});
+        }
+        drawing.text({x + 32, y + 11}, picture.load->label, {.size = size});
+        x += 32 + textWidth(picture.load->label, size) + 18;
+    }
+    drawing.text({x, y + 11}, picture.motion, {.size = size});
 }
 
 } // namespace drystone

@@ -1,6 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// The page of a mechanism's picture, in the plane and in space: title and subtitle above, the drawing area,
-/// room for a legend below.
+/// a legend and a row of notes below.
 #pragma once
 
 #include "io/MechanismPicture.h"
@@ -22,5 +22,13 @@ struct PicturePage
 /// The page with its titles. \param world size of what is drawn [m]: as wide as the page allows, and no
 /// higher than 1.4 times that
 PicturePage makePicturePage(const MechanismPicture& picture, const Vector<2>& world);
+
+/// The row of notes below the legend: a scale bar of a round length, the load as an arrow, and what the
+/// picture says of its motion. \param onPage the load's direction as it is seen, y downwards, of at most unit
+/// length
+void paintNotes(PicturePage& page, const MechanismPicture& picture, const Vector<2>& onPage);
+
+/// The largest of 1, 2 and 5 times a power of ten that is at most `length`, above 0.
+double roundLength(double length);
 
 } // namespace drystone

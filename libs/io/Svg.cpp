@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 
@@ -112,6 +113,50 @@ void SvgDrawing::line(const Vector<2>& from, const Vector<2>& to, const SvgStyle
 {
     fmt::format_to(std::back_inserter(body), "<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"",
                    pixels(from.x()), pixels(from.y()), pixels(to.x()), pixels(to.y()));
+    paint(style);
+}
+
+/// One piece of a path: where it begins, and its steps. The steps are between rounded points, so that their
+/// rounding does not add up.
+void SvgDrawing::run(const std::vector<Vector<2>>& points)
+{
+    std::array<long long, 2> last{};
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+        pixels(points[i].x() + points[i].y()); // refuses what is not finite
+        const std::array<long long, 2> at{std::llround(10 * points[i].x()), std::llround(10 * points[i].y())};
+        body += i == 0 ? "M" : i == 1 ? "l" : "";
+        for (std::size_t axis = 0; axis < 2; ++axis)
+        {
+            const std::string number = pixels(static_cast<double>(at[axis] - last[axis]) / 10);
+            // A sign parts two numbers as well as a blank.
+            body += (i > 1 || axis > 0) && number.front() != '-' ? " " : "";
+            body += number;
+        }
+        last = at;
+    }
+}
+
+void SvgDrawing::polygons(const std::vector<std::vector<Vector<2>>>& outlines, const SvgStyle& style)
+{
+    body += "<path d=\"";
+    for (const std::vector<Vector<2>>& outline : outlines)
+    {
+        run(outline);
+        body += 'z';
+    }
+    body += '"';
+    paint(style);
+}
+
+void SvgDrawing::lines(const std::vector<std::pair<Vector<2>, Vector<2>>>& ends, const SvgStyle& style)
+{
+    body += "<path d=\"";
+    for (const auto& [from, to] : ends)
+    {
+        run({from, to});
+    }
+    body += '"';
     paint(style);
 }
 

@@ -7,6 +7,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace drystone
@@ -48,6 +49,10 @@ public:
     void polygon(const std::vector<Vector<2>>& points, const SvgStyle& style);
     void polyline(const std::vector<Vector<2>>& points, const SvgStyle& style);
     void line(const Vector<2>& from, const Vector<2>& to, const SvgStyle& style);
+    /// Many polygons, or many lines, of one style as one element, in a quarter of the size; coordinates are
+    /// rounded to 0.1 px.
+    void polygons(const std::vector<std::vector<Vector<2>>>& outlines, const SvgStyle& style);
+    void lines(const std::vector<std::pair<Vector<2>, Vector<2>>>& ends, const SvgStyle& style);
     void rectangle(const Vector<2>& corner, double width, double height, const SvgStyle& style);
     void circle(const Vector<2>& centre, double radius, const SvgStyle& style);
     void text(const Vector<2>& at, std::string_view content, const SvgText& style);
@@ -63,6 +68,7 @@ public:
 
 private:
     void points(const std::vector<Vector<2>>& points);
+    void run(const std::vector<Vector<2>>& points);
     void paint(const SvgStyle& style);
 
     double pageWidth;

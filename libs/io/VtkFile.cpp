@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 namespace drystone
 {
@@ -98,6 +99,37 @@ protected:
     }
 };
 
+/// \param carrier of a value: "cell" or "point"
+void check(const std::vector<Field>& fields, std::size_t count, std::string_view carrier)
+{
+    for (const Field& field : fields)
+    {
+        const auto components = static_cast<std::size_t>(field.components);
+        if (field.components < 1 || field.components > 3 || field.values.size() != count * components)
+        {
+            throw FatalError(fmt::format("Field {} of a .vtp file has {} values in {} components for {} {}s.",
+                                         field.name, field.values.size(), field.components, count, carrier));
+        }
+        for (std::size_t i = 0; i < field.values.size(); ++i)
+        {
+            const double value = field.values[i];
+            if (!std::isfinite(value))
+            {
+                throw FatalError(
+                    fmt::format("{} of {} {} to be written to a .vtp file is not a finite number.",
+                                field.name, carrier, i / components));
+            }
+            if (field.type == FieldType::integer
+                && (value != std::floor(value) || std::abs(value) > std::numeric_limits<int>::max()))
+            {
+                throw FatalError(
+                    fmt::format("{} of {} {} to be written to a .vtp file is {}, not a whole number.",
+                                field.name, carrier, i / components, value));
+            }
+        }
+    }
+}
+
 template<int Dim>
 void check(const PolyData<Dim>& data)
 {
@@ -124,34 +156,8 @@ void check(const PolyData<Dim>& data)
         }
     }
 
-    const std::size_t cells = cellCount(data);
-    for (const Field& field : data.fields)
-    {
-        const auto components = static_cast<std::size_t>(field.components);
-        if (field.components < 1 || field.components > 3 || field.values.size() != cells * components)
-        {
-            throw FatalError(
-                fmt::format("Field {} of a .vtp file has {} values in {} components for {} cells.",
-                            field.name, field.values.size(), field.components, cells));
-        }
-        for (std::size_t i = 0; i < field.values.size(); ++i)
-        {
-            const double value = field.values[i];
-            if (!std::isfinite(value))
-            {
-                throw FatalError(
-                    fmt::format("{} of cell {} to be written to a .vtp file is not a finite number.",
-                                field.name, i / components));
-            }
-            if (field.type == FieldType::integer
-                && (value != std::floor(value) || std::abs(value) > std::numeric_limits<int>::max()))
-            {
-                throw FatalError(
-                    fmt::format("{} of cell {} to be written to a .vtp file is {}, not a whole number.",
-                                field.name, i / components, value));
-            }
-        }
-    }
+    check(data.fields, cellCount(data), "cell");
+    check(data.pointFields, data.points.size(), "point");
 }
 
 template<typename Array>
@@ -257,6 +263,11 @@ std::string vtpBytes(const PolyData<Dim>& data)
         {
             fields->SetActiveVectors(field.name.c_str());
         }
+    }
+
+    for (const Field& field : data.pointFields)
+    {
+        poly->GetPointData()->AddArray(array<vtkFloatArray>(field));
     }
 
     vtkNew<vtkXMLPolyDataWriter> writer;

@@ -21,7 +21,7 @@ enum class FieldType
 /// One quantity, with a value for every cell.
 struct Field
 {
-    std::string name;
+    std::string name;           ///< with its unit, like the columns of tables: `displacement[m]`
     int components = 1;         ///< 1, or 2 or 3 for a vector; a plane vector is written with z = 0
     std::vector<double> values; ///< components x cells, the components of one cell following each other
     FieldType type = FieldType::real;
@@ -41,16 +41,17 @@ struct PolyData
     std::vector<int> cellSizes;      ///< vertices of each polygon; left empty for points
     std::vector<Vector<Dim>> points; ///< polygon by polygon [m]
     std::vector<Field> fields;       ///< the first scalar and the first vector are what ParaView shows first
+    std::vector<Field> pointFields;  ///< of polygons, with a value for every point; to be displayed only
 };
 
 template<int Dim>
 std::size_t cellCount(const PolyData<Dim>& data);
 
-/// The bytes of a .vtp file: VTK's XML, raw appended, compressed in zlib's format. Coordinates are written in
-/// single precision, since they are only displayed, fields in double precision, since they are also used in
-/// computations.
+/// The bytes of a .vtp file: VTK's XML, raw appended, compressed in zlib's format. Coordinates and fields of
+/// the points of polygons are written in single precision, since they are only displayed, other fields in
+/// double precision, since they are also used in computations.
 ///
-/// \throws FatalError when a value is not finite, a field has not one value a cell, or sizes do not
+/// \throws FatalError when a value is not finite, a field has not one value a cell or point, or sizes do not
 /// add up; the message names the field and the cell
 template<int Dim>
 std::string vtpBytes(const PolyData<Dim>& data);

@@ -15,18 +15,20 @@ _formats = {"Int8": "b", "UInt8": "B", "Int32": "i", "UInt32": "I", "Int64": "q"
 
 class Frame:
     """One moment: `time` [s] (of a mechanism its part from 0 to 1), `points` [m], and `fields` by name, one value or row
-    a cell: blockId, displacement [m], rotation [rad] and more (of contacts: a point each)."""
+    a cell: blockId, displacement[m], rotation[rad] and more (of contacts: a point each); `pointFields` has those of the
+    corners of blocks. `frame["displacement"]` is a field with its unit or without."""
 
-    def __init__(self, time, points, fields):
+    def __init__(self, time, points, fields, pointFields=None):
         self.time = time
         self.points = points
         self.fields = fields
+        self.pointFields = pointFields or {}
 
     def __getitem__(self, name):
-        try:
-            return self.fields[name]
-        except KeyError:
-            raise KeyError(f"no field {name}; there are: {' '.join(self.fields)}") from None
+        for known, values in self.fields.items():
+            if name in (known, known.partition("[")[0]):
+                return values
+        raise KeyError(f"no field {name}; there are: {' '.join(self.fields)}")
 
     def largestDisplacement(self):
         """Of the mass centre of any block [m]."""
@@ -71,12 +73,12 @@ def readFrame(file, time=0.0):
     """Reads one .vtp file that Drystone wrote. Raises ValueError for another one."""
     root, read = _arrays(file)
     piece = root.find("PolyData/Piece")
-    fields = {}
-    for kind in ("CellData", "PointData"):
-        for element in piece.iterfind(kind + "/DataArray"):
-            fields[element.get("Name")] = rows(read(element), int(element.get("NumberOfComponents", 1)))
-    points = piece.find("Points/DataArray")
-    return Frame(time, rows(read(points), 3), fields)
+    fields = {kind: {element.get("Name"): rows(read(element), int(element.get("NumberOfComponents", 1)))
+                     for element in piece.iterfind(kind + "/DataArray")} for kind in ("CellData", "PointData")}
+    points = rows(read(piece.find("Points/DataArray")), 3)
+    if int(piece.get("NumberOfPolys", 0)) == 0:
+        return Frame(time, points, {**fields["CellData"], **fields["PointData"]})
+    return Frame(time, points, fields["CellData"], fields["PointData"])
 
 
 def readSeries(folder, name="blocks"):

@@ -152,7 +152,13 @@ TEST(Dictionary, WrongValuesAreRefusedWithTheReason)
     EXPECT_THAT(reportOfValue<double>("-inf"), HasSubstr("Only finite numbers"));
     EXPECT_THAT(reportOfValue<double>("1e999"), HasSubstr("too large"));
     EXPECT_EQ(Dictionary::readString("k 1e-400;").get<double>("k"), 0);
-    EXPECT_THAT(reportOfValue<double>("1 2"), HasSubstr("should end before `2`"));
+    EXPECT_THAT(reportOfValue<double>("1 2"), HasSubstr("should end before `2`. Is a `;` missing"));
+    EXPECT_THAT(reportOfValue<double>("0,6"), HasSubstr("0.6, not 0,6"));
+    EXPECT_THAT(reportOfValue<double>("= 0.6"), HasSubstr("`key value;`, without `=`"));
+    EXPECT_THAT(reportOfValue<double>("5 kN"), HasSubstr("5 kN is 5000"));
+    EXPECT_THAT(reportOfValue<double>("5kN"), HasSubstr("5 kN is 5000"));
+    EXPECT_THAT(reportOfValue<double>("5 N/m2"), HasSubstr("SI units"));
+    EXPECT_THAT(reportOfValue<double>("5 knots"), HasSubstr("Is a `;` missing"));
     EXPECT_THAT(reportOfValue<double>("12abc"), HasSubstr("`12abc`"));
     EXPECT_THAT(reportOfValue<int>("99999999999"), HasSubstr("out of range"));
     EXPECT_THAT(reportOfValue<int>("1.5"), HasSubstr("an integer"));

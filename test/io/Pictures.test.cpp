@@ -6,6 +6,7 @@
 #include "core/Error.h"
 #include "io/Mechanism.h"
 #include "io/MechanismPicture.h"
+#include "io/PicturePage.h"
 #include "io/Plot.h"
 #include "io/Svg.h"
 #include "io/plane/ThrustLine.h"
@@ -95,6 +96,67 @@ TEST(MechanismPicture, ShowsEveryFreeBlockTheBuiltOutlineAndTheGround)
     // The outline as built consists of the four sides, in pieces of one block each, and none of the joints
     // within: 6 blocks below (two are halves), 5 above, 6 on either side; and one stroke in the legend.
     EXPECT_EQ(count(svg, "stroke-dasharray=\"5 4\""), 6u + 5u + 2 * 6u + 1u);
+}
+
+TEST(MechanismPicture, HasAScaleBarTheLoadAndItsMotion)
+{
+    EXPECT_DOUBLE_EQ(roundLength(0.99), 0.5);
+    EXPECT_DOUBLE_EQ(roundLength(1), 1);
+    EXPECT_DOUBLE_EQ(roundLength(4.9), 2);
+    EXPECT_DOUBLE_EQ(roundLength(0.05), 0.05);
+    const Assembly<2> wall = test::wall(5, 6);
+    MechanismPicture picture;
+    picture.load = {{0, -3, 0}, "live load 24.6 kN"};
+    picture.motion = "moved by up to 0.1 m in this picture";
+    const std::string svg = mechanismSvg(wall, std::vector<Placement<2>>(wall.blocks.size()), picture);
+    keep("notes.svg", svg);
+    ASSERT_TRUE(parsed(svg));
+    EXPECT_THAT(svg, HasSubstr(">0.2 m</text>"));
+    EXPECT_THAT(svg, HasSubstr("live load 24.6 kN"));
+    EXPECT_THAT(svg, HasSubstr("moved by up to 0.1 m"));
+    // The arrow points downwards: its shaft is a line of one x, from above.
+    double x1 = 0;
+    double y1 = 0;
+    double x2 = 1;
+    double y2 = 0;
+    for (std::size_t at = svg.find("<line"); at != std::string::npos; at = svg.find("<line", at + 1))
+    {
+        const std::string element = svg.substr(at, svg.find("/>", at) - at);
+        if (element.find("#b3261e") != std::string::npos)
+        {
+            ASSERT_EQ(std::sscanf(element.c_str(), "<line x1=\"%lf\" y1=\"%lf\" x2=\"%lf\" y2=\"%lf\"", &x1,
+                                  &y1, &x2, &y2),
+                      4);
+        }
+    }
+    EXPECT_EQ(x1, x2);
+    EXPECT_GT(y2, y1);
+}
+
+TEST(MechanismPicture, OfALargeWallIsAreasWithoutJointsBelowAMegabyte)
+{
+    const Assembly<2> wall = test::wall(160, 160);
+    std::vector<Placement<2>> placements(wall.blocks.size());
+    for (std::size_t i = 0; i < placements.size(); ++i)
+    {
+        placements[i].translation.x() = wall.blocks[i].support < 0 ? 1e-3 * static_cast<double>(i % 1000) : 0;
+    }
+    const std::string svg = mechanismSvg(wall, placements, {});
+    ASSERT_TRUE(parsed(svg));
+    EXPECT_LT(svg.size(), 1000000U);
+    EXPECT_EQ(count(svg, "stroke=\"#3b2a22\""), 1U); // of the legend
+    EXPECT_EQ(count(svg, "z"), 25680U + count(svg, "font-size"));
+}
+
+TEST(Svg, ManyPolygonsAreOneElementWithTheirCorners)
+{
+    SvgDrawing drawing(100, 50);
+    drawing.polygons({{{10, 20}, {14, 20}, {14, 18.26}, {10, 18.26}}, {{-1, 0}, {0.04, 0}, {0.04, -0.06}}},
+                     {});
+    EXPECT_THAT(drawing.document(), HasSubstr("d=\"M10 20l4 0 0-1.7-4 0zM-1 0l1 0 0-0.1z\""));
+    drawing.lines({{{1, 2}, {3, 1}}}, {});
+    EXPECT_THAT(drawing.document(), HasSubstr("d=\"M1 2l2-1\""));
+    EXPECT_THROW(drawing.lines({{{1, 2}, {std::numeric_limits<double>::quiet_NaN(), 1}}}, {}), FatalError);
 }
 
 TEST(MechanismPicture, OfAStructureAtRestHasNoLegendOfMotion)

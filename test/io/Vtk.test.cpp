@@ -1,6 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// .vtp files and their series, read back with VTK's own reader.
 #include "Scene.h"
+#include "assembly/BlockShape.h"
 #include "contact/Facing.h"
 #include "core/Error.h"
 #include "core/WholeFile.h"
@@ -75,12 +76,16 @@ TEST(Vtp, BlocksAreReadBackByVtkWithTheirFields)
     EXPECT_EQ(fields->GetArray("blockId")->GetTuple1(20), 20);
     EXPECT_EQ(fields->GetArray("support")->GetTuple1(0), 0);
     EXPECT_EQ(fields->GetArray("support")->GetTuple1(20), -1);
-    EXPECT_EQ(fields->GetArray("displacement")->GetNumberOfComponents(), 3);
-    EXPECT_EQ(fields->GetArray("displacement")->GetTuple3(20)[0], 0.01); // bit for bit: fields are double
-    EXPECT_EQ(fields->GetArray("displacement")->GetTuple3(20)[1], -0.02);
-    EXPECT_EQ(fields->GetArray("displacement")->GetTuple3(20)[2], 0);
-    EXPECT_EQ(fields->GetArray("rotation")->GetTuple1(20), 0.125);
+    EXPECT_EQ(fields->GetArray("displacement[m]")->GetNumberOfComponents(), 3);
+    EXPECT_EQ(fields->GetArray("displacement[m]")->GetTuple3(20)[0], 0.01); // bit for bit: fields are double
+    EXPECT_EQ(fields->GetArray("displacement[m]")->GetTuple3(20)[1], -0.02);
+    EXPECT_EQ(fields->GetArray("displacement[m]")->GetTuple3(20)[2], 0);
+    EXPECT_EQ(fields->GetArray("rotation[rad]")->GetTuple1(20), 0.125);
     EXPECT_EQ(fields->GetArray("speed")->GetTuple1(7), 1.0 / 3);
+    vtkDataArray* moved = data->GetPointData()->GetArray("pointDisplacement[m]");
+    ASSERT_NE(moved, nullptr);
+    EXPECT_EQ(moved->GetNumberOfTuples(), data->GetNumberOfPoints());
+    EXPECT_EQ(moved->GetTuple3(0)[0], 0);
 
     vtkNew<vtkIdList> corners;
     data->GetCellPoints(20, corners);
@@ -162,6 +167,61 @@ TEST(Vtp, ConcaveBlocksArePaintedAsTheyAre)
     EXPECT_NO_THROW(vtpBytes(data));
 }
 
+/// Every point less its displacement is a corner of the block as built.
+template<int Dim>
+void expectPointsComeFromBuiltCorners(const Assembly<Dim>& assembly, const PolyData<Dim>& data)
+{
+    ASSERT_EQ(data.pointFields.size(), 1);
+    EXPECT_EQ(data.pointFields[0].name, "pointDisplacement[m]");
+    ASSERT_EQ(data.pointFields[0].values.size(), Dim * data.points.size());
+    std::size_t point = 0;
+    for (std::size_t cell = 0; cell < cellCount(data); ++cell)
+    {
+        const auto block = static_cast<std::size_t>(data.fields[0].values[cell]);
+        const std::vector<Vector<Dim>> built = cornersOf(assembly.blocks[block]);
+        for (int k = 0; k < data.cellSizes[cell]; ++k, ++point)
+        {
+            const Vector<Dim> from =
+                data.points[point] - Eigen::Map<const Vector<Dim>>(&data.pointFields[0].values[Dim * point]);
+            double nearest = 1;
+            for (const Vector<Dim>& corner : built)
+            {
+                nearest = std::min(nearest, (corner - from).norm());
+            }
+            EXPECT_LT(nearest, 1e-14) << "cell " << cell << ", corner " << k;
+        }
+    }
+}
+
+TEST(Vtp, PointsCarryTheirDisplacementFromWhereTheyWereBuilt)
+{
+    Assembly<2> plane;
+    plane.blocks = {{{{0, 1}, {0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}, 1, -1},
+                    // a U, which is painted as triangles
+                    {{{5, 0}, {7, 0}, {7, 2}, {6.5, 2}, {6.5, 0.5}, {5.5, 0.5}, {5.5, 2}, {5, 2}}, 1, -1}};
+    expectPointsComeFromBuiltCorners(plane, blockFrame(plane, {{{0.5, 0.25}, 1}, {{-1, 2}, 0.3}}));
+
+    Assembly<3> space;
+    Block<3> prism; // of the same U
+    std::vector<Vector<3>> below;
+    std::vector<Vector<3>> above;
+    for (const Vector<2>& corner : plane.blocks[1].outline)
+    {
+        below.emplace_back(corner.x(), corner.y(), 0);
+        above.emplace_back(corner.x(), corner.y(), 1);
+    }
+    prism.shape = makePrism(below, above);
+    space.blocks = {prism};
+    const PolyData<3> data = blockFrame(space, {{{0.5, 0.25, -1}, {0.3, 1, -0.5}}});
+    EXPECT_GT(cellCount(data), prism.shape.faces.size()); // both faces of the U are triangles
+    expectPointsComeFromBuiltCorners(space, data);
+    EXPECT_NO_THROW(vtpBytes(data));
+
+    PolyData<3> wrong = data;
+    wrong.pointFields[0].values.pop_back();
+    EXPECT_THAT(messageOf([&] { vtpBytes(wrong); }), HasSubstr("pointDisplacement[m]"));
+}
+
 TEST(Vtp, GroundIsShownAsFarAsTheStructureReaches)
 {
     Assembly<2> assembly;
@@ -203,13 +263,13 @@ TEST(Vtp, ContactsCarryForcesGapsAndStates)
     ASSERT_EQ(data->GetNumberOfVerts(), 3);
     vtkPointData* fields = data->GetPointData();
     // Normal (0 1): the tangent is (1 0); normal (1 0): the tangent is (0 -1).
-    EXPECT_EQ(fields->GetArray("contactForce")->GetTuple3(0)[0], 6.5);
-    EXPECT_EQ(fields->GetArray("contactForce")->GetTuple3(0)[1], 10);
-    EXPECT_EQ(fields->GetArray("contactForce")->GetTuple3(2)[0], 4);
-    EXPECT_EQ(fields->GetArray("contactForce")->GetTuple3(2)[1], 1);
-    EXPECT_EQ(fields->GetArray("normalForce")->GetTuple1(2), 4);
-    EXPECT_EQ(fields->GetArray("tangentialForce")->GetTuple1(2), -1);
-    EXPECT_EQ(fields->GetArray("gap")->GetTuple1(1), 1e-9);
+    EXPECT_EQ(fields->GetArray("contactForce[N]")->GetTuple3(0)[0], 6.5);
+    EXPECT_EQ(fields->GetArray("contactForce[N]")->GetTuple3(0)[1], 10);
+    EXPECT_EQ(fields->GetArray("contactForce[N]")->GetTuple3(2)[0], 4);
+    EXPECT_EQ(fields->GetArray("contactForce[N]")->GetTuple3(2)[1], 1);
+    EXPECT_EQ(fields->GetArray("normalForce[N]")->GetTuple1(2), 4);
+    EXPECT_EQ(fields->GetArray("tangentialForce[N]")->GetTuple1(2), -1);
+    EXPECT_EQ(fields->GetArray("gap[m]")->GetTuple1(1), 1e-9);
     EXPECT_EQ(fields->GetArray("state")->GetTuple1(0), 2);
     EXPECT_EQ(fields->GetArray("state")->GetTuple1(1), 0);
     EXPECT_EQ(fields->GetArray("neighbour")->GetTuple1(2), 2);
@@ -243,7 +303,7 @@ TEST(Vtp, ManyBlocksSurviveTheCompressorsBlocks)
     }
     writeVtp(folder / "blocks.vtp", blockFrame(wall, placements));
     const auto data = readBack(folder / "blocks.vtp");
-    vtkDataArray* displacement = data->GetCellData()->GetArray("displacement");
+    vtkDataArray* displacement = data->GetCellData()->GetArray("displacement[m]");
     for (std::size_t i = 0; i < placements.size(); ++i)
     {
         ASSERT_EQ(displacement->GetTuple3(static_cast<vtkIdType>(i))[0], placements[i].translation.x());
@@ -498,8 +558,9 @@ TEST(Mechanism, GrowsFromAsBuiltToHalfAMeanBlock)
     }
     for (vtkIdType i = 0; i < first->GetNumberOfCells(); ++i)
     {
-        EXPECT_EQ(first->GetCellData()->GetArray("displacement")->GetTuple3(i)[0], 0);
-        rate = std::max(rate, std::abs(first->GetCellData()->GetArray("displacementRate")->GetTuple3(i)[0]));
+        EXPECT_EQ(first->GetCellData()->GetArray("displacement[m]")->GetTuple3(i)[0], 0);
+        rate =
+            std::max(rate, std::abs(first->GetCellData()->GetArray("displacementRate[-]")->GetTuple3(i)[0]));
     }
     const double amplitude = 0.5 * meanBlockSize(wall);
     EXPECT_NEAR(largest, amplitude, 0.02 * amplitude); // finite rotation of 0.09 rad against first order

@@ -41,6 +41,12 @@ class Package(CaseTest):
         self.assertGreater(frames[-1].largestDisplacement(), 0.01)
         self.assertEqual(sorted(int(block) for block in frames[0]["blockId"]), list(range(43)))
         self.assertEqual(len(frames[0].points), 172)
+        moved = frames[-1].pointFields["pointDisplacement[m]"]
+        self.assertEqual(len(moved), 172)
+        # Four corners a block; the ground is shown as far as the structure reaches.
+        for i, (point, built, displacement) in enumerate(zip(frames[-1].points, frames[0].points, moved)):
+            if frames[0]["support"][i // 4] < 0:
+                self.assertAlmostEqual(point[0] - displacement[0], built[0], delta=1e-6)
         self.assertEqual(len(next(iter(wall.frames("contacts")))["contactForce"]), 174)
 
     def testVariesAnEntryInACopy(self):

@@ -78,6 +78,22 @@ class RunControl(CaseTest):
     def times(self, case):
         return sorted((entry for entry in os.listdir(case) if re.fullmatch(r"[0-9.]+", entry)), key=float)
 
+    def testADryRunWritesNothingAndNeedsNoFolderToWriteInto(self):
+        case = self.copy("dryOnly")
+        shutil.rmtree(os.path.join(case, "VTK"))
+        with open(os.path.join(case, "VTK"), "w", encoding="utf-8") as file:
+            file.write("no folder can be made here")
+        before = sorted(os.listdir(case))
+        self.assertIn("Advice", self.run_(case, "-dry-run").stdout)
+        self.assertEqual(sorted(os.listdir(case)), before)
+        self.assertIn("VTK", self.run_(case, status=1).stderr)
+        shutil.rmtree(os.path.join(case, "constant/assembly"))
+        done = subprocess.run([os.path.join(applications, "blockTexture"), "-case", case, "-dry-run"],
+                              capture_output=True, text=True, timeout=120, check=False)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertIn("Blocks: 3 free, 1 fixed", done.stdout)
+        self.assertFalse(os.path.exists(os.path.join(case, "constant/assembly")))
+
     def testARunInPartsEndsInTheSameBytes(self):
         for form in ("ascii", "binary"):
             once = self.copy("once." + form, writeFormat=form)

@@ -47,6 +47,11 @@ int runIn(const CommandLine& commandLine, const Dictionary& dictionary)
     printLine();
     warnOfFaults(closed, dictionary);
     questionSizes(assembly, dictionary.locationOf("texture"));
+    if (commandLine.dryRun)
+    {
+        printEnd();
+        return 0;
+    }
 
     const std::filesystem::path picture = (directory / "VTK" / "assembly.vtp").lexically_normal();
     requireWritable(assemblyFile(directory).parent_path());
@@ -77,6 +82,7 @@ int main(int argc, char* argv[])
         "Generates the blocks of a structure from system/blockTextureDict and writes them to "
         "constant/assembly/ and VTK/assembly.vtp.";
     description.kind = ApplicationKind::preProcessor;
+    description.options = {{"dry-run", "", "read and check everything, write nothing"}};
     description.examples = {"blockTexture -case wall",
                             "blockTexture -dict system/otherDict   # relative to the case directory"};
     description.tutorial = "blockTexture/runningBond";

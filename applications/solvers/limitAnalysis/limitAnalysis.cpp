@@ -52,7 +52,7 @@ int runIn(const CommandLine& commandLine)
         confirmResults(directory);
         compareWithInput(limitAnalysisInput(directory), inputOfLimitAnalysis(directory, structure.assembly));
     }
-    else
+    else if (!commandLine.dryRun)
     {
         requireWritableResults(directory);
     }

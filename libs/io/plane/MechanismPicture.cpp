@@ -233,6 +233,45 @@ void paintFixedBlocks(SvgDrawing& drawing, const Assembly<2>& assembly, const Vi
     }
 }
 
+/// Blocks below this mean size are drawn as areas of one colour each without their joints, which would be
+/// nearer to each other than lines are wide [px].
+constexpr double smallBlock = 5;
+
+/// \param moved as parts of the largest displacement, one a block
+void paintBlocks(SvgDrawing& drawing, const Assembly<2>& assembly,
+                 const std::vector<Placement<2>>& placements, const std::vector<double>& moved,
+                 const View& view, double blockSize)
+{
+    constexpr int shades = 24;
+    const bool areas = blockSize * view.scale < smallBlock;
+    std::vector<std::vector<Polygon>> ofShade(areas ? shades : 0);
+    for (std::size_t i = 0; i < assembly.blocks.size(); ++i)
+    {
+        if (assembly.blocks[i].support >= 0)
+        {
+            continue;
+        }
+        const Polygon outline = view(placedOutline(assembly.blocks[i], placements[i]));
+        if (areas)
+        {
+            ofShade[static_cast<std::size_t>(std::lround(moved[i] * (shades - 1)))].push_back(outline);
+        }
+        else
+        {
+            drawing.polygon(outline, {.fill = clayColour(moved[i]), .stroke = "#3b2a22", .strokeWidth = 0.9});
+        }
+    }
+    for (std::size_t shade = 0; shade < ofShade.size(); ++shade)
+    {
+        if (!ofShade[shade].empty())
+        {
+            // The stroke closes the seams that blended edges leave between neighbours.
+            const std::string colour = clayColour(static_cast<double>(shade) / (shades - 1));
+            drawing.polygons(ofShade[shade], {.fill = colour, .stroke = colour, .strokeWidth = 0.4});
+        }
+    }
+}
+
 constexpr std::string_view thrustColour = "#1b4f8f";
 
 double thrustWidth(double share)
@@ -276,19 +315,41 @@ double paintThrust(SvgDrawing& drawing, const Assembly<2>& assembly, const std::
     std::vector<ThrustSegment> segments = thrustSegments(thrust, free);
     // The lines of a large wall would merge, and its file would be too large to open: the strongest are
     // drawn.
-    constexpr std::size_t most = 8000;
+    constexpr std::size_t most = 6000;
     if (segments.size() > most)
     {
         std::nth_element(segments.begin(), segments.begin() + most, segments.end(),
                          [](const ThrustSegment& a, const ThrustSegment& b) { return a.force > b.force; });
         segments.resize(most);
     }
+    // Of many, those of about the same width are one element of the file.
+    constexpr int widths = 12;
+    const bool areMany = segments.size() > 1000;
+    std::vector<std::vector<std::pair<Vector<2>, Vector<2>>>> ofWidth(areMany ? widths : 0);
     for (const ThrustSegment& segment : segments)
     {
-        drawing.line(view(segment.from), view(segment.to),
-                     {.stroke = std::string(thrustColour),
-                      .strokeWidth = thrustWidth(segment.force / largest),
-                      .opacity = 0.85});
+        const double share = segment.force / largest;
+        if (areMany)
+        {
+            ofWidth[static_cast<std::size_t>(std::lround(std::sqrt(share) * (widths - 1)))].emplace_back(
+                view(segment.from), view(segment.to));
+        }
+        else
+        {
+            drawing.line(
+                view(segment.from), view(segment.to),
+                {.stroke = std::string(thrustColour), .strokeWidth = thrustWidth(share), .opacity = 0.85});
+        }
+    }
+    for (std::size_t width = 0; width < ofWidth.size(); ++width)
+    {
+        if (!ofWidth[width].empty())
+        {
+            const double root = static_cast<double>(width) / (widths - 1);
+            drawing.lines(ofWidth[width], {.stroke = std::string(thrustColour),
+                                           .strokeWidth = thrustWidth(root * root),
+                                           .opacity = 0.85});
+        }
     }
     for (const JointForce<2>& joint : thrust)
     {
@@ -325,21 +386,16 @@ std::string mechanismSvg(const Assembly<2>& assembly, const std::vector<Placemen
     view.corner = page.corner;
     SvgDrawing& drawing = page.drawing;
 
-    const std::vector<double> moved = meanDisplacements(assembly, placements);
+    std::vector<double> moved = meanDisplacements(assembly, placements);
     const double furthest = moved.empty() ? 0 : *std::max_element(moved.begin(), moved.end());
+    for (double& displacement : moved)
+    {
+        displacement = furthest > 0 ? displacement / furthest : 0;
+    }
     drawing.defineHatch("fixed", "#9a9a9a", 7);
     drawing.beginClip("view", page.corner, page.room.x(), page.room.y());
     paintFixedBlocks(drawing, assembly, view);
-    for (std::size_t i = 0; i < assembly.blocks.size(); ++i)
-    {
-        if (assembly.blocks[i].support < 0)
-        {
-            drawing.polygon(view(placedOutline(assembly.blocks[i], placements[i])),
-                            {.fill = clayColour(furthest > 0 ? moved[i] / furthest : 0),
-                             .stroke = "#3b2a22",
-                             .strokeWidth = 0.9});
-        }
-    }
+    paintBlocks(drawing, assembly, placements, moved, view, blockSize);
     if (furthest > 0)
     {
         for (const Piece& piece : outlinePieces(assembly, 1e-6 * blockSize))
@@ -378,6 +434,9 @@ std::string mechanismSvg(const Assembly<2>& assembly, const std::vector<Placemen
         }
         drawing.text({x, y + 11}, "line of thrust, reactions", {.size = 12});
     }
+    const Vector<3> load =
+        picture.load ? picture.load->direction.normalized().eval() : Vector<3>::Zero().eval();
+    paintNotes(page, picture, {load.x(), -load.y()});
     return drawing.document();
 }
 

@@ -357,6 +357,10 @@ std::string mechanismSvg(const Assembly<3>& assembly, const std::vector<Placemen
         paintMarkLegend(drawing, picture.marks,
                         {paintClayLegend(drawing, {view.corner.x() + 4, page.legend()}) + 20, page.legend()});
     }
+    // As it is seen: a length of 1 m along the load, in metres of the page.
+    const Vector<3> load =
+        picture.load ? picture.load->direction.normalized().eval() : Vector<3>::Zero().eval();
+    paintNotes(page, picture, (view.onPage(load) - view.onPage(Vector<3>::Zero())) / view.scale);
     return drawing.document();
 }
 
