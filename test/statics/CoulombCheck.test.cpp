@@ -25,7 +25,7 @@ struct SlidingBlock
         Assembly<2> assembly;
         assembly.supports = {{"ground", "ground"}};
         assembly.blocks = {rectangle(0, 0, 1, 1), rectangle(-1, -1, 2, 0, 0)};
-        const Structure structure(std::move(assembly));
+        const WeighedStructure structure(std::move(assembly));
         program = structure.program(alpha, structure.weightLoads());
         // Moments about the centroid: the shear of 300 N at half a metre, the normal forces at either end.
         for (int point = 0; point < 2; ++point)

@@ -33,7 +33,7 @@ PlaneConeProgram squareWall(int size, double mu)
     bond.length = size;
     bond.courses = size;
     bond.firstCourse = FirstCourse::full;
-    const Structure structure = standing(bond);
+    const WeighedStructure structure = standing(bond);
     return structure.program(mu, structure.weightLoads());
 }
 
@@ -56,9 +56,9 @@ enum class Voussoirs
     sectors
 };
 
-Structure archStructure(const Arch& arch, Voussoirs voussoirs)
+WeighedStructure archStructure(const Arch& arch, Voussoirs voussoirs)
 {
-    Structure structure(makeAssembly(arch));
+    WeighedStructure structure(makeAssembly(arch));
     const double half = std::numbers::pi / 2 / arch.voussoirs;
     for (std::size_t block = 0; block < structure.masses.size(); ++block)
     {
@@ -75,7 +75,7 @@ double archMultiplier(double thickness, double mu, Voussoirs voussoirs)
     const Vector<2> down(0, -1);
     Arch arch;
     arch.thickness = thickness;
-    const Structure structure = archStructure(arch, voussoirs);
+    const WeighedStructure structure = archStructure(arch, voussoirs);
     const LoadVectors loads{gravityLoad(structure.assembly, structure.weights, down),
                             inertialLoad(structure.assembly, structure.weights, {0, -1}, {1, 0})};
     const LimitAnalysis result = solveLimitAnalysis(structure.program(mu, loads));
@@ -102,7 +102,7 @@ TEST(LimitAnalysis, GivesTheMultipliersAndCountsOfThePaperForItsSixWalls)
 {
     for (const Wall& wall : paperWalls())
     {
-        const Structure structure = standing(wall.bond);
+        const WeighedStructure structure = standing(wall.bond);
         EXPECT_EQ(structure.freeBlocks(), wall.blocks);
         EXPECT_EQ(static_cast<int>(structure.points.size()), wall.points);
         EXPECT_NEAR(multiplierOf(structure.program(0.65, structure.weightLoads())), wall.alpha, 1e-6);
@@ -116,7 +116,7 @@ TEST(LimitAnalysis, ProvesTheDeadLoadCarriedForLittle)
     int alone = 0;
     for (const Wall& wall : paperWalls())
     {
-        const Structure structure = standing(wall.bond);
+        const WeighedStructure structure = standing(wall.bond);
         const PlaneConeProgram program = structure.program(0.65, structure.weightLoads());
         const ConeSolution solution = solveInteriorPoint(program, {.tolerance = 1e-9});
         EXPECT_LE(solution.iterations, 17);
@@ -131,8 +131,8 @@ TEST(LimitAnalysis, IsTheSameForAMirroredWallPushedTheOtherWay)
 {
     for (const Wall& wall : paperWalls())
     {
-        const Structure structure = standing(wall.bond);
-        const Structure mirror(mirrored(structure.assembly));
+        const WeighedStructure structure = standing(wall.bond);
+        const WeighedStructure mirror(mirrored(structure.assembly));
         LoadVectors loads = mirror.weightLoads();
         for (int block = 0; block < mirror.freeBlocks(); ++block)
         {
@@ -147,7 +147,7 @@ TEST(LimitAnalysis, DoesNotDependOnTheUnitOfLoads)
 {
     for (const Wall& wall : paperWalls())
     {
-        const Structure structure = standing(wall.bond);
+        const WeighedStructure structure = standing(wall.bond);
         const double reference = multiplierOf(structure.program(0.65, structure.weightLoads()));
         for (const double unit : {1e-6, 1e-3, 1e3, 1e6})
         {
@@ -165,7 +165,7 @@ TEST(LimitAnalysis, OfAMonolithIsTheLesserOfFrictionAndSlenderness)
         Assembly<2> assembly;
         assembly.supports = {{"ground", "ground"}};
         assembly.blocks = {rectangle(0, 0, 0.5, 2), rectangle(-1, -1, 2, 0, 0)};
-        const Structure structure(std::move(assembly));
+        const WeighedStructure structure(std::move(assembly));
         EXPECT_NEAR(multiplierOf(structure.program(mu, structure.weightLoads())), std::min(mu, 0.25), 1e-9);
     }
 }
@@ -177,7 +177,7 @@ TEST(LimitAnalysis, OfAMonolithWhoseToeCrushesConvergesWithThePointsOfTheJoint)
     Assembly<2> assembly;
     assembly.supports = {{"ground", "ground"}};
     assembly.blocks = {rectangle(0, 0, 0.5, 2), rectangle(-1, -1, 2, 0, 0)};
-    Structure structure(std::move(assembly));
+    WeighedStructure structure(std::move(assembly));
     const std::vector<ContactPoint<2>> ends = structure.points;
     for (const double strength : {3e3, 1e4, 1e5, 1e9})
     {
@@ -203,7 +203,7 @@ TEST(LimitAnalysis, OfAMonolithWhoseToeCrushesIsExactWithAPointWhereTheHingeIs)
     Assembly<2> assembly;
     assembly.supports = {{"ground", "ground"}};
     assembly.blocks = {rectangle(0, 0, 0.5, 2), rectangle(-1, -1, 2, 0, 0)};
-    Structure structure(std::move(assembly));
+    WeighedStructure structure(std::move(assembly));
     const std::vector<ContactPoint<2>> ends = structure.points;
     for (const double tension : {0.0, 400.0})
     {
@@ -239,7 +239,7 @@ TEST(CrushingHinges, LeaveJointsThatBearAnyPressureAsTheyAre)
     Assembly<2> assembly;
     assembly.supports = {{"ground", "ground"}};
     assembly.blocks = {rectangle(0, 0, 0.5, 2), rectangle(-1, -1, 2, 0, 0)};
-    const Structure structure(std::move(assembly));
+    const WeighedStructure structure(std::move(assembly));
     JointPoints<2> joints{structure.points, {3, 3}, {Strength{1, 0}, Strength{1, 0}}};
     Eigen::VectorXd atOneEnd(4);
     atOneEnd << 1000, 0, 0, 0;
@@ -258,7 +258,7 @@ TEST(CrushingHinges, LeaveJointsThatBearAnyPressureAsTheyAre)
 
 TEST(LimitAnalysis, OfAFrictionlessWallIsZero)
 {
-    const Structure structure = standing(paperWalls()[0].bond);
+    const WeighedStructure structure = standing(paperWalls()[0].bond);
     EXPECT_NEAR(multiplierOf(structure.program(0, structure.weightLoads())), 0, 1e-9);
 }
 
@@ -283,7 +283,7 @@ TEST(LimitAnalysis, FindsTheForceOnTheExtradosThatBreaksAnArch)
 {
     Arch arch;
     arch.voussoirs = 28;
-    const Structure structure = archStructure(arch, Voussoirs::sectors);
+    const WeighedStructure structure = archStructure(arch, Voussoirs::sectors);
     LoadVectors loads = structure.weightLoads();
     // The point of the extrados at x = -R/2: on the straight outer edge of the voussoir there.
     const double step = std::numbers::pi / 28;
@@ -332,7 +332,7 @@ TEST(LimitAnalysis, KnowsWhichHarmonicStackStands)
             assembly.blocks.push_back(rectangle(end - 1, 0.2 * brick, end, 0.2 * (brick + 1)));
         }
         EXPECT_NEAR(end, factor * 1.0416667, 1e-7);
-        const Structure structure(std::move(assembly));
+        const WeighedStructure structure(std::move(assembly));
         return solveLimitAnalysis(structure.program(0.65, structure.weightLoads()));
     };
     const LimitAnalysis stands = stack(1 - 1e-6);
@@ -347,7 +347,7 @@ TEST(LimitAnalysis, KnowsWhichHarmonicStackStands)
 
 TEST(LimitAnalysis, SaysWhenTheLiveLoadNeverBreaksTheStructure)
 {
-    const Structure structure = standing(paperWalls()[0].bond);
+    const WeighedStructure structure = standing(paperWalls()[0].bond);
     LoadVectors loads = structure.weightLoads();
     loads.live = loads.dead;
     const LimitAnalysis result = solveLimitAnalysis(structure.program(0.65, loads));
@@ -357,7 +357,7 @@ TEST(LimitAnalysis, SaysWhenTheLiveLoadNeverBreaksTheStructure)
 
 TEST(LimitAnalysis, SaysWhenTheDeadLoadCannotBeCarriedThoughALiveLoadWouldHoldItUp)
 {
-    const Structure structure = standing(paperWalls()[0].bond);
+    const WeighedStructure structure = standing(paperWalls()[0].bond);
     LoadVectors loads = structure.weightLoads();
     loads.dead += 0.7 * loads.live;
     loads.live *= -1;
@@ -374,7 +374,7 @@ namespace
 /// (sin b +- mu cos b).
 struct Keystone
 {
-    Structure structure;
+    WeighedStructure structure;
     double weight;
 };
 
@@ -388,7 +388,7 @@ Keystone keystone(double beta)
     assembly.blocks.push_back({{{-lower, 0}, {lower, 0}, {upper, 1}, {-upper, 1}}, 1, -1});
     assembly.blocks.push_back({{{lower, 0}, {3, 0}, {3, 1}, {upper, 1}}, 1, 0});
     assembly.blocks.push_back({{{-3, 0}, {-lower, 0}, {-upper, 1}, {-3, 1}}, 1, 0});
-    Structure structure(std::move(assembly));
+    WeighedStructure structure(std::move(assembly));
     const double weight = structure.weights[0];
     return {std::move(structure), weight};
 }
@@ -419,7 +419,7 @@ TEST(LimitAnalysis, BoundsTheForceOnAKeystone)
                            1,
                            -1};
             assembly.blocks[1] = plate;
-            Structure cut(std::move(assembly));
+            WeighedStructure cut(std::move(assembly));
             LoadVectors loads;
             loads.dead = Eigen::VectorXd::Zero(6);
             loads.dead[1] = -stone.weight;
@@ -470,7 +470,7 @@ TEST(LimitAnalysis, LetsAKeystoneWedgeWithoutBoundWhenFrictionExceedsItsTangent)
 
 TEST(LimitAnalysis, UpperBoundsFromAnywhereGiveTheSameMultiplier)
 {
-    const Structure structure = standing(paperWalls()[0].bond);
+    const WeighedStructure structure = standing(paperWalls()[0].bond);
     const PlaneConeProgram program = structure.program(0.65, structure.weightLoads());
     for (const double from : {-1.0, 0.0, 0.6, 0.7, 100.0})
     {
@@ -483,7 +483,7 @@ TEST(LimitAnalysis, UpperBoundsFromAnywhereGiveTheSameMultiplier)
 
 TEST(LimitAnalysis, StatesThatItDidNotConvergeRatherThanGiveANumber)
 {
-    const Structure structure = standing(paperWalls()[5].bond);
+    const WeighedStructure structure = standing(paperWalls()[5].bond);
     InteriorPointSettings settings;
     settings.maximumIterations = 3;
     const LimitAnalysis result =
@@ -496,7 +496,7 @@ TEST(LimitAnalysis, StatesThatItDidNotConvergeRatherThanGiveANumber)
 /// was written; the margin is for other compilers' rounding.
 TEST(LimitAnalysis, WorkOnTheSixthWallDoesNotGrow)
 {
-    const Structure structure = standing(paperWalls()[5].bond);
+    const WeighedStructure structure = standing(paperWalls()[5].bond);
     const LimitAnalysis result = solveLimitAnalysis(structure.program(0.65, structure.weightLoads()));
     ASSERT_EQ(result.status, CollapseStatus::optimal);
     EXPECT_GT(result.factorisations, 0);

@@ -33,7 +33,7 @@ TEST(NonAssociative, MeetsTheLowestKnownMultipliersOfTheSixWallsByDefault)
     const std::vector<Wall> walls = paperWalls();
     for (std::size_t i = 0; i < walls.size(); ++i)
     {
-        const Structure structure = standing(walls[i].bond);
+        const WeighedStructure structure = standing(walls[i].bond);
         const PlaneConeProgram program = structure.program(0.65, structure.weightLoads());
         const LimitAnalysis result = solveNonAssociative(program);
         ASSERT_EQ(result.status, CollapseStatus::optimal) << "wall " << i + 1;
@@ -54,7 +54,7 @@ TEST(NonAssociative, MoreStartsLeadToCollapsesAndToNoneHigherThanTheFirst)
     const std::vector<Wall> walls = paperWalls();
     for (std::size_t i = 0; i < walls.size(); ++i)
     {
-        const Structure structure = standing(walls[i].bond);
+        const WeighedStructure structure = standing(walls[i].bond);
         const PlaneConeProgram program = structure.program(0.65, structure.weightLoads());
         const LimitAnalysis one = solveNonAssociative(program);
         const LimitAnalysis twelve = solveNonAssociative(program, {.starts = 12});
@@ -67,7 +67,7 @@ TEST(NonAssociative, MoreStartsLeadToCollapsesAndToNoneHigherThanTheFirst)
 
 TEST(NonAssociative, IsTheSameOnASecondRun)
 {
-    const Structure structure = standing(paperWalls()[4].bond);
+    const WeighedStructure structure = standing(paperWalls()[4].bond);
     const PlaneConeProgram program = structure.program(0.65, structure.weightLoads());
     const NonAssociativeSettings settings{.starts = 2};
     const LimitAnalysis one = solveNonAssociative(program, settings);
@@ -84,7 +84,7 @@ TEST(NonAssociative, OfAMonolithIsThatOfTheAssociativeLaw)
         Assembly<2> assembly;
         assembly.supports = {{"ground", "ground"}};
         assembly.blocks = {rectangle(0, 0, 0.5, 2), rectangle(-1, -1, 2, 0, 0)};
-        const Structure structure(std::move(assembly));
+        const WeighedStructure structure(std::move(assembly));
         const PlaneConeProgram program = structure.program(mu, structure.weightLoads());
         const LimitAnalysis result = solveNonAssociative(program);
         EXPECT_EQ(result.status, CollapseStatus::optimal);
@@ -96,7 +96,7 @@ TEST(NonAssociative, OfAMonolithIsThatOfTheAssociativeLaw)
 TEST(NonAssociative, AtALooseToleranceOfTheSolverHasNoAnswerOrARightOne)
 {
     // Mechanisms are so inexact then that no point may be left that carries anything.
-    const Structure structure = standing(paperWalls()[0].bond);
+    const WeighedStructure structure = standing(paperWalls()[0].bond);
     const PlaneConeProgram program = structure.program(0.65, structure.weightLoads());
     for (const double tolerance : {1e-3, 1e-4})
     {
@@ -118,7 +118,7 @@ TEST(NonAssociative, KnowsCohesionAndTension)
     Assembly<2> assembly;
     assembly.supports = {{"ground", "ground"}};
     assembly.blocks = {rectangle(0, 0, 1, 1), rectangle(-1, -1, 2, 0, 0)};
-    const Structure block(std::move(assembly));
+    const WeighedStructure block(std::move(assembly));
     PlaneConeProgram program = block.program(0.3, block.weightLoads());
     program.strength.assign(2, {.cohesion = 50});
     LimitAnalysis result = solveNonAssociative(program);
@@ -131,7 +131,7 @@ TEST(NonAssociative, KnowsCohesionAndTension)
     EXPECT_NEAR(result.alpha, 1 + 2 * 20.0 / 1000, 1e-7);
 
     // A wall with weak mortar: a pair, and no higher than the associative one.
-    const Structure wall = standing(paperWalls()[2].bond);
+    const WeighedStructure wall = standing(paperWalls()[2].bond);
     program = wall.program(0.65, wall.weightLoads());
     program.strength.assign(program.friction.size(), {.cohesion = 5, .tension = 3});
     result = solveNonAssociative(program);
@@ -143,7 +143,7 @@ TEST(NonAssociative, KnowsCohesionAndTension)
 
 TEST(NonAssociative, LeavesUnstableWhatIsUnstable)
 {
-    const Structure structure = standing(paperWalls()[0].bond);
+    const WeighedStructure structure = standing(paperWalls()[0].bond);
     LoadVectors loads = structure.weightLoads();
     loads.dead += 0.7 * loads.live;
     const LimitAnalysis result = solveNonAssociative(structure.program(0.65, loads));
@@ -153,7 +153,7 @@ TEST(NonAssociative, LeavesUnstableWhatIsUnstable)
 
 TEST(NonAssociative, ResidualsSeeWhatIsNotCoulombs)
 {
-    const Structure structure = standing(paperWalls()[2].bond);
+    const WeighedStructure structure = standing(paperWalls()[2].bond);
     const PlaneConeProgram program = structure.program(0.65, structure.weightLoads());
     // The associative pair of the wall dilates where it slides.
     const ConeSolution associative = solveInteriorPoint(program);

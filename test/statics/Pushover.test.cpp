@@ -12,15 +12,15 @@ using namespace drystone;
 namespace
 {
 
-Structure monolith()
+WeighedStructure monolith()
 {
     Assembly<2> assembly;
     assembly.supports = {{"ground", "ground"}};
     assembly.blocks = {rectangle(0, 0, 0.5, 2), rectangle(-1, -1, 3, 0, 0)};
-    return Structure(std::move(assembly));
+    return WeighedStructure(std::move(assembly));
 }
 
-Pushover push(const Structure& structure, double mu, const PushoverSettings& settings)
+Pushover push(const WeighedStructure& structure, double mu, const PushoverSettings& settings)
 {
     return solvePushover<2>({structure.assembly, mu, structure.weightLoads()}, settings, {},
                             [](const CapacityPoint&, const std::vector<Placement<2>>&) {});
@@ -57,7 +57,7 @@ TEST(Pushover, OfAMonolithThatSlidesNeverEnds)
 
 TEST(Pushover, OfAWallStartsAtItsCollapseMultiplierAndEndsAtZero)
 {
-    const Structure structure = standing(paperWalls()[0].bond);
+    const WeighedStructure structure = standing(paperWalls()[0].bond);
     for (const double length : {0.01, 0.03})
     {
         const Pushover pushover = push(structure, 0.65, {.step = length});

@@ -16,7 +16,7 @@ LimitAnalysis settle(std::vector<Block<2>> blocks, double mu, const Vector<2>& d
     Assembly<2> assembly;
     assembly.supports = {{"stays", "blocks"}, {"moves", "blocks"}};
     assembly.blocks = std::move(blocks);
-    const Structure structure(std::move(assembly));
+    const WeighedStructure structure(std::move(assembly));
     PlaneConeProgram program = structure.program(mu, structure.weightLoads());
     program.liveLoad.resize(0);
     program.gap = settlementGaps(structure.assembly, structure.points, {1, direction});
@@ -69,7 +69,7 @@ TEST(Settlement, OfABeamThatCannotStandIsUnstable)
     Assembly<2> assembly;
     assembly.supports = {{"left", "blocks"}, {"right", "blocks"}};
     assembly.blocks = {rectangle(0, 0, 4, 1), rectangle(0, -1, 1, 0, 0), rectangle(1, -1, 1.5, 0, 1)};
-    const Structure structure(std::move(assembly));
+    const WeighedStructure structure(std::move(assembly));
     PlaneConeProgram program = structure.program(0.5, structure.weightLoads());
     program.liveLoad.resize(0);
     program.gap = settlementGaps(structure.assembly, structure.points, {1, {0, -1}});

@@ -13,14 +13,14 @@ namespace drystone
 {
 
 /// A structure with what limit analysis needs of it.
-struct Structure
+struct WeighedStructure
 {
     Assembly<2> assembly;
     std::vector<BlockMass<2>> masses;
     std::vector<ContactPoint<2>> points;
     std::vector<double> weights; ///< of all blocks, for unit weight 1000 N/m3
 
-    explicit Structure(Assembly<2> built) : assembly(std::move(built))
+    explicit WeighedStructure(Assembly<2> built) : assembly(std::move(built))
     {
         masses = blockMasses(assembly);
         points = findContactPoints(assembly);
@@ -87,13 +87,13 @@ inline std::vector<Wall> paperWalls()
     };
 }
 
-inline Structure standing(const RunningBond& bond)
+inline WeighedStructure standing(const RunningBond& bond)
 {
     Assembly<2> assembly = makeAssembly(bond);
     Ground ground;
     ground.segment = 0.5 * bond.unit.x();
     addGround(assembly, "ground", ground);
-    return Structure(std::move(assembly));
+    return WeighedStructure(std::move(assembly));
 }
 
 /// The structure seen from behind: x reversed.

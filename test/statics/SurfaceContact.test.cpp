@@ -34,7 +34,7 @@ TEST(SurfaceContact, HasTheMultipliersOfPointContactOnTheSixWalls)
     const std::vector<Wall> walls = paperWalls();
     for (std::size_t wall = 0; wall < walls.size(); ++wall)
     {
-        const Structure structure = standing(walls[wall].bond);
+        const WeighedStructure structure = standing(walls[wall].bond);
         const LoadVectors loads = structure.weightLoads();
         const PlaneConeProgram program = structure.program(mu, loads);
         const ConeSolution solution = solveInteriorPoint(program);

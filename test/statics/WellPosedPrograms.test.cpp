@@ -22,7 +22,7 @@ PlaneConeProgram archProgram(int voussoirs, double thickness, double mu)
     Arch arch;
     arch.thickness = thickness;
     arch.voussoirs = voussoirs;
-    const Structure structure(makeAssembly(arch));
+    const WeighedStructure structure(makeAssembly(arch));
     return structure.program(mu, structure.weightLoads());
 }
 
@@ -99,7 +99,7 @@ TEST(WellPosedPrograms, FrictionWithoutLimitIsThatOfBlocksThatCannotSlide)
     const std::vector<double> unlimited{1.904762, 1.142857, 0.685714, 0.457143, 0.336767, 0.706965};
     for (std::size_t wall = 0; wall < unlimited.size(); ++wall)
     {
-        const Structure structure = standing(paperWalls()[wall].bond);
+        const WeighedStructure structure = standing(paperWalls()[wall].bond);
         for (const double mu : {1e2, 1e3, 1e4, 1e5, 1e6, 1e9})
         {
             SCOPED_TRACE(testing::Message() << "wall " << wall + 1 << ", mu " << mu);
@@ -117,7 +117,7 @@ TEST(WellPosedPrograms, NoiseInTheCoordinatesOfATurnedWallChangesItsMultiplierBy
     for (unsigned seed = 101; seed <= 112; ++seed)
     {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
-        const Structure structure(turnedWithNoise(wall, 10, 1e-8, seed));
+        const WeighedStructure structure(turnedWithNoise(wall, 10, 1e-8, seed));
         EXPECT_EQ(structure.points.size(), 174U);
         const LimitAnalysis result = expectSolved(structure.program(0.65, structure.weightLoads()));
         EXPECT_NEAR(result.alpha, 0.923914863, 1e-6);
@@ -133,7 +133,7 @@ TEST(WellPosedPrograms, DegenerateSamplesTakeNoHundredsOfIterations)
         SCOPED_TRACE(testing::Message() << "mu " << mu << ", unit length " << length);
         RunningBond bond = paperWalls()[0].bond;
         bond.unit.x() = length;
-        const Structure structure = standing(bond);
+        const WeighedStructure structure = standing(bond);
         const LimitAnalysis result = expectSolved(structure.program(mu, structure.weightLoads()));
         EXPECT_NEAR(result.alpha, alpha, 1e-8);
         EXPECT_LE(result.iterations, 60);
