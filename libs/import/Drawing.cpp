@@ -10,6 +10,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 namespace drystone
 {
@@ -52,6 +54,19 @@ Polygon inMetres(const DrawnOutline& drawn, double scale, double tolerance, cons
     return distinct;
 }
 
+/// The corners of an outline in the same order, from the least one on: alike for outlines that are the same.
+std::vector<std::pair<double, double>> fromLeastCorner(const Polygon& outline)
+{
+    std::vector<std::pair<double, double>> corners;
+    corners.reserve(outline.size());
+    for (const Vector<2>& corner : outline)
+    {
+        corners.emplace_back(corner.x(), corner.y());
+    }
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    return corners;
+}
+
 } // namespace
 
 Assembly<2> drawnBlocks(const Drawing& drawing, const DrawingSettings& settings, const ImportedFile& file)
@@ -60,6 +75,9 @@ Assembly<2> drawnBlocks(const Drawing& drawing, const DrawingSettings& settings,
     Assembly<2> assembly;
     ZoneList zones;
     std::size_t elsewhere = 0;
+    std::size_t twice = 0;
+    int firstTwice = 0;
+    std::set<std::vector<std::pair<double, double>>> known;
     for (const DrawnOutline& drawn : drawing.outlines)
     {
         const auto isOf = [&](const std::string& layer)
@@ -85,6 +103,11 @@ Assembly<2> drawnBlocks(const Drawing& drawing, const DrawingSettings& settings,
         {
             std::reverse(outline.begin(), outline.end());
         }
+        if (!known.insert(fromLeastCorner(outline)).second)
+        {
+            firstTwice = twice++ == 0 ? drawn.line : firstTwice;
+            continue;
+        }
         zones.add(drawn.layer, static_cast<int>(assembly.blocks.size()));
         assembly.blocks.push_back({std::move(outline), settings.thickness});
     }
@@ -95,6 +118,11 @@ Assembly<2> drawnBlocks(const Drawing& drawing, const DrawingSettings& settings,
     if (elsewhere > 0)
     {
         info("Import: left out {} outlines on other layers", elsewhere);
+    }
+    if (twice > 0)
+    {
+        info("Import: left out {} outlines that are drawn more than once, the first in line {}", twice,
+             firstTwice);
     }
     if (assembly.blocks.empty())
     {

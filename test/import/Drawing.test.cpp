@@ -277,6 +277,25 @@ TEST(Drawing, OutlinesThatAreNoBlocksAreNamedWithTheirLine)
     EXPECT_THAT(reportOf([&] { drawnBlocks(drawing, settings, fileOf("")); }), HasSubstr("smaller scale"));
 }
 
+// An array of inserts without a distance between them drew 9,086 outlines in one place, each pair of which
+// was examined for joints.
+TEST(Drawing, OutlinesThatAreDrawnMoreThanOnceAreOneBlock)
+{
+    Drawing drawing;
+    drawing.outlines = {{{{0, 0}, {1, 0}, {1, 1}}, "a", 3},
+                        {{{1, 1}, {0, 0}, {1, 0}}, "b", 9},
+                        {{{0, 0}, {1, 1}, {1, 0}}, "a", 12},
+                        {{{1, 0}, {2, 0}, {2, 1}}, "b", 15}};
+    testing::internal::CaptureStdout();
+    const Assembly<2> assembly = drawnBlocks(drawing, {}, fileOf(""));
+    EXPECT_THAT(testing::internal::GetCapturedStdout(),
+                HasSubstr("left out 2 outlines that are drawn more than once, the first in line 9"));
+    EXPECT_EQ(assembly.blocks.size(), 2u);
+    ASSERT_EQ(assembly.zones.size(), 2u);
+    EXPECT_THAT(assembly.zones[0].blocks, testing::ElementsAre(0));
+    EXPECT_THAT(assembly.zones[1].blocks, testing::ElementsAre(1));
+}
+
 TEST(Drawing, CornersThatAreWrittenTwiceAreOneAndOrientationDoesNotMatter)
 {
     Drawing drawing;
