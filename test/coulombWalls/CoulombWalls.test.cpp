@@ -37,7 +37,7 @@ Outcome answerWalls(unsigned first, unsigned last)
     {
         SCOPED_TRACE(testing::Message() << "wall " << number);
         const RandomWall wall = randomWall(number);
-        const Structure structure = standing(wall.bond);
+        const WeighedStructure structure = standing(wall.bond);
         const PlaneConeProgram program = structure.program(wall.friction, structure.weightLoads());
         const double start = processorTime();
         const LimitAnalysis associative = solveLimitAnalysis(program);
@@ -110,7 +110,7 @@ TEST(CoulombWalls, WindowsTwoUnitsWideAreAnswered)
             bond.length = 6;
             bond.courses = 10;
             bond.openings = {{{2, 3}, {4, 7}}};
-            const Structure structure = standing(bond);
+            const WeighedStructure structure = standing(bond);
             const PlaneConeProgram program = structure.program(friction, structure.weightLoads());
             const LimitAnalysis result = solveNonAssociative(program);
             if (result.status == CollapseStatus::unstable)

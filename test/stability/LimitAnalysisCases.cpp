@@ -100,7 +100,7 @@ double leastThickness(const Change& change)
     {
         Arch arch;
         arch.thickness = (falls + stands) / 2;
-        const Structure structure(change(makeAssembly(arch)));
+        const WeighedStructure structure(change(makeAssembly(arch)));
         const LimitAnalysis result = solveLimitAnalysis(structure.program(10, structure.weightLoads()));
         (result.status == CollapseStatus::optimal ? stands : falls) = arch.thickness;
     }
@@ -121,7 +121,7 @@ Outcome criticalArch()
 /// Of wall 1 with another unit of length and of force.
 Outcome scaledWall(double lengths, double forces)
 {
-    const auto multiplier = [](const Structure& structure, double unit, Outcome& outcome)
+    const auto multiplier = [](const WeighedStructure& structure, double unit, Outcome& outcome)
     {
         return solved(structure.program(0.65, structure.weightLoads(unit)), CollapseStatus::optimal, outcome)
             .alpha;
@@ -143,7 +143,7 @@ Outcome outOfParallel(double angle)
     assembly.supports = {{"ground", "ground"}};
     assembly.blocks.push_back(rectangle(-2, -1, 2, 0, 0));
     assembly.blocks.push_back({{{-0.5, 0}, {0.5, angle}, {0.5, 2}, {-0.5, 2}}, 1, -1});
-    const Structure structure(std::move(assembly));
+    const WeighedStructure structure(std::move(assembly));
     Outcome outcome;
     const PlaneConeProgram program = structure.program(0.65, structure.weightLoads());
     if (angle > 2e-6) // beyond the tolerance of findContactPoints there is no joint, and the block falls
@@ -166,7 +166,7 @@ Outcome keystone(double share)
     assembly.blocks.push_back({{{-0.5, 0}, {0.5, 0}, {upper, 1}, {-upper, 1}}, 1, -1});
     assembly.blocks.push_back({{{0.5, 0}, {3, 0}, {3, 1}, {upper, 1}}, 1, 0});
     assembly.blocks.push_back({{{-3, 0}, {-0.5, 0}, {-upper, 1}, {-3, 1}}, 1, 0});
-    const Structure structure(std::move(assembly));
+    const WeighedStructure structure(std::move(assembly));
     LoadVectors loads = structure.weightLoads();
     loads.live = -loads.dead;
     Outcome outcome;
@@ -190,7 +190,7 @@ Outcome overhang(int bricks, double factor)
         end += factor * 0.5 / (bricks - brick);
         assembly.blocks.push_back(rectangle(end - 1, 0.2 * brick, end, 0.2 * (brick + 1)));
     }
-    const Structure structure(std::move(assembly));
+    const WeighedStructure structure(std::move(assembly));
     Outcome outcome;
     const LimitAnalysis result =
         solved(structure.program(0.65, structure.weightLoads()),
@@ -206,7 +206,7 @@ Outcome hangingBlock()
     Assembly<2> assembly;
     assembly.supports = {{"walls", "blocks"}};
     assembly.blocks = {rectangle(0, 0, 1, 1), rectangle(-1, -1, 0, 2, 0), rectangle(1, -1, 2, 2, 0)};
-    const Structure structure(std::move(assembly));
+    const WeighedStructure structure(std::move(assembly));
     Outcome outcome;
     const LimitAnalysis result =
         solved(structure.program(0.1, structure.weightLoads()), CollapseStatus::unbounded, outcome);
@@ -218,7 +218,7 @@ Outcome hangingBlock()
 /// Wall 1 several times, each copy on its own: every copy may be the one that fails.
 Outcome twins(int copies)
 {
-    const Structure one = standing(paperWalls()[0].bond);
+    const WeighedStructure one = standing(paperWalls()[0].bond);
     Assembly<2> assembly;
     assembly.supports = one.assembly.supports;
     for (int copy = 0; copy < copies; ++copy)
@@ -234,7 +234,7 @@ Outcome twins(int copies)
     }
     Outcome outcome;
     const double alpha = solved(one.program(0.65, one.weightLoads()), CollapseStatus::optimal, outcome).alpha;
-    const Structure all(std::move(assembly));
+    const WeighedStructure all(std::move(assembly));
     compareMultiplier(all.program(0.65, all.weightLoads()), alpha, outcome);
     return outcome;
 }
@@ -242,7 +242,7 @@ Outcome twins(int copies)
 /// Each contact point of wall 1 several times.
 Outcome duplicates(int times)
 {
-    Structure structure = standing(paperWalls()[0].bond);
+    WeighedStructure structure = standing(paperWalls()[0].bond);
     Outcome outcome;
     const double alpha =
         solved(structure.program(0.65, structure.weightLoads()), CollapseStatus::optimal, outcome).alpha;
@@ -259,7 +259,7 @@ Outcome duplicates(int times)
 /// Wall 1 whose ground has gone.
 Outcome removedSupport()
 {
-    const Structure structure(makeAssembly(paperWalls()[0].bond));
+    const WeighedStructure structure(makeAssembly(paperWalls()[0].bond));
     Outcome outcome;
     const LimitAnalysis result =
         solved(structure.program(0.65, structure.weightLoads()), CollapseStatus::unstable, outcome);
