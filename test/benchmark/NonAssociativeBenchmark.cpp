@@ -48,7 +48,7 @@ void randomWalls(benchmark::State& state)
         for (unsigned number = 1; number <= 500; ++number)
         {
             const RandomWall wall = randomWall(number);
-            const Structure structure = standing(wall.bond);
+            const WeighedStructure structure = standing(wall.bond);
             const PlaneConeProgram program = structure.program(wall.friction, structure.weightLoads());
             const double start = processorTime();
             const LimitAnalysis associative = solveLimitAnalysis(program);
@@ -73,7 +73,7 @@ BENCHMARK(randomWalls)->Arg(1)->Arg(2)->Unit(benchmark::kSecond)->Iterations(1);
 void paperWall(benchmark::State& state)
 {
     const Wall wall = paperWalls()[static_cast<std::size_t>(state.range(0)) - 1];
-    const Structure structure = standing(wall.bond);
+    const WeighedStructure structure = standing(wall.bond);
     const PlaneConeProgram program = structure.program(0.65, structure.weightLoads());
     for (auto _ : state)
     {
