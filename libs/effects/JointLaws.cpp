@@ -15,18 +15,30 @@ namespace
 
 using NamedJoint = std::pair<NamePattern, JointProperties>;
 
-/// The entry that a joint takes: the exact one, or the last pattern that matches.
+/// The name with the blocks in the other order. A support's name may hold hyphens, the number of a block,
+/// which comes first, does not.
+std::string turnedRound(const std::string& name)
+{
+    const std::size_t hyphen = name.find('-');
+    return name.substr(hyphen + 1) + "-" + name.substr(0, hyphen);
+}
+
+/// The entry that a joint takes: the last of the exact ones (0-1 and 1-0 are the same joint), or the last
+/// pattern that matches.
 const NamedJoint* entryOf(const ContactProperties& properties, const std::string& name,
                           std::vector<char>& isMatched)
 {
+    const std::string turned = turnedRound(name);
+    const auto isExact = [&](const NamedJoint& candidate)
+    { return candidate.first.text == name || candidate.first.text == turned; };
     const NamedJoint* chosen = nullptr;
     for (std::size_t i = 0; i < properties.joints.size(); ++i)
     {
         const NamedJoint& candidate = properties.joints[i];
-        if (candidate.first.matches(name))
+        if (candidate.first.matches(name) || candidate.first.matches(turned))
         {
             isMatched[i] = true;
-            if (!(chosen && chosen->first.text == name))
+            if (!(chosen && isExact(*chosen)) || isExact(candidate))
             {
                 chosen = &candidate;
             }
@@ -100,7 +112,8 @@ std::vector<PointLaw> pointLaws(const ContactProperties& contact, const Assembly
         {
             const std::string& name = contact.joints[i].first.text;
             throw FatalIOError(
-                fmt::format("There is no joint {}. Joints are named by their blocks, as {}.", name,
+                fmt::format("There is no joint {}. Joints are named by their blocks, as {}, in either order.",
+                            name,
                             points.empty() ? std::string("3-7")
                                            : jointName(assembly, points[0].block, points[0].neighbour)),
                 contact.locations.of("joints/" + name));

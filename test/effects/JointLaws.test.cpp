@@ -106,6 +106,19 @@ TEST_F(JointLaws, OfExactNamesComeBeforeTheLastPattern)
     EXPECT_EQ(of[2].cohesion, 0);
 }
 
+TEST_F(JointLaws, AreNamedByTheirBlocksInEitherOrder)
+{
+    const auto of = laws("friction { type Coulomb; mu 0.5; }\njoints\n{\n1-0 { friction { mu 0.1; } }\n"
+                         "ground-0 { friction { mu 0.2; } }\n}");
+    EXPECT_EQ(of[0].mu, 0.1);
+    EXPECT_EQ(of[2].mu, 0.2);
+    // Both name one joint: the last counts.
+    EXPECT_EQ(laws("friction { type Coulomb; mu 0.5; }\njoints\n{\n0-1 { friction { mu 0.3; } }\n"
+                   "1-0 { friction { mu 0.1; } }\n}")[0]
+                  .mu,
+              0.1);
+}
+
 TEST_F(JointLaws, FaultsAreNamed)
 {
     EXPECT_THAT(report("joints\n{\n\"7-.*\" { friction { mu 0.3; } }\n}"),
