@@ -503,12 +503,9 @@ void printClosure(const Assembly<Dim>& assembly)
             : closure.rounding > 0
                 ? fmt::format("as coordinates written to {:.3g} m explain", closure.rounding)
                 : "1e-6 of the mean block size";
-        info(Dim == 2
-                 ? "Joints: {} closed whose faces were up to {:.3g} m from meeting; closed are those "
-                   "within {:.3g} m, {}"
-                 : "Joints: {} taken as they are whose faces are up to {:.3g} m from meeting; joints are "
-                   "those within {:.3g} m, {}",
-             closure.joints, closure.largest, closure.tolerance, reason);
+        info("Joints: {} {} up to {:.3g} m from meeting; {} those within {:.3g} m, {}", closure.joints,
+             Dim == 2 ? "closed whose faces were" : "taken as they are whose faces are", closure.largest,
+             Dim == 2 ? "closed are" : "joints are", closure.tolerance, reason);
     }
     if (const int apart = facesApartOnPurpose(assembly); apart > 0)
     {
