@@ -4,7 +4,7 @@ FROM debian:12 AS build
 COPY . /drystone
 WORKDIR /drystone
 RUN etc/bootstrap run \
-    && cmake --preset release -D DRYSTONE_TESTS=OFF -D DRYSTONE_NATIVE=OFF \
+    && cmake --preset release -D DRYSTONE_TESTS=OFF -D DRYSTONE_PROCESSOR=x86-64 \
     && cmake --build --preset release --target applications \
     && cd build && cpack -G DEB
 

@@ -14,6 +14,6 @@ cmake --build build-clipper --target install
 
 # CMAKE_ARGS has the prefix and the toolchain of conda-build.
 cmake -S drystone -B build-drystone -G Ninja ${CMAKE_ARGS-} -D CMAKE_BUILD_TYPE=Release -D CMAKE_INSTALL_PREFIX="$PREFIX" \
-    -D CMAKE_PREFIX_PATH="$own;$PREFIX" -D DRYSTONE_NATIVE=OFF -D DRYSTONE_TESTS=OFF
+    -D CMAKE_PREFIX_PATH="$own;$PREFIX" -D DRYSTONE_PROCESSOR=x86-64 -D DRYSTONE_TESTS=OFF
 cmake --build build-drystone --target applications
 cmake --install build-drystone

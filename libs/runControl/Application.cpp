@@ -4,6 +4,7 @@
 
 #include "core/Error.h"
 #include "core/Log.h"
+#include "core/Processor.h"
 #include "core/Signals.h"
 #include "runControl/CaseFiles.h"
 #include "runControl/CaseLock.h"
@@ -111,6 +112,7 @@ void keepFreedMemory()
 int runApplication(int argc, const char* const* argv, const ApplicationDescription& description,
                    const std::function<int(const CommandLine&)>& program)
 {
+    requireProcessor();
     keepFreedMemory();
     return runGuarded(
         [&]

@@ -94,6 +94,15 @@ class RunControl(CaseTest):
         self.assertIn("Blocks: 3 free, 1 fixed", done.stdout)
         self.assertFalse(os.path.exists(os.path.join(case, "constant/assembly")))
 
+    @unittest.skipUnless(shutil.which("qemu-x86_64") and os.uname().machine == "x86_64",
+                         "qemu-user is not installed: there is no older processor to run on")
+    def testAnOlderProcessorIsToldSoBeforeAnInstructionThatItLacks(self):
+        done = subprocess.run(["qemu-x86_64", "-cpu", "Nehalem", os.path.join(applications, "contactDynamics"), "-help"],
+                              capture_output=True, text=True, timeout=120, check=False)
+        self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+        self.assertIn("This processor lacks", done.stderr)
+        self.assertIn("DRYSTONE_PROCESSOR=x86-64", done.stderr)
+
     def testARunInPartsEndsInTheSameBytes(self):
         for form in ("ascii", "binary"):
             once = self.copy("once." + form, writeFormat=form)

@@ -728,9 +728,9 @@ Outcome overhangingBricks(SolverType solver, int bricks, double share)
     Watched run(scene, outcome);
     if (solver == SolverType::interiorPoint)
     {
-        // The weights do next to no work: balance to 1e-10 leaves up to 1e-7 of it out of the ledger, by how
-        // the processor rounds.
-        run.largestImbalance = 1e-6;
+        // The weights do next to no work (they move by less than 1e-9 m): balance to 1e-10 leaves some 1e-7
+        // to 1.1e-6 of it out of the ledger, by how the compiled program rounds.
+        run.largestImbalance = 3e-6;
     }
     run.until(0.5, 2e-3);
     standsOrMoves(run, outcome, share, 1e-7);

