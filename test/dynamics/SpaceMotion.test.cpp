@@ -1,9 +1,8 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Motion in space with the contacts of the start, against closed forms and an integration to 13 digits by
 /// others: sliding in any direction, free rotation, rocking on an edge; and where it ends.
+#include "SpaceScenes.h"
 #include "core/Error.h"
-#include "dynamics/Advance.h"
-#include "geometry/Rotation.h"
 
 #include <Eigen/Geometry>
 #include <gmock/gmock.h>
@@ -13,59 +12,10 @@
 #include <numbers>
 
 using namespace drystone;
+using namespace drystone::spaceScenes;
 
 namespace
 {
-
-constexpr double g = 9.81;
-
-Block<3> boxBlock(const Vector<3>& lower, const Vector<3>& upper, int support = -1)
-{
-    Block<3> block;
-    block.shape = makeBox(lower, upper);
-    block.support = support;
-    return block;
-}
-
-/// A box, turned about z, on ground under z = 0, as block 1; or in the air without ground, as block 0.
-Assembly<3> boxOnGround(const Vector<3>& size, double turn)
-{
-    Assembly<3> assembly;
-    assembly.supports.push_back({"ground", "ground"});
-    assembly.blocks.push_back(boxBlock({-5, -5, -1}, {5, 5, 0}, 0));
-    assembly.blocks.push_back(boxBlock(-size / 2, size / 2));
-    for (Vector<3>& vertex : assembly.blocks[1].shape.vertices)
-    {
-        vertex = turned(Vector<3>(0, 0, turn), vertex) + Vector<3>(0, 0, size.z() / 2);
-        vertex.z() = vertex.z() < size.z() / 2 ? 0 : size.z();
-    }
-    return assembly;
-}
-
-Assembly<3> freeBox(const Vector<3>& size)
-{
-    Assembly<3> assembly;
-    assembly.blocks.push_back(boxBlock(-size / 2, size / 2));
-    return assembly;
-}
-
-DynamicCase<3> sceneOf(Assembly<3> assembly, double theta, double mu, const Vector<3>& gravity,
-                       FlowRule flowRule = FlowRule::nonAssociative)
-{
-    DynamicCase<3> scene;
-    const std::vector<double> densities(assembly.blocks.size(), 2000);
-    setStructure(scene, std::move(assembly), densities);
-    scene.gravity = gravity;
-    scene.deadLoad = Eigen::VectorXd::Zero(scene.mass.size());
-    for (Eigen::Index row = 0; row < scene.mass.size(); row += 6)
-    {
-        scene.deadLoad.segment<3>(row) = scene.mass[row] * gravity;
-    }
-    scene.contact.friction = CoulombFriction{mu, flowRule};
-    scene.schemes.timeIntegration.theta = theta;
-    scene.solution.tolerance = 1e-10;
-    return scene;
-}
 
 /// Angular momentum in space of a free block.
 Vector<3> angularMomentum(const DynamicCase<3>& scene, const Motion<3>& motion)
@@ -117,7 +67,13 @@ TEST(SpaceMotion, ABlockSlidesAsFarInEveryDirection)
 // Numbers of an integration by an explicit method of order 8 to 1e-13: brick .5 x .3 x .2, x longest.
 TEST(SpaceMotion, AFreeBrickTurnsOverAboutItsMiddleAxisAndKeepsEnergyAndMomentum)
 {
-    const auto run = [](double timeStep, double& flip)
+    struct Turning
+    {
+        Vector<3> velocity = Vector<3>::Zero(); ///< in the axes of the brick, at the end [rad/s]
+        Eigen::Vector4d quaternion = Eigen::Vector4d::Zero(); ///< w x y z, at the end
+        std::vector<double> flips;                            ///< where w_y is zero [s]
+    };
+    const auto run = [](double timeStep)
     {
         const DynamicCase<3> scene = sceneOf(freeBox({0.5, 0.3, 0.2}), 0.5, 0, {0, 0, 0});
         DynamicState<3> start = stateAtRest(scene.assembly);
@@ -126,31 +82,44 @@ TEST(SpaceMotion, AFreeBrickTurnsOverAboutItsMiddleAxisAndKeepsEnergyAndMomentum
         const Vector<3> momentum = angularMomentum(scene, motion);
         const double energy = motion.energy.kinetic;
         const int steps = static_cast<int>(std::lround(10 / timeStep));
-        flip = 0;
+        Turning result;
         for (int step = 1; step <= steps; ++step)
         {
             const double before = bodyVelocity(motion).y();
             EXPECT_TRUE(advance(scene, motion, timeStep));
             const double after = bodyVelocity(motion).y();
-            if (flip == 0 && after <= 0)
+            if ((before > 0) != (after > 0))
             {
-                flip = (step - 1 + before / (before - after)) * timeStep;
+                result.flips.push_back((step - 1 + before / (before - after)) * timeStep);
             }
         }
         EXPECT_LT((angularMomentum(scene, motion) - momentum).norm(), 1e-10 * momentum.norm());
         EXPECT_NEAR(motion.energy.kinetic, energy, 1e-10 * energy);
         EXPECT_NEAR(imbalance(motion.energy), 0, 1e-10 * energy);
-        return bodyVelocity(motion);
+        result.velocity = bodyVelocity(motion);
+        const Vector<3>& rotation = motion.state.placements[0].rotation;
+        const double half = rotation.norm() / 2;
+        result.quaternion << std::cos(half), std::sin(half) * rotation.normalized();
+        return result;
     };
     const Vector<3> exact(2.9076827, 0.294449809, 3.215869369);
-    double flipOfCoarse = 0;
-    double flipOfFine = 0;
-    const Vector<3> coarse = run(4e-3, flipOfCoarse);
-    const Vector<3> fine = run(2e-3, flipOfFine);
+    const Eigen::Vector4d exactQuaternion(-0.650660731, 0.462133944, -0.341920175, -0.496148592);
+    const Turning coarse = run(4e-3);
+    const Turning fine = run(2e-3);
     // Of second order: a quarter of the error, and extrapolated a hundredth.
-    EXPECT_NEAR((coarse - exact).norm() / (fine - exact).norm(), 4, 0.2);
-    EXPECT_LT(((4 * fine - coarse) / 3 - exact).norm(), 2e-3 * (fine - exact).norm() + 1e-6);
-    EXPECT_NEAR((4 * flipOfFine - flipOfCoarse) / 3, 3.46726547, 2e-5);
+    const double error = (fine.velocity - exact).norm();
+    EXPECT_NEAR((coarse.velocity - exact).norm() / error, 4, 0.2);
+    EXPECT_LT(((4 * fine.velocity - coarse.velocity) / 3 - exact).norm(), 2e-3 * error + 1e-6);
+    ASSERT_EQ(coarse.flips.size(), 2u);
+    ASSERT_EQ(fine.flips.size(), 2u);
+    const auto flip = [&](std::size_t i) { return (4 * fine.flips[i] - coarse.flips[i]) / 3; };
+    EXPECT_NEAR(flip(0), 3.46726547, 2e-5);
+    EXPECT_NEAR(flip(1), 3.46726547 + 6.48940626, 2e-5);
+    // q and -q are the same.
+    const auto likeExact = [&](const Eigen::Vector4d& q) -> Eigen::Vector4d
+    { return q.dot(exactQuaternion) < 0 ? -q : q; };
+    EXPECT_LT(((4 * likeExact(fine.quaternion) - likeExact(coarse.quaternion)) / 3 - exactQuaternion).norm(),
+              2e-5);
 }
 
 // The axis of a free square prism goes round the momentum at L/J (J across the axis), on a cone.
