@@ -86,4 +86,15 @@ std::string faultOfName(const std::string& name)
     }
 }
 
+std::string faultOfNextName(const std::string& name, std::set<std::string>& names)
+{
+    if (std::string fault = faultOfName(name); !fault.empty())
+    {
+        return fault;
+    }
+    return names.insert(name).second
+               ? ""
+               : fmt::format("Two variables or results have the name {}: choose another one.", name);
+}
+
 } // namespace drystone

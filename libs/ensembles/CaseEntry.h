@@ -5,6 +5,7 @@
 #include "dictionary/Options.h"
 
 #include <filesystem>
+#include <set>
 #include <string>
 
 namespace drystone
@@ -28,5 +29,9 @@ void setEntry(const std::filesystem::path& caseDirectory, const CaseEntry& entry
 /// What is wrong with a name that is to be used in arithmetic; empty when nothing is: letters, digits and _,
 /// a letter first, without a meaning of its own.
 std::string faultOfName(const std::string& name);
+
+/// What is wrong with a name, or with its being among others that it must differ from; empty: nothing.
+/// \param names of variables and results so far; gets this one
+std::string faultOfNextName(const std::string& name, std::set<std::string>& names);
 
 } // namespace drystone

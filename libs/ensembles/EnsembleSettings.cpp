@@ -118,14 +118,9 @@ void declare(Options& options, EnsembleSettings& settings)
                       }
                       for (const auto& [name, result] : settings.results)
                       {
-                          if (std::string fault = faultOfName(name); !fault.empty())
+                          if (std::string fault = faultOfNextName(name, names); !fault.empty())
                           {
                               return fault;
-                          }
-                          if (!names.insert(name).second)
-                          {
-                              return fmt::format(
-                                  "Two variables or results have the name {}: choose another one.", name);
                           }
                       }
                       return settings.results.empty() ? "There is no result." : "";

@@ -51,19 +51,6 @@ std::string expressionFault(const std::string& expression, const ParameterSearch
     return {};
 }
 
-std::string nameFault(const std::string& name, std::set<std::string>& names)
-{
-    if (std::string fault = faultOfName(name); !fault.empty())
-    {
-        return fault;
-    }
-    if (!names.insert(name).second)
-    {
-        return fmt::format("Two variables or results have the name {}: choose another one.", name);
-    }
-    return {};
-}
-
 } // namespace
 
 std::string_view nameOf(SearchAlgorithm algorithm)
@@ -208,7 +195,7 @@ void declare(Options& options, ParameterSearchSettings& settings)
                       std::set<std::string> names;
                       for (const auto& [name, variable] : settings.variables)
                       {
-                          if (std::string fault = nameFault(name, names); !fault.empty())
+                          if (std::string fault = faultOfNextName(name, names); !fault.empty())
                           {
                               return fault;
                           }
@@ -225,7 +212,7 @@ void declare(Options& options, ParameterSearchSettings& settings)
                       }
                       for (const auto& [name, result] : settings.results)
                       {
-                          if (std::string fault = nameFault(name, names); !fault.empty())
+                          if (std::string fault = faultOfNextName(name, names); !fault.empty())
                           {
                               return fault;
                           }

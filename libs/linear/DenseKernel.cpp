@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <cstdlib>
 #include <string>
 #include <string_view>
@@ -67,6 +68,17 @@ const DenseKernel& chooseKernel()
 }
 
 } // namespace
+
+double* alignedWork(std::vector<double>& numbers)
+{
+    constexpr std::size_t alignment = 64 / sizeof(double);
+    if (numbers.empty())
+    {
+        numbers.resize(denseKernelWork + alignment);
+    }
+    const auto address = reinterpret_cast<std::uintptr_t>(numbers.data()) / sizeof(double);
+    return numbers.data() + (alignment - address % alignment) % alignment;
+}
 
 const std::vector<DenseKernel>& availableDenseKernels()
 {

@@ -39,6 +39,9 @@ struct DenseKernel
 /// Numbers of work that any kernel needs for any task, from an address that is a multiple of 64 bytes on.
 inline constexpr long denseKernelWork = 600'000;
 
+/// The first of them. \param numbers that hold them, which get their size here when there are none
+double* alignedWork(std::vector<double>& numbers);
+
 /// The kernels that this processor can run, the quickest first. At least the baseline is among them.
 const std::vector<DenseKernel>& availableDenseKernels();
 

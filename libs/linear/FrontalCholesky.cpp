@@ -493,13 +493,7 @@ void FrontalCholesky<Rows>::addUpdates(const Front& front, Into into)
 template<int Rows>
 void FrontalCholesky<Rows>::updateDensely(const DenseUpdate& task)
 {
-    constexpr std::size_t alignment = 64 / sizeof(double);
-    if (packed_.empty())
-    {
-        packed_.resize(denseKernelWork + alignment);
-    }
-    const auto address = reinterpret_cast<std::uintptr_t>(packed_.data()) / sizeof(double);
-    denseKernel().update(task, packed_.data() + (alignment - address % alignment) % alignment);
+    denseKernel().update(task, alignedWork(packed_));
 }
 
 /// L11 and L21 from the columns of the front, panel by panel: the columns of a panel are freed of those

@@ -1,6 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Part of every benchmark: its head names the processor and the dense kernel beside what Google Benchmark
 /// says.
+#include "Context.h"
 #include "linear/DenseKernel.h"
 
 #include <benchmark/benchmark.h>
@@ -35,4 +36,20 @@ const bool isNamed = []
 }();
 
 } // namespace
+
+double peakMemory()
+{
+    std::ifstream status("/proc/self/status");
+    std::string word;
+    double kilobytes = 0;
+    while (status >> word)
+    {
+        if (word == "VmHWM:")
+        {
+            status >> kilobytes;
+        }
+    }
+    return kilobytes / 1e6;
+}
+
 } // namespace drystone

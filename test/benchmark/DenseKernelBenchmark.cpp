@@ -43,10 +43,8 @@ void measure(benchmark::State& state, const Update& update)
 
 void own(benchmark::State& state, const DenseKernel& kernel)
 {
-    constexpr std::size_t alignment = 64 / sizeof(double);
-    std::vector<double> work(denseKernelWork + alignment);
-    const auto address = reinterpret_cast<std::uintptr_t>(work.data()) / sizeof(double);
-    double* const begin = work.data() + (alignment - address % alignment) % alignment;
+    std::vector<double> work;
+    double* const begin = alignedWork(work);
     measure(state,
             [&](int rows, int depth, const double* a, double* c) {
                 kernel.update({DenseUpdate::Target::set, rows, rows, depth, a, rows, c, rows}, begin);

@@ -6,6 +6,7 @@
 ///
 ///     build/test/LimitAnalysisBenchmark --benchmark_out=results.csv --benchmark_out_format=csv
 #include "CholmodUnit.h"
+#include "Context.h"
 #include "Peers.h"
 #include "Walls.h"
 
@@ -16,7 +17,6 @@
 #include <benchmark/benchmark.h>
 
 #include <chrono>
-#include <fstream>
 #include <limits>
 #include <string>
 
@@ -24,22 +24,6 @@ namespace drystone
 {
 namespace
 {
-
-/// Largest resident memory so far [GB].
-double peakMemory()
-{
-    std::ifstream status("/proc/self/status");
-    std::string word;
-    double kilobytes = 0;
-    while (status >> word)
-    {
-        if (word == "VmHWM:")
-        {
-            status >> kilobytes;
-        }
-    }
-    return kilobytes / 1e6;
-}
 
 /// A solution and its cost.
 struct Outcome

@@ -5,6 +5,7 @@
 /// that a solver does not finish in 300 s has NaN for a certificate.
 ///
 ///     build/test/SpaceBenchmark --benchmark_out=space.csv --benchmark_out_format=csv
+#include "Context.h"
 #include "Peers.h"
 
 #include "assembly/Loads.h"
@@ -17,29 +18,12 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <fstream>
 #include <functional>
 
 namespace drystone
 {
 namespace
 {
-
-/// Largest resident memory so far [GB].
-double peakMemory()
-{
-    std::ifstream status("/proc/self/status");
-    std::string word;
-    double kilobytes = 0;
-    while (status >> word)
-    {
-        if (word == "VmHWM:")
-        {
-            status >> kilobytes;
-        }
-    }
-    return kilobytes / 1e6;
-}
 
 Assembly<3> structure(const std::string& texture)
 {

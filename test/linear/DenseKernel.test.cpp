@@ -5,27 +5,14 @@
 #include <Eigen/Core>
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <random>
+#include <vector>
 
 namespace drystone
 {
 namespace
 {
-
-/// Work at a multiple of 64 bytes.
-struct Work
-{
-    std::vector<double> numbers = std::vector<double>(denseKernelWork + 8);
-    double* begin()
-    {
-        double* first = numbers.data();
-        while (reinterpret_cast<std::uintptr_t>(first) % 64 != 0)
-        {
-            ++first;
-        }
-        return first;
-    }
-};
 
 constexpr double untouched = 7;
 
@@ -35,10 +22,19 @@ TEST(DenseKernel, TheBaselineIsAlwaysThereAndOneIsChosen)
     EXPECT_STREQ(denseKernel().name, availableDenseKernels().front().name);
 }
 
+TEST(DenseKernel, WorkBeginsAtAMultipleOf64BytesAndStaysWhereItIs)
+{
+    std::vector<double> numbers;
+    double* const first = alignedWork(numbers);
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(first) % 64, 0U);
+    EXPECT_LE(first + denseKernelWork, numbers.data() + numbers.size());
+    EXPECT_EQ(alignedWork(numbers), first);
+}
+
 TEST(DenseKernel, UpdatesOnAndBelowTheDiagonalOnly)
 {
     std::mt19937 random(3);
-    Work work;
+    std::vector<double> work;
     const auto upTo = [&](int most) { return std::uniform_int_distribution<int>(1, most)(random); };
     for (const DenseKernel& kernel : availableDenseKernels())
     {
@@ -66,7 +62,7 @@ TEST(DenseKernel, UpdatesOnAndBelowTheDiagonalOnly)
             task.aStride = aStride;
             task.c = c.data();
             task.cStride = cStride;
-            kernel.update(task, work.begin());
+            kernel.update(task, alignedWork(work));
             const bool isSet = task.target == DenseUpdate::Target::set;
             double error = 0;
             bool isElsewhereUntouched = true;
