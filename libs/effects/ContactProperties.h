@@ -40,9 +40,9 @@ struct ContactProperties
     std::optional<ContactModel> contact;     ///< absent: points; in limit analysis only
     /// By name (see jointName), exact names before the last pattern that matches.
     std::vector<std::pair<NamePattern, JointProperties>> joints;
-    std::optional<int> pointsPerJoint;    ///< of the plane; absent: the ends, and hinges that crush
-    std::optional<PointGrid> jointPoints; ///< of space; absent: the corners
-    EntryLocations locations;             ///< of the entries of constant/contactProperties, for messages
+    std::optional<int> pointsPerJoint;     ///< of the plane; absent: the ends, and hinges that crush
+    std::optional<MorePoints> jointPoints; ///< of space; absent: the corners, and those of joints that crush
+    EntryLocations locations;              ///< of the entries of constant/contactProperties, for messages
 };
 
 /// Whether some joint has a property of its own.

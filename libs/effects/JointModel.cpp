@@ -17,6 +17,16 @@ void declare(Options& options, PointGrid& grid)
     options.optional("perSide", grid.perSide, "points along each side of a joint").atLeast(2).atMost(100);
 }
 
+void declare(Options& options, AdaptivePoints& points)
+{
+    options
+        .optional("tolerance", points.tolerance,
+                  "by how much of itself the multiplier may exceed what the whole faces of joints make of "
+                  "its mechanism")
+        .atLeast(1e-5)
+        .atMost(1);
+}
+
 namespace
 {
 
@@ -28,16 +38,17 @@ void declare(Options&, CornersAlone&) {}
 
 } // namespace
 
-const Registry<std::optional<PointGrid>>& jointPointTypes()
+const Registry<std::optional<MorePoints>>& jointPointTypes()
 {
-    static const Registry<std::optional<PointGrid>> registry{
+    using Choice = std::optional<MorePoints>;
+    static const Registry<Choice> registry{
         "jointPoints",
-        {model<std::optional<PointGrid>, CornersAlone>("corners", "the corners of each joint",
-                                                       [](const CornersAlone&) -> std::optional<PointGrid>
-                                                       { return std::nullopt; }),
-         model<std::optional<PointGrid>, PointGrid>(
-             "grid", "a grid of points over each joint, each with its part of the area",
-             [](const PointGrid& grid) -> std::optional<PointGrid> { return grid; })}};
+        {model<Choice, CornersAlone>("corners", "the corners of each joint",
+                                     [](const CornersAlone&) -> Choice { return std::nullopt; }),
+         model<Choice, PointGrid>("grid", "a grid of points over each joint, each with its part of the area",
+                                  [](const PointGrid& grid) -> Choice { return grid; }),
+         model<Choice, AdaptivePoints>("adaptive", "more points where twisting and crushing make them count",
+                                       [](const AdaptivePoints& points) -> Choice { return points; })}};
     return registry;
 }
 
@@ -58,11 +69,12 @@ EffectType<Dim> jointModelType()
                 .atLeast(2)
                 .atMost(1000)
                 .example("11");
-            options.optional(
-                "jointPoints", contact.jointPoints, jointPointTypes(),
-                "contact points of each joint in space, of limitAnalysis; absent: its corners, and where it "
-                "crushes as many as that takes. Twisting a joint with cohesion, or one that crushes, takes "
-                "more at its corners than over its face: then compare grids");
+            options.optional("jointPoints", contact.jointPoints, jointPointTypes(),
+                             "contact points of each joint in space, of limitAnalysis; absent: its corners, "
+                             "and with crushing "
+                             "as adaptive. Twisting a joint with cohesion takes more at its corners than "
+                             "over its face: then "
+                             "write adaptive");
             options.optional(
                 "joints", contact.joints,
                 "what some joints have instead: by name, as 3-7 for that of blocks 3 and 7, 12-ground for "

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string_view>
 #include <utility>
+#include <variant>
 
 namespace drystone
 {
@@ -37,11 +38,21 @@ struct PointGrid
     int perSide = 5; ///< points along each side of a joint
 };
 
+/// Contact points added to the joints in space where they count.
+struct AdaptivePoints
+{
+    double tolerance = 1e-3; ///< of the multiplier, by which it may exceed the bound of its mechanism
+};
+
+/// Points of joints in space beside their corners.
+using MorePoints = std::variant<PointGrid, AdaptivePoints>;
+
 void declare(Options& options, ContactModel& model);
 void declare(Options& options, PointGrid& grid);
+void declare(Options& options, AdaptivePoints& points);
 
 /// The points that `jointPoints { type ...; }` chooses from; nothing: the corners alone.
-const Registry<std::optional<PointGrid>>& jointPointTypes();
+const Registry<std::optional<MorePoints>>& jointPointTypes();
 
 /// Its entry of the list. It refuses in motion what only limit analysis has.
 template<int Dim>

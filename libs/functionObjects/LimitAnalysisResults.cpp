@@ -272,17 +272,15 @@ void printWholeJoints(const LimitAnalysisCase<3>& structure, const LimitAnalysis
     {
         return;
     }
-    Eigen::VectorXd live = structure.loads.live;
-    for (const auto& [name, loads] : structure.combinations)
-    {
-        live = name == result.combination ? loads.live : live;
-    }
+    const Eigen::VectorXd& live = liveLoadOf(structure, result);
     const double less = dissipatedLess(structure.program, structure.patches, live, result.mechanism);
     if (less > worthSaying * std::abs(result.alpha))
     {
         info("Over the whole faces of its joints this mechanism has alpha <= {:.6g}, {:.2g}% less: strengths "
              "act "
-             "at contact points. With a finer grid of jointPoints both come nearer to the exact multiplier.",
+             "at contact points. With `jointPoints {{ type adaptive; tolerance 1e-4; }}` or a finer grid "
+             "both come "
+             "nearer to the exact multiplier.",
              result.alpha - std::copysign(less, live.dot(result.mechanism)),
              100 * less / std::abs(result.alpha));
     }

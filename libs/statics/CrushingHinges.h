@@ -2,35 +2,14 @@
 /// Contact points where the hinges of joints that crush come to lie.
 #pragma once
 
-#include "conic/ConeProgram.h"
-#include "contact/ContactPoint.h"
-#include "contact/space/PatchCells.h"
+#include "statics/JointPoints.h"
+
+#include <Eigen/Core>
 
 #include <vector>
 
 namespace drystone
 {
-
-/// Contact points of joints, and what each carries; points of one joint follow each other.
-template<int Dim>
-struct JointPoints;
-
-template<>
-struct JointPoints<2>
-{
-    std::vector<ContactPoint<2>> points; ///< from end to end
-    std::vector<double> friction;
-    std::vector<Strength> strength; ///< of its part of the joint, see pointAreas
-};
-
-template<>
-struct JointPoints<3>
-{
-    std::vector<PatchCells> patches; ///< one a joint; the points are their vertices, see pointsOf
-    std::vector<ContactPoint<3>> points;
-    std::vector<double> friction;
-    std::vector<Strength> strength; ///< of its part of the joint, see vertexAreas
-};
 
 /// Adds points to each joint which bears more with its points than it could. What a joint of area A could:
 /// any distribution of stress between the tension T/A and the pressure s = S/A that it crushes under. With
@@ -53,13 +32,11 @@ struct JointPoints<3>
 /// in whose direction P lies farthest beyond it. That is one direction, since the limits of the moment at a
 /// given P are convex.
 ///
-/// Joints without a limit to their pressure stay as they are. That shear acts where the pressure is, is
-/// left to the points: torsion of a joint that crushes, or has cohesion, is too large by what a finer grid of
-/// points shows.
-/// \param contactForces of one or more solutions, (n, t), in space (n, t1, t2), of each point [N]
-/// \param tolerance by how much of P times the length of the joint, in space across the side, a moment may
-/// be beyond the limit
-/// \return whether any was added
+/// Joints without a limit to their pressure stay as they are. That shear acts where the pressure is, which
+/// counts where joints are twisted, is left to refineJoints (JointDissipation.h). \param contactForces of one
+/// or more solutions, (n, t), in space (n, t1, t2), of each point [N] \param tolerance by how much of P times
+/// the length of the joint, in space across the side, a moment may be beyond the limit \return whether any
+/// was added
 bool addCrushingHinges(JointPoints<2>& joints, const std::vector<Eigen::VectorXd>& contactForces,
                        double tolerance);
 bool addCrushingHinges(JointPoints<3>& joints, const std::vector<Eigen::VectorXd>& contactForces,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "contact/space/PatchCells.h"
+#include "statics/JointPoints.h"
 #include "statics/StaticProgram.h"
 
 #include <vector>
@@ -27,7 +28,19 @@ namespace drystone
 /// \param patches with the points of the program, joint after joint, and `strength` of each
 /// \param liveLoad that does work on the mechanism \param mechanism (ux uy uz rx ry rz) of each free block,
 /// of any size
+/// \return one value >= 0 for each cell of each patch; their sum is what the joints dissipate less
+std::vector<std::vector<double>> dissipatedLessByCell(const SpaceConeProgram& program,
+                                                      const std::vector<PatchCells>& patches,
+                                                      const Eigen::VectorXd& liveLoad,
+                                                      const Eigen::VectorXd& mechanism);
+
+/// Their sum.
 double dissipatedLess(const SpaceConeProgram& program, const std::vector<PatchCells>& patches,
                       const Eigen::VectorXd& liveLoad, const Eigen::VectorXd& mechanism);
+
+/// Divides the cells at which most is dissipated in excess, those that have four fifths of it together: a
+/// cell's excess falls with the square of its size, so that each time about two fifths are left (the marking
+/// of adaptive finite elements, Doerfler 1996). \param less of one mechanism, see dissipatedLessByCell
+void refineJoints(JointPoints<3>& joints, const std::vector<std::vector<double>>& less);
 
 } // namespace drystone

@@ -10,11 +10,13 @@
 #include "effects/JointLaws.h"
 #include "runControl/Solution.h"
 #include "statics/CrushingHinges.h"
+#include "statics/JointDissipation.h"
 #include "statics/Settlement.h"
 #include "statics/SurfaceContact.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace drystone
 {
@@ -24,7 +26,13 @@ namespace
 /// By how much of the length of a joint its resultant may be beyond where it crushes, unless the tolerance of
 /// the solver asks for less; and how many times points are added until then.
 constexpr double hingeTolerance = 1e-7;
+constexpr double looseHinges = 3e-3; ///< while other points are missing too
 constexpr int mostHingeRounds = 30;
+
+/// How many times the points that joints in space have at their corners and hinges refining may make of them:
+/// then what is left is said beside the result.
+constexpr std::size_t mostRefined = 20;
+constexpr std::size_t alwaysRefined = 2000; ///< points that it may make of few, too
 
 /// Finds the points and reads what each carries.
 std::vector<PointLaw> setContactPoints(LimitAnalysisCase<2>& structure)
@@ -48,6 +56,17 @@ bool namesStrength(const ContactProperties& contact)
                           [&](const auto& joint) { return isAmong(joint.second); });
 }
 
+/// Null where there is none.
+const PointGrid* gridOf(const ContactProperties& contact)
+{
+    return contact.jointPoints ? std::get_if<PointGrid>(&*contact.jointPoints) : nullptr;
+}
+
+const AdaptivePoints* adaptivePointsOf(const ContactProperties& contact)
+{
+    return contact.jointPoints ? std::get_if<AdaptivePoints>(&*contact.jointPoints) : nullptr;
+}
+
 std::vector<PointLaw> setContactPoints(LimitAnalysisCase<3>& structure)
 {
     structure.points = findContactPoints(structure.assembly);
@@ -56,11 +75,11 @@ std::vector<PointLaw> setContactPoints(LimitAnalysisCase<3>& structure)
         return pointLaws(structure.contact, structure.assembly, structure.points);
     }
     structure.patches = patchCells(structure.points);
-    if (structure.contact.jointPoints)
+    if (const PointGrid* grid = gridOf(structure.contact))
     {
         for (PatchCells& patch : structure.patches)
         {
-            cutIntoGrid(patch, structure.contact.jointPoints->perSide);
+            cutIntoGrid(patch, grid->perSide);
         }
     }
     structure.points = pointsOf(structure.patches);
@@ -206,6 +225,15 @@ void requireAvailable(const LimitAnalysisCase<3>& structure)
     {
         requirePushover(structure);
     }
+    if (adaptivePointsOf(structure.contact)
+        && (structure.movement || flowRuleOf(structure.contact) == FlowRule::nonAssociative))
+    {
+        throw FatalIOError(
+            "`jointPoints { type adaptive; }` goes by the mechanism of a live load with the associative "
+            "flow rule. Write `jointPoints { type grid; perSide 5; }`, or remove supportMovement and "
+            "`flowRule nonAssociative;`.",
+            structure.contact.locations.of("jointPoints"));
+    }
 }
 
 LimitAnalysis solveWithPoints(const LimitAnalysisCase<2>& structure)
@@ -285,24 +313,11 @@ std::vector<LimitAnalysis> solveAllWithPoints(const LimitAnalysisCase<Dim>& stru
     return results;
 }
 
-JointPoints<2> jointPointsOf(const LimitAnalysisCase<2>& structure)
-{
-    return {structure.points, structure.friction, structure.program.strength};
-}
-
-JointPoints<3> jointPointsOf(const LimitAnalysisCase<3>& structure)
-{
-    return {structure.patches, structure.points, structure.friction, structure.program.strength};
-}
-
-/// Adds points where joints crush in the answers, which are those of one structure. \return whether any was
+/// Adds points where joints crush in the answers, which are those of one structure.
+/// \param tolerance of the length of a joint \return whether any was
 template<int Dim>
-bool addHinges(LimitAnalysisCase<Dim>& structure, const std::vector<LimitAnalysis>& results)
+bool addHinges(JointPoints<Dim>& joints, const std::vector<LimitAnalysis>& results, double tolerance)
 {
-    if (structure.contact.pointsPerJoint || structure.contact.jointPoints || !structure.program.hasCrushing())
-    {
-        return false;
-    }
     std::vector<Eigen::VectorXd> forces;
     for (const LimitAnalysis& result : results)
     {
@@ -311,14 +326,71 @@ bool addHinges(LimitAnalysisCase<Dim>& structure, const std::vector<LimitAnalysi
             forces.push_back(result.contactForce);
         }
     }
-    JointPoints<Dim> joints = jointPointsOf(structure);
-    if (!addCrushingHinges(joints, forces, std::max(hingeTolerance, 10 * structure.solution.tolerance)))
+    return addCrushingHinges(joints, forces, tolerance);
+}
+
+/// By how much of itself a multiplier may exceed the bound of its mechanism; none where points are not added
+/// for that.
+std::optional<double> refinementTolerance(const LimitAnalysisCase<3>& structure)
+{
+    if (!structure.program.hasStrength() || structure.movement)
+    {
+        return std::nullopt;
+    }
+    const AdaptivePoints* adaptive = adaptivePointsOf(structure.contact);
+    return adaptive                          ? adaptive->tolerance
+           : structure.program.hasCrushing() ? std::optional(AdaptivePoints().tolerance)
+                                             : std::nullopt;
+}
+
+/// What joints dissipate less over their cells in the answer that is farthest from the bound of its
+/// mechanism; empty: in none by more than the tolerance, or there are as many points as may be.
+std::vector<std::vector<double>> farthestFromItsBound(const LimitAnalysisCase<3>& structure,
+                                                      const std::vector<LimitAnalysis>& results,
+                                                      double tolerance)
+{
+    std::size_t corners = 0;
+    for (const PatchCells& patch : structure.patches)
+    {
+        corners += patch.corners.size();
+    }
+    std::vector<std::vector<double>> farthest;
+    double largest = structure.points.size() > alwaysRefined + mostRefined * corners
+                         ? std::numeric_limits<double>::infinity()
+                         : tolerance;
+    for (const LimitAnalysis& result : results)
+    {
+        if (result.status != CollapseStatus::optimal || result.coulomb)
+        {
+            continue;
+        }
+        std::vector<std::vector<double>> less = dissipatedLessByCell(
+            structure.program, structure.patches, liveLoadOf(structure, result), result.mechanism);
+        double sum = 0;
+        for (const std::vector<double>& ofPatch : less)
+        {
+            sum = std::accumulate(ofPatch.begin(), ofPatch.end(), sum);
+        }
+        if (sum > largest * std::abs(result.alpha))
+        {
+            largest = sum / std::abs(result.alpha);
+            farthest = std::move(less);
+        }
+    }
+    return farthest;
+}
+
+/// Adds points where the answers require them. \return whether any was
+bool addPoints(LimitAnalysisCase<2>& structure, const std::vector<LimitAnalysis>& results)
+{
+    if (structure.contact.pointsPerJoint || !structure.program.hasCrushing())
     {
         return false;
     }
-    if constexpr (Dim == 3)
+    JointPoints<2> joints{structure.points, structure.friction, structure.program.strength};
+    if (!addHinges(joints, results, std::max(hingeTolerance, 10 * structure.solution.tolerance)))
     {
-        structure.patches = std::move(joints.patches);
+        return false;
     }
     structure.points = std::move(joints.points);
     structure.friction = std::move(joints.friction);
@@ -326,12 +398,49 @@ bool addHinges(LimitAnalysisCase<Dim>& structure, const std::vector<LimitAnalysi
     return true;
 }
 
-/// Solves until no joint bears more than it can. \return the answers; `notConverged` when that takes too long
+bool addPoints(LimitAnalysisCase<3>& structure, const std::vector<LimitAnalysis>& results)
+{
+    if (gridOf(structure.contact))
+    {
+        return false;
+    }
+    JointPoints<3> joints{structure.patches, structure.points, structure.friction,
+                          structure.program.strength};
+    const double exact = std::max(hingeTolerance, 10 * structure.solution.tolerance);
+    const auto addAt = [&](double tolerance)
+    { return structure.program.hasCrushing() && addHinges(joints, results, tolerance); };
+    // Hinges are lines and cost few points; what is left beside them is divided all over. Once joints are
+    // twisted hinges need not be nearer than the rest.
+    const std::optional<double> refinement = refinementTolerance(structure);
+    bool isAny = addAt(std::max(exact, looseHinges));
+    if (!isAny && refinement)
+    {
+        const std::vector<std::vector<double>> less = farthestFromItsBound(structure, results, *refinement);
+        if (!less.empty())
+        {
+            refineJoints(joints, less);
+            structure.isRefined = true;
+            isAny = true;
+        }
+    }
+    isAny = isAny || addAt(structure.isRefined ? std::max(exact, 0.1 * *refinement) : exact);
+    if (isAny)
+    {
+        structure.patches = std::move(joints.patches);
+        structure.points = std::move(joints.points);
+        structure.friction = std::move(joints.friction);
+        structure.program = programOf(structure, std::move(joints.strength));
+    }
+    return isAny;
+}
+
+/// Solves until no joint bears more than it can, and more points would not make much of a difference. \return
+/// the answers; `notConverged` when that takes too long
 template<int Dim, class Solve>
-std::vector<LimitAnalysis> solveWithHinges(LimitAnalysisCase<Dim>& structure, const Solve& solve)
+std::vector<LimitAnalysis> solveWithMorePoints(LimitAnalysisCase<Dim>& structure, const Solve& solve)
 {
     std::vector<LimitAnalysis> results = solve(structure);
-    for (int round = 0; addHinges(structure, results); ++round)
+    for (int round = 0; addPoints(structure, results); ++round)
     {
         const std::vector<LimitAnalysis> before = std::move(results);
         results = solve(structure);
@@ -464,15 +573,28 @@ LimitAnalysisCase<Dim> readLimitAnalysisCase(const std::filesystem::path& caseDi
 template<int Dim>
 LimitAnalysis solveLimitAnalysis(LimitAnalysisCase<Dim>& structure)
 {
-    return solveWithHinges(structure, [](const LimitAnalysisCase<Dim>& with)
-                           { return std::vector<LimitAnalysis>{solveWithPoints(with)}; })
+    return solveWithMorePoints(structure, [](const LimitAnalysisCase<Dim>& with)
+                               { return std::vector<LimitAnalysis>{solveWithPoints(with)}; })
         .front();
 }
 
 template<int Dim>
 std::vector<LimitAnalysis> solveLimitAnalyses(LimitAnalysisCase<Dim>& structure)
 {
-    return solveWithHinges(structure, solveAllWithPoints<Dim>);
+    return solveWithMorePoints(structure, solveAllWithPoints<Dim>);
+}
+
+template<int Dim>
+const Eigen::VectorXd& liveLoadOf(const LimitAnalysisCase<Dim>& structure, const LimitAnalysis& result)
+{
+    for (const auto& [name, loads] : structure.combinations)
+    {
+        if (name == result.combination)
+        {
+            return loads.live;
+        }
+    }
+    return structure.loads.live;
 }
 
 template<int Dim>
@@ -489,12 +611,16 @@ template LimitAnalysisCase<2> readLimitAnalysisCase(const std::filesystem::path&
                                                     Assembly<2> assembly, std::optional<int> jointPoints);
 template LimitAnalysis solveLimitAnalysis(LimitAnalysisCase<2>& structure);
 template std::vector<LimitAnalysis> solveLimitAnalyses(LimitAnalysisCase<2>& structure);
+template const Eigen::VectorXd& liveLoadOf(const LimitAnalysisCase<2>& structure,
+                                           const LimitAnalysis& result);
 template LimitAnalysisCase<3> readLimitAnalysisCase(const std::filesystem::path& caseDirectory,
                                                     std::optional<int> jointPoints);
 template LimitAnalysisCase<3> readLimitAnalysisCase(const std::filesystem::path& caseDirectory,
                                                     Assembly<3> assembly, std::optional<int> jointPoints);
 template LimitAnalysis solveLimitAnalysis(LimitAnalysisCase<3>& structure);
 template std::vector<LimitAnalysis> solveLimitAnalyses(LimitAnalysisCase<3>& structure);
+template const Eigen::VectorXd& liveLoadOf(const LimitAnalysisCase<3>& structure,
+                                           const LimitAnalysis& result);
 template Pushover solvePushover(const LimitAnalysisCase<2>& structure, const PushoverObserver<2>& observe);
 template Pushover solvePushover(const LimitAnalysisCase<3>& structure, const PushoverObserver<3>& observe);
 

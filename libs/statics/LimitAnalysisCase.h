@@ -32,6 +32,7 @@ struct LimitAnalysisCase
     ContactProperties contact;
     std::vector<ContactPoint<Dim>> points; ///< of the structure as built
     std::vector<PatchCells> patches;       ///< of space: the joints, where these have strengths or a grid
+    bool isRefined = false;                ///< patches have points where they are twisted
     std::vector<double> friction;          ///< mu of each point
     int freeBlocks = 0;
     StaticProgram<Dim> program;
@@ -65,10 +66,15 @@ LimitAnalysisCase<Dim> readLimitAnalysisCase(const std::filesystem::path& caseDi
 /// Joints that crush turn about points within them. Unless the case says how many points they have
 /// (`pointsPerJoint`, in space `jointPoints`), points are added to where the hinges are, until no joint bears
 /// a resultant nearer to its edge than it can, to 1e-7 of its length or ten times the tolerance of the solver
-/// (CrushingHinges.h).
-/// \param structure gets these points
+/// (CrushingHinges.h); in space then where joints are twisted, until the multiplier exceeds the bound of its
+/// mechanism over whole joints by no more than 1e-3 of itself, or what `jointPoints { type adaptive; }` says
+/// (JointDissipation.h). \param structure gets these points
 template<int Dim>
 LimitAnalysis solveLimitAnalysis(LimitAnalysisCase<Dim>& structure);
+
+/// The live load that an answer belongs to: with combinations that of its own.
+template<int Dim>
+const Eigen::VectorXd& liveLoadOf(const LimitAnalysisCase<Dim>& structure, const LimitAnalysis& result);
 
 /// The capacity curve of a case that asks for one.
 template<int Dim>

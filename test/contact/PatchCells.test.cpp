@@ -106,6 +106,40 @@ TEST(PatchCells, CutAlongTheirEdgesStayAsTheyAre)
     EXPECT_EQ(patch.cells.size(), 4U);
 }
 
+TEST(PatchCells, DividedMakeUpThePatchWhereverTheyAreCutAfterwards)
+{
+    std::mt19937 random(8);
+    std::uniform_real_distribution<double> chance(-1, 1);
+    for (const Polygon& outline :
+         {letterL, letterE, Polygon{{0, 0}, {4, 0}, {4, 1e-2}, {0, 1e-2}}, Polygon{{0, 0}, {1, 0}, {0, 1}}})
+    {
+        PatchCells patch = patchCells(cornersOf(outline, {0, 0, 1})).front();
+        const Polygon inFrame(patch.vertices.begin(),
+                              patch.vertices.begin() + static_cast<int>(outline.size()));
+        for (int i = 0; i < 3; ++i)
+        {
+            std::vector<char> isDivided;
+            std::size_t cells = 0; // afterwards
+            for (std::size_t k = 0; k < patch.cells.size(); ++k)
+            {
+                isDivided.push_back(k % 2 == 0);
+                cells += k % 2 == 0 ? patch.cells[k].size() : 1;
+            }
+            divideCells(patch, isDivided);
+            EXPECT_EQ(patch.cells.size(), cells);
+            expectWhole(patch, inFrame);
+            cutAlong(patch, Vector<2>(chance(random), chance(random)).normalized(),
+                     0.5 * std::abs(chance(random)));
+            expectWhole(patch, inFrame);
+        }
+    }
+    // Two that share an edge share its middle.
+    PatchCells patch = patchCells(cornersOf({{0, 0}, {2, 0}, {2, 1}, {0, 1}}, {0, 0, 1})).front();
+    cutAlong(patch, {1, 0}, 1);
+    divideCells(patch, {true, true});
+    EXPECT_EQ(patch.vertices.size(), 15U);
+}
+
 TEST(PatchCells, OfAGridHaveItsPointsAndTheirShares)
 {
     PatchCells patch = patchCells(cornersOf({{0, 0}, {2, 0}, {2, 1}, {0, 1}}, {0, 0, 1})).front();

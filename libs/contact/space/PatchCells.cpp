@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 namespace drystone
 {
@@ -250,6 +251,34 @@ void cutIntoGrid(PatchCells& patch, int perSide)
             cutAlong(patch, normal, lower + (upper - lower) * i / (perSide - 1));
         }
     }
+}
+
+void divideCells(PatchCells& patch, const std::vector<char>& isDivided)
+{
+    std::vector<int> all(patch.vertices.size());
+    std::iota(all.begin(), all.end(), 0);
+    std::vector<std::vector<int>> cells;
+    for (std::size_t i = 0; i < patch.cells.size(); ++i)
+    {
+        const std::vector<int>& cell = patch.cells[i];
+        if (!isDivided[i])
+        {
+            cells.push_back(cell);
+            continue;
+        }
+        const int centre = vertexAt(patch, areaProperties(polygonOf(patch, cell)).centroid, all);
+        std::vector<int> middles; // of the edge from each corner to the next
+        for (std::size_t k = 0; k < cell.size(); ++k)
+        {
+            const Vector<2>& to = patch.vertices[cell[(k + 1) % cell.size()]];
+            middles.push_back(vertexAt(patch, Vector<2>((patch.vertices[cell[k]] + to) / 2), all));
+        }
+        for (std::size_t k = 0; k < cell.size(); ++k)
+        {
+            cells.push_back({cell[k], middles[k], centre, middles[(k + cell.size() - 1) % cell.size()]});
+        }
+    }
+    patch.cells = std::move(cells);
 }
 
 std::vector<double> vertexAreas(const PatchCells& patch)

@@ -33,6 +33,10 @@ bool cutAlong(PatchCells& patch, const Vector<2>& normal, double offset);
 /// longest edge. A rectangular patch has exactly the points of the grid. \param perSide at least 2
 void cutIntoGrid(PatchCells& patch, int perSide);
 
+/// Divides some cells, each into one part a corner, by lines from its centroid to the middles of its edges.
+/// Cells beside them stay as they are, with a vertex of others on their edge. \param isDivided one a cell
+void divideCells(PatchCells& patch, const std::vector<char>& isDivided);
+
 /// The part of the patch's area that each vertex stands for [m2]: of each cell the triangles from its
 /// centroid to its edges, half of each for either end. The areas add up to that of the patch, their moments
 /// to its own.

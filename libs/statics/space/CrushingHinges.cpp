@@ -278,48 +278,30 @@ bool addCrushingHinges(JointPoints<3>& joints, const std::vector<Eigen::VectorXd
                        double tolerance)
 {
     bool isAny = false;
-    JointPoints<3> result;
+    std::vector<std::size_t> pointsBefore;
     std::size_t first = 0;
     for (PatchCells& patch : joints.patches)
     {
         const std::size_t points = patch.vertices.size();
+        pointsBefore.push_back(points);
         Strength total;
         total.crushing = 0;
         for (std::size_t i = first; i < first + points; ++i)
         {
-            total.cohesion += joints.strength[i].cohesion;
             total.tension += joints.strength[i].tension;
             total.crushing += joints.strength[i].crushing;
         }
-        bool isCut = false;
         if (total.isBounded())
         {
             const RoundPatch round = roundPatchOf(patch);
             for (const Eigen::VectorXd& forces : contactForces)
             {
-                isCut = cutAtHinge(patch, round, total, forces, first, points, tolerance) || isCut;
+                isAny = cutAtHinge(patch, round, total, forces, first, points, tolerance) || isAny;
             }
-        }
-        isAny = isAny || isCut;
-        const std::vector<double> areas = vertexAreas(patch);
-        double area = 0;
-        for (const double part : areas)
-        {
-            area += part;
-        }
-        for (std::size_t i = 0; i < patch.vertices.size(); ++i)
-        {
-            const double share = areas[i] / area;
-            result.friction.push_back(joints.friction[first]);
-            result.strength.push_back(
-                isCut ? Strength{share * total.cohesion, share * total.tension, share * total.crushing}
-                      : joints.strength[first + i]);
         }
         first += points;
     }
-    result.patches = std::move(joints.patches);
-    result.points = pointsOf(result.patches);
-    joints = std::move(result);
+    shareOut(joints, pointsBefore);
     return isAny;
 }
 

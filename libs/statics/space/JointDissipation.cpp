@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <numeric>
 
 namespace drystone
 {
@@ -68,13 +70,20 @@ double excessOver(const StressLimits& limits, double area, const std::array<Vect
 
 } // namespace
 
-double dissipatedLess(const SpaceConeProgram& program, const std::vector<PatchCells>& patches,
-                      const Eigen::VectorXd& liveLoad, const Eigen::VectorXd& mechanism)
+std::vector<std::vector<double>> dissipatedLessByCell(const SpaceConeProgram& program,
+                                                      const std::vector<PatchCells>& patches,
+                                                      const Eigen::VectorXd& liveLoad,
+                                                      const Eigen::VectorXd& mechanism)
 {
+    std::vector<std::vector<double>> less;
+    for (const PatchCells& patch : patches)
+    {
+        less.emplace_back(patch.cells.size(), 0.0);
+    }
     const double work = std::abs(liveLoad.dot(mechanism));
     if (!(work > 0) || !program.hasStrength())
     {
-        return 0;
+        return less;
     }
     const Eigen::VectorXd closing = applyTransposed(program, mechanism) / work;
     double dissipated = 0; // at the points, by which small differences are judged
@@ -102,15 +111,16 @@ double dissipatedLess(const SpaceConeProgram& program, const std::vector<PatchCe
     }
     const double enough = 1e-5 * dissipated / static_cast<double>(std::max<std::size_t>(1, first));
 
-    double less = 0;
     first = 0;
-    for (const PatchCells& patch : patches)
+    for (std::size_t joint = 0; joint < patches.size(); ++joint)
     {
+        const PatchCells& patch = patches[joint];
         const auto closingAt = [&](int vertex) -> Vector<3>
         { return closing.segment<3>(3 * (static_cast<Eigen::Index>(first) + vertex)); };
         const auto rateAt = [&](int vertex) { return rates[first + static_cast<std::size_t>(vertex)]; };
-        for (const std::vector<int>& cell : patch.cells)
+        for (std::size_t k = 0; k < patch.cells.size(); ++k)
         {
+            const std::vector<int>& cell = patch.cells[k];
             // As in vertexAreas: triangles about the centroid, whose function is shared out to the corners.
             Polygon outline;
             for (const int vertex : cell)
@@ -140,18 +150,62 @@ double dissipatedLess(const SpaceConeProgram& program, const std::vector<PatchCe
             }
             const StressLimits& limits = ofPoint[first + static_cast<std::size_t>(cell[0])];
             const double rate = rateOf(limits, atCentroid);
-            less += area / 3 * (sharedRate - rate);
+            double ofCell = area / 3 * (sharedRate - rate);
             for (std::size_t i = 0; i < corners; ++i)
             {
                 const int from = cell[i];
                 const int to = cell[(i + 1) % corners];
-                less += excessOver(limits, parts[i], {closingAt(from), closingAt(to), atCentroid},
-                                   {rateAt(from), rateAt(to), rate}, enough, mostDivisions);
+                ofCell += excessOver(limits, parts[i], {closingAt(from), closingAt(to), atCentroid},
+                                     {rateAt(from), rateAt(to), rate}, enough, mostDivisions);
             }
+            less[joint][k] = std::max(0.0, ofCell);
         }
         first += patch.vertices.size();
     }
     return less;
+}
+
+double dissipatedLess(const SpaceConeProgram& program, const std::vector<PatchCells>& patches,
+                      const Eigen::VectorXd& liveLoad, const Eigen::VectorXd& mechanism)
+{
+    double sum = 0;
+    for (const std::vector<double>& ofPatch : dissipatedLessByCell(program, patches, liveLoad, mechanism))
+    {
+        sum += std::accumulate(ofPatch.begin(), ofPatch.end(), 0.0);
+    }
+    return sum;
+}
+
+void refineJoints(JointPoints<3>& joints, const std::vector<std::vector<double>>& less)
+{
+    constexpr double divided = 0.8; // of the whole
+    std::vector<double> largestFirst;
+    for (const std::vector<double>& ofPatch : less)
+    {
+        largestFirst.insert(largestFirst.end(), ofPatch.begin(), ofPatch.end());
+    }
+    std::sort(largestFirst.begin(), largestFirst.end(), std::greater<>());
+    const double whole = std::accumulate(largestFirst.begin(), largestFirst.end(), 0.0);
+    double sum = 0;
+    double least = 0; // of a cell that is divided
+    for (std::size_t i = 0; i < largestFirst.size() && sum < divided * whole; ++i)
+    {
+        least = largestFirst[i];
+        sum += least;
+    }
+    std::vector<std::size_t> pointsBefore;
+    for (std::size_t joint = 0; joint < joints.patches.size(); ++joint)
+    {
+        PatchCells& patch = joints.patches[joint];
+        pointsBefore.push_back(patch.vertices.size());
+        std::vector<char> isDivided;
+        for (const double ofCell : less[joint])
+        {
+            isDivided.push_back(ofCell > 0 && ofCell >= least);
+        }
+        divideCells(patch, isDivided);
+    }
+    shareOut(joints, pointsBefore);
 }
 
 } // namespace drystone
