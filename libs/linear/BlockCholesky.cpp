@@ -8,53 +8,54 @@ namespace drystone
 
 template<int Rows, class Scalar>
 BlockCholesky<Rows, Scalar>::BlockCholesky(FactorPattern pattern)
-    : pattern_(std::move(pattern)),
-      place_(pattern_.factor.columns(), -1),
-      blocks_(pattern_.factor.row.size(), PaddedBlock::Zero())
+    : factorPattern(std::move(pattern)),
+      place(factorPattern.factor.columns(), -1),
+      blocks(factorPattern.factor.row.size(), PaddedBlock::Zero())
 {
 }
 
 template<int Rows, class Scalar>
 bool BlockCholesky<Rows, Scalar>::factorise(const BlockPattern& matrix, const Block* values)
 {
-    const std::vector<int>& start = pattern_.factor.columnStart;
-    const std::vector<int>& row = pattern_.factor.row;
+    const std::vector<int>& start = factorPattern.factor.columnStart;
+    const std::vector<int>& row = factorPattern.factor.row;
     for (int column = 0; column < matrix.columns(); ++column)
     {
         const int begin = start[column];
         const int end = start[column + 1];
         for (int entry = begin; entry < end; ++entry)
         {
-            place_[row[entry]] = entry;
-            blocks_[entry].setZero();
+            place[row[entry]] = entry;
+            blocks[entry].setZero();
         }
         for (int entry = matrix.columnStart[column]; entry < matrix.columnStart[column + 1]; ++entry)
         {
-            blocks_[place_[matrix.row[entry]]].template topRows<Rows>() = values[entry];
+            blocks[place[matrix.row[entry]]].template topRows<Rows>() = values[entry];
         }
         // L_ij L_jj' = S_ij - sum_k L_ik L_jk'
-        for (int update = pattern_.updateStart[column]; update < pattern_.updateStart[column + 1]; ++update)
+        for (int update = factorPattern.updateStart[column]; update < factorPattern.updateStart[column + 1];
+             ++update)
         {
-            const int first = pattern_.updatePosition[update];
-            const int last = start[pattern_.columnOf[update] + 1];
-            const Block factor = blocks_[first].template topRows<Rows>().transpose();
+            const int first = factorPattern.updatePosition[update];
+            const int last = start[factorPattern.columnOf[update] + 1];
+            const Block factor = blocks[first].template topRows<Rows>().transpose();
             for (int entry = first; entry < last; ++entry)
             {
-                blocks_[place_[row[entry]]].noalias() -= blocks_[entry].lazyProduct(factor);
+                blocks[place[row[entry]]].noalias() -= blocks[entry].lazyProduct(factor);
             }
         }
-        const Block pivot = blocks_[begin].template topRows<Rows>();
+        const Block pivot = blocks[begin].template topRows<Rows>();
         Block inverse;
         if (!invertFactor<Rows, Scalar>(pivot, inverse))
         {
             return false;
         }
-        blocks_[begin].template topRows<Rows>() = inverse;
+        blocks[begin].template topRows<Rows>() = inverse;
         const Block inverseTransposed = inverse.transpose();
         for (int entry = begin + 1; entry < end; ++entry)
         {
-            const PaddedBlock below = blocks_[entry];
-            blocks_[entry].noalias() = below.lazyProduct(inverseTransposed);
+            const PaddedBlock below = blocks[entry];
+            blocks[entry].noalias() = below.lazyProduct(inverseTransposed);
         }
     }
     return true;
@@ -65,31 +66,31 @@ void BlockCholesky<Rows, Scalar>::solve(Eigen::Ref<Vector> x) const
 {
     using Segment = Eigen::Matrix<Scalar, Rows, 1>;
     using Padded = Eigen::Matrix<Scalar, paddedRows, 1>;
-    const std::vector<int>& start = pattern_.factor.columnStart;
-    const std::vector<int>& row = pattern_.factor.row;
-    for (int column = 0; column < pattern_.factor.columns(); ++column)
+    const std::vector<int>& start = factorPattern.factor.columnStart;
+    const std::vector<int>& row = factorPattern.factor.row;
+    for (int column = 0; column < factorPattern.factor.columns(); ++column)
     {
         const int begin = start[column];
         const Segment value =
-            blocks_[begin].template topRows<Rows>() * x.template segment<Rows>(Rows * column);
+            blocks[begin].template topRows<Rows>() * x.template segment<Rows>(Rows * column);
         x.template segment<Rows>(Rows * column) = value;
         for (int entry = begin + 1; entry < start[column + 1]; ++entry)
         {
-            const Padded product = blocks_[entry].lazyProduct(value);
+            const Padded product = blocks[entry].lazyProduct(value);
             x.template segment<Rows>(Rows * row[entry]) -= product.template head<Rows>();
         }
     }
-    for (int column = pattern_.factor.columns() - 1; column >= 0; --column)
+    for (int column = factorPattern.factor.columns() - 1; column >= 0; --column)
     {
         const int begin = start[column];
         Segment value = x.template segment<Rows>(Rows * column);
         for (int entry = begin + 1; entry < start[column + 1]; ++entry)
         {
-            value.noalias() -= blocks_[entry].template topRows<Rows>().transpose()
+            value.noalias() -= blocks[entry].template topRows<Rows>().transpose()
                                * x.template segment<Rows>(Rows * row[entry]);
         }
         x.template segment<Rows>(Rows * column).noalias() =
-            blocks_[begin].template topRows<Rows>().transpose() * value;
+            blocks[begin].template topRows<Rows>().transpose() * value;
     }
 }
 
@@ -98,36 +99,36 @@ void BlockCholesky<Rows, Scalar>::solve(Eigen::Ref<Vector> one, Eigen::Ref<Vecto
 {
     using Segment = Eigen::Matrix<Scalar, Rows, 1>;
     using Padded = Eigen::Matrix<Scalar, paddedRows, 1>;
-    const std::vector<int>& start = pattern_.factor.columnStart;
-    const std::vector<int>& row = pattern_.factor.row;
-    for (int column = 0; column < pattern_.factor.columns(); ++column)
+    const std::vector<int>& start = factorPattern.factor.columnStart;
+    const std::vector<int>& row = factorPattern.factor.row;
+    for (int column = 0; column < factorPattern.factor.columns(); ++column)
     {
         const int begin = start[column];
-        const Block inverse = blocks_[begin].template topRows<Rows>();
+        const Block inverse = blocks[begin].template topRows<Rows>();
         const Segment first = inverse * one.template segment<Rows>(Rows * column);
         const Segment second = inverse * other.template segment<Rows>(Rows * column);
         one.template segment<Rows>(Rows * column) = first;
         other.template segment<Rows>(Rows * column) = second;
         for (int entry = begin + 1; entry < start[column + 1]; ++entry)
         {
-            const Padded productFirst = blocks_[entry].lazyProduct(first);
-            const Padded productSecond = blocks_[entry].lazyProduct(second);
+            const Padded productFirst = blocks[entry].lazyProduct(first);
+            const Padded productSecond = blocks[entry].lazyProduct(second);
             one.template segment<Rows>(Rows * row[entry]) -= productFirst.template head<Rows>();
             other.template segment<Rows>(Rows * row[entry]) -= productSecond.template head<Rows>();
         }
     }
-    for (int column = pattern_.factor.columns() - 1; column >= 0; --column)
+    for (int column = factorPattern.factor.columns() - 1; column >= 0; --column)
     {
         const int begin = start[column];
         Segment first = one.template segment<Rows>(Rows * column);
         Segment second = other.template segment<Rows>(Rows * column);
         for (int entry = begin + 1; entry < start[column + 1]; ++entry)
         {
-            const Block transposed = blocks_[entry].template topRows<Rows>().transpose();
+            const Block transposed = blocks[entry].template topRows<Rows>().transpose();
             first.noalias() -= transposed * one.template segment<Rows>(Rows * row[entry]);
             second.noalias() -= transposed * other.template segment<Rows>(Rows * row[entry]);
         }
-        const Block inverse = blocks_[begin].template topRows<Rows>().transpose();
+        const Block inverse = blocks[begin].template topRows<Rows>().transpose();
         one.template segment<Rows>(Rows * column).noalias() = inverse * first;
         other.template segment<Rows>(Rows * column).noalias() = inverse * second;
     }

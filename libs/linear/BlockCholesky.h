@@ -39,10 +39,10 @@ public:
     void solve(Eigen::Ref<Vector> one, Eigen::Ref<Vector> other) const;
 
 private:
-    FactorPattern pattern_;
-    std::vector<int> place_; ///< work: place of a block row within the column in hand
+    FactorPattern factorPattern;
+    std::vector<int> place; ///< work: place of a block row within the column in hand
     std::vector<PaddedBlock, Eigen::aligned_allocator<PaddedBlock>>
-        blocks_; ///< L; on the diagonal its inverse
+        blocks; ///< L; on the diagonal its inverse
 };
 
 extern template class BlockCholesky<3>;

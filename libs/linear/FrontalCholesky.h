@@ -50,10 +50,10 @@ private:
     {
         int firstBody = 0;       ///< of its columns
         int lastBody = 0;        ///< one past
-        int firstRow = 0;        ///< of its rows below the columns, in `rows_`
+        int firstRow = 0;        ///< of its rows below the columns, in `rows`
         int lastRow = 0;         ///< one past
-        std::size_t columns = 0; ///< where L11 and L21 are in `factor_`
-        std::size_t update = 0;  ///< where U is in `updates_`, until the parent has taken it
+        std::size_t columns = 0; ///< where L11 and L21 are in `lower`
+        std::size_t update = 0;  ///< where U is in `updates`, until the parent has taken it
         std::vector<int> children;
 
         int width() const { return Rows * (lastBody - firstBody); }
@@ -86,17 +86,17 @@ private:
     template<int Sides, class Scalar>
     void solveFor(const std::array<double*, Sides>& x, const Scalar* factor);
 
-    std::vector<Front> fronts_; ///< children before their parents
-    std::vector<int> rows_;     ///< bodies
-    std::vector<int> inParent_; ///< of each of `rows_`: the place of that body in the parent's front
-    std::vector<int> inFront_;  ///< of each block of the matrix: the place of its row in its column's front
-    std::vector<double> factor_;
-    std::vector<float> rounded_; ///< L in single precision, once it was needed
-    std::vector<double> updates_;
-    std::vector<Run> runs_;      ///< work of `addUpdates`
-    std::vector<double> work_;   ///< of solves: one front's part of each right side
-    std::vector<double> packed_; ///< work of the dense kernel, once it was needed
-    int highest_ = 0;
+    std::vector<Front> fronts; ///< children before their parents
+    std::vector<int> rows;     ///< bodies
+    std::vector<int> inParent; ///< of each of `rows`: the place of that body in the parent's front
+    std::vector<int> inFront;  ///< of each block of the matrix: the place of its row in its column's front
+    std::vector<double> lower;
+    std::vector<float> rounded; ///< L in single precision, once it was needed
+    std::vector<double> updates;
+    std::vector<Run> runs;      ///< work of `addUpdates`
+    std::vector<double> work;   ///< of solves: one front's part of each right side
+    std::vector<double> packed; ///< work of the dense kernel, once it was needed
+    int highest = 0;
 };
 
 extern template class FrontalCholesky<3>;

@@ -25,28 +25,28 @@ constexpr double frontalOperations = 5e5;
 
 template<int Rows, class Scalar>
 SchurSystem<Rows, Scalar>::SchurSystem(int bodies, const std::vector<Coupling>& couplings)
-    : bodies_(bodies),
-      pattern_(makeBlockPattern(bodies, couplings)),
-      values_(pattern_.row.size(), Block::Zero())
+    : bodyCount(bodies),
+      pattern(makeBlockPattern(bodies, couplings)),
+      values(pattern.row.size(), Block::Zero())
 {
-    FactorPattern factor = makeFactorPattern(pattern_);
-    operations_ = factor.operations(Rows);
+    FactorPattern factor = makeFactorPattern(pattern);
+    operationCount = factor.operations(Rows);
     const double numbers = static_cast<double>(Rows * Rows * factor.factor.row.size());
-    factorisationOverSolve_ = operations_ / (2 * numbers);
-    if (!std::is_same_v<Scalar, double> || operations_ < frontalOperations)
+    costOverSolve = operationCount / (2 * numbers);
+    if (!std::is_same_v<Scalar, double> || operationCount < frontalOperations)
     {
-        small_.emplace(std::move(factor));
+        small.emplace(std::move(factor));
     }
     else
     {
-        large_.emplace(pattern_, factor.factor);
+        large.emplace(pattern, factor.factor);
     }
 }
 
 template<int Rows, class Scalar>
 void SchurSystem<Rows, Scalar>::setZero()
 {
-    for (Block& block : values_)
+    for (Block& block : values)
     {
         block.setZero();
     }
@@ -57,12 +57,12 @@ bool SchurSystem<Rows, Scalar>::factorise()
 {
     if constexpr (std::is_same_v<Scalar, double>)
     {
-        if (large_)
+        if (large)
         {
-            return large_->factorise(pattern_, values_.data());
+            return large->factorise(pattern, values.data());
         }
     }
-    return small_->factorise(pattern_, values_.data());
+    return small->factorise(pattern, values.data());
 }
 
 template<int Rows, class Scalar>
@@ -70,12 +70,12 @@ void SchurSystem<Rows, Scalar>::solve(Eigen::Ref<Vector> x)
 {
     if constexpr (std::is_same_v<Scalar, double>)
     {
-        if (large_)
+        if (large)
         {
-            return large_->solve(x);
+            return large->solve(x);
         }
     }
-    small_->solve(x);
+    small->solve(x);
 }
 
 template<int Rows, class Scalar>
@@ -83,12 +83,12 @@ void SchurSystem<Rows, Scalar>::solve(Eigen::Ref<Vector> one, Eigen::Ref<Vector>
 {
     if constexpr (std::is_same_v<Scalar, double>)
     {
-        if (large_)
+        if (large)
         {
-            return large_->solve(one, other);
+            return large->solve(one, other);
         }
     }
-    small_->solve(one, other);
+    small->solve(one, other);
 }
 
 template<int Rows, class Scalar>
@@ -96,12 +96,12 @@ void SchurSystem<Rows, Scalar>::solveRoughly(Eigen::Ref<Vector> x)
 {
     if constexpr (std::is_same_v<Scalar, double>)
     {
-        if (large_)
+        if (large)
         {
-            return large_->solveRoughly(x);
+            return large->solveRoughly(x);
         }
     }
-    small_->solve(x);
+    small->solve(x);
 }
 
 template class SchurSystem<3>;

@@ -31,23 +31,23 @@ public:
     /// \param couplings pairs (a, b), a != b, of bodies numbered in elimination order
     SchurSystem(int bodies, const std::vector<Coupling>& couplings);
 
-    int bodies() const { return bodies_; }
+    int bodies() const { return bodyCount; }
 
     /// Multiplications of a factorisation.
-    double operations() const { return operations_; }
+    double operations() const { return operationCount; }
 
     /// The same over those of a solve.
-    double factorisationOverSolve() const { return factorisationOverSolve_; }
+    double factorisationOverSolve() const { return costOverSolve; }
 
     /// Where the block of a pair is kept, for `coupling`. \throws std::out_of_range for a pair not in the
     /// pattern
-    int slot(int first, int second) const { return pattern_.slot(first, second); }
+    int slot(int first, int second) const { return pattern.slot(first, second); }
 
     void setZero();
     /// Diagonal block of a body.
-    Block& diagonal(int body) { return values_[pattern_.columnStart[body]]; }
+    Block& diagonal(int body) { return values[pattern.columnStart[body]]; }
     /// Block with the rows of the later and the columns of the earlier body of a pair.
-    Block& coupling(int slot) { return values_[slot]; }
+    Block& coupling(int slot) { return values[slot]; }
 
     /// Factorises S as it stands. \return false when S is not numerically positive definite
     bool factorise();
@@ -62,13 +62,13 @@ public:
     void solveRoughly(Eigen::Ref<Vector> x);
 
 private:
-    int bodies_ = 0;
-    double operations_ = 0;
-    double factorisationOverSolve_ = 0;
-    BlockPattern pattern_;
-    std::vector<Block, Eigen::aligned_allocator<Block>> values_;
-    std::optional<BlockCholesky<Rows, Scalar>> small_; ///< this factor,
-    std::optional<FrontalCholesky<Rows>> large_;       ///< or this one, of doubles only
+    int bodyCount = 0;
+    double operationCount = 0;
+    double costOverSolve = 0;
+    BlockPattern pattern;
+    std::vector<Block, Eigen::aligned_allocator<Block>> values;
+    std::optional<BlockCholesky<Rows, Scalar>> small; ///< this factor,
+    std::optional<FrontalCholesky<Rows>> large;       ///< or this one, of doubles only
 };
 
 extern template class SchurSystem<3>;
