@@ -88,11 +88,11 @@ public:
     /// \param work the associative analysis, whose work it adds to
     Search(const Program& program, const NonAssociativeSettings& settings,
            const InteriorPointSettings& solver, LimitAnalysis& work)
-        : program_(program),
-          settings_(settings),
-          solver_(solver),
-          work_(work),
-          random_(static_cast<std::mt19937::result_type>(settings.seed))
+        : given(program),
+          searchSettings(settings),
+          solverSettings(solver),
+          effort(work),
+          generator(static_cast<std::mt19937::result_type>(settings.seed))
     {
         range.lowest = std::numeric_limits<double>::infinity();
         range.highest = -range.lowest;
@@ -100,7 +100,7 @@ public:
         if (work.status == CollapseStatus::optimal)
         {
             range.associative = work.alpha;
-            associative_ = {
+            associativePair = {
                 work.alpha, work.contactForce, work.mechanism / program.liveLoad.dot(work.mechanism), {}};
         }
     }
@@ -108,12 +108,12 @@ public:
     /// \return whether there are forces for the dead load to begin with
     bool findRest()
     {
-        Program dead = program_;
+        Program dead = given;
         dead.liveLoad.resize(0);
-        InteriorPointSettings settings = solver_;
-        settings.tolerance = std::max(solver_.tolerance, startTolerance);
+        InteriorPointSettings settings = solverSettings;
+        settings.tolerance = std::max(solverSettings.tolerance, startTolerance);
         const ConeSolution resting = solve(dead, settings);
-        rest_.contactForce = resting.contactForce;
+        restingStart.contactForce = resting.contactForce;
         return resting.status == SolveStatus::optimal;
     }
 
@@ -125,7 +125,7 @@ public:
         std::optional<Start> start;
         if (number == 0)
         {
-            start = associative_.exists() ? lowForces(associative_, firstPenalty) : std::nullopt;
+            start = associativePair.exists() ? lowForces(associativePair, firstPenalty) : std::nullopt;
         }
         else if (number % pathsToOtherForces == pathsToOtherForces - 1)
         {
@@ -134,15 +134,15 @@ public:
         else if (number > 1 && lowest.exists())
         {
             const double gamma = 1 + std::pow(10, -2 * uniform());
-            start = lowForces(number % 2 == 1 ? lowest : latest_, gamma);
+            start = lowForces(number % 2 == 1 ? lowest : latestPair, gamma);
         }
         else if (number > 1)
         {
             spread = largestSpread * uniform();
         }
         const CollapsePathSettings settings{.stiffnessSpread = spread,
-                                            .seed = static_cast<unsigned>(random_())};
-        const Start from = start.value_or(rest_);
+                                            .seed = static_cast<unsigned>(generator())};
+        const Start from = start.value_or(restingStart);
         range.converged += follow(from, settings) || (!lowest.exists() && followWedged(from, settings));
     }
 
@@ -154,37 +154,37 @@ public:
 private:
     ConeSolution solve(const Program& program, const InteriorPointSettings& settings)
     {
-        ConeSolution solution = solveInteriorPoint(program, settings, &symbolic_);
-        work_.iterations += solution.iterations;
-        work_.factorisations += solution.factorisations;
-        work_.solves += solution.solves;
+        ConeSolution solution = solveInteriorPoint(program, settings, &symbolicAnalysis);
+        effort.iterations += solution.iterations;
+        effort.factorisations += solution.factorisations;
+        effort.solves += solution.solves;
         return solution;
     }
 
     CollapsePair path(const Start& start, const CollapsePathSettings& settings)
     {
-        CollapsePair pair = followCollapsePath(program_, start.contactForce, start.alpha, settings);
-        work_.iterations += pair.pieces;
-        work_.factorisations += pair.factorisations;
-        work_.solves += pair.solves;
+        CollapsePair pair = followCollapsePath(given, start.contactForce, start.alpha, settings);
+        effort.iterations += pair.pieces;
+        effort.factorisations += pair.factorisations;
+        effort.solves += pair.solves;
         return pair;
     }
 
     /// In [0, 1), the same on every machine.
-    double uniform() { return static_cast<double>(random_()) / 4294967296.0; }
+    double uniform() { return static_cast<double>(generator()) / 4294967296.0; }
 
     Start movedInwards(double alpha, const VectorXd& contactForce) const
     {
-        return {(1 - inwards) * alpha, (1 - inwards) * contactForce + inwards * rest_.contactForce};
+        return {(1 - inwards) * alpha, (1 - inwards) * contactForce + inwards * restingStart.contactForce};
     }
 
     /// Forces for the dead load with little pressure at random points.
     std::optional<Start> otherRest()
     {
-        Program dead = program_;
+        Program dead = given;
         dead.liveLoad.resize(0);
-        dead.gap = VectorXd::Zero(Forces * program_.points());
-        for (int point = 0; point < program_.points(); ++point)
+        dead.gap = VectorXd::Zero(Forces * given.points());
+        for (int point = 0; point < given.points(); ++point)
         {
             const double weight = std::pow(10, -2 * uniform());
             dead.gap[Forces * point] = weight;
@@ -193,8 +193,8 @@ private:
                 dead.gap[Forces * point + shear] = 0.3 * weight * (2 * uniform() - 1);
             }
         }
-        InteriorPointSettings settings = solver_;
-        settings.tolerance = std::max(solver_.tolerance, startTolerance);
+        InteriorPointSettings settings = solverSettings;
+        settings.tolerance = std::max(solverSettings.tolerance, startTolerance);
         const ConeSolution other = solve(dead, settings);
         return other.status == SolveStatus::optimal ? std::optional(movedInwards(0, other.contactForce))
                                                     : std::nullopt;
@@ -203,19 +203,19 @@ private:
     /// Forces of a low multiplier that suit the mechanism of a pair.
     std::optional<Start> lowForces(const Pair& pair, double gamma)
     {
-        Program reversed = program_;
-        reversed.liveLoad = -program_.liveLoad;
-        reversed.gap = VectorXd::Zero(Forces * program_.points());
-        const VectorXd closing = applyTransposed(program_, pair.mechanism);
-        for (int point = 0; point < program_.points(); ++point)
+        Program reversed = given;
+        reversed.liveLoad = -given.liveLoad;
+        reversed.gap = VectorXd::Zero(Forces * given.points());
+        const VectorXd closing = applyTransposed(given, pair.mechanism);
+        for (int point = 0; point < given.points(); ++point)
         {
             const double slip = closing.template segment<Forces - 1>(Forces * point + 1).norm();
             reversed.gap[Forces * point] = gamma
-                                           * (program_.friction[static_cast<std::size_t>(point)] * slip
+                                           * (given.friction[static_cast<std::size_t>(point)] * slip
                                               + std::max(0.0, -closing[Forces * point]));
         }
-        InteriorPointSettings settings = solver_;
-        settings.tolerance = std::max(solver_.tolerance, startTolerance);
+        InteriorPointSettings settings = solverSettings;
+        settings.tolerance = std::max(solverSettings.tolerance, startTolerance);
         const ConeSolution low = solve(reversed, settings);
         return low.status == SolveStatus::optimal
                    ? std::optional(movedInwards(-low.multiplier, low.contactForce))
@@ -225,8 +225,8 @@ private:
     /// Takes a pair that meets the tolerance. \return whether it does
     bool consider(Pair pair)
     {
-        pair.residuals = coulombResiduals(program_, pair.alpha, pair.contactForce, pair.mechanism);
-        if (!(pair.residuals.worst() <= settings_.tolerance))
+        pair.residuals = coulombResiduals(given, pair.alpha, pair.contactForce, pair.mechanism);
+        if (!(pair.residuals.worst() <= searchSettings.tolerance))
         {
             return false;
         }
@@ -241,7 +241,7 @@ private:
         }
         range.lowest = std::min(range.lowest, pair.alpha);
         range.highest = std::max(range.highest, pair.alpha);
-        latest_ = pair;
+        latestPair = pair;
         if (!(pair.alpha >= lowest.alpha))
         {
             lowest = std::move(pair);
@@ -253,8 +253,8 @@ private:
     void considerFall(const CollapsePair& found)
     {
         Pair pair{found.multiplier, found.contactForce, found.mechanism, {}};
-        pair.residuals = coulombResiduals(program_, pair.alpha, pair.contactForce, pair.mechanism, 0);
-        if (pair.alpha >= 0 && pair.residuals.worst() <= settings_.tolerance && pair.alpha < fall.alpha)
+        pair.residuals = coulombResiduals(given, pair.alpha, pair.contactForce, pair.mechanism, 0);
+        if (pair.alpha >= 0 && pair.residuals.worst() <= searchSettings.tolerance && pair.alpha < fall.alpha)
         {
             range.fall = pair.alpha;
             fall = std::move(pair);
@@ -310,16 +310,16 @@ private:
     bool followWedged(const Start& start, CollapsePathSettings settings)
     {
         settings.dilatancy = wedging;
-        settings.finalDilatancy = remainingDilatancy * settings_.tolerance;
+        settings.finalDilatancy = remainingDilatancy * searchSettings.tolerance;
         if (follow(start, settings))
         {
             return true;
         }
-        if (!associative_.exists())
+        if (!associativePair.exists())
         {
             return false;
         }
-        const Start near = movedInwards(associative_.alpha, associative_.contactForce);
+        const Start near = movedInwards(associativePair.alpha, associativePair.contactForce);
         CollapsePathSettings little = settings;
         little.dilatancy = settings.finalDilatancy;
         return follow(near, settings) || follow(near, little);
@@ -330,12 +330,12 @@ private:
     /// with the constant part as a load; all others are free within their limits.
     std::optional<Least> leastOf(const Pair& pair)
     {
-        const VectorXd closing = applyTransposed(program_, pair.mechanism);
+        const VectorXd closing = applyTransposed(given, pair.mechanism);
         const double still = stillRate * closing.template lpNorm<Eigen::Infinity>();
-        Program suited = program_;
-        suited.liveLoad = -program_.liveLoad;
-        VectorXd constant = VectorXd::Zero(Forces * program_.points());
-        for (int point = 0; point < program_.points(); ++point)
+        Program suited = given;
+        suited.liveLoad = -given.liveLoad;
+        VectorXd constant = VectorXd::Zero(Forces * given.points());
+        for (int point = 0; point < given.points(); ++point)
         {
             const auto at = static_cast<std::size_t>(point);
             const auto slip = closing.template segment<Forces - 1>(Forces * point + 1);
@@ -351,24 +351,24 @@ private:
             else if (size > still)
             {
                 const Eigen::Matrix<double, Forces - 1, 1> direction = slip / size;
-                const double friction = program_.friction[at];
+                const double friction = given.friction[at];
                 for (auto* side : {&columns.onFirst, &columns.onSecond})
                 {
                     side->col(0) += friction * side->template rightCols<Forces - 1>() * direction;
                 }
-                if (program_.hasStrength())
+                if (given.hasStrength())
                 {
                     constant.template segment<Forces - 1>(Forces * point + 1) =
-                        program_.strength[at].cohesion * direction;
+                        given.strength[at].cohesion * direction;
                     suited.strength[at].cohesion = 0;
                 }
                 suited.friction[at] = 0;
             }
         }
-        suited.load -= applyEquilibrium(program_, constant);
+        suited.load -= applyEquilibrium(given, constant);
         // Columns without force have no say, and their points are left out.
         std::vector<int> kept;
-        for (int point = 0; point < program_.points(); ++point)
+        for (int point = 0; point < given.points(); ++point)
         {
             const auto& columns = suited.contacts[static_cast<std::size_t>(point)];
             if (!columns.onFirst.isZero(0) || !columns.onSecond.isZero(0))
@@ -376,7 +376,7 @@ private:
                 const auto to = kept.size();
                 suited.contacts[to] = columns;
                 suited.friction[to] = suited.friction[static_cast<std::size_t>(point)];
-                if (program_.hasStrength())
+                if (given.hasStrength())
                 {
                     suited.strength[to] = suited.strength[static_cast<std::size_t>(point)];
                 }
@@ -385,8 +385,8 @@ private:
         }
         suited.contacts.resize(kept.size());
         suited.friction.resize(kept.size());
-        suited.strength.resize(program_.hasStrength() ? kept.size() : 0);
-        const ConeSolution solved = solve(suited, solver_);
+        suited.strength.resize(given.hasStrength() ? kept.size() : 0);
+        const ConeSolution solved = solve(suited, solverSettings);
         if (solved.status != SolveStatus::optimal)
         {
             return std::nullopt;
@@ -403,7 +403,7 @@ private:
             {
                 force[0] = from[0];
                 force.template tail<Forces - 1>() +=
-                    program_.friction[static_cast<std::size_t>(kept[i])] * from[0] * slip / size;
+                    given.friction[static_cast<std::size_t>(kept[i])] * from[0] * slip / size;
             }
             else
             {
@@ -428,15 +428,15 @@ private:
     /// way of a lower multiplier, so that it is the least nearby
     std::optional<VectorXd> otherMechanism(const Least& least)
     {
-        const VectorXd closing = applyTransposed(program_, least.pair.mechanism);
+        const VectorXd closing = applyTransposed(given, least.pair.mechanism);
         const double still = stillRate * closing.template lpNorm<Eigen::Infinity>();
-        const VectorXd price = applyTransposed(program_, least.balance);
+        const VectorXd price = applyTransposed(given, least.balance);
         const VectorXd& forces = least.pair.contactForce;
         const double none = atLimit * forces.template lpNorm<Eigen::Infinity>();
         VectorXd against = VectorXd::Zero(forces.size()); // w and v, as forces of the points
-        for (int point = 0; point < program_.points(); ++point)
+        for (int point = 0; point < given.points(); ++point)
         {
-            const double friction = program_.friction[static_cast<std::size_t>(point)];
+            const double friction = given.friction[static_cast<std::size_t>(point)];
             const auto slip = closing.template segment<Forces - 1>(Forces * point + 1);
             const auto shearPrice = price.template segment<Forces - 1>(Forces * point + 1);
             const double normalPrice = price[Forces * point];
@@ -460,13 +460,13 @@ private:
         // Every component of A'y that is restricted, as a point with a normal force alone: one that must not
         // close, or one that must not move, which a force between wide bounds prevents.
         Program rates;
-        rates.bodies = program_.bodies;
-        rates.liveLoad = program_.liveLoad;
-        rates.load = applyEquilibrium(program_, against);
+        rates.bodies = given.bodies;
+        rates.liveLoad = given.liveLoad;
+        rates.load = applyEquilibrium(given, against);
         const auto restrict =
             [&](int point, const Eigen::Matrix<double, Forces, 1>& component, bool isOneSided)
         {
-            ConeColumns<Rows, Forces> columns = program_.contacts[static_cast<std::size_t>(point)];
+            ConeColumns<Rows, Forces> columns = given.contacts[static_cast<std::size_t>(point)];
             for (auto* side : {&columns.onFirst, &columns.onSecond})
             {
                 side->col(0) = (*side * component).eval();
@@ -478,13 +478,13 @@ private:
                                                 : Strength{.tension = widestBound, .crushing = widestBound});
         };
         using Force = Eigen::Matrix<double, Forces, 1>;
-        for (int point = 0; point < program_.points(); ++point)
+        for (int point = 0; point < given.points(); ++point)
         {
             const Strength strength =
-                program_.hasStrength() ? program_.strength[static_cast<std::size_t>(point)] : Strength{};
+                given.hasStrength() ? given.strength[static_cast<std::size_t>(point)] : Strength{};
             const Force force = forces.template segment<Forces>(Forces * point);
             const double limit =
-                strength.cohesion + program_.friction[static_cast<std::size_t>(point)] * force[0];
+                strength.cohesion + given.friction[static_cast<std::size_t>(point)] * force[0];
             const auto shear = force.template tail<Forces - 1>();
             Force component = Force::Unit(0);
             const bool opens = force[0] <= -strength.tension + none;
@@ -510,7 +510,7 @@ private:
                 restrict(point, component, false);
             }
         }
-        const ConeSolution solved = solve(rates, solver_);
+        const ConeSolution solved = solve(rates, solverSettings);
         const double inTheWay = -rates.load.dot(least.pair.mechanism);
         return solved.status == SolveStatus::optimal
                        && -rates.load.dot(solved.displacement) < (1 - smallestChange) * inTheWay
@@ -518,15 +518,15 @@ private:
                    : std::nullopt;
     }
 
-    const Program& program_;
-    NonAssociativeSettings settings_;
-    InteriorPointSettings solver_;
-    LimitAnalysis& work_;
-    SymbolicAnalysis symbolic_; ///< of the last program: most have the same points
-    std::mt19937 random_;
-    Pair associative_; ///< where there is one; of the associative law
-    Start rest_;
-    Pair latest_;
+    const Program& given;
+    NonAssociativeSettings searchSettings;
+    InteriorPointSettings solverSettings;
+    LimitAnalysis& effort;
+    SymbolicAnalysis symbolicAnalysis; ///< of the last program: most have the same points
+    std::mt19937 generator;
+    Pair associativePair; ///< where there is one; of the associative law
+    Start restingStart;
+    Pair latestPair;
 };
 
 } // namespace

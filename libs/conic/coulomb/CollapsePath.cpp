@@ -67,16 +67,16 @@ public:
     CollapsePair pair(PathEnd end) const;
 
 private:
-    Force at(int point) const { return w_.template segment<Forces>(Forces * point); }
-    Force rateAt(int point) const { return rate_.template segment<Forces>(Forces * point); }
-    int count() const { return static_cast<int>(points_.size()); }
+    Force at(int point) const { return stretch.template segment<Forces>(Forces * point); }
+    Force rateAt(int point) const { return stretchRate.template segment<Forces>(Forces * point); }
+    int count() const { return static_cast<int>(states.size()); }
 
     VectorXd contactForces() const;
     VectorXd stretched(VectorXd closing) const;
     void update(int point)
     {
-        system_.change(point,
-                       stiffness_[point] * points_[static_cast<std::size_t>(point)].derivative(at(point)));
+        scaled.change(point,
+                      stiffnesses[point] * states[static_cast<std::size_t>(point)].derivative(at(point)));
     }
     bool correct();
     double refineDirection(double enough);
@@ -85,48 +85,48 @@ private:
     double turningDistance() const;
     double stepLimit(double gone) const;
 
-    const ConeProgram<Rows, Forces>& program_;
-    CollapseSystem<Rows, Forces> system_;
-    VectorXd stiffness_; ///< of each point
-    std::vector<Piece> points_;
-    VectorXd w_;
-    double alpha_ = 0;
-    double elastic_;     ///< displacements beyond which elasticity is negligible
-    VectorXd pushed_;    ///< p, K p = L
-    VectorXd direction_; ///< dv/ds, largest entry 1
-    VectorXd rate_;      ///< dw/ds
-    double alphaRate_ = 0;
-    int pieces_ = 0;
+    const ConeProgram<Rows, Forces>& given;
+    CollapseSystem<Rows, Forces> scaled;
+    VectorXd stiffnesses; ///< of each point
+    std::vector<Piece> states;
+    VectorXd stretch;
+    double alphaNow = 0;
+    double elasticReach;  ///< displacements beyond which elasticity is negligible
+    VectorXd pushed;      ///< p, K p = L
+    VectorXd direction;   ///< dv/ds, largest entry 1
+    VectorXd stretchRate; ///< dw/ds
+    double alphaRate = 0;
+    int pieceCount = 0;
 };
 
 template<int Rows, int Forces>
 CollapsePath<Rows, Forces>::CollapsePath(const ConeProgram<Rows, Forces>& program,
                                          const VectorXd& contactForce, double multiplier,
                                          const CollapsePathSettings& settings)
-    : program_(program),
-      system_(program),
-      w_(contactForce / system_.force),
-      alpha_(multiplier * system_.live / system_.force),
-      elastic_(endOfElasticity * (1 + w_.template lpNorm<Eigen::Infinity>()))
+    : given(program),
+      scaled(program),
+      stretch(contactForce / scaled.force),
+      alphaNow(multiplier * scaled.live / scaled.force),
+      elasticReach(endOfElasticity * (1 + stretch.template lpNorm<Eigen::Infinity>()))
 {
     std::mt19937 random(settings.seed);
-    stiffness_.resize(program.points());
+    stiffnesses.resize(program.points());
     for (int point = 0; point < program.points(); ++point)
     {
         const double uniform = static_cast<double>(random()) / 4294967296.0;
-        stiffness_[point] = std::exp(settings.stiffnessSpread * (2 * uniform - 1));
+        stiffnesses[point] = std::exp(settings.stiffnessSpread * (2 * uniform - 1));
         Piece piece;
         piece.friction = program.friction[static_cast<std::size_t>(point)];
         piece.dilatancy = std::min(settings.dilatancy, piece.friction);
         if (program.hasStrength())
         {
             piece.strength = program.strength[static_cast<std::size_t>(point)];
-            piece.strength.cohesion /= system_.force;
-            piece.strength.tension /= system_.force;
-            piece.strength.crushing /= system_.force;
+            piece.strength.cohesion /= scaled.force;
+            piece.strength.tension /= scaled.force;
+            piece.strength.crushing /= scaled.force;
         }
         piece.find(at(point));
-        points_.push_back(piece);
+        states.push_back(piece);
         update(point);
     }
 }
@@ -134,11 +134,11 @@ CollapsePath<Rows, Forces>::CollapsePath(const ConeProgram<Rows, Forces>& progra
 template<int Rows, int Forces>
 VectorXd CollapsePath<Rows, Forces>::contactForces() const
 {
-    VectorXd forces(w_.size());
+    VectorXd forces(stretch.size());
     for (int point = 0; point < count(); ++point)
     {
         forces.template segment<Forces>(Forces * point) =
-            points_[static_cast<std::size_t>(point)].force(at(point));
+            states[static_cast<std::size_t>(point)].force(at(point));
     }
     return forces;
 }
@@ -149,7 +149,7 @@ VectorXd CollapsePath<Rows, Forces>::stretched(VectorXd closing) const
 {
     for (int point = 0; point < count(); ++point)
     {
-        closing.template segment<Forces>(Forces * point) *= stiffness_[point];
+        closing.template segment<Forces>(Forces * point) *= stiffnesses[point];
     }
     return closing;
 }
@@ -159,22 +159,22 @@ template<int Rows, int Forces>
 bool CollapsePath<Rows, Forces>::correct()
 {
     const auto imbalance = [&]() -> VectorXd
-    { return system_.load + alpha_ * system_.liveLoad - system_.columnsTimes(contactForces()); };
+    { return scaled.load + alphaNow * scaled.liveLoad - scaled.columnsTimes(contactForces()); };
     VectorXd residual = imbalance();
     double before = residual.lpNorm<Eigen::Infinity>();
     for (int round = 0; round < mostCorrections && before > balanced; ++round)
     {
-        const VectorXd moved = system_.solve(residual);
-        const double share = -pushed_.dot(moved) / pushed_.squaredNorm();
-        const VectorXd from = w_;
-        w_ += stretched(system_.columnsTransposedTimes(moved + share * pushed_));
-        alpha_ += share;
+        const VectorXd moved = scaled.solve(residual);
+        const double share = -pushed.dot(moved) / pushed.squaredNorm();
+        const VectorXd from = stretch;
+        stretch += stretched(scaled.columnsTransposedTimes(moved + share * pushed));
+        alphaNow += share;
         residual = imbalance();
         const double after = residual.lpNorm<Eigen::Infinity>();
         if (!(after < before))
         {
-            w_ = from;
-            alpha_ -= share;
+            stretch = from;
+            alphaNow -= share;
             break;
         }
         before = after;
@@ -191,11 +191,10 @@ template<int Rows, int Forces>
 double CollapsePath<Rows, Forces>::refineDirection(double enough)
 {
     double before = std::numeric_limits<double>::infinity();
-    VectorXd closing = system_.columnsTransposedTimes(direction_);
+    VectorXd closing = scaled.columnsTransposedTimes(direction);
     for (int round = 0; round < mostRefinements; ++round)
     {
-        const VectorXd residual =
-            alphaRate_ * system_.liveLoad - system_.columnsTimes(system_.forcesOf(closing));
+        const VectorXd residual = alphaRate * scaled.liveLoad - scaled.columnsTimes(scaled.forcesOf(closing));
         const double error = residual.lpNorm<Eigen::Infinity>();
         if (!(error < 0.5 * before) || error < enough)
         {
@@ -203,13 +202,13 @@ double CollapsePath<Rows, Forces>::refineDirection(double enough)
             break;
         }
         before = error;
-        const VectorXd moved = system_.solve(residual);
-        const double share = -pushed_.dot(moved) / pushed_.squaredNorm();
-        direction_ += moved + share * pushed_;
-        alphaRate_ += share;
-        closing = system_.columnsTransposedTimes(direction_);
+        const VectorXd moved = scaled.solve(residual);
+        const double share = -pushed.dot(moved) / pushed.squaredNorm();
+        direction += moved + share * pushed;
+        alphaRate += share;
+        closing = scaled.columnsTransposedTimes(direction);
     }
-    rate_ = stretched(std::move(closing));
+    stretchRate = stretched(std::move(closing));
     return before;
 }
 
@@ -218,9 +217,9 @@ void CollapsePath<Rows, Forces>::orient(double onwards)
 {
     if (onwards < 0)
     {
-        direction_ *= -1;
-        rate_ *= -1;
-        alphaRate_ *= -1;
+        direction *= -1;
+        stretchRate *= -1;
+        alphaRate *= -1;
     }
 }
 
@@ -233,7 +232,7 @@ typename CollapsePath<Rows, Forces>::Piece::Exit CollapsePath<Rows, Forces>::fir
     for (int point = 0; point < count(); ++point)
     {
         const typename Piece::Exit exit =
-            points_[static_cast<std::size_t>(point)].exit(at(point), rateAt(point), ignored);
+            states[static_cast<std::size_t>(point)].exit(at(point), rateAt(point), ignored);
         if (exit.distance < first.distance)
         {
             first = exit;
@@ -252,7 +251,7 @@ double CollapsePath<Rows, Forces>::turningDistance() const
     {
         for (int point = 0; point < count(); ++point)
         {
-            const Piece& piece = points_[static_cast<std::size_t>(point)];
+            const Piece& piece = states[static_cast<std::size_t>(point)];
             const Force w = at(point);
             const Force rate = rateAt(point);
             const double across = std::abs(w[1] * rate[2] - w[2] * rate[1]);
@@ -272,7 +271,7 @@ template<int Rows, int Forces>
 double CollapsePath<Rows, Forces>::stepLimit(double gone) const
 {
     return Forces == 2 ? std::numeric_limits<double>::infinity()
-                       : largestGrowth * (gone + elastic_ / endOfElasticity);
+                       : largestGrowth * (gone + elasticReach / endOfElasticity);
 }
 
 /// w = c + lambda (-psi, d) of the points that press and slide
@@ -281,14 +280,14 @@ void CollapsePath<Rows, Forces>::changeDilatancy(double dilatancy)
 {
     for (int point = 0; point < count(); ++point)
     {
-        Piece& piece = points_[static_cast<std::size_t>(point)];
+        Piece& piece = states[static_cast<std::size_t>(point)];
         const Force before = at(point);
         const Force force = piece.force(before);
         piece.dilatancy = std::min(dilatancy, piece.friction);
         if (piece.isSliding && piece.normal == Piece::Normal::presses)
         {
             const double beyond = Piece::shearOf(before) - Piece::shearOf(force);
-            w_[Forces * point] = force[0] - piece.dilatancy * beyond;
+            stretch[Forces * point] = force[0] - piece.dilatancy * beyond;
         }
         update(point);
     }
@@ -297,7 +296,7 @@ void CollapsePath<Rows, Forces>::changeDilatancy(double dilatancy)
 template<int Rows, int Forces>
 PathEnd CollapsePath<Rows, Forces>::follow(int mostPieces)
 {
-    const int begin = pieces_;
+    const int begin = pieceCount;
     double gone = 0;
     double longest = std::numeric_limits<double>::infinity(); // step, after one that was too long
     struct
@@ -308,29 +307,29 @@ PathEnd CollapsePath<Rows, Forces>::follow(int mostPieces)
     } lastStep; // where it began, in space
     int last = -1;
     Boundary boundary = Boundary::none;
-    for (; pieces_ < begin + mostPieces; ++pieces_)
+    for (; pieceCount < begin + mostPieces; ++pieceCount)
     {
-        if (!system_.factorise())
+        if (!scaled.factorise())
         {
             return PathEnd::unfinished;
         }
-        pushed_ = system_.solve(system_.liveLoad);
-        const double size = pushed_.template lpNorm<Eigen::Infinity>();
+        pushed = scaled.solve(scaled.liveLoad);
+        const double size = pushed.template lpNorm<Eigen::Infinity>();
         if (!(size > 0) || !std::isfinite(size))
         {
             return PathEnd::unfinished;
         }
-        if ((Forces == 3 || pieces_ % piecesToCorrection == 0) && !correct())
+        if ((Forces == 3 || pieceCount % piecesToCorrection == 0) && !correct())
         {
-            if (Forces == 2 || pieces_ == begin || !(longest > shortestStep))
+            if (Forces == 2 || pieceCount == begin || !(longest > shortestStep))
             {
                 return PathEnd::unfinished;
             }
             // The step was too long: again with a quarter of it.
             longest = 0.25 * lastStep.distance;
-            w_ = lastStep.w;
-            alpha_ = lastStep.alpha;
-            points_ = lastStep.points;
+            stretch = lastStep.w;
+            alphaNow = lastStep.alpha;
+            states = lastStep.points;
             gone = lastStep.gone;
             boundary = Boundary::none;
             for (int point = 0; point < count(); ++point)
@@ -339,72 +338,72 @@ PathEnd CollapsePath<Rows, Forces>::follow(int mostPieces)
             }
             continue;
         }
-        const VectorXd before = direction_;
-        direction_ = pushed_ / size;
-        alphaRate_ = 1 / size;
+        const VectorXd before = direction;
+        direction = pushed / size;
+        alphaRate = 1 / size;
         if (!(refineDirection(sufficient) < accepted))
         {
             return PathEnd::unfinished;
         }
         const auto choose = [&]
         {
-            if (pieces_ == begin)
+            if (pieceCount == begin)
             {
-                orient(system_.liveLoad.dot(direction_));
+                orient(scaled.liveLoad.dot(direction));
             }
             else if (boundary == Boundary::none || boundary == Boundary::turning)
             {
-                orient(before.dot(direction_)); // after a step that was shortened
+                orient(before.dot(direction)); // after a step that was shortened
             }
             else
             {
-                orient(points_[static_cast<std::size_t>(last)].rateWithin(boundary, at(last), rateAt(last)));
+                orient(states[static_cast<std::size_t>(last)].rateWithin(boundary, at(last), rateAt(last)));
             }
         };
         choose();
         int leaving = -1;
-        typename Piece::Exit first = firstExit(still * rate_.lpNorm<Eigen::Infinity>(), leaving);
+        typename Piece::Exit first = firstExit(still * stretchRate.lpNorm<Eigen::Infinity>(), leaving);
         double distance = std::min({first.distance, turningDistance(), stepLimit(gone), longest});
-        if (gone + distance > elastic_)
+        if (gone + distance > elasticReach)
         {
             if (!(refineDirection(refined) < accepted))
             {
                 return PathEnd::unfinished;
             }
             choose();
-            first = firstExit(stillRefined * rate_.lpNorm<Eigen::Infinity>(), leaving);
+            first = firstExit(stillRefined * stretchRate.lpNorm<Eigen::Infinity>(), leaving);
             distance = std::min({first.distance, turningDistance(), stepLimit(gone)});
-            if (gone + distance > elastic_)
+            if (gone + distance > elasticReach)
             {
                 correct();
-                if (alphaRate_ > noGrowth)
+                if (alphaRate > noGrowth)
                 {
                     return PathEnd::unfinished;
                 }
-                const double work = system_.liveLoad.dot(direction_);
+                const double work = scaled.liveLoad.dot(direction);
                 return work > noWork ? PathEnd::collapse : work > -noWork ? PathEnd::fall : PathEnd::reversed;
             }
         }
         if constexpr (Forces == 3)
         {
-            lastStep = {distance, alpha_, gone, w_, points_};
+            lastStep = {distance, alphaNow, gone, stretch, states};
             longest *= 2;
         }
         gone += distance;
-        w_ += distance * rate_;
-        alpha_ += distance * alphaRate_;
+        stretch += distance * stretchRate;
+        alphaNow += distance * alphaRate;
         boundary = distance < first.distance ? Boundary::none : first.boundary;
         if (boundary != Boundary::none)
         {
             last = leaving;
-            points_[static_cast<std::size_t>(last)].cross(boundary);
+            states[static_cast<std::size_t>(last)].cross(boundary);
             update(last);
         }
         if constexpr (Forces == 3)
         {
             for (int point = 0; point < count(); ++point)
             {
-                Piece& piece = points_[static_cast<std::size_t>(point)];
+                Piece& piece = states[static_cast<std::size_t>(point)];
                 if (piece.isSliding || piece.returnToLaw(at(point), beyondLaw))
                 {
                     update(point);
@@ -420,14 +419,14 @@ CollapsePair CollapsePath<Rows, Forces>::pair(PathEnd end) const
 {
     CollapsePair result;
     result.end = end;
-    result.multiplier = alpha_ * system_.force / system_.live;
-    result.contactForce = system_.force * contactForces();
-    result.mechanism = system_.scaledRows(direction_);
-    result.mechanism /= end == PathEnd::collapse ? program_.liveLoad.dot(result.mechanism)
+    result.multiplier = alphaNow * scaled.force / scaled.live;
+    result.contactForce = scaled.force * contactForces();
+    result.mechanism = scaled.scaledRows(direction);
+    result.mechanism /= end == PathEnd::collapse ? given.liveLoad.dot(result.mechanism)
                                                  : result.mechanism.template lpNorm<Eigen::Infinity>();
-    result.pieces = pieces_;
-    result.factorisations = system_.factorisations;
-    result.solves = system_.solves;
+    result.pieces = pieceCount;
+    result.factorisations = scaled.factorisations;
+    result.solves = scaled.solves;
     return result;
 }
 

@@ -20,7 +20,7 @@ constexpr int changesToSum = 1;
 
 template<int Rows, int Forces>
 CollapseSystem<Rows, Forces>::CollapseSystem(const ConeProgram<Rows, Forces>& program)
-    : lever(meanLeverArm(program)), bodies_(program.bodies), columns_(program.contacts)
+    : lever(meanLeverArm(program)), bodyCount(program.bodies), pointColumns(program.contacts)
 {
     load = scaledRows(program.load);
     liveLoad = scaledRows(program.liveLoad);
@@ -31,7 +31,7 @@ CollapseSystem<Rows, Forces>::CollapseSystem(const ConeProgram<Rows, Forces>& pr
     liveLoad /= live;
 
     std::vector<Coupling> couplings;
-    for (ConeColumns<Rows, Forces>& column : columns_)
+    for (ConeColumns<Rows, Forces>& column : pointColumns)
     {
         column.onFirst.template bottomRows<Rows - Forces>() /= lever;
         column.onSecond.template bottomRows<Rows - Forces>() /= lever;
@@ -40,28 +40,28 @@ CollapseSystem<Rows, Forces>::CollapseSystem(const ConeProgram<Rows, Forces>& pr
             couplings.push_back({column.first, column.second});
         }
     }
-    const std::vector<int> order = eliminationOrder(bodies_, couplings);
-    position_.resize(order.size());
-    for (int place = 0; place < bodies_; ++place)
+    const std::vector<int> order = eliminationOrder(bodyCount, couplings);
+    positions.resize(order.size());
+    for (int place = 0; place < bodyCount; ++place)
     {
-        position_[order[place]] = place;
+        positions[order[place]] = place;
     }
     for (Coupling& pair : couplings)
     {
-        pair = {position_[pair[0]], position_[pair[1]]};
+        pair = {positions[pair[0]], positions[pair[1]]};
     }
-    pattern_ = makeBlockPattern(bodies_, couplings);
-    for (const ConeColumns<Rows, Forces>& column : columns_)
+    patternOfK = makeBlockPattern(bodyCount, couplings);
+    for (const ConeColumns<Rows, Forces>& column : pointColumns)
     {
-        slot_.push_back(column.first >= 0 && column.second >= 0
-                            ? pattern_.slot(position_[column.first], position_[column.second])
+        slots.push_back(column.first >= 0 && column.second >= 0
+                            ? patternOfK.slot(positions[column.first], positions[column.second])
                             : -1);
     }
-    derivative_.assign(columns_.size(), Derivative::Zero());
-    lower_.resize(pattern_.row.size());
-    upperTransposed_.resize(pattern_.row.size());
-    factor_.emplace(pattern_);
-    changes_ = changesToSum * static_cast<int>(columns_.size()) + 1;
+    derivatives.assign(pointColumns.size(), Derivative::Zero());
+    lowerOfK.resize(patternOfK.row.size());
+    upperOfK.resize(patternOfK.row.size());
+    factorOfK.emplace(patternOfK);
+    changeCount = changesToSum * static_cast<int>(pointColumns.size()) + 1;
 }
 
 template<int Rows, int Forces>
@@ -79,7 +79,7 @@ VectorXd CollapseSystem<Rows, Forces>::columnsTimes(const VectorXd& forces) cons
 {
     VectorXd rows = VectorXd::Zero(load.size());
     Eigen::Index row = 0;
-    for (const ConeColumns<Rows, Forces>& column : columns_)
+    for (const ConeColumns<Rows, Forces>& column : pointColumns)
     {
         const Eigen::Matrix<double, Forces, 1> point = forces.template segment<Forces>(row);
         if (column.first >= 0)
@@ -98,9 +98,9 @@ VectorXd CollapseSystem<Rows, Forces>::columnsTimes(const VectorXd& forces) cons
 template<int Rows, int Forces>
 VectorXd CollapseSystem<Rows, Forces>::columnsTransposedTimes(const VectorXd& displacement) const
 {
-    VectorXd closing(Forces * static_cast<Eigen::Index>(columns_.size()));
+    VectorXd closing(Forces * static_cast<Eigen::Index>(pointColumns.size()));
     Eigen::Index row = 0;
-    for (const ConeColumns<Rows, Forces>& column : columns_)
+    for (const ConeColumns<Rows, Forces>& column : pointColumns)
     {
         Eigen::Matrix<double, Forces, 1> point = Eigen::Matrix<double, Forces, 1>::Zero();
         for (int component = 0; component < Forces; ++component)
@@ -134,7 +134,7 @@ template<int Rows, int Forces>
 VectorXd CollapseSystem<Rows, Forces>::forcesOf(VectorXd closing) const
 {
     Eigen::Index row = 0;
-    for (const Derivative& derivative : derivative_)
+    for (const Derivative& derivative : derivatives)
     {
         closing.template segment<Forces>(row) = (derivative * closing.template segment<Forces>(row)).eval();
         row += Forces;
@@ -146,31 +146,31 @@ VectorXd CollapseSystem<Rows, Forces>::forcesOf(VectorXd closing) const
 template<int Rows, int Forces>
 void CollapseSystem<Rows, Forces>::add(int point, const Derivative& derivative)
 {
-    const ConeColumns<Rows, Forces>& column = columns_[static_cast<std::size_t>(point)];
+    const ConeColumns<Rows, Forces>& column = pointColumns[static_cast<std::size_t>(point)];
     const auto diagonal = [&](int body)
-    { return static_cast<std::size_t>(pattern_.columnStart[position_[body]]); };
+    { return static_cast<std::size_t>(patternOfK.columnStart[positions[body]]); };
     const Eigen::Matrix<double, Rows, Forces> first = column.onFirst.lazyProduct(derivative);
     const Eigen::Matrix<double, Rows, Forces> second = column.onSecond.lazyProduct(derivative);
     if (column.first >= 0)
     {
-        lower_[diagonal(column.first)].noalias() += first.lazyProduct(column.onFirst.transpose());
+        lowerOfK[diagonal(column.first)].noalias() += first.lazyProduct(column.onFirst.transpose());
     }
     if (column.second >= 0)
     {
-        lower_[diagonal(column.second)].noalias() += second.lazyProduct(column.onSecond.transpose());
+        lowerOfK[diagonal(column.second)].noalias() += second.lazyProduct(column.onSecond.transpose());
     }
-    if (slot_[static_cast<std::size_t>(point)] >= 0)
+    if (slots[static_cast<std::size_t>(point)] >= 0)
     {
-        const auto slot = static_cast<std::size_t>(slot_[static_cast<std::size_t>(point)]);
-        if (position_[column.first] > position_[column.second])
+        const auto slot = static_cast<std::size_t>(slots[static_cast<std::size_t>(point)]);
+        if (positions[column.first] > positions[column.second])
         {
-            lower_[slot].noalias() += first.lazyProduct(column.onSecond.transpose());
-            upperTransposed_[slot].noalias() += column.onFirst.lazyProduct(second.transpose());
+            lowerOfK[slot].noalias() += first.lazyProduct(column.onSecond.transpose());
+            upperOfK[slot].noalias() += column.onFirst.lazyProduct(second.transpose());
         }
         else
         {
-            lower_[slot].noalias() += second.lazyProduct(column.onFirst.transpose());
-            upperTransposed_[slot].noalias() += column.onSecond.lazyProduct(first.transpose());
+            lowerOfK[slot].noalias() += second.lazyProduct(column.onFirst.transpose());
+            upperOfK[slot].noalias() += column.onSecond.lazyProduct(first.transpose());
         }
     }
 }
@@ -178,16 +178,16 @@ void CollapseSystem<Rows, Forces>::add(int point, const Derivative& derivative)
 template<int Rows, int Forces>
 void CollapseSystem<Rows, Forces>::change(int point, const Derivative& derivative)
 {
-    Derivative& old = derivative_[static_cast<std::size_t>(point)];
-    if (++changes_ <= changesToSum * static_cast<int>(columns_.size()))
+    Derivative& old = derivatives[static_cast<std::size_t>(point)];
+    if (++changeCount <= changesToSum * static_cast<int>(pointColumns.size()))
     {
         add(point, derivative - old);
-        const ConeColumns<Rows, Forces>& column = columns_[static_cast<std::size_t>(point)];
+        const ConeColumns<Rows, Forces>& column = pointColumns[static_cast<std::size_t>(point)];
         for (const int body : {column.first, column.second})
         {
             if (body >= 0)
             {
-                changed_.push_back(position_[body]);
+                changedColumns.push_back(positions[body]);
             }
         }
     }
@@ -198,44 +198,46 @@ template<int Rows, int Forces>
 bool CollapseSystem<Rows, Forces>::factorise()
 {
     ++factorisations;
-    const bool isSummedUp = changes_ <= changesToSum * static_cast<int>(columns_.size());
+    const bool isSummedUp = changeCount <= changesToSum * static_cast<int>(pointColumns.size());
     if (!isSummedUp)
     {
-        std::fill(lower_.begin(), lower_.end(), Body::Zero());
-        std::fill(upperTransposed_.begin(), upperTransposed_.end(), Body::Zero());
-        for (int body = 0; body < bodies_; ++body)
+        std::fill(lowerOfK.begin(), lowerOfK.end(), Body::Zero());
+        std::fill(upperOfK.begin(), upperOfK.end(), Body::Zero());
+        for (int body = 0; body < bodyCount; ++body)
         {
-            lower_[static_cast<std::size_t>(pattern_.columnStart[body])] = regularisation * Body::Identity();
+            lowerOfK[static_cast<std::size_t>(patternOfK.columnStart[body])] =
+                regularisation * Body::Identity();
         }
-        for (std::size_t point = 0; point < derivative_.size(); ++point)
+        for (std::size_t point = 0; point < derivatives.size(); ++point)
         {
-            if (!derivative_[point].isZero(0))
+            if (!derivatives[point].isZero(0))
             {
-                add(static_cast<int>(point), derivative_[point]);
+                add(static_cast<int>(point), derivatives[point]);
             }
         }
-        changes_ = 0;
+        changeCount = 0;
     }
-    isFactorised_ = isSummedUp && isFactorised_ ? factor_->refactorise(lower_, upperTransposed_, changed_)
-                                                : factor_->factorise(lower_, upperTransposed_);
-    changed_.clear();
-    return isFactorised_;
+    isUpToDate = isSummedUp && isUpToDate ? factorOfK->refactorise(lowerOfK, upperOfK, changedColumns)
+                                          : factorOfK->factorise(lowerOfK, upperOfK);
+    changedColumns.clear();
+    return isUpToDate;
 }
 
 template<int Rows, int Forces>
 VectorXd CollapseSystem<Rows, Forces>::solve(const VectorXd& rows)
 {
     ++solves;
-    ordered_.resize(rows.size());
-    for (int body = 0; body < bodies_; ++body)
+    orderedRows.resize(rows.size());
+    for (int body = 0; body < bodyCount; ++body)
     {
-        ordered_.template segment<Rows>(Rows * position_[body]) = rows.template segment<Rows>(Rows * body);
+        orderedRows.template segment<Rows>(Rows * positions[body]) = rows.template segment<Rows>(Rows * body);
     }
-    factor_->solve(ordered_);
+    factorOfK->solve(orderedRows);
     VectorXd result(rows.size());
-    for (int body = 0; body < bodies_; ++body)
+    for (int body = 0; body < bodyCount; ++body)
     {
-        result.template segment<Rows>(Rows * body) = ordered_.template segment<Rows>(Rows * position_[body]);
+        result.template segment<Rows>(Rows * body) =
+            orderedRows.template segment<Rows>(Rows * positions[body]);
     }
     return result;
 }

@@ -49,18 +49,18 @@ public:
 private:
     void add(int point, const Derivative& derivative);
 
-    int bodies_;
-    std::vector<ConeColumns<Rows, Forces>> columns_;
-    std::vector<Derivative> derivative_; ///< of each point, as in the matrix
-    std::vector<int> position_;          ///< of each body in elimination order
-    std::vector<int> slot_;              ///< of each point's pair in the pattern, or -1 on the ground
-    BlockPattern pattern_;
-    std::vector<Body> lower_, upperTransposed_;
-    std::optional<BlockLu<Rows>> factor_;
-    std::vector<int> changed_; ///< columns since the last factorisation
-    bool isFactorised_ = false;
-    int changes_ = 0;         ///< of points since the matrix was summed up
-    Eigen::VectorXd ordered_; ///< work: rows in elimination order
+    int bodyCount;
+    std::vector<ConeColumns<Rows, Forces>> pointColumns;
+    std::vector<Derivative> derivatives; ///< of each point, as in the matrix
+    std::vector<int> positions;          ///< of each body in elimination order
+    std::vector<int> slots;              ///< of each point's pair in the pattern, or -1 on the ground
+    BlockPattern patternOfK;
+    std::vector<Body> lowerOfK, upperOfK;
+    std::optional<BlockLu<Rows>> factorOfK;
+    std::vector<int> changedColumns; ///< columns since the last factorisation
+    bool isUpToDate = false;
+    int changeCount = 0;         ///< of points since the matrix was summed up
+    Eigen::VectorXd orderedRows; ///< work: rows in elimination order
 };
 
 extern template class CollapseSystem<3, 2>;
