@@ -172,7 +172,7 @@ public:
     virtual std::vector<EffectField> blockFields(const EffectState&) const { return {}; }
 
     /// A line of the log before the first step, and one after a step; empty: none.
-    virtual std::string startText(const EffectState&) const { return {}; }
+    virtual std::string startText(const Structure<Dim>&, const EffectState&) const { return {}; }
     virtual std::string stepText(const EffectState& /*before*/, const EffectState& /*after*/) const
     {
         return {};

@@ -41,7 +41,7 @@ double peakAcceleration(const GroundMotion& motion)
     return peak;
 }
 
-std::string summary(const GroundMotion& motion)
+std::string summary(const GroundMotion& motion, double gravity)
 {
     if (motion.components.empty())
     {
@@ -54,8 +54,8 @@ std::string summary(const GroundMotion& motion)
         const GroundAcceleration& history = *component.acceleration;
         text += fmt::format("Ground motion along ({:.6g} {:.6g} {:.6g})\n", d.x(), d.y(), d.z());
         text += component.summary;
-        text += fmt::format("    PGA         {:.6g} m/s2 = {:.6g} g\n", history.peak(),
-                            history.peak() / standardGravity);
+        text += fmt::format("    PGA         {:.6g} m/s2", history.peak());
+        text += gravity > 0 ? fmt::format(" = {:.6g} g\n", history.peak() / gravity) : "\n";
         const std::vector<double> kinks = history.kinks();
         if (kinks.empty())
         {
@@ -152,9 +152,9 @@ void MovingGround<Dim>::addLoad(const EffectContext<Dim>& context, const EffectS
 }
 
 template<int Dim>
-std::string MovingGround<Dim>::startText(const EffectState&) const
+std::string MovingGround<Dim>::startText(const Structure<Dim>& structure, const EffectState&) const
 {
-    return summary(motion);
+    return summary(motion, structure.gravity.norm());
 }
 
 template<int Dim>

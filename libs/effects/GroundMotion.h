@@ -50,8 +50,8 @@ double peakAcceleration(const GroundMotion& motion);
 
 /// What the log says of the motion: for each component direction, type, peak acceleration [m/s2 and g],
 /// duration and, for a record, its file, title, unit and scale. Ends with a line end. `Ground motion: none`
-/// for a ground at rest.
-std::string summary(const GroundMotion& motion);
+/// for a ground at rest. \param gravity of constant/g, the g of peaks [m/s2]; 0: peaks are in m/s2 only
+std::string summary(const GroundMotion& motion, double gravity);
 
 /// One direction of motion.
 struct GroundComponentSettings
@@ -83,7 +83,7 @@ public:
     const GroundMotion* groundMotion() const override { return &motion; }
     void addLoad(const EffectContext<Dim>& context, const EffectState& state,
                  Eigen::VectorXd& load) const override;
-    std::string startText(const EffectState& state) const override;
+    std::string startText(const Structure<Dim>& structure, const EffectState& state) const override;
 
 private:
     GroundMotion motion;

@@ -104,7 +104,7 @@ public:
     void save(const EffectState& state, EffectArrays& arrays) const override;
     /// A run that continues with bonds which it began without has those whose ends are still together.
     void restore(const EffectArrays& arrays, EffectState& state) const override;
-    std::string startText(const EffectState& state) const override;
+    std::string startText(const Structure<Dim>& structure, const EffectState& state) const override;
     std::string stepText(const EffectState& before, const EffectState& after) const override;
 
 private:

@@ -78,7 +78,7 @@ void MassDamping<Dim>::account(const EffectContext<Dim>& context, const EffectSo
 }
 
 template<int Dim>
-std::string MassDamping<Dim>::startText(const EffectState&) const
+std::string MassDamping<Dim>::startText(const Structure<Dim>&, const EffectState&) const
 {
     return fmt::format("Damping: massProportional {:.6g} 1/s{}", settings.massProportional,
                        settings.equivalentToHousner ? ", equivalent to Housner's loss" : "");

@@ -44,7 +44,7 @@ public:
                     StepProgram<Dim>& program) const override;
     void account(const EffectContext<Dim>& context, const EffectSolution& solution,
                  StepEnergy& energy) const override;
-    std::string startText(const EffectState& state) const override;
+    std::string startText(const Structure<Dim>& structure, const EffectState& state) const override;
 
 private:
     Damping settings;

@@ -56,19 +56,18 @@ std::vector<Doubt> doubtsAboutRecord(const GroundMotion::Component& component, c
     {
         doubts.push_back(
             {fmt::format("scale {:g} converts a record that is converted already: a value of 1 in "
-                         "the file is {:g} m/s2, so that the peak is {:.4g} m/s2 = {:.4g} g "
-                         "(without the scale {:.4g} g). Usual is `scale 1;`.",
-                         scale, component.valueUnit, peak, peak / standardGravity,
-                         peak / std::abs(scale) / standardGravity),
+                         "the file is {:g} m/s2, so that the peak is {:.4g} m/s2 "
+                         "(without the scale {:.4g} m/s2). Usual is `scale 1;`.",
+                         scale, component.valueUnit, peak, peak / std::abs(scale)),
              acceleration.locationOf("scale")});
     }
     else if (peak > 0 && (peak < weakestRecord || peak > strongestRecord))
     {
         doubts.push_back(
-            {fmt::format("The record has a peak of {:.4g} m/s2 = {:.4g} g, which is unusual: usual "
+            {fmt::format("The record has a peak of {:.4g} m/s2, which is unusual: usual "
                          "is from {:g} to {:g} m/s2. Check unit and scale; the record is used as "
                          "it stands.",
-                         peak, peak / standardGravity, weakestRecord, strongestRecord),
+                         peak, weakestRecord, strongestRecord),
              acceleration.locationOf("file")});
     }
     const std::vector<double> kinks = history.kinks();

@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <utility>
 
 namespace drystone
 {
@@ -97,6 +98,31 @@ AccuracyPoint summarise(const RunSetting& setting, const std::vector<Measurement
     point.hover = median(hovers);
     point.cpuTime = median(times);
     return point;
+}
+
+void shareMostPhases(std::vector<SweepResult>& sweeps)
+{
+    std::map<std::pair<std::size_t, RunSetting>, AccuracyPoint> most;
+    for (const SweepResult& sweep : sweeps)
+    {
+        for (const AccuracyPoint& point : sweep.points)
+        {
+            const auto [known, isNew] = most.emplace(std::pair{sweep.quantity, point.setting}, point);
+            if (!isNew && point.planned > known->second.planned)
+            {
+                known->second = point;
+            }
+        }
+    }
+    for (SweepResult& sweep : sweeps)
+    {
+        for (AccuracyPoint& point : sweep.points)
+        {
+            std::vector<double> runTimes = std::move(point.runTimes);
+            point = most.at({sweep.quantity, point.setting});
+            point.runTimes = std::move(runTimes);
+        }
+    }
 }
 
 std::vector<std::vector<AccuracyPoint>> curvesOf(const SweepResult& sweep)

@@ -42,6 +42,11 @@ struct SweepResult
     std::vector<AccuracyPoint> points;
 };
 
+/// A setting that several sweeps of a quantity have is the same point in all of them: that with the most
+/// phases, for medians over few phases differ from those over many. CPU times of single runs (runTimes) stay
+/// those of each sweep, whose solvers are compared run by run.
+void shareMostPhases(std::vector<SweepResult>& sweeps);
+
 /// Points that differ only along the axis, from coarse to fine; curves in the order of the sweep.
 std::vector<std::vector<AccuracyPoint>> curvesOf(const SweepResult& sweep);
 

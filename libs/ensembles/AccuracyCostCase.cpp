@@ -555,7 +555,6 @@ AccuracyStudy readAccuracyStudy(const fs::path& caseDirectory)
             requirePossible(ofCase, quantity->kind, setting, own);
         }
     }
-    requireWritable(accuracyFolder(caseDirectory));
     study.heading = historyHeading(caseDirectory, dictionary);
     return study;
 }
@@ -693,6 +692,7 @@ AccuracyResults carryOut(const AccuracyStudy& study, AccuracyRuns& runs)
         results.sweeps.push_back(std::move(result));
         printLine();
     }
+    shareMostPhases(results.sweeps);
     return results;
 }
 

@@ -3,6 +3,7 @@
 #include "ensembles/AccuracyPage.h"
 
 #include "io/Plot.h"
+#include "io/PlotKey.h"
 
 #include <fmt/format.h>
 
@@ -44,7 +45,8 @@ std::string wordOf(Enumeration value)
 /// The keys of a setting that are shown. The others are the same for all points, or have no meaning.
 using ShownKeys = RunSettingsOf<FlagOf>;
 
-std::string textOf(const RunSetting& setting, const ShownKeys& shown)
+/// The words of a setting, one for each key that is shown.
+std::vector<std::string> wordsOf(const RunSetting& setting, const ShownKeys& shown)
 {
     std::vector<std::string> parts;
     if (shown.deltaT)
@@ -83,7 +85,12 @@ std::string textOf(const RunSetting& setting, const ShownKeys& shown)
     {
         parts.push_back(setting.formulation == ContactFormulation::points ? "by points" : "by surfaces");
     }
-    return fmt::format("{}", fmt::join(parts, ", "));
+    return parts;
+}
+
+std::string textOf(const RunSetting& setting, const ShownKeys& shown)
+{
+    return fmt::format("{}", fmt::join(wordsOf(setting, shown), ", "));
 }
 
 ShownKeys keysOf(const RunSetting& setting, QuantityKind kind)
@@ -223,8 +230,7 @@ Plot errorPlot(const AccuracyStudy& study, const AccuracyResults& results, const
     plot.x = {overTolerance ? "tolerance of the solver" : "CPU time [s]", AxisScale::logarithmic, {}, {}};
     plot.y = {"relative error", AxisScale::logarithmic, {}, {}};
     const ShownKeys shown = differingKeys(settingsAt(sweep.points), sweep.axis);
-    plot.width = isCrowded ? 1100 : plot.width;
-    plot.height = std::max(plot.height, 110 + 20.0 * static_cast<double>(curves.size())); // of the legend
+    plot.width = isCrowded ? 1000 : plot.width;
     std::vector<PlotCurve> worst;
     for (std::size_t index = 0; index < curves.size(); ++index)
     {
@@ -254,6 +260,21 @@ Plot errorPlot(const AccuracyStudy& study, const AccuracyResults& results, const
         plot.curves.push_back(std::move(medians));
         worst.push_back(std::move(worsts));
     }
+    if (isCrowded)
+    {
+        std::vector<std::vector<std::string>> words;
+        for (const auto& curve : curves)
+        {
+            words.push_back(wordsOf(curve.front().setting, shown));
+        }
+        if (lookBySettings(plot.curves, words))
+        {
+            plot.height = 560;
+        }
+    }
+    const auto named = std::count_if(plot.curves.begin(), plot.curves.end(),
+                                     [](const PlotCurve& curve) { return !curve.name.empty(); });
+    plot.height = std::max(plot.height, 110 + 20.0 * static_cast<double>(named)); // of the legend
     if (uncertainty > 0.3 * leastError)
     {
         plot.references.push_back(
@@ -314,12 +335,19 @@ std::string sweepSection(const AccuracyStudy& study, const AccuracyResults& resu
     common = withoutAxis(common, sweep.axis);
     const std::string always = textOf(sweep.points.front().setting, common);
     const Sweep& plan = planOf(study, sweep);
+    const bool sharesPhases =
+        isMotion
+        && std::any_of(sweep.points.begin(), sweep.points.end(),
+                       [&](const AccuracyPoint& point) { return point.planned > plan.phases; });
     std::string text = fmt::format("## Sweep `{}`: {}\n\n", sweep.name, quantity.quantity.summary);
     text += always.empty() ? "" : fmt::format("All of them: {}. ", always);
     text += isMotion
                 ? fmt::format("Each row: {} runs, whose first steps differ so that impacts occur at as many "
-                              "phases of a step; CPU times are medians over them.\n\n",
-                              plan.phases)
+                              "phases of a step; CPU times are medians over them.{}\n\n",
+                              plan.phases,
+                              sharesPhases ? " Settings that another sweep has with more runs are shown with "
+                                             "those, as the row says."
+                                           : "")
                 : fmt::format("CPU times are medians of {} repeats.\n\n", plan.repeats);
     text += fmt::format("![error]({}.svg)\n\n", sweep.name);
     text += fmt::format(
@@ -333,8 +361,10 @@ std::string sweepSection(const AccuracyStudy& study, const AccuracyResults& resu
         for (const AccuracyPoint& point : curve)
         {
             const std::string failed = point.isWhole() ? "" : " (" + failedText(point) + ")";
-            text += fmt::format("| {} | {:g} | {}{}{} | {:.3g} | {:.4g} | {:.3g} |{}\n",
-                                name.empty() ? "all" : name, alongAxis(point.setting, sweep.axis),
+            const std::string phases =
+                isMotion && point.planned > plan.phases ? fmt::format(" ({} runs)", point.planned) : "";
+            text += fmt::format("| {}{} | {:g} | {}{}{} | {:.3g} | {:.4g} | {:.3g} |{}\n",
+                                name.empty() ? "all" : name, phases, alongAxis(point.setting, sweep.axis),
                                 errorText(point.medianError), failed,
                                 isMotion ? " | " + errorText(point.worstError) : "", point.cpuTime,
                                 point.steps, point.steps > 0 ? point.cpuTime / point.steps / unit : 0,

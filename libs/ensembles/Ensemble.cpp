@@ -185,7 +185,6 @@ Ensemble readEnsemble(const fs::path& caseDirectory, const std::vector<std::stri
     {
         statistic.check(names, ensemble.settings.design.sensitivity);
     }
-    requireWritable(ensembleFolder(caseDirectory));
     ensemble.plan = planOf(ensemble);
     return ensemble;
 }

@@ -28,21 +28,47 @@ struct Job
     double intensity = 0;
 };
 
+/// The run of a job, among known ones; null: it is to be carried out.
+const IncrementalRun* findRun(const IncrementalCurve& known, const Job& job)
+{
+    const auto found =
+        std::find_if(known.begin(), known.end(),
+                     [&](const IncrementalRun& run) { return run.intensity == job.intensity; });
+    return found == known.end() ? nullptr : &*found;
+}
+
 /// Carries out the runs, several at a time, and reports each as soon as all before it are complete.
 template<int Dim>
 std::vector<IncrementalRun> runAll(const IncrementalDynamics<Dim>& study, const std::vector<Job>& jobs,
-                                   const RunReport& report)
+                                   const RunReport& report, const std::vector<IncrementalCurve>& known)
 {
     std::vector<IncrementalRun> runs(jobs.size());
-    carryOutAll(
-        jobs.size(), study.jobs,
-        [&](std::size_t job)
-        { runs[job] = runAt(study, study.motions[jobs[job].motion], jobs[job].intensity); },
-        [&](std::size_t job)
+    std::vector<std::size_t> unknown;
+    for (std::size_t job = 0; job < jobs.size(); ++job)
+    {
+        const IncrementalRun* run = known.empty() ? nullptr : findRun(known[jobs[job].motion], jobs[job]);
+        if (run)
         {
-            if (report && runs[job].verdict != Verdict::interrupted)
+            runs[job] = *run;
+        }
+        else
+        {
+            unknown.push_back(job);
+        }
+    }
+    carryOutAll(
+        unknown.size(), study.jobs,
+        [&](std::size_t i)
+        {
+            const Job& job = jobs[unknown[i]];
+            runs[unknown[i]] = runAt(study, study.motions[job.motion], job.intensity);
+        },
+        [&](std::size_t i)
+        {
+            const IncrementalRun& run = runs[unknown[i]];
+            if (report && run.verdict != Verdict::interrupted)
             {
-                report(jobs[job].motion, runs[job]);
+                report(jobs[unknown[i]].motion, run);
             }
         });
     return runs;
@@ -161,7 +187,8 @@ IncrementalRun runAt(const IncrementalDynamics<Dim>& study, const StudyMotion& g
 }
 
 template<int Dim>
-std::vector<IncrementalCurve> carryOut(const IncrementalDynamics<Dim>& study, const RunReport& report)
+std::vector<IncrementalCurve> carryOut(const IncrementalDynamics<Dim>& study, const RunReport& report,
+                                       const std::vector<IncrementalCurve>& known)
 {
     std::vector<IncrementalCurve> curves(study.motions.size());
     for (;;)
@@ -178,7 +205,7 @@ std::vector<IncrementalCurve> carryOut(const IncrementalDynamics<Dim>& study, co
         {
             break;
         }
-        const std::vector<IncrementalRun> runs = runAll(study, jobs, report);
+        const std::vector<IncrementalRun> runs = runAll(study, jobs, report, known);
         for (std::size_t job = 0; job < jobs.size(); ++job)
         {
             curves[jobs[job].motion].push_back(runs[job]);
@@ -218,9 +245,11 @@ int exitStatus(const std::vector<IncrementalCurve>& curves)
 
 template IncrementalRun runAt(const IncrementalDynamics<2>& study, const StudyMotion& ground,
                               double intensity);
-template std::vector<IncrementalCurve> carryOut(const IncrementalDynamics<2>& study, const RunReport& report);
+template std::vector<IncrementalCurve> carryOut(const IncrementalDynamics<2>& study, const RunReport& report,
+                                                const std::vector<IncrementalCurve>& known);
 template IncrementalRun runAt(const IncrementalDynamics<3>& study, const StudyMotion& ground,
                               double intensity);
-template std::vector<IncrementalCurve> carryOut(const IncrementalDynamics<3>& study, const RunReport& report);
+template std::vector<IncrementalCurve> carryOut(const IncrementalDynamics<3>& study, const RunReport& report,
+                                                const std::vector<IncrementalCurve>& known);
 
 } // namespace drystone

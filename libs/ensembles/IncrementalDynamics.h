@@ -97,10 +97,12 @@ using IncrementalCurve = std::vector<IncrementalRun>;
 using RunReport = std::function<void(std::size_t motion, const IncrementalRun& run)>;
 
 /// All runs, `jobs` at a time. The result does not depend on `jobs`. After a signal no further run is
-/// started.
+/// started. \param report of the runs that are carried out \param known of each motion, runs that are not
+/// repeated; those that the plan does not ask for are left out; empty: none
 /// \return one curve for each ground motion
 template<int Dim>
-std::vector<IncrementalCurve> carryOut(const IncrementalDynamics<Dim>& study, const RunReport& report = {});
+std::vector<IncrementalCurve> carryOut(const IncrementalDynamics<Dim>& study, const RunReport& report = {},
+                                       const std::vector<IncrementalCurve>& known = {});
 
 /// The conclusion from the verdicts. \param curve not empty
 LeastIntensity leastIntensity(const IncrementalCurve& curve);

@@ -169,7 +169,6 @@ IncrementalDynamics<Dim> readIncrementalDynamics(const std::filesystem::path& ca
         throw FatalIOError("Without gravity there is no acceleration g: give intensities with `unit m/s2;`.",
                            dictionary.subDict("intensity").locationOf("unit"));
     }
-    requireWritable(incrementalDynamicsFolder(caseDirectory, time));
     return study;
 }
 
@@ -185,7 +184,7 @@ void printStudy(const IncrementalDynamics<Dim>& study)
         {
             printLine(motion.name + ":");
         }
-        info("{}", summary(motion.ground));
+        info("{}", summary(motion.ground, study.gravity));
     }
     info("Blocks: {} free, contact points: {}", study.scene.mass.size() / freedomCount<Dim>,
          study.start.points.size());
@@ -200,13 +199,22 @@ void printStudy(const IncrementalDynamics<Dim>& study)
 }
 
 template<int Dim>
-void printRun(const IncrementalDynamics<Dim>& study, std::size_t motion, const IncrementalRun& run)
+void printRun(const IncrementalDynamics<Dim>& study, std::size_t motion, const IncrementalRun& run,
+              const std::string& timeLeft)
 {
-    info("{}intensity = {:.9g} {}  {} = {:.4g} {}  {}{}  ({} steps, residual {:.2g}, {:.2f} s)",
+    info("{}intensity = {:.9g} {}  {} = {:.4g} {}  {}{}  ({} steps, residual {:.2g}, {:.2f} s; {})",
          study.motions.size() > 1 ? study.motions[motion].name + ": " : "", run.intensity,
          nameOf(study.intensity.unit), study.criterion.figure.name, run.largest, study.criterion.figure.unit,
          textOf(run.verdict), run.verdict == Verdict::stands ? "" : fmt::format(" at {:g} s", run.endTime),
-         run.steps, run.worstResidual, run.cpuTime);
+         run.steps, run.worstResidual, run.cpuTime, timeLeft);
+}
+
+StudyClock::StudyClock(long runs, long known) : toDo(runs - known), start(clockTime()) {}
+
+std::string StudyClock::timeLeft() const
+{
+    const double each = done > 0 ? (clockTime() - start) / static_cast<double>(done) : 0;
+    return "at most " + durationText(each * static_cast<double>(std::max(toDo - done, 0L))) + " left";
 }
 
 template<int Dim>
@@ -319,7 +327,8 @@ void writeIncrementalDynamics(const std::filesystem::path& folder, const Increme
 template IncrementalDynamics<2> readIncrementalDynamics(const std::filesystem::path& caseDirectory,
                                                         Time& time);
 template void printStudy(const IncrementalDynamics<2>& study);
-template void printRun(const IncrementalDynamics<2>& study, std::size_t motion, const IncrementalRun& run);
+template void printRun(const IncrementalDynamics<2>& study, std::size_t motion, const IncrementalRun& run,
+                       const std::string& timeLeft);
 template void printLeast(const IncrementalDynamics<2>& study, const std::vector<IncrementalCurve>& curves);
 template LeastIntensityTable leastIntensityTable(const IncrementalDynamics<2>& study,
                                                  const std::vector<IncrementalCurve>& curves);
@@ -330,7 +339,8 @@ template void writeIncrementalDynamics(const std::filesystem::path& folder,
 template IncrementalDynamics<3> readIncrementalDynamics(const std::filesystem::path& caseDirectory,
                                                         Time& time);
 template void printStudy(const IncrementalDynamics<3>& study);
-template void printRun(const IncrementalDynamics<3>& study, std::size_t motion, const IncrementalRun& run);
+template void printRun(const IncrementalDynamics<3>& study, std::size_t motion, const IncrementalRun& run,
+                       const std::string& timeLeft);
 template void printLeast(const IncrementalDynamics<3>& study, const std::vector<IncrementalCurve>& curves);
 template LeastIntensityTable leastIntensityTable(const IncrementalDynamics<3>& study,
                                                  const std::vector<IncrementalCurve>& curves);

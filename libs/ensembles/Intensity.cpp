@@ -57,7 +57,8 @@ void declare(Options& options, StepSettings& settings)
 
 IntensityPlan planSteps(const StepSettings& settings)
 {
-    return {settings.unit, [settings](const std::vector<Trial>& trials)
+    return {settings.unit,
+            [settings](const std::vector<Trial>& trials)
             {
                 std::vector<double> intensities;
                 if (trials.empty())
@@ -70,7 +71,8 @@ IntensityPlan planSteps(const StepSettings& settings)
                     }
                 }
                 return intensities;
-            }};
+            },
+            1 + static_cast<long>(std::floor((settings.to - settings.from) / settings.step + 1e-6))};
 }
 
 struct BisectionSettings
@@ -138,7 +140,11 @@ IntensityPlan planBisection(const BisectionSettings& settings)
                     return {};
                 }
                 return {at(below + (above - below) / 2)};
-            }};
+            },
+            // Both ends, then halves until one step is left.
+            2
+                + static_cast<long>(std::ceil(std::log2(
+                    static_cast<double>(stepsBetween(settings.low, settings.high, settings.tolerance)))))};
 }
 
 struct ListSettings
@@ -165,8 +171,10 @@ void declare(Options& options, ListSettings& settings)
 
 IntensityPlan planList(const ListSettings& settings)
 {
-    return {settings.unit, [settings](const std::vector<Trial>& trials)
-            { return trials.empty() ? settings.values : std::vector<double>{}; }};
+    return {settings.unit,
+            [settings](const std::vector<Trial>& trials)
+            { return trials.empty() ? settings.values : std::vector<double>{}; },
+            static_cast<long>(settings.values.size())};
 }
 
 } // namespace

@@ -58,6 +58,8 @@ struct IntensityPlan
     /// \param trials all so far, in any order
     /// \return intensities of runs that may be concurrent; empty at the end
     std::function<std::vector<double>(const std::vector<Trial>& trials)> next;
+
+    long mostRuns = 0; ///< that this takes, for one motion of the ground
 };
 
 /// All types: step, bisection, list.

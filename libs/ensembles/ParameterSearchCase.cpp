@@ -6,8 +6,8 @@
 #include "core/Signals.h"
 #include "core/WholeFile.h"
 #include "ensembles/CaseRuns.h"
+#include "ensembles/SearchPicture.h"
 #include "functionObjects/ColumnFile.h"
-#include "io/Plot.h"
 #include "runControl/Case.h"
 
 #include <algorithm>
@@ -258,14 +258,18 @@ ParameterSearch readParameterSearch(const fs::path& caseDirectory, const Command
         search.start.push_back(
             variable.start.value_or(std::clamp(value, variable.bounds[0], variable.bounds[1])));
     }
-    requireWritable(resultsFolder(caseDirectory));
-    requireWritable(caseDirectory / "parameterSearch");
     search.caseFingerprint = fingerprint(caseDirectory, "system/parameterSearchDict");
     if (commandLine.noFunctionObjects)
     {
         search.options.emplace_back("-noFunctionObjects");
     }
     return search;
+}
+
+void requireWritableResults(const ParameterSearch& search)
+{
+    requireWritable(resultsFolder(search.caseDirectory));
+    requireWritable(search.caseDirectory / applicationName);
 }
 
 SearchHistory::SearchHistory(const ParameterSearch& parameterSearch)
@@ -347,6 +351,13 @@ SearchOutcome carryOut(const ParameterSearch& search, SearchHistory& history)
     std::optional<double> bestObjective;
     double bestViolation = std::numeric_limits<double>::infinity();
     int number = 0;
+    int computed = 0;
+    int mostEvaluations = 0;
+    for (const SearchStage& stage : settings.search)
+    {
+        mostEvaluations += stage.maximumEvaluations;
+    }
+    const double start = clockTime();
     const Evaluator evaluator = [&](const std::vector<double>& variables) -> std::optional<Evaluation>
     {
         if (stopSignal() != 0)
@@ -396,8 +407,11 @@ SearchOutcome carryOut(const ParameterSearch& search, SearchHistory& history)
         const Evaluation found =
             evaluate(settings, variables, completed(search, variables, run.results, reason));
         history.add({variables, run.results, run.failureStatus, cpuTime});
-        if (report(found,
-                   fmt::format("{}  ({:.2f} s)", run.failure.empty() ? "" : "  " + run.failure, cpuTime)))
+        ++computed;
+        if (report(found, fmt::format("{}  ({:.2f} s; at most {} left)",
+                                      run.failure.empty() ? "" : "  " + run.failure, cpuTime,
+                                      durationText((clockTime() - start) / computed
+                                                   * std::max(0, mostEvaluations - number)))))
         {
             keepAsBest(search);
         }
@@ -489,33 +503,13 @@ void writeOutcome(const ParameterSearch& search, const SearchHistory& history, c
     add("evaluations", static_cast<double>(history.records().size()));
     ColumnFile(folder / "best.dat", columns, 12).write(row);
 
-    Plot plot;
-    plot.title = fmt::format("{} {}", settings.objective.goal == SearchGoal::minimise ? "Least" : "Largest",
-                             settings.objective.value);
-    plot.subtitle =
-        fmt::format("{:.9g} at {}", outcome.best->objective, pointText(settings, outcome.best->variables));
-    plot.y.label = settings.objective.value;
-    PlotCurve met{"evaluations", {}, {}, CurveLine::none, CurveMarker::circle, {}};
-    PlotCurve missed{"violate a constraint", {}, {}, CurveLine::none, CurveMarker::diamond, {}};
-    const bool overVariable = settings.variables.size() == 1;
-    plot.x.label = overVariable ? settings.variables.front().first : "evaluation";
-    for (std::size_t i = 0; i < history.records().size(); ++i)
+    std::vector<Evaluation> points;
+    for (const SearchRecord& record : history.records())
     {
-        const SearchRecord& record = history.records()[i];
-        const Evaluation found =
-            evaluate(settings, record.variables, completed(search, record.variables, record.results, ""));
-        PlotCurve& curve = found.violation > 0 ? missed : met;
-        curve.x.push_back(overVariable ? record.variables.front() : static_cast<double>(i + 1));
-        curve.y.push_back(found.objective);
+        points.push_back(
+            evaluate(settings, record.variables, completed(search, record.variables, record.results, "")));
     }
-    for (PlotCurve* curve : {&met, &missed})
-    {
-        if (!curve->x.empty())
-        {
-            plot.curves.push_back(std::move(*curve));
-        }
-    }
-    writePlot(folder / "parameterSearch.svg", plot);
+    writePlot(folder / "parameterSearch.svg", searchPicture(settings, points, *outcome.best));
 }
 
 int exitStatus(const SearchOutcome& outcome)

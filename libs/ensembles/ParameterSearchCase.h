@@ -34,6 +34,10 @@ struct ParameterSearch
 ParameterSearch readParameterSearch(const std::filesystem::path& caseDirectory,
                                     const CommandLine& commandLine);
 
+/// Checks, before anything is computed, whether the folders of the search can be written.
+/// \throws FatalError naming the one that cannot
+void requireWritableResults(const ParameterSearch& search);
+
 /// One computed point.
 struct SearchRecord
 {

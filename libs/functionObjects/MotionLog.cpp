@@ -40,7 +40,8 @@ void printScene(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const 
     }
     for (std::size_t i = 0; i < scene.effects.size(); ++i)
     {
-        if (const std::string text = scene.effects[i]->startText(motion.effectStates[i]); !text.empty())
+        if (const std::string text = scene.effects[i]->startText(scene, motion.effectStates[i]);
+            !text.empty())
         {
             info("{}", text);
         }

@@ -132,7 +132,15 @@ void writeState(const fs::path& caseDirectory, const std::string& timeName, cons
     }
 
     const std::string temporary = fmt::format(".{}.{}.tmp", timeName, ::getpid());
-    writeWholeFile(stateFile(caseDirectory, temporary), text);
+    try
+    {
+        writeWholeFile(stateFile(caseDirectory, temporary), text);
+    }
+    catch (...) // a full disk, say
+    {
+        fs::remove_all(caseDirectory / temporary, failure);
+        throw;
+    }
     fs::rename(caseDirectory / temporary, caseDirectory / timeName, failure);
     if (failure)
     {

@@ -50,13 +50,15 @@ TEST(GroundMotion, AddsItsComponents)
 TEST(GroundMotion, SummaryNamesDirectionPeakAndDuration)
 {
     GroundMotion motion;
-    EXPECT_EQ(summary(motion), "Ground motion: none\n");
+    EXPECT_EQ(summary(motion, 9.81), "Ground motion: none\n");
     motion.components.push_back(
-        {{std::make_shared<RectangularPulse>(PulseShape{-9.80665, 0.5, 1}), ""}, {0, 1, 0}});
-    EXPECT_THAT(summary(motion), testing::AllOf(HasSubstr("along (0 1 0)"), HasSubstr("9.80665 m/s2 = 1 g"),
-                                                HasSubstr("0.5 s, from 1 s to 1.5 s")));
+        {{std::make_shared<RectangularPulse>(PulseShape{-4.905, 0.5, 1}), ""}, {0, 1, 0}});
+    EXPECT_THAT(summary(motion, 9.81),
+                testing::AllOf(HasSubstr("along (0 1 0)"), HasSubstr("4.905 m/s2 = 0.5 g\n"),
+                               HasSubstr("0.5 s, from 1 s to 1.5 s")));
     motion.components = {{{std::make_shared<ConstantAcceleration>(3), ""}, {1, 0, 0}}};
-    EXPECT_THAT(summary(motion), HasSubstr("unlimited"));
+    EXPECT_THAT(summary(motion, 9.81), HasSubstr("unlimited"));
+    EXPECT_THAT(summary(motion, 0), HasSubstr("PGA         3 m/s2\n"));
 }
 
 TEST_F(GroundMotionTest, RecordIsScaledPaddedAndMoved)
@@ -87,7 +89,7 @@ TEST_F(GroundMotionTest, RecordEchoesItsPeakDurationAndUnit)
 {
     GroundMotion motion;
     motion.components.push_back({recordedAcceleration(record(), ""), Eigen::Vector3d::UnitX()});
-    const std::string text = summary(motion);
+    const std::string text = summary(motion, 9.81);
     EXPECT_THAT(text, HasSubstr("1 gal = 0.01 m/s2"));
     EXPECT_THAT(text, HasSubstr("PGA         2 m/s2"));
     EXPECT_THAT(text, HasSubstr("of a PGA of 200 gal"));

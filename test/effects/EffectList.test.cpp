@@ -114,7 +114,7 @@ TEST(EffectList, AMadeUpSpringIsNamedSavedAndWritten)
     EffectState again;
     spring.restore(saved, again);
     EXPECT_EQ(again.numbers, std::vector<double>{2});
-    EXPECT_EQ(spring.startText(again), "Spring: 100000 N/m at block 1");
+    EXPECT_EQ(spring.startText(scene, again), "Spring: 100000 N/m at block 1");
     ASSERT_EQ(spring.blockFields(again).size(), 1u);
     EXPECT_EQ(spring.blockFields(again)[0].name, "stepsOnSpring");
 }

@@ -63,7 +63,7 @@ std::vector<EffectField> GroundSpring::blockFields(const EffectState& state) con
     return {{"stepsOnSpring", state.numbers}};
 }
 
-std::string GroundSpring::startText(const EffectState&) const
+std::string GroundSpring::startText(const Structure<2>&, const EffectState&) const
 {
     return fmt::format("Spring: {:g} N/m at block {}", settings.stiffness, settings.block);
 }

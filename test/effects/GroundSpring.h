@@ -37,7 +37,7 @@ public:
     void save(const EffectState& state, EffectArrays& arrays) const override;
     void restore(const EffectArrays& arrays, EffectState& state) const override;
     std::vector<EffectField> blockFields(const EffectState& state) const override;
-    std::string startText(const EffectState& state) const override;
+    std::string startText(const Structure<2>& structure, const EffectState& state) const override;
 
 private:
     GroundSpringSettings settings;

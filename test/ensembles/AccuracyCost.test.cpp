@@ -107,6 +107,26 @@ TEST(AccuracyCost, AgainstHousnersEquationBackwardEulerHasOrderOneAndTheTrapezoi
     EXPECT_LT(errorAt(0.004, 0.5), 2e-5);
 }
 
+TEST(AccuracyCost, ASettingOfSeveralSweepsHasOneErrorThatOfMostPhases)
+{
+    AccuracyPoint few = pointWith(settingWith(0.01, 1), 0.042, 1);
+    few.planned = few.runs = 5;
+    AccuracyPoint many = pointWith(settingWith(0.01, 1), 0.099, 2);
+    many.planned = many.runs = 10;
+    AccuracyPoint other = pointWith(settingWith(0.02, 1), 0.2, 0.5);
+    other.planned = other.runs = 5;
+    std::vector<SweepResult> sweeps{{"coarse", 0, SweepAxis::deltaT, {other, few}},
+                                    {"fine", 0, SweepAxis::deltaT, {many}},
+                                    {"ofAnotherQuantity", 1, SweepAxis::deltaT, {few}}};
+    shareMostPhases(sweeps);
+    EXPECT_EQ(sweeps[0].points[0].medianError, 0.2);
+    EXPECT_EQ(sweeps[0].points[1].medianError, 0.099);
+    EXPECT_EQ(sweeps[0].points[1].planned, 10);
+    EXPECT_EQ(sweeps[0].points[1].runTimes, std::vector<double>{1});
+    EXPECT_EQ(sweeps[1].points[0].medianError, 0.099);
+    EXPECT_EQ(sweeps[2].points[0].medianError, 0.042);
+}
+
 TEST(AccuracyCost, ImpactsAtOtherPhasesOfAStepGiveOtherErrors)
 {
     const Quantity quantity = returnOf(2, rockingCase());

@@ -108,6 +108,25 @@ TEST(IncrementalDynamics, ABlockRocksAtWidthOverHeightTimesG)
     }
 }
 
+TEST(IncrementalDynamics, KnownRunsAreNotRepeated)
+{
+    const IncrementalDynamics<2> study = studyOf({.mu = 0.3});
+    const std::vector<IncrementalCurve> all = carryOut(study);
+    EXPECT_EQ(static_cast<long>(all.at(0).size()), study.intensity.mostRuns);
+    std::vector<IncrementalCurve> known = all;
+    known.at(0).erase(known.at(0).begin() + 1);
+    int carriedOut = 0;
+    const std::vector<IncrementalCurve> again = carryOut(
+        study, [&](std::size_t, const IncrementalRun&) { ++carriedOut; }, known);
+    EXPECT_EQ(carriedOut, 1);
+    ASSERT_EQ(again.at(0).size(), all.at(0).size());
+    for (std::size_t i = 0; i < all.at(0).size(); ++i)
+    {
+        EXPECT_EQ(again[0][i].intensity, all[0][i].intensity);
+        EXPECT_EQ(again[0][i].largest, all[0][i].largest);
+    }
+}
+
 TEST(IncrementalDynamics, MirroredGroundGivesTheSameThreshold)
 {
     IncrementalDynamics<2> study = studyOf({.width = 0.5, .height = 2, .mu = 2});

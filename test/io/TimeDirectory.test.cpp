@@ -14,6 +14,9 @@
 #include <limits>
 #include <random>
 
+#include <csignal>
+#include <sys/resource.h>
+
 namespace drystone
 {
 
@@ -336,6 +339,25 @@ TEST(TimeDirectory, ACaseThatCannotBeWrittenIsNamed)
     std::ofstream(folder / "case") << "a file";
     EXPECT_THAT(messageOf([&] { writeState(folder / "case", "1", {}, WriteFormat::ascii); }),
                 HasSubstr("case/"));
+}
+
+TEST(TimeDirectory, AFullDiskLeavesNothingBehind)
+{
+    // A limit to the size of files fails as a full disk does, with the first bytes written.
+    const ScratchFolder folder;
+    rlimit before{};
+    ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit small{100, before.rlim_max};
+    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+    State state;
+    state.arrays["displacement"] = std::vector<double>(1000, 1.25);
+    const std::string message =
+        messageOf([&] { writeState(folder.path(), "0.19", state, WriteFormat::ascii); });
+    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
+    std::signal(SIGXFSZ, handler);
+    EXPECT_THAT(message, HasSubstr("0.19"));
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
 } // namespace

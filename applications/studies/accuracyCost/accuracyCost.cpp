@@ -5,6 +5,7 @@
 #include "core/Error.h"
 #include "core/Log.h"
 #include "core/Signals.h"
+#include "core/WholeFile.h"
 #include "ensembles/AccuracyCostCase.h"
 #include "runControl/Application.h"
 
@@ -31,6 +32,7 @@ int run(const CommandLine& commandLine)
         return 0;
     }
 
+    requireWritable(accuracyFolder(directory));
     catchStopSignals();
     const AccuracyResults results = carryOut(study, runs);
     printAccuracyResults(study, results);

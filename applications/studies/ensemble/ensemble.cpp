@@ -4,6 +4,7 @@
 #include "core/Error.h"
 #include "core/Log.h"
 #include "core/Signals.h"
+#include "core/WholeFile.h"
 #include "ensembles/EnsembleResults.h"
 #include "ensembles/Evaluate.h"
 #include "ensembles/Submit.h"
@@ -82,6 +83,7 @@ int run(const CommandLine& commandLine)
         printEnd();
         return 0;
     }
+    requireWritable(ensembleFolder(ensemble.caseDirectory));
     if (commandLine.has("submit"))
     {
         submitToSlurm(ensemble, *commandLine.get("submit"));

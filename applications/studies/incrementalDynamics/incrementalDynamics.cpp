@@ -5,7 +5,9 @@
 #include "core/Error.h"
 #include "core/Log.h"
 #include "core/Signals.h"
+#include "core/WholeFile.h"
 #include "ensembles/IncrementalDynamicsCase.h"
+#include "ensembles/IncrementalHistory.h"
 #include "functionObjects/LimitAnalysisResults.h"
 #include "runControl/Application.h"
 
@@ -35,12 +37,33 @@ int runIn(const CommandLine& commandLine)
     }
 
     catchStopSignals();
+    const std::filesystem::path folder = incrementalDynamicsFolder(commandLine.caseDirectory, time);
+    requireWritable(folder);
+    IncrementalHistory<Dim> history(commandLine.caseDirectory, folder, study);
+    const std::vector<IncrementalCurve> known = history.known();
+    if (history.wasOther())
+    {
+        info("The runs of history.dat are of other input: all are carried out again");
+    }
+    else if (history.count() > 0)
+    {
+        info("Continuing: {} runs are known from {}", history.count(), (folder / "history.dat").string());
+    }
+    StudyClock clock(study.intensity.mostRuns * static_cast<long>(study.motions.size()),
+                     static_cast<long>(history.count()));
     const std::vector<IncrementalCurve> curves = carryOut(
-        study, [&](std::size_t motion, const IncrementalRun& done) { printRun(study, motion, done); });
+        study,
+        [&](std::size_t motion, const IncrementalRun& done)
+        {
+            history.add(motion, done);
+            clock.count();
+            printRun(study, motion, done, clock.timeLeft());
+        },
+        known);
     printLeast(study, curves);
-    writeIncrementalDynamics(incrementalDynamicsFolder(commandLine.caseDirectory, time), study, curves);
+    writeIncrementalDynamics(folder, study, curves);
     printExecutionTime();
-    printStopOrEnd("The tables hold the runs that are done; started again, it begins anew.");
+    printStopOrEnd("The tables hold the runs that are done; started again, it continues.");
     return exitStatus(curves);
 }
 

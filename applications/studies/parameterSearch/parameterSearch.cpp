@@ -26,6 +26,7 @@ int run(const CommandLine& commandLine)
         return 0;
     }
 
+    requireWritableResults(search);
     catchStopSignals();
     const SearchOutcome outcome = carryOut(search, history);
     printOutcome(search, history, outcome);

@@ -1,6 +1,9 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "conic/interiorPoint/Loop.h"
 
+#include "core/Log.h"
+
+#include <cmath>
 #include <limits>
 
 namespace drystone
@@ -34,6 +37,19 @@ constexpr double partOfWayOfRounds = 0.98;
 /// Solves that a factorisation must cost, in multiplications, for all correctors to be tried; else half of
 /// them are (Gondzio 1996 goes by the same ratio).
 constexpr double expensiveFactorisation = 30;
+
+/// A solution of which nothing has been heard for so long says on the log how far it is [s].
+constexpr double longSilence = 5;
+
+/// The complementarity falls by about the same factor in each iteration, from what it was at first to the
+/// tolerance.
+void reportProgress(int iteration, double first, double now, double tolerance, double seconds)
+{
+    const double done = std::log(first / now);
+    const double toDo = std::log(now / tolerance);
+    info("    iteration {}: complementarity {:.1e} of {:.1e}{}", iteration, now, tolerance,
+         done > 0 && toDo > 0 ? ", about " + durationText(seconds * toDo / done) + " left" : "");
+}
 
 } // namespace
 
@@ -107,6 +123,9 @@ bool InteriorPointLoop<Rows, Scalar>::iterate(const Centring& centring, Passed w
     stalls = 0;
     expected = std::numeric_limits<double>::infinity();
     primal = dual = 0;
+    const double start = clockTime();
+    double heard = start;
+    double first = 0;
     std::optional<Ending> ended;
     for (iteration = 0; !(ended = findEnd(whatIsPassed, mostIterations)); ++iteration)
     {
@@ -127,6 +146,12 @@ bool InteriorPointLoop<Rows, Scalar>::iterate(const Centring& centring, Passed w
             break;
         }
         move();
+        first = iteration == 0 ? state.mu : first;
+        if (const double now = clockTime(); now - heard > longSilence)
+        {
+            heard = now;
+            reportProgress(iteration, first, state.mu, state.tolerance(), now - start);
+        }
     }
     end = *ended;
     if (trace)

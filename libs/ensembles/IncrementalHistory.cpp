@@ -1,0 +1,104 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Reads and writes the history of an incremental analysis.
+#include "ensembles/IncrementalHistory.h"
+
+#include "core/WholeFile.h"
+#include "ensembles/CaseRuns.h"
+
+#include <fmt/format.h>
+
+#include <numeric>
+
+namespace drystone
+{
+namespace
+{
+
+constexpr std::size_t columns = 9;
+
+template<int Dim>
+std::string headingOf(const std::filesystem::path& caseDirectory, const IncrementalDynamics<Dim>& study)
+{
+    std::string text = fmt::format("# case {:016x} criterion {} stopWhenMet {} motions",
+                                   fingerprint(caseDirectory, "system/incrementalDynamicsDict"),
+                                   study.criterion.summary, study.stopWhenMet ? "yes" : "no");
+    for (const StudyMotion& motion : study.motions)
+    {
+        // The whole record is in the case, or it is the user's own file: its peak tells another one.
+        text += fmt::format(" {} {}", motion.name, motion.peak);
+    }
+    return text
+           + fmt::format("\n# motion[-] intensity[{}] factor[-] verdict[-] {}[{}] endTime[s] steps[-] "
+                         "residual[-] cpuTime[s]\n",
+                         nameOf(study.intensity.unit), study.criterion.figure.name,
+                         study.criterion.figure.unit);
+}
+
+std::string rowOf(std::size_t motion, const IncrementalRun& run)
+{
+    return fmt::format("{} {} {} {} {} {} {} {} {:.3g}\n", motion, run.intensity, run.factor,
+                       static_cast<int>(run.verdict), run.largest, run.endTime, run.steps, run.worstResidual,
+                       run.cpuTime);
+}
+
+} // namespace
+
+template<int Dim>
+IncrementalHistory<Dim>::IncrementalHistory(const std::filesystem::path& caseDirectory,
+                                            const std::filesystem::path& folder,
+                                            const IncrementalDynamics<Dim>& study)
+    : file(folder / "history.dat"), text(headingOf(caseDirectory, study)), curves(study.motions.size())
+{
+    if (!std::filesystem::exists(file))
+    {
+        return;
+    }
+    if (!contentOfFile(file).starts_with(text))
+    {
+        isOther = true;
+        return;
+    }
+    for (const std::vector<double>& row : readHistory(file, text, columns, "incrementalDynamics"))
+    {
+        const auto motion = static_cast<std::size_t>(row[0]);
+        const auto verdict = static_cast<int>(row[3]);
+        if (row[0] < 0 || motion >= curves.size() || verdict < 0
+            || verdict > static_cast<int>(Verdict::notConverged))
+        {
+            throw FatalIOError("A row of the history has the number of a motion and a verdict of 0, 1 or 2. "
+                               "Remove postProcessing/incrementalDynamics to start again.",
+                               {file.string(), "", 0});
+        }
+        IncrementalRun run;
+        run.intensity = row[1];
+        run.factor = row[2];
+        run.verdict = static_cast<Verdict>(verdict);
+        run.largest = row[4];
+        run.endTime = row[5];
+        run.steps = static_cast<long>(row[6]);
+        run.worstResidual = row[7];
+        run.cpuTime = row[8];
+        curves[motion].push_back(run);
+        text += rowOf(motion, run);
+    }
+}
+
+template<int Dim>
+std::size_t IncrementalHistory<Dim>::count() const
+{
+    return std::accumulate(curves.begin(), curves.end(), std::size_t{0},
+                           [](std::size_t sum, const IncrementalCurve& curve) { return sum + curve.size(); });
+}
+
+template<int Dim>
+void IncrementalHistory<Dim>::add(std::size_t motion, const IncrementalRun& run)
+{
+    curves[motion].push_back(run);
+    text += rowOf(motion, run);
+    writeWholeFile(file, text);
+}
+
+template class IncrementalHistory<2>;
+template class IncrementalHistory<3>;
+
+} // namespace drystone

@@ -1,0 +1,98 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Runs that are known are not repeated; those of other input are.
+#include "ensembles/IncrementalHistory.h"
+
+#include "core/Error.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+using namespace drystone;
+
+namespace
+{
+
+class IncrementalHistoryTest : public testing::Test
+{
+protected:
+    void SetUp() override
+    {
+        folder = std::filesystem::temp_directory_path() / fmt::format("drystone-history-{}", ::getpid());
+        std::filesystem::create_directories(folder / "postProcessing");
+        study.criterion.summary = "displacement above 1 mm";
+        study.criterion.figure.name = "displacement";
+        study.criterion.figure.unit = "m";
+        study.motions = {{"first", {}, 2.5}, {"second", {}, 1.5}};
+    }
+    void TearDown() override { std::filesystem::remove_all(folder); }
+
+    IncrementalHistory<2> history() const { return {folder, folder / "postProcessing", study}; }
+
+    std::filesystem::path folder;
+    IncrementalDynamics<2> study;
+};
+
+IncrementalRun someRun(double intensity)
+{
+    IncrementalRun run;
+    run.intensity = intensity;
+    run.factor = 1 / 3.0;
+    run.verdict = Verdict::meets;
+    run.largest = 0.1 / 3;
+    run.endTime = 0.7;
+    run.steps = 35;
+    run.worstResidual = 1e-11;
+    run.cpuTime = 0.25;
+    return run;
+}
+
+TEST_F(IncrementalHistoryTest, RunsAreReadBackToTheLastBit)
+{
+    EXPECT_EQ(history().count(), 0u);
+    {
+        IncrementalHistory<2> written = history();
+        written.add(1, someRun(0.1 + 0.2));
+        written.add(0, someRun(0.5));
+    }
+    const IncrementalHistory<2> read = history();
+    EXPECT_FALSE(read.wasOther());
+    ASSERT_EQ(read.count(), 2u);
+    const IncrementalRun& run = read.known()[1].at(0);
+    EXPECT_EQ(run.intensity, 0.1 + 0.2);
+    EXPECT_EQ(run.factor, 1 / 3.0);
+    EXPECT_EQ(run.verdict, Verdict::meets);
+    EXPECT_EQ(run.largest, 0.1 / 3);
+    EXPECT_EQ(run.endTime, 0.7);
+    EXPECT_EQ(run.steps, 35);
+    EXPECT_EQ(run.worstResidual, 1e-11);
+}
+
+TEST_F(IncrementalHistoryTest, OfOtherInputIsLeftAside)
+{
+    history().add(0, someRun(0.5));
+    study.motions[1].peak = 1.6;
+    EXPECT_TRUE(history().wasOther());
+    EXPECT_EQ(history().count(), 0u);
+    study.motions[1].peak = 1.5;
+    EXPECT_EQ(history().count(), 1u);
+    std::filesystem::create_directories(folder / "constant");
+    std::ofstream(folder / "constant/g") << "value (0 -9.81 0);";
+    EXPECT_TRUE(history().wasOther());
+    IncrementalHistory<2> again = history();
+    again.add(0, someRun(0.6));
+    ASSERT_EQ(history().count(), 1u);
+    EXPECT_EQ(history().known()[0].at(0).intensity, 0.6);
+}
+
+TEST_F(IncrementalHistoryTest, DamagedRowsAreNamed)
+{
+    history().add(0, someRun(0.5));
+    std::ofstream(folder / "postProcessing/history.dat", std::ios::app) << "7 0.5 1 1 1 1 1 1 1\n";
+    EXPECT_THROW(history(), FatalIOError);
+}
+
+} // namespace
