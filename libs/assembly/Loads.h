@@ -2,7 +2,8 @@
 /// Loads on the blocks: the vectors f of the equilibrium A0 c = f.
 #pragma once
 
-#include "assembly/Assembly.h"
+#include "assembly/BlockSurface.h"
+#include "assembly/MovingLoad.h"
 #include "dictionary/EntryLocations.h"
 #include "dictionary/Options.h"
 #include "dictionary/Registry.h"
@@ -40,6 +41,8 @@ struct LoadVectors
     Eigen::VectorXd dead; ///< acts in full
     Eigen::VectorXd live; ///< acts times the load multiplier alpha; size 0 where the case has no live load
     Multiplier multiplier = Multiplier::positive;
+    /// What the case names under `cases`, each in full, whether a load has it or not.
+    std::vector<std::pair<std::string, Eigen::VectorXd>> cases = {};
 };
 
 /// A support that moves instead of a live load that grows.
@@ -55,6 +58,7 @@ template<int Dim>
 struct CaseLoads : LoadVectors
 {
     std::optional<SupportMovement<Dim>> movement = {}; ///< instead of `live`
+    std::vector<LoadPosition<Dim>> positions = {};     ///< of a moving load; `live` is that of the first
     EntryLocations locations = {};                     ///< of the entries of constant/loads, for messages
 };
 
@@ -103,7 +107,14 @@ struct LoadContext
     const Assembly<Dim>& assembly;
     const std::vector<double>& masses; ///< of all blocks [kg]
     Vector<Dim> gravity;               ///< [m/s2]
+    /// The parts of faces that others lie on, for loads on faces (contact/CoveredSurface.h); empty: none
+    std::function<std::vector<SurfacePiece<Dim>>()> coveredSurface = {};
+    std::vector<std::pair<std::string, Eigen::VectorXd>> cases = {}; ///< see LoadVectors
 };
+
+/// Points of different blocks that are this near are one [m].
+template<int Dim>
+double widthOfAJoint(const Assembly<Dim>& assembly);
 
 /// Makes a load vector, once blocks and masses are known. \throws FatalIOError when the load does not suit
 /// the structure
@@ -130,7 +141,8 @@ void declare(Options& options, LoadCombination<Dim>& combination);
 template<int Dim>
 struct LoadCases
 {
-    LoadMaker<Dim> dead; ///< empty where there are combinations
+    std::vector<Named<LoadMaker<Dim>>> cases; ///< that `type combined;` refers to
+    LoadMaker<Dim> dead;                      ///< empty where there are combinations
     std::optional<LoadMaker<Dim>> live;
     Multiplier multiplier = Multiplier::positive;
     std::vector<Named<LoadCombination<Dim>>> combinations;

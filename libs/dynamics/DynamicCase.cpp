@@ -6,6 +6,7 @@
 #include "assembly/Materials.h"
 #include "contact/AlmostJoints.h"
 #include "contact/ClosedAssembly.h"
+#include "contact/CoveredSurface.h"
 #include "contact/Equilibrium.h"
 #include "contact/Facing.h"
 
@@ -34,8 +35,9 @@ DynamicCase<Dim> readDynamicCase(const std::filesystem::path& caseDirectory,
     scene.effects = makeEffects(read, {scene, scene.contact, caseDirectory, scene.displacements(),
                                        scene.schemes.timeIntegration.theta, scene.solution.solver});
     const std::vector<double> masses = massesOf(scene.blocks, densities);
-    scene.deadLoad =
-        readLoads<Dim>(caseDirectory, {scene.assembly, masses, scene.gravity}, LiveLoad::optional).dead;
+    const LoadContext<Dim> context{scene.assembly, masses, scene.gravity,
+                                   [&scene] { return coveredSurface(scene.assembly); }};
+    scene.deadLoad = readLoads(caseDirectory, context, LiveLoad::optional).dead;
     return scene;
 }
 

@@ -38,7 +38,8 @@ struct ContactProperties
     std::optional<JointStrength> tension;    ///< absent: joints open freely
     std::optional<JointStrength> crushing;   ///< absent: any pressure is borne
     std::optional<ContactModel> contact;     ///< absent: points; in limit analysis only
-    /// By name (see jointName), exact names before the last pattern that matches.
+    /// By name (see jointName) or by the zones of both blocks, as base-shaft; names of blocks before those of
+    /// zones, and these before patterns, of equally close ones the last.
     std::vector<std::pair<NamePattern, JointProperties>> joints;
     std::optional<int> pointsPerJoint;     ///< of the plane; absent: the ends, and hinges that crush
     std::optional<MorePoints> jointPoints; ///< of space; absent: the corners, and those of joints that crush

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace drystone
@@ -15,32 +16,97 @@ namespace
 
 using NamedJoint = std::pair<NamePattern, JointProperties>;
 
-/// The name with the blocks in the other order. A support's name may hold hyphens, the number of a block,
-/// which comes first, does not.
-std::string turnedRound(const std::string& name)
+/// What a joint goes by: `own` the indices of its blocks, `ofZones` the zones that they are in, each in
+/// either order (0-1 and 1-0 are the same joint).
+struct JointNames
 {
-    const std::size_t hyphen = name.find('-');
-    return name.substr(hyphen + 1) + "-" + name.substr(0, hyphen);
+    std::vector<std::string> own;
+    std::vector<std::string> ofZones;
+};
+
+/// The names of the zones of each block, ascending by zone.
+template<int Dim>
+std::vector<std::vector<std::string>> zonesOfBlocks(const Assembly<Dim>& assembly)
+{
+    std::vector<std::vector<std::string>> names(assembly.blocks.size());
+    for (const Zone& zone : assembly.zones)
+    {
+        for (const int block : zone.blocks)
+        {
+            names[block].push_back(zone.name);
+        }
+    }
+    return names;
 }
 
-/// The entry that a joint takes: the last of the exact ones (0-1 and 1-0 are the same joint), or the last
-/// pattern that matches.
-const NamedJoint* entryOf(const ContactProperties& properties, const std::string& name,
+template<int Dim>
+JointNames jointNames(const Assembly<Dim>& assembly, const std::vector<std::vector<std::string>>& zones,
+                      int block, int neighbour)
+{
+    const auto add = [](std::vector<std::string>& names, const std::string& one, const std::string& other)
+    {
+        names.push_back(one + "-" + other);
+        names.push_back(other + "-" + one);
+    };
+    const auto groupsOf = [&](int index)
+    {
+        const int support = assembly.blocks[index].support;
+        return support >= 0 ? std::vector<std::string>{assembly.supports[support].name} : zones[index];
+    };
+    const auto nameOf = [&](int index)
+    {
+        const int support = assembly.blocks[index].support;
+        return support >= 0 ? assembly.supports[support].name : std::to_string(index);
+    };
+    JointNames names;
+    add(names.own, nameOf(block), nameOf(neighbour));
+    for (const std::string& one : groupsOf(block))
+    {
+        for (const std::string& other : groupsOf(neighbour))
+        {
+            add(names.ofZones, one, other);
+        }
+    }
+    return names;
+}
+
+/// How closely an entry names a joint; of equally close ones the last counts.
+enum class Match
+{
+    none,
+    pattern,
+    zones,
+    blocks
+};
+
+Match matchOf(const NamePattern& pattern, const JointNames& names)
+{
+    const auto isAmong = [&](const std::vector<std::string>& list)
+    { return std::find(list.begin(), list.end(), pattern.text) != list.end(); };
+    const auto matches = [&](const std::vector<std::string>& list)
+    { return std::any_of(list.begin(), list.end(), pattern.matches); };
+    return isAmong(names.own)                             ? Match::blocks
+           : isAmong(names.ofZones)                       ? Match::zones
+           : matches(names.own) || matches(names.ofZones) ? Match::pattern
+                                                          : Match::none;
+}
+
+/// The entry that a joint takes: the one that names it most closely.
+const NamedJoint* entryOf(const ContactProperties& properties, const JointNames& names,
                           std::vector<char>& isMatched)
 {
-    const std::string turned = turnedRound(name);
-    const auto isExact = [&](const NamedJoint& candidate)
-    { return candidate.first.text == name || candidate.first.text == turned; };
     const NamedJoint* chosen = nullptr;
+    Match best = Match::none;
     for (std::size_t i = 0; i < properties.joints.size(); ++i)
     {
-        const NamedJoint& candidate = properties.joints[i];
-        if (candidate.first.matches(name) || candidate.first.matches(turned))
+        const Match match = matchOf(properties.joints[i].first, names);
+        if (match != Match::none)
         {
             isMatched[i] = true;
-            if (!(chosen && isExact(*chosen)) || isExact(candidate))
+            if (match >= best)
             {
-                chosen = &candidate;
+                chosen = &properties.joints[i];
+                best = match;
             }
         }
     }
@@ -92,11 +158,15 @@ std::vector<PointLaw> pointLaws(const ContactProperties& contact, const Assembly
     std::vector<PointLaw> laws(points.size());
     std::vector<char> isMatched(contact.joints.size(), false);
     const JointProperties none;
+    const std::vector<std::vector<std::string>> zones = zonesOfBlocks(assembly);
     for (std::size_t first = 0, last = 0; first < points.size(); first = last)
     {
         const ContactPoint<Dim>& point = points[first];
         const std::string name = jointName(assembly, point.block, point.neighbour);
-        const NamedJoint* entry = entryOf(contact, name, isMatched);
+        const NamedJoint* entry =
+            contact.joints.empty()
+                ? nullptr
+                : entryOf(contact, jointNames(assembly, zones, point.block, point.neighbour), isMatched);
         const JointOfCase joint{contact, entry ? entry->second : none, name, entry ? entry->first.text : ""};
         for (; last < points.size() && points[last].joint == point.joint; ++last)
         {
@@ -111,12 +181,14 @@ std::vector<PointLaw> pointLaws(const ContactProperties& contact, const Assembly
         if (!isMatched[i])
         {
             const std::string& name = contact.joints[i].first.text;
-            throw FatalIOError(
-                fmt::format("There is no joint {}. Joints are named by their blocks, as {}, in either order.",
-                            name,
-                            points.empty() ? std::string("3-7")
-                                           : jointName(assembly, points[0].block, points[0].neighbour)),
-                contact.locations.of("joints/" + name));
+            throw FatalIOError(fmt::format("There is no joint {}. Joints are named by their blocks, as {}, "
+                                           "or by the zones of both, in "
+                                           "either order.",
+                                           name,
+                                           points.empty()
+                                               ? std::string("3-7")
+                                               : jointName(assembly, points[0].block, points[0].neighbour)),
+                               contact.locations.of("joints/" + name));
         }
     }
     return laws;

@@ -78,7 +78,9 @@ EffectType<Dim> jointModelType()
             options.optional(
                 "joints", contact.joints,
                 "what some joints have instead: by name, as 3-7 for that of blocks 3 and 7, 12-ground for "
-                "that of block 12 and the support ground, or by quoted pattern");
+                "that of block 12 and the support ground, by the zones of both blocks, as footing-shaft, or "
+                "by "
+                "quoted pattern");
         },
         [](const ContactProperties& contact)
         { return contact.contact && contact.contact->formulation == ContactFormulation::surface; },

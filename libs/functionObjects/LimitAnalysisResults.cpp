@@ -17,6 +17,7 @@
 #include "functionObjects/ColumnFile.h"
 #include "functionObjects/FunctionList.h"
 #include "functionObjects/KeptResults.h"
+#include "functionObjects/LoadEnvelope.h"
 #include "functionObjects/LoadMeaning.h"
 #include "io/Frames.h"
 #include "io/Mechanism.h"
@@ -207,6 +208,10 @@ void printLimitAnalysisCase(const LimitAnalysisCase<Dim>& structure)
     (structure.pushover ? simulated : absent).emplace_back("pushover");
     printEffects(simulated, absent);
     info("Blocks: {} free, contact points: {}", structure.freeBlocks, structure.points.size());
+    for (const std::string& sentence : caseMeaning<Dim>(structure.loads))
+    {
+        printLine(sentence);
+    }
     printClosure(structure.assembly);
     info("Solver: {}, tolerance {:g}\n", nameOf(structure.solution.solver), structure.solution.tolerance);
 }
@@ -304,6 +309,7 @@ std::vector<std::string> suffixes(const std::vector<LimitAnalysis>& results)
 template<int Dim>
 void printLimitAnalysis(const LimitAnalysisCase<Dim>& structure, const std::vector<LimitAnalysis>& results)
 {
+    printEnvelope(structure);
     for (const LimitAnalysis& result : results)
     {
         if (!result.combination.empty())
@@ -489,6 +495,10 @@ void writeAnswer(const std::filesystem::path& caseDirectory, const LimitAnalysis
     picture.title = caseName(caseDirectory);
     picture.subtitle = fmt::format("{}, {} blocks, {} contact points", caption(structure, result),
                                    structure.freeBlocks, structure.points.size());
+    if (const std::optional<EnvelopePoint> worst = worstPlace(structure))
+    {
+        picture.subtitle += fmt::format(", load from {}", placeText(structure, *worst));
+    }
     picture.towardsViewer = towardsViewer;
     picture.load = loadArrow(structure, result);
     const double drawn = 0.5 * meanBlockSize(assembly);
@@ -510,6 +520,30 @@ void writeAnswer(const std::filesystem::path& caseDirectory, const LimitAnalysis
     {
         writeWholeFile(file("coulomb", ".dat"), coulombText(*result.coulomb));
     }
+}
+
+} // namespace
+
+namespace
+{
+
+/// The force of each named load; without any removes the table of an earlier run.
+template<int Dim>
+void writeLoadCases(const std::filesystem::path& file, const LoadVectors& loads)
+{
+    if (loads.cases.empty())
+    {
+        std::error_code ignored;
+        std::filesystem::remove(file, ignored);
+        return;
+    }
+    std::string text = fmt::format("# case fx[N] fy[N]{}\n", Dim == 3 ? " fz[N]" : "");
+    for (const auto& [name, load] : loads.cases)
+    {
+        const Vector<Dim> force = resultantOf<Dim>(load);
+        text += fmt::format("{} {:.9g}\n", name, fmt::join(force.data(), force.data() + Dim, " "));
+    }
+    writeWholeFile(file, text);
 }
 
 } // namespace
@@ -536,6 +570,9 @@ void writeLimitAnalysisResults(const std::filesystem::path& caseDirectory,
         }
         writeWholeFile(limitAnalysisTable(caseDirectory).replace_filename("combinations.dat"), text);
     }
+    const std::filesystem::path folder = limitAnalysisTable(caseDirectory).parent_path();
+    writeLoadCases<Dim>(folder / "loadCases.dat", structure.loads);
+    writeEnvelope(folder, structure, caseName(caseDirectory));
     writeInput(limitAnalysisInput(caseDirectory), inputOfLimitAnalysis(caseDirectory, structure.assembly));
     writeWholeFile(limitAnalysisTable(caseDirectory), tableText(structure, results, cpuTime));
     info("Wrote {}: limitAnalysis.dat and thrust.dat (tables), mechanism.svg{}{}",

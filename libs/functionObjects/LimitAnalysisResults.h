@@ -64,9 +64,10 @@ void writeLimitAnalysisProgram(const std::filesystem::path& caseDirectory,
 ///
 /// A second answer, for the negative end of the range, has a second row, and files with `Negative` in their
 /// names. With combinations of loads each has its row and `_<name>` in the names of its files;
-/// combinations.dat lists names, multipliers and statuses.
-/// \param cpuTime of the solution [s] \param towardsViewer direction from which mechanism.svg is seen in
-/// space \throws FatalError naming what cannot be written
+/// combinations.dat lists names, multipliers and statuses. Named loads (`cases`) are in loadCases.dat with
+/// their forces; a moving load has movingLoad.dat and movingLoad.svg (LoadEnvelope.h), and the other files
+/// are those of its worst place. \param cpuTime of the solution [s] \param towardsViewer direction from which
+/// mechanism.svg is seen in space \throws FatalError naming what cannot be written
 template<int Dim>
 void writeLimitAnalysisResults(const std::filesystem::path& caseDirectory,
                                const LimitAnalysisCase<Dim>& structure,

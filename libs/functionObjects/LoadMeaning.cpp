@@ -113,6 +113,21 @@ std::vector<std::string> loadMeaning(const LimitAnalysisCase<Dim>& structure, co
 }
 
 template<int Dim>
+std::vector<std::string> caseMeaning(const LoadVectors& loads)
+{
+    std::vector<std::string> sentences;
+    for (const auto& [name, load] : loads.cases)
+    {
+        const Vector<Dim> force = resultantOf<Dim>(load);
+        sentences.push_back(cancels<Dim>(force, load)
+                                ? fmt::format("Load case {}: its forces cancel, there is no resultant", name)
+                                : fmt::format("Load case {}: {} along {}", name, forceText(force.norm()),
+                                              directionText<Dim>(force)));
+    }
+    return sentences;
+}
+
+template<int Dim>
 std::optional<LoadArrow> loadArrow(const LimitAnalysisCase<Dim>& structure, const LimitAnalysis& result)
 {
     LoadArrow arrow;
@@ -140,6 +155,8 @@ template std::optional<LoadArrow> loadArrow<2>(const LimitAnalysisCase<2>& struc
                                                const LimitAnalysis& result);
 template std::optional<LoadArrow> loadArrow<3>(const LimitAnalysisCase<3>& structure,
                                                const LimitAnalysis& result);
+template std::vector<std::string> caseMeaning<2>(const LoadVectors& loads);
+template std::vector<std::string> caseMeaning<3>(const LoadVectors& loads);
 template Vector<3> resultantOf<3>(const Eigen::VectorXd& load);
 template std::vector<std::string> loadMeaning(const LimitAnalysisCase<2>& structure,
                                               const LimitAnalysis& result);

@@ -26,6 +26,10 @@ Vector<Dim> resultantOf(const Eigen::VectorXd& load);
 template<int Dim>
 std::vector<std::string> loadMeaning(const LimitAnalysisCase<Dim>& structure, const LimitAnalysis& result);
 
+/// A sentence on the force of each load that `cases` of constant/loads names.
+template<int Dim>
+std::vector<std::string> caseMeaning(const LoadVectors& loads);
+
 /// The same for a picture: the resultant of the live load, at collapse where there is one, or the movement of
 /// a settling support. None where the live load has no resultant.
 template<int Dim>

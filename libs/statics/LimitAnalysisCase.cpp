@@ -5,6 +5,7 @@
 #include "assembly/Materials.h"
 #include "contact/AlmostJoints.h"
 #include "contact/ClosedAssembly.h"
+#include "contact/CoveredSurface.h"
 #include "contact/JointClosure.h"
 #include "effects/EffectList.h"
 #include "effects/JointLaws.h"
@@ -15,6 +16,7 @@
 #include "statics/SurfaceContact.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -33,6 +35,9 @@ constexpr int mostHingeRounds = 30;
 /// then what is left is said beside the result.
 constexpr std::size_t mostRefined = 20;
 constexpr std::size_t alwaysRefined = 2000; ///< points that it may make of few, too
+
+/// Multipliers of positions that differ by less, relative, are equal: those of a symmetric structure.
+constexpr double sameMultiplier = 1e-7;
 
 /// Finds the points and reads what each carries.
 std::vector<PointLaw> setContactPoints(LimitAnalysisCase<2>& structure)
@@ -277,9 +282,42 @@ LimitAnalysis solveWithPoints(const LimitAnalysisCase<3>& structure)
 }
 
 template<int Dim>
+void setLive(LimitAnalysisCase<Dim>& structure, const Eigen::VectorXd& live)
+{
+    structure.loads.live = live;
+    structure.program.liveLoad = live;
+}
+
+/// Whether an answer is worse than another: no answer, then none at all that is carried, then the lower one.
+bool isWorse(const LimitAnalysis& a, const LimitAnalysis& b)
+{
+    const auto rank = [](CollapseStatus status)
+    {
+        constexpr std::array worstFirst{CollapseStatus::notConverged, CollapseStatus::unstable,
+                                        CollapseStatus::optimal, CollapseStatus::unbounded};
+        return std::find(worstFirst.begin(), worstFirst.end(), status) - worstFirst.begin();
+    };
+    return rank(a.status) != rank(b.status)
+               ? rank(a.status) < rank(b.status)
+               : a.status == CollapseStatus::optimal && a.alpha < b.alpha * (1 - sameMultiplier);
+}
+
+template<int Dim>
 std::vector<LimitAnalysis> solveAllWithPoints(const LimitAnalysisCase<Dim>& structure)
 {
     std::vector<LimitAnalysis> results;
+    if (!structure.loads.positions.empty())
+    {
+        LimitAnalysisCase<Dim> single = structure;
+        single.loads.positions.clear();
+        for (const LoadPosition<Dim>& position : structure.loads.positions)
+        {
+            setLive(single, position.live);
+            results.push_back(solveWithPoints(single));
+            results.back().position = static_cast<int>(results.size()) - 1;
+        }
+        return results;
+    }
     if (!structure.combinations.empty())
     {
         for (const auto& [name, loads] : structure.combinations)
@@ -518,7 +556,8 @@ LimitAnalysisCase<Dim> readLimitAnalysisCase(const std::filesystem::path& caseDi
     const std::vector<BlockMass<Dim>> blocks = blockMasses(result.assembly);
     const std::vector<double> masses =
         massesOf(blocks, readDensities(caseDirectory, result.assembly, gravity));
-    const LoadContext<Dim> context{result.assembly, masses, gravity};
+    const LoadContext<Dim> context{result.assembly, masses, gravity,
+                                   [&result] { return coveredSurface(result.assembly); }};
     result.combinations = readLoadCombinations(caseDirectory, context);
     CaseLoads<Dim> loads;
     if (result.combinations.empty())
@@ -541,6 +580,12 @@ LimitAnalysisCase<Dim> readLimitAnalysisCase(const std::filesystem::path& caseDi
     result.program = programOf(result, strengthsOf(laws));
     requireAvailable(result);
     result.multiplier = loads.multiplier;
+    if (!loads.positions.empty() && (loads.multiplier != Multiplier::positive || result.pushover))
+    {
+        throw FatalIOError("A moving load has the positive multiplier of each place, and no capacity curve: "
+                           "remove `multiplier`, or pushover of system/solution/limitAnalysis.",
+                           loads.locations.of("live/type"));
+    }
     if (loads.movement)
     {
         if (loads.multiplier != Multiplier::positive)
@@ -573,6 +618,10 @@ LimitAnalysisCase<Dim> readLimitAnalysisCase(const std::filesystem::path& caseDi
 template<int Dim>
 LimitAnalysis solveLimitAnalysis(LimitAnalysisCase<Dim>& structure)
 {
+    if (!structure.loads.positions.empty())
+    {
+        return solveLimitAnalyses(structure).front();
+    }
     return solveWithMorePoints(structure, [](const LimitAnalysisCase<Dim>& with)
                                { return std::vector<LimitAnalysis>{solveWithPoints(with)}; })
         .front();
@@ -581,12 +630,28 @@ LimitAnalysis solveLimitAnalysis(LimitAnalysisCase<Dim>& structure)
 template<int Dim>
 std::vector<LimitAnalysis> solveLimitAnalyses(LimitAnalysisCase<Dim>& structure)
 {
-    return solveWithMorePoints(structure, solveAllWithPoints<Dim>);
+    std::vector<LimitAnalysis> results = solveWithMorePoints(structure, solveAllWithPoints<Dim>);
+    if (structure.loads.positions.empty())
+    {
+        return results;
+    }
+    structure.envelope.clear();
+    for (const LimitAnalysis& result : results)
+    {
+        structure.envelope.push_back({result.status, result.alpha});
+    }
+    const auto worst = std::min_element(results.begin(), results.end(), isWorse);
+    setLive(structure, structure.loads.positions[worst - results.begin()].live);
+    return {*worst};
 }
 
 template<int Dim>
 const Eigen::VectorXd& liveLoadOf(const LimitAnalysisCase<Dim>& structure, const LimitAnalysis& result)
 {
+    if (result.position >= 0)
+    {
+        return structure.loads.positions[static_cast<std::size_t>(result.position)].live;
+    }
     for (const auto& [name, loads] : structure.combinations)
     {
         if (name == result.combination)

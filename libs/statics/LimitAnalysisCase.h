@@ -24,6 +24,13 @@ struct LimitAnalysisControls
 };
 void declare(Options& options, LimitAnalysisControls& controls);
 
+/// The answer for one position of a moving load.
+struct PositionResult
+{
+    CollapseStatus status = CollapseStatus::notConverged;
+    double alpha = 0; ///< where the status is optimal
+};
+
 /// A structure with its loads, read and checked.
 template<int Dim>
 struct LimitAnalysisCase
@@ -44,6 +51,7 @@ struct LimitAnalysisCase
     std::optional<PushoverSettings> pushover;                      ///< the capacity curve is asked for
     CaseLoads<Dim> loads;                                          ///< with combinations those of the first
     std::vector<std::pair<std::string, LoadVectors>> combinations; ///< mostly none
+    std::vector<PositionResult> envelope; ///< of a moving load, one for each of loads.positions, once solved
 };
 
 /// Reads constant/assembly, g, materialProperties, contactProperties, loads and system/solution.
@@ -72,7 +80,7 @@ LimitAnalysisCase<Dim> readLimitAnalysisCase(const std::filesystem::path& caseDi
 template<int Dim>
 LimitAnalysis solveLimitAnalysis(LimitAnalysisCase<Dim>& structure);
 
-/// The live load that an answer belongs to: with combinations that of its own.
+/// The live load that an answer belongs to: with combinations and moving loads that of its own.
 template<int Dim>
 const Eigen::VectorXd& liveLoadOf(const LimitAnalysisCase<Dim>& structure, const LimitAnalysis& result);
 
@@ -81,8 +89,10 @@ template<int Dim>
 Pushover solvePushover(const LimitAnalysisCase<Dim>& structure, const PushoverObserver<Dim>& observe);
 
 /// One answer for each end of the range that the case asks for, the positive one first; for each combination
-/// of loads in turn. Multipliers of the negative end have their sign.
-/// \param structure gets points where joints crush, see solveLimitAnalysis
+/// of loads in turn. Multipliers of the negative end have their sign. Of a moving load the answer of its
+/// worst position alone: the lowest multiplier, of equal ones the first; one without an answer, if there is
+/// any. \param structure gets points where joints crush, see solveLimitAnalysis; with a moving load the
+/// envelope and, as live load, that of the worst position
 template<int Dim>
 std::vector<LimitAnalysis> solveLimitAnalyses(LimitAnalysisCase<Dim>& structure);
 

@@ -159,6 +159,11 @@ void declare(Options& options, BlockTexture<Dim>& blockTexture)
     options.optional("supports", blockTexture.supports, supportTypes<Dim>(),
                      "the supports of the structure; any names");
     options
+        .optional("zones", blockTexture.zones, zoneTypes<Dim>(),
+                  "groups of blocks, any names: for densities (materialProperties), joints "
+                  "(contactProperties, as footing-shaft) and loads on faces")
+        .example("footing");
+    options
         .optional(
             "jointTolerance", blockTexture.jointTolerance,
             "faces that are this near are a joint, and those farther apart are so on purpose; absent: 1e-6 "
@@ -197,6 +202,10 @@ Assembly<Dim> makeStructure(const Dictionary& dictionary, const std::filesystem:
     for (const auto& [name, addSupport] : blockTexture.supports)
     {
         addSupport(blockTexture.texture.assembly, name, blockTexture.texture.unit);
+    }
+    for (const auto& [name, addZone] : blockTexture.zones) // ground may take blocks of the texture away
+    {
+        addZone(blockTexture.texture.assembly, name);
     }
     if (blockTexture.jointTolerance) // else that of an imported file stays
     {

@@ -5,6 +5,7 @@
 #include "assembly/Assembly.h"
 #include "dictionary/Options.h"
 #include "dictionary/Registry.h"
+#include "texture/BlockZones.h"
 #include "texture/Supports.h"
 
 #include <filesystem>
@@ -37,6 +38,7 @@ struct BlockTexture
 {
     int dimensions = Dim;
     Texture<Dim> texture;
+    std::vector<Named<ZoneMaker<Dim>>> zones;
     std::vector<Named<SupportMaker<Dim>>> supports;
     std::optional<double> jointTolerance; ///< absent: what the digits of the coordinates require [m]
 };

@@ -1,0 +1,183 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The loads of a case, read from constant/loads.
+#include "assembly/CaseFile.h"
+#include "assembly/LoadTypes.h"
+
+namespace drystone
+{
+
+namespace
+{
+
+/// The settings of the live load, where it is of this type.
+template<class Settings>
+std::optional<Settings> settingsOfLive(const Dictionary& loads, const std::string& typeName)
+{
+    const Entry* live = loads.findExact("live");
+    const Entry* type = live ? live->dictionary().find("type") : nullptr;
+    if (!type || type->as<std::string>() != typeName)
+    {
+        return std::nullopt;
+    }
+    Settings settings;
+    Options options;
+    options.readElsewhere({"type"});
+    declare(options, settings);
+    options.readFrom(live->dictionary());
+    return settings;
+}
+
+/// The movement that a live load of type supportMovement requests.
+template<int Dim>
+std::optional<SupportMovement<Dim>> readMovement(const Dictionary& loads, const Assembly<Dim>& assembly)
+{
+    const auto settings = settingsOfLive<SupportMovementSettings<Dim>>(loads, "supportMovement");
+    if (!settings)
+    {
+        return std::nullopt;
+    }
+    std::vector<std::string> names;
+    for (const Support& support : assembly.supports)
+    {
+        if (support.name == settings->support)
+        {
+            return SupportMovement<Dim>{static_cast<int>(names.size()), settings->direction.normalized()};
+        }
+        names.push_back(support.name);
+    }
+    throw FatalIOError(unknownWordMessage("support", settings->support, names),
+                       loads.subDict("live").locationOf("support"));
+}
+
+/// The places of a live load of type moving; none for others.
+template<int Dim>
+std::vector<LoadPosition<Dim>> readPositions(const Dictionary& loads, const Assembly<Dim>& assembly)
+{
+    const auto settings = settingsOfLive<MovingLoadSettings<Dim>>(loads, "moving");
+    if (!settings)
+    {
+        return {};
+    }
+    std::vector<LoadPosition<Dim>> positions = movingLoad(assembly, *settings);
+    if (positions.empty())
+    {
+        throw FatalIOError(
+            fmt::format("The moving load meets no free block: from nowhere between {} and {} does its force "
+                        "point at one. VTK/assembly.vtp shows where the blocks are.",
+                        asWritten<Dim>(settings->from), asWritten<Dim>(settings->to)),
+            loads.subDict("live").locationOf("from"));
+    }
+    return positions;
+}
+
+/// The context with the loads that `cases` names.
+template<int Dim>
+LoadContext<Dim> withCases(const LoadContext<Dim>& context, const LoadCases<Dim>& cases)
+{
+    LoadContext<Dim> with = context;
+    for (const auto& [name, load] : cases.cases)
+    {
+        with.cases.emplace_back(name, load(context));
+    }
+    return with;
+}
+
+} // namespace
+
+template<int Dim>
+CaseLoads<Dim> readLoads(const std::filesystem::path& caseDirectory, const LoadContext<Dim>& context,
+                         LiveLoad liveLoad)
+{
+    constexpr std::string_view file = "constant/loads";
+    if (liveLoad == LiveLoad::optional && !std::filesystem::exists(caseDirectory / file))
+    {
+        CaseLoads<Dim> weight;
+        weight.dead = gravityLoad(context.assembly, context.masses, context.gravity);
+        return weight;
+    }
+    const Dictionary dictionary = readCaseFile(
+        caseDirectory, file, "dead { type gravity; } live { type inertial; direction (1 0 0); }");
+    const auto cases = readOptions<LoadCases<Dim>>(dictionary);
+    if (!cases.combinations.empty())
+    {
+        throw FatalIOError("combinations are for limitAnalysis. Write for instance `dead { type gravity; }` "
+                           "instead.",
+                           dictionary.locationOf("combinations"));
+    }
+    if (!cases.live && liveLoad == LiveLoad::required)
+    {
+        throw FatalIOError(
+            "There is no live load to find the multiplier of. Add, for instance, \n\n    live { type "
+            "inertial; direction (1 0 0); }",
+            dictionary.location());
+    }
+    CaseLoads<Dim> loads;
+    loads.locations = EntryLocations(dictionary);
+    loads.multiplier = cases.multiplier;
+    const LoadContext<Dim> with = withCases(context, cases);
+    loads.cases = with.cases;
+    loads.dead = cases.dead(with);
+    loads.movement = readMovement(dictionary, context.assembly);
+    loads.positions = readPositions(dictionary, context.assembly);
+    if (!loads.positions.empty())
+    {
+        loads.live = loads.positions.front().live;
+    }
+    else if (cases.live && !loads.movement)
+    {
+        loads.live = (*cases.live)(with);
+    }
+    if (liveLoad == LiveLoad::required && !loads.movement && loads.live.isZero(0))
+    {
+        throw FatalIOError(
+            "The live load is zero on every block, as where gravity (constant/g) is zero: there "
+            "is nothing to find the multiplier of. Give gravity, or a live load of type force.",
+            dictionary.locationOf("live"));
+    }
+    return loads;
+}
+
+template<int Dim>
+std::vector<std::pair<std::string, LoadVectors>>
+readLoadCombinations(const std::filesystem::path& caseDirectory, const LoadContext<Dim>& context)
+{
+    constexpr std::string_view file = "constant/loads";
+    std::vector<std::pair<std::string, LoadVectors>> result;
+    if (!std::filesystem::exists(caseDirectory / file))
+    {
+        return result;
+    }
+    const Dictionary dictionary = Dictionary::readFile(caseDirectory / file);
+    const auto cases = readOptions<LoadCases<Dim>>(dictionary);
+    if (cases.combinations.empty())
+    {
+        return result;
+    }
+    const LoadContext<Dim> with = withCases(context, cases);
+    for (const auto& [name, combination] : cases.combinations)
+    {
+        LoadVectors loads;
+        loads.cases = with.cases;
+        loads.multiplier = combination.multiplier;
+        loads.dead = combination.dead(with);
+        loads.live = combination.live(with);
+        if (loads.live.isZero(0))
+        {
+            throw FatalIOError(
+                "The live load is zero on every block: there is nothing to find the multiplier "
+                "of. Give gravity, or a live load of type force.",
+                dictionary.subDict("combinations").subDict(name).locationOf("live"));
+        }
+        result.emplace_back(name, std::move(loads));
+    }
+    return result;
+}
+
+template CaseLoads<2> readLoads(const std::filesystem::path&, const LoadContext<2>&, LiveLoad);
+template std::vector<std::pair<std::string, LoadVectors>> readLoadCombinations(const std::filesystem::path&,
+                                                                               const LoadContext<2>&);
+template CaseLoads<3> readLoads(const std::filesystem::path&, const LoadContext<3>&, LiveLoad);
+template std::vector<std::pair<std::string, LoadVectors>> readLoadCombinations(const std::filesystem::path&,
+                                                                               const LoadContext<3>&);
+
+} // namespace drystone

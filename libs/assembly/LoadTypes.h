@@ -1,0 +1,43 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// What the types of loads share with the reading of constant/loads.
+#pragma once
+
+#include "assembly/Loads.h"
+
+#include <fmt/format.h>
+
+#include <string>
+
+namespace drystone
+{
+
+/// `(0 -1000 0)`, in space `(0 0 -1000)`.
+template<int Dim>
+std::string downwards(std::string_view size)
+{
+    return Dim == 2 ? fmt::format("(0 -{} 0)", size) : fmt::format("(0 0 -{})", size);
+}
+
+/// `(0.5 1.2)`, as a dictionary has it.
+template<int Dim>
+std::string asWritten(const Vector<Dim>& point)
+{
+    return fmt::format("({:.6g})", fmt::join(point.data(), point.data() + Dim, " "));
+}
+
+/// `type supportMovement;`
+template<int Dim>
+struct SupportMovementSettings
+{
+    std::string support;
+    Vector<Dim> direction = -Vector<Dim>::Unit(Dim - 1);
+};
+
+template<int Dim>
+void declare(Options& options, SupportMovementSettings<Dim>& settings);
+
+/// The loads that can be part of others: of a sum, of combined cases.
+template<int Dim>
+const Registry<LoadMaker<Dim>>& singleLoadTypes();
+
+} // namespace drystone

@@ -1,0 +1,351 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Pressures, integrated over the exposed faces.
+#include "assembly/SurfaceLoads.h"
+
+#include "assembly/BlockShape.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace drystone
+{
+namespace
+{
+
+/// Directions that differ by rounding only are the same.
+constexpr double sameDirection = 1e-9;
+
+/// Adds the integral of a traction [Pa] over each piece to the forces and moments of its block.
+/// \param traction of a piece at a point, linear over the piece
+template<int Dim, class Traction>
+Eigen::VectorXd integrated(const Assembly<Dim>& assembly, const std::vector<SurfacePiece<Dim>>& pieces,
+                           const Traction& traction)
+{
+    const std::vector<int> freeIndex = freeIndices(assembly);
+    const auto count =
+        std::count_if(freeIndex.begin(), freeIndex.end(), [](int index) { return index >= 0; });
+    const std::vector<BlockMass<Dim>> masses = blockMasses(assembly);
+    Eigen::VectorXd load = Eigen::VectorXd::Zero(freedomCount<Dim> * count);
+    for (const SurfacePiece<Dim>& piece : pieces)
+    {
+        auto rows = load.template segment<freedomCount<Dim>>(freedomCount<Dim> * freeIndex[piece.block]);
+        for (const auto& [place, weight] : quadratureOf(piece))
+        {
+            const Vector<Dim> force = weight * traction(piece, place);
+            rows.template head<Dim>() += force;
+            rows.template tail<rotationCount<Dim>>() +=
+                momentOf(Vector<Dim>(place - masses[piece.block].centroid), force);
+        }
+    }
+    return load;
+}
+
+template<int Dim>
+std::vector<char> chosenBlocks(const Assembly<Dim>& assembly, const LoadedFaces<Dim>& faces)
+{
+    const bool isAll = faces.blocks.empty() && faces.zones.empty();
+    std::vector<char> chosen(assembly.blocks.size(), isAll);
+    for (const int block : faces.blocks)
+    {
+        chosen[block] = true;
+    }
+    for (const Zone& zone : assembly.zones)
+    {
+        if (std::any_of(faces.zones.begin(), faces.zones.end(),
+                        [&](const NamePattern& pattern) { return pattern.matches(zone.name); }))
+        {
+            for (const int block : zone.blocks)
+            {
+                chosen[block] = true;
+            }
+        }
+    }
+    for (std::size_t block = 0; block < chosen.size(); ++block)
+    {
+        chosen[block] = chosen[block] && assembly.blocks[block].support < 0;
+    }
+    return chosen;
+}
+
+/// Refuses blocks and zones that the assembly does not have.
+template<int Dim>
+void requireBlocks(const Assembly<Dim>& assembly, const LoadedFaces<Dim>& faces, const EntryLocations& places)
+{
+    for (const int block : faces.blocks)
+    {
+        if (block >= static_cast<int>(assembly.blocks.size()))
+        {
+            throw FatalIOError(fmt::format("There is no block {}: the assembly has blocks 0 to {}.", block,
+                                           assembly.blocks.size() - 1),
+                               places.of("blocks"));
+        }
+    }
+    for (const NamePattern& pattern : faces.zones)
+    {
+        std::vector<std::string> names;
+        for (const Zone& zone : assembly.zones)
+        {
+            names.push_back(zone.name);
+        }
+        if (std::none_of(names.begin(), names.end(),
+                         [&](const std::string& name) { return pattern.matches(name); }))
+        {
+            throw FatalIOError(unknownWordMessage("zone", pattern.text, names), places.of("zones"));
+        }
+    }
+}
+
+template<int Dim>
+std::string exampleOf(const char* plane, const char* space)
+{
+    return Dim == 2 ? plane : space;
+}
+
+} // namespace
+
+template<int Dim>
+void declare(Options& options, LoadedFaces<Dim>& faces)
+{
+    options.optional("blocks", faces.blocks, "only the faces of these blocks, by index").example("(3 4 5)");
+    options.optional("zones", faces.zones, "only the faces of blocks in these zones of the assembly")
+        .example("(facade)");
+    options
+        .optional("box", faces.box,
+                  "only what lies between this lower and upper corner; faces are cut at its sides")
+        .unit("m")
+        .example(exampleOf<Dim>("((0 0) (2 1.5))", "((0 0 0) (2 1 1.5))"));
+    options.check("box",
+                  [&faces]() -> std::string
+                  {
+                      const bool isBox =
+                          faces.box.size() == 2 && (faces.box[1] - faces.box[0]).minCoeff() > 0;
+                      return faces.box.empty() || isBox
+                                 ? ""
+                                 : "A box has two corners, the second above the first in every direction.";
+                  });
+    options.check("blocks",
+                  [&faces]() -> std::string
+                  {
+                      return std::any_of(faces.blocks.begin(), faces.blocks.end(),
+                                         [](int block) { return block < 0; })
+                                 ? "Blocks are counted from 0."
+                                 : "";
+                  });
+}
+
+template<int Dim>
+void declare(Options& options, PressureSettings<Dim>& settings)
+{
+    options
+        .required("value", settings.value, "of the pressure: positive presses on the faces, negative pulls")
+        .unit("Pa")
+        .example("600");
+    options
+        .required("normal", settings.normal,
+                  "which way the loaded faces look, out of the blocks; faces that touch other blocks are not "
+                  "loaded")
+        .example(exampleOf<Dim>("(-1 0)", "(-1 0 0)"));
+    options
+        .optional("within", settings.within,
+                  "largest angle between `normal` and that of a loaded face, in degrees")
+        .atLeast(0)
+        .atMost(180);
+    options.optional("direction", settings.direction,
+                     "of the force; of length 0: on each face against its normal");
+    declare(options, static_cast<LoadedFaces<Dim>&>(settings));
+    options.check("value",
+                  [&settings]() -> std::string
+                  { return settings.value == 0 ? "A pressure of 0 is no load." : ""; });
+    options.check(
+        "normal",
+        [&settings]() -> std::string
+        {
+            return settings.normal.isZero(0)
+                       ? "The normal of a face cannot be (0 0 0). Write for instance `normal (-1 0 0);` for "
+                         "those that look to the left."
+                       : "";
+        });
+}
+
+template<int Dim>
+void declare(Options& options, BackfillSettings<Dim>& settings)
+{
+    options.optional("unitWeight", settings.unitWeight, "of the fill")
+        .unit("N/m3")
+        .atLeast(0)
+        .usual(5000, 30000)
+        .example("18000");
+    options
+        .optional("level", settings.level,
+                  exampleOf<Dim>("height y of its surface; required with unitWeight",
+                                 "height z of its surface; required with unitWeight"))
+        .unit("m")
+        .example("1.5");
+    options.optional("surcharge", settings.surcharge, "on its surface, a vertical pressure")
+        .unit("Pa")
+        .atLeast(0)
+        .example("5000");
+    options
+        .optional("lateralCoefficient", settings.lateralCoefficient,
+                  "horizontal over vertical pressure, on the vertical projection of faces; 0: weight alone")
+        .unit("-")
+        .atLeast(0)
+        .usual(0, 4);
+    declare(options, static_cast<LoadedFaces<Dim>&>(settings));
+    options.check("unitWeight",
+                  [&settings]() -> std::string
+                  {
+                      return settings.unitWeight == 0 && settings.surcharge == 0
+                                 ? "A backfill needs a weight or a surcharge. Write for instance `unitWeight "
+                                   "18000; level 1.5;`."
+                             : settings.unitWeight > 0 && !settings.level
+                                 ? "The weight of a backfill needs the height of its surface. Write for "
+                                   "instance `level 1.5;`."
+                                 : "";
+                  });
+}
+
+template<int Dim>
+std::vector<SurfacePiece<Dim>> exposedSurface(const Assembly<Dim>& assembly,
+                                              const std::vector<SurfacePiece<Dim>>& covered,
+                                              const LoadedFaces<Dim>& faces)
+{
+    const std::vector<char> chosen = chosenBlocks(assembly, faces);
+    std::vector<SurfacePiece<Dim>> pieces;
+    for (std::size_t block = 0; block < chosen.size(); ++block)
+    {
+        if (chosen[block])
+        {
+            const std::vector<SurfacePiece<Dim>> own = surfaceOf(assembly, static_cast<int>(block));
+            pieces.insert(pieces.end(), own.begin(), own.end());
+        }
+    }
+    std::copy_if(covered.begin(), covered.end(), std::back_inserter(pieces),
+                 [&](const SurfacePiece<Dim>& piece) { return chosen[piece.block] != 0; });
+    for (int axis = 0; axis < Dim && !faces.box.empty(); ++axis)
+    {
+        const Vector<Dim> direction = Vector<Dim>::Unit(axis);
+        pieces = partBelow(pieces, direction, faces.box[1][axis]);
+        pieces = partBelow(pieces, -direction, -faces.box[0][axis]);
+    }
+    return pieces;
+}
+
+template<int Dim>
+Eigen::VectorXd pressureLoad(const Assembly<Dim>& assembly, const std::vector<SurfacePiece<Dim>>& exposed,
+                             const PressureSettings<Dim>& settings)
+{
+    const Vector<Dim> normal = settings.normal.normalized();
+    const double least = std::cos(settings.within * std::numbers::pi / 180) - sameDirection;
+    std::vector<SurfacePiece<Dim>> loaded;
+    std::copy_if(exposed.begin(), exposed.end(), std::back_inserter(loaded),
+                 [&](const SurfacePiece<Dim>& piece) { return piece.normal.dot(normal) >= least; });
+    return integrated(assembly, loaded,
+                      [&](const SurfacePiece<Dim>& piece, const Vector<Dim>&) -> Vector<Dim>
+                      {
+                          return settings.value
+                                 * (settings.direction.isZero(0) ? Vector<Dim>(-piece.normal)
+                                                                 : settings.direction.normalized());
+                      });
+}
+
+template<int Dim>
+Eigen::VectorXd backfillLoad(const Assembly<Dim>& assembly, const std::vector<SurfacePiece<Dim>>& exposed,
+                             const BackfillSettings<Dim>& settings)
+{
+    const Vector<Dim> up = Vector<Dim>::Unit(Dim - 1);
+    std::vector<SurfacePiece<Dim>> loaded;
+    std::copy_if(exposed.begin(), exposed.end(), std::back_inserter(loaded),
+                 [&](const SurfacePiece<Dim>& piece) { return piece.normal.dot(up) >= -sameDirection; });
+    const double level = settings.level.value_or(0);
+    if (settings.level)
+    {
+        loaded = partBelow(loaded, up, level);
+    }
+    return integrated(
+        assembly, loaded,
+        [&](const SurfacePiece<Dim>& piece, const Vector<Dim>& place) -> Vector<Dim>
+        {
+            const double pressure = settings.unitWeight * (level - place.dot(up)) + settings.surcharge;
+            const Vector<Dim> vertical = piece.normal.dot(up) * up;
+            return -pressure * (vertical + settings.lateralCoefficient * (piece.normal - vertical));
+        });
+}
+
+namespace
+{
+
+/// A maker that reports where no face is loaded. \param load from assembly, exposed faces and settings
+template<int Dim, class Settings, class Load>
+auto surfaceLoad(Load load)
+{
+    return [load](const Settings& settings, const Dictionary& dictionary) -> LoadMaker<Dim>
+    {
+        return [settings, load, place = dictionary.locationOf("type"),
+                places = EntryLocations(dictionary)](const LoadContext<Dim>& context) -> Eigen::VectorXd
+        {
+            requireBlocks<Dim>(context.assembly, settings, places);
+            const std::vector<SurfacePiece<Dim>> covered =
+                context.coveredSurface ? context.coveredSurface() : std::vector<SurfacePiece<Dim>>();
+            Eigen::VectorXd sum =
+                load(context.assembly, exposedSurface<Dim>(context.assembly, covered, settings), settings);
+            // What faces and the joints on them leave of each other by rounding is none.
+            const double largest = std::pow(meanBlockSize(context.assembly), Dim - 1);
+            if (!(sum.cwiseAbs().maxCoeff() > 1e-9 * largest))
+            {
+                throw FatalIOError("No face of a free block is loaded: each that is chosen touches another "
+                                   "block, looks elsewhere or lies outside the box or above the level. "
+                                   "VTK/assembly.vtp shows where the blocks are.",
+                                   place);
+            }
+            return sum;
+        };
+    };
+}
+
+} // namespace
+
+template<int Dim>
+std::vector<Model<LoadMaker<Dim>>> surfaceLoadTypes()
+{
+    return {
+        model<LoadMaker<Dim>, PressureSettings<Dim>>(
+            "pressure", "a pressure on faces, as of wind",
+            surfaceLoad<Dim, PressureSettings<Dim>>(pressureLoad<Dim>)),
+        model<LoadMaker<Dim>, BackfillSettings<Dim>>(
+            "backfill", "the weight of a fill on the faces that look up, with a surcharge on it",
+            surfaceLoad<Dim, BackfillSettings<Dim>>(backfillLoad<Dim>)),
+    };
+}
+
+template void declare(Options& options, LoadedFaces<2>& faces);
+template void declare(Options& options, LoadedFaces<3>& faces);
+template void declare(Options& options, PressureSettings<2>& settings);
+template void declare(Options& options, PressureSettings<3>& settings);
+template void declare(Options& options, BackfillSettings<2>& settings);
+template void declare(Options& options, BackfillSettings<3>& settings);
+template std::vector<SurfacePiece<2>> exposedSurface(const Assembly<2>& assembly,
+                                                     const std::vector<SurfacePiece<2>>& covered,
+                                                     const LoadedFaces<2>& faces);
+template std::vector<SurfacePiece<3>> exposedSurface(const Assembly<3>& assembly,
+                                                     const std::vector<SurfacePiece<3>>& covered,
+                                                     const LoadedFaces<3>& faces);
+template Eigen::VectorXd pressureLoad(const Assembly<2>& assembly,
+                                      const std::vector<SurfacePiece<2>>& exposed,
+                                      const PressureSettings<2>& settings);
+template Eigen::VectorXd pressureLoad(const Assembly<3>& assembly,
+                                      const std::vector<SurfacePiece<3>>& exposed,
+                                      const PressureSettings<3>& settings);
+template Eigen::VectorXd backfillLoad(const Assembly<2>& assembly,
+                                      const std::vector<SurfacePiece<2>>& exposed,
+                                      const BackfillSettings<2>& settings);
+template Eigen::VectorXd backfillLoad(const Assembly<3>& assembly,
+                                      const std::vector<SurfacePiece<3>>& exposed,
+                                      const BackfillSettings<3>& settings);
+template std::vector<Model<LoadMaker<2>>> surfaceLoadTypes<2>();
+template std::vector<Model<LoadMaker<3>>> surfaceLoadTypes<3>();
+
+} // namespace drystone

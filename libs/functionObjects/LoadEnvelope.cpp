@@ -1,0 +1,193 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The envelope of a moving load, printed and written: it combines statics with output.
+#include "functionObjects/LoadEnvelope.h"
+
+#include "core/Log.h"
+#include "core/WholeFile.h"
+#include "io/Plot.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace drystone
+{
+namespace
+{
+
+double alphaOf(const PositionResult& result)
+{
+    switch (result.status)
+    {
+    case CollapseStatus::optimal:
+        return result.alpha;
+    case CollapseStatus::unbounded:
+        return std::numeric_limits<double>::infinity();
+    case CollapseStatus::unstable:
+    case CollapseStatus::notConverged:
+        break;
+    }
+    return std::nan("");
+}
+
+} // namespace
+
+template<int Dim>
+std::vector<EnvelopePoint> envelopeOf(const LimitAnalysisCase<Dim>& structure)
+{
+    std::vector<EnvelopePoint> points;
+    for (std::size_t i = 0; i < structure.envelope.size(); ++i)
+    {
+        const EnvelopePoint point{structure.loads.positions[i].distance, i, alphaOf(structure.envelope[i])};
+        if (points.empty() || points.back().distance != point.distance)
+        {
+            points.push_back(point);
+        }
+        else if (!(points.back().alpha <= point.alpha))
+        {
+            points.back() = point;
+        }
+    }
+    return points;
+}
+
+template<int Dim>
+std::optional<EnvelopePoint> worstPlace(const LimitAnalysisCase<Dim>& structure)
+{
+    constexpr double same = 1e-7; // as solveLimitAnalyses chooses
+    std::optional<EnvelopePoint> worst;
+    for (const EnvelopePoint& point : envelopeOf(structure))
+    {
+        if (std::isfinite(point.alpha) && (!worst || point.alpha < worst->alpha * (1 - same)))
+        {
+            worst = point;
+        }
+    }
+    return worst;
+}
+
+template<int Dim>
+std::string placeText(const LimitAnalysisCase<Dim>& structure, const EnvelopePoint& point)
+{
+    const Vector<Dim>& place = structure.loads.positions[point.position].place;
+    return fmt::format("({:.4g})", fmt::join(place.data(), place.data() + Dim, " "));
+}
+
+template<int Dim>
+void printEnvelope(const LimitAnalysisCase<Dim>& structure)
+{
+    const std::vector<EnvelopePoint> points = envelopeOf(structure);
+    const std::optional<EnvelopePoint> worst = worstPlace(structure);
+    if (!worst)
+    {
+        return;
+    }
+    const LoadPosition<Dim>& position = structure.loads.positions[worst->position];
+    const auto carried = std::count_if(points.begin(), points.end(),
+                                       [](const EnvelopePoint& point) { return std::isinf(point.alpha); });
+    info("Moving load: {} places{}", points.size(),
+         carried > 0 ? fmt::format(", at {} of them no load makes the structure collapse", carried) : "");
+    info("Worst place: {:.6g} m along the path, from {}, on block {}", worst->distance,
+         placeText(structure, *worst), fmt::join(position.blocks, " "));
+}
+
+template<int Dim>
+void writeEnvelope(const std::filesystem::path& folder, const LimitAnalysisCase<Dim>& structure,
+                   const std::string& caseName)
+{
+    const std::filesystem::path table = folder / "movingLoad.dat";
+    const std::filesystem::path picture = folder / "movingLoad.svg";
+    std::error_code ignored;
+    std::filesystem::remove(picture, ignored);
+    if (structure.envelope.empty())
+    {
+        std::filesystem::remove(table, ignored);
+        return;
+    }
+    std::string text =
+        fmt::format("# distance[m] x[m] y[m] {}block[-] alpha[-] status[-]\n", Dim == 3 ? "z[m] " : "");
+    for (std::size_t i = 0; i < structure.envelope.size(); ++i)
+    {
+        const LoadPosition<Dim>& position = structure.loads.positions[i];
+        text += fmt::format("{:.9g} {:.9g} {} {:.12g} {}\n", position.distance,
+                            fmt::join(position.place.data(), position.place.data() + Dim, " "),
+                            position.blocks.front(), alphaOf(structure.envelope[i]),
+                            static_cast<int>(structure.envelope[i].status));
+    }
+    writeWholeFile(table, text);
+
+    const std::vector<EnvelopePoint> points = envelopeOf(structure);
+    const std::optional<EnvelopePoint> worst = worstPlace(structure);
+    if (!worst)
+    {
+        return;
+    }
+    Plot plot;
+    plot.title = fmt::format("Moving load on {}", caseName);
+    plot.subtitle = fmt::format("worst place {:.4g} m along the path, from {}: alpha = {:.6g}",
+                                worst->distance, placeText(structure, *worst), worst->alpha);
+    plot.x.label = "distance of the load along its path [m]";
+    plot.y.label = "collapse multiplier alpha [-]";
+    plot.y.lower = 0;
+    // Near the supports it grows beyond all bounds, which would flatten the rest.
+    constexpr double shown = 6;
+    const bool isCut =
+        std::any_of(points.begin(), points.end(),
+                    [&](const EnvelopePoint& point) { return point.alpha > shown * worst->alpha; });
+    if (isCut && worst->alpha > 0)
+    {
+        plot.y.upper = shown * worst->alpha;
+    }
+    // A line ends where the multiplier is unbounded.
+    PlotCurve curve;
+    curve.name = "alpha";
+    curve.colour = curveColour(0);
+    curve.marker = CurveMarker::none;
+    const auto finish = [&]
+    {
+        if (!curve.x.empty())
+        {
+            plot.curves.push_back(curve);
+            curve.name.clear();
+        }
+        curve.x.clear();
+        curve.y.clear();
+    };
+    for (const EnvelopePoint& point : points)
+    {
+        if (!std::isfinite(point.alpha))
+        {
+            finish();
+            continue;
+        }
+        curve.x.push_back(point.distance);
+        curve.y.push_back(point.alpha);
+    }
+    finish();
+    PlotCurve mark;
+    mark.name = "worst place";
+    mark.x = {worst->distance};
+    mark.y = {worst->alpha};
+    mark.line = CurveLine::none;
+    mark.marker = CurveMarker::circle;
+    mark.colour = curveColour(1);
+    plot.curves.push_back(mark);
+    writePlot(picture, plot);
+}
+
+template std::vector<EnvelopePoint> envelopeOf(const LimitAnalysisCase<2>& structure);
+template std::vector<EnvelopePoint> envelopeOf(const LimitAnalysisCase<3>& structure);
+template std::optional<EnvelopePoint> worstPlace(const LimitAnalysisCase<2>& structure);
+template std::optional<EnvelopePoint> worstPlace(const LimitAnalysisCase<3>& structure);
+template std::string placeText(const LimitAnalysisCase<2>& structure, const EnvelopePoint& point);
+template std::string placeText(const LimitAnalysisCase<3>& structure, const EnvelopePoint& point);
+template void printEnvelope(const LimitAnalysisCase<2>& structure);
+template void printEnvelope(const LimitAnalysisCase<3>& structure);
+template void writeEnvelope(const std::filesystem::path& folder, const LimitAnalysisCase<2>& structure,
+                            const std::string& caseName);
+template void writeEnvelope(const std::filesystem::path& folder, const LimitAnalysisCase<3>& structure,
+                            const std::string& caseName);
+
+} // namespace drystone

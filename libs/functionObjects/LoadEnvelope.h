@@ -1,0 +1,47 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Multipliers of a moving load over its places, for logs, tables and pictures.
+#pragma once
+
+#include "statics/LimitAnalysisCase.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace drystone
+{
+
+/// One place of the load, the lower multiplier where it acts on either side of a joint.
+struct EnvelopePoint
+{
+    double distance = 0;      ///< along the path [m]
+    std::size_t position = 0; ///< index into CaseLoads::positions
+    double alpha = 0;         ///< inf where unbounded, nan where unstable
+};
+
+/// The places in their order. \param structure solved, see solveLimitAnalyses
+template<int Dim>
+std::vector<EnvelopePoint> envelopeOf(const LimitAnalysisCase<Dim>& structure);
+
+/// Where the multiplier is least, of equal ones the first; nothing without a moving load, or where none is
+/// finite.
+template<int Dim>
+std::optional<EnvelopePoint> worstPlace(const LimitAnalysisCase<Dim>& structure);
+
+/// `(-0.1 3)`: the place on the path.
+template<int Dim>
+std::string placeText(const LimitAnalysisCase<Dim>& structure, const EnvelopePoint& point);
+
+/// Range of multipliers and the worst place, for the log. Nothing without a moving load.
+template<int Dim>
+void printEnvelope(const LimitAnalysisCase<Dim>& structure);
+
+/// Writes postProcessing/limitAnalysis/0/movingLoad.dat, a row a position and block: `distance[m] x[m] y[m]
+/// block[-] alpha[-] status[-]` (in space z[m] too; `block` the first that carries an axle), and
+/// movingLoad.svg, the lower multiplier over the distance with the worst place. Without a moving load removes
+/// those of an earlier run.
+template<int Dim>
+void writeEnvelope(const std::filesystem::path& folder, const LimitAnalysisCase<Dim>& structure,
+                   const std::string& caseName);
+
+} // namespace drystone

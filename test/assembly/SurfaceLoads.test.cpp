@@ -1,0 +1,174 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Loads on faces against hand calculations.
+#include "assembly/SurfaceLoads.h"
+
+#include <gtest/gtest.h>
+
+using namespace drystone;
+
+namespace
+{
+
+/// A trapezium, 3 m wide at its foot and 1 m at its top, 2 m high, 0.5 m thick; the right side slopes.
+Assembly<2> plainWall()
+{
+    return {{{{{0, 0}, {3, 0}, {1, 2}, {0, 2}}, 0.5}}, {}};
+}
+
+/// The same in space.
+Assembly<3> solidWall()
+{
+    const std::vector<Vector<3>> front{{0, 0, 0}, {3, 0, 0}, {1, 0, 2}, {0, 0, 2}};
+    std::vector<Vector<3>> back = front;
+    for (Vector<3>& corner : back)
+    {
+        corner.y() = 0.5;
+    }
+    return {{{makePrism(back, front), -1}}, {}};
+}
+
+/// Force and moment (about y in space) as of the plane.
+Vector<3> asOfPlane(const Eigen::VectorXd& load)
+{
+    return load.size() == 3 ? Vector<3>(load) : Vector<3>(load[0], load[2], -load[4]);
+}
+
+template<int Dim, class Settings>
+Vector<3> pressure(const Assembly<Dim>& assembly, const Settings& settings)
+{
+    return asOfPlane(pressureLoad(assembly, exposedSurface<Dim>(assembly, {}, settings), settings));
+}
+
+template<int Dim>
+Vector<3> backfill(const Assembly<Dim>& assembly, const BackfillSettings<Dim>& settings)
+{
+    return asOfPlane(backfillLoad(assembly, exposedSurface<Dim>(assembly, {}, settings), settings));
+}
+
+TEST(SurfaceLoads, WindPressesOnTheFacesThatItMeets)
+{
+    PressureSettings<2> plane;
+    plane.value = 600;
+    plane.normal = {-1, 0};
+    // 600 Pa on 2 m x 0.5 m, at mid height; the centroid is at y = (3 x 1 + 2 x 2/2 x 2/3 ...) below.
+    const double area = 4;
+    const double height = (1 * 2 * 1 + 0.5 * 2 * 2 * (2.0 / 3)) / area;
+    const Vector<3> expected(600, 0, -600 * (1 - height));
+    EXPECT_LT((pressure(plainWall(), plane) - expected).norm(), 1e-10);
+    PressureSettings<3> space;
+    space.value = 600;
+    space.normal = {-1, 0, 0};
+    EXPECT_LT((pressure(solidWall(), space) - expected).norm(), 1e-10);
+}
+
+TEST(SurfaceLoads, APressureAllRoundHasNoResultant)
+{
+    PressureSettings<3> settings;
+    settings.value = 1e4;
+    settings.normal = {1, 0, 0};
+    settings.within = 180;
+    const Assembly<3> wall = solidWall();
+    EXPECT_LT(pressureLoad(wall, exposedSurface<3>(wall, {}, settings), settings).norm(), 1e-9);
+}
+
+TEST(SurfaceLoads, OfADirectionPressTheWholeAreaThatWay)
+{
+    PressureSettings<2> settings;
+    settings.value = 100;
+    settings.normal = {1, 1}; // the sloping side, sqrt 8 m long
+    settings.within = 1;
+    settings.direction = {0, -3};
+    const Vector<3> load = pressure(plainWall(), settings);
+    EXPECT_NEAR(load[0], 0, 1e-12);
+    EXPECT_NEAR(load[1], -100 * std::sqrt(8.0) * 0.5, 1e-10);
+}
+
+TEST(SurfaceLoads, ABoxCutsFaces)
+{
+    PressureSettings<2> settings;
+    settings.value = 600;
+    settings.normal = {-1, 0};
+    settings.box = {{-1, 0.5}, {1, 1.25}};
+    EXPECT_NEAR(pressure(plainWall(), settings)[0], 600 * 0.75 * 0.5, 1e-10);
+}
+
+TEST(SurfaceLoads, OtherBlocksAndFixedOnesAreLeftOut)
+{
+    Assembly<2> two = plainWall();
+    two.blocks.push_back(two.blocks.front());
+    two.zones = {{"second", {1}}};
+    PressureSettings<2> settings;
+    settings.value = 600;
+    settings.normal = {-1, 0};
+    settings.blocks = {0};
+    Eigen::VectorXd load = pressureLoad(two, exposedSurface<2>(two, {}, settings), settings);
+    EXPECT_NEAR(load[0], 600, 1e-10);
+    EXPECT_EQ(load[3], 0);
+    settings.blocks.clear();
+    settings.zones = {{"second", [](const std::string& name) { return name == "second"; }}};
+    load = pressureLoad(two, exposedSurface<2>(two, {}, settings), settings);
+    EXPECT_EQ(load[0], 0);
+    EXPECT_NEAR(load[3], 600, 1e-10);
+    two.blocks[1].support = 0;
+    EXPECT_TRUE(exposedSurface<2>(two, {}, settings).empty());
+}
+
+TEST(SurfaceLoads, WhatOthersLieOnIsNotLoaded)
+{
+    const Assembly<2> wall = plainWall();
+    PressureSettings<2> settings;
+    settings.value = 600;
+    settings.normal = {-1, 0};
+    // The lower half of the left side.
+    const SurfacePiece<2> covered{0, {-1, 0}, {Vector<2>(0, 0), Vector<2>(0, 1)}, -0.5};
+    const Eigen::VectorXd load = pressureLoad(wall, exposedSurface<2>(wall, {covered}, settings), settings);
+    EXPECT_NEAR(load[0], 300, 1e-10);
+}
+
+TEST(SurfaceLoads, ABackfillWeighsWhatLiesOnTheFaces)
+{
+    // Up to y = 3: 1 m on the top, 1 m to 3 m over the slope; 20 kN/m3, 0.5 m thick.
+    BackfillSettings<2> settings;
+    settings.unitWeight = 20000;
+    settings.level = 3;
+    const double top = 1 * 1 * 10000.0;
+    const double slope = 2 * (1 + 3) / 2.0 * 10000.0;
+    Vector<3> load = backfill(plainWall(), settings);
+    EXPECT_NEAR(load[0], 0, 1e-9);
+    EXPECT_NEAR(load[1], -(top + slope), 1e-8);
+    // Moment about the centroid: over the slope a rectangle about x = 2 and a triangle about x = 7/3.
+    const double centroid = (2 * 0.5 + 2 * (1 + 2.0 / 3)) / 4;
+    const double moment = -top * (0.5 - centroid) - 20000 * (2 - centroid) - 20000 * (7.0 / 3 - centroid);
+    EXPECT_NEAR(load[2], moment, 1e-8);
+
+    BackfillSettings<3> space;
+    space.unitWeight = 20000;
+    space.level = 3;
+    EXPECT_LT((backfill(solidWall(), space) - load).norm(), 1e-7);
+    // Its surcharge: 5 kPa on 3 m x 0.5 m, wherever the level is.
+    settings.unitWeight = 0;
+    settings.surcharge = 5000;
+    EXPECT_NEAR(backfill(plainWall(), settings)[1], -7500, 1e-9);
+    settings.level.reset();
+    EXPECT_NEAR(backfill(plainWall(), settings)[1], -7500, 1e-9);
+    settings.level = 1; // half of the slope is above the fill
+    EXPECT_NEAR(backfill(plainWall(), settings)[1], -2500, 1e-9);
+}
+
+TEST(SurfaceLoads, EarthPressureGrowsWithDepth)
+{
+    BackfillSettings<2> settings;
+    settings.unitWeight = 18000;
+    settings.level = 2;
+    settings.lateralCoefficient = 1 / 3.0;
+    settings.box = {{-1, 0}, {0.5, 2}}; // the left side alone
+    // Rankine: K gamma h^2 / 2, h/3 above the foot.
+    const double force = 18000 / 3.0 * 4 / 2 * 0.5;
+    const Vector<3> load = backfill(plainWall(), settings);
+    EXPECT_NEAR(load[0], force, 1e-9);
+    EXPECT_NEAR(load[1], 0, 1e-9);
+    const double height = (2 + 4.0 / 3) / 4;
+    EXPECT_NEAR(load[2], -force * (2.0 / 3 - height), 1e-9);
+}
+
+} // namespace

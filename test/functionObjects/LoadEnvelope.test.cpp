@@ -1,0 +1,66 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The envelope of a moving load, and its worst place.
+#include "functionObjects/LoadEnvelope.h"
+
+#include "core/WholeFile.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+using namespace drystone;
+
+namespace
+{
+
+LimitAnalysisCase<2> solvedCase()
+{
+    LimitAnalysisCase<2> structure;
+    const auto add = [&](double distance, int block, CollapseStatus status, double alpha)
+    {
+        structure.loads.positions.push_back({distance, {distance, 1}, {block}, {}});
+        structure.envelope.push_back({status, alpha});
+    };
+    add(0, 0, CollapseStatus::unbounded, 0);
+    add(0.5, 0, CollapseStatus::optimal, 40);
+    add(1, 0, CollapseStatus::optimal, 7);
+    add(1, 1, CollapseStatus::optimal, 5); // the other side of a joint
+    add(1.5, 1, CollapseStatus::optimal, 6);
+    add(2, 1, CollapseStatus::optimal, 5 * (1 - 1e-9)); // as good as the same
+    return structure;
+}
+
+TEST(LoadEnvelope, TakesTheLowerSideOfAJointAndTheFirstOfEqualPlaces)
+{
+    const LimitAnalysisCase<2> structure = solvedCase();
+    const std::vector<EnvelopePoint> points = envelopeOf(structure);
+    ASSERT_EQ(points.size(), 5u);
+    EXPECT_TRUE(std::isinf(points[0].alpha));
+    EXPECT_EQ(points[2].alpha, 5);
+    EXPECT_EQ(points[2].position, 3u);
+    const auto worst = worstPlace(structure);
+    ASSERT_TRUE(worst);
+    EXPECT_EQ(worst->distance, 1);
+    EXPECT_EQ(placeText(structure, *worst), "(1 1)");
+    EXPECT_FALSE(worstPlace(LimitAnalysisCase<2>{}));
+}
+
+TEST(LoadEnvelope, IsWrittenAndTakenAwayAgain)
+{
+    const std::filesystem::path folder =
+        std::filesystem::temp_directory_path() / fmt::format("drystone-envelope-{}", ::getpid());
+    std::filesystem::create_directories(folder);
+    writeEnvelope(folder, solvedCase(), "arch");
+    EXPECT_EQ(contentOfFile(folder / "movingLoad.dat"),
+              "# distance[m] x[m] y[m] block[-] alpha[-] status[-]\n0 0 1 0 inf 2\n0.5 0.5 1 0 40 0\n"
+              "1 1 1 0 7 0\n1 1 1 1 5 0\n1.5 1.5 1 1 6 0\n2 2 1 1 4.999999995 0\n");
+    EXPECT_NE(contentOfFile(folder / "movingLoad.svg").find("worst place 1 m"), std::string::npos);
+    writeEnvelope(folder, LimitAnalysisCase<2>{}, "arch");
+    EXPECT_TRUE(std::filesystem::is_empty(folder));
+    std::filesystem::remove_all(folder);
+}
+
+} // namespace
