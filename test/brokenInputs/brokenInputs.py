@@ -91,6 +91,10 @@ class Broken:
 REMOVE = object()
 dictionary = "system/blockTextureDict"
 built = (("blockTexture",),)
+boxInSpace = {
+    dictionary: "dimensions 3;\ntexture { type boxes; blocks ( ((0 0 0) (1 1 1)) ); }\nsupports { ground { type ground; } }\n",
+    "constant/g": "value (0 0 -9.81);\n",
+}
 
 
 def inTexture(name, old, new, *says, **more):
@@ -517,6 +521,15 @@ brokenInputs = [
                "contact { formulation surface; }\nfriction", r"associative flow rule only", lines=(1,),
                files={"constant/contactProperties": "friction\n{\n    type Coulomb;\n    mu 0.65;\n    flowRule "
                       "nonAssociative;\n}\n"}),
+    inAnalysis("pointsOfTheProgram", "constant/contactProperties", "friction",
+               "jointPoints { type adaptve@@; }\nfriction", r"Did you mean adaptive\?", earlier=boxInSpace),
+    inAnalysis("adaptivePointsOfCoulomb", "constant/contactProperties", "", "", r"associative flow rule", lines=(1,),
+               earlier=boxInSpace, files={"constant/contactProperties": "jointPoints { type adaptive; }\ncohesion { strength 1e4; }\n"
+                                   "friction { type Coulomb; mu 0.6; flowRule nonAssociative; }\n"}),
+    inAnalysis("adaptivePointsOfSettlement", "constant/contactProperties", "friction",
+               "jointPoints { type adaptive; }@@\ncohesion { strength 1e4; }\nfriction", r"remove supportMovement",
+               earlier=boxInSpace, files={"constant/loads": "dead { type gravity; }\nlive { type supportMovement; support ground; "
+                                   "direction (0 0 -1); }\n"}),
     # Supports that move.
     inSupportMotion("unknownSupport", "roof { direction (1 0); velocity ((0 0) (1 1)); }\n", r"no support roof",
                     r"ground", lines=(1,)),
