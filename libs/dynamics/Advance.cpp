@@ -2,7 +2,10 @@
 /// The time step as a page of verbs, and the retry of steps that are not solved.
 #include "dynamics/Advance.h"
 
+#include "core/Log.h"
 #include "dynamics/PartedStep.h"
+#include "dynamics/ProvedRest.h"
+#include "dynamics/VerifiedStep.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,6 +42,22 @@ double nextTimeStep(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, do
     return fastest * allowed > reach ? reach / fastest : allowed;
 }
 
+/// Adds a step to the use of effects. \param provedBefore steps at rest before it \param since CPU time at
+/// its start [s]
+template<int Dim>
+void countUse(Motion<Dim>& motion, long provedBefore, double since)
+{
+    EffectUse& use = motion.effectUse;
+    const double seconds = cpuTime() - since;
+    ++use.steps;
+    (use.atRest > provedBefore ? use.secondsAtRest : use.secondsOfOthers) += seconds;
+    use.blocks += static_cast<double>(motion.state.velocity.size()) / freedomCount<Dim>;
+    const bool isPart = !motion.isAwake.empty();
+    use.awakeBlocks +=
+        isPart ? static_cast<double>(std::count(motion.isAwake.begin(), motion.isAwake.end(), true))
+               : static_cast<double>(motion.state.velocity.size()) / freedomCount<Dim>;
+}
+
 } // namespace
 
 template<int Dim>
@@ -46,6 +65,11 @@ double advanceUnparted(const DynamicCase<Dim>& scene, Motion<Dim>& motion, doubl
                        const ImpactChoice& impacts)
 {
     Step<Dim> step(scene, motion, timeStep, impacts);
+    if (staysAtRest(step))
+    {
+        return 1;
+    }
+    motion.isAwake.clear();
     findContacts(step);
     assemble(step);
     contribute(step);
@@ -98,11 +122,26 @@ ShortenedStep advanceOrShorten(const DynamicCase<Dim>& scene, Motion<Dim>& motio
 template<int Dim>
 bool advance(const DynamicCase<Dim>& scene, Motion<Dim>& motion, Time& time)
 {
+    const ChosenEffects& effects = scene.schemes.effects;
+    const bool isVerified = effects.selection == EffectSelection::automatic && effects.verifyInterval > 0
+                            && time.index() % effects.verifyInterval == 0;
+    std::optional<Motion<Dim>> before;
+    if (isVerified)
+    {
+        before = motion;
+    }
+    const long proved = motion.effectUse.atRest;
+    const double start = cpuTime();
     const ShortenedStep taken = advanceOrShorten(scene, motion, time.deltaT());
     if (!taken.isSolved)
     {
         time.abandonStep();
         return false;
+    }
+    countUse(motion, proved, start);
+    if (before)
+    {
+        verifyStep(scene, std::move(*before), taken.timeStep, motion);
     }
     if (taken.timeStep < time.deltaT())
     {

@@ -25,6 +25,7 @@ namespace drystone
 ///    stopped there for good: they touch nothing and feel no load. The kinetic energy that they take with
 ///    them counts as external work, negative.
 ///
+/// With `selection automatic` a step from rest that provably ends at rest has none of these (ProvedRest.h).
 /// Where blocks meet in the course of the step it is taken in parts, up to where they meet and on from there
 /// (PartedStep.h).
 ///

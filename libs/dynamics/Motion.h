@@ -5,6 +5,8 @@
 #include "contact/MovingContacts.h"
 #include "contact/space/MovingContacts.h"
 #include "dynamics/DynamicCase.h"
+#include "dynamics/EffectUse.h"
+#include "dynamics/RestProof.h"
 #include "dynamics/StepObservation.h"
 #include "dynamics/ThetaStep.h"
 #include "runControl/Time.h"
@@ -49,6 +51,7 @@ struct Motion
     StepResiduals attempt;               ///< of the last attempt at a step, solved or not
     StepWork work;                       ///< of the last step, all attempts together
     KeptAnalysis symbolic;               ///< of the last programs
+    KeptAnalysis symbolicOfHeld;         ///< likewise of the blocks that were held at rest, with `automatic`
     std::optional<MovingContacts<Dim>> contacts; ///< empty with smallDisplacements: the points stay as built
     std::vector<EffectState> effectStates;       ///< one an effect of the case
     std::vector<EffectState> effectStatesBefore; ///< at the start of the last step
@@ -57,8 +60,13 @@ struct Motion
     /// of its error, of first order in the step with theta above 1/2. Of each step at most what it would be
     /// if velocities changed by twice what the loads alone do: impacts change them by more.
     double smoothLoss = 0;
-    double largestKinetic = 0; ///< in this run [J]
-    StageTimes stageTimes;     ///< of this run
+    double largestKinetic = 0;               ///< in this run [J]
+    StageTimes stageTimes;                   ///< of this run
+    std::optional<RestProof<Dim>> restProof; ///< of where the blocks were last seen at rest, with `automatic`
+    /// Whether each block, fixed ones too, was simulated in the last step, or held by a proof; empty: all
+    /// were.
+    std::vector<char> isAwake;
+    EffectUse effectUse; ///< of this run
 };
 
 /// The strengths that effects give the points now; empty where there are none.

@@ -36,6 +36,34 @@ void declare(Options& options, InitialGaps& gaps)
         .atLeast(0);
 }
 
+void declare(Options& options, ChosenEffects& effects)
+{
+    options.optional(
+        "selection", effects.selection,
+        "asGiven: every step simulates all effects that the case names, of all blocks; automatic: "
+        "those that it calls for, with a proof that the others would change nothing beyond the "
+        "tolerance of the solver");
+    options
+        .optional("margin", effects.margin,
+                  "share of what blocks at rest carry that a proof leaves unused, with automatic")
+        .atLeast(0)
+        .atMost(0.9);
+    options
+        .optional("verifyInterval", effects.verifyInterval,
+                  "every so many steps one is solved with everything on, too, and the largest difference is "
+                  "reported, with automatic; 0: none")
+        .atLeast(0);
+    options.check(
+        "selection",
+        [&effects]() -> std::string
+        {
+            return effects.verifyInterval > 0 && effects.selection == EffectSelection::asGiven
+                       ? "verifyInterval needs `selection automatic;`: as given, everything is on in "
+                         "every step."
+                       : "";
+        });
+}
+
 void declare(Options& options, Schemes& schemes)
 {
     options.optional("timeIntegration", schemes.timeIntegration, timeIntegrationTypes(),
@@ -65,6 +93,8 @@ void declare(Options& options, Schemes& schemes)
         .orInfinite();
     options.optional("initialGaps", schemes.initialGaps,
                      "gaps that the joints have from the start, with smallDisplacements; absent: none");
+    options.optional("effects", schemes.effects,
+                     "which of the effects that the case names a step simulates; absent: all of them");
     options.check("initialGaps",
                   [&schemes]() -> std::string
                   {

@@ -48,6 +48,27 @@ struct InitialGaps
 };
 void declare(Options& options, InitialGaps& gaps);
 
+/// Whether each step simulates all effects that the case names.
+enum class EffectSelection
+{
+    asGiven,  ///< all of them, of all blocks, in every step
+    automatic ///< those that a step calls for: what is left out provably changes nothing
+};
+
+constexpr std::array<std::pair<std::string_view, EffectSelection>, 2> namesOf(EffectSelection)
+{
+    return {{{"asGiven", EffectSelection::asGiven}, {"automatic", EffectSelection::automatic}}};
+}
+
+/// `effects { selection automatic; margin 0.05; verifyInterval 100; }`
+struct ChosenEffects
+{
+    EffectSelection selection = EffectSelection::asGiven;
+    double margin = 0.05;   ///< share of what a part at rest carries that a proof leaves unused [-]
+    int verifyInterval = 0; ///< every so many steps one is solved with everything on, too; 0: none
+};
+void declare(Options& options, ChosenEffects& effects);
+
 struct Schemes
 {
     ThetaIntegration timeIntegration;
@@ -57,6 +78,7 @@ struct Schemes
     double maxDisplacement = 0.05;   ///< of any block in a step, with adjustTimeStep [mean block size]
     double maxDeltaT = std::numeric_limits<double>::infinity(); ///< with adjustTimeStep [s]
     std::optional<InitialGaps> initialGaps;                     ///< with smallDisplacements
+    ChosenEffects effects;
 };
 void declare(Options& options, Schemes& schemes);
 

@@ -1,5 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// The stage of a step that solves its program, and what the others ask of a solution.
+#include "dynamics/HeldBlocks.h"
 #include "dynamics/Step.h"
 
 #include <algorithm>
@@ -21,6 +22,11 @@ void solve(Step<Dim>& step)
 {
     const StageTimer timer(step.motion.stageTimes, Stage::solve);
     StepSolution& solved = step.solved;
+    if (solveAwake(step))
+    {
+        solved.isSolved = true;
+        return;
+    }
     solved.result =
         solveThetaStep(step.program, step.settings, step.guess, step.relinearise, step.motion.symbolic.get());
     solved.isSolved = solved.result.status == SolveStatus::optimal;

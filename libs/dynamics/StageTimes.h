@@ -21,10 +21,11 @@ enum class Stage
     collide,      ///< impacts of their own, and the instants at which blocks meet
     review,       ///< effects examine the solution, and may request another one
     move,         ///< new placements and velocities
-    account       ///< energy, and what the next step starts from
+    account,      ///< energy, and what the next step starts from
+    rest          ///< proofs that blocks stay at rest, and steps taken with them
 };
 
-constexpr std::array<std::pair<std::string_view, Stage>, 8> namesOf(Stage)
+constexpr std::array<std::pair<std::string_view, Stage>, 9> namesOf(Stage)
 {
     return {{{"findContacts", Stage::findContacts},
              {"assemble", Stage::assemble},
@@ -33,7 +34,8 @@ constexpr std::array<std::pair<std::string_view, Stage>, 8> namesOf(Stage)
              {"collide", Stage::collide},
              {"review", Stage::review},
              {"move", Stage::move},
-             {"account", Stage::account}}};
+             {"account", Stage::account},
+             {"rest", Stage::rest}}};
 }
 
 /// Elapsed time of each stage, summed over steps [s]. Steps that were tried and not taken count.

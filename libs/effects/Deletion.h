@@ -24,6 +24,8 @@ class BlockDeletion final : public Effect<Dim>
 {
 public:
     explicit BlockDeletion(const Deletion<Dim>& deletion) : settings(deletion) {}
+    /// Idle at rest: a block leaves the box by moving.
+    EffectTraits traits() const override { return {.isIdleAtRest = true}; }
     void start(const Structure<Dim>& structure, const std::vector<Placement<Dim>>& placements,
                EffectState& state) const override;
     void addLoad(const EffectContext<Dim>& context, const EffectState& state,

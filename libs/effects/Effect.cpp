@@ -9,6 +9,7 @@ template<int Dim>
 EffectTraits traitsOf(const Effects<Dim>& effects)
 {
     EffectTraits all;
+    all.isIdleAtRest = true;
     for (const auto& effect : effects)
     {
         const EffectTraits own = effect->traits();
@@ -16,6 +17,7 @@ EffectTraits traitsOf(const Effects<Dim>& effects)
         all.holdsJoints = all.holdsJoints || own.holdsJoints;
         all.actsOnBlocks = all.actsOnBlocks || own.actsOnBlocks;
         all.movesSupports = all.movesSupports || own.movesSupports;
+        all.isIdleAtRest = all.isIdleAtRest && own.isIdleAtRest;
     }
     return all;
 }

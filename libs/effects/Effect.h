@@ -89,6 +89,9 @@ struct EffectTraits
     bool holdsJoints = false;  ///< joints have strengths in addition to friction
     bool actsOnBlocks = false; ///< blocks that touch nothing feel it too, and not as a load
     bool movesSupports = false;
+    /// A step from rest to rest is the same without it, but for the load that it adds and for what it puts
+    /// into the program, which is the same in each such step. Said by each effect, with the reason.
+    bool isIdleAtRest = false;
 };
 
 /// Numbers under names, as a state keeps them.
@@ -115,6 +118,10 @@ public:
 
     /// Adds to the forces on the blocks [N, N, N m]: those that are known before the step is solved.
     virtual void addLoad(const EffectContext<Dim>&, const EffectState&, Eigen::VectorXd& /*load*/) const {}
+
+    /// Loads of which addLoad adds a sum with factors that change in time, if it does: what the structure
+    /// carries of each is found before it acts. In a case always the same; rows of each free block.
+    virtual std::vector<Eigen::VectorXd> loadDirections(const Structure<Dim>&) const { return {}; }
 
     /// The motion of the ground that the run is seen from; null: the effect is none of that.
     virtual const GroundMotion* groundMotion() const { return nullptr; }
@@ -183,7 +190,7 @@ public:
 template<int Dim>
 using Effects = std::vector<std::shared_ptr<const Effect<Dim>>>;
 
-/// What all of them together are.
+/// What all of them together are: idle at rest where each of them is, the rest where any of them is.
 template<int Dim>
 EffectTraits traitsOf(const Effects<Dim>& effects);
 

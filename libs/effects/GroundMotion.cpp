@@ -152,6 +152,21 @@ void MovingGround<Dim>::addLoad(const EffectContext<Dim>& context, const EffectS
 }
 
 template<int Dim>
+std::vector<Eigen::VectorXd> MovingGround<Dim>::loadDirections(const Structure<Dim>& structure) const
+{
+    std::vector<Eigen::VectorXd> directions;
+    for (const GroundMotion::Component& component : motion.components)
+    {
+        Eigen::VectorXd& load = directions.emplace_back(Eigen::VectorXd::Zero(structure.mass.size()));
+        for (Eigen::Index row = 0; row < load.size(); row += freedomCount<Dim>)
+        {
+            load.segment<Dim>(row) = -structure.mass[row] * component.direction.head<Dim>();
+        }
+    }
+    return directions;
+}
+
+template<int Dim>
 std::string MovingGround<Dim>::startText(const Structure<Dim>& structure, const EffectState&) const
 {
     return summary(motion, structure.gravity.norm());

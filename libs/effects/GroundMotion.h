@@ -80,6 +80,10 @@ class MovingGround final : public Effect<Dim>
 {
 public:
     explicit MovingGround(GroundMotion ofGround) : motion(std::move(ofGround)) {}
+    /// Idle at rest, where it is a load and nothing else.
+    EffectTraits traits() const override { return {.isIdleAtRest = true}; }
+    /// -M times each direction [N for 1 m/s2].
+    std::vector<Eigen::VectorXd> loadDirections(const Structure<Dim>& structure) const override;
     const GroundMotion* groundMotion() const override { return &motion; }
     void addLoad(const EffectContext<Dim>& context, const EffectState& state,
                  Eigen::VectorXd& load) const override;

@@ -89,7 +89,8 @@ public:
     /// How many are broken that once held.
     int broken(const EffectState& state) const;
 
-    EffectTraits traits() const override { return {.holdsJoints = true}; }
+    /// Idle at rest: bonds give way by opening or sliding; their strengths are in the program.
+    EffectTraits traits() const override { return {.holdsJoints = true, .isIdleAtRest = true}; }
     void start(const Structure<Dim>& structure, const std::vector<Placement<Dim>>& placements,
                EffectState& state) const override;
     /// Lets the bonds that are whole hold their points where they were joined. One that is left without a

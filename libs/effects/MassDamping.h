@@ -39,7 +39,8 @@ class MassDamping final : public Effect<Dim>
 public:
     /// \param damping with its massProportional, whether given or equivalent
     explicit MassDamping(const Damping& damping) : settings(damping) {}
-    EffectTraits traits() const override { return {.actsOnBlocks = true}; }
+    /// Idle at rest: its force is proportional to the velocity.
+    EffectTraits traits() const override { return {.actsOnBlocks = true, .isIdleAtRest = true}; }
     void contribute(const EffectContext<Dim>& context, EffectState& state,
                     StepProgram<Dim>& program) const override;
     void account(const EffectContext<Dim>& context, const EffectSolution& solution,

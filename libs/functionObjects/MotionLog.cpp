@@ -114,6 +114,13 @@ void printStep(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const T
     const StepResiduals& residuals = motion.residuals;
     info("{}:  Solving for contact, Initial residual = {:.6g}, Final residual = {:.6g}, No Iterations {}",
          nameOf(scene.solution.solver), residuals.initialResidual, worst(residuals), residuals.iterations);
+    if (scene.schemes.effects.selection == EffectSelection::automatic)
+    {
+        const auto all = scene.mass.size() / freedomCount<Dim>;
+        info("Effects: on for {} of {} blocks",
+             motion.isAwake.empty() ? all : std::count(motion.isAwake.begin(), motion.isAwake.end(), true),
+             all);
+    }
     for (const std::string& event : events)
     {
         printLine(event);
@@ -147,12 +154,59 @@ void printIntegrationError(const DynamicCase<Dim>& scene, const Motion<Dim>& mot
     }
 }
 
+template<int Dim>
+void printEffectUse(const DynamicCase<Dim>& scene, const Motion<Dim>& motion)
+{
+    const ChosenEffects& effects = scene.schemes.effects;
+    const EffectUse& use = motion.effectUse;
+    if (effects.selection != EffectSelection::automatic || use.steps == 0)
+    {
+        return;
+    }
+    info("Effects as the steps called for them (margin {:g})", effects.margin);
+    info("    effect               on in steps [%]   of blocks [%]");
+    auto simulated = scene.effectNames.simulated;
+    if (!scene.schemes.smallDisplacements)
+    {
+        simulated.emplace_back("largeDisplacements");
+    }
+    const auto steps = static_cast<double>(use.steps);
+    for (const std::string& name : simulated)
+    {
+        info("    {:20} {:15.1f} {:15.1f}", name, 100 * (steps - static_cast<double>(use.atRest)) / steps,
+             use.blocks > 0 ? 100 * use.awakeBlocks / use.blocks : 100);
+    }
+    const long others = use.steps - use.atRest;
+    info("Proved at rest: {} of {} steps, in {:.3g} s, proofs included; the others took {:.3g} s", use.atRest,
+         use.steps, use.secondsAtRest, use.secondsOfOthers);
+    if (use.verified > 0)
+    {
+        const double full = use.secondsOfVerified / static_cast<double>(use.verified);
+        info("Verified with everything on: {} steps, largest difference {:.3g} m at {:g} s; {:.3g} s a step, "
+             "so "
+             "that {:.3g} s are saved",
+             use.verified, use.largestDifference, use.timeOfLargestDifference, full,
+             full * steps - use.secondsAtRest - use.secondsOfOthers);
+    }
+    else if (others > 0)
+    {
+        const double full = use.secondsOfOthers / static_cast<double>(others);
+        info("Saved: about {:.3g} s, at {:.3g} s for a step without proof; verifyInterval measures it",
+             full * static_cast<double>(use.atRest) - use.secondsAtRest, full);
+    }
+    printLine();
+}
+
 void printStageTimes(const StageTimes& times)
 {
     const double total = times.total();
     info("Time of the stages    [s]      %");
     for (const auto& [name, stage] : namesOf(Stage{}))
     {
+        if (stage == Stage::rest && times.of(stage) == 0) // without `selection automatic`
+        {
+            continue;
+        }
         info("    {:12} {:9.3g} {:6.1f}", name, times.of(stage),
              total > 0 ? 100 * times.of(stage) / total : 0);
     }
@@ -247,12 +301,14 @@ template void printScene(const DynamicCase<2>& scene, const Motion<2>& motion, c
 template void printStep(const DynamicCase<2>& scene, const Motion<2>& motion, const Time& time);
 template void printSummary(const MotionSummary<2>& summary, const Motion<2>& motion);
 template void printIntegrationError(const DynamicCase<2>& scene, const Motion<2>& motion);
+template void printEffectUse(const DynamicCase<2>& scene, const Motion<2>& motion);
 template std::string unsolvedStep(const DynamicCase<2>& scene, const Motion<2>& motion, const Time& time);
 template void printScene(const DynamicCase<3>& scene, const Motion<3>& motion, const Time& time,
                          const std::vector<std::string>& functions);
 template void printStep(const DynamicCase<3>& scene, const Motion<3>& motion, const Time& time);
 template void printSummary(const MotionSummary<3>& summary, const Motion<3>& motion);
 template void printIntegrationError(const DynamicCase<3>& scene, const Motion<3>& motion);
+template void printEffectUse(const DynamicCase<3>& scene, const Motion<3>& motion);
 template std::string unsolvedStep(const DynamicCase<3>& scene, const Motion<3>& motion, const Time& time);
 
 } // namespace drystone

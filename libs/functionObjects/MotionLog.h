@@ -34,6 +34,11 @@ void printIntegrationError(const DynamicCase<Dim>& scene, const Motion<Dim>& mot
 /// After the last step: the time that each stage of the steps has taken, and its part of all.
 void printStageTimes(const StageTimes& times);
 
+/// After the last step of a run with `selection automatic`: on which share of the steps and of the blocks its
+/// effects acted, the time that the steps have taken and saved, and what verifyInterval has found.
+template<int Dim>
+void printEffectUse(const DynamicCase<Dim>& scene, const Motion<Dim>& motion);
+
 /// `End`, or where a run was stopped before its end and whether its state is kept.
 void printStopOrEnd(const Time& time);
 

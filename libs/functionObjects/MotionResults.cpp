@@ -373,6 +373,15 @@ void MotionResults<Dim>::writeFrames()
             fields.push_back({std::move(field.name), 1, std::move(field.values)});
         }
     }
+    if (scene.schemes.effects.selection == EffectSelection::automatic)
+    {
+        Field isAwake{"awake", 1, {motion.isAwake.begin(), motion.isAwake.end()}, FieldType::integer};
+        for (std::size_t block = isAwake.values.size(); block < scene.free.size(); ++block)
+        {
+            isAwake.values.push_back(scene.free[block] >= 0); // all that are free
+        }
+        fields.push_back(std::move(isAwake));
+    }
     blocks.write(time.value(), blockFrame(scene.assembly, motion.state.placements, std::move(fields)));
     const std::vector<double> friction = frictionAt(scene, motion.points);
     const std::vector<Vector<Dim>>& forces = meanContactForces(motion);

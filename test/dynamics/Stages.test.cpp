@@ -220,12 +220,17 @@ TEST(Stages, EachHasItsTimeAndTheyAddUpOverSteps)
     const DynamicCase<2> scene = blockAt(0, {.mu = 0.1});
     Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
     motion.state.velocity << 1, 0, 0;
-    std::array<double, 8> before{};
+    decltype(StageTimes::seconds) before{};
     for (int count = 0; count < 3; ++count)
     {
         ASSERT_TRUE(advance(scene, motion, timeStep));
         for (const auto& [name, stage] : namesOf(Stage{}))
         {
+            if (stage == Stage::rest) // only with `selection automatic`
+            {
+                EXPECT_EQ(motion.stageTimes.of(stage), 0);
+                continue;
+            }
             EXPECT_GT(motion.stageTimes.of(stage), before[static_cast<std::size_t>(stage)]) << name;
         }
         before = motion.stageTimes.seconds;

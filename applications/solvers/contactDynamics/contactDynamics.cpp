@@ -78,6 +78,7 @@ int runIn(const CommandLine& commandLine)
     }
     progress.clear();
     printIntegrationError(scene, motion);
+    printEffectUse(scene, motion);
     printStageTimes(motion.stageTimes);
     printSummary(summary, motion);
     results.printWritten();

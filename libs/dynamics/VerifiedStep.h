@@ -1,0 +1,23 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Steps of `selection automatic` beside the same steps with everything on.
+#pragma once
+
+#include "dynamics/Motion.h"
+
+namespace drystone
+{
+
+/// How far two motions are apart: the largest displacement of a block from one to the other, that of its
+/// turning about as far from its mass centre as blocks are large [m]
+template<int Dim>
+double differenceOf(const DynamicCase<Dim>& scene, const DynamicState<Dim>& one,
+                    const DynamicState<Dim>& other);
+
+/// By how much the end of a step that was just taken differs from what it is with everything on, which goes
+/// into `effectUse` of the motion. Warns where that is more than the error allowed in the gaps at the end of
+/// a step. Nothing else changes. \param before the motion at the start of the step \param timeStep its length
+/// [s]
+template<int Dim>
+void verifyStep(const DynamicCase<Dim>& scene, Motion<Dim> before, double timeStep, Motion<Dim>& after);
+
+} // namespace drystone

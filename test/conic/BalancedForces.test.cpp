@@ -1,0 +1,110 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Forces near known ones that balance a load, on one body whose forces are known in closed form.
+#include "conic/BalancedForces.h"
+
+#include "conic/Certificate.h"
+#include "conic/form/Form.h"
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+using namespace drystone;
+
+namespace
+{
+
+constexpr double mu = 0.5;
+
+/// A body on the ground at points (-1, -1) and (1, -1) from its mass centre, under a load.
+PlaneConeProgram bodyOnTwoPoints(const Eigen::Vector3d& load)
+{
+    PlaneConeProgram program;
+    program.bodies = 1;
+    program.load = load;
+    for (const double x : {-1.0, 1.0})
+    {
+        ConeColumns<3, 2> columns;
+        columns.first = 0;
+        // A c balances the load: the ground pushes up, and along x.
+        columns.onFirst << 0, -1, -1, 0, -x, -1;
+        program.contacts.push_back(columns);
+        program.friction.push_back(mu);
+    }
+    return program;
+}
+
+Eigen::VectorXd evenForces()
+{
+    return Eigen::Vector4d(0.5, 0, 0.5, 0);
+}
+
+} // namespace
+
+TEST(BalancedForces, TheyBalanceTheLoadInsideTheCones)
+{
+    for (const double push : {0.0, 0.1, -0.2, 0.3})
+    {
+        const PlaneConeProgram program = bodyOnTwoPoints({push, -1, 0});
+        SymbolicAnalysis symbolic;
+        const Eigen::VectorXd forces = balancedForces(program, evenForces(), {0, 1e-12}, symbolic);
+        ASSERT_EQ(forces.size(), 4) << push;
+        EXPECT_LT((applyEquilibrium(program, forces) - program.load).norm(), 1e-11);
+        EXPECT_NEAR(forces[0] + forces[2], 1, 1e-11); // what the points carry together
+        EXPECT_NEAR(forces[2] - forces[0], push, 1e-11) << "the push at the mass centre, 1 above the points";
+        for (const int point : {0, 1})
+        {
+            EXPECT_LE(std::abs(forces[2 * point + 1]), mu * forces[2 * point]);
+        }
+    }
+}
+
+// Beyond mu = 0.5 there are none; near it the margin is used up.
+TEST(BalancedForces, NoneAreFoundOutsideTheConesNorInTheMargin)
+{
+    SymbolicAnalysis symbolic;
+    EXPECT_EQ(balancedForces(bodyOnTwoPoints({0.6, -1, 0}), evenForces(), {0, 1e-12}, symbolic).size(), 0);
+    EXPECT_EQ(balancedForces(bodyOnTwoPoints({0.05, 1, 0}), evenForces(), {0, 1e-12}, symbolic).size(), 0);
+    const PlaneConeProgram nearly = bodyOnTwoPoints({0.3, -1, 0});
+    EXPECT_EQ(balancedForces(nearly, evenForces(), {0, 1e-12}, symbolic).size(), 4);
+    EXPECT_EQ(balancedForces(nearly, evenForces(), {0.9, 1e-12}, symbolic).size(), 0);
+}
+
+TEST(BalancedForces, ForcesThatBalanceTheLoadStayAsTheyAre)
+{
+    SymbolicAnalysis symbolic;
+    const Eigen::VectorXd forces =
+        balancedForces(bodyOnTwoPoints({0, -1, 0}), evenForces(), {0.5, 1e-12}, symbolic);
+    ASSERT_EQ(forces.size(), 4);
+    EXPECT_LT((forces - evenForces()).norm(), 1e-14);
+}
+
+TEST(BalancedForces, RoundConesOfSpaceLikewise)
+{
+    SpaceConeProgram program;
+    program.bodies = 1;
+    program.load.resize(6);
+    program.load << 0.2, 0.1, -1, 0, 0, 0;
+    Eigen::VectorXd known = Eigen::VectorXd::Zero(12);
+    for (int corner = 0; corner < 4; ++corner)
+    {
+        const Eigen::Vector3d arm(corner < 2 ? -1 : 1, corner % 2 ? -1 : 1, -0.5);
+        ConeColumns<6, 3> columns;
+        columns.first = 0;
+        const Eigen::Matrix3d axes = (Eigen::Matrix3d() << 0, 1, 0, 0, 0, 1, 1, 0, 0).finished();
+        for (int column = 0; column < 3; ++column)
+        {
+            columns.onFirst.col(column) << -axes.col(column), -arm.cross(Eigen::Vector3d(axes.col(column)));
+        }
+        program.contacts.push_back(columns);
+        program.friction.push_back(mu);
+        known[3 * corner] = 0.25;
+    }
+    SymbolicAnalysis symbolic;
+    const Eigen::VectorXd forces = balancedForces(program, known, {0, 1e-12}, symbolic);
+    ASSERT_EQ(forces.size(), 12);
+    EXPECT_LT((applyEquilibrium(program, forces) - program.load).norm(), 1e-11);
+    for (int point = 0; point < 4; ++point)
+    {
+        EXPECT_LE(forces.segment<2>(3 * point + 1).norm(), mu * forces[3 * point]);
+    }
+}

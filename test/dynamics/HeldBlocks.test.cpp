@@ -1,0 +1,110 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Walls of which a part moves: the others are held by proof, wake up when it asks for them, and the motion
+/// is that of all blocks together.
+#include "Scenes.h"
+
+#include "dynamics/HeldBlocks.h"
+#include "dynamics/VerifiedStep.h"
+#include "texture/Texture.h"
+#include "timeSeries/GroundAcceleration.h"
+
+#include <gtest/gtest.h>
+
+using namespace drystone;
+using namespace drystone::scenes;
+
+namespace
+{
+
+constexpr double timeStep = 0.005;
+
+/// A wall of 12 x 12 units with a stone that overhangs its right end, by more than half where it is to fall.
+DynamicCase<2> wallWithStone(double overhang, FlowRule flowRule = FlowRule::associative)
+{
+    Assembly<2> assembly = makeStructure(Dictionary::readString(
+        "texture { type runningBond; unit (0.4 0.175); length 12; courses 12; firstCourse full; }\n"
+        "supports { ground { type ground; segment 0.5; } }\n"));
+    assembly.blocks.push_back(rectangle(12 * 0.4 - 0.4 + overhang, 12 * 0.175, 0.4, 0.2));
+    DynamicCase<2> scene =
+        sceneOf(std::move(assembly), {.mu = 0.65, .flowRule = flowRule, .tolerance = 1e-9});
+    scene.schemes.effects.selection = EffectSelection::automatic;
+    return scene;
+}
+
+long awakeOf(const Motion<2>& motion)
+{
+    return std::count(motion.isAwake.begin(), motion.isAwake.end(), true);
+}
+
+} // namespace
+
+TEST(HeldBlocks, OnlyTheStoneThatFallsIsSimulatedAndItFallsAsWithEverythingOn)
+{
+    for (const FlowRule flowRule : {FlowRule::associative, FlowRule::nonAssociative})
+    {
+        const DynamicCase<2> scene = wallWithStone(0.24, flowRule);
+        DynamicCase<2> everything = scene;
+        everything.schemes.effects.selection = EffectSelection::asGiven;
+        Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
+        Motion<2> reference = motion;
+        int held = 0;
+        for (int step = 0; step < 40; ++step)
+        {
+            const Motion<2> before = motion;
+            ASSERT_TRUE(advance(scene, motion, timeStep)) << step;
+            verifyStep(scene, before, timeStep, motion);
+            ASSERT_TRUE(advance(everything, reference, timeStep)) << step;
+            held += !motion.isAwake.empty() ? 1 : 0;
+            EXPECT_LE(awakeOf(motion), 40) << step;
+        }
+        EXPECT_GE(held, 30);
+        EXPECT_LT(motion.state.placements.back().translation.y(), -0.01);
+        EXPECT_LT(motion.effectUse.largestDifference, 1e-7 * scene.blockSize);
+        EXPECT_LT(differenceOf(scene, motion.state, reference.state), 1e-7);
+        EXPECT_LT(relativeImbalance(motion.energy), 1e-7);
+    }
+}
+
+TEST(HeldBlocks, AStoneThatStandsNeedsNoStepAtAll)
+{
+    const DynamicCase<2> scene = wallWithStone(0.1);
+    Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
+    for (int step = 0; step < 5; ++step)
+    {
+        ASSERT_TRUE(advance(scene, motion, timeStep));
+        EXPECT_EQ(awakeOf(motion), 0);
+        EXPECT_FALSE(motion.isAwake.empty());
+    }
+}
+
+// The ground pushes the wall beyond what it carries while the stone falls: all of it wakes up and moves.
+TEST(HeldBlocks, BlocksThatArePushedWakeUp)
+{
+    DynamicCase<2> scene = wallWithStone(0.24);
+    shake(scene, std::make_shared<RectangularPulse>(PulseShape{12, 1, 0.1}));
+    Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
+    bool wasHeld = false;
+    for (int step = 0; step < 40; ++step)
+    {
+        const Motion<2> before = motion;
+        ASSERT_TRUE(advance(scene, motion, timeStep)) << step;
+        verifyStep(scene, before, timeStep, motion);
+        wasHeld = wasHeld || (awakeOf(motion) > 0 && motion.state.time < 0.1);
+    }
+    EXPECT_TRUE(wasHeld);
+    EXPECT_TRUE(motion.isAwake.empty());
+    EXPECT_LT(motion.state.placements[100].translation.x(), -1e-3);
+    EXPECT_LT(motion.effectUse.largestDifference, 1e-7 * scene.blockSize);
+}
+
+TEST(HeldBlocks, NotWhereImpactsAreInstantsOfTheirOwn)
+{
+    DynamicCase<2> scene = wallWithStone(0.24);
+    scene.contact.restitution = Restitution{0.2};
+    Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
+    for (int step = 0; step < 10; ++step)
+    {
+        ASSERT_TRUE(advance(scene, motion, timeStep));
+        EXPECT_TRUE(motion.isAwake.empty());
+    }
+}

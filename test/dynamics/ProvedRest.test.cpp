@@ -1,0 +1,328 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Steps at rest that are taken with a proof: the loads of which there is one are those that limit analysis
+/// says, nothing else is left out, and what follows is what follows with everything on.
+#include "RandomWalls.h"
+#include "Scenes.h"
+
+#include "dynamics/RestingStep.h"
+#include "dynamics/Step.h"
+#include "dynamics/VerifiedStep.h"
+#include "effects/JointElasticity.h"
+#include "effects/MassDamping.h"
+#include "texture/Texture.h"
+#include "timeSeries/GroundAcceleration.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+using namespace drystone;
+using namespace drystone::scenes;
+
+namespace
+{
+
+constexpr double timeStep = 0.002;
+constexpr double multiplier = 0.642859; // of the paper's wall 1, pushed to the right
+
+DynamicCase<2> paperWall(const Settings& settings = {.mu = 0.65, .flowRule = FlowRule::associative})
+{
+    DynamicCase<2> scene = sceneOf(
+        makeStructure(Dictionary::readFile(std::string(DRYSTONE_TUTORIALS)
+                                           + "/limitAnalysis/masonryPanels/wall1/system/blockTextureDict")),
+        settings);
+    scene.schemes.effects.selection = EffectSelection::automatic;
+    return scene;
+}
+
+/// The ground moves to the left, which pushes the blocks to the right, by a share of the multiplier.
+void push(DynamicCase<2>& scene, double share)
+{
+    shake(scene, std::make_shared<ConstantAcceleration>(-share * multiplier * g));
+}
+
+template<int Dim>
+bool standsAsBuilt(const Motion<Dim>& motion)
+{
+    return std::all_of(motion.state.placements.begin(), motion.state.placements.end(),
+                       [](const Placement<Dim>& placement) { return placement.translation.isZero(0); });
+}
+
+/// The certificate of rest with the forces of a motion.
+double certificateOfRest(const DynamicCase<2>& scene, Motion<2>& motion)
+{
+    Step<2> step(scene, motion, timeStep, {});
+    findContacts(step);
+    assemble(step);
+    contribute(step);
+    return restWith(step.program, step.guess.contactForce).certificate.worst();
+}
+
+} // namespace
+
+TEST(ProvedRest, AWallUnderARecordBelowItsMultiplierTakesThreeProgramsForAllSteps)
+{
+    DynamicCase<2> scene = paperWall();
+    shake(scene, std::make_shared<SinePulse>(PulseShape{0.9 * multiplier * g, 0.5, 0}, 2));
+    Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
+    double worst = 0;
+    for (int step = 0; step < 300; ++step)
+    {
+        ASSERT_TRUE(advance(scene, motion, timeStep));
+        worst = std::max(
+            {worst, motion.residuals.primalResidual, motion.residuals.dualResidual, motion.residuals.gap});
+    }
+    EXPECT_EQ(motion.effectUse.atRest, 300);
+    EXPECT_TRUE(standsAsBuilt(motion));
+    EXPECT_LE(worst, scene.solution.tolerance);
+    ASSERT_TRUE(motion.restProof);
+    EXPECT_LE(motion.restProof->programs, 3);
+    EXPECT_NEAR(motion.state.time, 0.6, 1e-12);
+    EXPECT_EQ(imbalance(motion.energy), 0);
+}
+
+TEST(ProvedRest, ItsForcesAreAdmissibleAndBalanceTheLoadOfTheStep)
+{
+    DynamicCase<2> scene = paperWall();
+    push(scene, 0.8);
+    Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
+    EXPECT_GT(certificateOfRest(scene, motion), 0.1); // no forces yet
+    ASSERT_TRUE(advance(scene, motion, timeStep));
+    EXPECT_LE(certificateOfRest(scene, motion), scene.solution.tolerance);
+}
+
+TEST(ProvedRest, TheMarginOfWhatTheStructureCarriesIsLeftToPrograms)
+{
+    for (const double margin : {0.0, 0.05, 0.2})
+    {
+        for (const double below : {0.02, 0.001})
+        {
+            for (const double side : {-1.0, 1.0})
+            {
+                DynamicCase<2> scene = paperWall();
+                scene.schemes.effects.margin = margin;
+                push(scene, 1 - margin + side * below);
+                Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
+                ASSERT_TRUE(advance(scene, motion, timeStep));
+                EXPECT_EQ(motion.effectUse.atRest, side < 0 ? 1 : 0) << margin << " " << side * below;
+                EXPECT_EQ(standsAsBuilt(motion), side < 0 || margin > 0) << margin << " " << side * below;
+            }
+        }
+    }
+}
+
+TEST(ProvedRest, AboveTheMultiplierTheWallMovesAsWithEverythingOn)
+{
+    for (const FlowRule flowRule : {FlowRule::associative, FlowRule::nonAssociative})
+    {
+        std::vector<DynamicState<2>> ends;
+        for (const EffectSelection selection : {EffectSelection::asGiven, EffectSelection::automatic})
+        {
+            DynamicCase<2> scene = paperWall({.mu = 0.65, .flowRule = flowRule});
+            scene.schemes.effects.selection = selection;
+            shake(scene, std::make_shared<SinePulse>(PulseShape{-1.5 * multiplier * g, 0.3, 0}, 2));
+            Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
+            for (int step = 0; step < 40; ++step)
+            {
+                ASSERT_TRUE(advance(scene, motion, timeStep));
+            }
+            EXPECT_EQ(motion.effectUse.atRest > 0, selection == EffectSelection::automatic);
+            ends.push_back(motion.state);
+            EXPECT_FALSE(standsAsBuilt(motion));
+        }
+        const DynamicCase<2> scene = paperWall();
+        EXPECT_LT(differenceOf(scene, ends[0], ends[1]), 1e-8);
+    }
+}
+
+TEST(ProvedRest, AsGivenKnowsNoProofs)
+{
+    DynamicCase<2> scene = paperWall();
+    scene.schemes.effects.selection = EffectSelection::asGiven;
+    push(scene, 0.5);
+    Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
+    ASSERT_TRUE(advance(scene, motion, timeStep));
+    EXPECT_EQ(motion.effectUse.atRest, 0);
+    EXPECT_FALSE(motion.restProof);
+}
+
+TEST(ProvedRest, EffectsThatActAtRestAreNeverLeftOut)
+{
+    DynamicCase<2> scene = paperWall();
+    scene.effects.push_back(std::make_shared<JointElasticity<2>>(Elasticity{1e8, 5e7}));
+    Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
+    ASSERT_TRUE(advance(scene, motion, timeStep));
+    EXPECT_EQ(motion.effectUse.atRest, 0);
+
+    scene = paperWall();
+    scene.effects.push_back(std::make_shared<MassDamping<2>>(Damping{0.1})); // none at rest
+    motion = startMotion(scene, stateAtRest(scene.assembly));
+    ASSERT_TRUE(advance(scene, motion, timeStep));
+    EXPECT_EQ(motion.effectUse.atRest, 1);
+}
+
+// Hung in the air, tilted too far, or moving: no proof, and what happens happens.
+TEST(ProvedRest, WhatFallsFalls)
+{
+    for (const double height : {0.0, 0.3})
+    {
+        Assembly<2> assembly = ground(-5, 5);
+        assembly.blocks.push_back(rectangle(0, height, 1, 1));
+        DynamicCase<2> scene = sceneOf(std::move(assembly), {});
+        scene.schemes.effects.selection = EffectSelection::automatic;
+        Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
+        ASSERT_TRUE(advance(scene, motion, timeStep));
+        EXPECT_EQ(standsAsBuilt(motion), height == 0);
+        EXPECT_EQ(motion.effectUse.atRest, height == 0 ? 1 : 0);
+    }
+}
+
+// A block slides while the ground accelerates, comes to rest after it, and rests there by proof.
+TEST(ProvedRest, ABlockThatHasComeToRestElsewhereRestsThereByProof)
+{
+    Assembly<2> assembly = ground(-5, 5);
+    assembly.blocks.push_back(rectangle(0, 0, 1, 0.2));
+    DynamicCase<2> scene = sceneOf(std::move(assembly), {.mu = 0.3});
+    scene.schemes.effects.selection = EffectSelection::automatic;
+    shake(scene, std::make_shared<RectangularPulse>(PulseShape{6.0, 0.1, 0.05}));
+    Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
+    for (int step = 0; step < 300; ++step)
+    {
+        ASSERT_TRUE(advance(scene, motion, timeStep));
+    }
+    EXPECT_LT(motion.state.placements[1].translation.x(), -0.01);
+    EXPECT_TRUE(motion.state.velocity.isZero(0));
+    EXPECT_GT(motion.effectUse.atRest, 100);
+}
+
+// The load of two directions is in the triangle of what is known of each and of their sum; that of one block
+// is its friction cone: |a_x| <= mu (g + a_y).
+TEST(ProvedRest, LoadsInSeveralDirectionsAreProvedUpToTheFrictionCone)
+{
+    constexpr double mu = 0.4;
+    int proved = 0;
+    int standing = 0;
+    for (int i = 0; i < 24; ++i)
+    {
+        const double angle = 2 * std::numbers::pi * (i + 0.5) / 24;
+        for (const double size : {1.0, 2.0, 3.0, 5.0})
+        {
+            Assembly<2> assembly = ground(-5, 5);
+            assembly.blocks.push_back(rectangle(0, 0, 1, 0.2));
+            DynamicCase<2> scene =
+                sceneOf(std::move(assembly), {.mu = mu, .flowRule = FlowRule::associative});
+            scene.schemes.effects.selection = EffectSelection::automatic;
+            GroundMotion ofGround;
+            for (const Eigen::Vector3d& direction : {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0, 1, 0)})
+            {
+                GroundMotion::Component component;
+                component.direction = direction;
+                component.acceleration = std::make_shared<ConstantAcceleration>(
+                    size * (direction.x() * std::cos(angle) + direction.y() * std::sin(angle)));
+                ofGround.components.push_back(component);
+            }
+            setGroundMotion<2>(scene.effects, ofGround);
+            Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
+            ASSERT_TRUE(advance(scene, motion, timeStep));
+            const bool stands = size * std::abs(std::cos(angle)) < mu * (g + size * std::sin(angle));
+            EXPECT_EQ(standsAsBuilt(motion), stands) << angle << " " << size;
+            EXPECT_LE(motion.effectUse.atRest, stands ? 1 : 0) << angle << " " << size;
+            standing += stands ? 1 : 0;
+            proved += static_cast<int>(motion.effectUse.atRest);
+        }
+    }
+    EXPECT_GT(proved, 0.8 * standing);
+}
+
+// What is known does not depend on the loads before: a run that is continued is the same.
+TEST(ProvedRest, AProofThatIsMadeAnewGivesTheSameForces)
+{
+    DynamicCase<2> scene = paperWall();
+    shake(scene, std::make_shared<SinePulse>(PulseShape{0.9 * multiplier * g, 0.5, 0}, 2));
+    Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
+    for (int step = 0; step < 200; ++step)
+    {
+        Motion<2> anew = motion;
+        anew.restProof.reset();
+        ASSERT_TRUE(advance(scene, motion, timeStep));
+        if (step % 50 == 7)
+        {
+            ASSERT_TRUE(advance(scene, anew, timeStep));
+            EXPECT_EQ(motion.contactForces, anew.contactForces) << step;
+            EXPECT_EQ(anew.effectUse.atRest, motion.effectUse.atRest);
+        }
+    }
+}
+
+namespace
+{
+
+struct StepCounts
+{
+    int steps = 0;
+    int atRest = 0;   ///< taken with a proof for all blocks
+    int inPart = 0;   ///< with one for some
+    int unsolved = 0; ///< scenes that were not, with everything on neither
+};
+
+/// Random walls with random effects under random motions of the ground: each step is taken with everything
+/// on, too.
+template<int Dim>
+StepCounts verifyRandomWalls(int scenes, unsigned seed)
+{
+    constexpr double timeStepOfScenes = 0.005;
+    StepCounts count;
+    for (int index = 0; index < scenes; ++index)
+    {
+        std::mt19937 random(seed + static_cast<unsigned>(index));
+        DynamicCase<Dim> scene = randomWalls::scene<Dim>(random);
+        scene.schemes.effects.selection = EffectSelection::automatic;
+        Motion<Dim> motion = startMotion(scene, stateAtRest(scene.assembly));
+        long steps = 0;
+        for (int step = 0; step < 40; ++step)
+        {
+            const Motion<Dim> before = motion;
+            if (!advance(scene, motion, timeStepOfScenes))
+            {
+                DynamicCase<Dim> everything = scene;
+                everything.schemes.effects.selection = EffectSelection::asGiven;
+                Motion<Dim> other = before;
+                EXPECT_FALSE(advance(everything, other, timeStepOfScenes))
+                    << "scene " << index << " step " << step;
+                ++count.unsolved;
+                break;
+            }
+            ++steps;
+            verifyStep(scene, before, timeStepOfScenes, motion);
+            const auto awake =
+                motion.isAwake.empty() ? -1 : std::count(motion.isAwake.begin(), motion.isAwake.end(), true);
+            ++count.steps;
+            count.atRest += awake == 0 ? 1 : 0;
+            count.inPart += awake > 0 ? 1 : 0;
+        }
+        EXPECT_EQ(motion.effectUse.verified, steps);
+        EXPECT_LE(motion.effectUse.largestDifference, scene.schemes.contactTolerance * scene.blockSize)
+            << "scene " << index << " at " << motion.effectUse.timeOfLargestDifference;
+    }
+    return count;
+}
+
+} // namespace
+
+TEST(ProvedRest, AHundredRandomWallsOfThePlaneMoveAsWithEverythingOn)
+{
+    const StepCounts count = verifyRandomWalls<2>(100, 1);
+    EXPECT_GT(count.atRest, 0.3 * count.steps);
+    EXPECT_LT(count.atRest, 0.8 * count.steps);
+    EXPECT_GT(count.inPart, 0.02 * count.steps);
+    EXPECT_EQ(count.unsolved, 0);
+}
+
+TEST(ProvedRest, AHundredRandomWallsOfSpaceMoveAsWithEverythingOn)
+{
+    const StepCounts count = verifyRandomWalls<3>(100, 1001);
+    EXPECT_GT(count.atRest, 0.3 * count.steps);
+    EXPECT_LT(count.atRest, 0.8 * count.steps);
+    EXPECT_GT(count.inPart, 0.01 * count.steps);
+    EXPECT_LE(count.unsolved, 5);
+}
