@@ -43,16 +43,16 @@ enum class PointState : char
 class CoulombNewton
 {
 public:
-    CoulombNewton(const PlaneConeProgram& program, const ConeSolution& start);
+    CoulombNewton(const PlaneConeProgram& ofProgram, const ConeSolution& startAt);
 
     /// Newton's method for fixed s. \return whether it ended
     bool minimise(double enough, int maximumIterations);
     /// s = c, and a larger rho. \return the error in gaps and slips that was left [m]
     double turn();
 
-    double loadSize() const { return program_.load.cwiseQuotient(root_).lpNorm<Eigen::Infinity>(); }
-    VectorXd displacement() const { return start_ + x_.cwiseQuotient(root_); }
-    const VectorXd& contactForce() const { return c_; }
+    double loadSize() const { return program.load.cwiseQuotient(root).lpNorm<Eigen::Infinity>(); }
+    VectorXd displacement() const { return start + x.cwiseQuotient(root); }
+    const VectorXd& contactForce() const { return c; }
     int iterations = 0;
     int factorisations = 0;
 
@@ -62,63 +62,63 @@ private:
     VectorXd solve(const VectorXd& rows);
     std::size_t diagonal(int body) const
     {
-        return static_cast<std::size_t>(pattern_.columnStart[position_[body]]);
+        return static_cast<std::size_t>(pattern.columnStart[position[body]]);
     }
     VectorXd columnsTimes(const VectorXd& forces) const;
-    VectorXd columnsTransposedTimes(const VectorXd& x) const;
+    VectorXd columnsTransposedTimes(const VectorXd& rows) const;
 
-    const PlaneConeProgram& program_;
-    const VectorXd start_;
-    VectorXd root_; ///< of the inertia
-    std::vector<ConeColumns<3, 2>> columns_;
-    VectorXd load_, gap_;
-    VectorXd rho_; ///< of each row of c
-    double penalty_ = firstPenalty;
-    VectorXd s_, w_, c_, x_;
-    std::vector<PointState> states_, factorised_;
-    std::vector<int> position_; ///< of each body in elimination order
-    std::vector<int> slot_;     ///< of each point's pair in the pattern, or -1 on the ground
-    BlockPattern pattern_;
-    std::vector<Eigen::Matrix3d> lower_, upperTransposed_;
-    std::optional<BlockLu<3>> factor_;
-    VectorXd ordered_; ///< work: rows in elimination order
+    const PlaneConeProgram& program;
+    const VectorXd start;
+    VectorXd root; ///< of the inertia
+    std::vector<ConeColumns<3, 2>> columns;
+    VectorXd load, gap;
+    VectorXd rho; ///< of each row of c
+    double penalty = firstPenalty;
+    VectorXd s, w, c, x;
+    std::vector<PointState> states, factorised;
+    std::vector<int> position; ///< of each body in elimination order
+    std::vector<int> slot;     ///< of each point's pair in the pattern, or -1 on the ground
+    BlockPattern pattern;
+    std::vector<Eigen::Matrix3d> lower, upperTransposed;
+    std::optional<BlockLu<3>> factor;
+    VectorXd ordered; ///< work: rows in elimination order
 };
 
-CoulombNewton::CoulombNewton(const PlaneConeProgram& program, const ConeSolution& start)
-    : program_(program), start_(start.displacement), columns_(program.contacts), s_(start.contactForce)
+CoulombNewton::CoulombNewton(const PlaneConeProgram& ofProgram, const ConeSolution& startAt)
+    : program(ofProgram), start(startAt.displacement), columns(ofProgram.contacts), s(startAt.contactForce)
 {
-    root_.resize(program.load.size());
+    root.resize(program.load.size());
     for (int body = 0; body < program.bodies; ++body)
     {
-        root_.segment<3>(3 * body) = program.inertia[static_cast<std::size_t>(body)].diagonal().cwiseSqrt();
+        root.segment<3>(3 * body) = program.inertia[static_cast<std::size_t>(body)].diagonal().cwiseSqrt();
     }
-    load_ = (program.load - applyInertia(program, start_)).cwiseQuotient(root_);
-    gap_ = (program.gap.size() > 0 ? program.gap : VectorXd::Zero(2 * program.points()))
-           - applyTransposed(program, start_);
-    rho_.resize(2 * program.points());
+    load = (program.load - applyInertia(program, start)).cwiseQuotient(root);
+    gap = (program.gap.size() > 0 ? program.gap : VectorXd::Zero(2 * program.points()))
+          - applyTransposed(program, start);
+    rho.resize(2 * program.points());
     for (int point = 0; point < program.points(); ++point)
     {
-        ConeColumns<3, 2>& column = columns_[static_cast<std::size_t>(point)];
+        ConeColumns<3, 2>& column = columns[static_cast<std::size_t>(point)];
         double compliance = 0;
         if (column.first >= 0)
         {
-            column.onFirst.array().colwise() /= root_.segment<3>(3 * column.first).array();
+            column.onFirst.array().colwise() /= root.segment<3>(3 * column.first).array();
             compliance += column.onFirst.col(0).squaredNorm();
         }
         if (column.second >= 0)
         {
-            column.onSecond.array().colwise() /= root_.segment<3>(3 * column.second).array();
+            column.onSecond.array().colwise() /= root.segment<3>(3 * column.second).array();
             compliance += column.onSecond.col(0).squaredNorm();
         }
-        rho_.segment<2>(2 * point).setConstant(firstPenalty / compliance);
+        rho.segment<2>(2 * point).setConstant(firstPenalty / compliance);
     }
-    x_ = VectorXd::Zero(load_.size());
-    w_ = s_;
-    c_ = s_;
-    states_.assign(static_cast<std::size_t>(program.points()), PointState::open);
+    x = VectorXd::Zero(load.size());
+    w = s;
+    c = s;
+    states.assign(static_cast<std::size_t>(program.points()), PointState::open);
 
     std::vector<Coupling> couplings;
-    for (const ConeColumns<3, 2>& column : columns_)
+    for (const ConeColumns<3, 2>& column : columns)
     {
         if (column.first >= 0 && column.second >= 0)
         {
@@ -126,32 +126,32 @@ CoulombNewton::CoulombNewton(const PlaneConeProgram& program, const ConeSolution
         }
     }
     const std::vector<int> order = eliminationOrder(program.bodies, couplings);
-    position_.resize(order.size());
+    position.resize(order.size());
     for (int place = 0; place < program.bodies; ++place)
     {
-        position_[order[place]] = place;
+        position[order[place]] = place;
     }
     for (Coupling& pair : couplings)
     {
-        pair = {position_[pair[0]], position_[pair[1]]};
+        pair = {position[pair[0]], position[pair[1]]};
     }
-    pattern_ = makeBlockPattern(program.bodies, couplings);
-    for (const ConeColumns<3, 2>& column : columns_)
+    pattern = makeBlockPattern(program.bodies, couplings);
+    for (const ConeColumns<3, 2>& column : columns)
     {
-        slot_.push_back(column.first >= 0 && column.second >= 0
-                            ? pattern_.slot(position_[column.first], position_[column.second])
-                            : -1);
+        slot.push_back(column.first >= 0 && column.second >= 0
+                           ? pattern.slot(position[column.first], position[column.second])
+                           : -1);
     }
-    lower_.resize(pattern_.row.size());
-    upperTransposed_.resize(pattern_.row.size());
-    factor_.emplace(pattern_);
+    lower.resize(pattern.row.size());
+    upperTransposed.resize(pattern.row.size());
+    factor.emplace(pattern);
 }
 
 VectorXd CoulombNewton::columnsTimes(const VectorXd& forces) const
 {
-    VectorXd rows = VectorXd::Zero(load_.size());
+    VectorXd rows = VectorXd::Zero(load.size());
     Eigen::Index row = 0;
-    for (const ConeColumns<3, 2>& column : columns_)
+    for (const ConeColumns<3, 2>& column : columns)
     {
         const auto force = forces.segment<2>(row);
         if (column.first >= 0)
@@ -167,19 +167,19 @@ VectorXd CoulombNewton::columnsTimes(const VectorXd& forces) const
     return rows;
 }
 
-VectorXd CoulombNewton::columnsTransposedTimes(const VectorXd& x) const
+VectorXd CoulombNewton::columnsTransposedTimes(const VectorXd& rows) const
 {
-    VectorXd closing = VectorXd::Zero(2 * program_.points());
+    VectorXd closing = VectorXd::Zero(2 * program.points());
     Eigen::Index row = 0;
-    for (const ConeColumns<3, 2>& column : columns_)
+    for (const ConeColumns<3, 2>& column : columns)
     {
         if (column.first >= 0)
         {
-            closing.segment<2>(row) += column.onFirst.transpose() * x.segment<3>(3 * column.first);
+            closing.segment<2>(row) += column.onFirst.transpose() * rows.segment<3>(3 * column.first);
         }
         if (column.second >= 0)
         {
-            closing.segment<2>(row) += column.onSecond.transpose() * x.segment<3>(3 * column.second);
+            closing.segment<2>(row) += column.onSecond.transpose() * rows.segment<3>(3 * column.second);
         }
         row += 2;
     }
@@ -188,44 +188,44 @@ VectorXd CoulombNewton::columnsTransposedTimes(const VectorXd& x) const
 
 void CoulombNewton::project()
 {
-    for (int point = 0; point < program_.points(); ++point)
+    for (int point = 0; point < program.points(); ++point)
     {
         const Strength strength =
-            program_.hasStrength() ? program_.strength[static_cast<std::size_t>(point)] : Strength{};
-        const double normal = std::max(-strength.tension, w_[2 * point]);
+            program.hasStrength() ? program.strength[static_cast<std::size_t>(point)] : Strength{};
+        const double normal = std::max(-strength.tension, w[2 * point]);
         const double most =
-            std::max(0.0, strength.cohesion + program_.friction[static_cast<std::size_t>(point)] * normal);
-        const double shear = w_[2 * point + 1];
-        PointState& state = states_[static_cast<std::size_t>(point)];
+            std::max(0.0, strength.cohesion + program.friction[static_cast<std::size_t>(point)] * normal);
+        const double shear = w[2 * point + 1];
+        PointState& state = states[static_cast<std::size_t>(point)];
         state = !(normal > -strength.tension)
                     ? (std::abs(shear) < most ? PointState::hangs : PointState::open)
                 : shear >= most  ? PointState::slidesForwards
                 : shear <= -most ? PointState::slidesBackwards
                                  : PointState::sticks;
-        c_[2 * point] = normal;
-        c_[2 * point + 1] = std::clamp(shear, -most, most);
+        c[2 * point] = normal;
+        c[2 * point + 1] = std::clamp(shear, -most, most);
     }
 }
 
 /// I + sum_k A_k (dc_k/dw_k) rho_k A_k'
 bool CoulombNewton::factorise()
 {
-    if (factorisations > 0 && states_ == factorised_)
+    if (factorisations > 0 && states == factorised)
     {
         return true;
     }
-    std::fill(lower_.begin(), lower_.end(), Eigen::Matrix3d::Zero());
-    std::fill(upperTransposed_.begin(), upperTransposed_.end(), Eigen::Matrix3d::Zero());
-    for (int body = 0; body < program_.bodies; ++body)
+    std::fill(lower.begin(), lower.end(), Eigen::Matrix3d::Zero());
+    std::fill(upperTransposed.begin(), upperTransposed.end(), Eigen::Matrix3d::Zero());
+    for (int body = 0; body < program.bodies; ++body)
     {
-        lower_[static_cast<std::size_t>(pattern_.columnStart[body])].setIdentity();
+        lower[static_cast<std::size_t>(pattern.columnStart[body])].setIdentity();
     }
-    for (int point = 0; point < program_.points(); ++point)
+    for (int point = 0; point < program.points(); ++point)
     {
-        const ConeColumns<3, 2>& column = columns_[static_cast<std::size_t>(point)];
-        const double mu = program_.friction[static_cast<std::size_t>(point)];
+        const ConeColumns<3, 2>& column = columns[static_cast<std::size_t>(point)];
+        const double mu = program.friction[static_cast<std::size_t>(point)];
         Eigen::Matrix2d change = Eigen::Matrix2d::Zero(); // dc/dw
-        switch (states_[static_cast<std::size_t>(point)])
+        switch (states[static_cast<std::size_t>(point)])
         {
         case PointState::open:
             continue;
@@ -242,59 +242,59 @@ bool CoulombNewton::factorise()
             change << 1, 0, -mu, 0;
             break;
         }
-        change *= rho_[2 * point];
+        change *= rho[2 * point];
         const Eigen::Matrix<double, 3, 2> first = column.onFirst * change;
         const Eigen::Matrix<double, 3, 2> second = column.onSecond * change;
         if (column.first >= 0)
         {
-            lower_[diagonal(column.first)] += first * column.onFirst.transpose();
+            lower[diagonal(column.first)] += first * column.onFirst.transpose();
         }
         if (column.second >= 0)
         {
-            lower_[diagonal(column.second)] += second * column.onSecond.transpose();
+            lower[diagonal(column.second)] += second * column.onSecond.transpose();
         }
         if (column.first >= 0 && column.second >= 0)
         {
-            const auto slot = static_cast<std::size_t>(slot_[static_cast<std::size_t>(point)]);
-            if (position_[column.first] > position_[column.second])
+            const auto place = static_cast<std::size_t>(slot[static_cast<std::size_t>(point)]);
+            if (position[column.first] > position[column.second])
             {
-                lower_[slot] += first * column.onSecond.transpose();
-                upperTransposed_[slot] += column.onFirst * second.transpose();
+                lower[place] += first * column.onSecond.transpose();
+                upperTransposed[place] += column.onFirst * second.transpose();
             }
             else
             {
-                lower_[slot] += second * column.onFirst.transpose();
-                upperTransposed_[slot] += column.onSecond * first.transpose();
+                lower[place] += second * column.onFirst.transpose();
+                upperTransposed[place] += column.onSecond * first.transpose();
             }
         }
     }
     ++factorisations;
-    factorised_ = states_;
-    return factor_->factorise(lower_, upperTransposed_);
+    factorised = states;
+    return factor->factorise(lower, upperTransposed);
 }
 
 VectorXd CoulombNewton::solve(const VectorXd& rows)
 {
-    ordered_.resize(rows.size());
-    for (int body = 0; body < program_.bodies; ++body)
+    ordered.resize(rows.size());
+    for (int body = 0; body < program.bodies; ++body)
     {
-        ordered_.segment<3>(3 * position_[body]) = rows.segment<3>(3 * body);
+        ordered.segment<3>(3 * position[body]) = rows.segment<3>(3 * body);
     }
-    factor_->solve(ordered_);
+    factor->solve(ordered);
     VectorXd result(rows.size());
-    for (int body = 0; body < program_.bodies; ++body)
+    for (int body = 0; body < program.bodies; ++body)
     {
-        result.segment<3>(3 * body) = ordered_.segment<3>(3 * position_[body]);
+        result.segment<3>(3 * body) = ordered.segment<3>(3 * position[body]);
     }
     return result;
 }
 
 bool CoulombNewton::minimise(double enough, int maximumIterations)
 {
-    VectorXd closing = columnsTransposedTimes(x_) - gap_;
-    w_ = s_ + rho_.cwiseProduct(closing);
+    VectorXd closing = columnsTransposedTimes(x) - gap;
+    w = s + rho.cwiseProduct(closing);
     project();
-    VectorXd residual = load_ - x_ - columnsTimes(c_);
+    VectorXd residual = load - x - columnsTimes(c);
     while (residual.lpNorm<Eigen::Infinity>() > enough)
     {
         if (iterations == maximumIterations || !residual.allFinite() || !factorise())
@@ -305,13 +305,13 @@ bool CoulombNewton::minimise(double enough, int maximumIterations)
         const VectorXd step = solve(residual);
         closing = columnsTransposedTimes(step);
         // By increments: rho times a difference of numbers of order one would lose digits.
-        const VectorXd from = w_;
+        const VectorXd from = w;
         const double norm = residual.norm();
         const auto go = [&](double share)
         {
-            w_ = from + share * rho_.cwiseProduct(closing);
+            w = from + share * rho.cwiseProduct(closing);
             project();
-            residual = load_ - x_ - share * step - columnsTimes(c_);
+            residual = load - x - share * step - columnsTimes(c);
             return residual.norm();
         };
         double best = 1;
@@ -334,20 +334,20 @@ bool CoulombNewton::minimise(double enough, int maximumIterations)
         {
             go(best);
         }
-        x_ += best * step;
+        x += best * step;
     }
     return true;
 }
 
 double CoulombNewton::turn()
 {
-    const double error = (c_ - s_).cwiseQuotient(rho_).lpNorm<Eigen::Infinity>();
-    s_ = c_;
-    if (penalty_ < largestPenalty)
+    const double error = (c - s).cwiseQuotient(rho).lpNorm<Eigen::Infinity>();
+    s = c;
+    if (penalty < largestPenalty)
     {
-        penalty_ *= penaltyGrowth;
-        rho_ *= penaltyGrowth;
-        factorised_.clear();
+        penalty *= penaltyGrowth;
+        rho *= penaltyGrowth;
+        factorised.clear();
     }
     return error;
 }

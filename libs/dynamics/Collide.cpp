@@ -19,6 +19,29 @@ namespace
 /// bounces end, and a structure at rest has no impacts.
 constexpr double slowImpact = 1e-6;
 
+/// Points that would part slower after an impact do not part at all: their flight would be too short [m/s].
+template<int Dim>
+double slowestRebound(const Step<Dim>& step)
+{
+    return 0.5 * step.acceleration * step.impacts.shortestFlight;
+}
+
+/// Whether an impact of its own changes what a point does: with theta 1 the step is itself the impact without
+/// rebound. So joints that turn or slide in a smooth motion, and close by a little in every step, need none.
+/// \param speed at which the point closes, or parts where it is negative [m/s] \param clearance at the start
+/// of the step [m]
+template<int Dim>
+bool needsImpact(const Step<Dim>& step, double speed, double clearance)
+{
+    if (step.scheme.theta < 1)
+    {
+        return true;
+    }
+    const double byLoads = 2 * step.acceleration * std::max(0.0, clearance); // as it falls, squared
+    const double share = speed > 0 ? step.scene.restitution() : 1; // what parts has rebounded already
+    return share * std::sqrt(speed * speed + byLoads) > slowestRebound(step);
+}
+
 /// A point belongs to the impact when it carries more than this share of the largest contact force, and is
 /// closed when the step ends.
 constexpr double carriesForce = 1e-9;
@@ -30,12 +53,19 @@ constexpr int mostImpacts = 10;
 /// close that it would be parted for ever, and no single one of them decides what the wall does.
 constexpr std::size_t mostMeetingPairs = 2;
 
+/// Points where the step takes the blocks.
+struct PointsAtEnd
+{
+    std::vector<char> isClosed;
+    std::vector<double> byFlow; ///< what the flow opens [m]
+};
+
 /// Whether the points are closed where the step takes the blocks. Solutions are right to a tolerance, and
 /// some solvers end inside the cones, where a point that stays wide apart carries force too, a little. Of
 /// force and opening, which the exact solution never has both, the smaller part is then the error: force as a
 /// share of the largest one, opening as a share of the farthest motion.
 template<int Dim>
-std::vector<char> closedPoints(const Step<Dim>& step)
+PointsAtEnd pointsAtEnd(const Step<Dim>& step)
 {
     const StepProgram<Dim>& program = step.program;
     const ThetaStep& result = step.solved.result;
@@ -44,8 +74,9 @@ std::vector<char> closedPoints(const Step<Dim>& step)
     const double largestForce = result.contactForce.lpNorm<Eigen::Infinity>();
     const double farthest = farthestMotion<Dim>(result.displacement, settings.blockSize);
     const double error = settings.contactTolerance + result.flowError;
-    std::vector<char> isClosed(static_cast<std::size_t>(program.points()));
-    for (std::size_t point = 0; point < isClosed.size(); ++point)
+    const auto points = static_cast<std::size_t>(program.points());
+    PointsAtEnd end{std::vector<char>(points), std::vector<double>(points)};
+    for (std::size_t point = 0; point < points; ++point)
     {
         const auto row = Dim * static_cast<Eigen::Index>(point);
         // Where points slide, the associative law opens them by mu |u_t|, and they press nevertheless.
@@ -53,9 +84,10 @@ std::vector<char> closedPoints(const Step<Dim>& step)
                                   ? program.friction[point] * opening.segment<Dim - 1>(row + 1).norm()
                                   : 0;
         const double apart = opening[row] - byFlow;
-        isClosed[point] = apart <= error || apart * largestForce <= result.contactForce[row] * farthest;
+        end.isClosed[point] = apart <= error || apart * largestForce <= result.contactForce[row] * farthest;
+        end.byFlow[point] = byFlow;
     }
-    return isClosed;
+    return end;
 }
 
 /// Points that the step closes.
@@ -90,8 +122,11 @@ Colliding collidingPoints(const Step<Dim>& step, const Eigen::VectorXd& closing)
     {
         return {};
     }
-    const std::vector<char> isClosed = closedPoints(step);
-    std::erase_if(points, [&](std::size_t point) { return !carries(point) || !isClosed[point]; });
+    const PointsAtEnd end = pointsAtEnd(step);
+    std::erase_if(points, [&](std::size_t point) { return !carries(point) || !end.isClosed[point]; });
+    const auto isImpact = [&](std::size_t point)
+    { return needsImpact(step, speedOf(point), step.points[point].gap - end.byFlow[point]); };
+    const auto rebounds = [&](std::size_t point) { return collides(point) && isImpact(point); };
 
     Colliding colliding;
     std::set<std::pair<int, int>> pairs;
@@ -100,7 +135,7 @@ Colliding collidingPoints(const Step<Dim>& step, const Eigen::VectorXd& closing)
         const double gap = step.points[point].gap;
         const bool isApart =
             gap > step.settings.contactTolerance && gap > step.impacts.tolerance * speedOf(point);
-        if (isLocated && (isApart || returns(point)))
+        if (isLocated && isImpact(point) && (isApart || returns(point)))
         {
             colliding.later.push_back(point);
             pairs.emplace(step.points[point].block, step.points[point].neighbour);
@@ -114,12 +149,12 @@ Colliding collidingPoints(const Step<Dim>& step, const Eigen::VectorXd& closing)
     {
         colliding = {points, {}, points};
     }
-    if (std::none_of(colliding.now.begin(), colliding.now.end(), collides))
+    if (std::none_of(colliding.now.begin(), colliding.now.end(), rebounds))
     {
         colliding.now.clear(); // at rest
     }
     colliding.all = points;
-    colliding.isReturning = std::none_of(points.begin(), points.end(), collides);
+    colliding.isReturning = std::none_of(points.begin(), points.end(), rebounds);
     return colliding;
 }
 
@@ -136,9 +171,8 @@ bool takeImpact(Step<Dim>& step, std::vector<std::size_t> meeting)
     {
         setColumns(arrival, step.arrivals);
     }
-    const double slowestRebound = 0.5 * step.acceleration * step.impacts.shortestFlight;
     Impact impact = impactOf<Dim>({step.mass, solved.velocity, arrival, meeting, step.bySupports,
-                                   scene.restitution(), slowestRebound, timeStep},
+                                   scene.restitution(), slowestRebound(step), timeStep},
                                   step.settings);
     countWork(step, impact.iterations, impact.factorisations, impact.programs);
     solved.isSolved = impact.isSolved;

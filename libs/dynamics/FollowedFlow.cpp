@@ -57,6 +57,29 @@ struct FollowedFlow
     ThetaStep& step;
 };
 
+/// Takes the overlaps c/k away: with gaps that are smaller by them points carry the same forces where they
+/// touch (the method of multipliers, Hestenes 1969). What is left of the overlaps is what the forces change
+/// by, over k, and they change by the inertia of displacements as small as overlaps only.
+bool closeOverlaps(FollowedFlow& flow, ContactPath& path, ConeSolution& solution, double stiffness,
+                   const Relinearisation<2>& relinearise)
+{
+    constexpr int rounds = 2;
+    for (int round = 0; round < rounds; ++round)
+    {
+        StepProgram<2> smaller = flow.program;
+        smaller.gap -= solution.contactForce / stiffness;
+        if (!path.follow(smaller))
+        {
+            return false;
+        }
+        solution.contactForce = path.contactForce();
+        solution.displacement = displacementUnder(
+            flow.program, flow.program.load - applyEquilibrium(flow.program, solution.contactForce));
+        relinearise(solution.displacement, solution.contactForce, flow.program);
+    }
+    return true;
+}
+
 /// From a solution to that for points of this stiffness. \param relinearise or empty: with the gaps as they
 /// are \param gapTolerance of the linear prediction \return whether it was reached
 bool followTo(FollowedFlow& flow, ConeSolution& solution, double stiffness, int maximumPivots,
@@ -83,6 +106,10 @@ bool followTo(FollowedFlow& flow, ConeSolution& solution, double stiffness, int 
         const double error = relinearise(solution.displacement, solution.contactForce, flow.program);
         isReached = error <= exact * gapTolerance || (error <= gapTolerance && error >= 0.5 * before);
         before = error;
+    }
+    if (isReached && relinearise && flow.settings.overlaps == Overlaps::closed)
+    {
+        isReached = closeOverlaps(flow, path, solution, stiffness, relinearise);
     }
     flow.step.iterations += path.factorisations;
     flow.step.factorisations += path.factorisations;

@@ -12,15 +12,16 @@ namespace drystone
 template<int Dim>
 bool followsFlow(const StepSettings& settings)
 {
-    return Dim == 2 && settings.flowRule == FlowRule::nonAssociative && settings.overlaps == Overlaps::damped;
+    return Dim == 2 && settings.flowRule == FlowRule::nonAssociative && settings.overlaps != Overlaps::none;
 }
 
 /// Coulomb's law by following forces from a start to those of points that overlap by less than 1e-9 of a
 /// block (conic/coulomb/ContactPath.h). Rigid forces are not unique, and with them neither is the motion:
 /// these are the least, so that the motion depends on the places and velocities of the blocks only, and
-/// changes as they do. Only in the plane, where overlaps are damped, with blocks that move and forces to
-/// begin with. \param program its gaps without what the flow opens \return whether it was reached; otherwise
-/// the step is as it was but for the work counted
+/// changes as they do. Where nothing would take away the energy of overlaps, they are closed again by
+/// multipliers. Only in the plane, with theta 1, blocks that move and forces to begin with. \param program
+/// its gaps without what the flow opens \return whether it was reached; otherwise the step is as it was but
+/// for the work counted
 template<int Dim>
 bool followFlow(ThetaStep& step, const StepProgram<Dim>& program, const ConeSolution& start,
                 const StepSettings& settings, const Relinearisation<Dim>& relinearise,

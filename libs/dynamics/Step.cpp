@@ -33,7 +33,9 @@ Step<Dim>::Step(const DynamicCase<Dim>& dynamicCase, Motion<Dim>& current, doubl
       mass(massAt(scene, motion.state.placements))
 {
     settings.flowRule = scene.flowRule();
-    settings.overlaps = hasImpacts(scene) ? Overlaps::none : Overlaps::damped;
+    settings.overlaps = scheme.theta < 1    ? Overlaps::none
+                        : hasImpacts(scene) ? Overlaps::closed
+                                            : Overlaps::damped;
     settings.blockSize = scene.blockSize;
     settings.contactTolerance = scene.schemes.contactTolerance * scene.blockSize;
     settings.solver = scene.solution;

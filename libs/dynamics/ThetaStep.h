@@ -50,11 +50,12 @@ enum class StepKind
 };
 
 /// Whether points may overlap by a little under their forces. Where impacts are apart from the program of the
-/// step, with restitution or theta below 1, nothing takes away the energy that overlaps give back.
+/// step nothing takes away the energy that overlaps give back.
 enum class Overlaps
 {
-    none,
-    damped ///< by the step itself
+    none,   ///< rigid, and forces that any solver gives: theta below 1
+    closed, ///< none at the end of a step: forces are those of points that overlap, but these do not
+    damped  ///< by the step itself
 };
 
 /// How well a step is to be solved.
@@ -113,13 +114,13 @@ struct ThetaStep
 /// the solution. Otherwise programs are solved in turn until the linear prediction of the gaps is right to
 /// `contactTolerance` and, with `nonAssociative`, until the fixed point of Acary & Cadoux (2013) is reached:
 /// the program's flow opens a point by mu |u_t| as it slides by u_t; with its gap increased by just that the
-/// point slides without opening, which is Coulomb's law. Where overlaps are damped its forces are followed
-/// from those of the guess, or else of the first program (CoulombFlow.h), which ends nearly every step. Where
-/// they are not, after the first program Newton's method (CoulombNewton.h) finds that fixed point, most
-/// often, and before it, in steady motion, from the forces of the guess; else Anderson's acceleration goes on
-/// from there, until mu |u_t| changes by less than ten times the tolerance of itself or 1e-12 of `blockSize`;
-/// from the fourth program on 1% of what the step changes the motion by will do, from the fifteenth 5%, and
-/// of an impact 1% from the first: `flowError` says what is left. Points that are apart and carry nothing do
+/// point slides without opening, which is Coulomb's law. With theta 1 its forces are followed from those of
+/// the guess, or else of the first program (FollowedFlow.h), which ends nearly every step. With less, after
+/// the first program Newton's method (CoulombNewton.h) finds that fixed point, most often, and before it, in
+/// steady motion, from the forces of the guess; else Anderson's acceleration goes on from there, until
+/// mu |u_t| changes by less than ten times the tolerance of itself or 1e-12 of `blockSize`; from the fourth
+/// program on 1% of what the step changes the motion by will do, from the fifteenth 5%, and of an impact 1%
+/// from the first: `flowError` says what is left. Points that are apart and carry nothing do
 /// not count.
 ///
 /// The displacements are those that the contact forces give the blocks, to the last digits (y = Mbar^-1 (fbar

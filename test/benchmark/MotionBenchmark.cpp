@@ -3,8 +3,8 @@
 /// times the collapse multiplier: CPU time per simulated second (the paper: 80 to 214 s), factorisations and
 /// cone programs per step, and the fraction of the run that writing adds every ten steps. Then the same with
 /// small displacements and steps certified to 1e-6 (all six walls and one of 80 x 80 units, nothing written),
-/// and Coulomb's law. The unit of work F is that of LimitAnalysisBenchmark: the Schur system of a step has
-/// the pattern of that of limit analysis.
+/// and Coulomb's law, restitution, and walls that stand. The unit of work F is that of
+/// LimitAnalysisBenchmark: the Schur system of a step has the pattern of that of limit analysis.
 ///
 ///     build/test/MotionBenchmark --benchmark_out=results.csv --benchmark_out_format=csv
 #include "CholmodUnit.h"
@@ -35,10 +35,15 @@ constexpr int largeWall = 80; // units; its multiplier:
 constexpr double largeMultiplier = 0.43059535;
 constexpr int mediumWall = 20; // likewise
 constexpr double mediumMultiplier = 0.50720395;
+constexpr int widerWall = 40; // likewise
+constexpr double widerMultiplier = 0.45306787;
 
 double multiplierOf(long wall)
 {
-    return wall <= 6 ? paperMultipliers[wall - 1] : wall == mediumWall ? mediumMultiplier : largeMultiplier;
+    return wall <= 6            ? paperMultipliers[wall - 1]
+           : wall == mediumWall ? mediumMultiplier
+           : wall == widerWall  ? widerMultiplier
+                                : largeMultiplier;
 }
 
 /// The case of a wall, 1 to 6, `mediumWall` or `largeWall`, in a folder of its own, the ground at `share` of
@@ -161,7 +166,41 @@ void flowRules(benchmark::State& state)
 }
 BENCHMARK(flowRules)
     ->ArgNames({"wall", "coulomb"})
-    ->ArgsProduct({{1, 2, 3, 4, 5, 6, mediumWall}, {0, 1}})
+    ->ArgsProduct({{1, 2, 3, 4, 5, 6, mediumWall, widerWall}, {0, 1}})
+    ->Iterations(1)
+    ->UseManualTime()
+    ->Unit(benchmark::kSecond);
+
+/// The same collapse with restitution in hundredths, whose impacts cost in addition to friction.
+void restitution(benchmark::State& state)
+{
+    const std::filesystem::path folder = makeCase(state.range(0), 1.1);
+    DynamicCase<2> scene = readDynamicCase<2>(folder);
+    scene.contact.friction->flowRule = state.range(1) > 0 ? FlowRule::nonAssociative : FlowRule::associative;
+    if (state.range(2) > 0)
+    {
+        scene.contact.restitution = Restitution{0.01 * static_cast<double>(state.range(2))};
+    }
+    run(state, folder, scene, false);
+}
+BENCHMARK(restitution)
+    ->ArgNames({"wall", "coulomb", "percent"})
+    ->ArgsProduct({{1, 2, 3, 4, 5, 6}, {0, 1}, {0, 30}})
+    ->Iterations(1)
+    ->UseManualTime()
+    ->Unit(benchmark::kSecond);
+
+/// Walls that stand, by Coulomb's law, under a share of their multiplier.
+void standing(benchmark::State& state)
+{
+    const std::filesystem::path folder = makeCase(state.range(0), 0.01 * static_cast<double>(state.range(1)));
+    DynamicCase<2> scene = readDynamicCase<2>(folder);
+    scene.contact.friction->flowRule = FlowRule::nonAssociative;
+    run(state, folder, scene, false);
+}
+BENCHMARK(standing)
+    ->ArgNames({"wall", "percent"})
+    ->ArgsProduct({{1, 2, 3, 4, 5, 6, mediumWall}, {80, 98}})
     ->Iterations(1)
     ->UseManualTime()
     ->Unit(benchmark::kSecond);
