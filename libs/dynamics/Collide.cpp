@@ -28,12 +28,13 @@ double slowestRebound(const Step<Dim>& step)
 
 /// Whether an impact of its own changes what a point does: with theta 1 the step is itself the impact without
 /// rebound. So joints that turn or slide in a smooth motion, and close by a little in every step, need none.
+/// By the associative rule sliding joints are apart, which cannot be told from a fall.
 /// \param speed at which the point closes, or parts where it is negative [m/s] \param clearance at the start
 /// of the step [m]
 template<int Dim>
 bool needsImpact(const Step<Dim>& step, double speed, double clearance)
 {
-    if (step.scheme.theta < 1)
+    if (step.scheme.theta < 1 || step.settings.flowRule == FlowRule::associative)
     {
         return true;
     }
@@ -53,19 +54,12 @@ constexpr int mostImpacts = 10;
 /// close that it would be parted for ever, and no single one of them decides what the wall does.
 constexpr std::size_t mostMeetingPairs = 2;
 
-/// Points where the step takes the blocks.
-struct PointsAtEnd
-{
-    std::vector<char> isClosed;
-    std::vector<double> byFlow; ///< what the flow opens [m]
-};
-
 /// Whether the points are closed where the step takes the blocks. Solutions are right to a tolerance, and
 /// some solvers end inside the cones, where a point that stays wide apart carries force too, a little. Of
 /// force and opening, which the exact solution never has both, the smaller part is then the error: force as a
 /// share of the largest one, opening as a share of the farthest motion.
 template<int Dim>
-PointsAtEnd pointsAtEnd(const Step<Dim>& step)
+std::vector<char> closedPoints(const Step<Dim>& step)
 {
     const StepProgram<Dim>& program = step.program;
     const ThetaStep& result = step.solved.result;
@@ -74,9 +68,8 @@ PointsAtEnd pointsAtEnd(const Step<Dim>& step)
     const double largestForce = result.contactForce.lpNorm<Eigen::Infinity>();
     const double farthest = farthestMotion<Dim>(result.displacement, settings.blockSize);
     const double error = settings.contactTolerance + result.flowError;
-    const auto points = static_cast<std::size_t>(program.points());
-    PointsAtEnd end{std::vector<char>(points), std::vector<double>(points)};
-    for (std::size_t point = 0; point < points; ++point)
+    std::vector<char> isClosed(static_cast<std::size_t>(program.points()));
+    for (std::size_t point = 0; point < isClosed.size(); ++point)
     {
         const auto row = Dim * static_cast<Eigen::Index>(point);
         // Where points slide, the associative law opens them by mu |u_t|, and they press nevertheless.
@@ -84,10 +77,9 @@ PointsAtEnd pointsAtEnd(const Step<Dim>& step)
                                   ? program.friction[point] * opening.segment<Dim - 1>(row + 1).norm()
                                   : 0;
         const double apart = opening[row] - byFlow;
-        end.isClosed[point] = apart <= error || apart * largestForce <= result.contactForce[row] * farthest;
-        end.byFlow[point] = byFlow;
+        isClosed[point] = apart <= error || apart * largestForce <= result.contactForce[row] * farthest;
     }
-    return end;
+    return isClosed;
 }
 
 /// Points that the step closes.
@@ -122,10 +114,10 @@ Colliding collidingPoints(const Step<Dim>& step, const Eigen::VectorXd& closing)
     {
         return {};
     }
-    const PointsAtEnd end = pointsAtEnd(step);
-    std::erase_if(points, [&](std::size_t point) { return !carries(point) || !end.isClosed[point]; });
+    const std::vector<char> isClosed = closedPoints(step);
+    std::erase_if(points, [&](std::size_t point) { return !carries(point) || !isClosed[point]; });
     const auto isImpact = [&](std::size_t point)
-    { return needsImpact(step, speedOf(point), step.points[point].gap - end.byFlow[point]); };
+    { return needsImpact(step, speedOf(point), step.points[point].gap); };
     const auto rebounds = [&](std::size_t point) { return collides(point) && isImpact(point); };
 
     Colliding colliding;

@@ -57,6 +57,13 @@ struct FollowedFlow
     ThetaStep& step;
 };
 
+/// Whose forces a path begins with.
+enum class From
+{
+    lastStep,
+    afar ///< of another kind, such as those of the interior point
+};
+
 /// Takes the overlaps c/k away: with gaps that are smaller by them points carry the same forces where they
 /// touch (the method of multipliers, Hestenes 1969). What is left of the overlaps is what the forces change
 /// by, over k, and they change by the inertia of displacements as small as overlaps only.
@@ -83,16 +90,27 @@ bool closeOverlaps(FollowedFlow& flow, ContactPath& path, ConeSolution& solution
 /// From a solution to that for points of this stiffness. \param relinearise or empty: with the gaps as they
 /// are \param gapTolerance of the linear prediction \return whether it was reached
 bool followTo(FollowedFlow& flow, ConeSolution& solution, double stiffness, int maximumPivots,
-              const Relinearisation<2>& relinearise, double gapTolerance)
+              const Relinearisation<2>& relinearise, double gapTolerance, From from)
 {
     constexpr double beyond = 1e-3;
     constexpr double exact = 1e-3;
-    ContactPath path(flow.program, solution,
+    // Where overlaps are closed after each step, they are there again when the next begins, with its forces.
+    const bool areClosed = relinearise && flow.settings.overlaps == Overlaps::closed;
+    const Eigen::VectorXd overlapBefore = areClosed && from == From::lastStep
+                                              ? Eigen::VectorXd(solution.contactForce / stiffness)
+                                              : Eigen::VectorXd::Zero(solution.contactForce.size());
+    const auto overlapping = [&]
+    {
+        StepProgram<2> program = flow.program;
+        program.gap -= overlapBefore;
+        return program;
+    };
+    ContactPath path(overlapping(), solution,
                      {Sliding::coulomb, stiffness, beyond * flow.settings.solver.tolerance, maximumPivots},
                      flow.symbolic);
     bool isReached = false;
     double before = std::numeric_limits<double>::infinity();
-    for (int round = 0; !isReached && round <= mostRelinearisations && path.follow(flow.program); ++round)
+    for (int round = 0; !isReached && round <= mostRelinearisations && path.follow(overlapping()); ++round)
     {
         solution.contactForce = path.contactForce();
         solution.displacement = displacementUnder(
@@ -107,7 +125,7 @@ bool followTo(FollowedFlow& flow, ConeSolution& solution, double stiffness, int 
         isReached = error <= exact * gapTolerance || (error <= gapTolerance && error >= 0.5 * before);
         before = error;
     }
-    if (isReached && relinearise && flow.settings.overlaps == Overlaps::closed)
+    if (isReached && areClosed)
     {
         isReached = closeOverlaps(flow, path, solution, stiffness, relinearise);
     }
@@ -135,7 +153,8 @@ bool followFlow<2>(ThetaStep& step, const StepProgram<2>& program, const ConeSol
     const int many = manyPivots * program.points();
     FollowedFlow flow{program, settings, symbolic, step};
     ConeSolution solution = start;
-    bool isReached = followTo(flow, solution, stiffness, few, relinearise, partOfOverlap * overlap);
+    bool isReached =
+        followTo(flow, solution, stiffness, few, relinearise, partOfOverlap * overlap, From::lastStep);
     if (!isReached)
     {
         flow.program = program;
@@ -144,8 +163,9 @@ bool followFlow<2>(ThetaStep& step, const StepProgram<2>& program, const ConeSol
         for (std::size_t stage = 0; isReached && stage < softening.size(); ++stage)
         {
             const bool isLast = stage + 1 == softening.size();
-            isReached = followTo(flow, solution, stiffness / softening[stage], many,
-                                 isLast ? relinearise : Relinearisation<2>{}, partOfOverlap * overlap);
+            isReached =
+                followTo(flow, solution, stiffness / softening[stage], many,
+                         isLast ? relinearise : Relinearisation<2>{}, partOfOverlap * overlap, From::afar);
         }
     }
     if (!isReached)
