@@ -25,7 +25,8 @@ protected:
         std::filesystem::create_directories(folder / "postProcessing");
         study.criterion.summary = "displacement above 1 mm";
         study.criterion.figure.name = "displacement";
-        study.criterion.figure.unit = "m";
+        study.criterion.figure.unit =
+            std::string("m"); // GCC 12 takes a literal for out of bounds (its bug 105329)
         study.motions = {{"first", {}, 2.5}, {"second", {}, 1.5}};
     }
     void TearDown() override { std::filesystem::remove_all(folder); }
