@@ -60,14 +60,7 @@ void declare(Options& options, ForceSettings<Dim>& settings)
             "index of the block it acts on; required where the point lies on a joint, that is on several")
         .atLeast(0)
         .example("12");
-    options.check("value",
-                  [&settings]() -> std::string
-                  {
-                      return settings.value.isZero(0)
-                                 ? fmt::format("A force cannot be (0 0 0). Write for instance `value {};`.",
-                                               downwards<Dim>("1000"))
-                                 : "";
-                  });
+    options.check("value", [&settings] { return faultOfForce<Dim>(settings.value); });
 }
 
 template<int Dim>

@@ -18,6 +18,15 @@ std::string downwards(std::string_view size)
     return Dim == 2 ? fmt::format("(0 -{} 0)", size) : fmt::format("(0 0 -{})", size);
 }
 
+/// What is wrong with the value of a force; empty: nothing.
+template<int Dim>
+std::string faultOfForce(const Vector<Dim>& value)
+{
+    return value.isZero(0) ? fmt::format("A force cannot be (0 0 0). Write for instance `value {};`.",
+                                         downwards<Dim>("1000"))
+                           : "";
+}
+
 /// `(0.5 1.2)`, as a dictionary has it.
 template<int Dim>
 std::string asWritten(const Vector<Dim>& point)

@@ -135,14 +135,7 @@ void declare(Options& options, MovingLoadSettings<Dim>& settings)
                                    "force;`."
                                  : "";
                   });
-    options.check("value",
-                  [&settings]() -> std::string
-                  {
-                      return settings.value.isZero(0)
-                                 ? fmt::format("A force cannot be (0 0 0). Write for instance `value {};`.",
-                                               downwards<Dim>("1000"))
-                                 : "";
-                  });
+    options.check("value", [&settings] { return faultOfForce<Dim>(settings.value); });
     options.check("axles",
                   [&settings]() -> std::string
                   {

@@ -28,7 +28,7 @@ double slowestRebound(const Step<Dim>& step)
 
 /// Whether an impact of its own changes what a point does: with theta 1 the step is itself the impact without
 /// rebound. So joints that turn or slide in a smooth motion, and close by a little in every step, need none.
-/// By the associative rule sliding joints are apart, which cannot be told from a fall.
+/// By the associative rule sliding joints are apart, which looks like a fall.
 /// \param speed at which the point closes, or parts where it is negative [m/s] \param clearance at the start
 /// of the step [m]
 template<int Dim>

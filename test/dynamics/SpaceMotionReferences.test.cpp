@@ -205,7 +205,7 @@ TEST(SpaceMotionReferences, APrismOnOneCornerGoesOnAboutTheOppositeOne)
     }
     EXPECT_NEAR(step * timeStep, 0.49823113, 3 * timeStep);
     EXPECT_NEAR(before, 0.77588575, 2e-3);
-    // What theta 1 leaves of an impact within a step is told apart after it.
+    // What theta 1 leaves of an impact within a step shows after it.
     ASSERT_TRUE(advance(scene, motion, timeStep));
     after = motion.state.velocity.tail<3>().norm();
     EXPECT_NEAR(after / 0.77588575, 0.83098592, 5e-3);
