@@ -1,12 +1,10 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "conic/CoulombNewton.h"
 
-#include "linear/BlockLu.h"
-#include "linear/SchurSystem.h"
+#include "conic/coulomb/ContactSystem.h"
 
 #include <algorithm>
 #include <limits>
-#include <optional>
 #include <stdexcept>
 
 namespace drystone
@@ -26,275 +24,116 @@ constexpr double penaltyGrowth = 3;
 constexpr int mostTurns = 30;
 
 /// Along one Newton step the best of these shares is taken, or the first that lessens the residual enough: it
-/// is piecewise linear, and a full step may cross many pieces.
+/// is smooth in pieces only, and a full step may cross many of them.
 constexpr int mostHalvings = 8;
 constexpr double leastDecrease = 0.1;
 
-enum class PointState : char
-{
-    open,  ///< carries what it can in tension and, if it slides too, in shear: nothing without strength
-    hangs, ///< opens, but its cohesion keeps it from sliding
-    sticks,
-    slidesForwards,
-    slidesBackwards
-};
-
-/// In increments from the start, in units that make the inertia 1: y = start + M^-1/2 x.
+/// In increments from the start, in units that make the inertia 1: y = start + L'^-1 x.
+template<int Rows, int Forces>
 class CoulombNewton
 {
 public:
-    CoulombNewton(const PlaneConeProgram& ofProgram, const ConeSolution& startAt);
+    CoulombNewton(const ConeProgram<Rows, Forces>& ofProgram, const ConeSolution& startAt,
+                  SymbolicAnalysis& symbolic);
 
     /// Newton's method for fixed s. \return whether it ended
     bool minimise(double enough, int maximumIterations);
     /// s = c, and a larger rho. \return the error in gaps and slips that was left [m]
     double turn();
 
-    double loadSize() const { return program.load.cwiseQuotient(root).lpNorm<Eigen::Infinity>(); }
-    VectorXd displacement() const { return start + x.cwiseQuotient(root); }
+    double loadSize() const { return system.scaledRows(program.load).template lpNorm<Eigen::Infinity>(); }
+    VectorXd displacement() const { return start + system.displacementOf(x); }
     const VectorXd& contactForce() const { return c; }
     int iterations = 0;
     int factorisations = 0;
 
 private:
+    using Force = Eigen::Matrix<double, Forces, 1>;
+
+    /// rho times closings.
+    VectorXd pressed(VectorXd closings) const;
+    /// c(w), and the pieces of the law that w is on.
     void project();
     bool factorise();
-    VectorXd solve(const VectorXd& rows);
-    std::size_t diagonal(int body) const
-    {
-        return static_cast<std::size_t>(pattern.columnStart[position[body]]);
-    }
-    VectorXd columnsTimes(const VectorXd& forces) const;
-    VectorXd columnsTransposedTimes(const VectorXd& rows) const;
 
-    const PlaneConeProgram& program;
+    const ConeProgram<Rows, Forces>& program;
+    ContactSystem<Rows, Forces> system;
     const VectorXd start;
-    VectorXd root; ///< of the inertia
-    std::vector<ConeColumns<3, 2>> columns;
     VectorXd load, gap;
-    VectorXd rho; ///< of each row of c
+    std::vector<SlidingLaw> laws;
+    VectorXd rho; ///< of each point
     double penalty = firstPenalty;
     VectorXd s, w, c, x;
-    std::vector<PointState> states, factorised;
-    std::vector<int> position; ///< of each body in elimination order
-    std::vector<int> slot;     ///< of each point's pair in the pattern, or -1 on the ground
-    BlockPattern pattern;
-    std::vector<Eigen::Matrix3d> lower, upperTransposed;
-    std::optional<BlockLu<3>> factor;
-    VectorXd ordered; ///< work: rows in elimination order
+    std::vector<PointForce<Forces>> pieces, factorised;
 };
 
-CoulombNewton::CoulombNewton(const PlaneConeProgram& ofProgram, const ConeSolution& startAt)
-    : program(ofProgram), start(startAt.displacement), columns(ofProgram.contacts), s(startAt.contactForce)
-{
-    root.resize(program.load.size());
-    for (int body = 0; body < program.bodies; ++body)
-    {
-        root.segment<3>(3 * body) = program.inertia[static_cast<std::size_t>(body)].diagonal().cwiseSqrt();
-    }
-    load = (program.load - applyInertia(program, start)).cwiseQuotient(root);
-    gap = (program.gap.size() > 0 ? program.gap : VectorXd::Zero(2 * program.points()))
-          - applyTransposed(program, start);
-    rho.resize(2 * program.points());
-    for (int point = 0; point < program.points(); ++point)
-    {
-        ConeColumns<3, 2>& column = columns[static_cast<std::size_t>(point)];
-        double compliance = 0;
-        if (column.first >= 0)
-        {
-            column.onFirst.array().colwise() /= root.segment<3>(3 * column.first).array();
-            compliance += column.onFirst.col(0).squaredNorm();
-        }
-        if (column.second >= 0)
-        {
-            column.onSecond.array().colwise() /= root.segment<3>(3 * column.second).array();
-            compliance += column.onSecond.col(0).squaredNorm();
-        }
-        rho.segment<2>(2 * point).setConstant(firstPenalty / compliance);
-    }
-    x = VectorXd::Zero(load.size());
-    w = s;
-    c = s;
-    states.assign(static_cast<std::size_t>(program.points()), PointState::open);
-
-    std::vector<Coupling> couplings;
-    for (const ConeColumns<3, 2>& column : columns)
-    {
-        if (column.first >= 0 && column.second >= 0)
-        {
-            couplings.push_back({column.first, column.second});
-        }
-    }
-    const std::vector<int> order = eliminationOrder(program.bodies, couplings);
-    position.resize(order.size());
-    for (int place = 0; place < program.bodies; ++place)
-    {
-        position[order[place]] = place;
-    }
-    for (Coupling& pair : couplings)
-    {
-        pair = {position[pair[0]], position[pair[1]]};
-    }
-    pattern = makeBlockPattern(program.bodies, couplings);
-    for (const ConeColumns<3, 2>& column : columns)
-    {
-        slot.push_back(column.first >= 0 && column.second >= 0
-                           ? pattern.slot(position[column.first], position[column.second])
-                           : -1);
-    }
-    lower.resize(pattern.row.size());
-    upperTransposed.resize(pattern.row.size());
-    factor.emplace(pattern);
-}
-
-VectorXd CoulombNewton::columnsTimes(const VectorXd& forces) const
-{
-    VectorXd rows = VectorXd::Zero(load.size());
-    Eigen::Index row = 0;
-    for (const ConeColumns<3, 2>& column : columns)
-    {
-        const auto force = forces.segment<2>(row);
-        if (column.first >= 0)
-        {
-            rows.segment<3>(3 * column.first) += column.onFirst * force;
-        }
-        if (column.second >= 0)
-        {
-            rows.segment<3>(3 * column.second) += column.onSecond * force;
-        }
-        row += 2;
-    }
-    return rows;
-}
-
-VectorXd CoulombNewton::columnsTransposedTimes(const VectorXd& rows) const
-{
-    VectorXd closing = VectorXd::Zero(2 * program.points());
-    Eigen::Index row = 0;
-    for (const ConeColumns<3, 2>& column : columns)
-    {
-        if (column.first >= 0)
-        {
-            closing.segment<2>(row) += column.onFirst.transpose() * rows.segment<3>(3 * column.first);
-        }
-        if (column.second >= 0)
-        {
-            closing.segment<2>(row) += column.onSecond.transpose() * rows.segment<3>(3 * column.second);
-        }
-        row += 2;
-    }
-    return closing;
-}
-
-void CoulombNewton::project()
+template<int Rows, int Forces>
+CoulombNewton<Rows, Forces>::CoulombNewton(const ConeProgram<Rows, Forces>& ofProgram,
+                                           const ConeSolution& startAt, SymbolicAnalysis& symbolic)
+    : program(ofProgram),
+      system(ofProgram, Sliding::coulomb, symbolic),
+      start(startAt.displacement),
+      load(system.scaledRows(program.load - applyInertia(program, start))),
+      gap((program.gap.size() > 0 ? program.gap : VectorXd::Zero(Forces * program.points()))
+          - applyTransposed(program, start)),
+      laws(slidingLaws(program, Sliding::coulomb)),
+      rho(program.points()),
+      s(startAt.contactForce),
+      w(s),
+      c(s),
+      x(VectorXd::Zero(load.size())),
+      pieces(laws.size())
 {
     for (int point = 0; point < program.points(); ++point)
     {
-        const Strength strength =
-            program.hasStrength() ? program.strength[static_cast<std::size_t>(point)] : Strength{};
-        const double normal = std::max(-strength.tension, w[2 * point]);
-        const double most =
-            std::max(0.0, strength.cohesion + program.friction[static_cast<std::size_t>(point)] * normal);
-        const double shear = w[2 * point + 1];
-        PointState& state = states[static_cast<std::size_t>(point)];
-        state = !(normal > -strength.tension)
-                    ? (std::abs(shear) < most ? PointState::hangs : PointState::open)
-                : shear >= most  ? PointState::slidesForwards
-                : shear <= -most ? PointState::slidesBackwards
-                                 : PointState::sticks;
-        c[2 * point] = normal;
-        c[2 * point + 1] = std::clamp(shear, -most, most);
+        rho[point] = firstPenalty / system.normalCompliance(point);
     }
 }
 
-/// I + sum_k A_k (dc_k/dw_k) rho_k A_k'
-bool CoulombNewton::factorise()
+template<int Rows, int Forces>
+VectorXd CoulombNewton<Rows, Forces>::pressed(VectorXd closings) const
 {
-    if (factorisations > 0 && states == factorised)
+    for (int point = 0; point < program.points(); ++point)
+    {
+        closings.segment<Forces>(Forces * point) *= rho[point];
+    }
+    return closings;
+}
+
+template<int Rows, int Forces>
+void CoulombNewton<Rows, Forces>::project()
+{
+    for (std::size_t point = 0; point < laws.size(); ++point)
+    {
+        const auto row = Forces * static_cast<Eigen::Index>(point);
+        const Force trial = w.template segment<Forces>(row);
+        pieces[point] = forceOn<Forces>(laws[point], stateOf<Forces>(laws[point], trial), trial);
+        c.template segment<Forces>(row) = pieces[point].force;
+    }
+}
+
+/// S of the pieces, unless it is that of the last time.
+template<int Rows, int Forces>
+bool CoulombNewton<Rows, Forces>::factorise()
+{
+    const bool isSame = std::equal(pieces.begin(), pieces.end(), factorised.begin(), factorised.end(),
+                                   [](const PointForce<Forces>& a, const PointForce<Forces>& b)
+                                   { return a.derivative == b.derivative; });
+    if (isSame && factorisations > 0)
     {
         return true;
     }
-    std::fill(lower.begin(), lower.end(), Eigen::Matrix3d::Zero());
-    std::fill(upperTransposed.begin(), upperTransposed.end(), Eigen::Matrix3d::Zero());
-    for (int body = 0; body < program.bodies; ++body)
-    {
-        lower[static_cast<std::size_t>(pattern.columnStart[body])].setIdentity();
-    }
-    for (int point = 0; point < program.points(); ++point)
-    {
-        const ConeColumns<3, 2>& column = columns[static_cast<std::size_t>(point)];
-        const double mu = program.friction[static_cast<std::size_t>(point)];
-        Eigen::Matrix2d change = Eigen::Matrix2d::Zero(); // dc/dw
-        switch (states[static_cast<std::size_t>(point)])
-        {
-        case PointState::open:
-            continue;
-        case PointState::hangs:
-            change << 0, 0, 0, 1;
-            break;
-        case PointState::sticks:
-            change.setIdentity();
-            break;
-        case PointState::slidesForwards:
-            change << 1, 0, mu, 0;
-            break;
-        case PointState::slidesBackwards:
-            change << 1, 0, -mu, 0;
-            break;
-        }
-        change *= rho[2 * point];
-        const Eigen::Matrix<double, 3, 2> first = column.onFirst * change;
-        const Eigen::Matrix<double, 3, 2> second = column.onSecond * change;
-        if (column.first >= 0)
-        {
-            lower[diagonal(column.first)] += first * column.onFirst.transpose();
-        }
-        if (column.second >= 0)
-        {
-            lower[diagonal(column.second)] += second * column.onSecond.transpose();
-        }
-        if (column.first >= 0 && column.second >= 0)
-        {
-            const auto place = static_cast<std::size_t>(slot[static_cast<std::size_t>(point)]);
-            if (position[column.first] > position[column.second])
-            {
-                lower[place] += first * column.onSecond.transpose();
-                upperTransposed[place] += column.onFirst * second.transpose();
-            }
-            else
-            {
-                lower[place] += second * column.onFirst.transpose();
-                upperTransposed[place] += column.onSecond * first.transpose();
-            }
-        }
-    }
     ++factorisations;
-    factorised = states;
-    return factor->factorise(lower, upperTransposed);
+    factorised = pieces;
+    return system.factorise(rho, pieces);
 }
 
-VectorXd CoulombNewton::solve(const VectorXd& rows)
+template<int Rows, int Forces>
+bool CoulombNewton<Rows, Forces>::minimise(double enough, int maximumIterations)
 {
-    ordered.resize(rows.size());
-    for (int body = 0; body < program.bodies; ++body)
-    {
-        ordered.segment<3>(3 * position[body]) = rows.segment<3>(3 * body);
-    }
-    factor->solve(ordered);
-    VectorXd result(rows.size());
-    for (int body = 0; body < program.bodies; ++body)
-    {
-        result.segment<3>(3 * body) = ordered.segment<3>(3 * position[body]);
-    }
-    return result;
-}
-
-bool CoulombNewton::minimise(double enough, int maximumIterations)
-{
-    VectorXd closing = columnsTransposedTimes(x) - gap;
-    w = s + rho.cwiseProduct(closing);
+    w = s + pressed(system.closings(x) - gap);
     project();
-    VectorXd residual = load - x - columnsTimes(c);
+    VectorXd residual = load - x - system.forcesOnBodies(c);
     while (residual.lpNorm<Eigen::Infinity>() > enough)
     {
         if (iterations == maximumIterations || !residual.allFinite() || !factorise())
@@ -302,16 +141,16 @@ bool CoulombNewton::minimise(double enough, int maximumIterations)
             return false;
         }
         ++iterations;
-        const VectorXd step = solve(residual);
-        closing = columnsTransposedTimes(step);
+        const VectorXd step = system.solve(residual);
+        const VectorXd change = pressed(system.closings(step));
         // By increments: rho times a difference of numbers of order one would lose digits.
         const VectorXd from = w;
         const double norm = residual.norm();
         const auto go = [&](double share)
         {
-            w = from + share * rho.cwiseProduct(closing);
+            w = from + share * change;
             project();
-            residual = load - x - share * step - columnsTimes(c);
+            residual = load - x - share * step - system.forcesOnBodies(c);
             return residual.norm();
         };
         double best = 1;
@@ -339,9 +178,16 @@ bool CoulombNewton::minimise(double enough, int maximumIterations)
     return true;
 }
 
-double CoulombNewton::turn()
+template<int Rows, int Forces>
+double CoulombNewton<Rows, Forces>::turn()
 {
-    const double error = (c - s).cwiseQuotient(rho).lpNorm<Eigen::Infinity>();
+    double error = 0;
+    for (int point = 0; point < program.points(); ++point)
+    {
+        error = std::max(error,
+                         (c - s).template segment<Forces>(Forces * point).template lpNorm<Eigen::Infinity>()
+                             / rho[point]);
+    }
     s = c;
     if (penalty < largestPenalty)
     {
@@ -354,8 +200,9 @@ double CoulombNewton::turn()
 
 } // namespace
 
-ConeSolution solveCoulombNewton(const PlaneConeProgram& program, const ConeSolution& start,
-                                const CoulombNewtonSettings& settings)
+template<int Rows, int Forces>
+ConeSolution solveCoulombNewton(const ConeProgram<Rows, Forces>& program, const ConeSolution& start,
+                                const CoulombNewtonSettings& settings, SymbolicAnalysis& symbolic)
 {
     if (!program.hasInertia() || program.hasMultiplier())
     {
@@ -365,11 +212,12 @@ ConeSolution solveCoulombNewton(const PlaneConeProgram& program, const ConeSolut
     {
         throw std::invalid_argument("solveCoulombNewton needs rigid points that do not crush");
     }
-    if (start.displacement.size() != program.load.size() || start.contactForce.size() != 2 * program.points())
+    if (start.displacement.size() != program.load.size()
+        || start.contactForce.size() != Forces * program.points())
     {
         throw std::invalid_argument("solveCoulombNewton needs a start of the size of the program");
     }
-    CoulombNewton newton(program, start);
+    CoulombNewton<Rows, Forces> newton(program, start, symbolic);
     ConeSolution solution;
     const double enough = settings.tolerance * newton.loadSize();
     double before = std::numeric_limits<double>::infinity();
@@ -377,7 +225,8 @@ ConeSolution solveCoulombNewton(const PlaneConeProgram& program, const ConeSolut
     {
         const double error = newton.turn();
         const bool isSettled = error > 0.9 * before && error <= settings.gapTolerance;
-        if (isSettled || error <= settings.tolerance * newton.displacement().lpNorm<Eigen::Infinity>())
+        if (isSettled
+            || error <= settings.tolerance * newton.displacement().template lpNorm<Eigen::Infinity>())
         {
             solution.status = SolveStatus::optimal;
             break;
@@ -390,5 +239,10 @@ ConeSolution solveCoulombNewton(const PlaneConeProgram& program, const ConeSolut
     solution.factorisations = newton.factorisations;
     return solution;
 }
+
+template ConeSolution solveCoulombNewton(const PlaneConeProgram& program, const ConeSolution& start,
+                                         const CoulombNewtonSettings& settings, SymbolicAnalysis& symbolic);
+template ConeSolution solveCoulombNewton(const SpaceConeProgram& program, const ConeSolution& start,
+                                         const CoulombNewtonSettings& settings, SymbolicAnalysis& symbolic);
 
 } // namespace drystone

@@ -8,6 +8,8 @@
 namespace drystone
 {
 
+struct SymbolicAnalysis;
+
 struct CoulombNewtonSettings
 {
     double tolerance = 1e-12; ///< on the equations of motion relative to the largest load, and on gaps and
@@ -18,7 +20,7 @@ struct CoulombNewtonSettings
     int maximumIterations = 100;
 };
 
-/// Solves, for a plane program with inertia, Coulomb's law in place of the associative one,
+/// Solves, for a program with inertia, Coulomb's law in place of the associative one,
 ///
 ///     Mbar y + A c = f,    0 <= c_n  perpendicular to  g_n - (A'y)_n >= 0,    |c_t| <= mu c_n,
 ///     c_t along (A'y)_t - g_t, and at its limit where the point slides,
@@ -28,17 +30,20 @@ struct CoulombNewtonSettings
 ///
 /// (with strengths -T <= c_n and |c_t| <= C + mu c_n)
 ///
-///     c_n = max(-T, w_n),    c_t = w_t put between -(C + mu c_n) and C + mu c_n,
+///     c_n = max(-T, w_n),    c_t = the nearest to w_t with |c_t| <= C + mu c_n,
 ///
 /// and the equations of motion are solved by Newton's method in y for fixed s, one sparse LU factorisation
-/// for each new set of points that are open, stick, and slide; then s = c, and again: rho is so large that a
-/// few times suffice. Nothing makes it converge from afar, and where Coulomb's law has several solutions it
-/// gives the one near the start.
+/// for each new set of points that are open, stick, and slide - in space also as the directions of slip turn;
+/// then s = c, and again: rho is so large that a few times suffice. Nothing makes it converge from afar, and
+/// where Coulomb's law has several solutions it gives the one near the start.
 ///
 /// \param start forces and displacements near the solution, sized as in the solution
+/// \param symbolic kept from program to program (form/Form.h), not owned
 /// \return `optimal` or `notConverged`; `iterations` and `factorisations` are those of Newton's method
-/// \throws std::invalid_argument for a program without inertia, with a multiplier, or a start of another size
-ConeSolution solveCoulombNewton(const PlaneConeProgram& program, const ConeSolution& start,
-                                const CoulombNewtonSettings& settings = {});
+/// \throws std::invalid_argument for a program without inertia, with a multiplier, with points that give way
+/// or crush, or a start of another size
+template<int Rows, int Forces>
+ConeSolution solveCoulombNewton(const ConeProgram<Rows, Forces>& program, const ConeSolution& start,
+                                const CoulombNewtonSettings& settings, SymbolicAnalysis& symbolic);
 
 } // namespace drystone

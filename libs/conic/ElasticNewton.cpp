@@ -2,7 +2,7 @@
 #include "conic/ElasticNewton.h"
 
 #include "conic/Certificate.h"
-#include "linear/SchurSystem.h"
+#include "conic/coulomb/ContactSystem.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,29 +13,21 @@ namespace drystone
 namespace
 {
 
-/// The force of a point and how it changes with A'y.
-template<int Forces>
-struct PointLaw
-{
-    Eigen::Matrix<double, Forces, 1> force = Eigen::Matrix<double, Forces, 1>::Zero();
-    Eigen::Matrix<double, Forces, Forces> stiffness = Eigen::Matrix<double, Forces, Forces>::Zero(); ///< D
-};
-
 /// Outside the cone the nearest force lies on its edge d = (1, mu e), e the direction of shear, which is that
 /// of the pressing since all directions of shear give way alike: c = a d, a = d'(A'y - g) / d'Cd. In space e
-/// turns with the pressing p, which adds a mu (I - e e') / |p_t| to the stiffness. \param pressing A'y - g
-/// \param compliance diagonal of C
+/// turns with the pressing p, which adds a mu (I - e e') / |p_t| to the derivative, which is by A'y.
+/// \param pressing A'y - g \param compliance diagonal of C
 template<int Forces>
-PointLaw<Forces> lawOf(const Eigen::Matrix<double, Forces, 1>& pressing,
-                       const Eigen::Matrix<double, Forces, 1>& compliance, double mu)
+PointForce<Forces> forceUnder(const Eigen::Matrix<double, Forces, 1>& pressing,
+                              const Eigen::Matrix<double, Forces, 1>& compliance, double mu)
 {
     constexpr int shears = Forces - 1;
-    PointLaw<Forces> law;
+    PointForce<Forces> law;
     const Eigen::Matrix<double, Forces, 1> trial = pressing.cwiseQuotient(compliance);
     if (trial.template tail<shears>().norm() <= mu * trial[0])
     {
         law.force = trial;
-        law.stiffness = compliance.cwiseInverse().asDiagonal();
+        law.derivative = compliance.cwiseInverse().asDiagonal();
         return law;
     }
     const Eigen::Matrix<double, shears, 1> shear = pressing.template tail<shears>();
@@ -50,10 +42,10 @@ PointLaw<Forces> lawOf(const Eigen::Matrix<double, Forces, 1>& pressing,
     {
         const double size = compliance.dot(edge.cwiseAbs2());
         law.force = along / size * edge;
-        law.stiffness = edge * edge.transpose() / size;
+        law.derivative = edge * edge.transpose() / size;
         if (shears > 1 && length > 0)
         {
-            law.stiffness.template bottomRightCorner<shears, shears>() +=
+            law.derivative.template bottomRightCorner<shears, shears>() +=
                 along / size * mu / length
                 * (Eigen::Matrix<double, shears, shears>::Identity() - direction * direction.transpose());
         }
@@ -66,13 +58,12 @@ template<int Rows, int Forces>
 class ElasticStep
 {
 public:
-    explicit ElasticStep(const ConeProgram<Rows, Forces>& ofProgram)
+    ElasticStep(const ConeProgram<Rows, Forces>& ofProgram, SymbolicAnalysis& symbolic)
         : program(ofProgram),
           gap(gapUnder(ofProgram, Eigen::VectorXd::Zero(Forces * ofProgram.points()))),
-          couplings(couplingsOf(ofProgram)),
-          order(eliminationOrder(ofProgram.bodies, couplings)),
-          places(order.size()),
-          system(ofProgram.bodies, ordered())
+          system(ofProgram, Sliding::associative, symbolic),
+          stiffnessFactor(Eigen::VectorXd::Ones(ofProgram.points())),
+          laws(static_cast<std::size_t>(ofProgram.points()))
     {
     }
 
@@ -80,13 +71,12 @@ public:
     {
         const Eigen::VectorXd pressing = applyTransposed(program, y) - gap;
         force.resize(pressing.size());
-        laws.resize(static_cast<std::size_t>(program.points()));
         for (int point = 0; point < program.points(); ++point)
         {
-            PointLaw<Forces>& law = laws[static_cast<std::size_t>(point)];
-            law = lawOf<Forces>(pressing.segment<Forces>(Forces * point),
-                                program.compliance.template segment<Forces>(Forces * point),
-                                program.friction[static_cast<std::size_t>(point)]);
+            PointForce<Forces>& law = laws[static_cast<std::size_t>(point)];
+            law = forceUnder<Forces>(pressing.segment<Forces>(Forces * point),
+                                     program.compliance.template segment<Forces>(Forces * point),
+                                     program.friction[static_cast<std::size_t>(point)]);
             force.segment<Forces>(Forces * point) = law.force;
         }
         return 0.5 * y.dot(applyInertia(program, y)) - program.load.dot(y) + force.dot(pressing)
@@ -104,100 +94,27 @@ public:
     /// Newton's step from the y of the last `value`; empty when the system cannot be factorised.
     Eigen::VectorXd step(const Eigen::VectorXd& slope)
     {
-        system.setZero();
-        for (int body = 0; body < program.bodies; ++body)
-        {
-            system.diagonal(place(body)) += program.inertia[static_cast<std::size_t>(body)];
-        }
-        for (int point = 0; point < program.points(); ++point)
-        {
-            const auto& columns = program.contacts[static_cast<std::size_t>(point)];
-            const Eigen::Matrix<double, Forces, Forces>& D = laws[static_cast<std::size_t>(point)].stiffness;
-            if (columns.first >= 0)
-            {
-                system.diagonal(place(columns.first)) += columns.onFirst * D * columns.onFirst.transpose();
-            }
-            if (columns.second >= 0)
-            {
-                system.diagonal(place(columns.second)) += columns.onSecond * D * columns.onSecond.transpose();
-            }
-            if (columns.first >= 0 && columns.second >= 0)
-            {
-                const int first = place(columns.first);
-                const int second = place(columns.second);
-                // rows of the later one
-                system.coupling(system.slot(first, second)) +=
-                    first > second ? (columns.onFirst * D * columns.onSecond.transpose()).eval()
-                                   : (columns.onSecond * D * columns.onFirst.transpose()).eval();
-            }
-        }
-        if (!system.factorise())
+        if (!system.factorise(stiffnessFactor, laws))
         {
             return {};
         }
-        Eigen::VectorXd ordered(slope.size());
-        for (int body = 0; body < program.bodies; ++body)
-        {
-            ordered.segment<Rows>(Rows * place(body)) = -slope.segment<Rows>(Rows * body);
-        }
-        system.solve(ordered);
-        Eigen::VectorXd step(slope.size());
-        for (int body = 0; body < program.bodies; ++body)
-        {
-            step.segment<Rows>(Rows * body) = ordered.segment<Rows>(Rows * place(body));
-        }
-        return step;
+        return system.displacementOf(system.solve(system.scaledRows(-slope)));
     }
 
 private:
-    static std::vector<Coupling> couplingsOf(const ConeProgram<Rows, Forces>& ofProgram)
-    {
-        std::vector<Coupling> pairs;
-        for (const auto& columns : ofProgram.contacts)
-        {
-            if (columns.first >= 0 && columns.second >= 0)
-            {
-                pairs.push_back(
-                    {std::min(columns.first, columns.second), std::max(columns.first, columns.second)});
-            }
-        }
-        std::sort(pairs.begin(), pairs.end());
-        pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-        return pairs;
-    }
-
-    int place(int body) const { return places[static_cast<std::size_t>(body)]; }
-
-    /// The couplings with bodies by their place in the order; fills in the places.
-    std::vector<Coupling> ordered()
-    {
-        for (std::size_t position = 0; position < order.size(); ++position)
-        {
-            places[static_cast<std::size_t>(order[position])] = static_cast<int>(position);
-        }
-        std::vector<Coupling> result;
-        for (const Coupling& coupling : couplings)
-        {
-            result.push_back({place(coupling[0]), place(coupling[1])});
-        }
-        return result;
-    }
-
     const ConeProgram<Rows, Forces>& program;
     Eigen::VectorXd gap;
-    std::vector<Coupling> couplings;
-    std::vector<int> order;
-    std::vector<int> places;
-    SchurSystem<Rows> system;
+    ContactSystem<Rows, Forces> system;
+    Eigen::VectorXd stiffnessFactor; ///< 1: the laws' derivatives are by A'y itself
     Eigen::VectorXd force;
-    std::vector<PointLaw<Forces>> laws;
+    std::vector<PointForce<Forces>> laws;
 };
 
 } // namespace
 
 template<int Rows, int Forces>
 ConeSolution solveElasticNewton(const ConeProgram<Rows, Forces>& program, const ConeSolution& start,
-                                const ElasticNewtonSettings& settings)
+                                const ElasticNewtonSettings& settings, SymbolicAnalysis* kept)
 {
     if (!program.hasInertia() || program.hasMultiplier() || program.hasStrength())
     {
@@ -221,7 +138,8 @@ ConeSolution solveElasticNewton(const ConeProgram<Rows, Forces>& program, const 
     Eigen::VectorXd& y = solution.displacement;
     y = start.displacement.size() == program.load.size() ? start.displacement
                                                          : Eigen::VectorXd::Zero(program.load.size());
-    ElasticStep<Rows, Forces> problem(program);
+    SymbolicAnalysis own;
+    ElasticStep<Rows, Forces> problem(program, kept ? *kept : own);
     double value = problem.value(y);
     for (int& iteration = solution.iterations;; ++iteration)
     {
@@ -261,8 +179,8 @@ ConeSolution solveElasticNewton(const ConeProgram<Rows, Forces>& program, const 
 }
 
 template ConeSolution solveElasticNewton(const PlaneConeProgram&, const ConeSolution&,
-                                         const ElasticNewtonSettings&);
+                                         const ElasticNewtonSettings&, SymbolicAnalysis*);
 template ConeSolution solveElasticNewton(const SpaceConeProgram&, const ConeSolution&,
-                                         const ElasticNewtonSettings&);
+                                         const ElasticNewtonSettings&, SymbolicAnalysis*);
 
 } // namespace drystone

@@ -7,6 +7,8 @@
 namespace drystone
 {
 
+struct SymbolicAnalysis;
+
 struct ElasticNewtonSettings
 {
     double tolerance = 1e-9;     ///< on every figure of the certificate
@@ -26,11 +28,12 @@ struct ElasticNewtonSettings
 /// the size of the blocks in each.
 ///
 /// \param start its displacement is where the method begins; may be empty
+/// \param kept from program to program (form/Form.h), or null; not owned
 /// \return `optimal` when the certificate meets the tolerance, else `notConverged` with the last iterate
 /// \throws std::invalid_argument for a program without inertia, with a multiplier or strengths, or with a
 /// point that does not give way in all directions, in all of shear alike
 template<int Rows, int Forces>
 ConeSolution solveElasticNewton(const ConeProgram<Rows, Forces>& program, const ConeSolution& start,
-                                const ElasticNewtonSettings& settings = {});
+                                const ElasticNewtonSettings& settings = {}, SymbolicAnalysis* kept = nullptr);
 
 } // namespace drystone

@@ -94,7 +94,7 @@ ConeSolution solveAsChosen(const ConeProgram<Rows, Forces>& program, const Solve
     {
         return choice.solver == SolverType::gaussSeidel
                    ? solveGaussSeidel(program, start, {choice.tolerance, choice.maximumSweeps})
-                   : solveElasticNewton(program, start, {choice.tolerance, choice.maximumIterations});
+                   : solveElasticNewton(program, start, {choice.tolerance, choice.maximumIterations}, kept);
     }
     switch (choice.solver)
     {

@@ -23,15 +23,12 @@ constexpr int mostRelinearisations = 10;
 /// \return whether it was reached; otherwise the step is as it was but for the work counted
 template<int Dim>
 bool solveFlow(ThetaStep& step, StepProgram<Dim>& program, const ConeSolution& start,
-               const StepSettings& settings, double gapTolerance, int mostNewtonSteps)
+               const StepSettings& settings, double gapTolerance, int mostNewtonSteps,
+               SymbolicAnalysis& symbolic)
 {
     constexpr double beyond = 1e-3; // nearly for nothing: the last Newton step is exact
-    ConeSolution solution;
-    if constexpr (Dim == 2) // in space the fixed point of solveThetaStep alone
-    {
-        solution = solveCoulombNewton(program, start,
-                                      {beyond * settings.solver.tolerance, gapTolerance, mostNewtonSteps});
-    }
+    ConeSolution solution = solveCoulombNewton(
+        program, start, {beyond * settings.solver.tolerance, gapTolerance, mostNewtonSteps}, symbolic);
     step.iterations += solution.iterations;
     step.factorisations += solution.factorisations;
     if (solution.status != SolveStatus::optimal)
@@ -123,7 +120,7 @@ double errorOfFlow(const Eigen::VectorXd& imposed, const Eigen::VectorXd& openin
 template<int Dim>
 bool solveFlow(ThetaStep& step, StepProgram<Dim> program, ConeSolution start, const Eigen::VectorXd& heading,
                const StepSettings& settings, const Relinearisation<Dim>& relinearise,
-               const NewtonEffort& effort)
+               const NewtonEffort& effort, SymbolicAnalysis& symbolic)
 {
     constexpr double partOfStep = 1e-3;
     for (int round = 0; round <= mostRelinearisations; ++round)
@@ -133,7 +130,7 @@ bool solveFlow(ThetaStep& step, StepProgram<Dim> program, ConeSolution start, co
             relinearise ? std::min(effort.gapTolerance,
                                    partOfStep * (start.displacement - heading).lpNorm<Eigen::Infinity>())
                         : 0;
-        if (!solveFlow(step, flowing, start, settings, gapTolerance, effort.steps))
+        if (!solveFlow(step, flowing, start, settings, gapTolerance, effort.steps, symbolic))
         {
             return false;
         }
@@ -175,7 +172,7 @@ bool goesOnFromLastStep(ThetaStep& step, const StepProgram<Dim>& program, const 
     const NewtonEffort effort{
         newtonStepsFromLastStep,
         std::min(settings.contactTolerance, settings.solver.tolerance * settings.blockSize)};
-    return solveFlow(step, program, start, heading, settings, relinearise, effort)
+    return solveFlow(step, program, start, heading, settings, relinearise, effort, symbolic)
            && !mayRest(program, program.load - applyEquilibrium(program, step.contactForce));
 }
 
@@ -185,7 +182,8 @@ template double errorOfFlow<2>(const Eigen::VectorXd& imposed, const Eigen::Vect
                                const Eigen::VectorXd& gap, const ThetaStep& step, double least);
 template bool solveFlow(ThetaStep& step, StepProgram<2> program, ConeSolution start,
                         const Eigen::VectorXd& heading, const StepSettings& settings,
-                        const Relinearisation<2>& relinearise, const NewtonEffort& effort);
+                        const Relinearisation<2>& relinearise, const NewtonEffort& effort,
+                        SymbolicAnalysis& symbolic);
 template bool goesOnFromLastStep(ThetaStep& step, const StepProgram<2>& program, const ConeSolution& start,
                                  const Eigen::VectorXd& heading, const StepSettings& settings,
                                  const Relinearisation<2>& relinearise, SymbolicAnalysis& symbolic);
@@ -195,7 +193,8 @@ template double errorOfFlow<3>(const Eigen::VectorXd& imposed, const Eigen::Vect
                                const Eigen::VectorXd& gap, const ThetaStep& step, double least);
 template bool solveFlow(ThetaStep& step, StepProgram<3> program, ConeSolution start,
                         const Eigen::VectorXd& heading, const StepSettings& settings,
-                        const Relinearisation<3>& relinearise, const NewtonEffort& effort);
+                        const Relinearisation<3>& relinearise, const NewtonEffort& effort,
+                        SymbolicAnalysis& symbolic);
 template bool goesOnFromLastStep(ThetaStep& step, const StepProgram<3>& program, const ConeSolution& start,
                                  const Eigen::VectorXd& heading, const StepSettings& settings,
                                  const Relinearisation<3>& relinearise, SymbolicAnalysis& symbolic);

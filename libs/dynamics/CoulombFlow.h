@@ -43,7 +43,7 @@ void takeOver(ThetaStep& step, StepProgram<Dim>& program, ConeSolution solution,
 template<int Dim>
 bool solveFlow(ThetaStep& step, StepProgram<Dim> program, ConeSolution start, const Eigen::VectorXd& heading,
                const StepSettings& settings, const Relinearisation<Dim>& relinearise,
-               const NewtonEffort& effort);
+               const NewtonEffort& effort, SymbolicAnalysis& symbolic);
 
 /// Coulomb's law from the forces of the last step, without a program: with `automatic` alone, since every
 /// other solver is requested by name, and not near rest, which only a program tells from slow motion.

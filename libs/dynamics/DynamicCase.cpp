@@ -9,11 +9,25 @@
 #include "contact/CoveredSurface.h"
 #include "contact/Equilibrium.h"
 #include "contact/Facing.h"
-
 #include "runControl/Solution.h"
 
 namespace drystone
 {
+namespace
+{
+
+/// Refuses what the schemes of a case in space cannot have.
+void requireSchemesOfSpace(const Schemes& schemes, const std::filesystem::path& caseDirectory)
+{
+    if (schemes.contactOverlap != Schemes().contactOverlap)
+    {
+        throw FatalIOError(
+            "In space contact points do not give way: remove contactOverlap.",
+            Dictionary::readFile(caseDirectory / "system/schemes").locationOf("contactOverlap"));
+    }
+}
+
+} // namespace
 
 template<int Dim>
 DynamicCase<Dim> readDynamicCase(const std::filesystem::path& caseDirectory,
@@ -21,6 +35,10 @@ DynamicCase<Dim> readDynamicCase(const std::filesystem::path& caseDirectory,
 {
     DynamicCase<Dim> scene;
     scene.schemes = readSchemes(caseDirectory);
+    if (Dim == 3)
+    {
+        requireSchemesOfSpace(scene.schemes, caseDirectory);
+    }
     scene.solution = readOptions<SolverChoice>(readSolution(caseDirectory, "contactDynamics"));
     Assembly<Dim> assembly = readAssembly<Dim>(caseDirectory);
     refuseOverlaps(assembly, caseDirectory);

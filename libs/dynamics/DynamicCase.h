@@ -24,10 +24,7 @@ struct DynamicCase : Structure<Dim>
     Schemes schemes;
     SolverChoice solution;
 
-    FlowRule flowRule() const
-    {
-        return contact.friction ? contact.friction->flowRule : FlowRule::associative;
-    }
+    FlowRule flowRule() const { return flowRuleOf(contact); }
     double restitution() const { return contact.restitution ? contact.restitution->normal : 0; }
     Displacements displacements() const
     {

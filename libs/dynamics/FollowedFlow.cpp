@@ -18,10 +18,6 @@ namespace
 
 constexpr int mostRelinearisations = 10;
 
-/// Points that follow the flow overlap by up to this share of a block, and by at most half of it under the
-/// largest force of the step before.
-constexpr double mostOverlap = 3e-10;
-
 /// Error allowed in gaps that are linear predictions, where it does not become less.
 constexpr double partOfOverlap = 0.1;
 
@@ -147,7 +143,8 @@ bool followFlow<2>(ThetaStep& step, const StepProgram<2>& program, const ConeSol
     {
         return false;
     }
-    const double overlap = mostOverlap * settings.blockSize;
+    // Half of what is allowed under the largest force of the step before.
+    const double overlap = settings.contactOverlap * settings.blockSize;
     const double stiffness = stiffnessFor(program, largest, overlap / 2);
     const int few = fewPivots + program.points() / pointsToAPivot;
     const int many = manyPivots * program.points();

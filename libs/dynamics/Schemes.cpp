@@ -83,6 +83,12 @@ void declare(Options& options, Schemes& schemes)
         .above(0)
         .atMost(1e-2);
     options
+        .optional("contactOverlap", schemes.contactOverlap,
+                  "by how much contact points give way at most with `flowRule nonAssociative;` and theta 1, "
+                  "so that their forces, and the motion, are unique; in the plane, in mean block sizes")
+        .atLeast(leastContactOverlap)
+        .atMost(mostContactOverlap);
+    options
         .optional("maxDisplacement", schemes.maxDisplacement,
                   "of any block in a step, with adjustTimeStep, in mean block sizes")
         .above(0)

@@ -69,13 +69,20 @@ struct ChosenEffects
 };
 void declare(Options& options, ChosenEffects& effects);
 
+/// Share of a block by which contact points give way.
+constexpr double leastContactOverlap = 1e-12; // forces would have four digits only
+constexpr double mostContactOverlap = 1e-5;
+
 struct Schemes
 {
     ThetaIntegration timeIntegration;
     ImpactInstant impacts = ImpactInstant::located;
     bool smallDisplacements = false; ///< contact points and lever arms stay as built
     double contactTolerance = 1e-7;  ///< error allowed in the gaps at the end of a step [mean block size]
-    double maxDisplacement = 0.05;   ///< of any block in a step, with adjustTimeStep [mean block size]
+    /// By how much points give way with Coulomb's law, which makes their forces unique; in the plane [mean
+    /// block size]
+    double contactOverlap = 3e-10;
+    double maxDisplacement = 0.05; ///< of any block in a step, with adjustTimeStep [mean block size]
     double maxDeltaT = std::numeric_limits<double>::infinity(); ///< with adjustTimeStep [s]
     std::optional<InitialGaps> initialGaps;                     ///< with smallDisplacements
     ChosenEffects effects;

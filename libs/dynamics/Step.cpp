@@ -37,6 +37,7 @@ Step<Dim>::Step(const DynamicCase<Dim>& dynamicCase, Motion<Dim>& current, doubl
                         : hasImpacts(scene) ? Overlaps::closed
                                             : Overlaps::damped;
     settings.blockSize = scene.blockSize;
+    settings.contactOverlap = scene.schemes.contactOverlap;
     settings.contactTolerance = scene.schemes.contactTolerance * scene.blockSize;
     settings.solver = scene.solution;
     settings.work = &motion.work;

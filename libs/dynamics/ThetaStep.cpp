@@ -18,7 +18,9 @@ namespace
 constexpr int maximumPrograms = 60;
 
 /// Of the fixed point from where the blocks were heading; then once more from the associative solution, as if
-/// they stuck. Where no sliding motion exists (Painleve's rod) only that leads to the solution.
+/// they stuck. Where no sliding motion exists (Painleve's rod) only that leads to the solution. Before it,
+/// Newton's method from no forces at all: just above a threshold Coulomb's motion is thousands of times the
+/// associative one, near which it is not (a prism that begins to slide in a groove).
 constexpr int programsToRestart = 30;
 
 /// Newton's method reaches Coulomb's law exactly, most often from the first program or the second, and is
@@ -236,8 +238,10 @@ ThetaStep solveThetaStep(StepProgram<Dim> program, const StepSettings& settings,
     Eigen::VectorXd gap = program.gap; // without the share that is imposed
     for (;;)
     {
-        const bool isNewtonsTurn = isCoulomb && !program.hasCompliance()
-                                   && (step.programs == 1 || (step.programs == 2 && !isImpact));
+        const bool isFromNothing = step.programs == programsToRestart;
+        const bool isNewtonsTurn =
+            isCoulomb && !program.hasCompliance()
+            && (step.programs == 1 || (step.programs == 2 && !isImpact) || isFromNothing);
         if (isNewtonsTurn)
         {
             program.gap = gap;
@@ -245,8 +249,15 @@ ThetaStep solveThetaStep(StepProgram<Dim> program, const StepSettings& settings,
             {
                 return step;
             }
-            if (solveFlow(step, program, start, heading, settings, relinearise,
-                          {isImpact ? newtonStepsOfImpact : newtonSteps, settings.contactTolerance}))
+            ConeSolution from = start;
+            if (isFromNothing)
+            {
+                from.displacement = heading;
+                from.contactForce.setZero();
+            }
+            if (solveFlow(step, program, std::move(from), heading, settings, relinearise,
+                          {isImpact ? newtonStepsOfImpact : newtonSteps, settings.contactTolerance},
+                          analysis))
             {
                 return step;
             }

@@ -6,6 +6,7 @@
 #include "conic/SolverChoice.h"
 #include "contact/Equilibrium.h"
 #include "dynamics/DynamicState.h"
+#include "dynamics/Schemes.h"
 #include "dynamics/StepWork.h"
 #include "effects/Effect.h"
 #include "effects/Friction.h"
@@ -64,7 +65,8 @@ struct StepSettings
     StepKind kind = StepKind::motion;
     FlowRule flowRule = FlowRule::associative;
     Overlaps overlaps = Overlaps::none;
-    double blockSize = 1;        ///< mean, what lengths are compared with [m]
+    double blockSize = 1;                             ///< mean, what lengths are compared with [m]
+    double contactOverlap = Schemes().contactOverlap; ///< of points that follow the flow [blockSize]
     double contactTolerance = 0; ///< error allowed in the gaps at the end of the step [m]
     SolverChoice solver;
     const StepWork* work = nullptr; ///< done so far, and the most allowed; not owned; null: no bound

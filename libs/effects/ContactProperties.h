@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <optional>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace drystone
@@ -45,6 +46,24 @@ struct ContactProperties
     std::optional<MorePoints> jointPoints; ///< of space; absent: the corners, and those of joints that crush
     EntryLocations locations;              ///< of the entries of constant/contactProperties, for messages
 };
+
+inline FlowRule flowRuleOf(const ContactProperties& contact)
+{
+    return contact.friction ? contact.friction->flowRule : FlowRule::associative;
+}
+
+/// Whether joints of the plane are one surface each, in limit analysis.
+inline bool isSurfaceContact(const ContactProperties& contact)
+{
+    return contact.contact && contact.contact->formulation == ContactFormulation::surface;
+}
+
+/// How joints of space get more points, if that is how; else null. Owned by the properties.
+template<class Points>
+const Points* jointPointsOf(const ContactProperties& contact)
+{
+    return contact.jointPoints ? std::get_if<Points>(&*contact.jointPoints) : nullptr;
+}
 
 /// Whether some joint has a property of its own.
 template<class Property>

@@ -252,6 +252,11 @@ std::vector<PointPair> displacementPairs(const std::vector<AccuracyPoint>& point
     return pairsAgainst(points, &RunSetting::displacements, Displacements::large);
 }
 
+std::vector<PointPair> effectPairs(const std::vector<AccuracyPoint>& points)
+{
+    return pairsAgainst(points, &RunSetting::effects, EffectSelection::asGiven);
+}
+
 std::vector<PointPair> formulationPairs(const std::vector<AccuracyPoint>& points)
 {
     return pairsAgainst(points, &RunSetting::formulation, ContactFormulation::points);

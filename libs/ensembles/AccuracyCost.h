@@ -99,6 +99,9 @@ std::vector<PointPair> displacementPairs(const std::vector<AccuracyPoint>& point
 /// Contact by points compared with contact by surfaces.
 std::vector<PointPair> formulationPairs(const std::vector<AccuracyPoint>& points);
 
+/// All effects that the case names in every step compared with those that each step calls for.
+std::vector<PointPair> effectPairs(const std::vector<AccuracyPoint>& points);
+
 /// Few points per joint, or along each side of it in space, compared with the largest number available.
 std::vector<PointPair> jointPointsPairs(const std::vector<AccuracyPoint>& points);
 

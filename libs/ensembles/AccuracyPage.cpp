@@ -1,146 +1,22 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Words and draws the results of accuracyCost.
+/// Words the results of accuracyCost.
 #include "ensembles/AccuracyPage.h"
 
-#include "io/Plot.h"
-#include "io/PlotKey.h"
+#include "ensembles/AccuracyPictures.h"
+#include "ensembles/AccuracyWords.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <set>
 
 namespace drystone
 {
 namespace
 {
 
-/// Errors of zero are drawn here, because the axis is logarithmic.
-constexpr double leastDrawn = 1e-16;
-
-/// Pictures with more curves than this show medians only.
-constexpr std::size_t mostCurvesWithWorst = 8;
-
-/// With fewer settings than this, however many their phases, solvers cannot be compared.
-constexpr std::size_t leastSettings = 4;
-
 /// Tables of pairs longer than this are truncated: the rest is in accuracyCost.csv.
 constexpr std::size_t mostPairs = 24;
-
-template<class Enumeration>
-std::string wordOf(Enumeration value)
-{
-    for (const auto& [name, named] : namesOf(value))
-    {
-        if (named == value)
-        {
-            return std::string(name);
-        }
-    }
-    return {};
-}
-
-/// The keys of a setting that are shown. The others are the same for all points, or have no meaning.
-using ShownKeys = RunSettingsOf<FlagOf>;
-
-/// The words of a setting, one for each key that is shown.
-std::vector<std::string> wordsOf(const RunSetting& setting, const ShownKeys& shown)
-{
-    std::vector<std::string> parts;
-    if (shown.deltaT)
-    {
-        parts.push_back(fmt::format("deltaT {:g}", setting.deltaT));
-    }
-    if (shown.theta)
-    {
-        parts.push_back(fmt::format("theta {:g}", setting.theta));
-    }
-    if (shown.flowRule)
-    {
-        parts.push_back(wordOf(setting.flowRule));
-    }
-    if (shown.solver)
-    {
-        parts.push_back(wordOf(setting.solver));
-    }
-    if (shown.tolerance)
-    {
-        parts.push_back(fmt::format("tolerance {:g}", setting.tolerance));
-    }
-    if (shown.pointsPerJoint)
-    {
-        parts.push_back(fmt::format("{} points a joint", setting.pointsPerJoint));
-    }
-    if (shown.pointsPerSide)
-    {
-        parts.push_back(fmt::format("{} points a side", setting.pointsPerSide));
-    }
-    if (shown.displacements)
-    {
-        parts.push_back(wordOf(setting.displacements) + " displacements");
-    }
-    if (shown.formulation)
-    {
-        parts.push_back(setting.formulation == ContactFormulation::points ? "by points" : "by surfaces");
-    }
-    return parts;
-}
-
-std::string textOf(const RunSetting& setting, const ShownKeys& shown)
-{
-    return fmt::format("{}", fmt::join(wordsOf(setting, shown), ", "));
-}
-
-ShownKeys keysOf(const RunSetting& setting, QuantityKind kind)
-{
-    const bool isMotion = kind == QuantityKind::motion;
-    ShownKeys shown;
-    shown.deltaT = isMotion;
-    shown.theta = isMotion;
-    shown.flowRule = true;
-    shown.solver = isMotion;
-    shown.tolerance = true;
-    shown.pointsPerJoint = setting.pointsPerJoint > 0;
-    shown.pointsPerSide = setting.pointsPerSide > 0;
-    shown.displacements = isMotion;
-    shown.formulation = setting.formulation == ContactFormulation::surface;
-    return shown;
-}
-
-/// What varies along a curve is not shown.
-ShownKeys withoutAxis(ShownKeys shown, std::optional<SweepAxis> axis)
-{
-    shown.deltaT = shown.deltaT && axis != SweepAxis::deltaT;
-    shown.tolerance = shown.tolerance && axis != SweepAxis::tolerance;
-    shown.pointsPerJoint = shown.pointsPerJoint && axis != SweepAxis::pointsPerJoint;
-    shown.pointsPerSide = shown.pointsPerSide && axis != SweepAxis::pointsPerSide;
-    return shown;
-}
-
-/// Those that differ between some settings, without the axis.
-ShownKeys differingKeys(const std::vector<RunSetting>& settings, std::optional<SweepAxis> axis)
-{
-    ShownKeys shown;
-    for (const RunSetting& other : settings)
-    {
-        forEachKey([](bool& isShown, const auto& value, const auto& first)
-                   { isShown = isShown || value != first; },
-                   shown, other, settings.front());
-    }
-    return withoutAxis(shown, axis);
-}
-
-std::vector<RunSetting> settingsAt(const std::vector<AccuracyPoint>& points)
-{
-    std::vector<RunSetting> settings;
-    for (const AccuracyPoint& point : points)
-    {
-        settings.push_back(point.setting);
-    }
-    return settings;
-}
 
 std::string errorText(double error)
 {
@@ -153,173 +29,6 @@ std::string failedText(const AccuracyPoint& point)
     return point.runs < point.planned
                ? fmt::format("the first {} of {}: no more were tried", point.runs, point.planned)
                : fmt::format("{} of {} failed", point.failed, point.runs);
-}
-
-const StudyQuantity& quantityOf(const AccuracyStudy& study, const SweepResult& sweep)
-{
-    return study.quantities[sweep.quantity];
-}
-
-const Sweep& planOf(const AccuracyStudy& study, const SweepResult& sweep)
-{
-    return std::find_if(study.sweeps.begin(), study.sweeps.end(),
-                        [&](const auto& plan) { return plan.first == sweep.name; })
-        ->second;
-}
-
-std::string axisName(SweepAxis axis)
-{
-    return axis == SweepAxis::pointsPerJoint  ? "points a joint"
-           : axis == SweepAxis::pointsPerSide ? "points a side"
-           : axis == SweepAxis::deltaT        ? "deltaT [s]"
-                                              : "tolerance";
-}
-
-/// The tolerances with more than one solver and enough settings.
-std::vector<double> profileTolerances(const SweepResult& sweep)
-{
-    std::map<double, std::set<RunSetting>, std::greater<>> settings;
-    for (const AccuracyPoint& point : sweep.points)
-    {
-        RunSetting problem = point.setting;
-        problem.solver = SolverType::automatic;
-        settings[point.setting.tolerance].insert(problem);
-    }
-    std::vector<double> found;
-    for (const auto& [tolerance, problems] : settings)
-    {
-        const std::vector<SolverProfile> profiles = solverProfiles(sweep.points, tolerance);
-        if (problems.size() >= leastSettings && !profiles.empty() && profiles.front().problems > 0)
-        {
-            found.push_back(tolerance);
-        }
-    }
-    return found;
-}
-
-std::string profileName(const SweepResult& sweep, double tolerance)
-{
-    return fmt::format("{}Solvers{:g}.svg", sweep.name, tolerance);
-}
-
-/// Of the reference of a sweep, relative.
-double uncertaintyOf(const AccuracyResults& results, const SweepResult& sweep)
-{
-    const Reference& reference = results.references[sweep.quantity];
-    return reference.uncertainty / std::abs(reference.value);
-}
-
-/// Over CPU time along deltaT and points a joint; over the tolerance, with the knee, along that.
-Plot errorPlot(const AccuracyStudy& study, const AccuracyResults& results, const SweepResult& sweep)
-{
-    const StudyQuantity& quantity = quantityOf(study, sweep);
-    const double uncertainty = uncertaintyOf(results, sweep);
-    double leastError = HUGE_VAL;
-    const bool isMotion = quantity.kind == QuantityKind::motion;
-    const bool overTolerance = sweep.axis == SweepAxis::tolerance;
-    const auto curves = curvesOf(sweep);
-    Plot plot;
-    plot.title = fmt::format("{}: error of {}", sweep.name, quantity.name);
-    const bool isCrowded = curves.size() > mostCurvesWithWorst;
-    plot.subtitle = fmt::format(
-        "points: {}{}; {}", axisName(sweep.axis),
-        !isMotion   ? ""
-        : isCrowded ? fmt::format("; median of {} phases", planOf(study, sweep).phases)
-                    : fmt::format("; solid: median, dashed: worst of {} phases", planOf(study, sweep).phases),
-        processorName());
-    plot.x = {overTolerance ? "tolerance of the solver" : "CPU time [s]", AxisScale::logarithmic, {}, {}};
-    plot.y = {"relative error", AxisScale::logarithmic, {}, {}};
-    const ShownKeys shown = differingKeys(settingsAt(sweep.points), sweep.axis);
-    plot.width = isCrowded ? 1000 : plot.width;
-    std::vector<PlotCurve> worst;
-    for (std::size_t index = 0; index < curves.size(); ++index)
-    {
-        const std::string name = textOf(curves[index].front().setting, shown);
-        PlotCurve medians{
-            name.empty() ? quantity.name : name, {}, {}, CurveLine::solid, CurveMarker::automatic, {}};
-        PlotCurve worsts{"", {}, {}, CurveLine::dashed, CurveMarker::none, curveColour(index)};
-        for (const AccuracyPoint& point : curves[index])
-        {
-            if (point.isWhole())
-            {
-                const double x = overTolerance ? point.setting.tolerance : point.cpuTime;
-                medians.x.push_back(x);
-                medians.y.push_back(std::max(point.medianError, leastDrawn));
-                leastError = std::min(leastError, point.medianError);
-                worsts.x.push_back(x);
-                worsts.y.push_back(std::max(point.worstError, leastDrawn));
-            }
-        }
-        if (const auto knee = kneeOf(curves[index], uncertainty); overTolerance && knee && curves.size() <= 3)
-        {
-            const double tolerance = curves[index][*knee].setting.tolerance;
-            plot.references.push_back(
-                {fmt::format("knee {:g}{}{}", tolerance, name.empty() ? "" : ": ", name),
-                 ReferenceDirection::vertical, tolerance});
-        }
-        plot.curves.push_back(std::move(medians));
-        worst.push_back(std::move(worsts));
-    }
-    if (isCrowded)
-    {
-        std::vector<std::vector<std::string>> words;
-        for (const auto& curve : curves)
-        {
-            words.push_back(wordsOf(curve.front().setting, shown));
-        }
-        if (lookBySettings(plot.curves, words))
-        {
-            plot.height = 560;
-        }
-    }
-    const auto named = std::count_if(plot.curves.begin(), plot.curves.end(),
-                                     [](const PlotCurve& curve) { return !curve.name.empty(); });
-    plot.height = std::max(plot.height, 110 + 20.0 * static_cast<double>(named)); // of the legend
-    if (uncertainty > 0.3 * leastError)
-    {
-        plot.references.push_back(
-            {"uncertainty of the reference", ReferenceDirection::horizontal, uncertainty});
-    }
-    if (isMotion && !isCrowded)
-    {
-        for (PlotCurve& curve : worst)
-        {
-            plot.curves.push_back(std::move(curve));
-        }
-    }
-    return plot;
-}
-
-Plot profilePlot(const SweepResult& sweep, double tolerance)
-{
-    const std::vector<SolverProfile> profiles = solverProfiles(sweep.points, tolerance);
-    double most = 2;
-    for (const SolverProfile& profile : profiles)
-    {
-        most = profile.ratios.empty() ? most : std::max(most, 1.3 * profile.ratios.back());
-    }
-    Plot plot;
-    plot.title = fmt::format("{}: solvers at tolerance {:g}", sweep.name, tolerance);
-    plot.subtitle = fmt::format("{} problems; {}", profiles.front().problems, processorName());
-    plot.x = {"CPU time over that of the fastest solver", AxisScale::logarithmic, 1.0, most};
-    plot.y = {"part of the problems solved", AxisScale::linear, 0.0, 1.05};
-    for (const SolverProfile& profile : profiles)
-    {
-        PlotCurve curve{wordOf(profile.solver), {1.0}, {profile.at(1)}, CurveLine::solid,
-                        CurveMarker::none,      {}};
-        for (const double ratio : profile.ratios)
-        {
-            if (ratio > 1)
-            {
-                curve.x.insert(curve.x.end(), {ratio, ratio});
-                curve.y.insert(curve.y.end(), {curve.y.back(), profile.at(ratio)});
-            }
-        }
-        curve.x.push_back(most);
-        curve.y.push_back(curve.y.back());
-        plot.curves.push_back(std::move(curve));
-    }
-    return plot;
 }
 
 // The page, section by section
@@ -455,22 +164,6 @@ std::string pairSection(const AccuracyStudy& study, const SweepResult& sweep, co
 
 } // namespace
 
-std::string settingText(const RunSetting& setting, QuantityKind kind)
-{
-    return textOf(setting, keysOf(setting, kind));
-}
-
-std::string settingText(const RunSetting& setting, const std::vector<RunSetting>& among)
-{
-    const std::string text = textOf(setting, differingKeys(among, {}));
-    return text.empty() ? "all" : text;
-}
-
-std::string percentText(double level)
-{
-    return fmt::format("{:g}%", 100 * level);
-}
-
 std::vector<CheapestRow> cheapestRows(const AccuracyStudy& study, const AccuracyResults& results)
 {
     std::vector<CheapestRow> rows;
@@ -518,37 +211,26 @@ std::vector<CheapestRow> cheapestRows(const AccuracyStudy& study, const Accuracy
 std::string accuracyTable(const AccuracyStudy& study, const AccuracyResults& results)
 {
     std::string text = "sweep,quantity,deltaT[s],theta,flowRule,solver,tolerance,pointsPerJoint,"
-                       "pointsPerSide,displacements,formulation,runs,"
+                       "pointsPerSide,displacements,formulation,contactOverlap,effects,runs,"
                        "failed,value,medianError,worstError,hover[m],steps,cpuTime[s],F[s],residual\n";
     for (const SweepResult& sweep : results.sweeps)
     {
         for (const AccuracyPoint& point : sweep.points)
         {
             const RunSetting& setting = point.setting;
-            text += fmt::format(
-                "{},{},{},{},{},{},{},{},{},{},{},{},{},{:.12g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},"
-                "{:.6g}\n",
-                sweep.name, quantityOf(study, sweep).name, setting.deltaT, setting.theta,
-                wordOf(setting.flowRule), wordOf(setting.solver), setting.tolerance, setting.pointsPerJoint,
-                setting.pointsPerSide, wordOf(setting.displacements), wordOf(setting.formulation), point.runs,
-                point.failed, point.value, point.medianError, point.worstError, point.hover, point.steps,
-                point.cpuTime, results.unitsOfWork[sweep.quantity], point.worstResidual);
+            text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{:.12g},{:.6g},{:.6g},{:.6g},{:"
+                                ".6g},{:.6g},{:.6g},"
+                                "{:.6g}\n",
+                                sweep.name, quantityOf(study, sweep).name, setting.deltaT, setting.theta,
+                                wordOf(setting.flowRule), wordOf(setting.solver), setting.tolerance,
+                                setting.pointsPerJoint, setting.pointsPerSide, wordOf(setting.displacements),
+                                wordOf(setting.formulation), setting.contactOverlap, wordOf(setting.effects),
+                                point.runs, point.failed, point.value, point.medianError, point.worstError,
+                                point.hover, point.steps, point.cpuTime, results.unitsOfWork[sweep.quantity],
+                                point.worstResidual);
         }
     }
     return text;
-}
-
-void writePictures(const std::filesystem::path& folder, const AccuracyStudy& study,
-                   const AccuracyResults& results)
-{
-    for (const SweepResult& sweep : results.sweeps)
-    {
-        writePlot(folder / (sweep.name + ".svg"), errorPlot(study, results, sweep));
-        for (const double tolerance : profileTolerances(sweep))
-        {
-            writePlot(folder / profileName(sweep, tolerance), profilePlot(sweep, tolerance));
-        }
-    }
 }
 
 std::string accuracyPage(const AccuracyStudy& study, const AccuracyResults& results)
@@ -601,6 +283,8 @@ std::string accuracyPage(const AccuracyStudy& study, const AccuracyResults& resu
                             jointPointsPairs(sweep.points));
         text += pairSection(study, sweep, "Large against small displacements", "large", "small",
                             displacementPairs(sweep.points));
+        text += pairSection(study, sweep, "All effects in every step against those that it calls for", "all",
+                            "automatic", effectPairs(sweep.points));
     }
     text +=
         "Hover is the largest gap, over a run, at a point that carries force at the end of a step: with the "

@@ -1,8 +1,8 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// The page, table and pictures of accuracyCost: presentation, separate from measurement and evaluation.
+/// The page and table of accuracyCost: presentation, separate from measurement and evaluation.
 #pragma once
 
-#include "ensembles/AccuracyCostCase.h"
+#include "ensembles/AccuracyCostRun.h"
 
 #include <filesystem>
 #include <string>
@@ -10,15 +10,6 @@
 
 namespace drystone
 {
-
-/// `deltaT 0.01, theta 1, nonAssociative, automatic, tolerance 1e-09, large`.
-std::string settingText(const RunSetting& setting, QuantityKind kind);
-
-/// The same with only the keys that differ between some settings; `all` where nothing does.
-std::string settingText(const RunSetting& setting, const std::vector<RunSetting>& among);
-
-/// `0.1%`
-std::string percentText(double level);
 
 /// The cheapest setting that reaches a level of error.
 struct CheapestRow
@@ -35,10 +26,6 @@ std::vector<CheapestRow> cheapestRows(const AccuracyStudy& study, const Accuracy
 
 /// accuracyCost.csv: a row for each setting of each sweep.
 std::string accuracyTable(const AccuracyStudy& study, const AccuracyResults& results);
-
-/// The pictures that the page refers to. \throws FatalError naming what cannot be written
-void writePictures(const std::filesystem::path& folder, const AccuracyStudy& study,
-                   const AccuracyResults& results);
 
 /// accuracyCost.md.
 std::string accuracyPage(const AccuracyStudy& study, const AccuracyResults& results);

@@ -9,6 +9,7 @@
 #include "effects/GroundMotion.h"
 #include "ensembles/Intensity.h"
 #include "quantities/Criterion.h"
+#include "statics/SolveCase.h"
 
 #include <fmt/format.h>
 
@@ -582,6 +583,11 @@ DynamicCase<Dim> sceneWith(const AccuracyCase<Dim>& study, const RunSetting& set
     DynamicCase<Dim> scene = *study.scene;
     scene.schemes.timeIntegration.theta = setting.theta;
     scene.schemes.smallDisplacements = setting.displacements == Displacements::small;
+    if (setting.contactOverlap > 0)
+    {
+        scene.schemes.contactOverlap = setting.contactOverlap;
+    }
+    scene.schemes.effects.selection = setting.effects;
     scene.solution.solver = setting.solver;
     scene.solution.tolerance = setting.tolerance;
     if (scene.contact.friction)

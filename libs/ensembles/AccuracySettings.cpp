@@ -64,7 +64,7 @@ void declare(Options& options, Sweep& sweep)
     options
         .optional("along", sweep.along,
                   "the setting that varies along one curve; absent: the first of deltaT, tolerance, "
-                  "pointsPerJoint and pointsPerSide that has several values")
+                  "pointsPerJoint, pointsPerSide and contactOverlap that has several values")
         .example("deltaT");
     options
         .optional("phases", sweep.phases,
@@ -86,6 +86,8 @@ void declare(Options& options, Sweep& sweep)
     twins("pointsPerSide", sweep.pointsPerSide);
     twins("displacements", sweep.displacements);
     twins("formulation", sweep.formulation);
+    twins("contactOverlap", sweep.contactOverlap);
+    twins("effects", sweep.effects);
 }
 
 void declare(Options& options, AccuracySettings& settings)
@@ -144,6 +146,10 @@ SweepAxis axisOf(const Sweep& sweep, QuantityKind kind)
     {
         return SweepAxis::pointsPerSide;
     }
+    if (sweep.contactOverlap.size() > 1)
+    {
+        return SweepAxis::contactOverlap;
+    }
     return kind == QuantityKind::motion ? SweepAxis::deltaT : SweepAxis::tolerance;
 }
 
@@ -158,9 +164,11 @@ double alongAxis(const RunSetting& setting, SweepAxis axis)
     case SweepAxis::pointsPerJoint:
         return setting.pointsPerJoint;
     case SweepAxis::pointsPerSide:
+        return setting.pointsPerSide;
+    case SweepAxis::contactOverlap:
         break;
     }
-    return setting.pointsPerSide;
+    return setting.contactOverlap;
 }
 
 RunSetting curveOf(RunSetting setting, SweepAxis axis)
@@ -179,6 +187,9 @@ RunSetting curveOf(RunSetting setting, SweepAxis axis)
     case SweepAxis::pointsPerSide:
         setting.pointsPerSide = 0;
         break;
+    case SweepAxis::contactOverlap:
+        setting.contactOverlap = 0;
+        break;
     }
     return setting;
 }
@@ -191,6 +202,8 @@ std::vector<RunSetting> settingsOf(const Sweep& sweep, const RunSetting& ofCase)
     settings = combined(settings, sweep.solver, &RunSetting::solver);
     settings = combined(settings, sweep.displacements, &RunSetting::displacements);
     settings = combined(settings, sweep.formulation, &RunSetting::formulation);
+    settings = combined(settings, sweep.effects, &RunSetting::effects);
+    settings = combined(settings, sweep.contactOverlap, &RunSetting::contactOverlap);
     settings = combined(settings, sweep.pointsPerJoint, &RunSetting::pointsPerJoint);
     settings = combined(settings, sweep.pointsPerSide, &RunSetting::pointsPerSide);
     settings = combined(settings, sweep.tolerance, &RunSetting::tolerance);

@@ -26,14 +26,16 @@ enum class SweepAxis
     deltaT,
     tolerance,
     pointsPerJoint,
-    pointsPerSide
+    pointsPerSide,
+    contactOverlap
 };
-inline std::array<std::pair<std::string_view, SweepAxis>, 4> namesOf(SweepAxis)
+inline std::array<std::pair<std::string_view, SweepAxis>, 5> namesOf(SweepAxis)
 {
     return {{{"deltaT", SweepAxis::deltaT},
              {"tolerance", SweepAxis::tolerance},
              {"pointsPerJoint", SweepAxis::pointsPerJoint},
-             {"pointsPerSide", SweepAxis::pointsPerSide}}};
+             {"pointsPerSide", SweepAxis::pointsPerSide},
+             {"contactOverlap", SweepAxis::contactOverlap}}};
 }
 
 /// All combinations of some settings. An empty list stands for the value of the case.

@@ -5,6 +5,7 @@
 
 #include "conic/SolverChoice.h"
 #include "dictionary/Options.h"
+#include "dynamics/Schemes.h"
 #include "effects/ContactProperties.h"
 #include "effects/Effect.h"
 
@@ -28,6 +29,8 @@ struct RunSettingsOf
     Held<int> pointsPerSide{};  ///< of space: along each side of a joint, in a grid
     Held<Displacements> displacements{};
     Held<ContactFormulation> formulation{};
+    Held<double> contactOverlap{}; ///< of a motion in the plane by Coulomb's law
+    Held<EffectSelection> effects{};
 
     friend auto operator<=>(const RunSettingsOf&, const RunSettingsOf&) = default;
 };
@@ -57,6 +60,8 @@ void forEachKey(const Visit& visit, Settings&&... settings)
     visit(settings.pointsPerSide...);
     visit(settings.displacements...);
     visit(settings.formulation...);
+    visit(settings.contactOverlap...);
+    visit(settings.effects...);
 }
 
 /// Declares the keys, none of which need be given. \param docOfStep what `deltaT` is for
@@ -106,6 +111,17 @@ void declareSettings(Options& options, RunSettingsOf<Held>& settings, const std:
         .optional("formulation", settings.formulation,
                   "of a multiplier: contact by points, or by surface in the stress resultants of the joints")
         .example(example("(points surface)", "points"));
+    options
+        .optional("contactOverlap", settings.contactOverlap,
+                  "of a motion in the plane by Coulomb's law: how far points give way, in mean block sizes")
+        .atLeast(leastContactOverlap)
+        .atMost(mostContactOverlap)
+        .example(example("(1e-6 1e-8 3e-10)", "3e-11"));
+    options
+        .optional("effects", settings.effects,
+                  "of a motion: asGiven, all that the case names in every step, or automatic, those that a "
+                  "step calls for")
+        .example(example("(asGiven automatic)", "asGiven"));
 }
 
 } // namespace drystone

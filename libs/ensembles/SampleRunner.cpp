@@ -13,6 +13,7 @@
 #include "ensembles/IncrementalDynamicsCase.h"
 #include "functionObjects/MotionResults.h"
 #include "quantities/LimitAnalysisFigures.h"
+#include "statics/SolveCase.h"
 #include "texture/Texture.h"
 
 #include <fmt/format.h>

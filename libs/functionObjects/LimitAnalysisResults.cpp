@@ -26,6 +26,7 @@
 #include "quantities/LimitAnalysisFigures.h"
 #include "runControl/CaseFiles.h"
 #include "statics/JointDissipation.h"
+#include "statics/SolveCase.h"
 
 #include <fmt/format.h>
 

@@ -69,31 +69,12 @@ template<int Dim>
 LimitAnalysisCase<Dim> readLimitAnalysisCase(const std::filesystem::path& caseDirectory,
                                              Assembly<Dim> assembly, std::optional<int> jointPoints = {});
 
-/// Collapse by the flow rule of the case, for a positive multiplier; for a support that moves, settlement.
-///
-/// Joints that crush turn about points within them. Unless the case says how many points they have
-/// (`pointsPerJoint`, in space `jointPoints`), points are added to where the hinges are, until no joint bears
-/// a resultant nearer to its edge than it can, to 1e-7 of its length or ten times the tolerance of the solver
-/// (CrushingHinges.h); in space then where joints are twisted, until the multiplier exceeds the bound of its
-/// mechanism over whole joints by no more than 1e-3 of itself, or what `jointPoints { type adaptive; }` says
-/// (JointDissipation.h). \param structure gets these points
+/// The program of the points that the structure has. \param strengths of each point, or empty
 template<int Dim>
-LimitAnalysis solveLimitAnalysis(LimitAnalysisCase<Dim>& structure);
+StaticProgram<Dim> programOf(const LimitAnalysisCase<Dim>& structure, std::vector<Strength> strengths);
 
 /// The live load that an answer belongs to: with combinations and moving loads that of its own.
 template<int Dim>
 const Eigen::VectorXd& liveLoadOf(const LimitAnalysisCase<Dim>& structure, const LimitAnalysis& result);
-
-/// The capacity curve of a case that asks for one.
-template<int Dim>
-Pushover solvePushover(const LimitAnalysisCase<Dim>& structure, const PushoverObserver<Dim>& observe);
-
-/// One answer for each end of the range that the case asks for, the positive one first; for each combination
-/// of loads in turn. Multipliers of the negative end have their sign. Of a moving load the answer of its
-/// worst position alone: the lowest multiplier, of equal ones the first; one without an answer, if there is
-/// any. \param structure gets points where joints crush, see solveLimitAnalysis; with a moving load the
-/// envelope and, as live load, that of the worst position
-template<int Dim>
-std::vector<LimitAnalysis> solveLimitAnalyses(LimitAnalysisCase<Dim>& structure);
 
 } // namespace drystone

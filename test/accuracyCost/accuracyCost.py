@@ -70,7 +70,7 @@ class AccuracyCost(CaseTest):
     def runs(self, case):
         """Rows of the history without their times."""
         rows = [line.split() for line in self.read(case, results + "/history.dat").splitlines() if line[0] != "#"]
-        return [row[:15] + row[16:] for row in rows]
+        return [row[:17] + row[18:] for row in rows]
 
     def testAStudyLeavesTableHistoryPicturesAndAPageThatShowsThem(self):
         case = self.case("plain")
@@ -202,6 +202,32 @@ class AccuracyCost(CaseTest):
                              rf"(?s)remove surface.*accuracyCostDict\S* at line {line}")
         motion = self.case("motion", more="m { quantity first;\nformulation (points); }")
         self.assertIn("formulation is for multipliers", self.run_(motion, "-dry-run", status=1).stderr)
+
+    def testEffectsChosenByTheProgramGiveTheSameFigures(self):
+        case = self.case("chosen", more="chosen { quantity first; deltaT (0.02); effects (asGiven automatic); }")
+        self.run_(case)
+        rows = [row for row in self.table(case) if row["sweep"] == "chosen"]
+        self.assertEqual([row["effects"] for row in rows], ["asGiven", "automatic"])
+        self.assertAlmostEqual(float(rows[0]["value"]), float(rows[1]["value"]), delta=1e-8)
+        page = self.read(case, results + "/accuracyCost.md")
+        self.assertIn("### All effects in every step against those that it calls for (sweep `chosen`)", page)
+
+    def testByHowMuchPointsGiveWayIsAnAxisOfItsOwn(self):
+        case = self.case("overlap", more="overlap { quantity first; deltaT (0.02); flowRule (nonAssociative); "
+                                         "contactOverlap (1e-11 1e-6 1e-8); phases 1; }")
+        self.run_(case)
+        rows = [row for row in self.table(case) if row["sweep"] == "overlap"]
+        value = {row["contactOverlap"]: float(row["value"]) for row in rows}
+        self.assertLess(abs(value["1e-08"] - value["1e-11"]), 1e-5)
+        self.assertNotEqual(value["1e-06"], value["1e-11"])
+        self.assertRegex(self.read(case, results + "/accuracyCost.md"),
+                         r"(?s)\| setting \| overlap \[block\] \|.*\| 1e-06 \|.*\| 1e-08 \|.*\| 1e-11 \|")
+        multiplier = self.multiplierCase("overlapOfMultiplier", "\ncontactOverlap (1e-6 1e-8);")
+        self.assertRegex(self.run_(multiplier, "-dry-run", status=1).stderr,
+                         r"(?s)contactOverlap is for motions.*accuracyCostDict\S* at line \d+")
+        space = self.spaceCase("overlapInSpace", "slidingBox/box", "s { quantity slip;\ncontactOverlap (1e-8); }")
+        self.assertRegex(self.run_(space, "-dry-run", status=1).stderr,
+                         r"(?s)do not give way.*accuracyCostDict\S* at line \d+")
 
     def spaceCase(self, name, of="jointPoints/box", sweep="points { quantity alpha; pointsPerSide (2 9 3); }", **changes):
         """A tutorial of space with another sweep. changes: (file, old, new)"""

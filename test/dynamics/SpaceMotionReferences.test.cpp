@@ -161,10 +161,10 @@ TEST(SpaceMotionReferences, APrismInAGrooveSlidesWithoutRising)
     // across the groove may press it into the faces, and forces that hold it exist up to the associative
     // multiplier 0.444749590 (law 6 of the references of limit analysis): tan 23.9772 degrees. Between the
     // two both satisfy Coulomb's law, and a prism that rests goes on to rest. Beyond, it slides by the
-    // friction without that pressure (between 23.98 and some 24.4 degrees the first step is not solved, and
-    // says so).
+    // friction without that pressure.
     for (const auto& [degrees, slides] :
-         {std::pair(22.9, false), std::pair(23.96, false), std::pair(24.5, true)})
+         {std::pair(22.9, false), std::pair(23.96, false), std::pair(23.98, true), std::pair(24.0, true),
+          std::pair(24.1, true), std::pair(24.3, true), std::pair(24.5, true)})
     {
         const double tilt = degrees * std::numbers::pi / 180;
         setGravity(scene, {g * std::sin(tilt), 0, -g * std::cos(tilt)});

@@ -7,6 +7,7 @@
 #include "core/WholeFile.h"
 #include "functionObjects/LoadMeaning.h"
 #include "runControl/CaseFiles.h"
+#include "statics/SolveCase.h"
 #include "statics/SurfaceContact.h"
 
 #include <fmt/format.h>

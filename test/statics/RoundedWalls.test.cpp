@@ -4,7 +4,7 @@
 #include "Structures.h"
 
 #include "assembly/AssemblyFile.h"
-#include "statics/LimitAnalysisCase.h"
+#include "statics/SolveCase.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

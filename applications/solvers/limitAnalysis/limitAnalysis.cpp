@@ -11,6 +11,7 @@
 #include "report/CaseReport.h"
 #include "runControl/Application.h"
 #include "runControl/Time.h"
+#include "statics/SolveCase.h"
 
 #include <algorithm>
 

@@ -6,7 +6,7 @@
 #include "core/Log.h"
 #include "core/Signals.h"
 #include "core/WholeFile.h"
-#include "ensembles/AccuracyCostCase.h"
+#include "ensembles/AccuracyCostRun.h"
 #include "runControl/Application.h"
 
 using namespace drystone;

@@ -56,13 +56,7 @@ ContactPath::ContactPath(const PlaneConeProgram& program, const ConeSolution& st
     {
         throw std::invalid_argument("ContactPath needs a start of the size of the program");
     }
-    for (int point = 0; point < program.points(); ++point)
-    {
-        const Strength strength =
-            program.hasStrength() ? program.strength[static_cast<std::size_t>(point)] : Strength{};
-        laws.push_back({settings.sliding, program.friction[static_cast<std::size_t>(point)],
-                        strength.cohesion, strength.tension});
-    }
+    laws = slidingLaws(program, settings.sliding);
     load = system.scaledRows(program.load - applyInertia(program, start));
     enough = settings.tolerance * system.scaledRows(program.load).lpNorm<Eigen::Infinity>();
     rho = VectorXd::Constant(program.points(), settings.stiffness);

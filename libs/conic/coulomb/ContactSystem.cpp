@@ -9,6 +9,18 @@ namespace drystone
 {
 
 template<int Rows, int Forces>
+std::vector<SlidingLaw> slidingLaws(const ConeProgram<Rows, Forces>& program, Sliding sliding)
+{
+    std::vector<SlidingLaw> laws;
+    for (std::size_t point = 0; point < program.friction.size(); ++point)
+    {
+        const Strength strength = program.hasStrength() ? program.strength[point] : Strength{};
+        laws.push_back({sliding, program.friction[point], strength.cohesion, strength.tension});
+    }
+    return laws;
+}
+
+template<int Rows, int Forces>
 ContactSystem<Rows, Forces>::ContactSystem(const ConeProgram<Rows, Forces>& program, Sliding slidingLaw,
                                            SymbolicAnalysis& symbolic)
     : sliding(slidingLaw)
@@ -119,6 +131,14 @@ Eigen::VectorXd ContactSystem<Rows, Forces>::forcesOnBodies(const VectorXd& cont
         addForce(point, contactForce.template segment<Forces>(Forces * point), rows);
     }
     return rows;
+}
+
+template<int Rows, int Forces>
+double ContactSystem<Rows, Forces>::normalCompliance(int point) const
+{
+    const ConeColumns<Rows, Forces>& column = columns[static_cast<std::size_t>(point)];
+    return (column.first >= 0 ? column.onFirst.col(0).squaredNorm() : 0)
+           + (column.second >= 0 ? column.onSecond.col(0).squaredNorm() : 0);
 }
 
 template<int Rows, int Forces>
@@ -245,6 +265,8 @@ Eigen::VectorXd ContactSystem<Rows, Forces>::solve(const VectorXd& rows)
     return result;
 }
 
+template std::vector<SlidingLaw> slidingLaws(const PlaneConeProgram& program, Sliding sliding);
+template std::vector<SlidingLaw> slidingLaws(const SpaceConeProgram& program, Sliding sliding);
 template class ContactSystem<3, 2>;
 template class ContactSystem<6, 3>;
 

@@ -12,6 +12,10 @@
 namespace drystone
 {
 
+/// The law of each point of a program.
+template<int Rows, int Forces>
+std::vector<SlidingLaw> slidingLaws(const ConeProgram<Rows, Forces>& program, Sliding sliding);
+
 /// S = 1 + sum_k A_k rho_k D_k A_k' in units that make the inertia 1: with Mbar = L L' columns are L^-1 A and
 /// displacements x = L'y. D_k is the derivative of the law of point k (SlidingLaw.h): symmetric where the law
 /// is associative, and then factorised by Cholesky's method, else by LU.
@@ -38,6 +42,9 @@ public:
     VectorXd forcesOnBodies(const VectorXd& contactForce) const;
     /// Of one point only, added to `rows`.
     void addForce(int point, const Eigen::Matrix<double, Forces, 1>& contactForce, VectorXd& rows) const;
+    /// a'a of the normal's column a of L^-1 A: what the inverse of the inertia that a point moves is.
+    double normalCompliance(int point) const;
+
     /// A'x.
     VectorXd closings(const VectorXd& x) const;
     /// Of one point only.
@@ -63,6 +70,8 @@ private:
     VectorXd ordered;                               ///< work: rows in elimination order
 };
 
+extern template std::vector<SlidingLaw> slidingLaws(const PlaneConeProgram& program, Sliding sliding);
+extern template std::vector<SlidingLaw> slidingLaws(const SpaceConeProgram& program, Sliding sliding);
 extern template class ContactSystem<3, 2>;
 extern template class ContactSystem<6, 3>;
 

@@ -1,0 +1,206 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+#include "statics/SolveCase.h"
+
+#include "statics/AddedPoints.h"
+#include "statics/Settlement.h"
+#include "statics/SurfaceContact.h"
+
+#include <algorithm>
+#include <array>
+
+namespace drystone
+{
+namespace
+{
+
+/// How many times points are added.
+constexpr int mostRounds = 30;
+
+/// Multipliers of positions that differ by less, relative, are equal: those of a symmetric structure.
+constexpr double sameMultiplier = 1e-7;
+
+/// Of joints that are one surface each. Solved closer, so that the certificate in resultants, whose residuals
+/// are sums, meets the tolerance too.
+LimitAnalysis solveWithSurfaces(const LimitAnalysisCase<2>& structure)
+{
+    InteriorPointSettings solver = interiorPointSettings(structure.solution);
+    const double tolerance = solver.tolerance;
+    solver.tolerance *= 0.1;
+    LimitAnalysis result = solveLimitAnalysis(structure.program, solver);
+    const std::vector<JointResultant> joints =
+        jointResultants(structure.points, structure.friction, result.contactForce);
+    result.variables = 3 * static_cast<int>(joints.size()) + 1;
+    if (result.status == CollapseStatus::optimal)
+    {
+        result.certificate = certifySurfaceContact(structure.assembly, joints, structure.loads, result);
+        if (!(result.certificate.worst() <= tolerance))
+        {
+            result.status = CollapseStatus::notConverged;
+        }
+    }
+    return result;
+}
+
+template<int Dim>
+LimitAnalysis solveWithPoints(const LimitAnalysisCase<Dim>& structure)
+{
+    if constexpr (Dim == 2)
+    {
+        if (isSurfaceContact(structure.contact))
+        {
+            return solveWithSurfaces(structure);
+        }
+    }
+    const InteriorPointSettings solver = interiorPointSettings(structure.solution);
+    return structure.movement ? solveSettlement(structure.program, solver)
+           : flowRuleOf(structure.contact) == FlowRule::nonAssociative
+               ? solveNonAssociative(structure.program, structure.nonAssociative, solver)
+               : solveLimitAnalysis(structure.program, solver);
+}
+
+template<int Dim>
+void setLive(LimitAnalysisCase<Dim>& structure, const Eigen::VectorXd& live)
+{
+    structure.loads.live = live;
+    structure.program.liveLoad = live;
+}
+
+/// Whether an answer is worse than another: no answer, then none at all that is carried, then the lower one.
+bool isWorse(const LimitAnalysis& a, const LimitAnalysis& b)
+{
+    const auto rank = [](CollapseStatus status)
+    {
+        constexpr std::array worstFirst{CollapseStatus::notConverged, CollapseStatus::unstable,
+                                        CollapseStatus::optimal, CollapseStatus::unbounded};
+        return std::find(worstFirst.begin(), worstFirst.end(), status) - worstFirst.begin();
+    };
+    return rank(a.status) != rank(b.status)
+               ? rank(a.status) < rank(b.status)
+               : a.status == CollapseStatus::optimal && a.alpha < b.alpha * (1 - sameMultiplier);
+}
+
+template<int Dim>
+std::vector<LimitAnalysis> solveAllWithPoints(const LimitAnalysisCase<Dim>& structure)
+{
+    std::vector<LimitAnalysis> results;
+    if (!structure.loads.positions.empty())
+    {
+        LimitAnalysisCase<Dim> single = structure;
+        single.loads.positions.clear();
+        for (const LoadPosition<Dim>& position : structure.loads.positions)
+        {
+            setLive(single, position.live);
+            results.push_back(solveWithPoints(single));
+            results.back().position = static_cast<int>(results.size()) - 1;
+        }
+        return results;
+    }
+    if (!structure.combinations.empty())
+    {
+        for (const auto& [name, loads] : structure.combinations)
+        {
+            LimitAnalysisCase<Dim> single = structure;
+            single.combinations.clear();
+            static_cast<LoadVectors&>(single.loads) = loads;
+            single.multiplier = loads.multiplier;
+            single.program.load = loads.dead;
+            single.program.liveLoad = loads.live;
+            for (LimitAnalysis& result : solveAllWithPoints(single))
+            {
+                result.combination = name;
+                results.push_back(std::move(result));
+            }
+        }
+        return results;
+    }
+    if (structure.multiplier != Multiplier::negative)
+    {
+        results.push_back(solveWithPoints(structure));
+    }
+    if (structure.multiplier != Multiplier::positive)
+    {
+        LimitAnalysisCase<Dim> reversed = structure;
+        reversed.program.liveLoad *= -1;
+        reversed.loads.live *= -1;
+        results.push_back(solveWithPoints(reversed));
+        results.back().alpha *= -1;
+    }
+    return results;
+}
+
+/// Solves until no joint bears more than it can, and more points would not make much of a difference. \return
+/// the answers; `notConverged` when that takes too long
+template<int Dim, class Solve>
+std::vector<LimitAnalysis> solveWithMorePoints(LimitAnalysisCase<Dim>& structure, const Solve& solve)
+{
+    std::vector<LimitAnalysis> results = solve(structure);
+    for (int round = 0; addPoints(structure, results); ++round)
+    {
+        const std::vector<LimitAnalysis> before = std::move(results);
+        results = solve(structure);
+        for (std::size_t i = 0; i < results.size(); ++i)
+        {
+            results[i].iterations += before[i].iterations;
+            results[i].factorisations += before[i].factorisations;
+            results[i].solves += before[i].solves;
+            if (round == mostRounds)
+            {
+                results[i].status = CollapseStatus::notConverged;
+            }
+        }
+        if (round == mostRounds)
+        {
+            break;
+        }
+    }
+    return results;
+}
+
+} // namespace
+
+template<int Dim>
+LimitAnalysis solveLimitAnalysis(LimitAnalysisCase<Dim>& structure)
+{
+    if (!structure.loads.positions.empty())
+    {
+        return solveLimitAnalyses(structure).front();
+    }
+    return solveWithMorePoints(structure, [](const LimitAnalysisCase<Dim>& with)
+                               { return std::vector<LimitAnalysis>{solveWithPoints(with)}; })
+        .front();
+}
+
+template<int Dim>
+std::vector<LimitAnalysis> solveLimitAnalyses(LimitAnalysisCase<Dim>& structure)
+{
+    std::vector<LimitAnalysis> results = solveWithMorePoints(structure, solveAllWithPoints<Dim>);
+    if (structure.loads.positions.empty())
+    {
+        return results;
+    }
+    structure.envelope.clear();
+    for (const LimitAnalysis& result : results)
+    {
+        structure.envelope.push_back({result.status, result.alpha});
+    }
+    const auto worst = std::min_element(results.begin(), results.end(), isWorse);
+    setLive(structure, structure.loads.positions[worst - results.begin()].live);
+    return {*worst};
+}
+
+template<int Dim>
+Pushover solvePushover(const LimitAnalysisCase<Dim>& structure, const PushoverObserver<Dim>& observe)
+{
+    const double mu = structure.contact.friction ? structure.contact.friction->mu : 0;
+    return solvePushover(PushoverScene<Dim>{structure.assembly, mu, structure.loads}, *structure.pushover,
+                         interiorPointSettings(structure.solution), observe);
+}
+
+template LimitAnalysis solveLimitAnalysis(LimitAnalysisCase<2>& structure);
+template std::vector<LimitAnalysis> solveLimitAnalyses(LimitAnalysisCase<2>& structure);
+template Pushover solvePushover(const LimitAnalysisCase<2>& structure, const PushoverObserver<2>& observe);
+template LimitAnalysis solveLimitAnalysis(LimitAnalysisCase<3>& structure);
+template std::vector<LimitAnalysis> solveLimitAnalyses(LimitAnalysisCase<3>& structure);
+template Pushover solvePushover(const LimitAnalysisCase<3>& structure, const PushoverObserver<3>& observe);
+
+} // namespace drystone
