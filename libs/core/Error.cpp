@@ -178,11 +178,13 @@ std::string unknownWordMessage(std::string_view family, std::string_view word,
                                std::vector<std::string> validWords)
 {
     std::sort(validWords.begin(), validWords.end());
-    std::string message = "Unknown " + std::string(family) + " " + std::string(word) + ".";
+    // A key may be in the plural itself: pictureFormats.
+    const std::string_view one = family.ends_with('s') ? family.substr(0, family.size() - 1) : family;
+    std::string message = "Unknown " + std::string(one) + " " + std::string(word) + ".";
     const std::string nearest = nearestWord(word, validWords);
     if (!nearest.empty())
         message += " Did you mean " + nearest + "?";
-    message += "\n\nValid " + std::string(family) + "s:";
+    message += "\n\nValid " + std::string(one) + "s:";
     if (validWords.empty())
         message += " none";
     for (const std::string& valid : validWords)

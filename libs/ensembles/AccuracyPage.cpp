@@ -58,7 +58,7 @@ std::string sweepSection(const AccuracyStudy& study, const AccuracyResults& resu
                                              "those, as the row says."
                                            : "")
                 : fmt::format("CPU times are medians of {} repeats.\n\n", plan.repeats);
-    text += fmt::format("![error]({}.svg)\n\n", sweep.name);
+    text += fmt::format("![error]({}.{})\n\n", sweep.name, pictureEnding(study));
     text += fmt::format(
         "| setting | {} | {} | CPU [s] | {} | CPU/({} F) |{}\n|---|---:|{}---:|---:|---:|{}\n",
         axisName(sweep.axis), isMotion ? "median error | worst error" : "error",
@@ -99,7 +99,7 @@ std::string sweepSection(const AccuracyStudy& study, const AccuracyResults& resu
     return text + "\n";
 }
 
-std::string profileSection(const SweepResult& sweep)
+std::string profileSection(const AccuracyStudy& study, const SweepResult& sweep)
 {
     std::string text;
     for (const double tolerance : profileTolerances(sweep))
@@ -108,10 +108,11 @@ std::string profileSection(const SweepResult& sweep)
         text += fmt::format(
             "### Solvers at tolerance {:g} (sweep `{}`)\n\n"
             "Profiles of Dolan and Moré (2002) over {} problems: each phase of each setting of the sweep, "
-            "without the solver.\n\n![profiles]({})\n\n"
+            "without the solver.\n\n![profiles]({}.{})\n\n"
             "| solver | solved | fastest | within 2 times the fastest | within 10 times |\n"
             "|---|---:|---:|---:|---:|\n",
-            tolerance, sweep.name, profiles.front().problems, profileName(sweep, tolerance));
+            tolerance, sweep.name, profiles.front().problems, profileName(sweep, tolerance),
+            pictureEnding(study));
         for (const SolverProfile& profile : profiles)
         {
             text += fmt::format("| {} | {:.0f}% | {:.0f}% | {:.0f}% | {:.0f}% |\n", wordOf(profile.solver),
@@ -274,7 +275,7 @@ std::string accuracyPage(const AccuracyStudy& study, const AccuracyResults& resu
     for (const SweepResult& sweep : results.sweeps)
     {
         text += sweepSection(study, results, sweep);
-        text += profileSection(sweep);
+        text += profileSection(study, sweep);
         text += pairSection(study, sweep, "Associative against Coulomb", "associative", "Coulomb",
                             flowRulePairs(sweep.points));
         text += pairSection(study, sweep, "Point against surface contact", "points", "surface",

@@ -162,20 +162,30 @@ std::vector<double> profileTolerances(const SweepResult& sweep)
     return found;
 }
 
+std::string_view pictureEnding(const AccuracyStudy& study)
+{
+    const PictureFormat shown = readPictureFormats(study.caseDirectory).front();
+    const auto formats = namesOf(shown);
+    return std::find_if(formats.begin(), formats.end(),
+                        [&](const auto& format) { return format.second == shown; })
+        ->first;
+}
+
 std::string profileName(const SweepResult& sweep, double tolerance)
 {
-    return fmt::format("{}Solvers{:g}.svg", sweep.name, tolerance);
+    return fmt::format("{}Solvers{:g}", sweep.name, tolerance);
 }
 
 void writePictures(const std::filesystem::path& folder, const AccuracyStudy& study,
                    const AccuracyResults& results)
 {
+    const PictureFormats formats = readPictureFormats(study.caseDirectory);
     for (const SweepResult& sweep : results.sweeps)
     {
-        writePlot(folder / (sweep.name + ".svg"), errorPlot(study, results, sweep));
+        writePlot(folder / sweep.name, errorPlot(study, results, sweep), formats);
         for (const double tolerance : profileTolerances(sweep))
         {
-            writePlot(folder / profileName(sweep, tolerance), profilePlot(sweep, tolerance));
+            writePlot(folder / profileName(sweep, tolerance), profilePlot(sweep, tolerance), formats);
         }
     }
 }

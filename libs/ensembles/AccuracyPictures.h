@@ -14,6 +14,9 @@ namespace drystone
 /// The tolerances with more than one solver and enough settings to compare them.
 std::vector<double> profileTolerances(const SweepResult& sweep);
 
+/// Ending of the pictures that the page shows: the first format that the case requests.
+std::string_view pictureEnding(const AccuracyStudy& study);
+
 /// The file of a profile.
 std::string profileName(const SweepResult& sweep, double tolerance);
 

@@ -156,6 +156,7 @@ Ensemble readEnsemble(const fs::path& caseDirectory, const std::vector<std::stri
 {
     Ensemble ensemble;
     ensemble.caseDirectory = caseDirectory;
+    ensemble.pictureFormats = readPictureFormats(caseDirectory);
     ensemble.options = options;
     ensemble.dictionary = Dictionary::readFile(
         requireCaseFile(caseDirectory, "system/ensembleDict",

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ensembles/EnsembleSettings.h"
+#include "runControl/PictureFormats.h"
 
 #include <filesystem>
 #include <memory>
@@ -38,6 +39,7 @@ struct Ensemble
     bool isInProcess = false;         ///< no copies of the case are made
     std::vector<std::string> options; ///< for the applications
     std::string plan;                 ///< all that the samples depend on, as text
+    PictureFormats pictureFormats{PictureFormat::svg};
 
     long samples() const { return sampler->size(); }
 };

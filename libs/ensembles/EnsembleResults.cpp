@@ -95,8 +95,8 @@ void writeScatter(const Ensemble& ensemble, const SampleTable& table, std::size_
                         ? fmt::format("{} of {} samples", points.x.size(), table.rows())
                         : fmt::format("{} samples", table.rows());
     plot.curves.push_back(std::move(points));
-    writePlot(ensembleFolder(ensemble.caseDirectory) / fmt::format("scatter_{}.svg", table.names[variable]),
-              plot);
+    writePlot(ensembleFolder(ensemble.caseDirectory) / fmt::format("scatter_{}", table.names[variable]), plot,
+              ensemble.pictureFormats);
 }
 
 /// How many failed, in which way, and the first message of each way.
@@ -251,7 +251,7 @@ int writeEnsemble(const Ensemble& ensemble, const std::map<long, SampleRow>& row
         }
         for (const auto& [suffix, plot] : result.pictures)
         {
-            writePlot(folder / (name + suffix + ".svg"), plot);
+            writePlot(folder / (name + suffix), plot, ensemble.pictureFormats);
         }
     }
     writeWholeFile(folder / "statistics.dat", text);

@@ -96,8 +96,8 @@ void writeTable(const std::filesystem::path& file, const IncrementalDynamics<Dim
 }
 
 template<int Dim>
-void writePicture(const std::filesystem::path& file, const IncrementalDynamics<Dim>& study,
-                  const std::vector<IncrementalCurve>& curves)
+void writeCurves(const std::filesystem::path& name, const IncrementalDynamics<Dim>& study,
+                 const std::vector<IncrementalCurve>& curves)
 {
     const Criterion<Dim>& criterion = study.criterion;
     Plot plot;
@@ -129,7 +129,7 @@ void writePicture(const std::filesystem::path& file, const IncrementalDynamics<D
                  ReferenceDirection::vertical, least.value});
         }
     }
-    writePlot(file, plot);
+    writePlot(name, plot, study.controls.pictureFormats);
 }
 
 } // namespace
@@ -320,7 +320,7 @@ void writeIncrementalDynamics(const std::filesystem::path& folder, const Increme
     }
     if (std::none_of(finished.begin(), finished.end(), [](const auto& curve) { return curve.empty(); }))
     {
-        writePicture(folder / "incrementalDynamics.svg", study, finished);
+        writeCurves(folder / "incrementalDynamics", study, finished);
     }
 }
 

@@ -225,6 +225,7 @@ ParameterSearch readParameterSearch(const fs::path& caseDirectory, const Command
 {
     ParameterSearch search;
     search.caseDirectory = caseDirectory;
+    search.pictureFormats = readPictureFormats(caseDirectory);
     search.dictionary =
         Dictionary::readFile(requireCaseFile(caseDirectory, "system/parameterSearchDict",
                                              "It specifies which entries to vary and what to find; "
@@ -509,7 +510,8 @@ void writeOutcome(const ParameterSearch& search, const SearchHistory& history, c
         points.push_back(
             evaluate(settings, record.variables, completed(search, record.variables, record.results, "")));
     }
-    writePlot(folder / "parameterSearch.svg", searchPicture(settings, points, *outcome.best));
+    writePlot(folder / "parameterSearch", searchPicture(settings, points, *outcome.best),
+              search.pictureFormats);
 }
 
 int exitStatus(const SearchOutcome& outcome)

@@ -11,6 +11,7 @@
 
 #include "ensembles/ParameterSearch.h"
 #include "runControl/CommandLine.h"
+#include "runControl/PictureFormats.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -27,6 +28,7 @@ struct ParameterSearch
     std::vector<double> start; ///< of the variables
     std::uint64_t caseFingerprint = 0;
     std::vector<std::string> options; ///< for the applications
+    PictureFormats pictureFormats{PictureFormat::svg};
 };
 
 /// Reads system/parameterSearchDict and looks up the entries that it names.

@@ -1,6 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "functionObjects/EarlierResults.h"
 
+#include "io/PictureFile.h"
 #include "runControl/Case.h"
 #include "runControl/CaseFiles.h"
 
@@ -13,7 +14,15 @@ namespace
 {
 
 constexpr std::string_view picture = "mechanism";
-constexpr std::string_view extension = ".svg";
+
+/// Whether a file has the ending of a format of pictures.
+bool isPicture(const std::string& name)
+{
+    const std::string_view ending = std::string_view(name).substr(name.rfind('.') + 1);
+    const auto formats = namesOf(PictureFormat{});
+    return std::any_of(formats.begin(), formats.end(),
+                       [&](const auto& format) { return ending == format.first; });
+}
 
 /// A series of frames with its list.
 void removeSeries(const std::filesystem::path& folder, const std::string& name)
@@ -42,20 +51,21 @@ std::vector<std::string> removeEarlierResults(const std::filesystem::path& caseD
     std::vector<std::string> removed;
     for (const std::string& name : namesIn(folder))
     {
-        if (!name.starts_with(picture) || !name.ends_with(extension))
+        const std::filesystem::path stem = std::filesystem::path(name).stem();
+        if (!name.starts_with(picture) || !isPicture(name))
         {
             continue;
         }
-        const std::string suffix =
-            name.substr(picture.size(), name.size() - picture.size() - extension.size());
+        const std::string suffix = stem.string().substr(picture.size());
         const bool isOurs = suffix.empty() || suffix == "Negative" || suffix.starts_with("_");
         if (!isOurs || std::find(suffixes.begin(), suffixes.end(), suffix) != suffixes.end())
         {
             continue;
         }
         std::error_code ignored;
-        for (const std::string& file :
-             {name, "thrust" + suffix + ".svg", "thrust" + suffix + ".dat", "coulomb" + suffix + ".dat"})
+        removePicture(folder / ("mechanism" + suffix));
+        removePicture(folder / ("thrust" + suffix));
+        for (const std::string& file : {"thrust" + suffix + ".dat", "coulomb" + suffix + ".dat"})
         {
             std::filesystem::remove(folder / file, ignored);
         }

@@ -2,11 +2,32 @@
 /// Runs the function objects of a case at their own intervals.
 #include "functionObjects/FunctionList.h"
 
+#include "core/Log.h"
+#include "functionObjects/Histories.h"
+#include "runControl/CaseFiles.h"
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 
 namespace drystone
 {
+
+namespace
+{
+
+/// A time between two steps is written at the nearer one, so that rounding does not put it off by a step.
+constexpr double nearestStep = 0.5;
+
+/// Whether one of the times was reached by this step. \param written up to where they were reached before
+bool isTimeReached(const std::vector<double>& times, double written, const TimePoint& now)
+{
+    const auto next = std::upper_bound(times.begin(), times.end(), written);
+    return next != times.end() && *next <= now.value + nearestStep * now.deltaT;
+}
+
+} // namespace
 
 void declare(Options& options, ControlDictSettings& settings)
 {
@@ -19,6 +40,7 @@ template<int Dim>
 FunctionList<Dim>::FunctionList(const Dictionary& dictionary, const std::filesystem::path& caseDirectory,
                                 const std::string& startName, const TimePoint& begin, double startTime,
                                 const Assembly<Dim>& assembly)
+    : title(caseName(caseDirectory)), pictureFormats(readPictureFormats(caseDirectory)), written(begin.value)
 {
     for (const Entry& entry : dictionary.entries())
     {
@@ -45,8 +67,9 @@ FunctionList<Dim>::FunctionList(const Dictionary& dictionary, const std::filesys
             continue;
         }
         function.control = OutputControl(function.plan.control, begin, startTime);
+        function.folder = postProcessingFolder(caseDirectory, name, startName);
         function.object = function.plan.make(
-            {postProcessingFolder(caseDirectory, name, startName), function.plan.writePrecision}, assembly);
+            {function.folder, function.plan.writePrecision, caseDirectory, pictureFormats}, assembly);
         functions.push_back(std::move(function));
     }
 }
@@ -56,7 +79,9 @@ void FunctionList<Dim>::write(const StepObservation<Dim>& step, const TimePoint&
 {
     for (Function& function : functions)
     {
-        const bool due = function.control.due(now); // counts steps, and so is called at every step
+        const bool isInterval = function.control.due(now); // counts steps, and so is called at every step
+        const bool due =
+            function.plan.times.empty() ? isInterval : isTimeReached(function.plan.times, written, now);
         // the end of a step may miss the limit by rounding
         const double small = 1e-9 * now.deltaT;
         const bool early = function.plan.timeStart && now.value < *function.plan.timeStart - small;
@@ -66,6 +91,7 @@ void FunctionList<Dim>::write(const StepObservation<Dim>& step, const TimePoint&
             function.object->write(step);
         }
     }
+    written = std::max(written, now.value + nearestStep * now.deltaT);
 }
 
 template<int Dim>
@@ -83,9 +109,39 @@ double FunctionList<Dim>::timeToNextWrite(double time, double deltaT) const
     double next = std::numeric_limits<double>::infinity();
     for (const Function& function : functions)
     {
-        next = std::min(next, function.control.timeToNextWrite(time, deltaT));
+        const std::vector<double>& times = function.plan.times;
+        if (times.empty())
+        {
+            next = std::min(next, function.control.timeToNextWrite(time, deltaT));
+            continue;
+        }
+        const auto coming = std::upper_bound(times.begin(), times.end(), time + 1e-9 * deltaT);
+        next = coming == times.end() ? next : std::min(next, *coming - time);
     }
     return next;
+}
+
+template<int Dim>
+void FunctionList<Dim>::writePictures() const
+{
+    for (const Function& function : functions)
+    {
+        if (!function.plan.pictures)
+        {
+            continue;
+        }
+        const std::size_t count = writeHistoryPictures(
+            function.folder, fmt::format("{}, {}", title, function.name), pictureFormats);
+        if (count > 0)
+        {
+            info("Wrote {}: its tables over time, {} picture{}", function.folder.lexically_normal().string(),
+                 count, count == 1 ? "" : "s");
+        }
+        else
+        {
+            info("Function {}: there are no two rows of a table to draw", function.name);
+        }
+    }
 }
 
 template<int Dim>

@@ -30,13 +30,16 @@ struct FunctionPlan
     OutputSettings control;          ///< when to write; each step unless the dictionary gives it
     std::optional<double> timeStart; ///< not before [s]
     std::optional<double> timeEnd;   ///< not after [s]
+    std::vector<double> times;       ///< to write at, ascending [s]; when there are some `control` has no say
     int writePrecision = 12;         ///< significant digits
+    bool pictures = false;           ///< whether its tables are drawn over time when the run ends
 
     /// \throws FatalIOError when the function requests what the assembly does not have
     std::function<std::unique_ptr<FunctionObject<Dim>>(FunctionOutput, const Assembly<Dim>&)> make;
 };
 
-/// All types of function object: energy, blockMotion, contactForces, residuals.
+/// All types of function object: energy, blockMotion, contactForces, residuals, stageTimes, groundMotion,
+/// motionPictures.
 template<int Dim>
 const Registry<FunctionPlan<Dim>>& functionTypes();
 
@@ -75,7 +78,12 @@ public:
     /// Lets every function write, due or not.
     void writeAlways(const StepObservation<Dim>& step);
 
-    /// How long until the next instant of a function with adjustableRunTime; infinite when there is none [s].
+    /// Draws the tables of the functions with `pictures yes;` and prints which. To be called when the run
+    /// ends. \throws FatalError naming what cannot be written
+    void writePictures() const;
+
+    /// How long until the next instant of a function with adjustableRunTime, or the next of its `times`;
+    /// infinite when there is none [s].
     double timeToNextWrite(double time, double deltaT) const;
 
     /// Names in the order of the dictionary, for the log; functions that are not enabled are not in the list.
@@ -87,9 +95,13 @@ private:
         std::string name;
         FunctionPlan<Dim> plan;
         OutputControl control;
+        std::filesystem::path folder; ///< postProcessing/<name>/<start>
         std::unique_ptr<FunctionObject<Dim>> object;
     };
     std::vector<Function> functions;
+    std::string title; ///< of the case
+    PictureFormats pictureFormats{PictureFormat::svg};
+    double written = 0; ///< up to where `times` have been written [s]
 };
 
 } // namespace drystone

@@ -1,9 +1,11 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Function objects: the tables that `functions` of controlDict requests in addition to the animation.
+/// Function objects: the tables and pictures that `functions` of controlDict requests in addition to the
+/// animation.
 #pragma once
 
 #include "dynamics/StepObservation.h"
 #include "functionObjects/ColumnFile.h"
+#include "runControl/PictureFormats.h"
 
 #include <memory>
 #include <optional>
@@ -11,7 +13,7 @@
 namespace drystone
 {
 
-/// Writes tables about the steps it is given. Nothing is on disk before the first call of `write`.
+/// Writes tables or pictures of the steps it is given. Nothing is on disk before the first call of `write`.
 template<int Dim>
 class FunctionObject
 {
@@ -28,6 +30,8 @@ struct FunctionOutput
 {
     std::filesystem::path folder; ///< postProcessing/<function>/<startTime>
     int precision = 12;           ///< significant digits
+    std::filesystem::path caseDirectory = {};
+    PictureFormats pictureFormats{PictureFormat::svg};
 };
 
 /// The energy ledger, in energy.dat:

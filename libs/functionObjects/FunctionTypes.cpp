@@ -2,7 +2,16 @@
 /// The registry of function objects, with the settings of each: what `functions` of controlDict can contain.
 #include "functionObjects/FunctionList.h"
 
+#include "functionObjects/GroundMotionFunction.h"
+#include "functionObjects/MotionPictures.h"
+#include "io/MechanismPicture.h"
+#include "runControl/Case.h"
+#include "runControl/CaseFiles.h"
+
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
 
 namespace drystone
 {
@@ -21,6 +30,8 @@ void declareCommon(Options& options, FunctionPlan<Dim>& plan)
     options.optional("writePrecision", plan.writePrecision, "significant digits of its tables")
         .atLeast(1)
         .atMost(17);
+    options.optional("pictures", plan.pictures,
+                     "also draw its tables over time when the run ends, a picture for each unit");
 }
 
 /// Settings of a function without keys of its own.
@@ -126,6 +137,96 @@ FunctionPlan<Dim> planContactForces(ContactForcesSettings<Dim> settings)
     return settings.plan;
 }
 
+/// Reads the motion of the ground, so that a fault of it is found before the run.
+template<int Dim>
+FunctionPlan<Dim> planGroundMotion(PlainSettings<Dim> settings)
+{
+    settings.plan.make = [](FunctionOutput output, const Assembly<Dim>&)
+    {
+        const Dictionary dictionary = Dictionary::readFile(
+            requireCaseFile(output.caseDirectory, "constant/groundMotion",
+                            "The function groundMotion of system/controlDict lists it: where the ground does "
+                            "not move, leave the function out."));
+        GroundMotion motion = readGroundMotion(dictionary, output.caseDirectory);
+        return std::make_unique<GroundMotionFunction<Dim>>(std::move(output), std::move(motion));
+    };
+    return settings.plan;
+}
+
+template<int Dim>
+struct MotionPicturesSettings
+{
+    FunctionPlan<Dim> plan;
+    double magnification = 1;
+    std::string view;
+};
+
+template<int Dim>
+void declare(Options& options, MotionPicturesSettings<Dim>& settings)
+{
+    options
+        .optional(
+            "times", settings.plan.times,
+            "to draw at, each at the nearest step, or with adjustTimeStep exactly; absent: as writeControl "
+            "and writeInterval say")
+        .unit("s")
+        .example("(0.1 0.2)");
+    options
+        .optional("magnification", settings.magnification,
+                  "of displacements and rotations; 1 where a collapse is shown")
+        .above(0);
+    options
+        .optional("view", settings.view,
+                  "in space, from where it is seen: front, back, left, right, top, or \"(1 -1.4 0.8)\"")
+        .example("front");
+    options.optional("enabled", settings.plan.enabled, "whether the function is carried out");
+    declare(options, settings.plan.control);
+    options.optional("timeStart", settings.plan.timeStart, "time from which it writes").unit("s");
+    options.optional("timeEnd", settings.plan.timeEnd, "time until which it writes").unit("s");
+    options.check("times",
+                  [&settings]() -> std::string
+                  {
+                      const std::vector<double>& times = settings.plan.times;
+                      const bool isAscending =
+                          std::adjacent_find(times.begin(), times.end(), std::greater_equal<>())
+                          == times.end();
+                      return isAscending ? "" : "The times must ascend: write them in order, each once.";
+                  });
+}
+
+template<int Dim>
+FunctionPlan<Dim> planMotionPictures(MotionPicturesSettings<Dim> settings, const Dictionary& dictionary)
+{
+    MotionPictureSettings drawn;
+    drawn.magnification = settings.magnification;
+    drawn.towardsViewer = usualView();
+    if (!settings.view.empty())
+    {
+        if (Dim == 2)
+        {
+            throw FatalIOError(
+                "view is for structures in space: in the plane there is one view. Leave it out.",
+                dictionary.locationOf("view"));
+        }
+        try
+        {
+            drawn.towardsViewer = viewFrom(settings.view);
+        }
+        catch (const FatalError& error)
+        {
+            throw FatalIOError(error.what(), dictionary.locationOf("view"));
+        }
+    }
+    settings.plan.make = [drawn](FunctionOutput output, const Assembly<Dim>&)
+    {
+        MotionPictureSettings own = drawn;
+        own.title = caseName(output.caseDirectory);
+        own.formats = output.pictureFormats;
+        return std::make_unique<MotionPicturesFunction<Dim>>(std::move(output), std::move(own));
+    };
+    return settings.plan;
+}
+
 } // namespace
 
 template<int Dim>
@@ -145,7 +246,12 @@ const Registry<FunctionPlan<Dim>>& functionTypes()
                                                       planPlain<Dim, ResidualsFunction<Dim>>),
          model<FunctionPlan<Dim>, PlainSettings<Dim>>("stageTimes",
                                                       "elapsed time that each stage of the steps takes",
-                                                      planPlain<Dim, StageTimesFunction<Dim>>)}};
+                                                      planPlain<Dim, StageTimesFunction<Dim>>),
+         model<FunctionPlan<Dim>, PlainSettings<Dim>>(
+             "groundMotion", "acceleration of the ground, as constant/groundMotion has it",
+             planGroundMotion<Dim>),
+         model<FunctionPlan<Dim>, MotionPicturesSettings<Dim>>(
+             "motionPictures", "pictures of the displaced blocks at chosen times", planMotionPictures<Dim>)}};
     return registry;
 }
 

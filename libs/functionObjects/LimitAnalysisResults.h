@@ -1,6 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Results of limit analysis for the user: the log, the table, the animation and picture of the mechanism,
-/// the contact forces. It combines statics with output, which statics does not see.
+/// Results of limit analysis for the user: the tables, the animation and picture of the mechanism, the
+/// contact forces. It combines statics with output, which statics does not see.
 #pragma once
 
 #include "io/MechanismPicture.h"
@@ -10,14 +10,6 @@
 
 namespace drystone
 {
-
-/// Counts, effects and solver, for the log before the solution.
-template<int Dim>
-void printLimitAnalysisCase(const LimitAnalysisCase<Dim>& structure);
-
-/// Multiplier, status and certificate. No multiplier is printed for what did not converge.
-template<int Dim>
-void printLimitAnalysis(const LimitAnalysisCase<Dim>& structure, const std::vector<LimitAnalysis>& results);
 
 /// postProcessing/limitAnalysis/0/limitAnalysis.dat
 std::filesystem::path limitAnalysisTable(const std::filesystem::path& caseDirectory);
@@ -50,12 +42,19 @@ template<int Dim>
 void writeLimitAnalysisProgram(const std::filesystem::path& caseDirectory,
                                const LimitAnalysisCase<Dim>& structure, const LimitAnalysis& result);
 
+/// How the pictures of the answers are drawn.
+struct AnswerPictures
+{
+    Vector<3> towardsViewer = usualView(); ///< of mechanisms in space
+    PictureFormats formats{PictureFormat::svg};
+};
+
 /// Writes
 /// - postProcessing/limitAnalysis/0/limitAnalysis.dat, a row of figures; alpha is `inf` for unbounded and
 /// `nan` for unstable;
 /// - postProcessing/limitAnalysis/0/coulomb.dat for the non-associative flow rule: the range of collapses
 /// found;
-/// - postProcessing/limitAnalysis/0/mechanism.svg, the mechanism over the structure as built;
+/// - postProcessing/limitAnalysis/0/mechanism.svg (or .png, .pdf), the mechanism over the structure as built;
 /// - postProcessing/limitAnalysis/0/thrust.dat and, in the plane, thrust.svg: stress resultants and centre of
 /// pressure of each joint that carries a load, the line of thrust;
 /// - VTK/blocks.vtp.series, the mechanism growing from the structure as built, with displacement rates;
@@ -66,20 +65,12 @@ void writeLimitAnalysisProgram(const std::filesystem::path& caseDirectory,
 /// names. With combinations of loads each has its row and `_<name>` in the names of its files;
 /// combinations.dat lists names, multipliers and statuses. Named loads (`cases`) are in loadCases.dat with
 /// their forces; a moving load has movingLoad.dat and movingLoad.svg (LoadEnvelope.h), and the other files
-/// are those of its worst place. \param cpuTime of the solution [s] \param towardsViewer direction from which
-/// mechanism.svg is seen in space \throws FatalError naming what cannot be written
+/// are those of its worst place. \param cpuTime of the solution [s] \throws FatalError naming what cannot be
+/// written
 template<int Dim>
 void writeLimitAnalysisResults(const std::filesystem::path& caseDirectory,
                                const LimitAnalysisCase<Dim>& structure,
                                const std::vector<LimitAnalysis>& results, double cpuTime,
-                               const Vector<3>& towardsViewer = usualView());
-
-/// Follows the capacity curve of a case and writes
-/// - postProcessing/limitAnalysis/0/capacity.dat, a row for each position, and capacity.svg;
-/// - VTK/pushover.vtp.series, the blocks in at most about 100 of the positions, displacement as time.
-///
-/// Prints how it ends. \return whether the curve is complete: false where the solver failed
-template<int Dim>
-bool runPushover(const std::filesystem::path& caseDirectory, const LimitAnalysisCase<Dim>& structure);
+                               const AnswerPictures& pictures = {});
 
 } // namespace drystone

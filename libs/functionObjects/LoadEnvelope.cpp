@@ -95,14 +95,14 @@ void printEnvelope(const LimitAnalysisCase<Dim>& structure)
 
 template<int Dim>
 void writeEnvelope(const std::filesystem::path& folder, const LimitAnalysisCase<Dim>& structure,
-                   const std::string& caseName)
+                   const std::string& caseName, const PictureFormats& formats)
 {
     const std::filesystem::path table = folder / "movingLoad.dat";
-    const std::filesystem::path picture = folder / "movingLoad.svg";
-    std::error_code ignored;
-    std::filesystem::remove(picture, ignored);
+    const std::filesystem::path picture = folder / "movingLoad";
+    removePicture(picture);
     if (structure.envelope.empty())
     {
+        std::error_code ignored;
         std::filesystem::remove(table, ignored);
         return;
     }
@@ -174,7 +174,7 @@ void writeEnvelope(const std::filesystem::path& folder, const LimitAnalysisCase<
     mark.marker = CurveMarker::circle;
     mark.colour = curveColour(1);
     plot.curves.push_back(mark);
-    writePlot(picture, plot);
+    writePlot(picture, plot, formats);
 }
 
 template std::vector<EnvelopePoint> envelopeOf(const LimitAnalysisCase<2>& structure);
@@ -186,8 +186,8 @@ template std::string placeText(const LimitAnalysisCase<3>& structure, const Enve
 template void printEnvelope(const LimitAnalysisCase<2>& structure);
 template void printEnvelope(const LimitAnalysisCase<3>& structure);
 template void writeEnvelope(const std::filesystem::path& folder, const LimitAnalysisCase<2>& structure,
-                            const std::string& caseName);
+                            const std::string& caseName, const PictureFormats& formats);
 template void writeEnvelope(const std::filesystem::path& folder, const LimitAnalysisCase<3>& structure,
-                            const std::string& caseName);
+                            const std::string& caseName, const PictureFormats& formats);
 
 } // namespace drystone

@@ -2,6 +2,7 @@
 /// Multipliers of a moving load over its places, for logs, tables and pictures.
 #pragma once
 
+#include "runControl/PictureFormats.h"
 #include "statics/LimitAnalysisCase.h"
 
 #include <filesystem>
@@ -38,10 +39,10 @@ void printEnvelope(const LimitAnalysisCase<Dim>& structure);
 
 /// Writes postProcessing/limitAnalysis/0/movingLoad.dat, a row a position and block: `distance[m] x[m] y[m]
 /// block[-] alpha[-] status[-]` (in space z[m] too; `block` the first that carries an axle), and
-/// movingLoad.svg, the lower multiplier over the distance with the worst place. Without a moving load removes
-/// those of an earlier run.
+/// movingLoad.svg (or .png, .pdf), the lower multiplier over the distance with the worst place. Without a
+/// moving load removes those of an earlier run.
 template<int Dim>
 void writeEnvelope(const std::filesystem::path& folder, const LimitAnalysisCase<Dim>& structure,
-                   const std::string& caseName);
+                   const std::string& caseName, const PictureFormats& formats = {PictureFormat::svg});
 
 } // namespace drystone

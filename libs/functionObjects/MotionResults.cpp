@@ -307,6 +307,7 @@ void postProcess(const std::filesystem::path& caseDirectory, const DynamicCase<D
         seen.stageTimes.reset();
         list.writeAlways(seen);
     }
+    list.writePictures();
 }
 
 template<int Dim>
@@ -425,6 +426,7 @@ void MotionResults<Dim>::printWritten() const
              kept.size() == 1 ? "the state of time " + kept.front()
                               : fmt::format("{} states, {} to {}", kept.size(), kept.front(), kept.back()));
     }
+    functionList.writePictures();
     info("Wrote {}: blocks and contacts, {} frames; .vtp.series opens in ParaView",
          (caseDirectory / "VTK").lexically_normal().string(), blocks.times().size());
     if (const std::vector<std::string> names = functionList.names(); !names.empty())

@@ -27,9 +27,9 @@ std::string clayColour(double value, double light)
     return fmt::format("#{:02x}{:02x}{:02x}", colour[0], colour[1], colour[2]);
 }
 
-double paintClayLegend(SvgDrawing& drawing, const Vector<2>& corner)
+double paintClayLegend(Canvas& drawing, const Vector<2>& corner)
 {
-    const SvgText small{.size = 12};
+    const TextStyle small{.size = 12};
     double x = corner.x();
     const double y = corner.y();
     drawing.text({x, y + 11}, "at rest", small);

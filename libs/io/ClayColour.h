@@ -2,7 +2,7 @@
 /// The colours of displaced blocks in pictures of the plane and of space, and their legend.
 #pragma once
 
-#include "io/Svg.h"
+#include "io/Canvas.h"
 
 #include <string>
 
@@ -14,6 +14,6 @@ namespace drystone
 std::string clayColour(double value, double light = 1);
 
 /// `at rest`, a bar of the colours, `moves most`. \return where it ends, in x [px]
-double paintClayLegend(SvgDrawing& drawing, const Vector<2>& corner);
+double paintClayLegend(Canvas& drawing, const Vector<2>& corner);
 
 } // namespace drystone

@@ -3,6 +3,7 @@
 #include "io/MechanismPicture.h"
 
 #include "core/Error.h"
+#include "io/SvgText.h"
 
 #include <fmt/format.h>
 
@@ -42,6 +43,17 @@ std::vector<JointForce<Dim>> jointForces(const std::vector<ContactPoint<Dim>>& p
     return joints;
 }
 
+template<int Dim>
+std::string mechanismSvg(const Assembly<Dim>& assembly, const std::vector<Placement<Dim>>& placements,
+                         const MechanismPicture& picture)
+{
+    return svgText(drawnMechanism(assembly, placements, picture));
+}
+
+template std::string mechanismSvg(const Assembly<2>& assembly, const std::vector<Placement<2>>& placements,
+                                  const MechanismPicture& picture);
+template std::string mechanismSvg(const Assembly<3>& assembly, const std::vector<Placement<3>>& placements,
+                                  const MechanismPicture& picture);
 template std::vector<JointForce<2>> jointForces(const std::vector<ContactPoint<2>>& points,
                                                 const std::vector<Vector<2>>& forces);
 template std::vector<JointForce<3>> jointForces(const std::vector<ContactPoint<3>>& points,

@@ -1,10 +1,10 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// A structure and its motion as a picture (SVG) for papers and web pages, where ParaView is not at hand.
+/// A structure and its motion as a picture for papers and web pages, where ParaView is not at hand.
 #pragma once
 
 #include "contact/ContactPoint.h"
-#include "core/WholeFile.h"
 #include "io/JointMarks.h"
+#include "io/PictureFile.h"
 
 #include <filesystem>
 #include <optional>
@@ -65,20 +65,26 @@ struct MechanismPicture
 /// fixed blocks are hatched. In space seen without perspective, hidden faces behind others
 /// (MechanismPicture.cpp in space/) and without the outline as built; fixed blocks are grey, the lines of
 /// hinges and the edges of sliding joints coloured. Below are a scale bar, the load and what is said of the
-/// motion. Text of an SVG file.
+/// motion.
 ///
 /// \param placements one per block
-std::string mechanismSvg(const Assembly<2>& assembly, const std::vector<Placement<2>>& placements,
-                         const MechanismPicture& picture);
-std::string mechanismSvg(const Assembly<3>& assembly, const std::vector<Placement<3>>& placements,
+Canvas drawnMechanism(const Assembly<2>& assembly, const std::vector<Placement<2>>& placements,
+                      const MechanismPicture& picture);
+Canvas drawnMechanism(const Assembly<3>& assembly, const std::vector<Placement<3>>& placements,
+                      const MechanismPicture& picture);
+
+/// The same as text of an SVG file.
+template<int Dim>
+std::string mechanismSvg(const Assembly<Dim>& assembly, const std::vector<Placement<Dim>>& placements,
                          const MechanismPicture& picture);
 
-/// The same as a file, written whole or not at all.
+/// The same as files `<name>.svg`, `.png`, `.pdf`, as writePicture writes them.
 template<int Dim>
-void writeMechanismPicture(const std::filesystem::path& file, const Assembly<Dim>& assembly,
-                           const std::vector<Placement<Dim>>& placements, const MechanismPicture& picture)
+void writeMechanismPicture(const std::filesystem::path& name, const Assembly<Dim>& assembly,
+                           const std::vector<Placement<Dim>>& placements, const MechanismPicture& picture,
+                           const PictureFormats& formats)
 {
-    writeWholeFile(file, mechanismSvg(assembly, placements, picture));
+    writePicture(name, drawnMechanism(assembly, placements, picture), formats);
 }
 
 } // namespace drystone

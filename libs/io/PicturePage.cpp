@@ -16,10 +16,8 @@ PicturePage makePicturePage(const MechanismPicture& picture, const Vector<2>& wo
     const double head = picture.title.empty() && picture.subtitle.empty() ? margin : 64;
     const double scale = std::min((picture.width - 2 * margin) / world.x(), 1.4 * picture.width / world.y());
     const Vector<2> room = scale * world;
-    PicturePage page{scale,
-                     {(picture.width - room.x()) / 2, head},
-                     room,
-                     SvgDrawing(picture.width, head + room.y() + legend)};
+    PicturePage page{
+        scale, {(picture.width - room.x()) / 2, head}, room, Canvas(picture.width, head + room.y() + legend)};
     if (!picture.title.empty())
     {
         page.drawing.text({picture.width / 2, 28}, picture.title,
@@ -49,13 +47,13 @@ double roundLength(double length)
 void paintNotes(PicturePage& page, const MechanismPicture& picture, const Vector<2>& onPage)
 {
     constexpr double size = 12;
-    SvgDrawing& drawing = page.drawing;
+    Canvas& drawing = page.drawing;
     const double y = page.legend() + 30;
     double x = 20;
     // A sixth of the page, rounded down.
     const double metres = roundLength(picture.width / 6 / page.scale);
     const double bar = metres * page.scale;
-    const SvgStyle ink{.stroke = "#222222", .strokeWidth = 1.4};
+    const ShapeStyle ink{.stroke = "#222222", .strokeWidth = 1.4};
     drawing.line({x, y + 7}, {x + bar, y + 7}, ink);
     for (const double end : {x, x + bar})
     {
@@ -69,7 +67,7 @@ void paintNotes(PicturePage& page, const MechanismPicture& picture, const Vector
         // Seen along its own direction a load is a point.
         const Vector<2> half = 13 * onPage;
         const Vector<2> centre(x + 13, y + 7);
-        const SvgStyle red{.stroke = "#b3261e", .strokeWidth = 2.2};
+        const ShapeStyle red{.stroke = "#b3261e", .strokeWidth = 2.2};
         if (onPage.norm() < 0.2)
         {
             drawing.circle(centre, 3, {.fill = red.stroke});

@@ -3,8 +3,8 @@
 /// a legend and a row of notes below.
 #pragma once
 
+#include "io/Canvas.h"
 #include "io/MechanismPicture.h"
-#include "io/Svg.h"
 
 namespace drystone
 {
@@ -14,7 +14,7 @@ struct PicturePage
     double scale;     ///< [px/m]
     Vector<2> corner; ///< of the drawing area, upper left [px]
     Vector<2> room;   ///< its size [px]
-    SvgDrawing drawing;
+    Canvas drawing;
 
     double legend() const { return corner.y() + room.y() + 14; } ///< where it begins, in y [px]
 };

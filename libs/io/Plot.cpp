@@ -1,10 +1,9 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Axes, ticks, curves and legend, laid out on SVG without a plotting library.
+/// Axes, ticks, curves and legend, laid out without a plotting library.
 #include "io/Plot.h"
 
 #include "core/Error.h"
-#include "core/WholeFile.h"
-#include "io/Svg.h"
+#include "io/SvgText.h"
 
 #include <fmt/format.h>
 
@@ -185,9 +184,9 @@ std::string tickLabel(double value, AxisScale scale)
     return label;
 }
 
-void paintMarker(SvgDrawing& drawing, const Vector<2>& at, CurveMarker marker, const std::string& colour)
+void paintMarker(Canvas& drawing, const Vector<2>& at, CurveMarker marker, const std::string& colour)
 {
-    const SvgStyle style{.fill = colour, .stroke = "#ffffff", .strokeWidth = 0.8};
+    const ShapeStyle style{.fill = colour, .stroke = "#ffffff", .strokeWidth = 0.8};
     const auto shape = [&](const std::vector<Vector<2>>& corners)
     {
         std::vector<Vector<2>> moved;
@@ -213,9 +212,10 @@ void paintMarker(SvgDrawing& drawing, const Vector<2>& at, CurveMarker marker, c
     }
 }
 
-std::string dash(CurveLine line)
+std::vector<double> dash(CurveLine line)
 {
-    return line == CurveLine::dashed ? "7 4" : line == CurveLine::dotted ? "2 3" : "";
+    using Lengths = std::vector<double>;
+    return line == CurveLine::dashed ? Lengths{7, 4} : line == CurveLine::dotted ? Lengths{2, 3} : Lengths{};
 }
 
 /// A curve with its colour, line and marker chosen.
@@ -253,13 +253,20 @@ struct Frame
         return {left + width * std::clamp(x.part(px), -9.0, 10.0),
                 top + height * (1 - std::clamp(y.part(py), -9.0, 10.0))};
     }
+
+    bool holds(const Vector<2>& at) const
+    {
+        constexpr double rounding = 0.01;
+        return at.x() >= left - rounding && at.x() <= left + width + rounding && at.y() >= top - rounding
+               && at.y() <= top + height + rounding;
+    }
 };
 
-void paintAxes(SvgDrawing& drawing, const Plot& plot, const Frame& frame, const std::vector<double>& xTicks,
+void paintAxes(Canvas& drawing, const Plot& plot, const Frame& frame, const std::vector<double>& xTicks,
                const std::vector<double>& yTicks, double yLabelRoom)
 {
-    const SvgStyle grid{.stroke = "#e2e2e2", .strokeWidth = 1};
-    const SvgStyle faint{.stroke = "#f3f3f3", .strokeWidth = 1};
+    const ShapeStyle grid{.stroke = "#e2e2e2", .strokeWidth = 1};
+    const ShapeStyle faint{.stroke = "#f3f3f3", .strokeWidth = 1};
     const double bottom = frame.top + frame.height;
     const double right = frame.left + frame.width;
     const auto minor = [&](const Range& range, const auto& paint)
@@ -356,7 +363,7 @@ std::string curveColour(std::size_t index)
     return palette[index % palette.size()];
 }
 
-std::string plotSvg(const Plot& plot)
+Canvas drawnPlot(const Plot& plot)
 {
     check(plot);
     std::vector<double> allX;
@@ -396,8 +403,7 @@ std::string plotSvg(const Plot& plot)
     frame.top = 22 + (plot.title.empty() ? 0 : 26) + (plot.subtitle.empty() ? 0 : 20);
     frame.width = std::max(160.0, plot.width - frame.left - std::max(24.0, legendRoom + 8));
     frame.height = std::max(120.0, plot.height - frame.top - 60);
-    SvgDrawing drawing(frame.left + frame.width + std::max(24.0, legendRoom + 8),
-                       frame.top + frame.height + 60);
+    Canvas drawing(frame.left + frame.width + std::max(24.0, legendRoom + 8), frame.top + frame.height + 60);
 
     if (!plot.title.empty())
     {
@@ -411,10 +417,11 @@ std::string plotSvg(const Plot& plot)
     paintAxes(drawing, plot, frame, xTicks, yTicks, yLabelRoom);
 
     const std::vector<Look> look = looks(plot);
-    drawing.beginClip("curves", {frame.left - 6, frame.top - 6}, frame.width + 12, frame.height + 12);
+    // As wide as half a line beyond the frame, so that a curve along an axis keeps its width.
+    drawing.beginClip("curves", {frame.left - 1, frame.top - 1}, frame.width + 2, frame.height + 2);
     for (const PlotReference& reference : plot.references)
     {
-        const SvgStyle style{.stroke = "#222222", .strokeWidth = 1.3, .dash = "3 3"};
+        const ShapeStyle style{.stroke = "#222222", .strokeWidth = 1.3, .dash = {3, 3}};
         if (reference.direction == ReferenceDirection::horizontal)
         {
             drawing.line(frame(frame.x.lower, reference.value), frame(frame.x.upper, reference.value), style);
@@ -436,12 +443,20 @@ std::string plotSvg(const Plot& plot)
         {
             drawing.polyline(path, {.stroke = look[i].colour, .strokeWidth = 1.9, .dash = dash(curve.line)});
         }
-        for (const Vector<2>& at : path)
-        {
-            paintMarker(drawing, at, look[i].marker, look[i].colour);
-        }
     }
     drawing.endClip();
+    for (std::size_t i = 0; i < plot.curves.size(); ++i)
+    {
+        const PlotCurve& curve = plot.curves[i];
+        for (std::size_t k = 0; k < curve.x.size(); ++k)
+        {
+            const Vector<2> at = frame(curve.x[k], curve.y[k]);
+            if (frame.holds(at)) // whole, also on the frame
+            {
+                paintMarker(drawing, at, look[i].marker, look[i].colour);
+            }
+        }
+    }
 
     const double x = frame.left + frame.width + 16;
     double y = frame.top + 12;
@@ -465,22 +480,27 @@ std::string plotSvg(const Plot& plot)
     {
         if (reference.direction == ReferenceDirection::horizontal)
         {
-            drawing.line({x, y}, {x + 28, y}, {.stroke = "#222222", .strokeWidth = 1.3, .dash = "3 3"});
+            drawing.line({x, y}, {x + 28, y}, {.stroke = "#222222", .strokeWidth = 1.3, .dash = {3, 3}});
         }
         else
         {
             drawing.line({x + 14, y - 8}, {x + 14, y + 8},
-                         {.stroke = "#222222", .strokeWidth = 1.3, .dash = "3 3"});
+                         {.stroke = "#222222", .strokeWidth = 1.3, .dash = {3, 3}});
         }
         drawing.text({x + 36, y + 4.4}, reference.name, {.size = 12.5});
         y += 20;
     }
-    return drawing.document();
+    return drawing;
 }
 
-void writePlot(const std::filesystem::path& file, const Plot& plot)
+std::string plotSvg(const Plot& plot)
 {
-    writeWholeFile(file, plotSvg(plot));
+    return svgText(drawnPlot(plot));
+}
+
+void writePlot(const std::filesystem::path& name, const Plot& plot, const PictureFormats& formats)
+{
+    writePicture(name, drawnPlot(plot), formats);
 }
 
 } // namespace drystone

@@ -1,6 +1,8 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Curves over an axis as a picture (SVG), the common output of studies and benchmarks.
+/// Curves over an axis as a picture, the common output of studies and benchmarks.
 #pragma once
+
+#include "io/PictureFile.h"
 
 #include <filesystem>
 #include <optional>
@@ -85,12 +87,15 @@ std::vector<double> axisTicks(double lower, double upper, AxisScale scale);
 /// The colour of a curve without a colour of its own, by its index.
 std::string curveColour(std::size_t index);
 
-/// Text of an SVG file. The legend is placed outside the axes, so that it never covers data.
+/// The drawing. The legend is placed outside the axes, so that it never covers data.
 /// \throws FatalError when x and y of a curve differ in number, a value is not finite, or a logarithmic axis
 /// is to show a value that is not positive; the message names the curve and the point
+Canvas drawnPlot(const Plot& plot);
+
+/// The same as text of an SVG file.
 std::string plotSvg(const Plot& plot);
 
-/// The same as a file, written whole or not at all.
-void writePlot(const std::filesystem::path& file, const Plot& plot);
+/// The same as files `<name>.svg`, `.png`, `.pdf`, as writePicture writes them.
+void writePlot(const std::filesystem::path& name, const Plot& plot, const PictureFormats& formats);
 
 } // namespace drystone

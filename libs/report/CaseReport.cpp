@@ -16,9 +16,9 @@
 #include "effects/GroundMotion.h"
 #include "effects/SupportMotion.h"
 #include "functionObjects/FunctionList.h"
+#include "functionObjects/Histories.h"
 #include "functionObjects/LimitAnalysisResults.h"
 #include "functionObjects/LoadMeaning.h"
-#include "report/Histories.h"
 #include "report/HtmlPage.h"
 #include "report/InputTable.h"
 #include "report/ViewerData.h"
@@ -184,7 +184,15 @@ void addLimitAnalysis(HtmlPage& page, const fs::path& caseDirectory)
 void addPictures(HtmlPage& page, const fs::path& caseDirectory)
 {
     constexpr std::size_t largest = 2 << 20;
-    const std::vector<fs::path> files = filesWithEnding(caseDirectory / "postProcessing", ".svg");
+    std::error_code none;
+    std::vector<fs::path> files = filesWithEnding(caseDirectory / "postProcessing", ".svg");
+    for (const fs::path& file : filesWithEnding(caseDirectory / "postProcessing", ".png"))
+    {
+        if (!fs::exists(fs::path(file).replace_extension(".svg"), none))
+        {
+            files.push_back(file); // of a case whose pictureFormats has no svg
+        }
+    }
     if (!files.empty())
     {
         page.heading("Pictures");
@@ -199,6 +207,11 @@ void addPictures(HtmlPage& page, const fs::path& caseDirectory)
                                        static_cast<double>(drawing.size()) / 1e6, name));
             continue;
         }
+        if (file.extension() == ".png")
+        {
+            page.image(drawing, name);
+            continue;
+        }
         page.picture(drawing, name);
     }
 }
@@ -207,11 +220,17 @@ void addHistories(HtmlPage& page, const fs::path& caseDirectory)
 {
     constexpr std::size_t most = 40;
     std::size_t count = 0;
+    std::error_code none;
     for (const fs::path& file : filesWithEnding(caseDirectory / "postProcessing", ".dat"))
     {
         const std::string name = fs::relative(file, caseDirectory).string();
-        for (const Plot& plot : historyPlots(readNumberTable(file), name))
+        for (const auto& [unit, plot] : historyPlotsOfUnits(readNumberTable(file), name))
         {
+            const std::string drawn = historyPicture(file, unit).string();
+            if (fs::exists(drawn + ".svg", none) || fs::exists(drawn + ".png", none))
+            {
+                continue; // among the pictures already
+            }
             if (count == 0)
             {
                 page.heading("Time histories");

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
+
 namespace drystone
 {
 
@@ -22,6 +24,25 @@ pre { background: #f6f6f4; padding: 0.6em; overflow-x: auto; }
 )";
 
 } // namespace
+
+std::string base64(std::string_view bytes)
+{
+    constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    for (std::size_t i = 0; i < bytes.size(); i += 3)
+    {
+        std::uint32_t three = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+        {
+            three = three << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+        }
+        for (std::size_t k = 0; k < 4; ++k)
+        {
+            text += i + k > bytes.size() ? '=' : digits[three >> (18 - 6 * k) & 63];
+        }
+    }
+    return text;
+}
 
 std::string htmlText(std::string_view text)
 {
@@ -96,6 +117,14 @@ void HtmlPage::picture(std::string_view svg, std::string_view caption)
         svg.remove_prefix(begin);
     }
     body += fmt::format("<figure>\n{}\n<figcaption>{}</figcaption>\n</figure>\n", svg, htmlText(caption));
+}
+
+void HtmlPage::image(std::string_view png, std::string_view caption)
+{
+    body += fmt::format(
+        "<figure>\n<img alt=\"{0}\" style=\"max-width: 100%\" src=\"data:image/png;base64,{1}\">\n"
+        "<figcaption>{0}</figcaption>\n</figure>\n",
+        htmlText(caption), base64(png));
 }
 
 void HtmlPage::markup(std::string_view html)

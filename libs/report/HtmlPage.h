@@ -12,6 +12,9 @@ namespace drystone
 /// Text with `& < > "` as HTML wants them.
 std::string htmlText(std::string_view text);
 
+/// Bytes as text of RFC 4648, in which a page holds an image.
+std::string base64(std::string_view bytes);
+
 /// Collects a page from top to bottom. What is passed as text is escaped; what is passed as markup is not.
 class HtmlPage
 {
@@ -25,6 +28,8 @@ public:
     void verbatim(std::string_view text);
     /// An SVG drawing, the text of its file, with a caption.
     void picture(std::string_view svg, std::string_view caption);
+    /// A PNG image, the bytes of its file, with a caption.
+    void image(std::string_view png, std::string_view caption);
     void markup(std::string_view html);
 
     /// The whole page.

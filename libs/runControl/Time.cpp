@@ -64,6 +64,7 @@ void declare(Options& options, TimeControls& controls)
     options.optional("timePrecision", controls.timePrecision, "digits of the names of time directories")
         .atLeast(1)
         .atMost(largestPrecision);
+    declarePictureFormats(options, controls.pictureFormats);
     options.optional("runTimeModifiable", controls.runTimeModifiable,
                      "read this file again when it has changed");
     options.optional("adjustTimeStep", controls.adjustTimeStep, "let the run choose the length of its steps");

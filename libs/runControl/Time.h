@@ -13,6 +13,7 @@
 #pragma once
 
 #include "runControl/OutputControl.h"
+#include "runControl/PictureFormats.h"
 
 #include <filesystem>
 #include <functional>
@@ -92,6 +93,7 @@ struct TimeControls
     int writePrecision = 6;
     TimeFormat timeFormat = TimeFormat::general;
     int timePrecision = 6;
+    PictureFormats pictureFormats{PictureFormat::svg};
     bool runTimeModifiable = true;
     bool adjustTimeStep = false;
 };

@@ -2,11 +2,15 @@
 /// The `functions` dictionary: reading, times, restarts, and what is refused.
 #include "functionObjects/FunctionList.h"
 
+#include "core/Error.h"
+
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
+#include <limits>
 
 #include <unistd.h>
 
@@ -147,7 +151,8 @@ TEST_F(FunctionListTest, WhatIsWrongIsSaidBeforeTheRun)
                 testing::AllOf(HasSubstr("Unknown function type enrgy"), HasSubstr("Did you mean energy"),
                                HasSubstr("residuals")));
     EXPECT_THAT(refusal("a { type nothing; }"),
-                HasSubstr("blockMotion contactForces energy residuals stageTimes"));
+                HasSubstr("blockMotion contactForces energy groundMotion motionPictures residuals "
+                          "stageTimes"));
     EXPECT_THAT(refusal("energy { writeIntervall 3; }"), HasSubstr("writeIntervall"));
     EXPECT_THAT(refusal("energy { writeInterval -3; }"), HasSubstr("writeInterval"));
     EXPECT_THAT(refusal("energy { writePrecision 40; }"), HasSubstr("writePrecision"));
@@ -159,4 +164,119 @@ TEST_F(FunctionListTest, WhatIsWrongIsSaidBeforeTheRun)
     EXPECT_THAT(refusal("energy 3;"), HasSubstr("energy"));
     EXPECT_THAT(refusal("\"e.*\" { type energy; }"), HasSubstr("name of a function"));
     EXPECT_FALSE(std::filesystem::exists(folder));
+}
+
+TEST_F(FunctionListTest, ChosenTimesAreWrittenAtTheNearestStepAndOnceEach)
+{
+    assembly.blocks = {{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 1, -1}, {{{1, 0}, {2, 0}, {2, 1}, {1, 1}}, 1, -1}};
+    const auto pictures = [this](const std::string& start)
+    {
+        std::vector<std::string> names;
+        for (const auto& entry :
+             std::filesystem::directory_iterator(folder / "postProcessing/collapse" / start))
+        {
+            names.push_back(entry.path().filename().string());
+        }
+        std::sort(names.begin(), names.end());
+        return names;
+    };
+    const std::string text = "collapse { type motionPictures; times (0.2 0.33 0.6 3); }";
+    FunctionList<2> functions = read(text);
+    EXPECT_NEAR(functions.timeToNextWrite(0.2, 0.1), 0.13, 1e-12);
+    EXPECT_NEAR(functions.timeToNextWrite(0, 0.1), 0.2, 1e-12);
+    EXPECT_EQ(functions.timeToNextWrite(3, 0.1), std::numeric_limits<double>::infinity());
+    placements[1].translation = {0.3, -0.4};
+    run(functions, 0, 5);
+    EXPECT_THAT(pictures("0"), ElementsAre("motion_0.2.svg", "motion_0.3.svg"));
+    std::ifstream stream(folder / "postProcessing/collapse/0/motion_0.3.svg");
+    const std::string svg(std::istreambuf_iterator<char>(stream), {});
+    EXPECT_THAT(svg, HasSubstr("t = 0.3 s, largest displacement of a mass centre 0.5 m"));
+    // A run that continues has those of its own times.
+    TimePoint begin;
+    begin.value = 0.5;
+    begin.index = 5;
+    FunctionList<2> second = read(text, "0.5", begin);
+    run(second, 5, 8);
+    EXPECT_THAT(pictures("0.5"), ElementsAre("motion_0.6.svg"));
+}
+
+TEST_F(FunctionListTest, PicturesOfMotionMagnifyDisplacements)
+{
+    assembly.blocks = {{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 1, -1},
+                       {{{9, 0}, {10, 0}, {10, 1}, {9, 1}}, 1, -1}};
+    placements[0].translation = {0, 0.01};
+    const auto liftOf = [this](const std::string& name)
+    {
+        // How much higher the first corner of the first block is than that of the second [px].
+        std::ifstream stream(folder / "postProcessing" / name / "0/motion_0.1.svg");
+        const std::string svg(std::istreambuf_iterator<char>(stream), {});
+        const auto heightAt = [&](std::size_t polygon)
+        { return std::stod(svg.substr(svg.find(',', polygon) + 1)); };
+        const std::size_t first = svg.find("<polygon points=");
+        return heightAt(svg.find("<polygon points=", first + 1)) - heightAt(first);
+    };
+    FunctionList<2> functions =
+        read("asItIs { type motionPictures; } large { type motionPictures; magnification 50; }");
+    run(functions, 0, 1);
+    EXPECT_GT(liftOf("asItIs"), 0.3);
+    EXPECT_NEAR(liftOf("large") / liftOf("asItIs"), 50, 2); // of pixels with two decimals
+}
+
+TEST_F(FunctionListTest, TablesAreDrawnOverTimeWhereRequested)
+{
+    FunctionList<2> functions = read("tip { type blockMotion; blocks (1); pictures yes; } energy { } late { "
+                                     "type energy; timeStart 9; pictures yes; }");
+    for (long step = 0; step < 3; ++step)
+    {
+        placements[1].translation.x() = 0.1 * static_cast<double>(step * step);
+        run(functions, step, step + 1);
+    }
+    testing::internal::CaptureStdout();
+    functions.writePictures();
+    const std::string log = testing::internal::GetCapturedStdout();
+    const std::filesystem::path tip = folder / "postProcessing/tip/0";
+    EXPECT_TRUE(std::filesystem::exists(tip / "block1_m.svg"));
+    EXPECT_FALSE(std::filesystem::exists(tip / "block1_rad.svg")); // zero throughout
+    EXPECT_FALSE(std::filesystem::exists(folder / "postProcessing/energy/0/energy_J.svg"));
+    std::ifstream stream(tip / "block1_m.svg");
+    const std::string svg(std::istreambuf_iterator<char>(stream), {});
+    EXPECT_THAT(svg, HasSubstr("tip, block1</text>"));
+    EXPECT_THAT(svg, HasSubstr("displacement [m]</text>"));
+    EXPECT_THAT(log, HasSubstr("1 picture"));
+    EXPECT_THAT(log, HasSubstr("late: there are no two rows"));
+}
+
+TEST_F(FunctionListTest, TheMotionOfTheGroundIsListed)
+{
+    std::filesystem::create_directories(folder / "constant");
+    try
+    {
+        read("record { type groundMotion; }");
+        FAIL() << "there is no constant/groundMotion";
+    }
+    catch (const FatalError& error)
+    {
+        EXPECT_THAT(error.what(), HasSubstr("constant/groundMotion"));
+    }
+    std::ofstream(folder / "constant/groundMotion")
+        << "direction (0 2 0); acceleration { type table; values ((0 0) (1 10)); }";
+    FunctionList<2> functions = read("record { type groundMotion; writePrecision 6; }");
+    run(functions, 0, 3);
+    std::ifstream stream(folder / "postProcessing/record/0/groundMotion.dat");
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(stream, line);)
+    {
+        lines.push_back(line);
+    }
+    EXPECT_THAT(lines, ElementsAre("# Time[s]  ax[m/s2]  ay[m/s2]", "0.1  0  1", "0.2  0  2", "0.3  0  3"));
+}
+
+TEST_F(FunctionListTest, PicturesOfMotionRefuseWhatTheyCannotDraw)
+{
+    EXPECT_THAT(refusal("p { type motionPictures; times (0.2 0.1); }"), HasSubstr("must ascend"));
+    EXPECT_THAT(refusal("p { type motionPictures; times (0.1 0.1); }"), HasSubstr("must ascend"));
+    EXPECT_THAT(refusal("p { type motionPictures; magnification 0; }"), HasSubstr("magnification"));
+    EXPECT_THAT(refusal("p { type motionPictures; view front; }"),
+                HasSubstr("in the plane there is one view"));
+    EXPECT_THAT(refusal("p { type motionPictures; tines (0.1); }"), HasSubstr("Did you mean times"));
 }

@@ -5,6 +5,7 @@
 #include "contact/ClosedAssembly.h"
 #include "core/Error.h"
 #include "core/WholeFile.h"
+#include "functionObjects/LimitAnalysisLog.h"
 #include "functionObjects/LoadMeaning.h"
 #include "runControl/CaseFiles.h"
 #include "statics/SolveCase.h"

@@ -4,11 +4,12 @@
 #include "Scene.h"
 #include "contact/Facing.h"
 #include "core/Error.h"
+#include "io/Canvas.h"
 #include "io/Mechanism.h"
 #include "io/MechanismPicture.h"
 #include "io/PicturePage.h"
 #include "io/Plot.h"
-#include "io/Svg.h"
+#include "io/SvgText.h"
 #include "io/plane/ThrustLine.h"
 
 #include <gmock/gmock.h>
@@ -60,11 +61,11 @@ void keep(const std::string& name, const std::string& text)
 
 TEST(Svg, IsWellFormedWhateverTheTextSays)
 {
-    SvgDrawing drawing(100, 50);
+    Canvas drawing(100, 50);
     drawing.text({10, 10}, "a < b && \"c\" > d\x01", {});
     drawing.text({10, 30}, "10⁻³ µm", {});
-    ASSERT_TRUE(parsed(drawing.document()));
-    EXPECT_THAT(drawing.document(), HasSubstr("a &lt; b &amp;&amp; &quot;c&quot; &gt; d</text>"));
+    ASSERT_TRUE(parsed(svgText(drawing)));
+    EXPECT_THAT(svgText(drawing), HasSubstr("a &lt; b &amp;&amp; &quot;c&quot; &gt; d</text>"));
     testing::internal::CaptureStderr();
     EXPECT_FALSE(parsed("<svg><g></svg>")); // the check can fail
     testing::internal::GetCapturedStderr();
@@ -72,7 +73,7 @@ TEST(Svg, IsWellFormedWhateverTheTextSays)
 
 TEST(Svg, RefusesCoordinatesThatAreNotFinite)
 {
-    SvgDrawing drawing(100, 50);
+    Canvas drawing(100, 50);
     EXPECT_THROW(drawing.line({0, 0}, {std::numeric_limits<double>::quiet_NaN(), 1}, {}), FatalError);
     EXPECT_THROW(drawing.circle({0, 0}, std::numeric_limits<double>::infinity(), {}), FatalError);
 }
@@ -150,12 +151,12 @@ TEST(MechanismPicture, OfALargeWallIsAreasWithoutJointsBelowAMegabyte)
 
 TEST(Svg, ManyPolygonsAreOneElementWithTheirCorners)
 {
-    SvgDrawing drawing(100, 50);
+    Canvas drawing(100, 50);
     drawing.polygons({{{10, 20}, {14, 20}, {14, 18.26}, {10, 18.26}}, {{-1, 0}, {0.04, 0}, {0.04, -0.06}}},
                      {});
-    EXPECT_THAT(drawing.document(), HasSubstr("d=\"M10 20l4 0 0-1.7-4 0zM-1 0l1 0 0-0.1z\""));
+    EXPECT_THAT(svgText(drawing), HasSubstr("d=\"M10 20l4 0 0-1.7-4 0zM-1 0l1 0 0-0.1z\""));
     drawing.lines({{{1, 2}, {3, 1}}}, {});
-    EXPECT_THAT(drawing.document(), HasSubstr("d=\"M1 2l2-1\""));
+    EXPECT_THAT(svgText(drawing), HasSubstr("d=\"M1 2l2-1\""));
     EXPECT_THROW(drawing.lines({{{1, 2}, {std::numeric_limits<double>::quiet_NaN(), 1}}}, {}), FatalError);
 }
 
@@ -242,10 +243,13 @@ TEST(MechanismPicture, IsWrittenWholeOrRefused)
     const ScratchFolder folder;
     const Assembly<2> wall = test::wall(2, 2);
     std::vector<Placement<2>> placements(wall.blocks.size());
-    writeMechanismPicture(folder / "deep/mechanism.svg", wall, placements, {.title = "wall"});
+    writeMechanismPicture(folder / "deep/mechanism", wall, placements, {.title = "wall"},
+                          {PictureFormat::svg});
     EXPECT_TRUE(parsed(content(folder / "deep/mechanism.svg")));
     placements.back().rotation = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_THROW(writeMechanismPicture(folder / "bad.svg", wall, placements, {.title = "wall"}), FatalError);
+    EXPECT_THROW(
+        writeMechanismPicture(folder / "bad", wall, placements, {.title = "wall"}, {PictureFormat::svg}),
+        FatalError);
     EXPECT_FALSE(std::filesystem::exists(folder / "bad.svg"));
     placements.pop_back();
     EXPECT_THROW(mechanismSvg(wall, placements, {}), FatalError);
@@ -316,6 +320,44 @@ TEST(Plot, DrawsLogarithmicCurvesWithALegend)
     EXPECT_THAT(svg, HasSubstr("CPU time [s]</text>"));
     EXPECT_THAT(svg, HasSubstr("theta = 0.5</text>"));
     EXPECT_THAT(svg, HasSubstr("10⁻⁴</text>"));
+}
+
+TEST(Plot, EndsAtItsFrame)
+{
+    Plot plot;
+    plot.y.upper = 1;
+    plot.y.lower = 0;
+    plot.curves = {{"rises", {0, 1, 2}, {0.5, 1, 5}, CurveLine::solid, CurveMarker::circle, ""}};
+    const Canvas drawing = drawnPlot(plot);
+    const CanvasClip* clip = nullptr;
+    const CanvasRectangle* frame = nullptr;
+    std::size_t markers = 0;
+    bool isInside = false;
+    for (const CanvasShape& shape : drawing.shapes)
+    {
+        if (const auto* rectangle = std::get_if<CanvasRectangle>(&shape);
+            rectangle && rectangle->style.fill == "none")
+        {
+            frame = rectangle;
+        }
+        if (const auto* begins = std::get_if<CanvasClip>(&shape))
+        {
+            clip = begins;
+            isInside = true;
+        }
+        isInside = isInside && !std::holds_alternative<CanvasClipEnd>(shape);
+        const auto* path = std::get_if<CanvasPath>(&shape);
+        if (path && path->kind == CanvasPath::Kind::polyline)
+        {
+            EXPECT_TRUE(isInside);
+        }
+        markers += std::holds_alternative<CanvasCircle>(shape) ? 1 : 0;
+    }
+    ASSERT_NE(frame, nullptr);
+    ASSERT_NE(clip, nullptr);
+    EXPECT_GE(clip->corner.y(), frame->corner.y() - 1);
+    EXPECT_LE(clip->height, frame->height + 2);
+    EXPECT_EQ(markers, 2u + 1u); // the third is beyond; one in the legend
 }
 
 TEST(Plot, DrawsManyPointsWithoutMarkers)

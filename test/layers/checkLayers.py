@@ -56,6 +56,7 @@ thirdParty = {
     "Voro++": r"voro\+\+/",
     "pugixml": r"pugixml\.hpp",
     "libpng": r"png\.h",
+    "cairo": r"cairo",
     "zlib": r"zlib\.h",
     "libdeflate": r"libdeflate\.h",
     "OpenMP": r"omp\.h",

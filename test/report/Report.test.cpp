@@ -3,7 +3,7 @@
 #include "core/WholeFile.h"
 #include "effects/ContactProperties.h"
 #include "effects/EffectList.h"
-#include "report/Histories.h"
+#include "functionObjects/Histories.h"
 #include "report/HtmlPage.h"
 #include "report/InputTable.h"
 #include "report/ViewerData.h"
@@ -36,6 +36,22 @@ TEST(HtmlPage, EscapesTextAndKeepsMarkup)
     EXPECT_THAT(text, HasSubstr("<td>&lt;b&gt;</td>"));
     EXPECT_THAT(text, HasSubstr("<figure>\n<svg/>\n<figcaption>A &amp; B</figcaption>"));
     EXPECT_THAT(text, testing::Not(HasSubstr("<?xml")));
+}
+
+TEST(HtmlPage, HoldsAnImageAsText)
+{
+    // The vectors of RFC 4648, section 10.
+    EXPECT_EQ(base64(""), "");
+    EXPECT_EQ(base64("f"), "Zg==");
+    EXPECT_EQ(base64("fo"), "Zm8=");
+    EXPECT_EQ(base64("foo"), "Zm9v");
+    EXPECT_EQ(base64("foob"), "Zm9vYg==");
+    EXPECT_EQ(base64("fooba"), "Zm9vYmE=");
+    EXPECT_EQ(base64("\xff\xfe"), "//4=");
+    HtmlPage page("wall");
+    page.image("foobar", "A & B");
+    EXPECT_THAT(page.text(), HasSubstr("alt=\"A &amp; B\""));
+    EXPECT_THAT(page.text(), HasSubstr("src=\"data:image/png;base64,Zm9vYmFy\""));
 }
 
 TEST(InputTable, GivesEachValueItsUnitAndItsMeaning)
@@ -80,7 +96,7 @@ TEST_F(Histories, DrawsColumnsOfOneUnitTogetherAndThoseThatAreZeroNot)
     const auto plots = historyPlots(
         tableOf("# Time[s] ux[m] uy[m] vx[m/s] wz[rad/s]\n0 0 0 1 0\n1 2 3 1 0\n2 4 3 1 0\n"), "block");
     ASSERT_EQ(plots.size(), 2U);
-    EXPECT_EQ(plots[0].y.label, "[m]");
+    EXPECT_EQ(plots[0].y.label, "displacement [m]");
     ASSERT_EQ(plots[0].curves.size(), 2U);
     EXPECT_THAT(plots[0].curves[1].y, ElementsAre(0, 3, 3));
     ASSERT_EQ(plots[1].curves.size(), 1U);

@@ -6,7 +6,9 @@
 #include "assembly/Materials.h"
 #include "core/Log.h"
 #include "functionObjects/KeptResults.h"
+#include "functionObjects/LimitAnalysisLog.h"
 #include "functionObjects/LimitAnalysisResults.h"
+#include "functionObjects/PushoverResults.h"
 #include "io/MechanismPicture.h"
 #include "report/CaseReport.h"
 #include "runControl/Application.h"
@@ -69,8 +71,9 @@ int runIn(const CommandLine& commandLine)
             removeLimitAnalysisTable(directory);
             return 2;
         }
-        writeLimitAnalysisResults(directory, structure, results, used, towardsViewer);
-        if (structure.pushover && !runPushover(directory, structure))
+        writeLimitAnalysisResults(directory, structure, results, used,
+                                  {towardsViewer, time.controls().pictureFormats});
+        if (structure.pushover && !runPushover(directory, structure, time.controls().pictureFormats))
         {
             return 2;
         }

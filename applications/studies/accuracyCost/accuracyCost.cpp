@@ -8,6 +8,7 @@
 #include "core/WholeFile.h"
 #include "ensembles/AccuracyCostRun.h"
 #include "runControl/Application.h"
+#include "runControl/PictureFormats.h"
 
 using namespace drystone;
 
@@ -22,6 +23,7 @@ int run(const CommandLine& commandLine)
                          "it writes them again from the known runs.");
     }
     const std::filesystem::path& directory = commandLine.caseDirectory;
+    readPictureFormats(directory); // a fault in it is to be reported before the runs
     const AccuracyStudy study = assemblyDimensions(directory) == 3 ? readAccuracyStudy<3>(directory)
                                                                    : readAccuracyStudy<2>(directory);
     printAccuracyStudy(study);

@@ -1,11 +1,11 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Lays out the structure on the page and paints it from back to front, with SVG as the only dependency.
+/// Lays out the structure on the page and paints it from back to front.
 #include "io/MechanismPicture.h"
 
 #include "core/Error.h"
+#include "io/Canvas.h"
 #include "io/ClayColour.h"
 #include "io/PicturePage.h"
-#include "io/Svg.h"
 #include "io/plane/ThrustLine.h"
 
 #include <Eigen/Geometry>
@@ -194,7 +194,7 @@ std::vector<Piece> outlinePieces(const Assembly<2>& assembly, double tolerance)
     return pieces;
 }
 
-void paintFixedBlocks(SvgDrawing& drawing, const Assembly<2>& assembly, const View& view)
+void paintFixedBlocks(Canvas& drawing, const Assembly<2>& assembly, const View& view)
 {
     // The hatch is one strip behind all of them, because the joints between ground segments have no meaning.
     for (const Block<2>& block : assembly.blocks)
@@ -238,9 +238,8 @@ void paintFixedBlocks(SvgDrawing& drawing, const Assembly<2>& assembly, const Vi
 constexpr double smallBlock = 5;
 
 /// \param moved as parts of the largest displacement, one a block
-void paintBlocks(SvgDrawing& drawing, const Assembly<2>& assembly,
-                 const std::vector<Placement<2>>& placements, const std::vector<double>& moved,
-                 const View& view, double blockSize)
+void paintBlocks(Canvas& drawing, const Assembly<2>& assembly, const std::vector<Placement<2>>& placements,
+                 const std::vector<double>& moved, const View& view, double blockSize)
 {
     constexpr int shades = 24;
     const bool areas = blockSize * view.scale < smallBlock;
@@ -286,10 +285,10 @@ std::string forceLabel(double force)
 }
 
 /// An arrow of the force of a support on the structure, its tip at the centre of pressure.
-void paintReaction(SvgDrawing& drawing, const Vector<2>& tip, const Vector<2>& direction, double length,
+void paintReaction(Canvas& drawing, const Vector<2>& tip, const Vector<2>& direction, double length,
                    double width)
 {
-    const SvgStyle style{.stroke = std::string(thrustColour), .strokeWidth = width};
+    const ShapeStyle style{.stroke = std::string(thrustColour), .strokeWidth = width};
     const Vector<2> across(-direction.y(), direction.x());
     const double head = 4 + 1.5 * width;
     drawing.line(tip - length * direction, tip - 0.6 * head * direction, style);
@@ -299,7 +298,7 @@ void paintReaction(SvgDrawing& drawing, const Vector<2>& tip, const Vector<2>& d
 }
 
 /// \return the largest force [N]
-double paintThrust(SvgDrawing& drawing, const Assembly<2>& assembly, const std::vector<JointForce<2>>& thrust,
+double paintThrust(Canvas& drawing, const Assembly<2>& assembly, const std::vector<JointForce<2>>& thrust,
                    const View& view, double blockSize)
 {
     double largest = 0;
@@ -369,8 +368,8 @@ double paintThrust(SvgDrawing& drawing, const Assembly<2>& assembly, const std::
 
 } // namespace
 
-std::string mechanismSvg(const Assembly<2>& assembly, const std::vector<Placement<2>>& placements,
-                         const MechanismPicture& picture)
+Canvas drawnMechanism(const Assembly<2>& assembly, const std::vector<Placement<2>>& placements,
+                      const MechanismPicture& picture)
 {
     if (placements.size() != assembly.blocks.size())
     {
@@ -384,7 +383,7 @@ std::string mechanismSvg(const Assembly<2>& assembly, const std::vector<Placemen
     PicturePage page = makePicturePage(picture, view.world.sizes());
     view.scale = page.scale;
     view.corner = page.corner;
-    SvgDrawing& drawing = page.drawing;
+    Canvas& drawing = page.drawing;
 
     std::vector<double> moved = meanDisplacements(assembly, placements);
     const double furthest = moved.empty() ? 0 : *std::max_element(moved.begin(), moved.end());
@@ -401,7 +400,7 @@ std::string mechanismSvg(const Assembly<2>& assembly, const std::vector<Placemen
         for (const Piece& piece : outlinePieces(assembly, 1e-6 * blockSize))
         {
             drawing.line(view(piece.from), view(piece.to),
-                         {.stroke = "#222222", .strokeWidth = 1, .dash = "5 4"});
+                         {.stroke = "#222222", .strokeWidth = 1, .dash = {5, 4}});
         }
     }
     double largestForce = 0;
@@ -416,7 +415,7 @@ std::string mechanismSvg(const Assembly<2>& assembly, const std::vector<Placemen
     if (furthest > 0)
     {
         x = paintClayLegend(drawing, {x, y}) + 18;
-        drawing.line({x, y + 7}, {x + 30, y + 7}, {.stroke = "#222222", .strokeWidth = 1, .dash = "5 4"});
+        drawing.line({x, y + 7}, {x + 30, y + 7}, {.stroke = "#222222", .strokeWidth = 1, .dash = {5, 4}});
         drawing.text({x + 36, y + 11}, "as built", {.size = 12});
         x += 36 + textWidth("as built", 12) + 18;
     }
@@ -437,7 +436,7 @@ std::string mechanismSvg(const Assembly<2>& assembly, const std::vector<Placemen
     const Vector<3> load =
         picture.load ? picture.load->direction.normalized().eval() : Vector<3>::Zero().eval();
     paintNotes(page, picture, {load.x(), -load.y()});
-    return drawing.document();
+    return drawing;
 }
 
 } // namespace drystone

@@ -54,7 +54,7 @@ std::vector<Vector<3>> placedPoints(const Block<3>& block, const Placement<3>& p
     return places;
 }
 
-void paintMark(SvgDrawing& drawing, const JointMark& mark, const Polyhedron& shape,
+void paintMark(Canvas& drawing, const JointMark& mark, const Polyhedron& shape,
                const std::vector<Vector<3>>& places, const View& view, double touching)
 {
     const auto isSeen = [&](const Vector<3>& place) { return isOnSeenFace(shape, place, view, touching); };
@@ -100,7 +100,7 @@ MarksToPaint marksToPaint(const Assembly<3>& assembly, const std::vector<JointMa
     return result;
 }
 
-void paintMarks(SvgDrawing& drawing, MarksToPaint& marks, int block, const Polyhedron& shape,
+void paintMarks(Canvas& drawing, MarksToPaint& marks, int block, const Polyhedron& shape,
                 const std::vector<Placement<3>>& placements, const View& view)
 {
     const auto index = static_cast<std::size_t>(block);
@@ -119,7 +119,7 @@ void paintMarks(SvgDrawing& drawing, MarksToPaint& marks, int block, const Polyh
     }
 }
 
-void paintMarkLegend(SvgDrawing& drawing, const std::vector<JointMark>& marks, const Vector<2>& corner)
+void paintMarkLegend(Canvas& drawing, const std::vector<JointMark>& marks, const Vector<2>& corner)
 {
     double x = corner.x();
     for (const auto& [motion, colour, text] : {std::tuple(JointMotion::hinge, hingeColour, "hinge"),

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "assembly/Assembly.h"
+#include "io/Canvas.h"
 #include "io/JointMarks.h"
-#include "io/Svg.h"
 #include "io/space/View.h"
 
 #include <vector>
@@ -27,10 +27,10 @@ MarksToPaint marksToPaint(const Assembly<3>& assembly, const std::vector<JointMa
 
 /// Paints the marks that end with a block, which has just been painted, as far as they are on faces of it
 /// that look at the viewer. \param shape of the block where it is now
-void paintMarks(SvgDrawing& drawing, MarksToPaint& marks, int block, const Polyhedron& shape,
+void paintMarks(Canvas& drawing, MarksToPaint& marks, int block, const Polyhedron& shape,
                 const std::vector<Placement<3>>& placements, const View& view);
 
 /// What the colours of those marks mean that there are.
-void paintMarkLegend(SvgDrawing& drawing, const std::vector<JointMark>& marks, const Vector<2>& corner);
+void paintMarkLegend(Canvas& drawing, const std::vector<JointMark>& marks, const Vector<2>& corner);
 
 } // namespace drystone

@@ -9,9 +9,9 @@
 
 #include "core/Error.h"
 #include "geometry/BroadPhase.h"
+#include "io/Canvas.h"
 #include "io/ClayColour.h"
 #include "io/PicturePage.h"
-#include "io/Svg.h"
 #include "io/space/MarkPainter.h"
 #include "io/space/View.h"
 
@@ -239,7 +239,7 @@ std::vector<int> paintingOrder(const std::vector<ShownBlock>& shown, const View&
     return order;
 }
 
-void paintBlock(SvgDrawing& drawing, const ShownBlock& block, const View& view, double value)
+void paintBlock(Canvas& drawing, const ShownBlock& block, const View& view, double value)
 {
     std::vector<std::pair<double, const std::vector<int>*>> faces;
     for (const std::vector<int>& face : block.shape.faces)
@@ -275,7 +275,7 @@ void paintBlock(SvgDrawing& drawing, const ShownBlock& block, const View& view, 
 }
 
 /// The ground under the structure as a plane strip.
-void paintGround(SvgDrawing& drawing, const Assembly<3>& assembly, const View& view, double blockSize)
+void paintGround(Canvas& drawing, const Assembly<3>& assembly, const View& view, double blockSize)
 {
     Box<3> box;
     double top = 0;
@@ -313,8 +313,8 @@ void paintGround(SvgDrawing& drawing, const Assembly<3>& assembly, const View& v
 
 } // namespace
 
-std::string mechanismSvg(const Assembly<3>& assembly, const std::vector<Placement<3>>& placements,
-                         const MechanismPicture& picture)
+Canvas drawnMechanism(const Assembly<3>& assembly, const std::vector<Placement<3>>& placements,
+                      const MechanismPicture& picture)
 {
     if (placements.size() != assembly.blocks.size())
     {
@@ -337,7 +337,7 @@ std::string mechanismSvg(const Assembly<3>& assembly, const std::vector<Placemen
     PicturePage page = makePicturePage(picture, view.world.upper - view.world.lower);
     view.scale = page.scale;
     view.corner = page.corner;
-    SvgDrawing& drawing = page.drawing;
+    Canvas& drawing = page.drawing;
     double furthest = 0;
     for (const ShownBlock& block : shown)
     {
@@ -361,7 +361,7 @@ std::string mechanismSvg(const Assembly<3>& assembly, const std::vector<Placemen
     const Vector<3> load =
         picture.load ? picture.load->direction.normalized().eval() : Vector<3>::Zero().eval();
     paintNotes(page, picture, (view.onPage(load) - view.onPage(Vector<3>::Zero())) / view.scale);
-    return drawing.document();
+    return drawing;
 }
 
 } // namespace drystone

@@ -39,6 +39,7 @@ class Drystone(CMakePackage):
     depends_on("libdeflate")
     depends_on("pugixml")
     depends_on("libpng")
+    depends_on("cairo@1.16: +pdf +png")
 
     generator("ninja")
 

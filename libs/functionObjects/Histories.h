@@ -27,4 +27,18 @@ NumberTable readNumberTable(const std::filesystem::path& file);
 /// that are zero throughout are left out. None for a table whose first column is no time.
 std::vector<Plot> historyPlots(const NumberTable& table, const std::string& title);
 
+/// The same with the unit of each.
+std::vector<std::pair<std::string, Plot>> historyPlotsOfUnits(const NumberTable& table,
+                                                              const std::string& title);
+
+/// The picture of the columns of a unit beside their table, without its ending: energy_J, block3_m_s, and
+/// <table>_numbers for columns without a unit.
+std::filesystem::path historyPicture(const std::filesystem::path& table, const std::string& unit);
+
+/// Draws each table (.dat) of a folder over time, a picture for each unit beside it: energy_J.svg,
+/// block3_m_s.svg; columns without unit are in <table>_numbers. \param title of the case
+/// \return number of pictures \throws FatalError naming what cannot be written
+std::size_t writeHistoryPictures(const std::filesystem::path& folder, const std::string& title,
+                                 const PictureFormats& formats);
+
 } // namespace drystone

@@ -1,12 +1,13 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Reads tables and draws them over time.
-#include "report/Histories.h"
+#include "functionObjects/Histories.h"
 
 #include "quantities/TableFigure.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 
@@ -25,6 +26,24 @@ std::pair<std::string, std::string> nameAndUnit(const std::string& heading)
         return {heading, ""};
     }
     return {heading.substr(0, bracket), heading.substr(bracket + 1, heading.size() - bracket - 2)};
+}
+
+/// What the columns of a unit are, for the label of an axis.
+std::string quantityOf(const std::string& unit)
+{
+    constexpr std::array names{std::pair{"m", "displacement"},    std::pair{"rad", "rotation"},
+                               std::pair{"m/s", "velocity"},      std::pair{"rad/s", "angular velocity"},
+                               std::pair{"m/s2", "acceleration"}, std::pair{"N", "force"},
+                               std::pair{"Nm", "moment"},         std::pair{"J", "energy"},
+                               std::pair{"s", "elapsed time"}};
+    for (const auto& [of, name] : names)
+    {
+        if (unit == of)
+        {
+            return fmt::format("{} [{}]", name, unit);
+        }
+    }
+    return fmt::format("[{}]", unit);
 }
 
 } // namespace
@@ -64,10 +83,56 @@ NumberTable readNumberTable(const std::filesystem::path& file)
     return table;
 }
 
+std::filesystem::path historyPicture(const std::filesystem::path& table, const std::string& unit)
+{
+    std::string ending = unit == "-" ? "numbers" : unit;
+    std::replace(ending.begin(), ending.end(), '/', '_');
+    return table.parent_path() / (table.stem().string() + "_" + ending);
+}
+
+std::size_t writeHistoryPictures(const std::filesystem::path& folder, const std::string& title,
+                                 const PictureFormats& formats)
+{
+    std::vector<std::filesystem::path> tables;
+    std::error_code none;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, none))
+    {
+        if (entry.path().extension() == ".dat")
+        {
+            tables.push_back(entry.path());
+        }
+    }
+    std::size_t count = 0;
+    for (const std::filesystem::path& file : tables)
+    {
+        const NumberTable table = readNumberTable(file);
+        const std::string name = file.stem().string();
+        // A function with the name of its table is named once.
+        const std::string full = title.ends_with(", " + name) ? title : title + ", " + name;
+        for (const auto& [unit, plot] : historyPlotsOfUnits(table, full))
+        {
+            writePlot(historyPicture(file, unit), plot, formats);
+            ++count;
+        }
+    }
+    return count;
+}
+
 std::vector<Plot> historyPlots(const NumberTable& table, const std::string& title)
 {
-    constexpr std::size_t mostPoints = 2000;
     std::vector<Plot> plots;
+    for (auto& [unit, plot] : historyPlotsOfUnits(table, title))
+    {
+        plots.push_back(std::move(plot));
+    }
+    return plots;
+}
+
+std::vector<std::pair<std::string, Plot>> historyPlotsOfUnits(const NumberTable& table,
+                                                              const std::string& title)
+{
+    constexpr std::size_t mostPoints = 2000;
+    std::vector<std::pair<std::string, Plot>> plots;
     if (table.names.size() < 2 || table.names.front() != "Time" || table.columns.front().size() < 2)
     {
         return plots;
@@ -86,7 +151,7 @@ std::vector<Plot> historyPlots(const NumberTable& table, const std::string& titl
         Plot plot;
         plot.title = title;
         plot.x.label = "time [s]";
-        plot.y.label = fmt::format("[{}]", unit);
+        plot.y.label = quantityOf(unit);
         for (std::size_t column = first; column < table.names.size(); ++column)
         {
             const std::vector<double>& values = table.columns[column];
@@ -110,7 +175,7 @@ std::vector<Plot> historyPlots(const NumberTable& table, const std::string& titl
         }
         if (!plot.curves.empty())
         {
-            plots.push_back(std::move(plot));
+            plots.emplace_back(unit, std::move(plot));
         }
     }
     return plots;

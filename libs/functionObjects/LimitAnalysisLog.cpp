@@ -1,0 +1,195 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The sentences of a limit analysis on standard output.
+#include "functionObjects/LimitAnalysisLog.h"
+
+#include "contact/JointClosure.h"
+#include "contact/SupportPaths.h"
+#include "core/Log.h"
+#include "effects/EffectList.h"
+#include "functionObjects/LoadEnvelope.h"
+#include "functionObjects/LoadMeaning.h"
+#include "quantities/LimitAnalysisFigures.h"
+#include "statics/JointDissipation.h"
+#include "statics/SolveCase.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace drystone
+{
+namespace
+{
+
+template<int Dim>
+std::string statusText(const LimitAnalysisCase<Dim>& structure, const LimitAnalysis& result)
+{
+    switch (result.status)
+    {
+    case CollapseStatus::optimal:
+        return "optimal";
+    case CollapseStatus::unstable:
+        return "unstable (the blocks cannot carry the dead load: the mechanism is written)";
+    case CollapseStatus::unbounded:
+        return structure.movement ? "unbounded (no force moves the support in this direction)"
+                                  : "unbounded (no load of this direction makes it collapse)";
+    case CollapseStatus::notConverged:
+        break;
+    }
+    return "not converged: there is no answer. Raise tolerance or maximumIterations in "
+           "system/solution/limitAnalysis";
+}
+
+/// The combination nearest to collapse.
+void printGoverning(const std::vector<LimitAnalysis>& results)
+{
+    const auto demand = [](const LimitAnalysis& result)
+    { return result.status == CollapseStatus::unstable ? 0 : std::abs(tabledAlpha(result)); };
+    const auto least = std::min_element(results.begin(), results.end(),
+                                        [&](const auto& a, const auto& b) { return demand(a) < demand(b); });
+    if (least->status == CollapseStatus::unstable)
+    {
+        info("Governing combination: {}, unstable under its dead load\n", least->combination);
+    }
+    else
+    {
+        info("Governing combination: {}, alpha = {:.9g}\n", least->combination, tabledAlpha(*least));
+    }
+}
+
+/// What is known of the collapses by Coulomb's law: each is an upper bound of the least.
+void printCoulombRange(const CoulombRange& range, const LimitAnalysis& result)
+{
+    if (range.converged > 0)
+    {
+        info("Coulomb's law: lowest of the collapses found, alpha {:.6f} to {:.6f} ({} of {} starts "
+             "converged); "
+             "associative, an upper bound: {:.6f}",
+             range.lowest, range.highest, range.converged, range.starts, range.associative);
+    }
+    else
+    {
+        info("Coulomb's law: no collapse found on which the live load does work ({} starts); its multiplier "
+             "is at "
+             "most that of the associative law, {:.6f}",
+             range.starts, range.associative);
+    }
+    if (range.fall < range.lowest)
+    {
+        info("Blocks may fall under the dead load alone from alpha {:.6f} on: with other forces at rest, or "
+             "as "
+             "joints beside them are relieved.",
+             range.fall);
+    }
+    if (result.status == CollapseStatus::optimal && result.alpha < 0)
+    {
+        info(
+            "The multiplier is below zero: some forces at rest let the dead load alone drive this mechanism, "
+            "while others carry it.");
+    }
+}
+
+/// In space, where joints have strengths: by how much their points are on the unsafe side.
+void printWholeJoints(const LimitAnalysisCase<2>&, const LimitAnalysis&) {}
+void printWholeJoints(const LimitAnalysisCase<3>& structure, const LimitAnalysis& result)
+{
+    constexpr double worthSaying = 1e-5;
+    if (structure.movement || result.coulomb)
+    {
+        return;
+    }
+    const Eigen::VectorXd& live = liveLoadOf(structure, result);
+    const double less = dissipatedLess(structure.program, structure.patches, live, result.mechanism);
+    if (less > worthSaying * std::abs(result.alpha))
+    {
+        info("Over the whole faces of its joints this mechanism has alpha <= {:.6g}, {:.2g}% less: strengths "
+             "act "
+             "at contact points. With `jointPoints {{ type adaptive; tolerance 1e-4; }}` or a finer grid "
+             "both come "
+             "nearer to the exact multiplier.",
+             result.alpha - std::copysign(less, live.dot(result.mechanism)),
+             100 * less / std::abs(result.alpha));
+    }
+}
+
+} // namespace
+
+template<int Dim>
+void printLimitAnalysisCase(const LimitAnalysisCase<Dim>& structure)
+{
+    ContactProperties atRest = structure.contact;
+    atRest.restitution.reset(); // there are no impacts
+    auto [simulated, absent] = effectNamesAtRest(atRest);
+    (structure.movement ? simulated : absent).emplace_back("supportMovement");
+    (structure.pushover ? simulated : absent).emplace_back("pushover");
+    printEffects(simulated, absent);
+    info("Blocks: {} free, contact points: {}", structure.freeBlocks, structure.points.size());
+    for (const std::string& sentence : caseMeaning<Dim>(structure.loads))
+    {
+        printLine(sentence);
+    }
+    printClosure(structure.assembly);
+    info("Solver: {}, tolerance {:g}\n", nameOf(structure.solution.solver), structure.solution.tolerance);
+}
+
+template<int Dim>
+void printLimitAnalysis(const LimitAnalysisCase<Dim>& structure, const std::vector<LimitAnalysis>& results)
+{
+    printEnvelope(structure);
+    for (const LimitAnalysis& result : results)
+    {
+        if (!result.combination.empty())
+        {
+            info("Combination {}", result.combination);
+        }
+        if (result.status == CollapseStatus::optimal)
+        {
+            if (structure.movement)
+            {
+                info("Base reaction of {} against its movement = {:.9g} N",
+                     structure.assembly.supports[structure.movement->support].name, result.alpha);
+            }
+            info("Collapse load multiplier alpha = {:.9g}", result.alpha);
+            printWholeJoints(structure, result);
+            for (const std::string& sentence : loadMeaning(structure, result))
+            {
+                printLine(sentence);
+            }
+        }
+        if (result.coulomb)
+        {
+            printCoulombRange(*result.coulomb, result);
+        }
+        info("Status: {}", statusText(structure, result));
+        if (result.status == CollapseStatus::unstable)
+        {
+            if (const std::string cause = instabilityCause(structure.assembly, structure.points);
+                !cause.empty())
+                printLine(cause);
+        }
+        const Certificate& certificate = result.certificate;
+        info(
+            "Certificate: primal residual = {:.3e}, dual residual = {:.3e}, gap = {:.3e}, No Iterations {}\n",
+            certificate.primalResidual, certificate.dualResidual, certificate.gap, result.iterations);
+    }
+    if (!structure.combinations.empty())
+    {
+        printGoverning(results);
+    }
+    else if (results.size() == 2 && results[0].status != CollapseStatus::unstable)
+    {
+        info("Range of load multipliers: {:.9g} to {:.9g}\n",
+             results[1].status == CollapseStatus::unbounded ? -tabledAlpha(results[1]) : results[1].alpha,
+             tabledAlpha(results[0]));
+    }
+}
+
+template void printLimitAnalysisCase(const LimitAnalysisCase<2>& structure);
+template void printLimitAnalysisCase(const LimitAnalysisCase<3>& structure);
+template void printLimitAnalysis(const LimitAnalysisCase<2>& structure,
+                                 const std::vector<LimitAnalysis>& results);
+template void printLimitAnalysis(const LimitAnalysisCase<3>& structure,
+                                 const std::vector<LimitAnalysis>& results);
+
+} // namespace drystone
