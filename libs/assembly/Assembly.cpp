@@ -106,7 +106,9 @@ Polygon placed(const Polygon& outline, const Vector<2>& centre, const Placement<
 {
     // centre + (vertex - centre) would round
     if (placement.rotation == 0 && placement.translation.isZero(0))
+    {
         return outline;
+    }
     const double cosine = std::cos(placement.rotation);
     const double sine = std::sin(placement.rotation);
     const Vector<2> moved = centre + placement.translation;

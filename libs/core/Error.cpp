@@ -48,7 +48,9 @@ std::size_t editDistance(std::string_view a, std::string_view b)
             const std::size_t changed = last[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
             current[j] = std::min({last[j] + 1, current[j - 1] + 1, changed});
             if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+            {
                 current[j] = std::min(current[j], beforeLast[j - 2] + 1);
+            }
         }
         std::swap(beforeLast, last);
         std::swap(last, current);
@@ -76,9 +78,13 @@ std::string describe(const SourceLocation& location)
 {
     std::string text = "file: " + location.file;
     if (!location.entry.empty())
+    {
         text += "/" + location.entry;
+    }
     if (location.line > 0)
+    {
         text += " at line " + std::to_string(location.line);
+    }
     return text + ".";
 }
 
@@ -128,9 +134,13 @@ int runGuarded(const std::function<int()>& program)
     {
         std::string paths;
         if (!error.path1().empty())
+        {
             paths += "\n\npath: " + error.path1().string();
+        }
         if (!error.path2().empty())
+        {
             paths += "\npath: " + error.path2().string();
+        }
         printReport(FatalError("The file system refused: " + error.code().message() + "." + paths).report());
     }
     catch (const std::exception& error)
@@ -147,7 +157,9 @@ int runGuarded(const std::function<int()>& program)
 std::string nearestWord(std::string_view word, const std::vector<std::string>& candidates)
 {
     if (word.empty() || word.size() > longestComparedWord)
+    {
         return {};
+    }
     const std::string wanted = lowerCase(word);
     // A third of the letters may be wrong; a single letter always may.
     std::size_t best = std::max<std::size_t>(1, wanted.size() / 3) + 1;
@@ -155,16 +167,22 @@ std::string nearestWord(std::string_view word, const std::vector<std::string>& c
     for (const std::string& candidate : candidates)
     {
         if (candidate.empty() || candidate.size() > longestComparedWord)
+        {
             continue;
+        }
         const std::string offered = lowerCase(candidate);
         std::size_t distance = editDistance(wanted, offered);
         // A word cut short or drawn out: density for densityOfBlocks.
         if (wanted.size() >= 4 && offered.size() >= 4
             && (offered.starts_with(wanted) || wanted.starts_with(offered)))
+        {
             distance = std::min<std::size_t>(distance, 2);
+        }
         // Nothing of the word would be left.
         if (distance >= std::min(wanted.size(), offered.size()) && distance > 0)
+        {
             continue;
+        }
         if (distance < best)
         {
             best = distance;
@@ -183,12 +201,18 @@ std::string unknownWordMessage(std::string_view family, std::string_view word,
     std::string message = "Unknown " + std::string(one) + " " + std::string(word) + ".";
     const std::string nearest = nearestWord(word, validWords);
     if (!nearest.empty())
+    {
         message += " Did you mean " + nearest + "?";
+    }
     message += "\n\nValid " + std::string(one) + "s:";
     if (validWords.empty())
+    {
         message += " none";
+    }
     for (const std::string& valid : validWords)
+    {
         message += " " + valid;
+    }
     return message;
 }
 

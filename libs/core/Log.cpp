@@ -38,10 +38,14 @@ double processStart()
         {
             const char* next = text.c_str() + name;
             for (int field = 2; field < 22 && next; ++field)
+            {
                 next = std::strchr(next + 1, ' ');
+            }
             const long ticks = ::sysconf(_SC_CLK_TCK);
             if (next && ticks > 0)
+            {
                 return std::strtod(next, nullptr) / static_cast<double>(ticks);
+            }
         }
     }
     return secondsOf(CLOCK_BOOTTIME);
@@ -51,7 +55,9 @@ std::string joined(const std::vector<std::string>& words)
 {
     std::string text;
     for (const std::string& word : words)
+    {
         text += (text.empty() ? "" : " ") + word;
+    }
     return text.empty() ? "none" : text;
 }
 
@@ -104,26 +110,38 @@ int threadCount()
     {
         const long count = std::strtol(wanted, nullptr, 10);
         if (count > 0 && count < 100000)
+        {
             return static_cast<int>(count);
+        }
     }
     cpu_set_t allowed;
     CPU_ZERO(&allowed);
     if (::sched_getaffinity(0, sizeof(allowed), &allowed) == 0)
+    {
         return std::max(1, CPU_COUNT(&allowed));
+    }
     return static_cast<int>(std::max(1L, ::sysconf(_SC_NPROCESSORS_ONLN)));
 }
 
 std::string durationText(double seconds)
 {
     if (!(seconds >= 0) || seconds > 1e9)
+    {
         return "unknown";
+    }
     const long whole = std::lround(seconds);
     if (whole >= 86400)
+    {
         return fmt::format("{} d {} h", whole / 86400, whole % 86400 / 3600);
+    }
     if (whole >= 3600)
+    {
         return fmt::format("{} h {} min", whole / 3600, whole % 3600 / 60);
+    }
     if (whole >= 60)
+    {
         return fmt::format("{} min {} s", whole / 60, whole % 60);
+    }
     return fmt::format("{} s", whole);
 }
 
@@ -137,7 +155,9 @@ Progress::~Progress()
 void Progress::update(double done, std::string_view what)
 {
     if (!isTerminal)
+    {
         return;
+    }
     const Clock::time_point now = Clock::now();
     if (doneAtStart < 0)
     {
@@ -145,7 +165,9 @@ void Progress::update(double done, std::string_view what)
         start = now;
     }
     if (now - lastShown < std::chrono::milliseconds(200))
+    {
         return;
+    }
     lastShown = now;
     const double elapsed = std::chrono::duration<double>(now - start).count();
     const double own = done - doneAtStart;
@@ -160,7 +182,9 @@ void Progress::update(double done, std::string_view what)
 void Progress::clear()
 {
     if (!isShown)
+    {
         return;
+    }
     std::fputs("\r\033[K", stderr);
     std::fflush(stderr);
     isShown = false;

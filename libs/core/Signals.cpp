@@ -36,7 +36,9 @@ void catchStopSignals()
         sigaction(signal, nullptr, &current);
         // What nohup or a background shell has switched off stays so.
         if (current.sa_handler != SIG_IGN)
+        {
             sigaction(signal, &action, nullptr);
+        }
     }
 }
 

@@ -41,25 +41,37 @@ void writeWholeFile(const std::filesystem::path& file, std::string_view content)
         std::error_code failure;
         std::filesystem::create_directories(file.parent_path(), failure);
         if (failure)
+        {
             refuse(file, failure.value());
+        }
         descriptor = open();
     }
     if (descriptor < 0)
+    {
         refuse(file, errno);
+    }
 
     int reason = 0;
     while (!content.empty() && reason == 0)
     {
         const auto written = ::write(descriptor, content.data(), content.size());
         if (written >= 0)
+        {
             content.remove_prefix(static_cast<std::size_t>(written));
+        }
         else if (errno != EINTR)
+        {
             reason = errno;
+        }
     }
     if (::close(descriptor) != 0 && reason == 0)
+    {
         reason = errno;
+    }
     if (reason == 0 && std::rename(temporary.c_str(), file.c_str()) != 0)
+    {
         reason = errno;
+    }
     if (reason != 0)
     {
         ::unlink(temporary.c_str());
@@ -91,14 +103,18 @@ void requireWritable(const std::filesystem::path& folder)
     std::error_code failure;
     std::filesystem::path existing = std::filesystem::absolute(folder, failure).lexically_normal();
     while (!std::filesystem::exists(existing, failure) && existing.has_relative_path())
+    {
         existing = existing.parent_path();
+    }
     const int reason = !std::filesystem::is_directory(existing, failure) ? ENOTDIR
                        : ::access(existing.c_str(), W_OK | X_OK) != 0    ? errno
                                                                          : 0;
     if (reason != 0)
+    {
         throw FatalError(fmt::format(
             "Cannot write into {}: {}: {}.\n\nChoose another case directory, or repair its permissions.",
             folder.string(), existing.string(), std::strerror(reason)));
+    }
 }
 
 } // namespace drystone

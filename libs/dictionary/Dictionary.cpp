@@ -34,10 +34,12 @@ Entry::Entry(std::string entryKeyword, Dictionary entryDictionary, SourceLocatio
 const Dictionary& Entry::dictionary() const
 {
     if (body.empty())
+    {
         throw FatalIOError(
             fmt::format("{} is a value, but a sub-dictionary is wanted here: write `{} {{ ... }}`.", key,
                         key),
             where);
+    }
     markUsed();
     return body.front();
 }
@@ -94,7 +96,9 @@ std::string tokenText(const Token& token)
 bool isBlankBetween(const Token& left, const Token& right)
 {
     if (left.is('(') || left.is('[') || right.is(')') || right.is(']') || right.is(';'))
+    {
         return false;
+    }
     return !((right.is('(') || right.is('{')) && left.kind == TokenKind::number);
 }
 
@@ -122,7 +126,9 @@ std::string Entry::valueText() const
     for (std::size_t i = 0; i < value.size(); ++i)
     {
         if (i > 0 && isBlankBetween(value[i - 1], value[i]))
+        {
             text += ' ';
+        }
         text += tokenText(value[i]);
     }
     return text;
@@ -132,19 +138,27 @@ std::string toText(const Entry& entry, int indentation)
 {
     const std::string indent(static_cast<std::size_t>(indentation), ' ');
     if (isBareList(entry))
+    {
         return indent + entry.valueText() + "\n";
+    }
     const std::string keyword = entry.keywordText();
     if (isFormatOfBinaryFile(entry))
+    {
         return fmt::format("{}{:<15} ascii;\n", indent, keyword);
+    }
     if (entry.isDictionary())
     {
         std::string text = indent + keyword + "\n" + indent + "{\n";
         for (const Entry& inner : entry.dictionary().entries())
+        {
             text += toText(inner, indentation + 4);
+        }
         return text + indent + "}\n";
     }
     if (entry.isPattern() || !keyword.starts_with('#'))
+    {
         return fmt::format("{}{:<15} {};\n", indent, keyword, entry.valueText());
+    }
     return fmt::format("{}{} {}\n", indent, keyword, entry.valueText());
 }
 
@@ -154,7 +168,9 @@ std::string toText(const Dictionary& dictionary, int indentation)
     for (const Entry& entry : dictionary.entries())
     {
         if (entry.isDictionary() && !text.empty() && startsOnNewLine(text))
+        {
             text += '\n';
+        }
         text += toText(entry, indentation);
     }
     return text;
@@ -166,7 +182,9 @@ std::string headerText(std::string_view object, std::string_view location, std::
                                    "    class       {};\n",
                                    className);
     if (!location.empty())
+    {
         text += fmt::format("    location    \"{}\";\n", location);
+    }
     return text + fmt::format("    object      {};\n}}\n", object);
 }
 
@@ -178,7 +196,9 @@ std::vector<std::string> Dictionary::keywords() const
     std::vector<std::string> words;
     words.reserve(content.size());
     for (const Entry& entry : content)
+    {
         words.push_back(entry.keyword());
+    }
     return words;
 }
 
@@ -196,12 +216,16 @@ Entry* Dictionary::findExact(std::string_view key)
 const Entry* Dictionary::find(std::string_view key) const
 {
     if (const Entry* entry = findExact(key))
+    {
         return entry;
+    }
     const std::string name(key);
     for (auto pattern = patterns.rbegin(); pattern != patterns.rend(); ++pattern)
     {
         if (pattern->second(name))
+        {
             return &content[pattern->first];
+        }
     }
     return nullptr;
 }
@@ -215,9 +239,13 @@ namespace
     const std::vector<std::string> keywords = dictionary.keywords();
     const std::string nearest = nearestWord(key, keywords);
     if (!nearest.empty())
+    {
         message += fmt::format(" Did you mean {}?", nearest);
+    }
     else if (!keywords.empty() && keywords.size() <= 20)
+    {
         message += fmt::format(" There are: {}.", fmt::join(keywords, " "));
+    }
     throw FatalIOError(message, dictionary.location());
 }
 
@@ -226,7 +254,9 @@ namespace
 const Entry& Dictionary::lookup(std::string_view key) const
 {
     if (const Entry* entry = find(key))
+    {
         return *entry;
+    }
     failMissing(*this, "entry", key);
 }
 
@@ -239,7 +269,9 @@ const Dictionary* Dictionary::findDict(std::string_view key) const
 const Dictionary& Dictionary::subDict(std::string_view key) const
 {
     if (const Entry* entry = find(key))
+    {
         return entry->dictionary();
+    }
     failMissing(*this, "sub-dictionary", key);
 }
 
@@ -256,9 +288,13 @@ const Entry* Dictionary::findPath(std::string_view path) const
         }
         const Entry* entry = dictionary->find(path.substr(0, slash));
         if (!entry || slash == std::string_view::npos || slash + 1 == path.size())
+        {
             return entry;
+        }
         if (!entry->isDictionary())
+        {
             return nullptr;
+        }
         dictionary = &entry->dictionary();
         path.remove_prefix(slash + 1);
     }
@@ -267,12 +303,16 @@ const Entry* Dictionary::findPath(std::string_view path) const
 const Entry& Dictionary::lookupPath(std::string_view path) const
 {
     if (const Entry* entry = findPath(path))
+    {
         return *entry;
+    }
     // A point may be in a keyword, alpha.water, or between two.
     std::string slashed(path);
     std::replace(slashed.begin(), slashed.end(), '.', '/');
     if (const Entry* entry = findPath(slashed))
+    {
         return *entry;
+    }
     // Blame the first keyword that is not there.
     const Dictionary* dictionary = this;
     std::string_view rest = slashed;
@@ -282,7 +322,9 @@ const Entry& Dictionary::lookupPath(std::string_view path) const
         const std::size_t slash = std::min(rest.find('/'), rest.size());
         const Entry* entry = dictionary->find(rest.substr(0, slash));
         if (!entry || slash == rest.size())
+        {
             return dictionary->lookup(rest.substr(0, slash));
+        }
         dictionary = &entry->dictionary();
         rest.remove_prefix(slash);
     }
@@ -299,27 +341,35 @@ void Dictionary::merge(Entry entry)
     if (Entry* existing = findExact(entry.keyword()))
     {
         if (existing->isDictionary() && entry.isDictionary())
+        {
             existing->dictionary().merge(entry.dictionary());
+        }
         else
         {
             const bool patternsChange = existing->isPattern() || entry.isPattern();
             *existing = std::move(entry);
             if (patternsChange)
+            {
                 rebuildIndex();
+            }
         }
         return;
     }
     const std::size_t place = content.size();
     index.emplace(entry.keyword(), place);
     if (entry.isPattern())
+    {
         patterns.emplace_back(place, patternMatcher(entry.keyword(), entry.location()));
+    }
     content.push_back(std::move(entry));
 }
 
 void Dictionary::merge(const Dictionary& other)
 {
     for (const Entry& entry : other.entries())
+    {
         merge(entry);
+    }
 }
 
 void Dictionary::set(const std::string& key, std::string_view value)
@@ -327,8 +377,10 @@ void Dictionary::set(const std::string& key, std::string_view value)
     auto source = std::make_shared<SourceText>();
     source->files.push_back({where.file.empty() ? key : where.file, std::string(value)});
     std::vector<Token> tokens = parseTokens(source->files.back());
-    for (Token& token : tokens) // messages point at where this dictionary begins
+    for (Token& token : tokens)
+    { // messages point at where this dictionary begins
         token.line = where.line;
+    }
     SourceLocation location = where;
     location.entry += (location.entry.empty() ? "" : "/") + key;
     merge(Entry(key, std::move(tokens), std::move(source), std::move(location)));
@@ -338,7 +390,9 @@ bool Dictionary::remove(std::string_view key)
 {
     const auto place = index.find(std::string(key));
     if (place == index.end())
+    {
         return false;
+    }
     content.erase(content.begin() + static_cast<std::ptrdiff_t>(place->second));
     rebuildIndex();
     return true;
@@ -359,7 +413,9 @@ void Dictionary::rebuildIndex()
     {
         index.emplace(content[i].keyword(), i);
         if (content[i].isPattern())
+        {
             patterns.emplace_back(i, patternMatcher(content[i].keyword(), content[i].location()));
+        }
     }
 }
 

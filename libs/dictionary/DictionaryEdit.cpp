@@ -26,7 +26,9 @@ std::vector<std::string> keywordsOf(std::string_view path)
     {
         const std::size_t slash = std::min(path.find('/'), path.size());
         if (slash > 0)
+        {
             keywords.emplace_back(path.substr(0, slash));
+        }
         path.remove_prefix(std::min(slash + 1, path.size()));
     }
     return keywords;
@@ -38,9 +40,11 @@ void refuseBareDirectives(const std::vector<Statement>& statements, const std::s
     for (const Statement& statement : statements)
     {
         if (statement.kind == Statement::Kind::directive && statement.value.empty())
+        {
             throw FatalIOError(
                 fmt::format("{} has no argument. Give it one, or remove it.", statement.keyword.text),
                 SourceLocation{file, "", statement.keyword.line});
+        }
         refuseBareDirectives(statement.body, file);
         refuseBareDirectives(statement.otherwise, file);
     }
@@ -82,16 +86,24 @@ std::vector<const Statement*> find(const std::vector<Statement>& statements,
             for (const Statement& statement : *body)
             {
                 if (!isKeyed(statement) || statement.keyword.text != keywords[level])
+                {
                     continue;
+                }
                 found.push_back(&statement);
                 if (statement.kind == Statement::Kind::dictionary)
+                {
                     inner.push_back(&statement.body);
+                }
                 else
+                {
                     inner.clear();
+                }
             }
         }
         if (level + 1 == keywords.size())
+        {
             return found;
+        }
         bodies = std::move(inner);
     }
 }
@@ -112,17 +124,23 @@ const Statement* findInCondition(const std::vector<Statement>& statements,
                     const std::vector<const Statement*> found = find(*branch, {keywords.begin(), end}, level);
                     if (!found.empty()
                         && (end == keywords.end() || found.back()->kind == Statement::Kind::entry))
+                    {
                         return found.back();
+                    }
                 }
                 if (const Statement* deeper = findInCondition(*branch, keywords, level))
+                {
                     return deeper;
+                }
             }
         }
         else if (statement.kind == Statement::Kind::dictionary && statement.keyword.text == keywords[level]
                  && level + 1 < keywords.size())
         {
             if (const Statement* deeper = findInCondition(statement.body, keywords, level + 1))
+            {
                 return deeper;
+            }
         }
     }
     return nullptr;
@@ -131,11 +149,13 @@ const Statement* findInCondition(const std::vector<Statement>& statements,
 void refuseConditions(const Edited& edited, const std::vector<std::string>& keywords, std::string_view path)
 {
     if (const Statement* statement = findInCondition(edited.statements, keywords, 0))
+    {
         throw FatalIOError(
             fmt::format("{} depends on a condition (#if or #ifeq), so it is not edited. Edit the file "
                         "by hand.",
                         path),
             SourceLocation{edited.file.name, std::string(path), statement->keyword.line});
+    }
 }
 
 /// The value as it stands in the text, checked to be one value and nothing more.
@@ -148,10 +168,12 @@ std::string checkedValue(std::string_view value, std::string_view path)
     const SourceFile entry{"the value given", fmt::format("key {}{}", text, isDictionary ? "\n" : "\n;")};
     const std::vector<Statement> statements = parseStatements(entry);
     if (statements.size() != 1 || !isKeyed(statements.front()))
+    {
         throw FatalIOError(
             fmt::format("`{}` is not one value for {}. Write a value without `;`, or `{{ ... }}`.", text,
                         path),
             SourceLocation{entry.name, "", 1});
+    }
     return text;
 }
 
@@ -176,11 +198,17 @@ std::size_t lineEndAfterComments(const std::string& text, std::size_t place)
     while (place < text.size() && text[place] != '\n')
     {
         if (text.compare(place, 2, "/*") == 0)
+        {
             place = text.find("*/", place + 2) + 2; // the text has been parsed: its comments are closed
+        }
         else if (text.compare(place, 2, "//") == 0)
+        {
             place = std::min(text.find('\n', place), text.size());
+        }
         else
+        {
             ++place;
+        }
     }
     return place == text.size() ? place : place + 1;
 }
@@ -193,7 +221,9 @@ std::string withSlashes(const Dictionary& dictionary, std::string_view path)
     std::replace(slashed.begin(), slashed.end(), '.', '/');
     const std::size_t last = slashed.rfind('/');
     if (last == std::string::npos || dictionary.findPath(path))
+    {
         return std::string(path);
+    }
     const Entry* parent = dictionary.findPath(slashed.substr(0, last));
     return parent && parent->isDictionary() ? slashed : std::string(path);
 }
@@ -201,7 +231,9 @@ std::string withSlashes(const Dictionary& dictionary, std::string_view path)
 std::string entryText(const std::string& keyword, const std::string& value, const std::string& indentation)
 {
     if (isDictionaryText(value))
+    {
         return fmt::format("{}{}\n{}{}\n", indentation, keyword, indentation, value);
+    }
     return fmt::format("{}{:<15} {};\n", indentation, keyword, value);
 }
 
@@ -235,7 +267,9 @@ std::string replaced(const std::string& text, const Statement& statement, const 
         end = static_cast<std::size_t>(last.text.data() - base) + last.text.size() + quotes(last);
     }
     if (isDictionaryText(value))
+    {
         end = statement.end;
+    }
     // A comment or byte order mark that followed a `)` would become part of a word.
     const bool standsApart = end == text.size() || text[end] == ';'
                              || std::isspace(static_cast<unsigned char>(text[end])) != 0
@@ -252,12 +286,16 @@ std::string withEntrySet(const std::string& text, const std::filesystem::path& f
     const Edited edited(text, file);
     const std::vector<std::string> keywords = keywordsOf(path);
     if (keywords.empty())
+    {
         throw FatalError("The entry to be set has no name.");
+    }
     const std::string newValue = checkedValue(value, path);
     refuseConditions(edited, keywords, path);
     const std::vector<const Statement*> found = find(edited.statements, keywords);
     if (!found.empty())
+    {
         return replaced(text, *found.back(), newValue); // of several, the last one counts
+    }
 
     if (keywords.size() == 1)
     {
@@ -273,9 +311,11 @@ std::string withEntrySet(const std::string& text, const std::filesystem::path& f
     const std::vector<const Statement*> parents =
         find(edited.statements, {keywords.begin(), keywords.end() - 1});
     if (parents.empty() || parents.back()->kind != Statement::Kind::dictionary)
+    {
         throw FatalIOError(fmt::format("There is no sub-dictionary {} to add {} to. Add it first.",
                                        fmt::join(keywords.begin(), keywords.end() - 1, "/"), keywords.back()),
                            SourceLocation{edited.file.name, "", 0});
+    }
     const Statement& parent = *parents.back();
     const std::size_t closing = parent.valueEnd;
     std::string result = text;
@@ -294,7 +334,9 @@ std::string withEntrySet(const std::string& text, const std::filesystem::path& f
     const std::size_t lineBegin = text.rfind('\n', closing) + 1;
     const bool opensLine = text.find_first_not_of(" \t", lineBegin) == closing;
     if (opensLine)
+    {
         return result.insert(lineBegin, entryText(keywords.back(), newValue, inner));
+    }
     return result.insert(closing, fmt::format("\n{}{}", entryText(keywords.back(), newValue, inner), outer));
 }
 
@@ -304,7 +346,9 @@ std::string withEntryRemoved(const std::string& text, const std::filesystem::pat
     const Edited edited(text, file);
     const std::vector<std::string> keywords = keywordsOf(path);
     if (keywords.empty())
+    {
         throw FatalError("The entry to be removed has no name.");
+    }
     refuseConditions(edited, keywords, path);
     const std::vector<const Statement*> found = find(edited.statements, keywords);
     std::string result = text;
@@ -322,7 +366,9 @@ std::string withEntryRemoved(const std::string& text, const std::filesystem::pat
             end = next == text.size() ? next : next + 1;
         }
         else
+        {
             end = next;
+        }
         result.erase(begin, end - begin);
     }
     return result;

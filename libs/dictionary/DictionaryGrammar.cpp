@@ -6,6 +6,7 @@
 #include "dictionary/DictionaryGrammar.h"
 
 #include "dictionary/Dictionary.h"
+#include "dictionary/DictionaryScanner.h"
 
 #include <algorithm>
 #include <bit>
@@ -18,130 +19,6 @@ namespace drystone
 
 namespace
 {
-
-// ----------------------------------------------------------------------------------------------------
-// characters
-
-/// A word may be this long; whatever is longer is not a dictionary.
-constexpr std::size_t longestWord = 4096;
-
-bool isSpace(char c)
-{
-    return c == ' ' || (c >= '\t' && c <= '\r');
-}
-
-bool isDigit(char c)
-{
-    return c >= '0' && c <= '9';
-}
-
-/// Inside a word; brackets are dealt with apart.
-bool isWordCharacter(char c)
-{
-    return !isSpace(c) && c != '"' && c != '\'' && c != '/' && c != ';' && c != '{' && c != '}';
-}
-
-bool startsWord(char c)
-{
-    return isWordCharacter(c) && !std::strchr("()[]:,=+*$#", c);
-}
-
-/// Length of a word that starts at `begin`. Brackets belong to a word when they close inside it: `div(phi,U)`
-/// is one word, `a(1 2)` is a word and a list.
-std::size_t wordLength(const char* begin, const char* end)
-{
-    const char* limit = begin + std::min<std::size_t>(static_cast<std::size_t>(end - begin), longestWord + 1);
-    const char* firstOpen = nullptr;
-    int depth = 0;
-    const char* at = begin;
-    for (; at != limit && isWordCharacter(*at); ++at)
-    {
-        if (*at == '(' || *at == '[')
-        {
-            if (depth++ == 0)
-                firstOpen = at;
-        }
-        else if (*at == ')' || *at == ']')
-        {
-            if (depth == 0)
-                break;
-            --depth;
-        }
-    }
-    return static_cast<std::size_t>((depth > 0 ? firstOpen : at) - begin);
-}
-
-/// Length of a number that starts at `begin`; 0 when it is none, or goes on as a word: 2D, 0.orig, 1.2.3.
-std::size_t numberLength(const char* begin, const char* end)
-{
-    const char* at = begin;
-    const auto digits = [&at, end]
-    {
-        const char* first = at;
-        while (at != end && isDigit(*at))
-            ++at;
-        return at != first;
-    };
-    if (at != end && (*at == '+' || *at == '-'))
-        ++at;
-    bool any = digits();
-    if (at != end && *at == '.')
-    {
-        ++at;
-        any = digits() || any;
-    }
-    if (!any)
-        return 0;
-    if (at != end && (*at == 'e' || *at == 'E'))
-    {
-        const char* mantissa = at++;
-        if (at != end && (*at == '+' || *at == '-'))
-            ++at;
-        if (!digits())
-            at = mantissa;
-    }
-    if (at != end && startsWord(*at) && (*at < '<' || *at > '>'))
-        return 0;
-    return static_cast<std::size_t>(at - begin);
-}
-
-/// Length of `$name`, `${...}`; 0 when it is none.
-std::size_t macroLength(const char* begin, const char* end)
-{
-    const char* limit = begin + std::min<std::size_t>(static_cast<std::size_t>(end - begin), longestWord);
-    const char* at = begin + 1;
-    if (at != limit && *at == '{')
-    {
-        int depth = 0;
-        for (; at != limit && *at != '\n'; ++at)
-        {
-            if (*at == '{')
-                ++depth;
-            else if (*at == '}' && --depth == 0)
-                return static_cast<std::size_t>(at + 1 - begin);
-        }
-        return 0;
-    }
-    int depth = 0;
-    for (; at != limit; ++at)
-    {
-        if (*at == '/')
-        {
-            if (at + 1 == limit || at[1] == '/' || at[1] == '*')
-                break;
-        }
-        else if (*at == '(' || *at == '[')
-            ++depth;
-        else if (*at == ')' || *at == ']')
-        {
-            if (depth-- == 0)
-                break;
-        }
-        else if (!isWordCharacter(*at) || *at == '$' || (*at == ',' && depth == 0))
-            break;
-    }
-    return at == begin + 1 ? 0 : static_cast<std::size_t>(at - begin);
-}
 
 // --------------------------------------------------------------------------------------------------------
 // grammar
@@ -160,62 +37,17 @@ struct scanned
     static bool match(ParseInput& in)
     {
         if (in.empty())
+        {
             return false;
+        }
         const std::size_t length = lengthOf(in.current(), in.end());
         if (length > 0)
+        {
             in.bump(length);
+        }
         return length > 0;
     }
 };
-
-std::size_t startedWord(const char* begin, const char* end)
-{
-    if (!startsWord(*begin))
-        return 0;
-    // A lone minus is punctuation.
-    const std::size_t length = wordLength(begin, end);
-    return length == 1 && *begin == '-' ? 0 : length;
-}
-
-std::size_t markedMacro(const char* begin, const char* end)
-{
-    return *begin == '$' ? macroLength(begin, end) : 0;
-}
-
-std::size_t markedDirective(const char* begin, const char* end)
-{
-    const char* at = begin + 1;
-    while (at != end && ((*at >= 'a' && *at <= 'z') || (*at >= 'A' && *at <= 'Z') || isDigit(*at)))
-        ++at;
-    return *begin == '#' && at > begin + 1 ? static_cast<std::size_t>(at - begin) : 0;
-}
-
-/// What is before the `}` that closes a `{` already taken, other braces inside it being in pairs.
-std::size_t bracedText(const char* begin, const char* end)
-{
-    int depth = 0;
-    for (const char* at = begin; at != end; ++at)
-    {
-        if (*at == '{')
-            ++depth;
-        else if (*at == '}' && depth-- == 0)
-            return static_cast<std::size_t>(at + 1 - begin);
-    }
-    return 0;
-}
-
-/// What is before the `"` that closes a string, and the `"`; a line ends a string only after a backslash.
-std::size_t quotedText(const char* begin, const char* end)
-{
-    for (const char* at = begin; at != end && *at != '\n'; ++at)
-    {
-        if (*at == '"')
-            return static_cast<std::size_t>(at + 1 - begin);
-        if (*at == '\\' && at + 1 != end)
-            ++at;
-    }
-    return 0;
-}
 
 /// `List<scalar> 3(`, the bytes of three numbers and `)`, in a file whose header says `format binary;`. What
 /// it leaves behind, and how long it is, the builder knows.
@@ -344,9 +176,11 @@ public:
     void add(const Token& added)
     {
         if (added.kind == TokenKind::word && added.text.size() > longestWord)
+        {
             throw error("A word of more than " + std::to_string(longestWord)
                             + " letters. Is this a text file? Strings go between quotes.",
                         added.line);
+        }
         if (open.empty())
         {
             looseTokens.push_back(added);
@@ -354,7 +188,9 @@ public:
         }
         Statement& statement = open.back();
         if (added.kind == TokenKind::macro || added.kind == TokenKind::directive)
+        {
             statement.isLiteral = false;
+        }
         statement.value.push_back(added);
     }
 
@@ -403,9 +239,11 @@ public:
     void begin(Statement::Kind kind, const Token& keyword, const char* at)
     {
         if (keyword.text.size() > longestWord)
+        {
             throw error("A keyword of more than " + std::to_string(longestWord)
                             + " letters. Is this a text file?",
                         keyword.line);
+        }
         Statement statement;
         statement.kind = kind;
         statement.keyword = keyword;
@@ -419,7 +257,9 @@ public:
         open.pop_back();
         finished.end = offset(at);
         if (open.empty())
+        {
             statements.push_back(std::move(finished));
+        }
         else
         {
             Statement& parent = open.back();
@@ -449,7 +289,9 @@ public:
     void closeCondition()
     {
         if (!otherwiseOf.empty() && otherwiseOf.back() == open.size())
+        {
             otherwiseOf.pop_back();
+        }
         closeBracket();
     }
 
@@ -474,7 +316,9 @@ public:
         for (const Statement& statement : open)
         {
             if (statement.kind == Statement::Kind::condition || statement.keyword.text.empty())
+            {
                 continue;
+            }
             path += (path.empty() ? "" : "/") + std::string(statement.keyword.text.substr(0, 80));
         }
         return FatalIOError(message, SourceLocation{file.name, path, line});
@@ -485,7 +329,9 @@ public:
     {
         const char* end = text.data() + text.size();
         if (at == end)
+        {
             return "the end of the file";
+        }
         std::size_t length = wordLength(at, end);
         length = std::clamp<std::size_t>(length, 1, 40);
         return "`" + std::string(at, length) + "`";
@@ -496,10 +342,12 @@ public:
         const Statement& statement = open.back();
         const std::string key(statement.keyword.text);
         if (at != text.data() + text.size() && (*at == ')' || *at == ']'))
+        {
             throw error(
                 "There is a `" + std::string(1, *at)
                     + "` without the bracket that would open it. Remove it, or add the one that is missing.",
                 lineOf(at));
+        }
         if (at == text.data() + text.size() || *at == '}')
         {
             const int line = statement.value.empty() ? statement.keyword.line : statement.value.back().line;
@@ -515,7 +363,9 @@ public:
         const Bracket opened = brackets.back();
         const bool atEnd = at == text.data() + text.size();
         if (!atEnd && !std::strchr(")]};#", *at))
+        {
             failUnexpected(at);
+        }
         if (!atEnd && *at == '#' && opened.character != '#')
         {
             throw error("Unexpected " + found(at) + " where the bracket of line "
@@ -540,18 +390,28 @@ public:
         if (at != end)
         {
             if (*at == '}')
+            {
                 throw error("There is a `}` without a `{`. Remove it, or add the `{` that is missing.", line);
+            }
             if (*at == ')' || *at == ']')
+            {
                 throw error("There is a `" + std::string(1, *at)
                                 + "` without the bracket that would open it. Remove it, or add the one that "
                                   "is missing.",
                             line);
+            }
             if (*at == '{')
+            {
                 throw error("There is a `{` without a keyword before it. Write `name { ... }`.", line);
+            }
             if (*at == '#')
+            {
                 throw error("There is " + found(at) + " without a condition that it belongs to.", line);
+            }
             if (*at == '$')
+            {
                 throw error("A `$` is to be followed by the name of an entry: `$name` or `${name}`.", line);
+            }
         }
         throw error("Unexpected " + found(at)
                         + ". An entry is written `key value;` or `key { ... }`, with quotes "
@@ -568,9 +428,11 @@ private:
     void enter(int line)
     {
         if (++depth > deepestNesting)
+        {
             throw error("Brackets are nested more than " + std::to_string(deepestNesting)
                             + " deep. Is a closing bracket missing?",
                         line);
+        }
     }
 
     const SourceFile& file;
@@ -770,31 +632,51 @@ struct Control : tao::pegtl::normal<Rule>
     {
         const char* at = in.current();
         if constexpr (std::is_same_v<Rule, grammar::semicolon>)
+        {
             builder.failMissingSemicolon(at);
+        }
         else if constexpr (std::is_same_v<Rule, grammar::listClose>)
+        {
             builder.failUnclosed(')', at);
+        }
         else if constexpr (std::is_same_v<Rule, grammar::squareClose>)
+        {
             builder.failUnclosed(']', at);
+        }
         else if constexpr (std::is_same_v<Rule,
                                           grammar::braceClose> || std::is_same_v<Rule, grammar::blockClose>)
+        {
             builder.failUnclosed('}', at);
+        }
         else if constexpr (std::is_same_v<Rule, grammar::conditionEnd>)
+        {
             builder.failUnclosed('#', at);
+        }
         else if constexpr (std::is_same_v<Rule, grammar::commentEnd>)
+        {
             throw builder.error("The comment that begins here is not closed: write `*/` where it ends.",
                                 builder.lineOf(at));
+        }
         else if constexpr (std::is_same_v<Rule, grammar::stringEnd>)
+        {
             throw builder.error(
                 "The string that begins here is not closed on its line: write `\"` where it ends.",
                 builder.lineOf(at));
+        }
         else if constexpr (std::is_same_v<Rule, grammar::verbatimEnd>)
+        {
             throw builder.error("The `#{` that begins here is not closed: write `#}` where it ends.",
                                 builder.lineOf(at));
+        }
         else if constexpr (std::is_same_v<Rule, grammar::arithmeticText>)
+        {
             throw builder.error("The `{` of this arithmetic is not closed: write `}` where it ends.",
                                 builder.lineOf(at));
+        }
         else
+        {
             builder.failUnexpected(at);
+        }
     }
 };
 

@@ -30,7 +30,9 @@ long repetitions(const std::string& pattern)
             continue;
         }
         if (pattern[i] != '{')
+        {
             continue;
+        }
         long largest = 1;
         long number = 0;
         for (++i; i < pattern.size() && pattern[i] != '}'; ++i)
@@ -40,11 +42,15 @@ long repetitions(const std::string& pattern)
                          : 0;
             largest = std::max(largest, number);
             if (largest > mostRepetitions)
+            {
                 return largest;
+            }
         }
         product *= largest;
         if (product > mostRepetitions)
+        {
             return product;
+        }
     }
     return product;
 }
@@ -55,11 +61,13 @@ std::function<bool(const std::string&)> patternMatcher(const std::string& patter
                                                        const SourceLocation& location)
 {
     if (pattern.size() > longestPattern || repetitions(pattern) > mostRepetitions)
+    {
         throw FatalIOError(
             fmt::format("The regular expression is too large: more than {} characters, or more than "
                         "{} repetitions by {{n,m}}. Write a shorter one.",
                         longestPattern, mostRepetitions),
             location);
+    }
     try
     {
         // __polynomial is how libstdc++ calls breadth-first matching: no pattern can make it slow.
@@ -67,7 +75,9 @@ std::function<bool(const std::string&)> patternMatcher(const std::string& patter
         // (?i) in front: capital and small letters are the same.
         const bool ignoresCase = pattern.starts_with("(?i)");
         if (ignoresCase)
+        {
             flags |= std::regex::icase;
+        }
         const auto expression =
             std::make_shared<const std::regex>(pattern.substr(ignoresCase ? 4 : 0), flags);
         return [expression](const std::string& word)

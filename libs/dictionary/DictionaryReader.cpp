@@ -5,8 +5,10 @@
 #include "core/WholeFile.h"
 #include "dictionary/DictionaryGrammar.h"
 #include "dictionary/DictionaryPattern.h"
+#include "dictionary/EntryPath.h"
 #include "dictionary/Expression.h"
 #include "dictionary/FilesInMemory.h"
+#include "dictionary/MacroNames.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -39,18 +41,15 @@ enum class InputMode
     error
 };
 
-std::string joined(const std::string& path, const std::string& key)
-{
-    return path.empty() ? key : path + "/" + key;
-}
-
 int depthOf(const Dictionary& dictionary)
 {
     int depth = 0;
     for (const Entry& entry : dictionary.entries())
     {
         if (entry.isDictionary())
+        {
             depth = std::max(depth, depthOf(entry.dictionary()));
+        }
     }
     return depth + 1;
 }
@@ -59,7 +58,9 @@ std::size_t tokenCountOf(const Dictionary& dictionary)
 {
     std::size_t count = 0;
     for (const Entry& entry : dictionary.entries())
+    {
         count += 1 + (entry.isDictionary() ? tokenCountOf(entry.dictionary()) : entry.tokens().size());
+    }
     return count;
 }
 
@@ -71,7 +72,9 @@ std::filesystem::path caseOf(const std::filesystem::path& file)
     {
         const std::filesystem::path name = directory.filename();
         if (name == "system" || name == "constant")
+        {
             return directory.parent_path().empty() ? "." : directory.parent_path();
+        }
         directory = directory.parent_path();
     }
     return file.parent_path().empty() ? "." : file.parent_path();
@@ -92,23 +95,33 @@ std::string contentOf(const std::filesystem::path& file, const SourceLocation& w
     std::error_code error;
     const auto status = std::filesystem::status(file, error);
     if (!std::filesystem::exists(status))
+    {
         throw fail(fmt::format("The file {} does not exist.\n\nCheck its name, and whether this is the case "
                                "directory: another one is named with -case DIR.",
                                file.string()));
+    }
     if (std::filesystem::is_directory(status))
+    {
         throw fail(fmt::format("{} is a directory, but a file is wanted here.", file.string()));
+    }
     if (!std::filesystem::is_regular_file(status))
+    {
         throw fail(fmt::format("{} is not an ordinary file.", file.string()));
+    }
     std::ifstream stream(file, std::ios::binary);
     if (!stream)
+    {
         throw fail(fmt::format("The file {} cannot be opened. Do you have the permission to read it?",
                                file.string()));
+    }
     std::string text;
     text.resize(std::filesystem::file_size(file));
     stream.read(text.data(), static_cast<std::streamsize>(text.size()));
     text.resize(static_cast<std::size_t>(stream.gcount()));
     if (stream.bad())
+    {
         throw fail(fmt::format("The file {} cannot be read.", file.string()));
+    }
     return text;
 }
 
@@ -130,7 +143,9 @@ public:
     {
         std::set<std::string> names;
         for (const SourceFile& file : source->files)
+        {
             names.insert(std::filesystem::path(file.name).lexically_normal().string());
+        }
         return names;
     }
 
@@ -164,7 +179,9 @@ private:
     void carryOut(const std::vector<Statement>& statements)
     {
         for (const Statement& statement : statements)
+        {
             carryOut(statement);
+        }
     }
 
     void carryOut(const Statement& statement)
@@ -180,16 +197,24 @@ private:
             break;
         case Statement::Kind::macro:
             if (expansion == Expansion::none)
+            {
                 add(Entry(std::string(statement.keyword.text), {}, source, locationOf(statement.keyword)));
+            }
             else
+            {
                 mergeMacro(statement.keyword);
+            }
             break;
         case Statement::Kind::directive:
             if (expansion == Expansion::none)
+            {
                 add(Entry(std::string(statement.keyword.text), statement.value, source,
                           locationOf(statement.keyword)));
+            }
             else
+            {
                 direct(statement);
+            }
             break;
         case Statement::Kind::condition:
             if (expansion == Expansion::none)
@@ -198,7 +223,9 @@ private:
                 carryOut(statement.otherwise);
             }
             else
+            {
                 carryOut(isTrue(statement) ? statement.body : statement.otherwise);
+            }
             break;
         }
     }
@@ -212,9 +239,11 @@ private:
             std::vector<Token> tokens;
             expandMacro(statement.keyword, tokens);
             if (tokens.size() != 1 || tokens.front().text.empty())
+            {
                 throw FatalIOError(
                     fmt::format("{} is used as a keyword, so its value must be one word.", keyword),
                     location);
+            }
             keyword = std::string(tokens.front().text);
             location.entry = joined(current().location().entry, keyword);
         }
@@ -223,8 +252,10 @@ private:
         {
             Dictionary dictionary(location);
             if (scopes.size() > static_cast<std::size_t>(deepestNesting))
+            {
                 throw FatalIOError(fmt::format("Dictionaries are nested more than {} deep.", deepestNesting),
                                    location);
+            }
             scopes.push_back(&dictionary);
             carryOut(statement.body);
             scopes.pop_back();
@@ -235,9 +266,13 @@ private:
         }
         std::vector<Token> tokens;
         if (expansion == Expansion::none || statement.isLiteral)
+        {
             tokens = statement.value;
+        }
         else
+        {
             expand(statement.value, tokens);
+        }
         Entry entry(std::move(keyword), std::move(tokens), source, std::move(location));
         entry.setPattern(isPattern);
         add(std::move(entry));
@@ -249,9 +284,13 @@ private:
         std::string keyword = "#list" + std::to_string(current().entries().size());
         std::vector<Token> tokens;
         if (expansion == Expansion::none || statement.isLiteral)
+        {
             tokens = statement.value;
+        }
         else
+        {
             expand(statement.value, tokens);
+        }
         SourceLocation location = current().location();
         location.file = tokens.front().file->name;
         location.line = tokens.front().line;
@@ -262,8 +301,10 @@ private:
     {
         Dictionary& dictionary = current();
         if (entry.isPattern())
+        {
             patternMatcher(entry.keyword(),
                            entry.location()); // refused here rather than when it is looked for
+        }
         if (Entry* existing = dictionary.findExact(entry.keyword()))
         {
             switch (mode)
@@ -272,7 +313,9 @@ private:
                 break;
             case InputMode::overwrite:
                 if (existing->isDictionary())
+                {
                     existing->dictionary().clear();
+                }
                 break;
             case InputMode::protect:
                 return;
@@ -293,87 +336,18 @@ private:
     // ----------------------------------------------------------------------------------------------------
     // macros
 
-    /// The entry that a name stands for, seen from the scopes `visible` (the innermost last).
-    /// Names: a, a.b, .a (here), ..a (one level up), :a.b and /a/b (from the top), ../a
-    const Entry* lookUp(std::string_view name, std::vector<Dictionary*> visible, bool outwards)
-    {
-        if (name.find('/') != std::string_view::npos)
-        {
-            if (name.front() == '/')
-            {
-                visible.resize(1);
-                name.remove_prefix(1);
-            }
-            while (name.starts_with("../") || name.starts_with("./"))
-            {
-                if (name.starts_with("../"))
-                {
-                    if (visible.size() == 1)
-                        return nullptr;
-                    visible.pop_back();
-                    name.remove_prefix(3);
-                }
-                else
-                    name.remove_prefix(2);
-            }
-            return visible.back()->findPath(name);
-        }
-        if (name.starts_with(':') || name.starts_with('^'))
-        {
-            visible.resize(1);
-            name.remove_prefix(1);
-        }
-        if (name.starts_with('.'))
-        {
-            name.remove_prefix(1);
-            while (name.starts_with('.'))
-            {
-                if (visible.size() == 1)
-                    return nullptr;
-                visible.pop_back();
-                name.remove_prefix(1);
-            }
-            outwards = false;
-        }
-        for (auto scope = visible.rbegin(); scope != visible.rend(); ++scope)
-        {
-            if (const Entry* entry = dotted(**scope, name))
-                return entry;
-            if (!outwards)
-                break;
-        }
-        return nullptr;
-    }
-
-    /// a.b.c in a dictionary, whose keywords may have points themselves.
-    static const Entry* dotted(const Dictionary& dictionary, std::string_view name)
-    {
-        if (const Entry* entry = dictionary.findExact(name))
-            return entry;
-        for (std::size_t point = name.find('.'); point != std::string_view::npos;
-             point = name.find('.', point + 1))
-        {
-            const Entry* entry = dictionary.find(name.substr(0, point));
-            if (entry && entry->isDictionary())
-            {
-                if (const Entry* inner = dotted(entry->dictionary(), name.substr(point + 1)))
-                {
-                    entry->markUsed();
-                    return inner;
-                }
-            }
-        }
-        return dictionary.find(name);
-    }
-
     /// The name in `$name` or `${name}`, with macros inside the braces replaced.
     std::string nameOf(std::string_view text, const SourceLocation& location, int depth = 0)
     {
         if (depth > deepestMacro)
+        {
             throw FatalIOError(fmt::format("Macros are nested more than {} deep.", deepestMacro), location);
+        }
         text.remove_prefix(1);
         if (!text.starts_with('{'))
+        {
             return std::string(text);
+        }
         return substituted(text.substr(1, text.size() - 2), location, depth + 1);
     }
 
@@ -395,7 +369,9 @@ private:
                 for (; end < text.size(); ++end)
                 {
                     if (text[end] == '{')
+                    {
                         ++open;
+                    }
                     else if (text[end] == '}' && --open == 0)
                     {
                         ++end;
@@ -403,21 +379,29 @@ private:
                     }
                 }
                 if (open != 0)
+                {
                     throw FatalIOError("The `${` here is not closed: write `${name}`.", location);
+                }
             }
             else
             {
                 while (end < text.size()
                        && (std::isalnum(static_cast<unsigned char>(text[end])) != 0 || text[end] == '_'
                            || text[end] == '.' || text[end] == ':'))
+                {
                     ++end;
+                }
             }
             if (end == i + 1)
+            {
                 throw FatalIOError("A `$` is to be followed by the name of an entry: `$name` or `${name}`.",
                                    location);
+            }
             result += textOfMacro(text.substr(i, end - i), location, depth);
             if (result.size() > 1'000'000)
+            {
                 throw FatalIOError("The macros of this text make it too long.", location);
+            }
             i = end;
         }
         return result;
@@ -431,44 +415,27 @@ private:
         if (!entry)
         {
             if (const char* variable = std::getenv(plainName.c_str()))
+            {
                 return variable;
+            }
             if (fallback)
+            {
                 return *fallback;
-            failUndefined(plainName, location);
+            }
+            failUndefined(scopes, plainName, location);
         }
         entry->markUsed();
         if (entry->isDictionary())
+        {
             throw FatalIOError(fmt::format("${} is a dictionary, but a value is wanted here.", plainName),
                                location);
+        }
         const std::vector<Token>& tokens = entry->tokens();
         if (tokens.size() == 1 && tokens.front().kind == TokenKind::string)
-            return std::string(tokens.front().text);
-        return entry->valueText();
-    }
-
-    /// `name:-value` as in a shell: the value when there is no such entry.
-    static std::pair<std::string, std::optional<std::string>> withFallback(const std::string& name)
-    {
-        const std::size_t separator = name.find(":-");
-        if (separator == std::string::npos)
-            return {name, std::nullopt};
-        return {name.substr(0, separator), name.substr(separator + 2)};
-    }
-
-    [[noreturn]] void failUndefined(const std::string& name, const SourceLocation& location)
-    {
-        std::vector<std::string> visible;
-        for (const Dictionary* scope : scopes)
         {
-            for (const std::string& keyword : scope->keywords())
-                visible.push_back(keyword);
+            return std::string(tokens.front().text);
         }
-        std::string message = fmt::format("There is no entry {} for the macro ${} to stand for.", name, name);
-        const std::string nearest = nearestWord(name, visible);
-        if (!nearest.empty())
-            message += fmt::format(" Did you mean ${}?", nearest);
-        message += " An entry has to be given before it is used.";
-        throw FatalIOError(message, location);
+        return entry->valueText();
     }
 
     /// `$name;` as a statement: the entries of that dictionary.
@@ -478,29 +445,39 @@ private:
         const std::string name = nameOf(macro.text, location);
         const Entry* entry = lookUp(name, scopes, true);
         if (!entry)
-            failUndefined(name, location);
+        {
+            failUndefined(scopes, name, location);
+        }
         entry->markUsed();
         if (!entry->isDictionary())
+        {
             throw FatalIOError(
                 fmt::format("${} as a whole entry must stand for a dictionary, but {} is a value. Is "
                             "`keyword ${};` meant?",
                             name, name, name),
                 location);
+        }
         const Dictionary copied = entry->dictionary();
         countExpanded(tokenCountOf(copied), location);
         if (static_cast<int>(scopes.size()) + depthOf(copied) > deepestNesting + 1)
+        {
             throw FatalIOError(fmt::format("Macros nest dictionaries more than {} deep.", deepestNesting),
                                location);
+        }
         for (const Entry& inner : copied.entries())
+        {
             add(inner);
+        }
     }
 
     void countExpanded(std::size_t count, const SourceLocation& location)
     {
         expandedTokens += count;
         if (expandedTokens > mostExpandedTokens)
+        {
             throw FatalIOError(
                 "The macros of this dictionary make it too large. Does an entry double itself?", location);
+        }
     }
 
     /// \param bracket the innermost one that is open around the macro, `;` when there is none
@@ -513,7 +490,9 @@ private:
         {
             const char* variable = std::getenv(name.c_str());
             if (!variable && !fallback)
-                failUndefined(name, location);
+            {
+                failUndefined(scopes, name, location);
+            }
             appendText(variable ? variable : *fallback, macro, into);
             return;
         }
@@ -522,11 +501,13 @@ private:
         {
             // Its entries can only stand where entries can, as in `( { $defaults; mu 0.5; } )`.
             if (bracket != '{')
+            {
                 throw FatalIOError(
                     fmt::format("${} is a dictionary, but a value is wanted here. To copy its entries "
                                 "into another dictionary, write `name {{ ${}; }}`.",
                                 name, name),
                     location);
+            }
             appendText(toText(entry->dictionary()), macro, into);
             return;
         }
@@ -558,23 +539,35 @@ private:
         {
             const Token& token = tokens[i];
             if (token.is('(') || token.is('[') || token.is('{'))
+            {
                 brackets.push_back(token.text.front());
+            }
             else if ((token.is(')') || token.is(']') || token.is('}')) && brackets.size() > 1)
+            {
                 brackets.pop_back();
+            }
             if (token.kind == TokenKind::macro)
+            {
                 expandMacro(token, into, brackets.back());
+            }
             else if (token.kind != TokenKind::directive)
+            {
                 into.push_back(token);
+            }
             else if (token.text == "#calc" || token.text == "#eval")
             {
                 if (i + 1 == tokens.size())
+                {
                     failArgument(token, "an expression: #calc \"2*$length\"");
+                }
                 appendResult(token, tokens[++i], into);
             }
             else if (isInclude(token))
             {
                 if (i + 1 == tokens.size() || tokens[i + 1].kind != TokenKind::string)
+                {
                     failArgument(token, "the name of a file: #include \"name\"");
+                }
                 const Token& name = tokens[++i];
                 if (const auto path = included(token, name))
                 {
@@ -587,7 +580,9 @@ private:
                 }
             }
             else
+            {
                 failUnknownDirective(token);
+            }
         }
     }
 
@@ -595,7 +590,9 @@ private:
     {
         const SourceLocation location = locationOf(directive);
         if (argument.kind != TokenKind::string && argument.kind != TokenKind::verbatim)
+        {
             failArgument(directive, "an expression between quotes: #calc \"2*$length\"");
+        }
         const std::string expression = substituted(argument.text, location);
         try
         {
@@ -618,7 +615,9 @@ private:
         if (isInclude(directive))
         {
             if (statement.value.size() != 1 || statement.value.front().kind != TokenKind::string)
+            {
                 failArgument(directive, "the name of a file: #include \"name\"");
+            }
             if (const auto path = included(directive, statement.value.front()))
             {
                 const SourceFile& file = load(*path, locationOf(directive));
@@ -627,19 +626,29 @@ private:
                 {
                     // The header is of the file that it stands in.
                     if (inner.keyword.text != "FoamFile")
+                    {
                         carryOut(inner);
+                    }
                 }
                 openFiles.pop_back();
             }
         }
         else if (name == "#remove")
+        {
             removeEntries(statement);
+        }
         else if (name == "#inputMode")
+        {
             setInputMode(statement);
+        }
         else if (name == "#message" || name == "#printMessage")
+        {
             return;
+        }
         else
+        {
             failUnknownDirective(directive);
+        }
     }
 
     void removeEntries(const Statement& statement)
@@ -648,7 +657,9 @@ private:
         for (const Token& token : statement.value)
         {
             if (token.is('(') || token.is(')'))
+            {
                 continue;
+            }
             any = true;
             const std::string name(token.text);
             if (token.kind != TokenKind::string)
@@ -660,32 +671,48 @@ private:
             for (const std::string& keyword : current().keywords())
             {
                 if (keyword == name || matches(keyword))
+                {
                     current().remove(keyword);
+                }
             }
         }
         if (!any)
+        {
             failArgument(statement.keyword,
                          "the entries that are to go: #remove name, or #remove (a \"b.*\")");
+        }
     }
 
     void setInputMode(const Statement& statement)
     {
         const std::string word(statement.value.empty() ? "" : statement.value.front().text);
         if (word == "merge" || word == "default")
+        {
             mode = InputMode::merge;
+        }
         else if (word == "overwrite")
+        {
             mode = InputMode::overwrite;
+        }
         else if (word == "protect")
+        {
             mode = InputMode::protect;
+        }
         else if (word == "warn")
+        {
             mode = InputMode::warn;
+        }
         else if (word == "error")
+        {
             mode = InputMode::error;
+        }
         else
+        {
             throw FatalIOError(
                 unknownWordMessage("inputMode", word,
                                    {"default", "error", "merge", "overwrite", "protect", "warn"}),
                 locationOf(statement.keyword));
+        }
     }
 
     bool isTrue(const Statement& statement)
@@ -696,16 +723,22 @@ private:
         if (statement.keyword.text == "#ifeq")
         {
             if (tokens.size() != 2)
+            {
                 throw FatalIOError(fmt::format("#ifeq compares two words, but {} are given.", tokens.size()),
                                    location);
+            }
             if (tokens[0].kind == TokenKind::number && tokens[1].kind == TokenKind::number)
+            {
                 return std::strtod(std::string(tokens[0].text).c_str(), nullptr)
                        == std::strtod(std::string(tokens[1].text).c_str(), nullptr);
+            }
             return tokens[0].text == tokens[1].text;
         }
         Entry condition("#if", std::move(tokens), source, location);
         if (condition.tokens().size() == 1 && condition.tokens().front().kind == TokenKind::number)
+        {
             return condition.as<double>() != 0;
+        }
         return condition.as<bool>();
     }
 
@@ -727,7 +760,9 @@ private:
         const auto replaceStart = [&name](std::string_view start, const std::filesystem::path& by)
         {
             if (name.starts_with(start))
+            {
                 name = (by / name.substr(std::min(name.size(), start.size()))).string();
+            }
         };
         replaceStart("<case>/", caseDirectory);
         replaceStart("<system>/", caseDirectory / "system");
@@ -735,34 +770,44 @@ private:
         replaceStart("<etc>/", etcDirectory());
         name = substituted(name, location);
         if (name.empty())
+        {
             failArgument(directive, "the name of a file: #include \"name\"");
+        }
         std::filesystem::path path = name;
         const bool isEtc = directive.text.ends_with("Etc");
         if (path.is_relative())
+        {
             path = (isEtc ? etcDirectory() : openFiles.back().parent_path()) / path;
+        }
         path = path.lexically_normal();
         std::error_code error;
         if (!std::filesystem::exists(path, error))
         {
             if (directive.text == "#includeIfPresent" || directive.text.starts_with("#sinclude"))
+            {
                 return std::nullopt;
+            }
             throw FatalIOError(fmt::format("The file {} that is to be included does not exist.{}",
                                            path.string(),
                                            isEtc ? "" : " Its name counts from the file that includes it."),
                                location);
         }
         if (openFiles.size() >= deepestInclude)
+        {
             throw FatalIOError(fmt::format("Files include each other more than {} deep.", deepestInclude),
                                location);
+        }
         const std::filesystem::path real = std::filesystem::weakly_canonical(path, error);
         for (const std::filesystem::path& open : openFiles)
         {
             if (std::filesystem::weakly_canonical(open, error) == real)
+            {
                 throw FatalIOError(
                     fmt::format("The files include each other in a loop: {} is being read already. "
                                 "Remove one of the #include.",
                                 path.string()),
                     location);
+            }
         }
         return path;
     }
@@ -770,7 +815,9 @@ private:
     const SourceFile& load(const std::filesystem::path& path, const SourceLocation& whence)
     {
         if (++filesRead > mostFiles)
+        {
             throw FatalIOError(fmt::format("More than {} files are included.", mostFiles), whence);
+        }
         source->files.push_back({path.lexically_normal().string(), contentOf(path, whence)});
         return source->files.back();
     }
@@ -788,9 +835,11 @@ private:
     {
         if (directive.text == "#codeStream" || directive.text == "#includeFunc"
             || directive.text == "#system")
+        {
             throw FatalIOError(
                 fmt::format("{} is not supported: dictionaries of Drystone never run code.", directive.text),
                 locationOf(directive));
+        }
         throw FatalIOError(
             unknownWordMessage("directive", directive.text,
                                {"#calc", "#else", "#endif", "#eval", "#if", "#ifeq", "#include",
@@ -814,9 +863,13 @@ Dictionary Dictionary::readFile(const std::filesystem::path& file, Expansion exp
 {
     FilesInMemory* files = expansion == Expansion::all ? FilesInMemory::current() : nullptr;
     if (!files)
+    {
         return Reader(expansion).readFile(file);
+    }
     if (const Dictionary* known = files->find(file))
+    {
         return *known;
+    }
     Reader reader(expansion);
     Dictionary dictionary = reader.readFile(file);
     files->keep(file, dictionary, reader.sourceNames());
@@ -827,7 +880,9 @@ Dictionary Dictionary::readFileIfPresent(const std::filesystem::path& file, Expa
 {
     std::error_code error;
     if (!isInMemory(file) && !std::filesystem::exists(file, error) && !error)
+    {
         return Dictionary(SourceLocation{file.lexically_normal().string(), "", 0});
+    }
     return readFile(file, expansion);
 }
 
@@ -836,84 +891,12 @@ Dictionary Dictionary::readString(std::string_view text, const std::string& name
     return Reader(expansion).readText(text, name);
 }
 
-// ------------------------------------------------------------------------------ dictionaries inside lists of
-// tokens
-
-namespace
-{
-
-Dictionary readBraced(TokenCursor& cursor, const std::shared_ptr<SourceText>& source, SourceLocation location,
-                      int depth)
-{
-    if (depth > deepestNesting)
-        cursor.fail(fmt::format("Dictionaries are nested more than {} deep.", deepestNesting));
-    Dictionary dictionary(location);
-    cursor.expect('{', "a dictionary `{ ... }`");
-    while (!cursor.isNext('}'))
-    {
-        if (cursor.isNext(';'))
-        {
-            cursor.take();
-            continue;
-        }
-        if (cursor.atEnd() || cursor.peek().kind == TokenKind::punctuation)
-            cursor.failExpected("a keyword");
-        const TokenCursor before = cursor;
-        const Token& key = cursor.take();
-        const SourceLocation entryLocation{key.file->name, joined(location.entry, std::string(key.text)),
-                                           key.line};
-        if (cursor.isNext('{'))
-        {
-            Entry entry(std::string(key.text), readBraced(cursor, source, entryLocation, depth + 1),
-                        entryLocation);
-            entry.setPattern(key.kind == TokenKind::string);
-            dictionary.merge(std::move(entry));
-            continue;
-        }
-        std::vector<Token> tokens;
-        int open = 0;
-        while (open > 0 || !cursor.isNext(';'))
-        {
-            if (cursor.atEnd() || (open == 0 && cursor.isNext('}')))
-                before.fail(fmt::format("A `;` is missing after the value of {}.", key.text));
-            const Token& token = cursor.take();
-            if (token.is('(') || token.is('[') || token.is('{'))
-                ++open;
-            else if (token.is(')') || token.is(']') || token.is('}'))
-                --open;
-            tokens.push_back(token);
-        }
-        cursor.take();
-        Entry entry(std::string(key.text), std::move(tokens), source, entryLocation);
-        entry.setPattern(key.kind == TokenKind::string);
-        dictionary.merge(std::move(entry));
-    }
-    cursor.take();
-    return dictionary;
-}
-
-} // namespace
-
-void read(TokenCursor& cursor, Dictionary& value)
-{
-    SourceLocation location = cursor.entry().location();
-    // `name { ... }` in a list: the name belongs to the path.
-    if (!cursor.atEnd() && !cursor.isNext('{')
-        && (cursor.peek().kind == TokenKind::word || cursor.peek().kind == TokenKind::string))
-        location.entry = joined(location.entry, std::string(cursor.take().text));
-    if (!cursor.atEnd())
-    {
-        location.line = cursor.peek().line;
-        if (cursor.peek().file)
-            location.file = cursor.peek().file->name;
-    }
-    value = readBraced(cursor, cursor.entry().sourceText(), std::move(location), 0);
-}
-
 std::filesystem::path etcDirectory()
 {
     if (const char* directory = std::getenv("DRYSTONE_ETC"))
+    {
         return directory;
+    }
     // An installed application has it beside its folder.
     std::error_code unknown;
     const std::filesystem::path installed = sharedFolder() / "etc";

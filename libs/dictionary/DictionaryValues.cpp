@@ -44,7 +44,9 @@ std::string unescaped(std::string_view text)
     for (std::size_t i = 0; i < text.size(); ++i)
     {
         if (text[i] == '\\' && i + 1 < text.size() && (text[i + 1] == '"' || text[i + 1] == '\n'))
+        {
             ++i;
+        }
         result += text[i];
     }
     return result;
@@ -54,9 +56,13 @@ bool isNotFinite(std::string_view text)
 {
     std::string lower;
     for (const char c : text)
+    {
         lower += static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+    }
     if (!lower.empty() && (lower.front() == '-' || lower.front() == '+'))
+    {
         lower.erase(0, 1);
+    }
     return lower == "nan" || lower == "inf" || lower == "infinity";
 }
 
@@ -110,17 +116,25 @@ template<class Integer>
 void readInteger(TokenCursor& cursor, Integer& value)
 {
     if (cursor.atEnd() || cursor.peek().kind != TokenKind::number)
+    {
         cursor.failExpected("an integer");
+    }
     std::string_view text = cursor.peek().text;
     if (text.starts_with('+'))
+    {
         text.remove_prefix(1);
+    }
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error == std::errc::result_out_of_range)
+    {
         cursor.fail(fmt::format("{} is out of range: an integer from {} to {} is expected.",
                                 shown(cursor.peek()), std::numeric_limits<Integer>::min(),
                                 std::numeric_limits<Integer>::max()));
+    }
     if (error != std::errc() || end != text.data() + text.size())
+    {
         cursor.failExpected("an integer");
+    }
     cursor.take();
 }
 
@@ -133,16 +147,20 @@ TokenCursor::TokenCursor(const Entry& entry)
     : owner(&entry), next(entry.tokens().data()), last(next + entry.tokens().size())
 {
     if (entry.isDictionary())
+    {
         throw FatalIOError(
             fmt::format("{} is a sub-dictionary, but a value is wanted here: write `{} value;`.",
                         entry.keyword(), entry.keyword()),
             entry.location());
+    }
 }
 
 const Token& TokenCursor::peek() const
 {
     if (next == last)
+    {
         failExpected("more");
+    }
     return *next;
 }
 
@@ -156,7 +174,9 @@ const Token& TokenCursor::take()
 void TokenCursor::expect(char punctuation, std::string_view what)
 {
     if (!isNext(punctuation))
+    {
         failExpected(what);
+    }
     ++next;
 }
 
@@ -164,7 +184,9 @@ void TokenCursor::fail(const std::string& message) const
 {
     const std::vector<Token>& tokens = owner->tokens();
     if (next != last)
+    {
         throw FatalIOError(message, owner->locationOf(*next));
+    }
     throw FatalIOError(message, tokens.empty() ? owner->location() : owner->locationOf(tokens.back()));
 }
 
@@ -173,7 +195,9 @@ void TokenCursor::failExpected(std::string_view what) const
     if (next == last)
     {
         if (owner->tokens().empty())
+        {
             fail(fmt::format("{} has no value: {} is expected.", owner->keyword(), what));
+        }
         fail(fmt::format("The value of {} ends too early: {} is expected.", owner->keyword(), what));
     }
     fail(fmt::format("The value of {} is wrong: {} is expected but {} is found.{}", owner->keyword(), what,
@@ -183,16 +207,20 @@ void TokenCursor::failExpected(std::string_view what) const
 void TokenCursor::expectEnd() const
 {
     if (next == last)
+    {
         return;
+    }
     const std::vector<Token>& tokens = owner->tokens();
     // A value that goes on in another line, where an entry may well have been meant to begin.
     const int lineBefore = next == tokens.data() ? owner->location().line : (next - 1)->line;
     if (next->line > lineBefore && next->kind == TokenKind::word)
+    {
         throw FatalIOError(
             fmt::format("The value of {} goes on with {} at line {}. Is a `;` missing at the end of "
                         "line {}?",
                         owner->keyword(), shown(*next), next->line, lineBefore),
             SourceLocation{owner->locationOf(*next).file, owner->location().entry, lineBefore});
+    }
     const std::string_view hint = hintFor(*next);
     fail(fmt::format("The value of {} should end before {}.{}", owner->keyword(), shown(*next),
                      hint.empty() ? " Is a `;` missing, or is this one value too many?" : hint));
@@ -202,7 +230,9 @@ TokenCursor::ListStart TokenCursor::openList()
 {
     ListStart start;
     if (next != last && next->kind == TokenKind::word && next->text.starts_with("List<"))
+    {
         ++next;
+    }
     if (next != last && next->kind == TokenKind::number && next + 1 != last
         && (next[1].is('(') || next[1].is('{')))
     {
@@ -210,13 +240,17 @@ TokenCursor::ListStart TokenCursor::openList()
         long count = 0;
         read(*this, count);
         if (count < 0)
+        {
             before.fail(fmt::format("A list cannot have {} values.", count));
+        }
         start.count = count;
         if (isNext('{'))
         {
             if (count > largestUniformList)
+            {
                 before.fail(fmt::format("A list of {} values is too long: {} is the most.", count,
                                         largestUniformList));
+            }
             start.uniform = true;
             ++next;
             return start;
@@ -234,10 +268,12 @@ void TokenCursor::closeList(const ListStart& start, std::size_t found)
         return;
     }
     if (start.count >= 0 && static_cast<std::size_t>(start.count) != found)
+    {
         fail(fmt::format(
             "The list says that it has {} values, but has {}. Correct the number before the `(`, or "
             "leave it out.",
             start.count, found));
+    }
     expect(')', "`)`");
 }
 
@@ -247,20 +283,28 @@ void TokenCursor::closeList(const ListStart& start, std::size_t found)
 void read(TokenCursor& cursor, double& value)
 {
     if (cursor.atEnd() || cursor.peek().kind != TokenKind::number)
+    {
         cursor.failExpected("a number");
+    }
     std::string_view text = cursor.peek().text;
     if (text.starts_with('+'))
+    {
         text.remove_prefix(1);
+    }
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error == std::errc::result_out_of_range)
     {
         value = std::strtod(std::string(text).c_str(), nullptr);
         if (!std::isfinite(value))
+        {
             cursor.fail(
                 fmt::format("{} is too large for a number: 1.8e308 is the largest.", shown(cursor.peek())));
+        }
     }
     else if (error != std::errc() || end != text.data() + text.size())
+    {
         cursor.failExpected("a number");
+    }
     cursor.take();
 }
 
@@ -341,23 +385,31 @@ void read(TokenCursor& cursor, bool& value)
 void read(TokenCursor& cursor, std::string& value)
 {
     if (cursor.atEnd())
+    {
         cursor.failExpected("a word");
+    }
     const Token& token = cursor.peek();
     if (token.kind != TokenKind::word && token.kind != TokenKind::string && token.kind != TokenKind::verbatim
         && token.kind != TokenKind::number)
+    {
         cursor.failExpected("a word");
+    }
     value = token.kind == TokenKind::string ? unescaped(token.text) : std::string(token.text);
     cursor.take();
     if (token.kind == TokenKind::word && cursor.isNext('/')
         && cursor.peek().text.data() == token.text.data() + token.text.size())
+    {
         cursor.fail("A name with `/` goes between quotes: \"constant/record.AT2\".");
+    }
 }
 
 void readComponents(TokenCursor& cursor, double* components, std::size_t count, ThirdComponent third)
 {
     const TokenCursor before = cursor;
     if (!cursor.isNext('('))
+    {
         cursor.failExpected(fmt::format("a vector of {} numbers, `( ... )`,", count));
+    }
     cursor.take();
     std::size_t found = 0;
     while (!cursor.isNext(')'))
@@ -366,30 +418,42 @@ void readComponents(TokenCursor& cursor, double* components, std::size_t count, 
         const TokenCursor atComponent = cursor;
         read(cursor, component);
         if (found < count)
+        {
             components[found] = component;
+        }
         else if (count == 2 && found == 2)
         {
             if (component != 0)
+            {
                 atComponent.fail(
                     fmt::format("The third component of {} must be 0: the structure lies in the x-y "
                                 "plane.",
                                 cursor.entry().keyword()));
+            }
         }
         else
+        {
             atComponent.fail(
                 fmt::format("The vector of {} has more than {} numbers.", cursor.entry().keyword(), count));
+        }
         ++found;
     }
     if (found == 2 && count == 3 && third == ThirdComponent::optional)
+    {
         components[found++] = 0;
+    }
     if (found == 2 && count == 3)
+    {
         before.fail(
             fmt::format("The vector of {} has 2 numbers, but 3 are expected: the case is in space. Give "
                         "x, y and z (up).",
                         cursor.entry().keyword()));
+    }
     if (found < count)
+    {
         before.fail(fmt::format("The vector of {} has {} numbers, but {} are expected.",
                                 cursor.entry().keyword(), found, count));
+    }
     cursor.take();
 }
 
@@ -397,138 +461,6 @@ void detail::failUnknownWord(const TokenCursor& cursor, const std::string& word,
                              const std::vector<std::string>& validWords)
 {
     cursor.fail(unknownWordMessage(cursor.entry().keyword(), word, validWords));
-}
-
-// -----------------------------------------------------------------------------------------------------
-// dimensions
-
-namespace
-{
-
-struct BaseUnit
-{
-    std::string_view name;
-    Dimensions dimensions;
-};
-
-// Mass, length, time, temperature, amount, current, luminous intensity.
-constexpr BaseUnit baseUnits[] = {
-    {"kg", {1, 0, 0, 0, 0, 0, 0}},    {"m", {0, 1, 0, 0, 0, 0, 0}},   {"s", {0, 0, 1, 0, 0, 0, 0}},
-    {"K", {0, 0, 0, 1, 0, 0, 0}},     {"mol", {0, 0, 0, 0, 1, 0, 0}}, {"A", {0, 0, 0, 0, 0, 1, 0}},
-    {"cd", {0, 0, 0, 0, 0, 0, 1}},    {"N", {1, 1, -2, 0, 0, 0, 0}},  {"Pa", {1, -1, -2, 0, 0, 0, 0}},
-    {"J", {1, 2, -2, 0, 0, 0, 0}},    {"W", {1, 2, -3, 0, 0, 0, 0}},  {"Hz", {0, 0, -1, 0, 0, 0, 0}},
-    {"rad", {0, 0, 0, 0, 0, 0, 0}},   {"deg", {0, 0, 0, 0, 0, 0, 0}}, {"unit", {0, 1, 0, 0, 0, 0, 0}},
-    {"units", {0, 1, 0, 0, 0, 0, 0}}, {"-", {0, 0, 0, 0, 0, 0, 0}},   {"1", {0, 0, 0, 0, 0, 0, 0}},
-};
-
-} // namespace
-
-Dimensions dimensionsOf(std::string_view unit)
-{
-    // Names one after the other, Nm, are multiplied; a number after a name, s2 or s^-2, is its exponent;
-    // whatever follows `/` divides.
-    Dimensions result{};
-    double sign = 1;
-    std::size_t i = 0;
-    if (unit == "-" || unit.empty())
-        return result;
-    while (i < unit.size())
-    {
-        const char c = unit[i];
-        if (c == '/')
-        {
-            sign = -1;
-            ++i;
-            continue;
-        }
-        if (c == ' ' || c == '*' || c == '.')
-        {
-            ++i;
-            continue;
-        }
-        const BaseUnit* longest = nullptr;
-        for (const BaseUnit& base : baseUnits)
-        {
-            if (unit.substr(i).starts_with(base.name)
-                && (!longest || base.name.size() > longest->name.size()))
-                longest = &base;
-        }
-        if (!longest)
-            throw std::invalid_argument(fmt::format("the unit {} is not known", unit));
-        i += longest->name.size();
-        std::size_t from = i;
-        if (from < unit.size() && unit[from] == '^')
-            ++from;
-        double exponent = 1;
-        const auto [end, error] = std::from_chars(unit.data() + from, unit.data() + unit.size(), exponent,
-                                                  std::chars_format::fixed);
-        if (error == std::errc())
-            i = static_cast<std::size_t>(end - unit.data());
-        else if (from != i)
-            throw std::invalid_argument(fmt::format("the unit {} has no number after ^", unit));
-        else
-            exponent = 1;
-        for (std::size_t k = 0; k < result.size(); ++k)
-            result[k] += sign * exponent * longest->dimensions[k];
-    }
-    return result;
-}
-
-std::string toText(const Dimensions& dimensions)
-{
-    return fmt::format("[{}]", fmt::join(dimensions, " "));
-}
-
-void readDimensions(TokenCursor& cursor, std::string_view unit)
-{
-    if (cursor.remaining() > 1 && cursor.peek().kind == TokenKind::word
-        && cursor.peek().text == cursor.entry().keyword())
-    {
-        TokenCursor afterName = cursor;
-        afterName.take();
-        if (afterName.isNext('['))
-            cursor = afterName;
-    }
-    if (!cursor.isNext('['))
-        return;
-    const TokenCursor before = cursor;
-    cursor.take();
-    Dimensions given{};
-    const Dimensions wanted = dimensionsOf(unit);
-    if (!cursor.atEnd() && cursor.peek().kind == TokenKind::number)
-    {
-        std::size_t found = 0;
-        while (!cursor.isNext(']'))
-        {
-            if (found == given.size())
-                before.fail("A dimension set has at most seven exponents: of mass, length, time, "
-                            "temperature, amount, "
-                            "current and luminous intensity.");
-            read(cursor, given[found++]);
-        }
-        if (found < 5)
-            before.fail("A dimension set has seven exponents: of mass, length, time, temperature, amount, "
-                        "current and "
-                        "luminous intensity, for example [1 -3 0 0 0 0 0].");
-    }
-    else
-    {
-        std::string text;
-        while (!cursor.isNext(']'))
-            text += std::string(cursor.take().text) + " ";
-        try
-        {
-            given = dimensionsOf(text);
-        }
-        catch (const std::invalid_argument& error)
-        {
-            before.fail(fmt::format("In this dimension set {}.", error.what()));
-        }
-    }
-    cursor.take();
-    if (given != wanted)
-        before.fail(fmt::format("{} has the dimensions {}, but {} are those of its unit, {}.",
-                                cursor.entry().keyword(), toText(given), toText(wanted), unit));
 }
 
 } // namespace drystone

@@ -47,15 +47,23 @@ void refuseDeepNesting(const std::string& expression)
     for (const char c : expression)
     {
         if (c == '(' && ++depth > deepestExpression)
+        {
             throw std::invalid_argument(
                 fmt::format("more than {} brackets are open at once", deepestExpression));
+        }
         if (c == ')')
+        {
             --depth;
+        }
         if (c == '?')
+        {
             ++operatorsInARow;
+        }
     }
     if (operatorsInARow > deepestExpression)
+    {
         throw std::invalid_argument(fmt::format("more than {} conditions", deepestExpression));
+    }
 }
 
 void defineFunctions(mu::Parser& parser)
@@ -98,10 +106,14 @@ double evaluateExpression(const std::string& expression)
 double evaluateExpression(const std::string& expression, const std::map<std::string, double>& names)
 {
     if (expression.find_first_not_of(" \t\r\n") == std::string::npos)
+    {
         throw std::invalid_argument("the expression is empty");
+    }
     if (expression.size() > longestExpression)
+    {
         throw std::invalid_argument(
             fmt::format("the expression is longer than {} characters", longestExpression));
+    }
     refuseDeepNesting(expression);
     double result = 0;
     try
@@ -109,12 +121,16 @@ double evaluateExpression(const std::string& expression, const std::map<std::str
         mu::Parser parser;
         defineFunctions(parser);
         for (const auto& [name, value] : names)
+        {
             parser.DefineConst(name, value);
+        }
         parser.SetExpr(withPlainConstants(expression));
         int count = 0;
         const double* results = parser.Eval(count);
         if (count != 1)
+        {
             throw std::invalid_argument(fmt::format("one value is expected, not {}", count));
+        }
         result = results[0];
     }
     catch (const mu::ParserError& error)
@@ -122,7 +138,9 @@ double evaluateExpression(const std::string& expression, const std::map<std::str
         throw std::invalid_argument(error.GetMsg());
     }
     if (!std::isfinite(result))
+    {
         throw std::invalid_argument("its value is not a finite number");
+    }
     return result;
 }
 

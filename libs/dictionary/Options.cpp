@@ -25,9 +25,13 @@ void read(TokenCursor& cursor, NamePattern& value)
     const bool isPattern = !cursor.atEnd() && cursor.peek().kind == TokenKind::string;
     read(cursor, value.text);
     if (isPattern)
+    {
         value.matches = patternMatcher(value.text, before.entry().locationOf(before.peek()));
+    }
     else
+    {
         value.matches = [name = value.text](const std::string& word) { return word == name; };
+    }
 }
 
 namespace detail
@@ -36,11 +40,13 @@ namespace detail
 void assignName(std::string& name, const Entry& entry)
 {
     if (entry.isPattern())
+    {
         throw FatalIOError(
             fmt::format("\"{}\" is a name between quotes, which stands for a regular expression; a plain "
                         "name is wanted here.",
                         entry.keyword()),
             entry.location());
+    }
     name = entry.keyword();
 }
 
@@ -48,9 +54,13 @@ void assignName(NamePattern& name, const Entry& entry)
 {
     name.text = entry.keyword();
     if (entry.isPattern())
+    {
         name.matches = patternMatcher(name.text, entry.location());
+    }
     else
+    {
         name.matches = [plain = name.text](const std::string& word) { return word == plain; };
+    }
 }
 
 std::string textOf(double value)
@@ -98,7 +108,9 @@ SourceLocation placeOf(double number, const Entry& entry)
     {
         if (token.kind == TokenKind::number
             && std::strtod(std::string(token.text).c_str(), nullptr) == number)
+        {
             return entry.locationOf(token);
+        }
     }
     return entry.location();
 }
@@ -108,13 +120,19 @@ std::string rangeText(double lowest, bool lowestAllowed, double highest, bool hi
     const bool hasLowest = std::isfinite(lowest);
     const bool hasHighest = std::isfinite(highest);
     if (hasLowest && hasHighest && lowestAllowed && highestAllowed)
+    {
         return fmt::format("from {} to {}", lowest, highest);
+    }
     std::string text;
     if (hasLowest)
+    {
         text = fmt::format("{} {}", lowestAllowed ? "at least" : "above", lowest);
+    }
     if (hasHighest)
+    {
         text +=
             fmt::format("{}{} {}", text.empty() ? "" : ", ", highestAllowed ? "at most" : "below", highest);
+    }
     return text;
 }
 
@@ -126,7 +144,9 @@ public:
     void collectFrom(const Reading& reading)
     {
         if (isFull())
+        {
             return;
+        }
         try
         {
             reading();
@@ -154,10 +174,14 @@ public:
     void report() const
     {
         if (collected.empty())
+        {
             return;
+        }
         std::string text;
         for (std::size_t i = 0; i + 1 < collected.size(); ++i)
+        {
             text += fmt::format("{}\n\n{}\n\n", collected[i].what(), describe(collected[i].location()));
+        }
         throw FatalIOError(text + collected.back().what(), collected.back().location(),
                            collected.front().exitStatus());
     }
@@ -245,7 +269,9 @@ void Option::checkNumber(double number, const Entry& entry) const
     const bool lowEnough = number < highest || (highestAllowed && number == highest);
     const bool highEnough = number > lowest || (lowestAllowed && number == lowest);
     if (lowEnough && highEnough)
+    {
         return questionNumber(number, entry);
+    }
     throw FatalIOError(fmt::format("{} = {}{} is out of range: it must be {}.", about.key, number,
                                    withUnit(about), about.range),
                        placeOf(number, entry));
@@ -254,7 +280,9 @@ void Option::checkNumber(double number, const Entry& entry) const
 void Option::questionNumber(double number, const Entry& entry) const
 {
     if (number >= usuallyFrom && number <= usuallyTo)
+    {
         return;
+    }
     printWarningOnce(fmt::format("{} = {}{} is unusual: usual is {}{}. It is used as it stands.", about.key,
                                  number, withUnit(about), about.usual,
                                  usualNote.empty() ? "" : "; " + usualNote),
@@ -264,7 +292,9 @@ void Option::questionNumber(double number, const Entry& entry) const
 void Option::checkWord(const std::string& word, const Entry& entry) const
 {
     if (about.words.empty() || std::find(about.words.begin(), about.words.end(), word) != about.words.end())
+    {
         return;
+    }
     throw FatalIOError(unknownWordMessage(about.key, word, about.words),
                        entry.tokens().empty() ? entry.location() : entry.locationOf(entry.tokens().front()));
 }
@@ -297,7 +327,9 @@ Option& Options::addOwnNames(std::string doc)
 void Options::readElsewhere(const std::vector<std::string>& keys, const std::string& doc)
 {
     for (const std::string& key : keys)
+    {
         add(Presence::mayBeAbsent, key, doc).about.form = Form::elsewhere;
+    }
 }
 
 void Options::check(std::string key, std::function<std::string()> fault)
@@ -315,7 +347,9 @@ const Option* Options::ownNamesOption() const
     for (const Option& option : options)
     {
         if (option.about.form == Form::ownNames)
+        {
             return &option;
+        }
     }
     return nullptr;
 }
@@ -334,16 +368,22 @@ void Options::refuseUnknownKeys(const Dictionary& dictionary) const
     {
         // What a macro stands for has been read; and every file may have a header.
         if (entry.isUsed() || isDeclared(entry.keyword()) || (isRoot && entry.keyword() == "FoamFile"))
+        {
             continue;
+        }
         if (entry.isPattern())
         {
             const auto matches = patternMatcher(entry.keyword(), entry.location());
             if (std::any_of(options.begin(), options.end(),
                             [&matches](const Option& option) { return matches(option.about.key); }))
+            {
                 continue;
+            }
         }
         if (ownNamesOption() && entry.isDictionary())
+        {
             continue;
+        }
         if (entry.keyword().starts_with("#list"))
         {
             faults.collectFrom(
@@ -356,12 +396,16 @@ void Options::refuseUnknownKeys(const Dictionary& dictionary) const
             continue;
         }
         if (faults.isFull())
+        {
             break;
+        }
         std::vector<std::string> keys;
         for (const Option& option : options)
         {
             if (option.about.form != Form::ownNames)
+            {
                 keys.push_back(option.about.key);
+            }
         }
         faults.collectFrom(
             [&] { throw FatalIOError(unknownWordMessage("key", entry.keyword(), keys), entry.location()); });
@@ -373,10 +417,14 @@ std::vector<std::string> Options::typesOf(const Option& option)
 {
     OptionDescription description = option.about;
     if (option.describeMembers)
+    {
         option.describeMembers(description);
+    }
     std::vector<std::string> types;
     for (const OptionDescription::Alternative& alternative : description.alternatives)
+    {
         types.push_back(alternative.name);
+    }
     return types;
 }
 
@@ -388,19 +436,25 @@ void Options::readFrom(const Dictionary& dictionary) const
     {
         const OptionDescription& about = option.about;
         if (about.form == Form::elsewhere)
+        {
             continue;
+        }
         if (about.form == Form::ownNames)
         {
             for (const Entry& entry : dictionary.entries())
             {
                 const bool isHeader = dictionary.location().entry.empty() && entry.keyword() == "FoamFile";
                 if (!isHeader && !isDeclared(entry.keyword()) && entry.isDictionary() && !entry.isUsed())
+                {
                     faults.collectFrom([&] { option.readEntry(entry); });
+                }
             }
             continue;
         }
         if (const Entry* entry = dictionary.find(about.key))
+        {
             faults.collectFrom([&] { option.readEntry(*entry); });
+        }
         else if (about.presence == Presence::required && !faults.suggest(about.key))
         {
             std::string message = fmt::format(
@@ -408,10 +462,14 @@ void Options::readFrom(const Dictionary& dictionary) const
                 about.form == Form::value || about.form == Form::dictionaryList ? "entry" : "sub-dictionary",
                 about.key, about.doc, withUnit(about));
             if (!about.exampleText.empty())
+            {
                 message += fmt::format(" Write for example `{} {};`.", about.key, about.exampleText);
+            }
             else if (const std::vector<std::string> types = typesOf(option); !types.empty())
+            {
                 message += fmt::format(" Write `{} {{ type ...; }}` with one of the types {}.", about.key,
                                        fmt::join(types, " "));
+            }
             faults.collectFrom([&] { throw FatalIOError(message, dictionary.location()); });
         }
     }
@@ -420,13 +478,17 @@ void Options::readFrom(const Dictionary& dictionary) const
     {
         const std::string fault = rule.fault();
         if (!fault.empty())
+        {
             throw FatalIOError(fault, dictionary.locationOf(rule.key));
+        }
     }
     for (const Rule& question : questions)
     {
         const std::string doubt = question.fault();
         if (!doubt.empty())
+        {
             printWarningOnce(doubt, dictionary.locationOf(question.key));
+        }
     }
 }
 
@@ -437,7 +499,9 @@ std::vector<OptionDescription> Options::descriptions() const
     {
         result.push_back(option.about);
         if (option.describeMembers)
+        {
             option.describeMembers(result.back());
+        }
     }
     return result;
 }

@@ -23,19 +23,33 @@ namespace
 std::string exampleOf(const OptionDescription& option)
 {
     if (!option.exampleText.empty())
+    {
         return option.exampleText;
+    }
     if (!option.words.empty())
+    {
         return option.words.front();
+    }
     if (option.type == "number" || option.type == "integer")
+    {
         return "1";
+    }
     if (option.type == "switch")
+    {
         return "on";
+    }
     if (option.type == "word")
+    {
         return "name";
+    }
     if (option.type.starts_with("vector of 2"))
+    {
         return "(1 0)";
+    }
     if (option.type.starts_with("vector of 3"))
+    {
         return "(1 0 0)";
+    }
     return "()";
 }
 
@@ -47,17 +61,27 @@ std::string sentence(const OptionDescription& option)
         text += fmt::format(" [{}]", option.unit);
     }
     if (!option.range.empty())
+    {
         text += ", " + option.range;
+    }
     if (!option.usual.empty())
+    {
         text += ", usually " + option.usual;
+    }
     if (!option.words.empty())
+    {
         text += fmt::format("; one of {}", fmt::join(option.words, " "));
+    }
     if (option.form == Form::value)
+    {
         text += option.presence == Presence::required     ? "; required"
                 : option.presence == Presence::hasDefault ? fmt::format("; default {}", option.defaultText)
                                                           : "; may be absent";
+    }
     else if (option.form != Form::ownNames)
+    {
         text += option.presence == Presence::required ? "; required" : "; may be absent";
+    }
     return text;
 }
 
@@ -66,7 +90,9 @@ using Lines = std::vector<std::string>;
 void append(Lines& lines, const Lines& added, const std::string& before)
 {
     for (const std::string& line : added)
+    {
         lines.push_back(line.empty() ? line : before + line);
+    }
 }
 
 /// \param shown families of models whose alternatives have been listed in this dictionary
@@ -123,9 +149,13 @@ Lines membersText(const std::vector<OptionDescription>& options, std::set<std::s
     for (const OptionDescription& option : options)
     {
         if (option.form == Form::elsewhere)
+        {
             continue;
+        }
         if (!lines.empty() && option.form != Form::value)
+        {
             lines.emplace_back("");
+        }
         lines.push_back("// " + sentence(option));
         // What may be absent is shown, but commented out.
         const std::string before = option.presence == Presence::mayBeAbsent && !option.given ? "// " : "";
@@ -146,7 +176,9 @@ Lines membersText(const std::vector<OptionDescription>& options, std::set<std::s
         {
             std::vector<std::string> names;
             for (std::size_t i = 1; i < option.alternatives.size(); ++i)
+            {
                 names.push_back(option.alternatives[i].name);
+            }
             lines.push_back(fmt::format("// or with type {}, as above", fmt::join(names, " ")));
             continue;
         }
@@ -174,7 +206,9 @@ std::string annotatedDictionary(std::string_view name, std::string_view doc,
     text += headerText(name) + "\n";
     std::set<std::string> shown;
     for (const std::string& line : membersText(options, shown))
+    {
         text += line + "\n";
+    }
     return text;
 }
 

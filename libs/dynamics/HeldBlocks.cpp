@@ -107,53 +107,27 @@ std::vector<char> withNeighbours(const StepProgram<Dim>& program, std::vector<ch
     return isAwake;
 }
 
-/// Rows of blocks, between the whole and the part.
-template<int Dim>
-Eigen::VectorXd rowsOfPart(const AwakePart<Dim>& part, const Eigen::VectorXd& whole)
+/// The numbers of some of many that have `size` each: rows of blocks, or of points. What is empty stays so.
+template<int size, class Index>
+Eigen::VectorXd takenFrom(const std::vector<Index>& some, const Eigen::VectorXd& whole)
 {
-    constexpr int rows = freedomCount<Dim>;
-    Eigen::VectorXd own(rows * static_cast<Eigen::Index>(part.bodies.size()));
-    for (std::size_t i = 0; i < part.bodies.size(); ++i)
+    Eigen::VectorXd own(whole.size() > 0 ? size * static_cast<Eigen::Index>(some.size()) : 0);
+    for (Eigen::Index i = 0; size * i < own.size(); ++i)
     {
-        own.segment<rows>(rows * static_cast<Eigen::Index>(i)) = whole.segment<rows>(rows * part.bodies[i]);
+        own.segment<size>(size * i) =
+            whole.segment<size>(size * static_cast<Eigen::Index>(some[static_cast<std::size_t>(i)]));
     }
     return own;
 }
 
-template<int Dim>
-void putRows(const AwakePart<Dim>& part, const Eigen::VectorXd& own, Eigen::VectorXd& whole)
+/// The other way.
+template<int size, class Index>
+void putInto(const std::vector<Index>& some, const Eigen::VectorXd& own, Eigen::VectorXd& whole)
 {
-    constexpr int rows = freedomCount<Dim>;
-    for (std::size_t i = 0; i < part.bodies.size(); ++i)
+    for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(some.size()); ++i)
     {
-        whole.segment<rows>(rows * part.bodies[i]) = own.segment<rows>(rows * static_cast<Eigen::Index>(i));
-    }
-}
-
-/// Numbers of points, likewise; what is empty stays so.
-template<int Dim>
-Eigen::VectorXd pointsOfPart(const AwakePart<Dim>& part, const Eigen::VectorXd& whole)
-{
-    if (whole.size() == 0)
-    {
-        return {};
-    }
-    Eigen::VectorXd own(Dim * static_cast<Eigen::Index>(part.points.size()));
-    for (std::size_t i = 0; i < part.points.size(); ++i)
-    {
-        own.segment<Dim>(Dim * static_cast<Eigen::Index>(i)) =
-            whole.segment<Dim>(Dim * static_cast<Eigen::Index>(part.points[i]));
-    }
-    return own;
-}
-
-template<int Dim>
-void putPoints(const AwakePart<Dim>& part, const Eigen::VectorXd& own, Eigen::VectorXd& whole)
-{
-    for (std::size_t i = 0; i < part.points.size(); ++i)
-    {
-        whole.segment<Dim>(Dim * static_cast<Eigen::Index>(part.points[i])) =
-            own.segment<Dim>(Dim * static_cast<Eigen::Index>(i));
+        whole.segment<size>(size * static_cast<Eigen::Index>(some[static_cast<std::size_t>(i)])) =
+            own.segment<size>(size * i);
     }
 }
 
@@ -190,8 +164,8 @@ StepProgram<Dim> programOfPart(const AwakePart<Dim>& part, const StepProgram<Dim
     {
         program.inertia.push_back(whole.inertia[static_cast<std::size_t>(body)]);
     }
-    program.load = rowsOfPart(part, whole.load);
-    program.gap = pointsOfPart(part, whole.gap);
+    program.load = takenFrom<freedomCount<Dim>>(part.bodies, whole.load);
+    program.gap = takenFrom<Dim>(part.points, whole.gap);
     return program;
 }
 
@@ -199,13 +173,13 @@ template<int Dim>
 StepGuess guessOfPart(const AwakePart<Dim>& part, const StepGuess& whole)
 {
     StepGuess guess;
-    guess.displacement = rowsOfPart(part, whole.displacement);
-    guess.contactForce = pointsOfPart(part, whole.contactForce);
+    guess.displacement = takenFrom<freedomCount<Dim>>(part.bodies, whole.displacement);
+    guess.contactForce = takenFrom<Dim>(part.points, whole.contactForce);
     if (!whole.interior.isEmpty())
     {
-        guess.interior = {pointsOfPart(part, whole.interior.contactForce),
-                          pointsOfPart(part, whole.interior.opening),
-                          rowsOfPart(part, whole.interior.displacement)};
+        guess.interior = {takenFrom<Dim>(part.points, whole.interior.contactForce),
+                          takenFrom<Dim>(part.points, whole.interior.opening),
+                          takenFrom<freedomCount<Dim>>(part.bodies, whole.interior.displacement)};
     }
     return guess;
 }
@@ -225,13 +199,13 @@ Relinearisation<Dim> relinearisationOfPart(const Step<Dim>& step, const AwakePar
     {
         Eigen::VectorXd y = Eigen::VectorXd::Zero(whole.load.size());
         Eigen::VectorXd c = Eigen::VectorXd::Zero(whole.gap.size());
-        putRows(part, displacement, y);
-        putPoints(part, contactForce, c);
-        putPoints(part, program.gap, whole.gap);
-        putRows(part, program.load, whole.load);
+        putInto<freedomCount<Dim>>(part.bodies, displacement, y);
+        putInto<Dim>(part.points, contactForce, c);
+        putInto<Dim>(part.points, program.gap, whole.gap);
+        putInto<freedomCount<Dim>>(part.bodies, program.load, whole.load);
         const double error = step.relinearise(y, c, whole);
-        program.gap = pointsOfPart(part, whole.gap);
-        program.load = rowsOfPart(part, whole.load);
+        program.gap = takenFrom<Dim>(part.points, whole.gap);
+        program.load = takenFrom<freedomCount<Dim>>(part.bodies, whole.load);
         setContacts(part, whole, program);
         return error;
     };
@@ -254,8 +228,10 @@ HeldBalance<Dim> heldBalance(const AwakePart<Dim>& part, const StepProgram<Dim>&
     held.program.bodies = whole.bodies;
     held.program.inertia = whole.inertia;
     held.program.load = whole.load - applyEquilibrium(whole, forcesOfAwake);
-    putRows(part, Eigen::VectorXd(Eigen::VectorXd::Zero(rowsOfPart(part, whole.load).size())),
-            held.program.load);
+    for (const int body : part.bodies)
+    {
+        held.program.load.template segment<freedomCount<Dim>>(freedomCount<Dim> * body).setZero();
+    }
     const std::vector<char> isClosed = closedPoints<Dim>(whole, tolerance);
     std::vector<double> gaps;
     for (std::size_t point = 0; point < isClosed.size(); ++point)
@@ -297,9 +273,9 @@ InteriorStart interiorOfWhole(const AwakePart<Dim>& part, const StepProgram<Dim>
     interior.contactForce = Eigen::VectorXd::Zero(whole.gap.size());
     interior.opening = Eigen::VectorXd::Zero(whole.gap.size());
     interior.displacement = Eigen::VectorXd::Zero(whole.load.size());
-    putPoints(part, own.contactForce, interior.contactForce);
-    putPoints(part, own.opening, interior.opening);
-    putRows(part, own.displacement, interior.displacement);
+    putInto<Dim>(part.points, own.contactForce, interior.contactForce);
+    putInto<Dim>(part.points, own.opening, interior.opening);
+    putInto<freedomCount<Dim>>(part.bodies, own.displacement, interior.displacement);
     return interior;
 }
 
@@ -316,7 +292,7 @@ bool solvePart(Step<Dim>& step, const AwakePart<Dim>& part)
         return false;
     }
     Eigen::VectorXd forces = Eigen::VectorXd::Zero(whole.gap.size());
-    putPoints(part, own.contactForce, forces);
+    putInto<Dim>(part.points, own.contactForce, forces);
     HeldBalance<Dim> held = heldBalance(part, whole, forces, tolerance);
     Eigen::VectorXd near(held.program.gap.size());
     for (std::size_t i = 0; i < held.points.size(); ++i)
@@ -349,12 +325,12 @@ bool solvePart(Step<Dim>& step, const AwakePart<Dim>& part)
     result = std::move(own);
     result.certificate = larger(result.certificate, rest.certificate);
     Eigen::VectorXd displacement = Eigen::VectorXd::Zero(whole.load.size());
-    putRows(part, result.displacement, displacement);
+    putInto<freedomCount<Dim>>(part.bodies, result.displacement, displacement);
     result.displacement = std::move(displacement);
     Eigen::VectorXd closing = Eigen::VectorXd::Zero(whole.gap.size());
     if (result.closing.size() > 0)
     {
-        putPoints(part, result.closing, closing);
+        putInto<Dim>(part.points, result.closing, closing);
     }
     result.closing = std::move(closing);
     result.contactForce = std::move(forces);

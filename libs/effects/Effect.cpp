@@ -4,6 +4,25 @@
 
 namespace drystone
 {
+namespace
+{
+
+/// What the first effect that has any has of something: one moves the supports. \param of an effect
+template<int Dim, class Of>
+auto firstThatHasAny(const Effects<Dim>& effects, const Of& of) -> decltype(of(*effects.front()))
+{
+    for (const auto& effect : effects)
+    {
+        auto own = of(*effect);
+        if (!own.empty())
+        {
+            return own;
+        }
+    }
+    return {};
+}
+
+} // namespace
 
 template<int Dim>
 EffectTraits traitsOf(const Effects<Dim>& effects)
@@ -27,15 +46,8 @@ std::vector<SupportStep<Dim>> supportSteps(const Effects<Dim>& effects, const St
                                            const std::vector<Placement<Dim>>& placements, double from,
                                            double to)
 {
-    for (const auto& effect : effects)
-    {
-        auto steps = effect->supportSteps(structure, placements, from, to);
-        if (!steps.empty())
-        {
-            return steps;
-        }
-    }
-    return {};
+    return firstThatHasAny<Dim>(effects, [&](const Effect<Dim>& effect)
+                                { return effect.supportSteps(structure, placements, from, to); });
 }
 
 template<int Dim>
@@ -43,15 +55,12 @@ std::vector<BlockVector<Dim>> supportVelocities(const Effects<Dim>& effects, con
                                                 const std::vector<Placement<Dim>>& placements, double from,
                                                 double to)
 {
-    for (const auto& effect : effects)
-    {
-        auto velocities = effect->supportVelocities(structure, placements, from, to);
-        if (!velocities.empty())
-        {
-            return velocities;
-        }
-    }
-    return std::vector<BlockVector<Dim>>(structure.assembly.blocks.size(), BlockVector<Dim>::Zero());
+    auto velocities =
+        firstThatHasAny<Dim>(effects, [&](const Effect<Dim>& effect)
+                             { return effect.supportVelocities(structure, placements, from, to); });
+    velocities.resize(structure.assembly.blocks.size(),
+                      BlockVector<Dim>::Zero()); // at rest where there are none
+    return velocities;
 }
 
 template EffectTraits traitsOf(const Effects<2>& effects);

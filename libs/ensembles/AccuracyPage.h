@@ -2,7 +2,7 @@
 /// The page and table of accuracyCost: presentation, separate from measurement and evaluation.
 #pragma once
 
-#include "ensembles/AccuracyCostRun.h"
+#include "ensembles/AccuracyStudyRun.h"
 
 #include <filesystem>
 #include <string>

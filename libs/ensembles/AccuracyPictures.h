@@ -2,7 +2,7 @@
 /// The pictures of accuracyCost: errors over cost, and profiles of solvers.
 #pragma once
 
-#include "ensembles/AccuracyCostRun.h"
+#include "ensembles/AccuracyStudyRun.h"
 
 #include <filesystem>
 #include <string>

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ensembles/EnsembleSettings.h"
+#include "ensembles/Sampler.h"
 #include "runControl/PictureFormats.h"
 
 #include <filesystem>

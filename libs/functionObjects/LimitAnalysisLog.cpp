@@ -166,7 +166,9 @@ void printLimitAnalysis(const LimitAnalysisCase<Dim>& structure, const std::vect
         {
             if (const std::string cause = instabilityCause(structure.assembly, structure.points);
                 !cause.empty())
+            {
                 printLine(cause);
+            }
         }
         const Certificate& certificate = result.certificate;
         info(

@@ -61,7 +61,9 @@ public:
         const auto digitsFrom = [&]
         {
             while (end < rest.size() && rest[end] >= '0' && rest[end] <= '9')
+            {
                 ++end;
+            }
         };
         end += !rest.empty() && (rest[0] == '+' || rest[0] == '-') ? 1 : 0;
         digitsFrom();

@@ -10,11 +10,11 @@ namespace drystone
 
 template<int Rows>
 BlockLu<Rows>::BlockLu(const BlockPattern& matrix)
-    : matrix_(matrix),
-      pattern_(makeFactorPattern(matrix)),
-      place_(matrix.columns(), -1),
-      lower_(pattern_.factor.row.size()),
-      upperTransposed_(pattern_.factor.row.size())
+    : matrixPattern(matrix),
+      factorPattern(makeFactorPattern(matrix)),
+      placeInColumn(matrix.columns(), -1),
+      factorLower(factorPattern.factor.row.size()),
+      factorUpperTransposed(factorPattern.factor.row.size())
 {
 }
 
@@ -22,46 +22,48 @@ template<int Rows>
 bool BlockLu<Rows>::factoriseColumn(int column, const std::vector<Block>& lower,
                                     const std::vector<Block>& upperTransposed)
 {
-    const std::vector<int>& start = pattern_.factor.columnStart;
-    const std::vector<int>& row = pattern_.factor.row;
+    const std::vector<int>& start = factorPattern.factor.columnStart;
+    const std::vector<int>& row = factorPattern.factor.row;
     const int begin = start[column];
     const int end = start[column + 1];
     for (int entry = begin; entry < end; ++entry)
     {
-        place_[row[entry]] = entry;
-        lower_[entry].setZero();
-        upperTransposed_[entry].setZero();
+        placeInColumn[row[entry]] = entry;
+        factorLower[entry].setZero();
+        factorUpperTransposed[entry].setZero();
     }
-    for (int entry = matrix_.columnStart[column]; entry < matrix_.columnStart[column + 1]; ++entry)
+    for (int entry = matrixPattern.columnStart[column]; entry < matrixPattern.columnStart[column + 1];
+         ++entry)
     {
-        lower_[place_[matrix_.row[entry]]] = lower[entry];
-        upperTransposed_[place_[matrix_.row[entry]]] = upperTransposed[entry];
+        factorLower[placeInColumn[matrixPattern.row[entry]]] = lower[entry];
+        factorUpperTransposed[placeInColumn[matrixPattern.row[entry]]] = upperTransposed[entry];
     }
     // L_ij D_j = S_ij - sum_k L_ik U_kj, and U_ji' = S_ji' - sum_k U_ki' L_jk'
-    for (int update = pattern_.updateStart[column]; update < pattern_.updateStart[column + 1]; ++update)
+    for (int update = factorPattern.updateStart[column]; update < factorPattern.updateStart[column + 1];
+         ++update)
     {
-        const int first = pattern_.updatePosition[update];
-        const int last = start[pattern_.columnOf[update] + 1];
-        const Block ofUpper = upperTransposed_[first].transpose();
-        const Block ofLower = lower_[first].transpose();
+        const int first = factorPattern.updatePosition[update];
+        const int last = start[factorPattern.columnOf[update] + 1];
+        const Block ofUpper = factorUpperTransposed[first].transpose();
+        const Block ofLower = factorLower[first].transpose();
         for (int entry = first; entry < last; ++entry)
         {
-            const int place = place_[row[entry]];
-            lower_[place].noalias() -= lower_[entry].lazyProduct(ofUpper);
-            upperTransposed_[place].noalias() -= upperTransposed_[entry].lazyProduct(ofLower);
+            const int place = placeInColumn[row[entry]];
+            factorLower[place].noalias() -= factorLower[entry].lazyProduct(ofUpper);
+            factorUpperTransposed[place].noalias() -= factorUpperTransposed[entry].lazyProduct(ofLower);
         }
     }
-    const Block pivot = lower_[begin];
+    const Block pivot = factorLower[begin];
     const Block inverse = pivot.inverse();
     if (!inverse.allFinite())
     {
         return false;
     }
-    lower_[begin] = inverse;
+    factorLower[begin] = inverse;
     for (int entry = begin + 1; entry < end; ++entry)
     {
-        const Block below = lower_[entry];
-        lower_[entry].noalias() = below.lazyProduct(inverse);
+        const Block below = factorLower[entry];
+        factorLower[entry].noalias() = below.lazyProduct(inverse);
     }
     return true;
 }
@@ -69,7 +71,7 @@ bool BlockLu<Rows>::factoriseColumn(int column, const std::vector<Block>& lower,
 template<int Rows>
 bool BlockLu<Rows>::factorise(const std::vector<Block>& lower, const std::vector<Block>& upperTransposed)
 {
-    for (int column = 0; column < matrix_.columns(); ++column)
+    for (int column = 0; column < matrixPattern.columns(); ++column)
     {
         if (!factoriseColumn(column, lower, upperTransposed))
         {
@@ -83,21 +85,21 @@ template<int Rows>
 bool BlockLu<Rows>::refactorise(const std::vector<Block>& lower, const std::vector<Block>& upperTransposed,
                                 const std::vector<int>& changed)
 {
-    isAnew_.assign(static_cast<std::size_t>(matrix_.columns()), 0);
-    int from = matrix_.columns();
+    isAnew.assign(static_cast<std::size_t>(matrixPattern.columns()), 0);
+    int from = matrixPattern.columns();
     for (const int column : changed)
     {
-        isAnew_[column] = 1;
+        isAnew[column] = 1;
         from = std::min(from, column);
     }
-    for (int column = from; column < matrix_.columns(); ++column)
+    for (int column = from; column < matrixPattern.columns(); ++column)
     {
-        for (int update = pattern_.updateStart[column];
-             !isAnew_[column] && update < pattern_.updateStart[column + 1]; ++update)
+        for (int update = factorPattern.updateStart[column];
+             !isAnew[column] && update < factorPattern.updateStart[column + 1]; ++update)
         {
-            isAnew_[column] = isAnew_[pattern_.columnOf[update]];
+            isAnew[column] = isAnew[factorPattern.columnOf[update]];
         }
-        if (isAnew_[column] && !factoriseColumn(column, lower, upperTransposed))
+        if (isAnew[column] && !factoriseColumn(column, lower, upperTransposed))
         {
             return false;
         }
@@ -109,9 +111,9 @@ template<int Rows>
 void BlockLu<Rows>::solve(Eigen::Ref<Eigen::VectorXd> x) const
 {
     using Segment = Eigen::Matrix<double, Rows, 1>;
-    const std::vector<int>& start = pattern_.factor.columnStart;
-    const std::vector<int>& row = pattern_.factor.row;
-    for (int column = 0; column < matrix_.columns(); ++column)
+    const std::vector<int>& start = factorPattern.factor.columnStart;
+    const std::vector<int>& row = factorPattern.factor.row;
+    for (int column = 0; column < matrixPattern.columns(); ++column)
     {
         const Segment value = x.template segment<Rows>(Rows * column);
         if (value.isZero(0)) // as most are where few rows are loaded
@@ -120,18 +122,18 @@ void BlockLu<Rows>::solve(Eigen::Ref<Eigen::VectorXd> x) const
         }
         for (int entry = start[column] + 1; entry < start[column + 1]; ++entry)
         {
-            x.template segment<Rows>(Rows * row[entry]) -= lower_[entry].lazyProduct(value);
+            x.template segment<Rows>(Rows * row[entry]) -= factorLower[entry].lazyProduct(value);
         }
     }
-    for (int column = matrix_.columns() - 1; column >= 0; --column)
+    for (int column = matrixPattern.columns() - 1; column >= 0; --column)
     {
         Segment value = x.template segment<Rows>(Rows * column);
         for (int entry = start[column] + 1; entry < start[column + 1]; ++entry)
         {
-            value -=
-                upperTransposed_[entry].transpose().lazyProduct(x.template segment<Rows>(Rows * row[entry]));
+            value -= factorUpperTransposed[entry].transpose().lazyProduct(
+                x.template segment<Rows>(Rows * row[entry]));
         }
-        x.template segment<Rows>(Rows * column) = lower_[start[column]].lazyProduct(value);
+        x.template segment<Rows>(Rows * column) = factorLower[start[column]].lazyProduct(value);
     }
 }
 

@@ -23,7 +23,7 @@ public:
     explicit BlockLu(const BlockPattern& matrix);
 
     /// Of the matrix.
-    const BlockPattern& pattern() const { return matrix_; }
+    const BlockPattern& pattern() const { return matrixPattern; }
 
     /// Numeric factorisation on the pattern of the analysis. \param lower blocks (i, j), i >= j
     /// \param upperTransposed transposes of the blocks (j, i) in the same places; those on the diagonal are
@@ -43,12 +43,12 @@ private:
     bool factoriseColumn(int column, const std::vector<Block>& lower,
                          const std::vector<Block>& upperTransposed);
 
-    BlockPattern matrix_;
-    FactorPattern pattern_;
-    std::vector<int> place_;             ///< work: place of a block row within the column in hand
-    std::vector<char> isAnew_;           ///< work: columns that are computed anew
-    std::vector<Block> lower_;           ///< L below the diagonal; on it the inverse of the pivot
-    std::vector<Block> upperTransposed_; ///< U', its diagonal not used
+    BlockPattern matrixPattern;
+    FactorPattern factorPattern;
+    std::vector<int> placeInColumn;           ///< work: place of a block row within the column in hand
+    std::vector<char> isAnew;                 ///< work: columns that are computed anew
+    std::vector<Block> factorLower;           ///< L below the diagonal; on it the inverse of the pivot
+    std::vector<Block> factorUpperTransposed; ///< U', its diagonal not used
 };
 
 extern template class BlockLu<3>;

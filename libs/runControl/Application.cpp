@@ -69,9 +69,11 @@ int runCommandLine(int argc, const char* const* argv, const ApplicationDescripti
     }
     std::error_code ignored;
     if (!std::filesystem::is_directory(commandLine.caseDirectory, ignored))
+    {
         throw FatalError(fmt::format("There is no case directory {}.\n\nName one with -case DIR, or run "
                                      "{} inside of one.",
                                      commandLine.caseDirectory.string(), description.name));
+    }
     std::optional<CaseLock> lock;
     const bool isShared = commandLine.parallel
                           || std::any_of(description.sharing.begin(), description.sharing.end(),
@@ -120,8 +122,10 @@ int runApplication(int argc, const char* const* argv, const ApplicationDescripti
             const int status = runCommandLine(argc, argv, description, program);
             // A log on a full disk: what was printed last may be the answer.
             if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+            {
                 throw FatalError("Standard output cannot be written: what was printed is lost, in part or in "
                                  "whole. Check that the disk has room.");
+            }
             return status;
         });
 }

@@ -22,7 +22,9 @@ void requireCase(const fs::path& caseDirectory)
     std::error_code ignored;
     if (fs::is_directory(caseDirectory / "system", ignored)
         || fs::is_directory(caseDirectory / "constant", ignored))
+    {
         return;
+    }
     throw FatalError(fmt::format("{} is not a case directory: it has neither system/ nor constant/.\n\nName "
                                  "one with -case DIR. A case begins with system/blockTextureDict, from which "
                                  "blockTexture builds the blocks, and system/controlDict; the cases in "
@@ -40,15 +42,21 @@ fs::path requireCaseFile(const fs::path& caseDirectory, const fs::path& file, co
     }
     std::error_code ignored;
     if (!fs::exists(path, ignored))
+    {
         throw FatalIOError(fmt::format("There is no {}.\n\n{}", file.string(), repair),
                            {path.string(), "", 0});
+    }
     if (fs::is_directory(path, ignored))
+    {
         throw FatalIOError(
             fmt::format("{} is a directory, and a file is needed.\n\n{}", file.string(), repair),
             {path.string(), "", 0});
+    }
     if (::access(path.c_str(), R_OK) != 0)
+    {
         throw FatalIOError(fmt::format("{} may not be read.\n\nMend its permissions.", file.string()),
                            {path.string(), "", 0});
+    }
     return path;
 }
 
@@ -63,7 +71,9 @@ std::vector<TimeDirectory> timeDirectories(const fs::path& caseDirectory)
         const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), time);
         if (error == std::errc() && end == name.data() + name.size() && std::isfinite(time)
             && entry.is_directory(failure))
+        {
             result.push_back({time, name});
+        }
     }
     std::sort(result.begin(), result.end(),
               [](const TimeDirectory& a, const TimeDirectory& b)

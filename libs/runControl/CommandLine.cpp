@@ -21,7 +21,9 @@ std::vector<CommandLineOption> allOptions(const ApplicationDescription& descript
 {
     std::vector<CommandLineOption> options = description.options;
     if (description.kind == ApplicationKind::preProcessor)
+    {
         options.push_back({"dict", "FILE", "read this dictionary instead of the one in system/"});
+    }
     if (description.kind == ApplicationKind::solver)
     {
         options.push_back({"dry-run", "", "read and check everything, run nothing"});
@@ -61,15 +63,21 @@ bool asksFor(const std::vector<std::string>& arguments, const std::string& optio
 {
     std::vector<std::string> names;
     for (const CommandLineOption& option : options)
+    {
         names.push_back(option.name);
+    }
     std::sort(names.begin(), names.end());
     const std::string nearest = nearestWord(withoutDashes(argument), names);
     std::string message = fmt::format("Unknown option {} of {}.", argument, description.name);
     if (!nearest.empty())
+    {
         message += fmt::format(" Did you mean -{}?", nearest);
+    }
     message += "\n\nValid options:";
     for (const std::string& name : names)
+    {
         message += " -" + name;
+    }
     throw FatalError(message);
 }
 
@@ -152,7 +160,9 @@ std::optional<std::string> CommandLine::get(const std::string& option) const
 std::filesystem::path CommandLine::dictionaryFile(const std::filesystem::path& defaultFile) const
 {
     if (!dict)
+    {
         return (caseDirectory / defaultFile).lexically_normal();
+    }
     std::error_code ignored;
     return dict->is_absolute() || std::filesystem::exists(*dict, ignored)
                ? *dict
@@ -164,7 +174,9 @@ std::string helpText(const ApplicationDescription& description)
     const std::vector<CommandLineOption> options = allOptions(description);
     std::string text = "\nUsage: " + description.name;
     for (const CommandLineOption& argument : description.arguments)
+    {
         text += " " + argument.name;
+    }
     text += " [options]\n\n" + paragraph(description.summary, widthOfHelp);
 
     constexpr int describedAt = 26;
@@ -212,7 +224,9 @@ CommandLine readCommandLine(int argc, const char* const* argv, const Application
     result.application = description.name;
     result.typed = description.name;
     for (const std::string& argument : given)
+    {
         result.typed += " " + argument;
+    }
     result.help = asksFor(given, "help") || asksFor(given, "h");
     result.version = asksFor(given, "version");
     if (result.help || result.version)

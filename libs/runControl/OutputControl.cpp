@@ -20,7 +20,9 @@ void declare(Options& options, OutputSettings& settings)
             const bool counts = settings.writeControl == WriteControl::timeStep
                                 || settings.writeControl == WriteControl::writeTime;
             if (!counts || settings.writeInterval == std::floor(settings.writeInterval))
+            {
                 return {};
+            }
             return "writeInterval counts steps, and is not a whole number.\n\nGive a whole number, or "
                    "`writeControl runTime;` for an interval in seconds.";
         });
@@ -59,7 +61,9 @@ long OutputControl::intervalsPassed(const TimePoint& now) const
 bool OutputControl::due(const TimePoint& now)
 {
     if (now.isWriteTime)
+    {
         ++writeTimes;
+    }
     const long count = intervalsPassed(now);
     const bool isDue = count > passed;
     passed = count;
@@ -69,7 +73,9 @@ bool OutputControl::due(const TimePoint& now)
 double OutputControl::timeToNextWrite(double value, double deltaT) const
 {
     if (settings.writeControl != WriteControl::adjustableRunTime)
+    {
         return std::numeric_limits<double>::infinity();
+    }
     const double count = std::floor((value - start + 1e-9 * deltaT) / settings.writeInterval);
     return (count + 1) * settings.writeInterval - (value - start);
 }

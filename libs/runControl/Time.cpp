@@ -34,7 +34,9 @@ TimeControls readControls(const Dictionary& dictionary, ControlDict needed)
     {
         dictionary.lookup("deltaT");
         if (dictionary.getOrDefault<std::string>("stopAt", "endTime") == "endTime")
+        {
             dictionary.lookup("endTime");
+        }
     }
     return readOptions<TimeControls>(dictionary);
 }
@@ -73,7 +75,9 @@ void declare(Options& options, TimeControls& controls)
                   [&controls]() -> std::string
                   {
                       if (controls.output.writeControl != WriteControl::writeTime)
+                      {
                           return {};
+                      }
                       return "writeControl writeTime is for function objects.\n\nChoose timeStep or runTime.";
                   });
     options.check(
@@ -81,7 +85,9 @@ void declare(Options& options, TimeControls& controls)
         [&controls]() -> std::string
         {
             if (controls.stopAt != StopAt::endTime || controls.endTime >= controls.startTime)
+            {
                 return {};
+            }
             return "endTime lies before startTime.\n\nA run goes forward in time: give a later endTime.";
         });
 }
@@ -90,7 +96,9 @@ std::string timeName(double value, TimeFormat format, int precision)
 {
     // -0 and the rounding left of 0.3 - 0.1 - 0.2 are the start.
     if (std::abs(value) < 1e-14)
+    {
         value = 0;
+    }
     switch (format)
     {
     case TimeFormat::fixed:
@@ -108,10 +116,12 @@ Time::Time(const fs::path& caseDirectory, ControlDict presence)
 {
     requireCase(caseDirectory);
     if (presence == ControlDict::required)
+    {
         requireCaseFile(
             caseDirectory, "system/controlDict",
             "It says how long to run and when to write; etc/annotated/system/controlDict is one to copy. "
             "Is this the case directory? Another is named with -case DIR.");
+    }
     fileTime = modificationTime(file);
     dictionary = Dictionary::readFileIfPresent(file);
     settings = readControls(dictionary, presence);
@@ -119,9 +129,13 @@ Time::Time(const fs::path& caseDirectory, ControlDict presence)
     begin = settings.startTime;
     const std::vector<TimeDirectory> times = timeDirectories(caseDirectory);
     if (!times.empty() && settings.startFrom == StartFrom::firstTime)
+    {
         begin = times.front().time;
+    }
     if (!times.empty() && settings.startFrom == StartFrom::latestTime)
+    {
         begin = times.back().time;
+    }
     now = origin = beginning = begin;
     step = settings.deltaT;
     namePrecision = settings.timePrecision;
@@ -166,11 +180,15 @@ bool Time::reread()
 {
     const fs::file_time_type changed = modificationTime(file);
     if (changed == fileTime)
+    {
         return false;
+    }
     fileTime = changed;
     std::error_code ignored;
     if (!fs::exists(file, ignored))
+    {
         return false;
+    }
     try
     {
         Dictionary read = Dictionary::readFile(file);
@@ -183,7 +201,9 @@ bool Time::reread()
         dictionary = std::move(read);
         settings = std::move(controls);
         if (otherPrecision)
+        {
             namePrecision = settings.timePrecision;
+        }
         if (otherStep)
         {
             origin = now;
@@ -192,7 +212,9 @@ bool Time::reread()
             detourEnd = now;
         }
         if (otherOutput)
+        {
             startOutput();
+        }
         return true;
     }
     catch (const FatalIOError& error)
@@ -209,13 +231,19 @@ bool Time::reread()
 bool Time::loop()
 {
     if (lastOne)
+    {
         return false;
+    }
     const bool hasChanged = settings.runTimeModifiable && reread();
     if (settings.stopAt == StopAt::endTime && now >= settings.endTime - 0.5 * step && detourEnd <= now)
+    {
         return false;
+    }
     // The first step is the user's, and any may have been chosen before controlDict was edited.
     if (settings.adjustTimeStep && (hasChanged || stepsDone == 0))
+    {
         setDeltaT(step);
+    }
 
     beforeStep = state();
     lastStepBefore = lastStep;
@@ -246,10 +274,14 @@ void Time::sharpenName()
         {std::min(std::pow(10.0, -settings.timePrecision), 0.1 * step), 1e-15, 1e-15 * std::abs(now)});
     const int before = namePrecision;
     while (namePrecision < largestPrecision && distance() > tolerance)
+    {
         ++namePrecision;
+    }
     if (namePrecision != before)
+    {
         info("Increased timePrecision from {} to {} to tell the times of steps apart at time {}", before,
              namePrecision, name());
+    }
 }
 
 bool Time::isWriteTime()
@@ -258,9 +290,13 @@ bool Time::isWriteTime()
     {
         bool isDue = stepsDone > 0 && output.due({now, lastStep, count, cpuTime(), clockTime(), false});
         if (isDue && settings.stopAt == StopAt::nextWrite)
+        {
             lastOne = true;
+        }
         if (settings.stopAt == StopAt::writeNow && lastOne)
+        {
             isDue = true;
+        }
         if (stopSignal() != 0)
         {
             signal = stopSignal();
@@ -281,11 +317,17 @@ double Time::fittingStep(double wanted) const
 {
     double remaining = output.timeToNextWrite(now, wanted);
     if (timeToOtherInstant)
+    {
         remaining = std::min(remaining, timeToOtherInstant(now, wanted));
+    }
     if (settings.stopAt == StopAt::endTime && settings.endTime > now)
+    {
         remaining = std::min(remaining, settings.endTime - now);
+    }
     if (!std::isfinite(remaining) || remaining <= 0)
+    {
         return wanted;
+    }
     return remaining / std::max(1.0, std::ceil(remaining / wanted - 1e-9));
 }
 
@@ -293,7 +335,9 @@ void Time::setDeltaT(double wanted)
 {
     const double fitting = fittingStep(wanted);
     if (fitting == step && detourEnd <= now)
+    {
         return;
+    }
     origin = now;
     originIndex = count;
     step = fitting;

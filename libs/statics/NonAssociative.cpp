@@ -3,6 +3,7 @@
 
 #include "conic/coulomb/CollapsePath.h"
 #include "conic/form/Form.h"
+#include "statics/CoulombExchange.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,43 +41,15 @@ constexpr double remainingDilatancy = 0.1;
 /// Tolerance of programs whose forces are nothing but a start.
 constexpr double startTolerance = 1e-6;
 
-/// Points that open or slide by less than this share of the largest rate stand still.
-constexpr double stillRate = 1e-7;
-
 /// Exchanges of forces and mechanism after a path, while each lowers the multiplier by this share.
 constexpr int mostExchanges = 8;
 constexpr double leastGain = 1e-7;
-
-/// Forces nearer to a limit than this share of the largest are at it.
-constexpr double atLimit = 1e-7;
-
-/// A mechanism is another one where what is in the way of a lower multiplier moves less by this share.
-constexpr double smallestChange = 1e-3;
-
-/// Of the forces that keep points from moving, whose weights in the objective are at most 1.
-constexpr double widestBound = 1e4;
 
 /// Forces and what they carry besides the dead load.
 struct Start
 {
     double alpha = 0;
     VectorXd contactForce;
-};
-
-struct Pair
-{
-    double alpha = std::numeric_limits<double>::infinity();
-    VectorXd contactForce;
-    VectorXd mechanism;
-    CoulombResiduals residuals;
-    bool exists() const { return contactForce.size() > 0; }
-};
-
-/// A pair with the least multiplier that its mechanism allows.
-struct Least
-{
-    Pair pair;
-    VectorXd balance; ///< multipliers of the equations of balance
 };
 
 template<int Rows, int Forces>
@@ -147,9 +120,9 @@ public:
     }
 
     CoulombRange range;
-    Pair lowest;
-    Pair fall;  ///< the lowest, on whose mechanism the live load does no work
-    Pair below; ///< the highest of those below zero
+    CoulombPair lowest;
+    CoulombPair fall;  ///< the lowest, on whose mechanism the live load does no work
+    CoulombPair below; ///< the highest of those below zero
 
 private:
     ConeSolution solve(const Program& program, const InteriorPointSettings& settings)
@@ -201,7 +174,7 @@ private:
     }
 
     /// Forces of a low multiplier that suit the mechanism of a pair.
-    std::optional<Start> lowForces(const Pair& pair, double gamma)
+    std::optional<Start> lowForces(const CoulombPair& pair, double gamma)
     {
         Program reversed = given;
         reversed.liveLoad = -given.liveLoad;
@@ -223,7 +196,7 @@ private:
     }
 
     /// Takes a pair that meets the tolerance. \return whether it does
-    bool consider(Pair pair)
+    bool consider(CoulombPair pair)
     {
         pair.residuals = coulombResiduals(given, pair.alpha, pair.contactForce, pair.mechanism);
         if (!(pair.residuals.worst() <= searchSettings.tolerance))
@@ -252,7 +225,7 @@ private:
     /// Takes blocks that fall under the dead load alone.
     void considerFall(const CollapsePair& found)
     {
-        Pair pair{found.multiplier, found.contactForce, found.mechanism, {}};
+        CoulombPair pair{found.multiplier, found.contactForce, found.mechanism, {}};
         pair.residuals = coulombResiduals(given, pair.alpha, pair.contactForce, pair.mechanism, 0);
         if (pair.alpha >= 0 && pair.residuals.worst() <= searchSettings.tolerance && pair.alpha < fall.alpha)
         {
@@ -273,7 +246,7 @@ private:
         {
             return false;
         }
-        Pair pair{found.multiplier, std::move(found.contactForce), std::move(found.mechanism), {}};
+        CoulombPair pair{found.multiplier, std::move(found.contactForce), std::move(found.mechanism), {}};
         if (!consider(pair))
         {
             return false;
@@ -284,18 +257,20 @@ private:
 
     /// From a pair to lower ones: the least multiplier with its mechanism held, then another mechanism of
     /// those forces, in turn, while the multiplier falls.
-    void descend(Pair pair)
+    void descend(CoulombPair pair)
     {
+        const ProgramSolver<Rows, Forces> solver = [this](const Program& program)
+        { return solve(program, solverSettings); };
         double highest = std::numeric_limits<double>::infinity();
         for (int round = 0; round < mostExchanges; ++round)
         {
-            std::optional<Least> least = leastOf(pair);
+            std::optional<LeastPair> least = leastPair<Rows, Forces>(given, pair, solver);
             if (!least || !(least->pair.alpha < highest) || !consider(least->pair))
             {
                 return;
             }
             highest = least->pair.alpha - leastGain * std::abs(least->pair.alpha);
-            std::optional<VectorXd> other = otherMechanism(*least);
+            std::optional<VectorXd> other = otherMechanism<Rows, Forces>(given, *least, solver);
             if (!other)
             {
                 return;
@@ -325,208 +300,15 @@ private:
         return follow(near, settings) || follow(near, little);
     }
 
-    /// Least alpha among the forces that suit the mechanism of a pair: those of points that open or crush
-    /// stay as they are; at points that slide, t = (C + mu n) d against the slip, so that one column remains,
-    /// with the constant part as a load; all others are free within their limits.
-    std::optional<Least> leastOf(const Pair& pair)
-    {
-        const VectorXd closing = applyTransposed(given, pair.mechanism);
-        const double still = stillRate * closing.template lpNorm<Eigen::Infinity>();
-        Program suited = given;
-        suited.liveLoad = -given.liveLoad;
-        VectorXd constant = VectorXd::Zero(Forces * given.points());
-        for (int point = 0; point < given.points(); ++point)
-        {
-            const auto at = static_cast<std::size_t>(point);
-            const auto slip = closing.template segment<Forces - 1>(Forces * point + 1);
-            const double size = slip.norm();
-            auto& columns = suited.contacts[at];
-            if (std::abs(closing[Forces * point]) > still)
-            {
-                constant.template segment<Forces>(Forces * point) =
-                    pair.contactForce.template segment<Forces>(Forces * point);
-                columns.onFirst.setZero();
-                columns.onSecond.setZero();
-            }
-            else if (size > still)
-            {
-                const Eigen::Matrix<double, Forces - 1, 1> direction = slip / size;
-                const double friction = given.friction[at];
-                for (auto* side : {&columns.onFirst, &columns.onSecond})
-                {
-                    side->col(0) += friction * side->template rightCols<Forces - 1>() * direction;
-                }
-                if (given.hasStrength())
-                {
-                    constant.template segment<Forces - 1>(Forces * point + 1) =
-                        given.strength[at].cohesion * direction;
-                    suited.strength[at].cohesion = 0;
-                }
-                suited.friction[at] = 0;
-            }
-        }
-        suited.load -= applyEquilibrium(given, constant);
-        // Columns without force have no say, and their points are left out.
-        std::vector<int> kept;
-        for (int point = 0; point < given.points(); ++point)
-        {
-            const auto& columns = suited.contacts[static_cast<std::size_t>(point)];
-            if (!columns.onFirst.isZero(0) || !columns.onSecond.isZero(0))
-            {
-                const auto to = kept.size();
-                suited.contacts[to] = columns;
-                suited.friction[to] = suited.friction[static_cast<std::size_t>(point)];
-                if (given.hasStrength())
-                {
-                    suited.strength[to] = suited.strength[static_cast<std::size_t>(point)];
-                }
-                kept.push_back(point);
-            }
-        }
-        suited.contacts.resize(kept.size());
-        suited.friction.resize(kept.size());
-        suited.strength.resize(given.hasStrength() ? kept.size() : 0);
-        const ConeSolution solved = solve(suited, solverSettings);
-        if (solved.status != SolveStatus::optimal)
-        {
-            return std::nullopt;
-        }
-        Pair least{-solved.multiplier, std::move(constant), pair.mechanism, {}};
-        for (std::size_t i = 0; i < kept.size(); ++i)
-        {
-            auto force = least.contactForce.template segment<Forces>(Forces * kept[i]);
-            const auto from =
-                solved.contactForce.template segment<Forces>(static_cast<Eigen::Index>(Forces * i));
-            const auto slip = closing.template segment<Forces - 1>(Forces * kept[i] + 1);
-            const double size = slip.norm();
-            if (size > still)
-            {
-                force[0] = from[0];
-                force.template tail<Forces - 1>() +=
-                    given.friction[static_cast<std::size_t>(kept[i])] * from[0] * slip / size;
-            }
-            else
-            {
-                force = from;
-            }
-        }
-        return Least{std::move(least), solved.displacement};
-    }
-
-    /// Of the mechanisms that forces of a least multiplier allow, one that moves points as little as may be
-    /// which keep the multiplier from being less:
-    ///
-    ///     minimise  sum_k w_k s_k + v_k o_k    subject to  L'y = 1,
-    ///
-    /// slips s_k and opening rates o_k of the points where the forces are at their limits; at others nothing
-    /// moves. The weights are by how much the multiplier would fall for a unit less of shear against the
-    /// slip, or more of pressure: with u for the multipliers of the equations of balance, L'u = -1,
-    ///
-    ///     w = -d'(A'u)_t,    v = (A'u)_n + mu |(A'u)_t|,    no less than 0.
-    ///
-    /// Where s_k or o_k becomes zero the next forces have that freedom. \return none where no point is in the
-    /// way of a lower multiplier, so that it is the least nearby
-    std::optional<VectorXd> otherMechanism(const Least& least)
-    {
-        const VectorXd closing = applyTransposed(given, least.pair.mechanism);
-        const double still = stillRate * closing.template lpNorm<Eigen::Infinity>();
-        const VectorXd price = applyTransposed(given, least.balance);
-        const VectorXd& forces = least.pair.contactForce;
-        const double none = atLimit * forces.template lpNorm<Eigen::Infinity>();
-        VectorXd against = VectorXd::Zero(forces.size()); // w and v, as forces of the points
-        for (int point = 0; point < given.points(); ++point)
-        {
-            const double friction = given.friction[static_cast<std::size_t>(point)];
-            const auto slip = closing.template segment<Forces - 1>(Forces * point + 1);
-            const auto shearPrice = price.template segment<Forces - 1>(Forces * point + 1);
-            const double normalPrice = price[Forces * point];
-            if (closing[Forces * point] < -still)
-            {
-                against[Forces * point] = std::max(0.0, normalPrice + friction * shearPrice.norm());
-            }
-            else if (slip.norm() > still)
-            {
-                const double weight = std::max(0.0, -shearPrice.dot(slip) / slip.norm());
-                against.template segment<Forces - 1>(Forces * point + 1) = -weight * slip / slip.norm();
-            }
-        }
-        const double largest = against.template lpNorm<Eigen::Infinity>();
-        if (!(largest > stillRate * price.template lpNorm<Eigen::Infinity>()))
-        {
-            return std::nullopt;
-        }
-        against /= largest;
-
-        // Every component of A'y that is restricted, as a point with a normal force alone: one that must not
-        // close, or one that must not move, which a force between wide bounds prevents.
-        Program rates;
-        rates.bodies = given.bodies;
-        rates.liveLoad = given.liveLoad;
-        rates.load = applyEquilibrium(given, against);
-        const auto restrict =
-            [&](int point, const Eigen::Matrix<double, Forces, 1>& component, bool isOneSided)
-        {
-            ConeColumns<Rows, Forces> columns = given.contacts[static_cast<std::size_t>(point)];
-            for (auto* side : {&columns.onFirst, &columns.onSecond})
-            {
-                side->col(0) = (*side * component).eval();
-                side->template rightCols<Forces - 1>().setZero();
-            }
-            rates.contacts.push_back(columns);
-            rates.friction.push_back(0);
-            rates.strength.push_back(isOneSided ? Strength{}
-                                                : Strength{.tension = widestBound, .crushing = widestBound});
-        };
-        using Force = Eigen::Matrix<double, Forces, 1>;
-        for (int point = 0; point < given.points(); ++point)
-        {
-            const Strength strength =
-                given.hasStrength() ? given.strength[static_cast<std::size_t>(point)] : Strength{};
-            const Force force = forces.template segment<Forces>(Forces * point);
-            const double limit =
-                strength.cohesion + given.friction[static_cast<std::size_t>(point)] * force[0];
-            const auto shear = force.template tail<Forces - 1>();
-            Force component = Force::Unit(0);
-            const bool opens = force[0] <= -strength.tension + none;
-            const bool closes = force[0] >= strength.crushing - none;
-            restrict(point, closes ? Force(-component) : component, opens || closes);
-            if (limit <= none)
-            {
-                continue;
-            }
-            if (shear.norm() < limit - none)
-            {
-                for (int i = 1; i < Forces; ++i)
-                {
-                    restrict(point, Force::Unit(i), false);
-                }
-                continue;
-            }
-            component << 0, -shear / shear.norm();
-            restrict(point, component, true);
-            if constexpr (Forces == 3)
-            {
-                component << 0, -shear[1] / shear.norm(), shear[0] / shear.norm();
-                restrict(point, component, false);
-            }
-        }
-        const ConeSolution solved = solve(rates, solverSettings);
-        const double inTheWay = -rates.load.dot(least.pair.mechanism);
-        return solved.status == SolveStatus::optimal
-                       && -rates.load.dot(solved.displacement) < (1 - smallestChange) * inTheWay
-                   ? std::optional(solved.displacement)
-                   : std::nullopt;
-    }
-
     const Program& given;
     NonAssociativeSettings searchSettings;
     InteriorPointSettings solverSettings;
     LimitAnalysis& effort;
     SymbolicAnalysis symbolicAnalysis; ///< of the last program: most have the same points
     std::mt19937 generator;
-    Pair associativePair; ///< where there is one; of the associative law
+    CoulombPair associativePair; ///< where there is one; of the associative law
     Start restingStart;
-    Pair latestPair;
+    CoulombPair latestPair;
 };
 
 } // namespace
@@ -568,9 +350,9 @@ LimitAnalysis solveNonAssociative(const ConeProgram<Rows, Forces>& program,
             search.go(start);
         }
     }
-    const Pair& found = search.lowest.exists() ? search.lowest
-                        : search.fall.exists() ? search.fall
-                                               : search.below;
+    const CoulombPair& found = search.lowest.exists() ? search.lowest
+                               : search.fall.exists() ? search.fall
+                                                      : search.below;
     result.coulomb = search.range;
     if (!found.exists())
     {

@@ -50,9 +50,13 @@ EventOutcome integrateToEvent(const EventProblem& problem, double start, std::ve
         const int status = gsl_odeiv2_evolve_apply(evolve.get(), control.get(), step.get(), &system, &time,
                                                    end, &length, state.data());
         if (status != GSL_SUCCESS || !(time > before))
+        {
             throw std::runtime_error("the integration tolerance asks for steps too short to advance time");
+        }
         if (problem.event(time, state.data()) >= 0)
+        {
             continue;
+        }
 
         // The event lies within this step. `after` gives the state at a part of it.
         std::vector<double> trial(size);
@@ -61,8 +65,10 @@ EventOutcome integrateToEvent(const EventProblem& problem, double start, std::ve
         {
             trial = stateBefore;
             if (h > 0)
+            {
                 gsl_odeiv2_step_apply(step.get(), before, h, trial.data(), error.data(), nullptr, nullptr,
                                       &system);
+            }
             return problem.event(before + h, trial.data());
         };
         double high = time - before;
@@ -87,23 +93,31 @@ EventOutcome integrateToEvent(const EventProblem& problem, double start, std::ve
             }
         }
         if (lowValue <= 0)
+        {
             return {before, stateBefore, true};
+        }
         // Illinois variant of the false position: always bracketed, and faster than bisection
         int side = 0;
         for (int iteration = 0; iteration < 100 && high - low > 1e-16 * (1 + before); ++iteration)
         {
             double middle = (low * highValue - high * lowValue) / (highValue - lowValue);
             if (!(middle > low && middle < high))
+            {
                 middle = 0.5 * (low + high);
+            }
             if (!(middle > low && middle < high))
+            {
                 break;
+            }
             const double value = after(middle);
             if (value > 0)
             {
                 low = middle;
                 lowValue = value;
                 if (side == 1)
+                {
                     highValue *= 0.5;
+                }
                 side = 1;
             }
             else
@@ -111,10 +125,14 @@ EventOutcome integrateToEvent(const EventProblem& problem, double start, std::ve
                 high = middle;
                 highValue = value;
                 if (side == -1)
+                {
                     lowValue *= 0.5;
+                }
                 side = -1;
                 if (value == 0)
+                {
                     break;
+                }
             }
         }
         after(high);

@@ -44,7 +44,9 @@ double RectangularPulse::peak() const
 double SinePulse::at(double time) const
 {
     if (!(time >= pulse.start && time < pulse.start + pulse.duration))
+    {
         return 0;
+    }
     return pulse.amplitude * std::sin(std::numbers::pi * halfWaves * (time - pulse.start) / pulse.duration);
 }
 
@@ -53,7 +55,9 @@ double SinePulse::integral(double from, double to) const
     const double begin = std::max(from, pulse.start);
     const double end = std::min(to, pulse.start + pulse.duration);
     if (!(end > begin))
+    {
         return 0;
+    }
     // (cos w x0 - cos w x1)/w = 2/w sin(w (x0 + x1)/2) sin(w (x1 - x0)/2): exact for the shortest step too
     const double w = std::numbers::pi * halfWaves / pulse.duration;
     return pulse.amplitude * 2 / w * std::sin(w * (0.5 * (begin + end) - pulse.start))
@@ -79,22 +83,30 @@ public:
           sums(times.size(), 0.0)
     {
         for (std::size_t i = 1; i < times.size(); ++i)
+        {
             sums[i] = sums[i - 1] + 0.5 * (values[i - 1] + values[i]) * (times[i] - times[i - 1]);
+        }
     }
 
     double at(double time) const override
     {
         if (!(time >= times.front()))
+        {
             return outOfBounds == OutOfBounds::clamp ? values.front() : 0;
+        }
         if (time >= times.back())
+        {
             return outOfBounds == OutOfBounds::clamp ? values.back() : 0;
+        }
         return within(interval(time), time);
     }
 
     double integral(double from, double to) const override
     {
         if (!(to > from))
+        {
             return 0;
+        }
         double sum = 0;
         if (outOfBounds == OutOfBounds::clamp)
         {
@@ -104,11 +116,15 @@ public:
         const double begin = std::max(from, times.front());
         const double end = std::min(to, times.back());
         if (!(end > begin))
+        {
             return sum;
+        }
         const std::size_t i = interval(begin);
         const std::size_t j = end >= times.back() ? times.size() - 2 : interval(end);
         if (i == j)
+        {
             return sum + 0.5 * (within(i, begin) + within(i, end)) * (end - begin);
+        }
         // a part, whole intervals, a part: differences of the running sum only where whole intervals lie
         // between
         sum += 0.5 * (within(i, begin) + values[i + 1]) * (times[i + 1] - begin);
@@ -128,7 +144,9 @@ public:
     {
         double largest = 0;
         for (const double value : values)
+        {
             largest = std::max(largest, std::abs(value));
+        }
         return largest;
     }
 
@@ -171,27 +189,35 @@ public:
         constexpr int parts =
             16; // of an interval: a peak between them is higher by less than 0.2% of the swing
         for (std::size_t i = 0; i + 1 < times.size(); ++i)
+        {
             for (int part = 0; part <= parts; ++part)
             {
                 const double time =
                     std::min(times[i] + (times[i + 1] - times[i]) * part / parts, times[i + 1]);
                 largest = std::max(largest, std::abs(gsl_spline_eval(spline.get(), time, nullptr)));
             }
+        }
     }
 
     double at(double time) const override
     {
-        if (!(time >= first())) // NaN too: GSL would abort
+        if (!(time >= first()))
+        { // NaN too: GSL would abort
             return outOfBounds == OutOfBounds::clamp ? spline->y[0] : 0;
+        }
         if (time >= last())
+        {
             return outOfBounds == OutOfBounds::clamp ? spline->y[spline->size - 1] : 0;
+        }
         return gsl_spline_eval(spline.get(), time, nullptr);
     }
 
     double integral(double from, double to) const override
     {
         if (!(to > from))
+        {
             return 0;
+        }
         double sum = 0;
         if (outOfBounds == OutOfBounds::clamp)
         {
@@ -219,7 +245,9 @@ private:
 const gsl_interp_type* splineType(Interpolation interpolation)
 {
     if (interpolation == Interpolation::akima)
+    {
         return gsl_interp_akima;
+    }
     return interpolation == Interpolation::steffen ? gsl_interp_steffen : gsl_interp_cspline;
 }
 
@@ -231,14 +259,20 @@ std::unique_ptr<GroundAcceleration> tabulatedAcceleration(std::vector<double> ti
                                                           OutOfBounds outOfBounds)
 {
     if (times.size() != accelerations.size() || times.empty())
+    {
         throw std::domain_error("a table of accelerations has one value a time, and at least one");
+    }
     for (std::size_t i = 0; i < times.size(); ++i)
     {
         if (!std::isfinite(times[i]) || !std::isfinite(accelerations[i]))
+        {
             throw std::domain_error("a table of accelerations holds a number that is not finite");
+        }
         const bool jump = i > 0 && times[i] == times[i - 1];
         if (i > 0 && (times[i] < times[i - 1] || (jump && interpolation != Interpolation::linear)))
+        {
             throw std::domain_error("the times of a table of accelerations must increase");
+        }
     }
     if (times.size() == 1) // one value, held (clamp) or of no effect (zero)
     {
@@ -246,10 +280,14 @@ std::unique_ptr<GroundAcceleration> tabulatedAcceleration(std::vector<double> ti
         return std::make_unique<ConstantAcceleration>(value);
     }
     if (interpolation == Interpolation::linear)
+    {
         return std::make_unique<LinearTable>(std::move(times), std::move(accelerations), outOfBounds);
+    }
     const gsl_interp_type* type = splineType(interpolation);
     if (times.size() < type->min_size)
+    {
         throw std::domain_error("a table of accelerations has too few points for this interpolation");
+    }
     return std::make_unique<SplineTable>(times, accelerations, type, outOfBounds);
 }
 

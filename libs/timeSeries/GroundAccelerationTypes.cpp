@@ -129,7 +129,9 @@ void declare(Options& options, TableSettings& settings)
                   [&settings]
                   {
                       if (settings.values.empty() == settings.file.empty())
+                      {
                           return "A table needs either values or a file with them.";
+                      }
                       return "";
                   });
 }
@@ -148,18 +150,24 @@ std::vector<std::pair<double, double>> readTable(const std::filesystem::path& fi
     {
         std::ifstream stream(file, std::ios::binary);
         if (stream)
+        {
             content << stream.rdbuf();
+        }
     }
     const std::string text = content.str();
     const auto begin = text.find_first_not_of(" \t\r\n");
     const bool list = begin != std::string::npos && text.find('(', begin) != std::string::npos;
     if (list)
+    {
         return Dictionary::readString("values " + text + "\n;", file.string(), Expansion::none)
             .get<std::vector<std::pair<double, double>>>("values");
+    }
     const Record record = readCsvRecord(file, {0, 1, 0, "m/s2"});
     std::vector<std::pair<double, double>> values;
     for (std::size_t i = 0; i < record.times.size(); ++i)
+    {
         values.emplace_back(record.times[i], record.accelerations[i]);
+    }
     return values;
 }
 
@@ -212,7 +220,9 @@ AccelerationMaker makeTable(const TableSettings& settings, const Dictionary& dic
     const SourceLocation location = dictionary.locationOf(settings.file.empty() ? "values" : "file");
     // values are wrong or right without the case's folder: say so at once
     if (settings.file.empty())
+    {
         accelerationOfTable(settings, location, "");
+    }
     return [settings, location](const std::filesystem::path& caseDirectory)
     {
         if (!settings.file.empty())
@@ -237,7 +247,9 @@ DescribedAcceleration preparedRecord(const RecordMotion& motion, const std::file
     const std::string unit = motion.unit ? motion.unit->text : "";
     Record record;
     if (motion.format == RecordFormat::PEER_AT2)
+    {
         record = readPeerRecord(file, unit);
+    }
     else
     {
         CsvLayout layout;
@@ -257,11 +269,15 @@ DescribedAcceleration preparedRecord(const RecordMotion& motion, const std::file
         scale = ownPeak > 0 ? *motion.peakAcceleration / ownPeak : 0;
     }
     else
+    {
         record = scaled(std::move(record), scale);
+    }
     record = padded(record, motion.padding[0], motion.padding[1]);
     const double shift = motion.start - record.times.front();
     for (double& time : record.times)
+    {
         time += shift;
+    }
 
     const RecordFigures f = figures(record);
     const double factor = accelerationUnit(record.unit);
@@ -270,7 +286,9 @@ DescribedAcceleration preparedRecord(const RecordMotion& motion, const std::file
     described.summary =
         typeLine("record") + fmt::format("    file        {} ({} values)\n", motion.file, count);
     if (!record.title.empty())
+    {
         described.summary += fmt::format("    title       {}\n", record.title);
+    }
     described.summary +=
         fmt::format("    unit        {} (1 {} = {:.6g} m/s2)\n", record.unit, record.unit, factor);
     described.summary +=
@@ -305,9 +323,13 @@ void read(TokenCursor& cursor, Column& column)
 void read(TokenCursor& cursor, UnitName& name)
 {
     if (cursor.atEnd())
+    {
         cursor.failExpected("the name of a unit");
-    while (!cursor.atEnd()) // m / s2 are three tokens
+    }
+    while (!cursor.atEnd())
+    { // m / s2 are three tokens
         name.text += cursor.take().text;
+    }
 }
 
 void declare(Options& options, RecordMotion& settings)
@@ -338,14 +360,18 @@ void declare(Options& options, RecordMotion& settings)
                   [&settings]
                   {
                       if (settings.peakAcceleration && settings.scale != 1)
+                      {
                           return "Both scale and peakAcceleration are given; remove one of them.";
+                      }
                       return "";
                   });
     options.check("unit",
                   [&settings]() -> std::string
                   {
                       if (!settings.unit || accelerationUnit(settings.unit->text) > 0)
+                      {
                           return "";
+                      }
                       return fmt::format(
                           "'{}' is not a unit of acceleration that Drystone knows. Valid units: g m/s2 "
                           "cm/s2 gal mm/s2 ft/s2 in/s2",

@@ -20,7 +20,9 @@ double largestAbsolute(const std::vector<double>& values)
 {
     double largest = 0;
     for (const double value : values)
+    {
         largest = std::max(largest, std::abs(value));
+    }
     return largest;
 }
 
@@ -33,13 +35,19 @@ std::vector<double> standstills(double v0, double h, double a0, double a1)
     std::vector<double> roots;
     const double discriminant = b * b - 4 * a * v0;
     if (discriminant < 0)
+    {
         return roots;
+    }
     // the root that does not cancel first, the other one from their product
     const double q = -0.5 * (b + std::copysign(std::sqrt(discriminant), b));
     if (a != 0)
+    {
         roots.push_back(q / a);
+    }
     if (q != 0)
+    {
         roots.push_back(v0 / q);
+    }
     std::erase_if(roots, [](double s) { return !(s > 0 && s < 1); });
     return roots;
 }
@@ -90,10 +98,14 @@ double acceleration(const Record& record, double time)
 {
     const auto& times = record.times;
     if (times.empty() || !(time >= times.front() && time <= times.back()))
+    {
         return 0;
+    }
     const auto next = std::upper_bound(times.begin(), times.end(), time);
     if (next == times.end())
+    {
         return record.accelerations.back();
+    }
     const std::size_t i = static_cast<std::size_t>(next - times.begin()) - 1;
     const double s = (time - times[i]) / (times[i + 1] - times[i]);
     return record.accelerations[i] + s * (record.accelerations[i + 1] - record.accelerations[i]);
@@ -102,7 +114,9 @@ double acceleration(const Record& record, double time)
 Record scaled(Record record, double factor)
 {
     for (double& value : record.accelerations)
+    {
         value *= factor;
+    }
     return record;
 }
 
@@ -110,18 +124,26 @@ Record scaledToPeak(Record record, double peak)
 {
     const double own = largestAbsolute(record.accelerations);
     if (own == 0)
+    {
         throw std::domain_error("a record that is zero throughout cannot be scaled to a peak acceleration");
+    }
     return scaled(std::move(record), peak / own);
 }
 
 Record padded(const Record& record, double before, double after)
 {
     if (!(before >= 0 && after >= 0))
+    {
         throw std::domain_error("the stillness before and after a record cannot be negative");
+    }
     if (before == 0 && after == 0)
+    {
         return record;
+    }
     if (record.times.size() < 2)
+    {
         throw std::domain_error("a record of fewer than two values cannot be padded");
+    }
     Record result = record;
     auto& times = result.times;
     auto& values = result.accelerations;
@@ -142,7 +164,9 @@ Record padded(const Record& record, double before, double after)
         const double first = times.front();
         const double ramp = values.front() != 0 ? times[1] - first : 0;
         for (double& time : times)
+        {
             time += before + ramp;
+        }
         if (ramp > 0)
         {
             times.insert(times.begin(), first + before);
@@ -157,7 +181,9 @@ Record padded(const Record& record, double before, double after)
 Record resampled(const Record& record, double timeStep)
 {
     if (!(timeStep > 0) || record.times.empty())
+    {
         throw std::domain_error("a record is resampled at a positive time step, and has at least one value");
+    }
     Record result = record;
     const double length = record.times.back() - record.times.front();
     // a last interval that is whole but for rounding counts as whole
@@ -175,11 +201,15 @@ Record resampled(const Record& record, double timeStep)
 Record baselineCorrected(Record record, Baseline baseline)
 {
     if (baseline == Baseline::none)
+    {
         return record;
+    }
     const std::size_t count = record.times.size();
     const std::size_t coefficients = static_cast<std::size_t>(baseline);
     if (count < coefficients)
+    {
         throw std::domain_error("a record has fewer values than its baseline has coefficients");
+    }
 
     // times mapped to [-1, 1], where the powers are far from parallel and the fit is well conditioned
     const double middle = 0.5 * (record.times.front() + record.times.back());
@@ -190,7 +220,9 @@ Record baselineCorrected(Record record, Baseline baseline)
         const double s = (record.times[i] - middle) / half;
         double power = 1;
         for (std::size_t j = 0; j < coefficients; ++j, power *= s)
+        {
             gsl_matrix_set(powers.get(), i, j, power);
+        }
     }
     const auto values = gsl_vector_view_array(record.accelerations.data(), count);
     const std::unique_ptr<gsl_vector, Free> fit(gsl_vector_alloc(coefficients));
@@ -201,8 +233,12 @@ Record baselineCorrected(Record record, Baseline baseline)
     gsl_multifit_linear(powers.get(), &values.vector, fit.get(), covariance.get(), &squares, workspace.get());
 
     for (std::size_t i = 0; i < count; ++i)
+    {
         for (std::size_t j = 0; j < coefficients; ++j)
+        {
             record.accelerations[i] -= gsl_matrix_get(powers.get(), i, j) * gsl_vector_get(fit.get(), j);
+        }
+    }
     return record;
 }
 
@@ -210,7 +246,9 @@ RecordFigures figures(const Record& record)
 {
     RecordFigures result;
     if (record.times.empty())
+    {
         return result;
+    }
     result.peakAcceleration = largestAbsolute(record.accelerations);
     result.duration = record.times.back() - record.times.front();
 
@@ -227,10 +265,14 @@ RecordFigures figures(const Record& record)
         const auto displacementAt = [&](double s)
         { return displacement + h * s * velocity + h * h * s * s * (0.5 * a0 + s * (a1 - a0) / 6); };
 
-        if (a0 * a1 < 0) // the velocity is extreme where the acceleration is zero
+        if (a0 * a1 < 0)
+        { // the velocity is extreme where the acceleration is zero
             result.peakVelocity = std::max(result.peakVelocity, std::abs(velocityAt(a0 / (a0 - a1))));
+        }
         for (const double s : standstills(velocity, h, a0, a1))
+        {
             result.peakDisplacement = std::max(result.peakDisplacement, std::abs(displacementAt(s)));
+        }
         squares += squareIntegral(h, a0, a1, 1);
 
         const double endDisplacement = displacementAt(1);
@@ -241,8 +283,10 @@ RecordFigures figures(const Record& record)
     }
     result.ariasIntensity = std::numbers::pi / (2 * standardGravity) * squares;
     if (squares > 0)
+    {
         result.significantDuration =
             timeOfSquareIntegral(record, 0.95 * squares) - timeOfSquareIntegral(record, 0.05 * squares);
+    }
     return result;
 }
 

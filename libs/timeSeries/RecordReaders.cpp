@@ -37,8 +37,12 @@ std::string upper(std::string_view text)
 {
     std::string result(text);
     for (char& c : result)
+    {
         if (c >= 'a' && c <= 'z')
+        {
             c = static_cast<char>(c - 'a' + 'A');
+        }
+    }
     return result;
 }
 
@@ -46,7 +50,9 @@ std::string_view trimmed(std::string_view text)
 {
     const auto first = text.find_first_not_of(" \t\r\f\v");
     if (first == std::string_view::npos)
+    {
         return {};
+    }
     return text.substr(first, text.find_last_not_of(" \t\r\f\v") - first + 1);
 }
 
@@ -57,14 +63,20 @@ void load(const std::filesystem::path& file, Text& text)
     std::error_code error;
     const auto status = std::filesystem::status(file, error);
     if (std::filesystem::is_directory(status))
+    {
         text.refuse(0, "The record is a directory.", "Name a file in it.");
+    }
     if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    {
         text.refuse(0, "The record is not an ordinary file.",
                     "A device or a pipe may never end: name a file.");
+    }
     std::ifstream stream(file, std::ios::binary);
     if (!stream)
+    {
         text.refuse(0, "Cannot open the record.",
                     "Check the name, which is relative to the case directory, and the right to read it.");
+    }
     std::ostringstream buffer;
     buffer << stream.rdbuf();
     text.content = std::move(buffer).str();
@@ -80,16 +92,24 @@ void load(const std::filesystem::path& file, Text& text)
         rest.remove_prefix(length == std::string_view::npos ? rest.size() : length + 1);
     }
     for (std::size_t i = 0; i < text.lines.size(); ++i)
+    {
         for (const char c : text.lines[i])
+        {
             if (const auto code = static_cast<unsigned char>(c);
                 code < ' ' && !(code >= '\t' && code <= '\r'))
+            {
                 text.refuse(
                     i, fmt::format("The record holds the control character {:#04x}: it is not text.", code),
                     "Convert it to a text format, PEER_AT2 or csv.");
+            }
+        }
+    }
     const bool blank = std::all_of(text.lines.begin(), text.lines.end(),
                                    [](std::string_view line) { return trimmed(line).empty(); });
     if (blank)
+    {
         text.refuse(0, "The record is empty.", "Get a complete copy of it.");
+    }
 }
 
 /// The whole token as a number: plain, with a + sign, or with Fortran's D for the exponent.
@@ -97,14 +117,22 @@ std::optional<double> number(std::string_view token)
 {
     std::string plain(token.substr(token.starts_with('+') ? 1 : 0));
     for (char& c : plain)
+    {
         if (c == 'D' || c == 'd')
+        {
             c = 'e';
+        }
+    }
     double value = 0;
     const auto [end, code] = std::from_chars(plain.data(), plain.data() + plain.size(), value);
     if (plain.empty() || end != plain.data() + plain.size())
+    {
         return std::nullopt;
-    if (code == std::errc::result_out_of_range) // 1e-400 is zero; 1e400 is infinite, which the caller refuses
+    }
+    if (code == std::errc::result_out_of_range)
+    { // 1e-400 is zero; 1e400 is infinite, which the caller refuses
         return plain.find("e-") != std::string::npos ? 0.0 : HUGE_VAL;
+    }
     return code == std::errc() ? std::optional(value) : std::nullopt;
 }
 
@@ -113,11 +141,15 @@ double finiteNumber(const Text& text, std::size_t line, std::string_view token, 
 {
     const std::optional<double> value = number(token);
     if (!value)
+    {
         text.refuse(line, fmt::format("'{}' is not a number.", token.substr(0, 40)),
                     "Correct it, or get a complete copy of the record.");
+    }
     if (!std::isfinite(*value * factor))
+    {
         text.refuse(line, fmt::format("The value {} is not a finite number.", token),
                     "Correct it, or get a complete copy of the record.");
+    }
     return *value;
 }
 
@@ -128,7 +160,9 @@ std::vector<std::string_view> words(std::string_view line, std::string_view sepa
     {
         const auto first = line.find_first_not_of(separators);
         if (first == std::string_view::npos)
+        {
             return result;
+        }
         line.remove_prefix(first);
         const auto length = line.find_first_of(separators);
         result.push_back(line.substr(0, length));
@@ -143,18 +177,26 @@ std::string settledUnit(const Text& text, std::size_t line, const std::string& d
                         const std::string& found)
 {
     if (!declared.empty() && accelerationUnit(declared) == 0)
+    {
         text.refuse(line, fmt::format("'{}' is not a unit of acceleration that Drystone knows.", declared),
                     fmt::format("Declare the unit as {}.", knownUnits));
+    }
     if (!found.empty() && accelerationUnit(found) == 0)
+    {
         text.refuse(line, fmt::format("The record is in '{}', which is not a unit of acceleration.", found),
                     fmt::format("Use an acceleration record in {}.", knownUnits));
+    }
     if (declared.empty() && found.empty())
+    {
         text.refuse(line, "The record does not say its unit.",
                     fmt::format("Declare `unit`: {}.", knownUnits));
+    }
     if (!declared.empty() && !found.empty() && accelerationUnit(declared) != accelerationUnit(found))
+    {
         text.refuse(line,
                     fmt::format("The record says it is in {}, and unit {} is declared.", found, declared),
                     "Remove `unit`, or correct the record.");
+    }
     return found.empty() ? declared : found;
 }
 
@@ -167,9 +209,13 @@ std::string unitInHeader(std::string_view line)
     for (const std::string_view word : words(text, " \t\r:=(),;[]"))
     {
         if (word == "UNIT" || word == "UNITS")
+        {
             announced = true;
+        }
         else if (announced && word != "OF" && word != "ARE" && word != "IS" && word != "IN")
+        {
             return std::string(word.substr(0, word.find_last_not_of('.') + 1));
+        }
     }
     return "";
 }
@@ -186,15 +232,21 @@ std::optional<double> numberAfter(std::string_view line, std::string_view keywor
 {
     const auto place = line.find(keyword);
     if (place == std::string_view::npos)
+    {
         return std::nullopt;
+    }
     std::string_view rest = line.substr(place + keyword.size());
     rest.remove_prefix(std::min(rest.find_first_not_of(" \t=:"), rest.size()));
     if (rest.starts_with('('))
+    {
         rest.remove_prefix(std::min(rest.find(')') + 1, rest.size()));
+    }
     rest.remove_prefix(std::min(rest.find_first_not_of(" \t=:"), rest.size()));
     std::string_view token = rest.substr(0, rest.find_first_of(" \t\r,;"));
     if (token.size() > 1 && token.ends_with("SEC"))
+    {
         token.remove_suffix(3);
+    }
     return number(token);
 }
 
@@ -206,13 +258,19 @@ PeerHeader peerHeader(const Text& text)
     for (std::size_t i = 0; i < text.lines.size() && i < 60 && !(count && timeStep); ++i)
     {
         const std::string line = upper(text.lines[i]);
-        if (count && i > header.line + 1) // DT stands beside NPTS or in the next line
+        if (count && i > header.line + 1)
+        { // DT stands beside NPTS or in the next line
             break;
+        }
         if (!count && line.find("NPTS") == std::string::npos)
+        {
             continue;
+        }
         const bool countBefore = count.has_value();
         if (!count)
+        {
             count = numberAfter(line, "NPTS");
+        }
         timeStep = numberAfter(line, "DT");
         if (!count && !timeStep) // the oldest form: `4000    0.0100    NPTS, DT`
         {
@@ -224,23 +282,35 @@ PeerHeader peerHeader(const Text& text)
             }
         }
         if (!countBefore || timeStep)
+        {
             header.line = i;
+        }
         if (!count)
+        {
             text.refuse(i, "The number of values does not follow NPTS.",
                         "It should read as in NPTS= 4000, DT= .01 SEC.");
+        }
     }
     if (!count)
+    {
         text.refuse(0, "No line gives NPTS, so this is not a record in the PEER AT2 format.",
                     "Choose format csv for columns of numbers.");
+    }
     if (!timeStep)
+    {
         text.refuse(header.line, "The time step does not follow DT.",
                     "It should read as in NPTS= 4000, DT= .01 SEC.");
+    }
     if (!(*count >= 1 && *count <= 1e9 && *count == std::floor(*count)))
+    {
         text.refuse(header.line, fmt::format("NPTS is {}, not a number of values.", *count), "Correct it.");
+    }
     if (!(*timeStep > 0 && std::isfinite(*count * *timeStep)))
+    {
         text.refuse(header.line,
                     fmt::format("DT is {} s; a time step is positive, and the record finite.", *timeStep),
                     "Correct it.");
+    }
     header.count = *count;
     header.timeStep = *timeStep;
     return header;
@@ -253,25 +323,45 @@ double accelerationUnit(const std::string& unit)
     // one spelling for all: `CM/SEC/SEC`, `cm/sec**2`, `cm/s^2` -> `CM/S2`
     std::string plain;
     for (const char c : upper(unit))
+    {
         if (c != ' ' && c != '^' && c != '*')
+        {
             plain += c;
+        }
+    }
     for (auto place = plain.find("SEC"); place != std::string::npos; place = plain.find("SEC"))
+    {
         plain.erase(place + 1, 2);
+    }
     if (plain.ends_with("/S/S"))
+    {
         plain = plain.substr(0, plain.size() - 4) + "/S2";
+    }
 
     if (plain == "G")
+    {
         return standardGravity;
+    }
     if (plain == "M/S2")
+    {
         return 1;
+    }
     if (plain == "CM/S2" || plain == "GAL" || plain == "GALS")
+    {
         return 0.01;
+    }
     if (plain == "MM/S2")
+    {
         return 0.001;
+    }
     if (plain == "FT/S2")
+    {
         return 0.3048;
+    }
     if (plain == "IN/S2")
+    {
         return 0.0254;
+    }
     return 0;
 }
 
@@ -287,7 +377,9 @@ Record readPeerRecord(const std::filesystem::path& file, const std::string& unit
     {
         unitFound = unitInHeader(text.lines[i]);
         if (!unitFound.empty())
+        {
             unitLine = i;
+        }
     }
 
     Record record;
@@ -310,17 +402,21 @@ Record readPeerRecord(const std::filesystem::path& file, const std::string& unit
             last = i;
             const double value = finiteNumber(text, i, token, factor);
             if (record.accelerations.size() == count)
+            {
                 text.refuse(i, fmt::format("More values than NPTS = {}.", count),
                             fmt::format("Correct NPTS in line {}, or remove the surplus.", header.line + 1));
+            }
             record.times.push_back(static_cast<double>(record.times.size()) * header.timeStep);
             record.accelerations.push_back(value * factor);
         }
     }
     if (record.accelerations.size() < count)
+    {
         text.refuse(
             last,
             fmt::format("The record ends after {} of NPTS = {} values.", record.accelerations.size(), count),
             fmt::format("Get a complete copy, or correct NPTS in line {}.", header.line + 1));
+    }
     return record;
 }
 
@@ -331,17 +427,23 @@ namespace
 std::vector<std::string_view> cells(std::string_view line, char separator)
 {
     if (separator == ' ')
+    {
         return words(line, " \t\r");
+    }
     std::vector<std::string_view> result;
     for (;;)
     {
         const auto length = line.find(separator);
         std::string_view cell = trimmed(line.substr(0, length));
         if (cell.size() > 1 && cell.front() == '"' && cell.back() == '"')
+        {
             cell = cell.substr(1, cell.size() - 2);
+        }
         result.push_back(cell);
         if (length == std::string_view::npos)
+        {
             return result;
+        }
         line.remove_prefix(length + 1);
     }
 }
@@ -350,7 +452,9 @@ std::string withDecimalPoint(std::string_view cell, char separator)
 {
     std::string result(cell);
     if (separator == ';')
+    {
         std::replace(result.begin(), result.end(), ',', '.');
+    }
     return result;
 }
 
@@ -365,7 +469,9 @@ std::pair<std::string, std::string> titleAndUnit(std::string_view cell)
 {
     const auto open = cell.find_first_of("[(");
     if (open == std::string_view::npos)
+    {
         return {std::string(cell), ""};
+    }
     const auto close = cell.find_first_of("])", open);
     return {std::string(trimmed(cell.substr(0, open))),
             std::string(
@@ -378,8 +484,10 @@ std::size_t columnIndex(const Text& text, std::size_t line, const Column& column
     if (const int* index = std::get_if<int>(&column))
     {
         if (*index < 0)
+        {
             text.refuse(line, fmt::format("Column {} does not exist.", *index),
                         "Columns are counted from 0.");
+        }
         return static_cast<std::size_t>(*index);
     }
     const std::string& wanted = std::get<std::string>(column);
@@ -387,7 +495,9 @@ std::size_t columnIndex(const Text& text, std::size_t line, const Column& column
     for (std::size_t i = 0; i < titles.size(); ++i)
     {
         if (titles[i] == wanted || titleAndUnit(titles[i]).first == wanted)
+        {
             return i;
+        }
         list += fmt::format(" {}", titles[i]);
     }
     text.refuse(line, fmt::format("No column is titled '{}'.", wanted),
@@ -404,13 +514,21 @@ Record readCsvRecord(const std::filesystem::path& file, const CsvLayout& layout)
 
     std::size_t first = 0;
     while (first < text.lines.size() && skipped(text.lines[first]))
+    {
         ++first;
+    }
     if (first == text.lines.size())
+    {
         text.refuse(0, "The record holds comments only.", "Get a complete copy of it.");
+    }
     char separator = ' ';
-    for (const char candidate : {'\t', ',', ';'}) // the last one found counts
+    for (const char candidate : {'\t', ',', ';'})
+    { // the last one found counts
         if (text.lines[first].find(candidate) != std::string_view::npos)
+        {
             separator = candidate;
+        }
+    }
 
     const auto firstCells = cells(text.lines[first], separator);
     const bool titled = std::none_of(firstCells.begin(), firstCells.end(),
@@ -419,9 +537,11 @@ Record readCsvRecord(const std::filesystem::path& file, const CsvLayout& layout)
     const auto titles = titled ? firstCells : std::vector<std::string_view>{};
     const bool equalSteps = layout.timeStep != 0;
     if (equalSteps && !(layout.timeStep > 0 && std::isfinite(layout.timeStep)))
+    {
         text.refuse(first,
                     fmt::format("The declared time step is {} s; a time step is positive.", layout.timeStep),
                     "Correct `timeStep`.");
+    }
     const std::size_t timeColumn = equalSteps ? 0 : columnIndex(text, first, layout.timeColumn, titles);
     const std::size_t valueColumn = columnIndex(text, first, layout.accelerationColumn, titles);
     const std::string unitFound =
@@ -436,26 +556,34 @@ Record readCsvRecord(const std::filesystem::path& file, const CsvLayout& layout)
     for (std::size_t i = titled ? first + 1 : first; i < text.lines.size(); ++i)
     {
         if (skipped(text.lines[i]))
+        {
             continue;
+        }
         const auto row = cells(text.lines[i], separator);
         if (row.size() < needed)
+        {
             text.refuse(i,
                         fmt::format("The row has {} columns; column {} (counted from 0) is wanted.",
                                     row.size(), needed - 1),
                         "Complete the row, or correct the choice of columns.");
+        }
         const auto value = [&](std::size_t column, double unitFactor = 1)
         { return finiteNumber(text, i, withDecimalPoint(row[column], separator), unitFactor); };
         const double time =
             equalSteps ? static_cast<double>(record.times.size()) * layout.timeStep : value(timeColumn);
         if (!record.times.empty() && !(time > record.times.back()))
+        {
             text.refuse(
                 i, fmt::format("The time {} s is not after the one before, {} s.", time, record.times.back()),
                 "Times must increase from row to row.");
+        }
         record.times.push_back(time);
         record.accelerations.push_back(value(valueColumn, factor) * factor);
     }
     if (record.times.empty())
+    {
         text.refuse(first, "The record has titles and no values.", "Get a complete copy of it.");
+    }
     return record;
 }
 

@@ -52,7 +52,9 @@ double largestDisplacement(const Record& record, double period, double damping)
     {
         const int parts = std::max(1, static_cast<int>(std::ceil(40 * interval / period)));
         if (interval != lastInterval)
+        {
             step = propagation(w, damping, interval / parts);
+        }
         lastInterval = interval;
         state(2) = a0;
         state(3) = (a1 - a0) / interval;
@@ -67,7 +69,9 @@ double largestDisplacement(const Record& record, double period, double damping)
         // differences of equally spaced times vary in the last digits: do not recompute the matrices for that
         double interval = record.times[i + 1] - record.times[i];
         if (std::abs(interval - lastInterval) < 1e-9 * interval)
+        {
             interval = lastInterval;
+        }
         advance(interval, record.accelerations[i], record.accelerations[i + 1]);
     }
     advance(period, 0, 0);
@@ -80,14 +84,18 @@ ResponseSpectrum responseSpectrum(const Record& record, const std::vector<double
                                   double dampingRatio)
 {
     if (!(dampingRatio >= 0 && dampingRatio < 1))
+    {
         throw std::domain_error("the damping ratio of a response spectrum is at least 0 and below 1");
+    }
     ResponseSpectrum spectrum;
     spectrum.dampingRatio = dampingRatio;
     spectrum.periods = periods;
     for (const double period : periods)
     {
         if (!(period >= 0))
+        {
             throw std::domain_error("a period of a response spectrum cannot be negative");
+        }
         if (period == 0)
         {
             spectrum.displacements.push_back(0);
@@ -107,16 +115,24 @@ ResponseSpectrum responseSpectrum(const Record& record, const std::vector<double
 FourierSpectrum fourierSpectrum(const Record& record)
 {
     if (record.times.size() < 2)
+    {
         throw std::domain_error("a Fourier spectrum needs a record of two values or more");
+    }
     const double step =
         (record.times.back() - record.times.front()) / static_cast<double>(record.times.size() - 1);
     for (std::size_t i = 0; i + 1 < record.times.size(); ++i)
+    {
         if (std::abs(record.times[i + 1] - record.times[i] - step) > 1e-6 * step)
+        {
             throw std::domain_error("a Fourier spectrum needs equal intervals: resample the record first");
+        }
+    }
 
     std::size_t size = 2;
     while (size < record.times.size())
+    {
         size *= 2;
+    }
     std::vector<double> data(size, 0.0);
     std::copy(record.accelerations.begin(), record.accelerations.end(), data.begin());
     gsl_fft_real_radix2_transform(data.data(), 1, size);

@@ -198,7 +198,9 @@ TEST(Dictionary, AMillionNumbersAreReadInASecond)
 {
     std::string text = "blocks (";
     for (int i = 0; i < 125'000; ++i)
+    {
         text += "((0.1 0.25) (1.5e-3 2.5) (3.14159 -4.5) (5.125 6.0625))\n";
+    }
     text += ");";
     const auto start = std::chrono::steady_clock::now();
     const auto polygons =
@@ -392,7 +394,9 @@ TEST(Dictionary, HostileTextsEndInAMessage)
     {
         std::string result;
         for (int i = 0; i < count; ++i)
+        {
             result += text;
+        }
         return result;
     };
     EXPECT_THAT(reportOfReading(repeated("a {", 100'000)), HasSubstr("nested more than"));

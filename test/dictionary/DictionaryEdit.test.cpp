@@ -37,23 +37,33 @@ std::string difference(const std::string& before, const std::string& after)
         std::vector<std::string> lines;
         std::istringstream stream(whole);
         for (std::string line; std::getline(stream, line);)
+        {
             lines.push_back(line);
+        }
         return lines;
     };
     const auto a = linesOf(before);
     const auto b = linesOf(after);
     std::size_t same = 0;
     while (same < std::min(a.size(), b.size()) && a[same] == b[same])
+    {
         ++same;
+    }
     std::size_t sameAtEnd = 0;
     while (sameAtEnd < std::min(a.size(), b.size()) - same
            && a[a.size() - 1 - sameAtEnd] == b[b.size() - 1 - sameAtEnd])
+    {
         ++sameAtEnd;
+    }
     std::string result;
     for (std::size_t i = same; i + sameAtEnd < a.size(); ++i)
+    {
         result.append("-").append(a[i]).append("\n");
+    }
     for (std::size_t i = same; i + sameAtEnd < b.size(); ++i)
+    {
         result.append("+").append(b[i]).append("\n");
+    }
     return result;
 }
 
@@ -143,7 +153,9 @@ TEST(DictionaryEdit, PointsBetweenKeywordsAreSlashesWhereNoNameHasThem)
 TEST(DictionaryEdit, WhatIsNotOneValueIsRefused)
 {
     for (const char* value : {"1; evil 2", "(1 2", "1 }", "{ a 1;", "{ a 1; } b 2", "\"open", "/* open"})
+    {
         EXPECT_THROW(withEntrySet(text, "file", "mu", value), FatalIOError) << value;
+    }
     EXPECT_THROW(withEntrySet("a {", "file", "a", "1"), FatalIOError);
     EXPECT_THROW(withEntrySet("#if $x\na 1;\n#endif\n", "file", "a", "2"), FatalIOError);
     EXPECT_THROW(withEntrySet("b { #ifeq $x 1\na 1;\n#endif\n}", "file", "b/a", "2"), FatalIOError);

@@ -40,7 +40,9 @@ TEST(Fingerprint, OfADictionaryIsOfWhatItSays)
     for (const char* other : {"friction { type Coulomb; mu 0.61; }", "friction { type coulomb; mu 0.6; }",
                               "friction { type Coulomb; } mu 0.6;", "friction { type Coulomb; mu -0.6; }",
                               "\"friction\" { type Coulomb; mu 0.6; }", ""})
+    {
         EXPECT_NE(of(other), plain) << other;
+    }
     EXPECT_NE(of("a (1 2) ;"), of("a (12);"));
     EXPECT_EQ(of("a 1; writeProgram always;", {"writeProgram"}), of("a 1;"));
     EXPECT_EQ(of("a 0;"), of("a -0;"));

@@ -2,6 +2,7 @@
 /// What accuracyCost makes of its runs, the readings of its dictionary, and the orders that theta schemes
 /// show against Housner's equation.
 #include "ensembles/AccuracyCost.h"
+#include "ensembles/HousnerCase.h"
 
 #include "assembly/Loads.h"
 #include "assembly/Materials.h"

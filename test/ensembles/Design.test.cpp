@@ -1,8 +1,10 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Samples of ensembles: the generator, distributions, designs, correlations.
-#include "ensembles/Design.h"
 #include "core/Error.h"
+#include "ensembles/NatafCorrelation.h"
 #include "ensembles/Philox.h"
+#include "ensembles/Sampler.h"
+#include "ensembles/SobolSequence.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

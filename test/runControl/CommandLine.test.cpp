@@ -79,7 +79,9 @@ TEST(CommandLine, TakesValuesThatLookLikeOptions)
 {
     const ApplicationDescription description = describe(ApplicationKind::utility);
     for (const char* value : {"-5", "-0.5e-3", "-case", "--", "-", "(0 -9.81 0)", "\"a b\"", "a=b", "[1 -3]"})
+    {
         EXPECT_EQ(readLine({"-set", value}, description).get("set"), value);
+    }
 }
 
 TEST(CommandLine, TakesTheArgumentsThatAreDeclared)
@@ -135,7 +137,9 @@ TEST(CommandLine, PutsHelpBeforeEverythingElse)
     const std::string text = helpText(description);
     for (const char* part : {"Usage: dryApplication [options]", "Does it dryly.", "-case DIR", "-set VALUE",
                              "-allChecks", "-postProcess", "-dry-run", "-noFunctionObjects"})
+    {
         EXPECT_THAT(text, HasSubstr(part));
+    }
 }
 
 TEST(CommandLine, PrintsHelpWithinEightyColumns)

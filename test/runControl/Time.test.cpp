@@ -67,8 +67,12 @@ protected:
     {
         std::vector<std::string> names;
         while (time.loop())
+        {
             if (time.isWriteTime())
+            {
                 names.push_back(time.name());
+            }
+        }
         return names;
     }
 
@@ -123,12 +127,16 @@ TEST_F(TimeCase, EndsAdjustedStepsOnTheWriteTimes)
     {
         EXPECT_LE(time.deltaT(), 0.03 * (1 + 1e-9));
         if (time.isWriteTime())
+        {
             written.push_back(time.value());
+        }
         time.setDeltaT(0.03);
     }
     ASSERT_EQ(written.size(), 5u);
     for (std::size_t i = 0; i < written.size(); ++i)
+    {
         EXPECT_NEAR(written[i], 0.1 * static_cast<double>(i + 1), 1e-12);
+    }
 }
 
 TEST_F(TimeCase, NamesTimesAsOpenFOAMDoes)
@@ -155,7 +163,9 @@ TEST_F(TimeCase, TakesMoreDigitsWhereNamesWouldBeTheSame)
 TEST_F(TimeCase, StartsWhereItIsTold)
 {
     for (const char* name : {"0", "0.5", "2", "10", "0.5x", "constant"})
+    {
         fs::create_directories(directory / name);
+    }
     const std::string rest = "deltaT 0.1; endTime 20;";
     control("startFrom latestTime;" + rest);
     EXPECT_EQ(Time(directory, ControlDict::required).startName(), "10");
@@ -177,9 +187,13 @@ TEST_F(TimeCase, ContinuesBitForBit)
     {
         times.push_back(whole.value());
         if (whole.isWriteTime())
+        {
             written.push_back(whole.name());
+        }
         if (whole.index() == 123)
+        {
             saved = whole.state();
+        }
     }
     Time rest(directory, ControlDict::required);
     rest.resume(saved);
@@ -188,7 +202,9 @@ TEST_F(TimeCase, ContinuesBitForBit)
     {
         EXPECT_EQ(rest.value(), times[static_cast<std::size_t>(rest.index() - 1)]);
         if (rest.isWriteTime())
+        {
             writtenLater.push_back(rest.name());
+        }
     }
     EXPECT_EQ(rest.index(), 300);
     EXPECT_EQ(writtenLater, std::vector<std::string>(written.begin() + 17, written.end()));
@@ -219,9 +235,13 @@ TEST_F(TimeCase, EndsWithTheStateWrittenWhenInterrupted)
     while (time.loop())
     {
         if (time.index() == 5)
+        {
             std::raise(SIGINT);
+        }
         if (time.isWriteTime())
+        {
             written.push_back(time.name());
+        }
         EXPECT_EQ(time.isWriteTime(), time.index() == 5) << "the answer changes within a step";
     }
     EXPECT_THAT(written, ElementsAre("0.5"));
@@ -277,7 +297,9 @@ TEST_F(TimeCase, RepeatsAStepInPartsAndGoesOnAtTheTimesItWouldHaveHad)
     Time whole(directory, ControlDict::required);
     std::vector<double> regular;
     while (whole.loop())
+    {
         regular.push_back(whole.value());
+    }
     ASSERT_EQ(regular.size(), 7u);
 
     Time time(directory, ControlDict::required);
@@ -329,15 +351,21 @@ TEST_F(TimeCase, TakesAStepBackToTheLastBit)
     Time whole(directory, ControlDict::required);
     std::vector<double> regular;
     while (whole.loop())
+    {
         regular.push_back(whole.value());
+    }
 
     Time time(directory, ControlDict::required);
     for (int i = 0; i < 23; ++i)
+    {
         ASSERT_TRUE(time.loop());
+    }
     const TimeState before = time.state();
     ASSERT_TRUE(time.loop());
     for (double part = 0.05; part > 1e-4; part /= 2)
+    {
         time.shortenStep(part);
+    }
     time.abandonStep();
     const TimeState after = time.state();
     EXPECT_EQ(after.value, before.value);
@@ -365,7 +393,9 @@ TEST_F(TimeCase, EndsAdjustedStepsWhereOthersAskAndAtTheEndTime)
         time.setDeltaT(0.03);
     }
     for (int i = 1; i <= 7; ++i)
+    {
         EXPECT_THAT(times, testing::Contains(testing::DoubleNear(0.07 * i, 1e-14)));
+    }
     EXPECT_NEAR(times.back(), 0.5, 1e-15);
 }
 
@@ -391,8 +421,12 @@ TEST(OutputControl, CountsTheWriteTimesOfTheRun)
     OutputControl control({WriteControl::writeTime, 2}, TimePoint{});
     std::vector<int> due;
     for (int i = 1; i <= 12; ++i)
+    {
         if (control.due({0.1 * i, 0.1, i, 0, 0, i % 3 == 0}))
+        {
             due.push_back(i);
+        }
+    }
     EXPECT_THAT(due, ElementsAre(6, 12));
 }
 

@@ -51,7 +51,9 @@ TEST(RectangularPulse, GivesItsWholeImpulseWhereverItsEdgesFallInAStep)
         const RectangularPulse pulse({3, 0.25, start});
         double impulse = 0;
         for (int i = 0; i < 100; ++i)
+        {
             impulse += 0.01 * pulse.mean(i * 0.01, (i + 1) * 0.01);
+        }
         EXPECT_NEAR(impulse, 0.75, 1e-14);
     }
 }
@@ -87,7 +89,9 @@ TEST(SinePulse, MeanOverAVanishingStepIsTheValue)
 {
     const SinePulse pulse({4, 0.5, 0}, 2);
     for (const double step : {1e-3, 1e-6, 1e-9, 1e-12})
+    {
         EXPECT_NEAR(pulse.mean(0.1, 0.1 + step), pulse.at(0.1 + step / 2), 4 * step + 1e-14);
+    }
     EXPECT_EQ(pulse.mean(0.1, 0.1), pulse.at(0.1));
 }
 
@@ -138,6 +142,7 @@ TEST(Table, IntegralOfEveryInterpolationAgreesWithQuadrature)
     }
     for (const auto interpolation :
          {Interpolation::linear, Interpolation::cubic, Interpolation::akima, Interpolation::steffen})
+    {
         for (const auto beyond : {OutOfBounds::zero, OutOfBounds::clamp})
         {
             const auto motion = table(times, values, beyond, interpolation);
@@ -148,8 +153,11 @@ TEST(Table, IntegralOfEveryInterpolationAgreesWithQuadrature)
                 EXPECT_NEAR(motion->integral(from, to), simpson(*motion, from, to), 1e-10);
             }
             for (std::size_t i = 0; i + 1 < times.size(); ++i)
+            {
                 EXPECT_NEAR(motion->at(times[i]), values[i], 1e-14);
+            }
         }
+    }
 }
 
 TEST(Table, SteffenStaysWithinItsPointsAndCubicMayNot)

@@ -97,7 +97,9 @@ TEST(Record, BaselineCorrectionTakesAwayWhatItNamesAndNothingElse)
     const auto drift = [](double t) { return 0.3 - 0.2 * t + 0.01 * t * t; };
     const Record record = sampled(drift, 0.01, 2001);
     for (const double value : baselineCorrected(record, Baseline::quadratic).accelerations)
+    {
         EXPECT_NEAR(value, 0, 1e-13);
+    }
     EXPECT_EQ(baselineCorrected(record, Baseline::none).accelerations, record.accelerations);
     // what is left of a parabola after a straight line is fitted over [0, 20]: 0.01 ((t - 10)^2 - 100/3)
     // nearly
@@ -105,7 +107,9 @@ TEST(Record, BaselineCorrectionTakesAwayWhatItNamesAndNothingElse)
     EXPECT_NEAR(left.accelerations[1000], -1.0 / 3, 1e-3);
     double mean = 0;
     for (const double value : baselineCorrected(record, Baseline::constant).accelerations)
+    {
         mean += value / 2001;
+    }
     EXPECT_NEAR(mean, 0, 1e-14);
 }
 
@@ -117,7 +121,9 @@ TEST(ResponseSpectrum, SuddenAccelerationDoublesTheStaticDisplacement)
     const ResponseSpectrum spectrum = responseSpectrum(step, {0, 0.2, 1, 4}, 0);
     EXPECT_EQ(spectrum.pseudoAccelerations[0], 3);
     for (std::size_t i = 1; i < 4; ++i)
+    {
         EXPECT_NEAR(spectrum.pseudoAccelerations[i], 6, 1e-9);
+    }
 }
 
 TEST(ResponseSpectrum, DampingReducesTheOvershootAsInTheClosedForm)

@@ -119,7 +119,9 @@ double largestValue(const std::string& text)
     std::istringstream values(text.substr(text.find('\n', text.find("NPTS"))));
     double largest = 0;
     for (double value = 0; values >> value;)
+    {
         largest = std::max(largest, std::abs(value));
+    }
     return largest;
 }
 
@@ -156,7 +158,9 @@ TEST(PeerReader, ReadsEveryLineEnd)
     {
         std::string text;
         for (const char c : good)
+        {
             text += c == '\n' ? end : std::string(1, c);
+        }
         EXPECT_EQ(peer(text).accelerations, expected.accelerations);
     }
     EXPECT_EQ(peer(good.substr(0, good.size() - 1)).accelerations, expected.accelerations);
@@ -238,9 +242,13 @@ TEST(PeerReader, RandomDamageIsReadAsNumbersOrRefused)
         {
             const std::size_t place = random() % text.size();
             if (random() % 3 == 0)
+            {
                 text.erase(place, random() % 30);
+            }
             else
+            {
                 text.insert(place, 1, marks[random() % marks.size()]);
+            }
         }
         const TemporaryFile file(text);
         for (const bool asPeer : {true, false})
@@ -267,7 +275,9 @@ TEST(PeerReader, RandomDamageIsReadAsNumbersOrRefused)
 TEST(PeerReader, ReadsTheSixRealRecords)
 {
     if (!std::filesystem::is_directory(recordFolder()))
+    {
         GTEST_SKIP() << "no records in " << recordFolder() << ": they may not be redistributed";
+    }
     for (const KnownRecord& known : knownRecords)
     {
         SCOPED_TRACE(known.file);
@@ -283,7 +293,9 @@ TEST(PeerReader, ReadsTheSixRealRecords)
 TEST(PeerReader, RefusesBrokenCopiesOfTheSixRealRecords)
 {
     if (!std::filesystem::is_directory(recordFolder()))
+    {
         GTEST_SKIP() << "no records in " << recordFolder() << ": they may not be redistributed";
+    }
     for (const KnownRecord& known : knownRecords)
     {
         SCOPED_TRACE(known.file);
@@ -299,9 +311,11 @@ TEST(PeerReader, RefusesBrokenCopiesOfTheSixRealRecords)
                     HasSubstr("control"));
         const auto npts = text.find(count, text.find("NPTS"));
         for (const long change : {-1, 1})
+        {
             EXPECT_THAT(peerRefusal(std::string(text).replace(
                             npts, count.size(), std::to_string(static_cast<long>(known.count) + change))),
                         HasSubstr("line"));
+        }
         const auto step = text.find('.', text.find("DT="));
         EXPECT_THAT(peerRefusal(std::string(text).insert(step, "-")),
                     AllOf(HasSubstr("DT is -"), HasSubstr("line 4")));
@@ -312,7 +326,9 @@ TEST(ResponseSpectrum, OfElCentroIsThatOfTheTextbook)
 {
     const auto file = recordFolder() / "elCentro.AT2";
     if (!std::filesystem::exists(file))
+    {
         GTEST_SKIP() << "no record " << file << ": it may not be redistributed";
+    }
     // A. K. Chopra, Dynamics of Structures, section 6.4: deformation for 2% damping, read in inches to three
     // digits
     const ResponseSpectrum spectrum = responseSpectrum(readPeerRecord(file), {0.5, 1, 2}, 0.02);

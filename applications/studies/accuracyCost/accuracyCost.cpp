@@ -6,7 +6,7 @@
 #include "core/Log.h"
 #include "core/Signals.h"
 #include "core/WholeFile.h"
-#include "ensembles/AccuracyCostRun.h"
+#include "ensembles/AccuracyStudyRun.h"
 #include "runControl/Application.h"
 #include "runControl/PictureFormats.h"
 

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-#include "ensembles/AccuracyCostRun.h"
+#include "ensembles/AccuracyStudyRun.h"
 
 #include "core/Log.h"
 #include "core/Signals.h"

@@ -1,0 +1,133 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+#include "ensembles/HousnerCase.h"
+
+#include "core/Error.h"
+#include "effects/GroundMotion.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+
+namespace drystone
+{
+namespace
+{
+
+/// The motion of the ground along x, times a factor.
+class ScaledMotion final : public GroundAcceleration
+{
+public:
+    ScaledMotion(std::shared_ptr<const GroundAcceleration> unscaled, double scale)
+        : motion(std::move(unscaled)), factor(scale)
+    {
+    }
+    double at(double time) const override { return factor * motion->at(time); }
+    double integral(double from, double to) const override { return factor * motion->integral(from, to); }
+    std::vector<double> kinks() const override { return motion->kinks(); }
+    double peak() const override { return std::abs(factor) * motion->peak(); }
+
+private:
+    std::shared_ptr<const GroundAcceleration> motion;
+    double factor;
+};
+
+} // namespace
+
+HousnerCase housnerCase(const AccuracyCase<2>& study)
+{
+    const DynamicCase<2>& scene = *study.scene;
+    const auto refuse = [](const std::string& reason)
+    { throw FatalError("Housner's equation is about another case: " + reason); };
+    HousnerCase result;
+    int freeBlocks = 0;
+    for (std::size_t block = 0; block < scene.assembly.blocks.size(); ++block)
+    {
+        if (scene.assembly.blocks[block].support < 0)
+        {
+            ++freeBlocks;
+            result.index = static_cast<int>(block);
+        }
+    }
+    if (freeBlocks != 1)
+    {
+        refuse(fmt::format("it has one free block, and this one has {}.", freeBlocks));
+    }
+    const Polygon& outline = scene.assembly.blocks[static_cast<std::size_t>(result.index)].outline;
+    Vector<2> low = outline.front();
+    Vector<2> high = outline.front();
+    for (const Vector<2>& corner : outline)
+    {
+        low = low.cwiseMin(corner);
+        high = high.cwiseMax(corner);
+    }
+    const double size = (high - low).maxCoeff();
+    for (const Vector<2>& corner : outline)
+    {
+        if ((corner - low).cwiseAbs().cwiseMin((corner - high).cwiseAbs()).maxCoeff() > 1e-9 * size)
+        {
+            refuse("its block is an upright rectangle.");
+        }
+    }
+    if (outline.size() != 4)
+    {
+        refuse("its block is an upright rectangle of four corners.");
+    }
+    const Vector<2>& gravity = scene.gravity;
+    if (!(gravity.y() < 0) || gravity.x() != 0)
+    {
+        refuse("gravity is along -y.");
+    }
+    if (scene.contact.restitution || traitsOf(scene.effects).isCompliant
+        || traitsOf(scene.effects).actsOnBlocks)
+    {
+        refuse("impacts are plastic and there is no damping: remove restitution, elasticity and damping.");
+    }
+    result.block = {high.x() - low.x(), high.y() - low.y(), -gravity.y()};
+    result.start = {study.start.time, study.start.placements[static_cast<std::size_t>(result.index)].rotation,
+                    study.start.velocity[2]};
+    return result;
+}
+
+double housnerThreshold(const AccuracyCase<2>& study, const IntensityPlan& plan,
+                        const Criterion<2>& criterion, double unit)
+{
+    const HousnerCase housner = housnerCase(study);
+    const auto components = groundMotionOf(study.scene->effects).components;
+    if (components.size() != 1 || std::abs(components.front().direction.y()) > 1e-12)
+    {
+        throw FatalError("Housner's equation is for a ground that moves along x alone.");
+    }
+    if (criterion.figure.name != "rotation")
+    {
+        throw FatalError(
+            "By Housner's equation a block overturns: take `criterion { type rotation; limit 1; }`.");
+    }
+    if (housner.start.rotation != 0 || housner.start.angularVelocity != 0)
+    {
+        throw FatalError("The threshold by Housner's equation is that of a block at rest: remove 0/motion.");
+    }
+    const auto& ground = components.front();
+    const double perUnit = unit * ground.direction.x() / ground.acceleration->peak();
+    const std::vector<double> first = plan.next({});
+    const auto [low, high] = std::minmax_element(first.begin(), first.end());
+    try
+    {
+        return overturningThreshold(
+            housner.block,
+            [&](double intensity)
+            { return std::make_unique<ScaledMotion>(ground.acceleration, intensity * perUnit); },
+            *low, *high);
+    }
+    catch (const std::domain_error&)
+    {
+        throw FatalError(
+            fmt::format("By Housner's equation the block stands, or overturns, at both {:g} and {:g}: "
+                        "take other bounds of the intensity.",
+                        *low, *high));
+    }
+}
+
+} // namespace drystone

@@ -1,0 +1,354 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+#include "ensembles/Sampler.h"
+
+#include "ensembles/NatafCorrelation.h"
+#include "ensembles/Philox.h"
+#include "ensembles/SobolSequence.h"
+#include "quantities/TableFigure.h"
+
+#include <Eigen/Cholesky>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+namespace drystone
+{
+namespace
+{
+
+bool hasNumbers(const Distribution& distribution)
+{
+    return !distribution.isSeed
+           && std::none_of(distribution.choices.begin(), distribution.choices.end(),
+                           [](const SampleValue& choice) { return std::isnan(choice.number); });
+}
+
+} // namespace
+
+Sampler::Sampler(const std::vector<Named<EnsembleVariable>>& allVariables,
+                 const std::vector<Correlation>& correlations, const Design& wantedDesign,
+                 const Dictionary& dictionary, const std::filesystem::path& caseDirectory)
+    : variables(allVariables), design(wantedDesign)
+{
+    const auto size = static_cast<long>(variables.size());
+    if (design.type == DesignType::table)
+    {
+        readTable(dictionary, caseDirectory);
+    }
+    else
+    {
+        for (const auto& [name, variable] : variables)
+        {
+            if (!variable.distribution)
+            {
+                throw FatalIOError(fmt::format("The variable {} has no distribution: give one. Only with "
+                                               "`design {{ type table; }}` does it need none.",
+                                               name),
+                                   dictionary.subDict("variables").locationOf(name));
+            }
+        }
+    }
+    switch (design.type)
+    {
+    case DesignType::table:
+        count = static_cast<long>(rows.size());
+        break;
+    case DesignType::grid:
+        count = design.repeats;
+        for (const auto& [name, variable] : variables)
+        {
+            const Distribution& distribution = *variable.distribution;
+            levels.push_back(distribution.isSeed            ? 1
+                             : distribution.choices.empty() ? design.levels
+                                                            : static_cast<long>(distribution.choices.size()));
+            count *= levels.back();
+            if (count > 1000000000)
+            {
+                throw FatalIOError("The grid has more than a thousand million points: take fewer levels.",
+                                   design.location);
+            }
+        }
+        break;
+    case DesignType::random:
+    case DesignType::latinHypercube:
+    case DesignType::sobol:
+        count = design.samples * (design.sensitivity ? size + 2 : 1);
+        break;
+    }
+    const long dimensions = design.sensitivity ? 2 * size : size;
+    if (design.type == DesignType::sobol && dimensions > sobolDimensions)
+    {
+        throw FatalIOError(fmt::format("The Sobol' sequence has {} dimensions here, and {} are needed{}: "
+                                       "take `type latinHypercube;` or `type random;`.",
+                                       sobolDimensions, dimensions,
+                                       design.sensitivity ? ", two a variable" : ", one a variable"),
+                           design.location);
+    }
+    if (design.type == DesignType::latinHypercube)
+    {
+        for (long k = 0; k < dimensions; ++k)
+        {
+            strata.push_back(permutation(static_cast<std::uint64_t>(design.seed),
+                                         static_cast<std::uint32_t>(k),
+                                         static_cast<std::uint32_t>(design.samples)));
+        }
+    }
+    if (correlations.empty())
+    {
+        return;
+    }
+    const SourceLocation place = dictionary.locationOf("correlations");
+    if (design.type == DesignType::grid || design.type == DesignType::table || design.sensitivity)
+    {
+        throw FatalIOError(
+            "Correlations are for samples that are drawn, without sensitivity: remove them, or "
+            "take `type random;`, latinHypercube or sobol.",
+            place);
+    }
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(size, size);
+    const auto indexOf = [&](const std::string& wanted)
+    {
+        std::vector<std::string> names;
+        for (const auto& [name, variable] : variables)
+        {
+            names.push_back(name);
+        }
+        const auto found = std::find(names.begin(), names.end(), wanted);
+        if (found == names.end())
+        {
+            throw FatalIOError(unknownWordMessage("variable", wanted, names), place);
+        }
+        return found - names.begin();
+    };
+    for (const Correlation& correlation : correlations)
+    {
+        const auto i = indexOf(correlation.one);
+        const auto j = indexOf(correlation.other);
+        const Distribution& one = *variables[static_cast<std::size_t>(i)].second.distribution;
+        const Distribution& other = *variables[static_cast<std::size_t>(j)].second.distribution;
+        if (i == j || !hasNumbers(one) || !hasNumbers(other))
+        {
+            throw FatalIOError(fmt::format("{} and {} cannot be correlated: two different variables with "
+                                           "numbers can.",
+                                           correlation.one, correlation.other),
+                               place);
+        }
+        const std::optional<double> rho = natafCorrelation(one, other, correlation.value);
+        if (!rho)
+        {
+            throw FatalIOError(fmt::format("With these distributions {} and {} cannot have the correlation "
+                                           "{:g}: give one nearer to 0.",
+                                           correlation.one, correlation.other, correlation.value),
+                               place);
+        }
+        matrix(i, j) = matrix(j, i) = *rho;
+    }
+    const Eigen::LLT<Eigen::MatrixXd> cholesky(matrix);
+    if (cholesky.info() != Eigen::Success)
+    {
+        throw FatalIOError("No variables have all these correlations at once: their matrix is not positive "
+                           "definite.",
+                           place);
+    }
+    factor = cholesky.matrixL();
+}
+
+void Sampler::readTable(const Dictionary&, const std::filesystem::path& caseDirectory)
+{
+    const std::filesystem::path file = caseDirectory / design.file;
+    std::ifstream stream(file);
+    if (!stream)
+    {
+        throw FatalIOError(fmt::format("There is no table {} in this case.", design.file), design.location);
+    }
+    std::vector<std::string> columns;
+    std::vector<std::size_t> places;
+    int number = 0;
+    for (std::string line; std::getline(stream, line);)
+    {
+        ++number;
+        std::istringstream words(line.starts_with("#") ? line.substr(1) : line);
+        std::vector<std::string> cells;
+        for (std::string word; words >> word;)
+        {
+            cells.push_back(word);
+        }
+        if (line.starts_with("#"))
+        {
+            if (places.empty()) // comments between rows are no headings
+            {
+                columns = cells;
+            }
+            continue;
+        }
+        if (cells.empty())
+        {
+            continue;
+        }
+        if (places.empty())
+        {
+            for (const auto& [name, variable] : variables)
+            {
+                const auto found = std::find_if(columns.begin(), columns.end(),
+                                                [&wanted = name](const std::string& column)
+                                                { return isColumn(column, wanted); });
+                if (found == columns.end())
+                {
+                    throw FatalIOError(fmt::format("{} has no column {}.\n\nIts columns: {}", design.file,
+                                                   name, fmt::join(columns, " ")),
+                                       design.location);
+                }
+                places.push_back(static_cast<std::size_t>(found - columns.begin()));
+            }
+        }
+        if (cells.size() != columns.size())
+        {
+            throw FatalIOError(
+                fmt::format("A row has {} values, and there are {} columns.", cells.size(), columns.size()),
+                {file.string(), "", number});
+        }
+        std::vector<SampleValue> row;
+        for (const std::size_t place : places)
+        {
+            char* end = nullptr;
+            const double value = std::strtod(cells[place].c_str(), &end);
+            row.push_back(*end == 0 ? SampleValue{cells[place], value} : valueOf(cells[place]));
+        }
+        rows.push_back(std::move(row));
+    }
+    if (rows.empty())
+    {
+        throw FatalIOError(fmt::format("The table {} has no rows.", design.file), design.location);
+    }
+}
+
+std::vector<double> Sampler::point(long index, bool isSecond) const
+{
+    const std::size_t size = variables.size();
+    std::vector<double> probabilities(size);
+    for (std::size_t k = 0; k < size; ++k)
+    {
+        const auto dimension = static_cast<std::uint32_t>(isSecond ? size + k : k);
+        const auto number = static_cast<std::uint64_t>(index);
+        const auto seed = static_cast<std::uint64_t>(design.seed);
+        switch (design.type)
+        {
+        case DesignType::random:
+            probabilities[k] = uniform(seed, Stream::sample, dimension, number);
+            break;
+        case DesignType::latinHypercube:
+            probabilities[k] = (strata[dimension][static_cast<std::size_t>(index)]
+                                + uniform(seed, Stream::sample, dimension, number))
+                               / static_cast<double>(design.samples);
+            break;
+        case DesignType::sobol:
+        {
+            const auto shift = static_cast<std::uint32_t>(randomBits(seed, Stream::shift, dimension, 0));
+            const std::uint32_t bits =
+                sobolBits(static_cast<std::uint32_t>(index), static_cast<int>(dimension)) ^ shift;
+            probabilities[k] = (bits + 0.5) * 0x1p-32;
+            break;
+        }
+        case DesignType::grid:
+        case DesignType::table:
+            break;
+        }
+        probabilities[k] = std::clamp(probabilities[k], 0x1p-60, 1 - 0x1p-53);
+    }
+    return probabilities;
+}
+
+void Sampler::correlate(std::vector<double>& probabilities) const
+{
+    Eigen::VectorXd normal(static_cast<Eigen::Index>(probabilities.size()));
+    for (Eigen::Index k = 0; k < normal.size(); ++k)
+    {
+        normal[k] = normalQuantile(probabilities[static_cast<std::size_t>(k)]);
+    }
+    for (Eigen::Index k = 0; k < normal.size(); ++k)
+    {
+        // Variables without correlations keep their probabilities to the last bit.
+        if (factor.row(k).head(k).isZero(0))
+        {
+            continue;
+        }
+        const double value = factor.row(k).head(k + 1).dot(normal.head(k + 1));
+        probabilities[static_cast<std::size_t>(k)] =
+            std::clamp(normalProbability(value), 0x1p-60, 1 - 0x1p-53);
+    }
+}
+
+std::vector<SampleValue> Sampler::gridPoint(long sample) const
+{
+    std::vector<SampleValue> values(variables.size());
+    long rest = sample / design.repeats;
+    for (std::size_t k = variables.size(); k-- > 0;)
+    {
+        const Distribution& distribution = *variables[k].second.distribution;
+        const long level = rest % levels[k];
+        rest /= levels[k];
+        if (!distribution.choices.empty())
+        {
+            values[k] = distribution.choices[static_cast<std::size_t>(level)];
+        }
+        else if (distribution.isSeed)
+        {
+            const std::uint64_t bits =
+                randomBits(static_cast<std::uint64_t>(design.seed), Stream::seed,
+                           static_cast<std::uint32_t>(k), static_cast<std::uint64_t>(sample));
+            values[k] = valueOf(static_cast<double>(1 + bits % 2147483647u));
+        }
+        else
+        {
+            values[k] =
+                valueAt(distribution, (static_cast<double>(level) + 0.5) / static_cast<double>(levels[k]));
+        }
+    }
+    return values;
+}
+
+std::vector<SampleValue> Sampler::at(long sample) const
+{
+    if (design.type == DesignType::table)
+    {
+        return rows[static_cast<std::size_t>(sample)];
+    }
+    if (design.type == DesignType::grid)
+    {
+        return gridPoint(sample);
+    }
+    std::vector<double> probabilities;
+    if (design.sensitivity)
+    {
+        // Saltelli et al. 2010: A, B, and A with one variable after the other from B.
+        const auto runs = static_cast<long>(variables.size()) + 2;
+        const long role = sample % runs;
+        probabilities = point(sample / runs, role == 1);
+        if (role > 1)
+        {
+            const auto k = static_cast<std::size_t>(role - 2);
+            probabilities[k] = point(sample / runs, true)[k];
+        }
+    }
+    else
+    {
+        probabilities = point(sample, false);
+    }
+    if (factor.size() > 0)
+    {
+        correlate(probabilities);
+    }
+    std::vector<SampleValue> values;
+    for (std::size_t k = 0; k < variables.size(); ++k)
+    {
+        const Distribution& distribution = *variables[k].second.distribution;
+        values.push_back(distribution.isSeed ? valueOf(1 + std::floor(probabilities[k] * 2147483647))
+                                             : valueAt(distribution, probabilities[k]));
+    }
+    return values;
+}
+
+} // namespace drystone

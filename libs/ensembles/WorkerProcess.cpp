@@ -1,0 +1,251 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+#include "ensembles/WorkerProcess.h"
+
+#include "core/Signals.h"
+
+#include <cmath>
+#include <csignal>
+#include <ctime>
+#include <new>
+#include <optional>
+#include <string_view>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace drystone
+{
+
+namespace fs = std::filesystem;
+
+namespace
+{
+
+/// How often a sample whose worker was killed from outside is begun again: the system may have killed it for
+/// the memory it takes.
+constexpr int mostOutsideKills = 5;
+
+/// Of this process, for the handler of signals, which has nowhere else to leave its note.
+Activity* ownActivity = nullptr;
+
+/// A fault of the program has a positive code; a signal that somebody has sent has none.
+extern "C" void noteFault(int signal, siginfo_t* info, void*)
+{
+    ownActivity->isFromOutside = info->si_code <= 0 && info->si_pid != ::getpid();
+    ::signal(signal, SIG_DFL);
+    ::raise(signal);
+}
+
+/// \param stack for the handler, as that of the program may be what is exhausted
+void noteFaults(Activity& activity, std::vector<char>& stack)
+{
+    ownActivity = &activity;
+    stack_t alternative = {};
+    alternative.ss_sp = stack.data();
+    alternative.ss_size = stack.size();
+    ::sigaltstack(&alternative, nullptr);
+    struct sigaction action = {};
+    action.sa_sigaction = noteFault;
+    action.sa_flags = SA_SIGINFO | SA_ONSTACK;
+    for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL})
+    {
+        ::sigaction(signal, &action, nullptr);
+    }
+}
+
+double cpuTimeOfAll()
+{
+    timespec now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    rusage children{};
+    getrusage(RUSAGE_CHILDREN, &children);
+    const auto seconds = [](const timeval& time)
+    { return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec); };
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec)
+           + seconds(children.ru_utime) + seconds(children.ru_stime);
+}
+
+/// The failed attempts of the samples of a chunk.
+struct Attempts
+{
+    std::map<long, int> own;     ///< by fault of the sample
+    std::map<long, int> outside; ///< its process was killed by somebody
+    std::map<long, SampleStatus> lastStatus;
+};
+
+Attempts attemptsOf(const fs::path& work, std::pair<long, long> range)
+{
+    Attempts attempts;
+    for (const FailedAttempt& failed : readFailures(work))
+    {
+        if (failed.sample >= range.first && failed.sample < range.second)
+        {
+            ++(failed.isFromOutside ? attempts.outside : attempts.own)[failed.sample];
+            attempts.lastStatus[failed.sample] = failed.status;
+        }
+    }
+    return attempts;
+}
+
+/// Computes one sample until it succeeds or has no attempts left. \param failed attempts so far \param
+/// outside how often somebody has ended it. \return nothing when this process is to stop: the sample is then
+/// begun again
+std::optional<SampleRow> computeSample(const Ensemble& ensemble, const fs::path& work, SampleRunner& runner,
+                                       Activity& activity, long sample, int failed, int outside)
+{
+    for (;;)
+    {
+        activity.since = monotonicTime();
+        activity.sample = sample;
+        const double begin = cpuTimeOfAll();
+        SampleOutcome outcome;
+        try
+        {
+            outcome = runner.run(ensemble.sampler->at(sample));
+        }
+        catch (const std::bad_alloc&)
+        {
+            outcome.status = SampleStatus::outOfMemory;
+            outcome.results.assign(ensemble.settings.results.size(), std::nan(""));
+            outcome.message = "out of memory";
+        }
+        activity.sample = -1;
+        if (outcome.isFromOutside)
+        {
+            ::poll(nullptr, 0, 100); // whoever ended the application may be about to end this process
+        }
+        if (stopSignal() != 0)
+        {
+            return {};
+        }
+        const SampleRow row{outcome.status, failed + 1, cpuTimeOfAll() - begin, std::move(outcome.results)};
+        if (!isFailure(row.status))
+        {
+            return row;
+        }
+        addFailure(work, {sample, row.status, outcome.isFromOutside, outcome.message});
+        if (outcome.isFromOutside)
+        {
+            if (++outside >= mostOutsideKills)
+            {
+                return row;
+            }
+            continue;
+        }
+        const bool mayBeRepeated =
+            row.status == SampleStatus::outOfMemory || row.status == SampleStatus::crashed;
+        if (!mayBeRepeated || row.attempts >= ensemble.settings.failures.attempts)
+        {
+            return row;
+        }
+        ++failed;
+    }
+}
+
+void computeChunk(const Ensemble& ensemble, const SampleStore& store, long chunk, SampleRunner& runner,
+                  Activity& activity, Journal& journal, const std::map<long, SampleRow>& known)
+{
+    const auto [begin, end] = store.range(chunk);
+    const Attempts attempts = attemptsOf(store.folder(), {begin, end});
+    const auto countOf = [](const std::map<long, int>& counts, long sample)
+    {
+        const auto found = counts.find(sample);
+        return found == counts.end() ? 0 : found->second;
+    };
+    activity.done = 0;
+    for (long sample = begin; sample < end; ++sample)
+    {
+        if (activity.stops || stopSignal() != 0)
+        {
+            journal.sync();
+            ::_exit(0);
+        }
+        const auto found = known.find(sample);
+        if (found == known.end())
+        {
+            const int own = countOf(attempts.own, sample);
+            const int outside = countOf(attempts.outside, sample);
+            if (own >= ensemble.settings.failures.attempts || outside >= mostOutsideKills)
+            {
+                journal.add(sample, {attempts.lastStatus.at(sample), own + (own > 0 ? 0 : outside), 0,
+                                     std::vector<double>(ensemble.settings.results.size(), std::nan(""))});
+            }
+            else
+            {
+                const std::optional<SampleRow> row =
+                    computeSample(ensemble, store.folder(), runner, activity, sample, own, outside);
+                if (!row)
+                {
+                    journal.sync();
+                    ::_exit(0);
+                }
+                journal.add(sample, *row);
+            }
+        }
+        ++activity.done;
+    }
+    journal.sync();
+}
+
+/// Samples that warn of the same thing a thousand times shall not fill the disk.
+void limitMessages()
+{
+    struct stat status = {};
+    constexpr off_t most = 1000000;
+    if (::fstat(2, &status) == 0 && S_ISREG(status.st_mode) && status.st_size > most)
+    {
+        constexpr std::string_view last = "Further messages are not kept.\n";
+        [[maybe_unused]] const auto written = ::write(2, last.data(), last.size());
+        redirect("/dev/null", 2);
+    }
+}
+
+} // namespace
+
+void redirect(const fs::path& file, int descriptor)
+{
+    const int opened = ::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0666);
+    if (opened >= 0)
+    {
+        ::dup2(opened, descriptor);
+        ::close(opened);
+    }
+}
+
+void work(const Ensemble& ensemble, const SampleStore& store, const Worker& worker,
+          const std::map<long, SampleRow>& knownBefore)
+{
+    std::vector<char> stack(65536);
+    noteFaults(*worker.activity, stack);
+    try
+    {
+        std::map<long, SampleRow> known = knownBefore;
+        readJournal(worker.journal, ensemble.settings.results.size(), known);
+        Journal journal(worker.journal);
+        SampleRunner runner(ensemble, worker.scratch);
+        for (long chunk = 0; ::read(worker.orders, &chunk, sizeof(chunk)) == sizeof(chunk);)
+        {
+            computeChunk(ensemble, store, chunk, runner, *worker.activity, journal, known);
+            limitMessages();
+            const char done = 1;
+            if (::write(worker.answers, &done, 1) != 1)
+            {
+                break;
+            }
+        }
+    }
+    catch (const FatalError& error)
+    {
+        // Of the folder, not of a sample: the supervisor reads it.
+        const std::string report = error.report();
+        [[maybe_unused]] const auto written = ::write(2, report.data(), report.size());
+        ::_exit(3);
+    }
+    ::_exit(0);
+}
+
+} // namespace drystone

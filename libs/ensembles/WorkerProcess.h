@@ -1,0 +1,48 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// One worker process of an ensemble: the samples of one chunk after the other, with a note of each in memory
+/// that its supervisor sees.
+#pragma once
+
+#include "ensembles/SampleStore.h"
+
+#include <atomic>
+#include <filesystem>
+#include <map>
+
+#include <sys/types.h>
+
+namespace drystone
+{
+
+/// What a worker does, in memory that it shares with its supervisor.
+struct Activity
+{
+    std::atomic<long> sample{-1};           ///< in hand; -1: none
+    std::atomic<double> since{0};           ///< monotonic time at which the attempt began [s]
+    std::atomic<long> done{0};              ///< samples of the chunk in hand that are done
+    std::atomic<bool> stops{false};         ///< finish the sample in hand and end
+    std::atomic<bool> isFromOutside{false}; ///< the signal that ended the worker was sent by somebody
+};
+
+struct Worker
+{
+    pid_t process = -1;
+    int orders = -1;  ///< to the worker: numbers of chunks
+    int answers = -1; ///< from it: a byte when a chunk is complete; its end when the worker has died
+    long chunk = -1;  ///< in hand
+    Activity* activity = nullptr;
+    std::filesystem::path journal;
+    std::filesystem::path messages;
+    std::filesystem::path scratch;
+    SampleStatus endedFor = SampleStatus::crashed; ///< when the supervisor itself ends it
+    bool isEnded = false;
+};
+
+/// Lets a descriptor of this process write to the end of a file; nothing where that cannot be opened.
+void redirect(const std::filesystem::path& file, int descriptor);
+
+/// The life of a worker: chunks until there is no other. \param known samples that are done
+[[noreturn]] void work(const Ensemble& ensemble, const SampleStore& store, const Worker& worker,
+                       const std::map<long, SampleRow>& knownBefore);
+
+} // namespace drystone

@@ -1,0 +1,215 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+#include "statics/CoulombExchange.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drystone
+{
+namespace
+{
+
+using Eigen::VectorXd;
+
+/// Points that open or slide by less than this share of the largest rate stand still.
+constexpr double stillRate = 1e-7;
+
+/// Forces nearer to a limit than this share of the largest are at it.
+constexpr double atLimit = 1e-7;
+
+/// A mechanism is another one where what is in the way of a lower multiplier moves less by this share.
+constexpr double smallestChange = 1e-3;
+
+/// Of the forces that keep points from moving, whose weights in the objective are at most 1.
+constexpr double widestBound = 1e4;
+
+} // namespace
+
+template<int Rows, int Forces>
+std::optional<LeastPair> leastPair(const ConeProgram<Rows, Forces>& given, const CoulombPair& pair,
+                                   const ProgramSolver<Rows, Forces>& solve)
+{
+    const VectorXd closing = applyTransposed(given, pair.mechanism);
+    const double still = stillRate * closing.template lpNorm<Eigen::Infinity>();
+    ConeProgram<Rows, Forces> suited = given;
+    suited.liveLoad = -given.liveLoad;
+    VectorXd constant = VectorXd::Zero(Forces * given.points());
+    for (int point = 0; point < given.points(); ++point)
+    {
+        const auto at = static_cast<std::size_t>(point);
+        const auto slip = closing.template segment<Forces - 1>(Forces * point + 1);
+        const double size = slip.norm();
+        auto& columns = suited.contacts[at];
+        if (std::abs(closing[Forces * point]) > still)
+        {
+            constant.template segment<Forces>(Forces * point) =
+                pair.contactForce.template segment<Forces>(Forces * point);
+            columns.onFirst.setZero();
+            columns.onSecond.setZero();
+        }
+        else if (size > still)
+        {
+            const Eigen::Matrix<double, Forces - 1, 1> direction = slip / size;
+            const double friction = given.friction[at];
+            for (auto* side : {&columns.onFirst, &columns.onSecond})
+            {
+                side->col(0) += friction * side->template rightCols<Forces - 1>() * direction;
+            }
+            if (given.hasStrength())
+            {
+                constant.template segment<Forces - 1>(Forces * point + 1) =
+                    given.strength[at].cohesion * direction;
+                suited.strength[at].cohesion = 0;
+            }
+            suited.friction[at] = 0;
+        }
+    }
+    suited.load -= applyEquilibrium(given, constant);
+    // Columns without force have no say, and their points are left out.
+    std::vector<int> kept;
+    for (int point = 0; point < given.points(); ++point)
+    {
+        const auto& columns = suited.contacts[static_cast<std::size_t>(point)];
+        if (!columns.onFirst.isZero(0) || !columns.onSecond.isZero(0))
+        {
+            const auto to = kept.size();
+            suited.contacts[to] = columns;
+            suited.friction[to] = suited.friction[static_cast<std::size_t>(point)];
+            if (given.hasStrength())
+            {
+                suited.strength[to] = suited.strength[static_cast<std::size_t>(point)];
+            }
+            kept.push_back(point);
+        }
+    }
+    suited.contacts.resize(kept.size());
+    suited.friction.resize(kept.size());
+    suited.strength.resize(given.hasStrength() ? kept.size() : 0);
+    const ConeSolution solved = solve(suited);
+    if (solved.status != SolveStatus::optimal)
+    {
+        return std::nullopt;
+    }
+    CoulombPair least{-solved.multiplier, std::move(constant), pair.mechanism, {}};
+    for (std::size_t i = 0; i < kept.size(); ++i)
+    {
+        auto force = least.contactForce.template segment<Forces>(Forces * kept[i]);
+        const auto from = solved.contactForce.template segment<Forces>(static_cast<Eigen::Index>(Forces * i));
+        const auto slip = closing.template segment<Forces - 1>(Forces * kept[i] + 1);
+        const double size = slip.norm();
+        if (size > still)
+        {
+            force[0] = from[0];
+            force.template tail<Forces - 1>() +=
+                given.friction[static_cast<std::size_t>(kept[i])] * from[0] * slip / size;
+        }
+        else
+        {
+            force = from;
+        }
+    }
+    return LeastPair{std::move(least), solved.displacement};
+}
+
+template<int Rows, int Forces>
+std::optional<Eigen::VectorXd> otherMechanism(const ConeProgram<Rows, Forces>& given, const LeastPair& least,
+                                              const ProgramSolver<Rows, Forces>& solve)
+{
+    const VectorXd closing = applyTransposed(given, least.pair.mechanism);
+    const double still = stillRate * closing.template lpNorm<Eigen::Infinity>();
+    const VectorXd price = applyTransposed(given, least.balance);
+    const VectorXd& forces = least.pair.contactForce;
+    const double none = atLimit * forces.template lpNorm<Eigen::Infinity>();
+    VectorXd against = VectorXd::Zero(forces.size()); // w and v, as forces of the points
+    for (int point = 0; point < given.points(); ++point)
+    {
+        const double friction = given.friction[static_cast<std::size_t>(point)];
+        const auto slip = closing.template segment<Forces - 1>(Forces * point + 1);
+        const auto shearPrice = price.template segment<Forces - 1>(Forces * point + 1);
+        const double normalPrice = price[Forces * point];
+        if (closing[Forces * point] < -still)
+        {
+            against[Forces * point] = std::max(0.0, normalPrice + friction * shearPrice.norm());
+        }
+        else if (slip.norm() > still)
+        {
+            const double weight = std::max(0.0, -shearPrice.dot(slip) / slip.norm());
+            against.template segment<Forces - 1>(Forces * point + 1) = -weight * slip / slip.norm();
+        }
+    }
+    const double largest = against.template lpNorm<Eigen::Infinity>();
+    if (!(largest > stillRate * price.template lpNorm<Eigen::Infinity>()))
+    {
+        return std::nullopt;
+    }
+    against /= largest;
+
+    // Every component of A'y that is restricted, as a point with a normal force alone: one that must not
+    // close, or one that must not move, which a force between wide bounds prevents.
+    ConeProgram<Rows, Forces> rates;
+    rates.bodies = given.bodies;
+    rates.liveLoad = given.liveLoad;
+    rates.load = applyEquilibrium(given, against);
+    const auto restrict = [&](int point, const Eigen::Matrix<double, Forces, 1>& component, bool isOneSided)
+    {
+        ConeColumns<Rows, Forces> columns = given.contacts[static_cast<std::size_t>(point)];
+        for (auto* side : {&columns.onFirst, &columns.onSecond})
+        {
+            side->col(0) = (*side * component).eval();
+            side->template rightCols<Forces - 1>().setZero();
+        }
+        rates.contacts.push_back(columns);
+        rates.friction.push_back(0);
+        rates.strength.push_back(isOneSided ? Strength{}
+                                            : Strength{.tension = widestBound, .crushing = widestBound});
+    };
+    using Force = Eigen::Matrix<double, Forces, 1>;
+    for (int point = 0; point < given.points(); ++point)
+    {
+        const Strength strength =
+            given.hasStrength() ? given.strength[static_cast<std::size_t>(point)] : Strength{};
+        const Force force = forces.template segment<Forces>(Forces * point);
+        const double limit = strength.cohesion + given.friction[static_cast<std::size_t>(point)] * force[0];
+        const auto shear = force.template tail<Forces - 1>();
+        Force component = Force::Unit(0);
+        const bool opens = force[0] <= -strength.tension + none;
+        const bool closes = force[0] >= strength.crushing - none;
+        restrict(point, closes ? Force(-component) : component, opens || closes);
+        if (limit <= none)
+        {
+            continue;
+        }
+        if (shear.norm() < limit - none)
+        {
+            for (int i = 1; i < Forces; ++i)
+            {
+                restrict(point, Force::Unit(i), false);
+            }
+            continue;
+        }
+        component << 0, -shear / shear.norm();
+        restrict(point, component, true);
+        if constexpr (Forces == 3)
+        {
+            component << 0, -shear[1] / shear.norm(), shear[0] / shear.norm();
+            restrict(point, component, false);
+        }
+    }
+    const ConeSolution solved = solve(rates);
+    const double inTheWay = -rates.load.dot(least.pair.mechanism);
+    return solved.status == SolveStatus::optimal
+                   && -rates.load.dot(solved.displacement) < (1 - smallestChange) * inTheWay
+               ? std::optional(solved.displacement)
+               : std::nullopt;
+}
+
+template std::optional<LeastPair> leastPair(const PlaneConeProgram& given, const CoulombPair& pair,
+                                            const ProgramSolver<3, 2>& solve);
+template std::optional<LeastPair> leastPair(const SpaceConeProgram& given, const CoulombPair& pair,
+                                            const ProgramSolver<6, 3>& solve);
+template std::optional<Eigen::VectorXd> otherMechanism(const PlaneConeProgram& given, const LeastPair& least,
+                                                       const ProgramSolver<3, 2>& solve);
+template std::optional<Eigen::VectorXd> otherMechanism(const SpaceConeProgram& given, const LeastPair& least,
+                                                       const ProgramSolver<6, 3>& solve);
+
+} // namespace drystone
