@@ -1,17 +1,15 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// The grammar of dictionaries, written with PEGTL: rules first, then what each rule leaves behind, then the
-/// messages for text that no rule takes.
+/// The grammar of dictionaries, written with PEGTL, in this file alone: rules first, then what each rule
+/// leaves behind, then the messages for text that no rule takes.
 ///
 /// Rules look ahead rather than go back, so that what a rule leaves behind never has to be taken away again.
 #include "dictionary/DictionaryGrammar.h"
 
 #include "dictionary/Dictionary.h"
 #include "dictionary/DictionaryScanner.h"
+#include "dictionary/StatementBuilder.h"
 
-#include <algorithm>
 #include <bit>
-#include <charconv>
-#include <cstring>
 #include <tao/pegtl.hpp>
 
 namespace drystone
@@ -19,9 +17,6 @@ namespace drystone
 
 namespace
 {
-
-// --------------------------------------------------------------------------------------------------------
-// grammar
 
 namespace grammar
 {
@@ -152,299 +147,6 @@ struct tokens : seq<braceItems, must<end>> {};
 // clang-format on
 } // namespace grammar
 
-// ------------------------------------------------------------------------------------------------ what rules
-// leave
-
-/// Takes what the rules find and arranges it as statements.
-class Builder
-{
-public:
-    explicit Builder(const SourceFile& sourceFile)
-        : file(sourceFile), text(sourceFile.text), countedTo(text.data())
-    {
-    }
-
-    std::vector<Statement> statements;
-    std::vector<Token> looseTokens; ///< of a text that stands for a value
-    bool isBinary = false;          ///< the header says that lists of numbers are given as bytes
-
-    Token token(TokenKind kind, const char* begin, const char* end)
-    {
-        return {std::string_view(begin, static_cast<std::size_t>(end - begin)), &file, lineOf(begin), kind};
-    }
-
-    void add(const Token& added)
-    {
-        if (added.kind == TokenKind::word && added.text.size() > longestWord)
-        {
-            throw error("A word of more than " + std::to_string(longestWord)
-                            + " letters. Is this a text file? Strings go between quotes.",
-                        added.line);
-        }
-        if (open.empty())
-        {
-            looseTokens.push_back(added);
-            return;
-        }
-        Statement& statement = open.back();
-        if (added.kind == TokenKind::macro || added.kind == TokenKind::directive)
-        {
-            statement.isLiteral = false;
-        }
-        statement.value.push_back(added);
-    }
-
-    /// Adds the tokens of a binary list, if there is one here. \return its length in bytes, or 0
-    std::size_t addBinaryList(const char* begin, const char* end)
-    {
-        static constexpr std::string_view type = "List<scalar>";
-        const std::string_view ahead(begin, static_cast<std::size_t>(end - begin));
-        if (!isBinary || !ahead.starts_with(type))
-        {
-            return 0;
-        }
-        const auto skipSpaces = [end](const char* at) { return std::find_if_not(at, end, isSpace); };
-        const char* count = skipSpaces(begin + type.size());
-        const char* countEnd = std::find_if_not(count, end, isDigit);
-        const char* bracket = skipSpaces(countEnd);
-        std::size_t numbers = 0;
-        const auto [read, failure] = std::from_chars(count, countEnd, numbers);
-        if (failure != std::errc() || read == count || bracket == end || *bracket != '(')
-        {
-            throw error("A binary list is written `List<scalar> N(`, the bytes of N numbers and `)`.",
-                        lineOf(begin));
-        }
-        const char* bytes = bracket + 1;
-        const auto left = static_cast<std::size_t>(end - bytes);
-        if (left / sizeof(double) < numbers || left - numbers * sizeof(double) == 0)
-        {
-            throw error("The file ends within a list of " + std::to_string(numbers) + " numbers.",
-                        lineOf(begin));
-        }
-        const char* close = bytes + numbers * sizeof(double);
-        if (*close != ')')
-        {
-            throw error("The bytes of a list of " + std::to_string(numbers)
-                            + " numbers are not followed by `)`. Was the file changed by a text editor?",
-                        lineOf(begin));
-        }
-        add(token(TokenKind::word, begin, begin + type.size()));
-        add(token(TokenKind::number, count, countEnd));
-        add(token(TokenKind::punctuation, bracket, bytes));
-        add(token(TokenKind::bytes, bytes, close));
-        add(token(TokenKind::punctuation, close, close + 1));
-        return static_cast<std::size_t>(close + 1 - begin);
-    }
-
-    void begin(Statement::Kind kind, const Token& keyword, const char* at)
-    {
-        if (keyword.text.size() > longestWord)
-        {
-            throw error("A keyword of more than " + std::to_string(longestWord)
-                            + " letters. Is this a text file?",
-                        keyword.line);
-        }
-        Statement statement;
-        statement.kind = kind;
-        statement.keyword = keyword;
-        statement.begin = offset(at);
-        open.push_back(std::move(statement));
-    }
-
-    void end(const char* at)
-    {
-        Statement finished = std::move(open.back());
-        open.pop_back();
-        finished.end = offset(at);
-        if (open.empty())
-        {
-            statements.push_back(std::move(finished));
-        }
-        else
-        {
-            Statement& parent = open.back();
-            const bool inOtherwise = !otherwiseOf.empty() && otherwiseOf.back() == open.size();
-            (inOtherwise ? parent.otherwise : parent.body).push_back(std::move(finished));
-        }
-    }
-
-    Statement& current() { return open.back(); }
-
-    void openBracket(const char* at)
-    {
-        brackets.push_back({*at, lineOf(at)});
-        enter(brackets.back().line);
-    }
-    void closeBracket()
-    {
-        brackets.pop_back();
-        --depth;
-    }
-    void openCondition(int line)
-    {
-        brackets.push_back({'#', line});
-        enter(line);
-    }
-    void openOtherwise() { otherwiseOf.push_back(open.size()); }
-    void closeCondition()
-    {
-        if (!otherwiseOf.empty() && otherwiseOf.back() == open.size())
-        {
-            otherwiseOf.pop_back();
-        }
-        closeBracket();
-    }
-
-    std::size_t offset(const char* at) const { return static_cast<std::size_t>(at - text.data()); }
-
-    /// Lines are counted once, from the last place asked for.
-    int lineOf(const char* at)
-    {
-        if (at < countedTo)
-        {
-            countedTo = text.data();
-            countedLines = 1;
-        }
-        countedLines += static_cast<int>(std::count(countedTo, at, '\n'));
-        countedTo = at;
-        return countedLines;
-    }
-
-    FatalIOError error(const std::string& message, int line) const
-    {
-        std::string path;
-        for (const Statement& statement : open)
-        {
-            if (statement.kind == Statement::Kind::condition || statement.keyword.text.empty())
-            {
-                continue;
-            }
-            path += (path.empty() ? "" : "/") + std::string(statement.keyword.text.substr(0, 80));
-        }
-        return FatalIOError(message, SourceLocation{file.name, path, line});
-    }
-
-    /// What stands where no rule fits, as a user would call it.
-    std::string found(const char* at) const
-    {
-        const char* end = text.data() + text.size();
-        if (at == end)
-        {
-            return "the end of the file";
-        }
-        std::size_t length = wordLength(at, end);
-        length = std::clamp<std::size_t>(length, 1, 40);
-        return "`" + std::string(at, length) + "`";
-    }
-
-    [[noreturn]] void failMissingSemicolon(const char* at)
-    {
-        const Statement& statement = open.back();
-        const std::string key(statement.keyword.text);
-        if (at != text.data() + text.size() && (*at == ')' || *at == ']'))
-        {
-            throw error(
-                "There is a `" + std::string(1, *at)
-                    + "` without the bracket that would open it. Remove it, or add the one that is missing.",
-                lineOf(at));
-        }
-        if (at == text.data() + text.size() || *at == '}')
-        {
-            const int line = statement.value.empty() ? statement.keyword.line : statement.value.back().line;
-            throw error("A `;` is missing after the value of " + key + ": " + found(at)
-                            + " came first. Write `;` at the end of line " + std::to_string(line) + ".",
-                        line);
-        }
-        failUnexpected(at);
-    }
-
-    [[noreturn]] void failUnclosed(char closing, const char* at)
-    {
-        const Bracket opened = brackets.back();
-        const bool atEnd = at == text.data() + text.size();
-        if (!atEnd && !std::strchr(")]};#", *at))
-        {
-            failUnexpected(at);
-        }
-        if (!atEnd && *at == '#' && opened.character != '#')
-        {
-            throw error("Unexpected " + found(at) + " where the bracket of line "
-                            + std::to_string(opened.line)
-                            + " is still open. A condition and what it governs are to hold whole entries.",
-                        lineOf(at));
-        }
-        const std::string openedText =
-            opened.character == '#' ? "condition" : "`" + std::string(1, opened.character) + "`";
-        const std::string closingText = closing == '#' ? "`#endif`" : "`" + std::string(1, closing) + "`";
-        throw error("The " + openedText + " of line " + std::to_string(opened.line)
-                        + " is not closed: " + found(at) + " came at line " + std::to_string(lineOf(at))
-                        + " before the " + closingText + ". Write " + closingText
-                        + " where it belongs, or remove what is too much.",
-                    opened.line);
-    }
-
-    [[noreturn]] void failUnexpected(const char* at)
-    {
-        const int line = lineOf(at);
-        const char* end = text.data() + text.size();
-        if (at != end)
-        {
-            if (*at == '}')
-            {
-                throw error("There is a `}` without a `{`. Remove it, or add the `{` that is missing.", line);
-            }
-            if (*at == ')' || *at == ']')
-            {
-                throw error("There is a `" + std::string(1, *at)
-                                + "` without the bracket that would open it. Remove it, or add the one that "
-                                  "is missing.",
-                            line);
-            }
-            if (*at == '{')
-            {
-                throw error("There is a `{` without a keyword before it. Write `name { ... }`.", line);
-            }
-            if (*at == '#')
-            {
-                throw error("There is " + found(at) + " without a condition that it belongs to.", line);
-            }
-            if (*at == '$')
-            {
-                throw error("A `$` is to be followed by the name of an entry: `$name` or `${name}`.", line);
-            }
-        }
-        throw error("Unexpected " + found(at)
-                        + ". An entry is written `key value;` or `key { ... }`, with quotes "
-                          "around a value of other characters than letters, digits and _.",
-                    line);
-    }
-
-private:
-    struct Bracket
-    {
-        char character;
-        int line;
-    };
-    void enter(int line)
-    {
-        if (++depth > deepestNesting)
-        {
-            throw error("Brackets are nested more than " + std::to_string(deepestNesting)
-                            + " deep. Is a closing bracket missing?",
-                        line);
-        }
-    }
-
-    const SourceFile& file;
-    std::string_view text;
-    std::vector<Statement> open;
-    std::vector<Bracket> brackets;
-    std::vector<std::size_t> otherwiseOf; ///< sizes of `open` whose statement is past its #else
-    int depth = 0;
-    const char* countedTo;
-    int countedLines = 1;
-};
-
 template<typename Rule>
 struct Action : tao::pegtl::nothing<Rule>
 {
@@ -454,7 +156,7 @@ template<TokenKind kind, int before = 0, int after = 0>
 struct AddToken
 {
     template<typename ActionInput>
-    static void apply(const ActionInput& in, Builder& builder)
+    static void apply(const ActionInput& in, StatementBuilder& builder)
     {
         builder.add(builder.token(kind, in.begin() + before, in.end() - after));
     }
@@ -476,7 +178,7 @@ template<> struct Action<grammar::separator> : AddToken<TokenKind::punctuation> 
 struct OpenBracket
 {
     template<typename ActionInput>
-    static void apply(const ActionInput& in, Builder& builder)
+    static void apply(const ActionInput& in, StatementBuilder& builder)
     {
         builder.openBracket(in.begin());
         builder.add(builder.token(TokenKind::punctuation, in.begin(), in.end()));
@@ -486,7 +188,7 @@ struct OpenBracket
 struct CloseBracket
 {
     template<typename ActionInput>
-    static void apply(const ActionInput& in, Builder& builder)
+    static void apply(const ActionInput& in, StatementBuilder& builder)
     {
         builder.closeBracket();
         builder.add(builder.token(TokenKind::punctuation, in.begin(), in.end()));
@@ -506,7 +208,7 @@ template<TokenKind kind, Statement::Kind statementKind, int quotes = 0>
 struct BeginStatement
 {
     template<typename ActionInput>
-    static void apply(const ActionInput& in, Builder& builder)
+    static void apply(const ActionInput& in, StatementBuilder& builder)
     {
         builder.begin(statementKind, builder.token(kind, in.begin() + quotes, in.end() - quotes), in.begin());
     }
@@ -524,7 +226,7 @@ template<>
 struct Action<grammar::keyCondition>
 {
     template<typename ActionInput>
-    static void apply(const ActionInput& in, Builder& builder)
+    static void apply(const ActionInput& in, StatementBuilder& builder)
     {
         const Token keyword = builder.token(TokenKind::directive, in.begin(), in.end());
         builder.begin(Statement::Kind::condition, keyword, in.begin());
@@ -535,14 +237,14 @@ struct Action<grammar::keyCondition>
 template<>
 struct Action<grammar::otherwise>
 {
-    static void apply0(Builder& builder) { builder.openOtherwise(); }
+    static void apply0(StatementBuilder& builder) { builder.openOtherwise(); }
 };
 
 template<>
 struct Action<grammar::bareListBegin>
 {
     template<typename ActionInput>
-    static void apply(const ActionInput& in, Builder& builder)
+    static void apply(const ActionInput& in, StatementBuilder& builder)
     {
         builder.begin(Statement::Kind::list, builder.token(TokenKind::word, in.begin(), in.begin()),
                       in.begin());
@@ -553,7 +255,7 @@ template<>
 struct Action<grammar::blockOpen>
 {
     template<typename ActionInput>
-    static void apply(const ActionInput& in, Builder& builder)
+    static void apply(const ActionInput& in, StatementBuilder& builder)
     {
         builder.openBracket(in.begin());
         builder.current().kind = Statement::Kind::dictionary;
@@ -565,7 +267,7 @@ template<>
 struct Action<grammar::blockClose>
 {
     template<typename ActionInput>
-    static void apply(const ActionInput& in, Builder& builder)
+    static void apply(const ActionInput& in, StatementBuilder& builder)
     {
         builder.closeBracket();
         builder.current().valueEnd = builder.offset(in.begin());
@@ -577,7 +279,7 @@ template<>
 struct Action<grammar::valueStart>
 {
     template<typename ActionInput>
-    static void apply(const ActionInput& in, Builder& builder)
+    static void apply(const ActionInput& in, StatementBuilder& builder)
     {
         builder.current().valueBegin = builder.offset(in.begin());
     }
@@ -587,7 +289,7 @@ template<>
 struct Action<grammar::valueEnd>
 {
     template<typename ActionInput>
-    static void apply(const ActionInput& in, Builder& builder)
+    static void apply(const ActionInput& in, StatementBuilder& builder)
     {
         builder.current().valueEnd = builder.offset(in.begin());
     }
@@ -596,7 +298,7 @@ struct Action<grammar::valueEnd>
 struct EndStatement
 {
     template<typename ActionInput>
-    static void apply(const ActionInput& in, Builder& builder)
+    static void apply(const ActionInput& in, StatementBuilder& builder)
     {
         builder.end(in.end());
     }
@@ -613,7 +315,7 @@ template<>
 struct Action<grammar::conditionEnd>
 {
     template<typename ActionInput>
-    static void apply(const ActionInput& in, Builder& builder)
+    static void apply(const ActionInput& in, StatementBuilder& builder)
     {
         builder.closeCondition();
         builder.end(in.end());
@@ -628,7 +330,7 @@ template<typename Rule>
 struct Control : tao::pegtl::normal<Rule>
 {
     template<typename ParseInput>
-    [[noreturn]] static void raise(const ParseInput& in, Builder& builder)
+    [[noreturn]] static void raise(const ParseInput& in, StatementBuilder& builder)
     {
         const char* at = in.current();
         if constexpr (std::is_same_v<Rule, grammar::semicolon>)
@@ -699,7 +401,7 @@ void refuseBinary(const SourceFile& file)
 }
 
 template<typename Rule>
-bool match(const SourceFile& file, Builder& builder)
+bool match(const SourceFile& file, StatementBuilder& builder)
 {
     const std::string_view text = file.text;
     tao::pegtl::memory_input<tao::pegtl::tracking_mode::lazy> input(text.data(), text.data() + text.size(),
@@ -731,7 +433,7 @@ bool saysBinary(const SourceFile& file)
     {
         return false;
     }
-    Builder builder(file);
+    StatementBuilder builder(file);
     if (!match<grammar::header>(file, builder) || builder.statements.empty())
     {
         return false;
@@ -753,7 +455,7 @@ bool saysBinary(const SourceFile& file)
 }
 
 template<typename Rule>
-void run(const SourceFile& file, Builder& builder)
+void run(const SourceFile& file, StatementBuilder& builder)
 {
     builder.isBinary = saysBinary(file);
     if (!builder.isBinary)
@@ -767,14 +469,14 @@ void run(const SourceFile& file, Builder& builder)
 
 std::vector<Statement> parseStatements(const SourceFile& file)
 {
-    Builder builder(file);
+    StatementBuilder builder(file);
     run<grammar::file>(file, builder);
     return std::move(builder.statements);
 }
 
 std::vector<Token> parseTokens(const SourceFile& file)
 {
-    Builder builder(file);
+    StatementBuilder builder(file);
     run<grammar::tokens>(file, builder);
     return std::move(builder.looseTokens);
 }

@@ -1,5 +1,4 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Evaluates, records and reports the points of a search by running applications in a copy of the case.
 #include "ensembles/ParameterSearchCase.h"
 
 #include "core/Log.h"
@@ -14,164 +13,12 @@
 #include <cmath>
 #include <limits>
 
-#include <sys/resource.h>
-
 namespace drystone
 {
 namespace
 {
 
 namespace fs = std::filesystem;
-
-constexpr const char* applicationName = "parameterSearch";
-
-fs::path resultsFolder(const fs::path& caseDirectory)
-{
-    return postProcessingFolder(caseDirectory, applicationName, "0");
-}
-
-/// `thickness = 0.1067  mu = 0.4`
-std::string pointText(const ParameterSearchSettings& settings, const std::vector<double>& variables)
-{
-    std::string text;
-    for (std::size_t i = 0; i < variables.size(); ++i)
-    {
-        text += fmt::format("{}{} = {:.9g}", i > 0 ? "  " : "", settings.variables[i].first, variables[i]);
-    }
-    return text;
-}
-
-/// Everything that the points of a history depend on.
-std::string historyHeading(const ParameterSearch& search)
-{
-    const ParameterSearchSettings& settings = search.settings;
-    std::string text = fmt::format("# case {:016x} applications {} in {}", search.caseFingerprint,
-                                   fmt::join(settings.applications, " "), fmt::join(settings.cases, " "));
-    for (const auto& [name, variable] : settings.variables)
-    {
-        text += fmt::format("; {} = {}/{}", name, variable.place.file, variable.place.entry);
-    }
-    for (const auto& [name, result] : settings.results)
-    {
-        text += fmt::format("; {} = {} {} {}", name, result.figure.table, result.figure.column,
-                            int(result.figure.take));
-    }
-    text += "\n#";
-    for (const auto& [name, variable] : settings.variables)
-    {
-        text += " " + name;
-    }
-    for (const auto& [name, result] : settings.results)
-    {
-        text += " " + name;
-    }
-    return text + " exitStatus[-] cpuTime[s]\n";
-}
-
-/// Reports why there is no number, and how to continue.
-[[noreturn]] void failResult(const ParameterSearch& search, std::size_t index,
-                             const std::vector<double>& variables, const std::string& reason)
-{
-    const std::string& name = search.settings.results[index].first;
-    throw FatalIOError(
-        fmt::format(
-            "There is no finite number for the result {} at {}.\n{}\n\nThe files of this point are in "
-            "{}. A search that may reach such points needs a value to continue with: `otherwise` in "
-            "this result.",
-            name, pointText(search.settings, variables), reason,
-            (search.caseDirectory / "parameterSearch/evaluation").string()),
-        search.dictionary.subDict("results").locationOf(name));
-}
-
-/// Results with `otherwise` in place of what is missing.
-std::vector<double> completed(const ParameterSearch& search, const std::vector<double>& variables,
-                              std::vector<double> results, const std::string& reason)
-{
-    for (std::size_t i = 0; i < results.size(); ++i)
-    {
-        if (!std::isfinite(results[i]))
-        {
-            const std::optional<double>& otherwise = search.settings.results[i].second.otherwise;
-            if (!otherwise)
-            {
-                failResult(search, i, variables, reason);
-            }
-            results[i] = *otherwise;
-        }
-    }
-    return results;
-}
-
-/// The outcome of the applications at a point.
-struct PointRun
-{
-    std::vector<double> results; ///< nan where there is none
-    std::string failure;         ///< which application failed; empty when none did
-    std::string errorOutput;     ///< of that application
-    int failureStatus = 0;
-    bool isInterrupted = false;
-};
-
-PointRun runPoint(const ParameterSearch& search, const std::vector<double>& variables)
-{
-    const ParameterSearchSettings& settings = search.settings;
-    const fs::path folder = search.caseDirectory / "parameterSearch/evaluation";
-    std::vector<OtherEntry> entries;
-    for (std::size_t i = 0; i < variables.size(); ++i)
-    {
-        entries.emplace_back(settings.variables[i].second.place, fmt::format("{}", variables[i]));
-    }
-    const CaseRun done = runCopy(search.caseDirectory, folder, entries,
-                                 {settings.applications, settings.cases, search.options});
-    PointRun run;
-    run.isInterrupted = done.isInterrupted;
-    if (run.isInterrupted)
-    {
-        return run;
-    }
-    if (done.status != 0) // a table of an earlier application may be from before the failure
-    {
-        run.failure = fmt::format("{} ended with exit status {} (parameterSearch/evaluation/{}log.{})",
-                                  done.application, done.status,
-                                  done.directory == "." ? "" : done.directory + "/", done.application);
-        run.failureStatus = done.status;
-        run.errorOutput = done.errorOutput;
-    }
-    for (std::size_t i = 0; i < settings.results.size(); ++i)
-    {
-        const auto& [name, result] = settings.results[i];
-        std::optional<std::vector<double>> column;
-        try
-        {
-            column = readColumn(folder / result.figure.table, result.figure.column);
-        }
-        catch (const FatalError& error)
-        {
-            throw FatalIOError(error.what(),
-                               search.dictionary.subDict("results").subDict(name).locationOf("column"));
-        }
-        if (!column && run.failure.empty())
-        {
-            throw FatalIOError(fmt::format("The applications have not written the table {}.\n\nDo they write "
-                                           "it, and does a function "
-                                           "of controlDict? Their files are in {}.",
-                                           result.figure.table, folder.string()),
-                               search.dictionary.subDict("results").subDict(name).locationOf("table"));
-        }
-        run.results.push_back(column ? taken(*column, result.figure.take) : std::nan(""));
-    }
-    return run;
-}
-
-/// CPU time of the applications that have ended [s].
-double childrenCpuTime()
-{
-    rusage usage{};
-    getrusage(RUSAGE_CHILDREN, &usage);
-    const auto seconds = [](const timeval& time)
-    { return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec); };
-    return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
 
 void keepAsBest(const ParameterSearch& search)
 {
@@ -269,44 +116,8 @@ ParameterSearch readParameterSearch(const fs::path& caseDirectory, const Command
 
 void requireWritableResults(const ParameterSearch& search)
 {
-    requireWritable(resultsFolder(search.caseDirectory));
-    requireWritable(search.caseDirectory / applicationName);
-}
-
-SearchHistory::SearchHistory(const ParameterSearch& parameterSearch)
-    : search(parameterSearch), file(resultsFolder(search.caseDirectory) / "history.dat")
-{
-    const std::size_t numbers = search.settings.variables.size() + search.settings.results.size() + 2;
-    for (const std::vector<double>& row : readHistory(file, historyHeading(search), numbers, applicationName))
-    {
-        const auto variables = static_cast<std::ptrdiff_t>(search.settings.variables.size());
-        SearchRecord record{{row.begin(), row.begin() + variables},
-                            {row.begin() + variables, row.end() - 2},
-                            static_cast<int>(row.end()[-2]),
-                            row.back()};
-        places[record.variables] = knownRecords.size();
-        knownRecords.push_back(std::move(record));
-    }
-}
-
-const SearchRecord* SearchHistory::find(const std::vector<double>& variables) const
-{
-    const auto found = places.find(variables);
-    return found == places.end() ? nullptr : &knownRecords[found->second];
-}
-
-void SearchHistory::add(SearchRecord record)
-{
-    places[record.variables] = knownRecords.size();
-    knownRecords.push_back(std::move(record));
-    std::string text = historyHeading(search);
-    for (const SearchRecord& known : knownRecords)
-    {
-        // The fewest digits that read back as the same number.
-        text += fmt::format("{}  {}  {}  {:.3g}\n", fmt::join(known.variables, "  "),
-                            fmt::join(known.results, "  "), known.exitStatus, known.cpuTime);
-    }
-    writeWholeFile(file, text);
+    requireWritable(searchFolder(search.caseDirectory));
+    requireWritable(search.caseDirectory / parameterSearchName);
 }
 
 void printSearch(const ParameterSearch& search, const SearchHistory& history)
@@ -388,7 +199,6 @@ SearchOutcome carryOut(const ParameterSearch& search, SearchHistory& history)
             report(found, "  (known)");
             return found;
         }
-        const double before = childrenCpuTime();
         const PointRun run = runPoint(search, variables);
         if (run.isInterrupted)
         {
@@ -404,13 +214,12 @@ SearchOutcome carryOut(const ParameterSearch& search, SearchHistory& history)
             run.failure.empty()
                 ? "The table says so: the structure does not stand there, or any load is carried."
                 : run.failure + ".\n" + run.errorOutput;
-        const double cpuTime = childrenCpuTime() - before;
         const Evaluation found =
             evaluate(settings, variables, completed(search, variables, run.results, reason));
-        history.add({variables, run.results, run.failureStatus, cpuTime});
+        history.add({variables, run.results, run.failureStatus, run.cpuTime});
         ++computed;
         if (report(found, fmt::format("{}  ({:.2f} s; at most {} left)",
-                                      run.failure.empty() ? "" : "  " + run.failure, cpuTime,
+                                      run.failure.empty() ? "" : "  " + run.failure, run.cpuTime,
                                       durationText((clockTime() - start) / computed
                                                    * std::max(0, mostEvaluations - number)))))
         {
@@ -482,7 +291,7 @@ void writeOutcome(const ParameterSearch& search, const SearchHistory& history, c
         return;
     }
     const ParameterSearchSettings& settings = search.settings;
-    const fs::path folder = resultsFolder(search.caseDirectory);
+    const fs::path folder = searchFolder(search.caseDirectory);
     std::vector<std::string> columns;
     std::vector<double> row;
     const auto add = [&](const std::string& name, double value)

@@ -9,27 +9,13 @@
 ///     parameterSearch.svg      the objective over the evaluations, or over the variable when there is one
 #pragma once
 
-#include "ensembles/ParameterSearch.h"
+#include "ensembles/SearchHistory.h"
 #include "runControl/CommandLine.h"
-#include "runControl/PictureFormats.h"
 
-#include <cstdint>
 #include <filesystem>
 
 namespace drystone
 {
-
-/// A search that has been read and checked.
-struct ParameterSearch
-{
-    std::filesystem::path caseDirectory;
-    ParameterSearchSettings settings;
-    Dictionary dictionary;     ///< system/parameterSearchDict, for the location in messages
-    std::vector<double> start; ///< of the variables
-    std::uint64_t caseFingerprint = 0;
-    std::vector<std::string> options; ///< for the applications
-    PictureFormats pictureFormats{PictureFormat::svg};
-};
 
 /// Reads system/parameterSearchDict and looks up the entries that it names.
 /// \throws FatalIOError for faults in it, or in a dictionary with an entry to be varied
@@ -39,34 +25,6 @@ ParameterSearch readParameterSearch(const std::filesystem::path& caseDirectory,
 /// Checks, before anything is computed, whether the folders of the search can be written.
 /// \throws FatalError naming the one that cannot
 void requireWritableResults(const ParameterSearch& search);
-
-/// One computed point.
-struct SearchRecord
-{
-    std::vector<double> variables;
-    std::vector<double> results; ///< as the tables have them: nan where there is none
-    int exitStatus = 0;          ///< of the application that failed; 0: none did
-    double cpuTime = 0;          ///< [s]
-};
-
-/// The known points, written to disk after each of them.
-class SearchHistory
-{
-public:
-    /// Reads the points of an earlier search of the case; nothing is written yet.
-    /// \throws FatalError when it is a history of other variables, results, applications or files than now
-    explicit SearchHistory(const ParameterSearch& parameterSearch);
-
-    const SearchRecord* find(const std::vector<double>& variables) const;
-    void add(SearchRecord record);
-    const std::vector<SearchRecord>& records() const { return knownRecords; }
-
-private:
-    const ParameterSearch& search;
-    std::filesystem::path file;
-    std::vector<SearchRecord> knownRecords;
-    std::map<std::vector<double>, std::size_t> places;
-};
 
 /// Before the first evaluation: variables, results, objective, constraints, algorithms.
 void printSearch(const ParameterSearch& search, const SearchHistory& history);

@@ -1,0 +1,86 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+#include "ensembles/SearchHistory.h"
+
+#include "core/WholeFile.h"
+#include "ensembles/CaseRuns.h"
+#include "functionObjects/ColumnFile.h"
+
+#include <fmt/format.h>
+
+namespace drystone
+{
+namespace
+{
+
+/// Everything that the points of a history depend on.
+std::string historyHeading(const ParameterSearch& search)
+{
+    const ParameterSearchSettings& settings = search.settings;
+    std::string text = fmt::format("# case {:016x} applications {} in {}", search.caseFingerprint,
+                                   fmt::join(settings.applications, " "), fmt::join(settings.cases, " "));
+    for (const auto& [name, variable] : settings.variables)
+    {
+        text += fmt::format("; {} = {}/{}", name, variable.place.file, variable.place.entry);
+    }
+    for (const auto& [name, result] : settings.results)
+    {
+        text += fmt::format("; {} = {} {} {}", name, result.figure.table, result.figure.column,
+                            int(result.figure.take));
+    }
+    text += "\n#";
+    for (const auto& [name, variable] : settings.variables)
+    {
+        text += " " + name;
+    }
+    for (const auto& [name, result] : settings.results)
+    {
+        text += " " + name;
+    }
+    return text + " exitStatus[-] cpuTime[s]\n";
+}
+
+} // namespace
+
+std::filesystem::path searchFolder(const std::filesystem::path& caseDirectory)
+{
+    return postProcessingFolder(caseDirectory, parameterSearchName, "0");
+}
+
+SearchHistory::SearchHistory(const ParameterSearch& parameterSearch)
+    : search(parameterSearch), file(searchFolder(search.caseDirectory) / "history.dat")
+{
+    const std::size_t numbers = search.settings.variables.size() + search.settings.results.size() + 2;
+    for (const std::vector<double>& row :
+         readHistory(file, historyHeading(search), numbers, parameterSearchName))
+    {
+        const auto variables = static_cast<std::ptrdiff_t>(search.settings.variables.size());
+        SearchRecord record{{row.begin(), row.begin() + variables},
+                            {row.begin() + variables, row.end() - 2},
+                            static_cast<int>(row.end()[-2]),
+                            row.back()};
+        places[record.variables] = knownRecords.size();
+        knownRecords.push_back(std::move(record));
+    }
+}
+
+const SearchRecord* SearchHistory::find(const std::vector<double>& variables) const
+{
+    const auto found = places.find(variables);
+    return found == places.end() ? nullptr : &knownRecords[found->second];
+}
+
+void SearchHistory::add(SearchRecord record)
+{
+    places[record.variables] = knownRecords.size();
+    knownRecords.push_back(std::move(record));
+    std::string text = historyHeading(search);
+    for (const SearchRecord& known : knownRecords)
+    {
+        // The fewest digits that read back as the same number.
+        text += fmt::format("{}  {}  {}  {:.3g}\n", fmt::join(known.variables, "  "),
+                            fmt::join(known.results, "  "), known.exitStatus, known.cpuTime);
+    }
+    writeWholeFile(file, text);
+}
+
+} // namespace drystone
