@@ -28,53 +28,77 @@ namespace
         file.string(), std::strerror(reason)));
 }
 
-} // namespace
-
-void writeWholeFile(const std::filesystem::path& file, std::string_view content)
+/// Writes a file, with the folders missing on the way, over what is there: a file cut to nothing first would
+/// be given to the disk as it is closed. \returns what has failed, 0 for nothing
+int written(const std::string& name, const std::filesystem::path& folder, std::string_view content)
 {
-    const std::string temporary = fmt::format("{}.{}.tmp", file.string(), ::getpid());
-    const auto open = [&]
-    { return ::open(temporary.c_str(), O_CREAT | O_WRONLY | O_TRUNC | O_CLOEXEC, 0666); };
+    const auto open = [&] { return ::open(name.c_str(), O_CREAT | O_WRONLY | O_CLOEXEC, 0666); };
     int descriptor = open();
-    if (descriptor < 0 && errno == ENOENT && file.has_parent_path())
+    if (descriptor < 0 && errno == ENOENT && !folder.empty())
     {
         std::error_code failure;
-        std::filesystem::create_directories(file.parent_path(), failure);
+        std::filesystem::create_directories(folder, failure);
         if (failure)
         {
-            refuse(file, failure.value());
+            return failure.value();
         }
         descriptor = open();
     }
     if (descriptor < 0)
     {
-        refuse(file, errno);
+        return errno;
     }
 
     int reason = 0;
+    const auto size = static_cast<off_t>(content.size());
     while (!content.empty() && reason == 0)
     {
-        const auto written = ::write(descriptor, content.data(), content.size());
-        if (written >= 0)
+        const auto bytes = ::write(descriptor, content.data(), content.size());
+        if (bytes >= 0)
         {
-            content.remove_prefix(static_cast<std::size_t>(written));
+            content.remove_prefix(static_cast<std::size_t>(bytes));
         }
         else if (errno != EINTR)
         {
             reason = errno;
         }
     }
-    if (::close(descriptor) != 0 && reason == 0)
+    if (reason == 0 && ::lseek(descriptor, 0, SEEK_END) > size && ::ftruncate(descriptor, size) != 0)
     {
         reason = errno;
     }
-    if (reason == 0 && std::rename(temporary.c_str(), file.c_str()) != 0)
+    if (::close(descriptor) != 0 && reason == 0)
     {
         reason = errno;
     }
     if (reason != 0)
     {
+        ::unlink(name.c_str());
+    }
+    return reason;
+}
+
+} // namespace
+
+void writeWholeFile(const std::filesystem::path& file, std::string_view content)
+{
+    const std::string temporary = fmt::format("{}.{}.tmp", file.string(), ::getpid());
+    int reason = written(temporary, file.parent_path(), content);
+    if (reason == 0 && std::rename(temporary.c_str(), file.c_str()) != 0)
+    {
+        reason = errno;
         ::unlink(temporary.c_str());
+    }
+    if (reason != 0)
+    {
+        refuse(file, reason);
+    }
+}
+
+void writeFile(const std::filesystem::path& file, std::string_view content)
+{
+    if (const int reason = written(file.string(), file.parent_path(), content); reason != 0)
+    {
         refuse(file, reason);
     }
 }

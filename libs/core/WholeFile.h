@@ -16,6 +16,9 @@ namespace drystone
 /// old file then stands.
 void writeWholeFile(const std::filesystem::path& file, std::string_view content);
 
+/// The same without the temporary, into a folder that nobody looks at before it takes its name.
+void writeFile(const std::filesystem::path& file, std::string_view content);
+
 /// The bytes of a file; none where it cannot be read, which the caller has to tell from an empty one where
 /// that matters.
 std::string contentOfFile(const std::filesystem::path& file);

@@ -345,13 +345,24 @@ void MotionResults<Dim>::writeNow()
     State state = stateOf(scene, motion, time);
     input.back() = inputOfSteps(time); // controlDict may have been read again
     state.texts[inputInState] = textsOf(input);
-    states.write(time.name(), state);
     statesWritten.push_back(time.name());
-    writeFrames();
+    writing.start(
+        [this, name = time.name(), state = std::move(state), frames = framesNow()]
+        {
+            states.write(name, state);
+            write(frames);
+        });
 }
 
 template<int Dim>
-void MotionResults<Dim>::writeFrames()
+void MotionResults<Dim>::write(const Frames& frames)
+{
+    blocks.write(frames.time, frames.blocks);
+    contacts.write(frames.time, frames.contacts);
+}
+
+template<int Dim>
+typename MotionResults<Dim>::Frames MotionResults<Dim>::framesNow() const
 {
     std::vector<double> velocities;
     std::vector<double> angular;
@@ -383,7 +394,7 @@ void MotionResults<Dim>::writeFrames()
         }
         fields.push_back(std::move(isAwake));
     }
-    blocks.write(time.value(), blockFrame(scene.assembly, motion.state.placements, std::move(fields)));
+    PolyData<Dim> ofBlocks = blockFrame(scene.assembly, motion.state.placements, std::move(fields));
     const std::vector<double> friction = frictionAt(scene, motion.points);
     const std::vector<Vector<Dim>>& forces = meanContactForces(motion);
     std::vector<double> cohesion;
@@ -398,9 +409,15 @@ void MotionResults<Dim>::writeFrames()
         }
         pointFields.push_back(std::move(isHeld));
     }
-    contacts.write(time.value(),
-                   contactFrame(motion.points, forces, contactStates(forces, friction, cohesion),
-                                std::move(pointFields)));
+    PolyData<Dim> ofContacts = contactFrame(motion.points, forces, contactStates(forces, friction, cohesion),
+                                            std::move(pointFields));
+    return {time.value(), std::move(ofBlocks), std::move(ofContacts)};
+}
+
+template<int Dim>
+void MotionResults<Dim>::finish()
+{
+    writing.finish();
 }
 
 template<int Dim>
@@ -410,7 +427,7 @@ void MotionResults<Dim>::writeFirstFrames()
     requireWritable(caseDirectory / "VTK");
     if (blocks.times().empty() || blocks.times().back() < time.value())
     {
-        writeFrames();
+        writing.start([this, frames = framesNow()] { write(frames); });
     }
 }
 

@@ -3,6 +3,7 @@
 /// combines dynamics with output, which dynamics does not see.
 #pragma once
 
+#include "core/WritingThread.h"
 #include "dictionary/Fingerprint.h"
 #include "dynamics/Motion.h"
 #include "functionObjects/FunctionList.h"
@@ -61,19 +62,33 @@ public:
     void writeFirstFrames();
 
     /// To be called after each step: the functions that are due, and at the times of writeControl a time
-    /// directory and a frame of VTK/blocks.vtp.series and VTK/contacts.vtp.series.
+    /// directory and a frame of VTK/blocks.vtp.series and VTK/contacts.vtp.series. These are written while
+    /// the run steps on, each before the next ones begin: a run that is killed continues from the last state
+    /// that is there, and writes the frame of it if that is missing. \throws FatalError for what cannot be
+    /// written, of a state or frame with the next one or with finish
     void write();
 
     /// Writes time directory and frames at the present time, due or not: before a run is abandoned.
     void writeNow();
 
-    /// What was written and where, on standard output.
+    /// Waits until all frames are written. \throws FatalError for what could not be
+    void finish();
+
+    /// What was written and where, on standard output; after finish.
     void printWritten() const;
 
     const FunctionList<Dim>& functions() const { return functionList; }
 
 private:
-    void writeFrames();
+    /// What VTK/ shows of one time.
+    struct Frames
+    {
+        double time;
+        PolyData<Dim> blocks;
+        PolyData<Dim> contacts;
+    };
+    Frames framesNow() const;
+    void write(const Frames& frames);
 
     std::filesystem::path caseDirectory;
     const DynamicCase<Dim>& scene;
@@ -85,6 +100,7 @@ private:
     std::vector<std::string> statesWritten; ///< names of their times
     VtkSeries blocks;
     VtkSeries contacts;
+    WritingThread writing; ///< the one user of states, blocks and contacts from the first frame on
 };
 
 } // namespace drystone

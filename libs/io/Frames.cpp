@@ -321,23 +321,15 @@ PolyData<Dim> contactFrame(const std::vector<ContactPoint<Dim>>& points,
     return data;
 }
 
-template<int Dim>
-void writeAssembly(const std::filesystem::path& file, const Assembly<Dim>& assembly)
-{
-    writeVtp(file, blockFrame(assembly));
-}
-
 template PolyData<2> blockFrame(const Assembly<2>& assembly, const std::vector<Placement<2>>& placements,
                                 std::vector<Field> fields);
 template PolyData<2> contactFrame(const std::vector<ContactPoint<2>>& points,
                                   const std::vector<Vector<2>>& forces,
                                   const std::vector<ContactState>& states, std::vector<Field> fields);
-template void writeAssembly(const std::filesystem::path& file, const Assembly<2>& assembly);
 template PolyData<3> blockFrame(const Assembly<3>& assembly, const std::vector<Placement<3>>& placements,
                                 std::vector<Field> fields);
 template PolyData<3> contactFrame(const std::vector<ContactPoint<3>>& points,
                                   const std::vector<Vector<3>>& forces,
                                   const std::vector<ContactState>& states, std::vector<Field> fields);
-template void writeAssembly(const std::filesystem::path& file, const Assembly<3>& assembly);
 
 } // namespace drystone

@@ -6,7 +6,6 @@
 #include "contact/ContactState.h"
 #include "io/VtkFile.h"
 
-#include <filesystem>
 #include <vector>
 
 namespace drystone
@@ -34,9 +33,5 @@ template<int Dim>
 PolyData<Dim> contactFrame(const std::vector<ContactPoint<Dim>>& points,
                            const std::vector<Vector<Dim>>& forces, const std::vector<ContactState>& states,
                            std::vector<Field> fields = {});
-
-/// The structure as built, as `VTK/assembly.vtp`.
-template<int Dim>
-void writeAssembly(const std::filesystem::path& file, const Assembly<Dim>& assembly);
 
 } // namespace drystone

@@ -6,12 +6,16 @@
 #include "core/WholeFile.h"
 #include "dictionary/Dictionary.h"
 
+#include <fmt/compile.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <charconv>
 #include <cmath>
 #include <iterator>
+#include <string_view>
 #include <unistd.h>
 
 namespace drystone
@@ -25,6 +29,41 @@ namespace
 fs::path stateFile(const fs::path& caseDirectory, const std::string& timeName)
 {
     return caseDirectory / timeName / "state";
+}
+
+/// A number with the fewest digits that read back as the same, at most 17. Most numbers of a state are whole,
+/// indices and zeros: they need no search for digits.
+void addLine(std::string& text, double value)
+{
+    constexpr double largestInt = 1e9;
+    std::array<char, 32> line;
+    char* end = nullptr;
+    if (std::abs(value) < largestInt && value == std::trunc(value) && !(value == 0 && std::signbit(value)))
+    {
+        end = std::to_chars(line.data(), line.data() + line.size(), static_cast<int>(value)).ptr;
+    }
+    else
+    {
+        end = fmt::format_to(line.data(), FMT_COMPILE("{}"), value);
+    }
+    *end++ = '\n';
+    text.append(line.data(), end);
+}
+
+/// A state that is no longer kept, for the next one to be written over.
+constexpr std::string_view purgedState = ".purgedState";
+
+/// Whether a directory holds a state and nothing else.
+bool holdsStateAlone(const fs::path& directory)
+{
+    std::error_code failure;
+    fs::directory_iterator entry(directory, failure);
+    if (failure || entry == fs::directory_iterator() || entry->path().filename() != "state")
+    {
+        return false;
+    }
+    entry.increment(failure);
+    return !failure && entry == fs::directory_iterator();
 }
 
 } // namespace
@@ -113,7 +152,7 @@ std::string stateText(const State& state, WriteFormat format)
             fmt::format_to(out, "\n{} {}\n(\n", name, values.size());
             for (const double value : values)
             {
-                fmt::format_to(out, "{}\n", value);
+                addLine(text, value);
             }
         }
         text += ");\n";
@@ -132,9 +171,10 @@ void writeState(const fs::path& caseDirectory, const std::string& timeName, cons
     }
 
     const std::string temporary = fmt::format(".{}.{}.tmp", timeName, ::getpid());
+    fs::rename(caseDirectory / purgedState, caseDirectory / temporary, failure); // if there is one
     try
     {
-        writeWholeFile(stateFile(caseDirectory, temporary), text);
+        writeFile(stateFile(caseDirectory, temporary), text); // the directory takes its name when it is whole
     }
     catch (...) // a full disk, say
     {
@@ -231,11 +271,35 @@ void StateWriter::write(const std::string& timeName, const State& state)
     }
     while (purgeWrite > 0 && written.size() > purgeWrite)
     {
-        // Renamed first, so that a run that is killed here leaves no time directory without its state.
-        const fs::path renamed = caseDirectory / fmt::format(".{}.{}.purged", written.front(), ::getpid());
-        fs::rename(caseDirectory / written.front(), renamed, failure);
-        fs::remove_all(failure ? caseDirectory / written.front() : renamed, failure);
+        purge(written.front());
         written.pop_front();
+    }
+}
+
+void StateWriter::purge(const std::string& timeName)
+{
+    std::error_code failure;
+    const fs::path directory = caseDirectory / timeName;
+    if (holdsStateAlone(directory))
+    {
+        fs::rename(directory, caseDirectory / purgedState, failure);
+        if (!failure)
+        {
+            return;
+        }
+    }
+    // Renamed first, so that a run that is killed here leaves no time directory without its state.
+    const fs::path renamed = caseDirectory / fmt::format(".{}.{}.purged", timeName, ::getpid());
+    fs::rename(directory, renamed, failure);
+    fs::remove_all(failure ? directory : renamed, failure);
+}
+
+StateWriter::~StateWriter()
+{
+    std::error_code ignored;
+    if (purgeWrite > 0 && !written.empty())
+    {
+        fs::remove_all(caseDirectory / purgedState, ignored);
     }
 }
 

@@ -58,12 +58,20 @@ class StateWriter
 public:
     /// \param statesToKeep number of time directories to keep of those that this object writes; 0 keeps all
     StateWriter(std::filesystem::path directory, WriteFormat writeFormat, int statesToKeep);
+    StateWriter(const StateWriter&) = delete;
+    StateWriter& operator=(const StateWriter&) = delete;
+    ~StateWriter();
 
     /// Writes the state, then removes the oldest directory that this object wrote if there are too many. A
-    /// directory that existed before is never removed.
+    /// directory that existed before is never removed. A directory that is removed becomes the hidden
+    /// `.purgedState`, which the next state is written into before it takes its name: to make and remove
+    /// directories takes longer than to write a state. The destructor removes it; of a run that was killed
+    /// the next run uses it.
     void write(const std::string& timeName, const State& state);
 
 private:
+    void purge(const std::string& timeName);
+
     std::filesystem::path caseDirectory;
     WriteFormat format;
     std::size_t purgeWrite;

@@ -1,5 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// The only file that includes VTK: writes .vtp files.
+/// Writes .vtp files directly: VTK's writer takes several times as long for a frame, and loading its
+/// libraries longer than a limit analysis (test/benchmark/results/TUNING.md).
 #include "io/VtkFile.h"
 
 #include "core/Error.h"
@@ -7,22 +8,18 @@
 
 #include <fmt/format.h>
 #include <libdeflate.h>
-#include <vtkCellArray.h>
-#include <vtkCellData.h>
-#include <vtkDoubleArray.h>
-#include <vtkFloatArray.h>
-#include <vtkIntArray.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkTypeInt32Array.h>
-#include <vtkXMLPolyDataWriter.h>
-#include <vtkZLibDataCompressor.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <iterator>
 #include <limits>
+#include <memory>
+#include <new>
+#include <numeric>
 #include <string_view>
 
 namespace drystone
@@ -30,74 +27,6 @@ namespace drystone
 
 namespace
 {
-
-/// zlib's format by libdeflate. A frame consists of many small arrays, and zlib allocates and clears its
-/// memory for each, which dominates the time of a frame; libdeflate keeps its memory. VTK's reader is given
-/// the name of the base class, and reads the result with zlib.
-class Deflate final : public vtkZLibDataCompressor
-{
-public:
-    static Deflate* New() { return new Deflate; }
-
-    std::size_t GetMaximumCompressionSpace(std::size_t size) override
-    {
-        return libdeflate_zlib_compress_bound(compressor, size);
-    }
-
-protected:
-    std::size_t CompressBuffer(const unsigned char* in, std::size_t size, unsigned char* out,
-                               std::size_t room) override
-    {
-        return libdeflate_zlib_compress(compressor, in, size, out, room);
-    }
-
-private:
-    // Digits of computed results are hardly compressible: higher levels cost time without smaller files.
-    Deflate() : compressor(libdeflate_alloc_compressor(1)) {}
-    ~Deflate() override { libdeflate_free_compressor(compressor); }
-
-    libdeflate_compressor* compressor;
-};
-
-/// An array that determines its range (VTK writes it into the file) by a plain loop. VTK's own method uses
-/// its thread pools even on one thread and opens a system file for each array, which takes as long as the
-/// compression.
-template<typename Base>
-class PlainRange final : public Base
-{
-public:
-    static PlainRange* New()
-    {
-        auto* result = new PlainRange;
-        result->InitializeObjectBase();
-        return result;
-    }
-
-protected:
-    /// \param component -1 for the length of a vector
-    void ComputeRange(double range[2], int component) override
-    {
-        const int components = this->GetNumberOfComponents();
-        range[0] = std::numeric_limits<double>::max();
-        range[1] = std::numeric_limits<double>::lowest();
-        const auto* value = this->GetPointer(0);
-        for (vtkIdType i = 0; i < this->GetNumberOfTuples(); ++i, value += components)
-        {
-            double size = static_cast<double>(value[std::max(component, 0)]);
-            if (component < 0 && components > 1)
-            {
-                size = 0;
-                for (int c = 0; c < components; ++c)
-                {
-                    size += static_cast<double>(value[c]) * static_cast<double>(value[c]);
-                }
-                size = std::sqrt(size);
-            }
-            range[0] = std::min(range[0], size);
-            range[1] = std::max(range[1], size);
-        }
-    }
-};
 
 /// \param carrier of a value: "cell" or "point"
 void check(const std::vector<Field>& fields, std::size_t count, std::string_view carrier)
@@ -130,8 +59,243 @@ void check(const std::vector<Field>& fields, std::size_t count, std::string_view
     }
 }
 
+struct CompressorRelease
+{
+    void operator()(libdeflate_compressor* compressor) const { libdeflate_free_compressor(compressor); }
+};
+using Compressor = std::unique_ptr<libdeflate_compressor, CompressorRelease>;
+
+/// The part of a file that has the arrays, each with a header of sizes and compressed in blocks.
+class AppendedArrays
+{
+public:
+    explicit AppendedArrays(std::string& to) : bytes(to) {}
+
+    /// Adds an array. \returns where it begins, from the start of this part
+    std::size_t add(std::string_view array)
+    {
+        const std::size_t begin = bytes.size();
+        const std::size_t blocks = (array.size() + blockSize - 1) / blockSize;
+        // Number of blocks, size of a whole one, size of the last one where it is not whole, compressed
+        // sizes.
+        const std::size_t remainder = array.size() % blockSize;
+        std::vector<std::uint32_t> header(3 + blocks, 0);
+        header[0] = static_cast<std::uint32_t>(blocks);
+        header[1] = static_cast<std::uint32_t>(blockSize);
+        header[2] = static_cast<std::uint32_t>(remainder);
+        bytes.append(header.size() * sizeof(std::uint32_t), '\0');
+        for (std::size_t block = 0; block < blocks; ++block)
+        {
+            const std::string_view part = array.substr(block * blockSize, blockSize);
+            libdeflate_compressor* compressor = of(part.size());
+            const std::size_t at = bytes.size();
+            bytes.resize(at + libdeflate_zlib_compress_bound(compressor, part.size()));
+            const std::size_t size = libdeflate_zlib_compress(compressor, part.data(), part.size(),
+                                                              bytes.data() + at, bytes.size() - at);
+            if (size == 0)
+            {
+                throw FatalError("An array of a .vtp file could not be compressed.");
+            }
+            bytes.resize(at + size);
+            header[3 + block] = static_cast<std::uint32_t>(size);
+        }
+        std::memcpy(bytes.data() + begin, header.data(), header.size() * sizeof(std::uint32_t));
+        return begin;
+    }
+
+private:
+    /// Small arrays are stored in zlib's format without being compressed: a code of their own costs more time
+    /// than all the rest of a frame, for files that take as many sectors of a disk.
+    libdeflate_compressor* of(std::size_t size)
+    {
+        Compressor& compressor = size < worthCompressing ? storing : compressing;
+        if (!compressor)
+        {
+            // Digits of computed results are hardly compressible: higher levels cost time without smaller
+            // files.
+            compressor.reset(libdeflate_alloc_compressor(size < worthCompressing ? 0 : 1));
+            if (!compressor)
+            {
+                throw std::bad_alloc();
+            }
+        }
+        return compressor.get();
+    }
+
+    static constexpr std::size_t blockSize = 1U << 15U; // what VTK's readers are used to
+    static constexpr std::size_t worthCompressing = 1U << 14U;
+    static thread_local Compressor storing; // kept: their memory is cleared when it is taken
+    static thread_local Compressor compressing;
+    std::string& bytes;
+};
+
+thread_local Compressor AppendedArrays::storing;
+thread_local Compressor AppendedArrays::compressing;
+
+/// Bytes of an array; vectors of the plane get z = 0.
+template<typename Number>
+std::string bytesOf(const double* values, std::size_t tuples, int components)
+{
+    const int written = components == 2 ? 3 : components;
+    std::string bytes(tuples * static_cast<std::size_t>(written) * sizeof(Number), '\0');
+    char* out = bytes.data();
+    for (std::size_t i = 0; i < tuples; ++i)
+    {
+        for (int c = 0; c < components; ++c, out += sizeof(Number))
+        {
+            const auto number = static_cast<Number>(*values++);
+            std::memcpy(out, &number, sizeof(Number));
+        }
+        out += static_cast<std::size_t>(written - components) * sizeof(Number);
+    }
+    return bytes;
+}
+
+/// Least and largest value of what is written, of vectors their length: readers take them from the file.
+template<typename Number>
+std::array<double, 2> rangeOf(const double* values, std::size_t tuples, int components)
+{
+    std::array<double, 2> range{std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest()};
+    for (std::size_t i = 0; i < tuples; ++i, values += components)
+    {
+        double size = static_cast<Number>(*values);
+        if (components > 1)
+        {
+            size = 0;
+            for (int c = 0; c < components; ++c)
+            {
+                const double value = static_cast<Number>(values[c]);
+                size += value * value;
+            }
+            size = std::sqrt(size);
+        }
+        range = {std::min(range[0], size), std::max(range[1], size)};
+    }
+    return range;
+}
+
+/// A name as the value of an attribute in XML.
+std::string attribute(std::string_view name)
+{
+    std::string text;
+    for (const char c : name)
+    {
+        switch (c)
+        {
+        case '&':
+            text += "&amp;";
+            break;
+        case '<':
+            text += "&lt;";
+            break;
+        case '>':
+            text += "&gt;";
+            break;
+        case '"':
+            text += "&quot;";
+            break;
+        default:
+            text += c;
+        }
+    }
+    return text;
+}
+
+/// The two parts of a file: elements that describe the arrays, and the arrays.
+struct VtpText
+{
+    template<typename Number>
+    void array(std::string_view type, std::string_view name, const double* values, std::size_t tuples,
+               int components)
+    {
+        const std::array<double, 2> range = rangeOf<Number>(values, tuples, components);
+        const std::size_t offset = arrays.add(bytesOf<Number>(values, tuples, components));
+        fmt::format_to(
+            std::back_inserter(elements),
+            "        <DataArray type=\"{}\" Name=\"{}\"{} format=\"appended\" RangeMin=\"{:.11g}\" "
+            "RangeMax=\"{:.11g}\" offset=\"{}\"/>\n",
+            type, attribute(name), components > 1 ? " NumberOfComponents=\"3\"" : "", range[0], range[1],
+            offset);
+    }
+
+    void array(const Field& field, std::size_t tuples)
+    {
+        field.type == FieldType::integer
+            ? array<std::int32_t>("Int32", field.name, field.values.data(), tuples, field.components)
+            : array<double>("Float64", field.name, field.values.data(), tuples, field.components);
+    }
+
+    void indices(std::string_view name, const std::vector<std::int32_t>& values)
+    {
+        const std::size_t offset =
+            arrays.add({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(std::int32_t)});
+        fmt::format_to(std::back_inserter(elements),
+                       "        <DataArray type=\"Int32\" Name=\"{}\" format=\"appended\" offset=\"{}\"/>\n",
+                       name, offset);
+    }
+
+    std::string elements;
+    std::string appended;
+    AppendedArrays arrays{appended};
+};
+
+/// Fields of cells or points. What ParaView shows first when it opens the file are the first scalar and the
+/// first vector.
+void addFields(VtpText& text, std::string_view element, const std::vector<Field>& fields, std::size_t tuples)
+{
+    const auto first = [&](std::string_view shown, const auto& isShown) -> std::string
+    {
+        const auto field = std::find_if(fields.begin(), fields.end(), isShown);
+        return field == fields.end() ? "" : fmt::format(" {}=\"{}\"", shown, attribute(field->name));
+    };
+    text.elements += fmt::format("      <{}{}{}>\n", element,
+                                 first("Scalars", [](const Field& field) { return field.components == 1; }),
+                                 first("Vectors", [](const Field& field) { return field.components > 1; }));
+    for (const Field& field : fields)
+    {
+        text.array(field, tuples);
+    }
+    text.elements += fmt::format("      </{}>\n", element);
+}
+
+/// Fields of the points of polygons, in single precision.
+void addPointFields(VtpText& text, const std::vector<Field>& fields, std::size_t points)
+{
+    text.elements += "      <PointData>\n";
+    for (const Field& field : fields)
+    {
+        text.array<float>("Float32", field.name, field.values.data(), points, field.components);
+    }
+    text.elements += "      </PointData>\n";
+}
+
+/// Which points the cells have: every cell owns its points, so that the connectivity just counts them.
 template<int Dim>
-void check(const PolyData<Dim>& data)
+void addCells(VtpText& text, const PolyData<Dim>& data)
+{
+    std::vector<std::int32_t> connectivity(data.points.size());
+    std::iota(connectivity.begin(), connectivity.end(), 0);
+    std::vector<std::int32_t> ends(connectivity);
+    if (data.kind == CellKind::polygon)
+    {
+        ends.assign(data.cellSizes.begin(), data.cellSizes.end());
+        std::partial_sum(ends.begin(), ends.end(), ends.begin());
+    }
+    else
+    {
+        std::for_each(ends.begin(), ends.end(), [](std::int32_t& end) { ++end; });
+    }
+    const std::string_view element = data.kind == CellKind::polygon ? "Polys" : "Verts";
+    text.elements += fmt::format("      <{}>\n", element);
+    text.indices("connectivity", connectivity);
+    text.indices("offsets", ends);
+    text.elements += fmt::format("      </{}>\n", element);
+}
+
+} // namespace
+
+template<int Dim>
+void checkPolyData(const PolyData<Dim>& data)
 {
     std::size_t points = data.points.size();
     if (data.kind == CellKind::polygon)
@@ -160,58 +324,6 @@ void check(const PolyData<Dim>& data)
     check(data.pointFields, data.points.size(), "point");
 }
 
-template<typename Array>
-vtkSmartPointer<vtkDataArray> array(const Field& field)
-{
-    const int components = field.components == 2 ? 3 : field.components;
-    const auto tuples = static_cast<vtkIdType>(field.values.size()) / field.components;
-    vtkNew<PlainRange<Array>> result;
-    result->SetName(field.name.c_str());
-    result->SetNumberOfComponents(components);
-    result->SetNumberOfTuples(tuples);
-    auto* out = result->GetPointer(0);
-    const double* in = field.values.data();
-    for (vtkIdType i = 0; i < tuples; ++i)
-    {
-        for (int c = 0; c < field.components; ++c)
-        {
-            *out++ = static_cast<typename Array::ValueType>(*in++);
-        }
-        if (components != field.components)
-        {
-            *out++ = 0;
-        }
-    }
-    return result;
-}
-
-template<int Dim>
-vtkSmartPointer<vtkCellArray> cells(const PolyData<Dim>& data)
-{
-    // Every cell owns its points, so that the connectivity just counts them.
-    const auto count = static_cast<vtkIdType>(cellCount(data));
-    vtkNew<PlainRange<vtkTypeInt32Array>> offsets;
-    vtkNew<PlainRange<vtkTypeInt32Array>> connectivity;
-    offsets->SetNumberOfValues(count + 1);
-    connectivity->SetNumberOfValues(static_cast<vtkIdType>(data.points.size()));
-    int end = 0;
-    offsets->SetValue(0, 0);
-    for (vtkIdType i = 0; i < count; ++i)
-    {
-        offsets->SetValue(
-            i + 1, end += data.kind == CellKind::point ? 1 : data.cellSizes[static_cast<std::size_t>(i)]);
-    }
-    for (vtkIdType i = 0; i < connectivity->GetNumberOfValues(); ++i)
-    {
-        connectivity->SetValue(i, static_cast<vtkTypeInt32>(i));
-    }
-    vtkNew<vtkCellArray> result;
-    result->SetData(offsets, connectivity);
-    return result;
-}
-
-} // namespace
-
 template<int Dim>
 std::size_t cellCount(const PolyData<Dim>& data)
 {
@@ -221,68 +333,36 @@ std::size_t cellCount(const PolyData<Dim>& data)
 template<int Dim>
 std::string vtpBytes(const PolyData<Dim>& data)
 {
-    check(data);
+    checkPolyData(data);
+    static_assert(sizeof(Vector<Dim>) == Dim * sizeof(double));
 
-    vtkNew<PlainRange<vtkFloatArray>> coordinates;
-    coordinates->SetNumberOfComponents(3);
-    coordinates->SetNumberOfTuples(static_cast<vtkIdType>(data.points.size()));
-    float* out = coordinates->GetPointer(0);
-    for (const Vector<Dim>& point : data.points)
+    VtpText text;
+    const bool isPolygons = data.kind == CellKind::polygon;
+    const std::size_t cells = cellCount(data);
+    const std::size_t points = data.points.size();
+    if (isPolygons)
     {
-        for (int i = 0; i < 3; ++i)
-        {
-            *out++ = i < Dim ? static_cast<float>(point[i]) : 0.0F;
-        }
-    }
-    vtkNew<vtkPoints> points;
-    points->SetData(coordinates);
-
-    vtkNew<vtkPolyData> poly;
-    poly->SetPoints(points);
-    vtkDataSetAttributes* fields = nullptr;
-    if (data.kind == CellKind::polygon)
-    {
-        poly->SetPolys(cells(data));
-        fields = poly->GetCellData();
+        addPointFields(text, data.pointFields, points);
+        addFields(text, "CellData", data.fields, cells);
     }
     else
     {
-        poly->SetVerts(cells(data));
-        fields = poly->GetPointData();
+        addFields(text, "PointData", data.fields, cells);
     }
-    for (const Field& field : data.fields)
-    {
-        fields->AddArray(field.type == FieldType::integer ? array<vtkIntArray>(field)
-                                                          : array<vtkDoubleArray>(field));
-        // What ParaView shows first when it opens the file.
-        if (field.components == 1 && fields->GetScalars() == nullptr)
-        {
-            fields->SetActiveScalars(field.name.c_str());
-        }
-        if (field.components > 1 && fields->GetVectors() == nullptr)
-        {
-            fields->SetActiveVectors(field.name.c_str());
-        }
-    }
+    text.elements += "      <Points>\n";
+    text.array<float>("Float32", "Points", points > 0 ? data.points.front().data() : nullptr, points, Dim);
+    text.elements += "      </Points>\n";
+    addCells(text, data);
 
-    for (const Field& field : data.pointFields)
-    {
-        poly->GetPointData()->AddArray(array<vtkFloatArray>(field));
-    }
-
-    vtkNew<vtkXMLPolyDataWriter> writer;
-    vtkNew<Deflate> compressor;
-    writer->SetInputData(poly);
-    writer->SetDataModeToAppended();
-    writer->EncodeAppendedDataOff();
-    writer->SetCompressor(compressor);
-    writer->SetHeaderTypeToUInt32();
-    writer->WriteToOutputStringOn();
-    if (writer->Write() == 0)
-    {
-        throw FatalError("VTK could not generate a .vtp file.");
-    }
-    return writer->GetOutputString();
+    constexpr std::string_view order =
+        std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian";
+    return fmt::format(
+        "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"{}\" "
+        "header_type=\"UInt32\" compressor=\"vtkZLibDataCompressor\">\n  <PolyData>\n    <Piece "
+        "NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"0\" NumberOfStrips=\"0\" "
+        "NumberOfPolys=\"{}\">\n{}    </Piece>\n  </PolyData>\n  <AppendedData "
+        "encoding=\"raw\">\n   _{}\n  </AppendedData>\n</VTKFile>\n",
+        order, points, isPolygons ? 0 : cells, isPolygons ? cells : 0, text.elements, text.appended);
 }
 
 template<int Dim>
@@ -291,9 +371,11 @@ void writeVtp(const std::filesystem::path& file, const PolyData<Dim>& data)
     writeWholeFile(file, vtpBytes(data));
 }
 
+template void checkPolyData(const PolyData<2>& data);
 template std::size_t cellCount(const PolyData<2>& data);
 template std::string vtpBytes(const PolyData<2>& data);
 template void writeVtp(const std::filesystem::path& file, const PolyData<2>& data);
+template void checkPolyData(const PolyData<3>& data);
 template std::size_t cellCount(const PolyData<3>& data);
 template std::string vtpBytes(const PolyData<3>& data);
 template void writeVtp(const std::filesystem::path& file, const PolyData<3>& data);

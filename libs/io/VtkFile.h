@@ -1,6 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// The contents of one .vtp file as plain data, and its bytes: the interface that hides VTK from everything
-/// else.
+/// The contents of one .vtp file as plain data, and its bytes: what everything else knows of VTK's format.
 #pragma once
 
 #include "geometry/Vector.h"
@@ -47,12 +46,17 @@ struct PolyData
 template<int Dim>
 std::size_t cellCount(const PolyData<Dim>& data);
 
-/// The bytes of a .vtp file: VTK's XML, raw appended, compressed in zlib's format. Coordinates and fields of
-/// the points of polygons are written in single precision, since they are only displayed, other fields in
-/// double precision, since they are also used in computations.
-///
 /// \throws FatalError when a value is not finite, a field has not one value a cell or point, or sizes do not
 /// add up; the message names the field and the cell
+template<int Dim>
+void checkPolyData(const PolyData<Dim>& data);
+
+/// The bytes of a .vtp file: VTK's XML, raw appended, compressed in zlib's format, as VTK writes the same
+/// data (vtpBytesOfVtk; a test compares what its reader makes of both). Coordinates and fields of the points
+/// of polygons are written in single precision, since they are only displayed, other fields in double
+/// precision, since they are also used in computations.
+///
+/// \throws FatalError as checkPolyData
 template<int Dim>
 std::string vtpBytes(const PolyData<Dim>& data);
 

@@ -316,10 +316,12 @@ TEST(TimeDirectory, PurgeKeepsTheLastOnesOfThisRunAndAllOfOthers)
     State state;
     writeState(folder.path(), "0", state, WriteFormat::ascii);
     writeState(folder.path(), "0.5", state, WriteFormat::ascii);
-    StateWriter writer(folder.path(), WriteFormat::binary, 2);
-    for (const char* name : {"0.5", "1", "1.5", "2", "2.5"})
     {
-        writer.write(name, state);
+        StateWriter writer(folder.path(), WriteFormat::binary, 2);
+        for (const char* name : {"0.5", "1", "1.5", "2", "2.5"})
+        {
+            writer.write(name, state);
+        }
     }
     std::vector<std::string> names;
     for (const TimeDirectory& directory : timeDirectories(folder.path()))
@@ -331,6 +333,50 @@ TEST(TimeDirectory, PurgeKeepsTheLastOnesOfThisRunAndAllOfOthers)
     {
         EXPECT_NE(entry.path().filename().string().front(), '.');
     }
+}
+
+TEST(TimeDirectory, AStateWrittenOverALongerOneIsWhole)
+{
+    const ScratchFolder folder;
+    State longer;
+    longer.arrays["velocity"].assign(1000, 1.0 / 3);
+    State shorter;
+    shorter.arrays["velocity"] = {1, 2};
+    StateWriter writer(folder.path(), WriteFormat::ascii, 1);
+    writer.write("1", longer);
+    writer.write("2", longer); // in a new directory, and that of 1 is purged
+    writer.write("3", shorter);
+    const ScratchFolder reference;
+    writeState(reference.path(), "3", shorter, WriteFormat::ascii);
+    EXPECT_EQ(content(folder / "3/state"), content(reference / "3/state"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "2"));
+}
+
+TEST(TimeDirectory, APurgedDirectoryTakesNothingOfAUserToAnotherTime)
+{
+    const ScratchFolder folder;
+    StateWriter writer(folder.path(), WriteFormat::ascii, 1);
+    writer.write("1", {});
+    std::ofstream(folder / "1/notes") << "mine";
+    writer.write("2", {});
+    writer.write("3", {});
+    EXPECT_FALSE(std::filesystem::exists(folder / "1"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "3/notes"));
+    EXPECT_TRUE(std::filesystem::exists(folder / "3/state"));
+}
+
+TEST(TimeDirectory, WhatAKilledRunHadPurgedIsTheNextOnesState)
+{
+    const ScratchFolder folder;
+    writeState(folder.path(), ".purgedState", {}, WriteFormat::ascii);
+    State state;
+    state.scalars["time"] = 2;
+    {
+        StateWriter writer(folder.path(), WriteFormat::ascii, 1);
+        writer.write("2", state);
+    }
+    EXPECT_EQ(stateScalar(readState(folder / "2/state"), "time"), 2);
+    EXPECT_FALSE(std::filesystem::exists(folder / ".purgedState"));
 }
 
 TEST(TimeDirectory, ACaseThatCannotBeWrittenIsNamed)

@@ -7,6 +7,7 @@
 #include "core/WholeFile.h"
 #include "io/Frames.h"
 #include "io/Mechanism.h"
+#include "io/VtkLibrary.h"
 #include "io/VtkSeries.h"
 
 #include <gmock/gmock.h>

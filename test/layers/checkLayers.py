@@ -67,7 +67,7 @@ severalUsers = {"GSL": {"timeSeries", "ensembles"}}
 
 # Headers of C, C++ and POSIX: names without an ending, and these.
 system = re.compile(r"[a-z_]+$|(sys|netinet|arpa)/[a-z]+\.h$|"
-                    r"(unistd|fcntl|signal|dirent|limits|malloc|pthread|sched|pwd|poll|termios|dlfcn|fenv)\.h$")
+                    r"(unistd|fcntl|signal|dirent|limits|malloc|pthread|sched|pwd|poll|spawn|termios|dlfcn|fenv)\.h$")
 include = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
 

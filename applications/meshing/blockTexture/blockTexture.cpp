@@ -9,7 +9,7 @@
 #include "core/Error.h"
 #include "core/Log.h"
 #include "core/WholeFile.h"
-#include "io/Frames.h"
+#include "io/VtkLibrary.h"
 #include "runControl/Application.h"
 #include "texture/Texture.h"
 

@@ -14,9 +14,9 @@
 #include "functionObjects/EffectAdvice.h"
 #include "functionObjects/MotionLog.h"
 #include "functionObjects/MotionResults.h"
-#include "report/CaseReport.h"
 #include "runControl/Application.h"
 #include "runControl/Case.h"
+#include "runControl/ReportApplication.h"
 
 using namespace drystone;
 
@@ -69,6 +69,7 @@ int runIn(const CommandLine& commandLine)
         if (!advance(scene, motion, time))
         {
             results.writeNow();
+            results.finish();
             throw FatalError(unsolvedStep(scene, motion, time), 2);
         }
         summary.observe(motion.state);
@@ -76,6 +77,7 @@ int runIn(const CommandLine& commandLine)
         printStep(scene, motion, time);
         progress.update(time.progress());
     }
+    results.finish();
     progress.clear();
     printIntegrationError(scene, motion);
     printEffectUse(scene, motion);
@@ -84,7 +86,7 @@ int runIn(const CommandLine& commandLine)
     results.printWritten();
     if (commandLine.has("report"))
     {
-        writeReport(commandLine.caseDirectory, reportFile(commandLine.caseDirectory));
+        runReport(commandLine.caseDirectory);
     }
     printStopOrEnd(time);
     return time.exitStatus();

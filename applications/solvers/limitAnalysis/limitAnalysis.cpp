@@ -10,8 +10,8 @@
 #include "functionObjects/LimitAnalysisResults.h"
 #include "functionObjects/PushoverResults.h"
 #include "io/MechanismPicture.h"
-#include "report/CaseReport.h"
 #include "runControl/Application.h"
+#include "runControl/ReportApplication.h"
 #include "runControl/Time.h"
 #include "statics/SolveCase.h"
 
@@ -80,7 +80,7 @@ int runIn(const CommandLine& commandLine)
     }
     if (commandLine.has("report") && !commandLine.dryRun)
     {
-        writeReport(directory, reportFile(directory));
+        runReport(directory);
     }
     printExecutionTime();
     printEnd();
