@@ -1,0 +1,55 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Libraries that are loaded while a program runs.
+#include "core/LoadedLibrary.h"
+
+#include "core/Error.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace drystone
+{
+
+namespace
+{
+
+using testing::HasSubstr;
+
+std::string messageOf(const auto& action)
+{
+    try
+    {
+        action();
+    }
+    catch (const FatalError& error)
+    {
+        return error.what();
+    }
+    return "";
+}
+
+#ifdef __linux__
+TEST(LoadedLibrary, ItsFunctionsAreCalled)
+{
+    const LoadedLibrary library("libm.so.6", "/nowhere");
+    double (*squareRoot)(double) = library.symbol("sqrt");
+    EXPECT_EQ(squareRoot(9), 3);
+}
+
+TEST(LoadedLibrary, AFunctionThatItDoesNotHaveIsNamed)
+{
+    const LoadedLibrary library("libm.so.6", "/nowhere");
+    EXPECT_THAT(messageOf([&] { library.symbol("squareTheCircle"); }),
+                testing::AllOf(HasSubstr("libm.so.6"), HasSubstr("squareTheCircle")));
+}
+#endif
+
+TEST(LoadedLibrary, OneThatIsNotThereIsNamed)
+{
+    EXPECT_THAT(messageOf([] { LoadedLibrary("libnowhere.so.1", "/nowhere"); }),
+                HasSubstr("libnowhere.so.1"));
+}
+
+} // namespace
+
+} // namespace drystone
