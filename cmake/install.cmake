@@ -15,10 +15,12 @@ install(FILES etc/bash_completion DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-comp
 
 # A tutorial that was copied elsewhere finds RunFunctions beside the applications: in bin/ of the build and of the
 # installation. drystone-new is a script that stands there in the same way. bash-completion looks for a file by the name
-# of the command.
+# of the command. Runs copy etc/paraview/drystone.py beside their series.
 file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
 file(CREATE_LINK ${PROJECT_SOURCE_DIR}/etc/tools/RunFunctions ${CMAKE_BINARY_DIR}/bin/drystoneRunFunctions SYMBOLIC)
 file(CREATE_LINK ${PROJECT_SOURCE_DIR}/etc/tools/drystone-new ${CMAKE_BINARY_DIR}/bin/drystone-new SYMBOLIC)
+file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/share/drystone)
+file(CREATE_LINK ${PROJECT_SOURCE_DIR}/etc ${CMAKE_BINARY_DIR}/share/drystone/etc SYMBOLIC)
 install(CODE "
     set(prefix \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}\")
     file(CREATE_LINK ../${share}/etc/tools/RunFunctions \"\${prefix}/${CMAKE_INSTALL_BINDIR}/drystoneRunFunctions\" SYMBOLIC)

@@ -6,6 +6,9 @@ In ParaView:  Macros > Import new macro, once; then open VTK/blocks.vtp.series o
 started in the case directory), and choose the macro. Select `motion` in the pipeline to change the magnification: its scale
 factor is one less.
 
+As a state: limitAnalysis and contactDynamics write a copy of this file with the name of the case as
+VTK/paraviewState.py; File > Load State... opens it and shows the case.
+
 Without a window:  pvbatch drystone.py CASE [--picture FILE] [--state FILE] [--time T] [--magnify M]
 """
 import argparse
@@ -20,6 +23,16 @@ from paraview.simple import (ColorBy, FindSource, GetActiveSource, GetActiveView
 # The colours of the pictures: from blocks at rest to those that move most; points that are open, stick, slide.
 clay = [(0.97, 0.94, 0.90), (0.93, 0.78, 0.62), (0.84, 0.54, 0.37), (0.65, 0.29, 0.18)]
 stateColours = [0.0, 0.60, 0.60, 0.60, 1.0, 0.12, 0.35, 0.65, 2.0, 0.80, 0.15, 0.10]
+
+
+# The case, in a copy that a run has written.
+ownCase = None
+
+
+def caseOfThisState():
+    """The case that this file lies in, also when the folder was moved or copied; else the one it was written for."""
+    here = os.path.dirname(os.path.dirname(os.path.abspath(__file__))) if "__file__" in globals() else ownCase
+    return here if os.path.exists(os.path.join(here, "VTK", "blocks.vtp.series")) else ownCase
 
 
 def caseOfActiveSource():
@@ -134,7 +147,10 @@ def main():
     parser.add_argument("--time", type=float)
     parser.add_argument("--magnify", type=float, default=1)
     arguments = parser.parse_args(sys.argv[1:])
-    case = os.path.abspath(arguments.case) if arguments.case else caseOfActiveSource()
+    if arguments.case:
+        case = os.path.abspath(arguments.case)
+    else:
+        case = caseOfThisState() if ownCase else caseOfActiveSource()
     if arguments.picture:
         GetActiveViewOrCreate("RenderView").ViewSize = [1600, 1000]
     view = show(case, arguments.magnify, arguments.time)

@@ -5,6 +5,8 @@
 #include "assembly/BlockShape.h"
 #include "assembly/LoadTypes.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <limits>
 
@@ -67,6 +69,61 @@ enum class Choice
     highest
 };
 
+/// A part of an axle's force on its way to the blocks.
+template<int Dim>
+struct Ray
+{
+    Vector<Dim> from = Vector<Dim>::Zero();
+    Vector<Dim> direction = Vector<Dim>::Zero(); ///< of unit length
+};
+
+/// Where on [-1, 1] the middles of `count` equal parts lie.
+double middleOf(int part, int count)
+{
+    return (2.0 * part + 1) / count - 1;
+}
+
+/// Equal parts of an axle: at u in [-1, 1] of the loaded length L the ray begins at u L/2 and goes along
+/// f + u s a, with f the direction of the force, a the path's across it and s the spread: at the depth t it
+/// is at u (L/2 + s t), so that the force is uniform over L + 2 s t. In space the same across the path.
+template<int Dim>
+std::vector<Ray<Dim>> raysOf(const MovingLoadSettings<Dim>& settings, const Vector<Dim>& place)
+{
+    const Vector<Dim> force = settings.value.normalized();
+    if (settings.spread == 0 && settings.loadedLength == 0 && settings.loadedWidth == 0)
+    {
+        return {{place, force}};
+    }
+    const Vector<Dim> path = (settings.to - settings.from).normalized();
+    const Vector<Dim> level = path - path.dot(force) * force;
+    const Vector<Dim> along = level.norm() > 0 ? Vector<Dim>(level.normalized()) : Vector<Dim>::Zero();
+    std::vector<Ray<Dim>> rays;
+    if constexpr (Dim == 2)
+    {
+        constexpr int count = 400;
+        for (int i = 0; i < count; ++i)
+        {
+            const double u = middleOf(i, count);
+            rays.push_back({place + u * settings.loadedLength / 2 * path,
+                            (force + u * settings.spread * along).normalized()});
+        }
+    }
+    else
+    {
+        constexpr int count = 24;
+        const Vector<3> across = force.cross(along);
+        for (int i = 0; i < count * count; ++i)
+        {
+            const double u = middleOf(i / count, count);
+            const double v = middleOf(i % count, count);
+            rays.push_back(
+                {place + u * settings.loadedLength / 2 * path + v * settings.loadedWidth / 2 * across,
+                 (force + settings.spread * (u * along + v * across)).normalized()});
+        }
+    }
+    return rays;
+}
+
 /// The load of the axles at a position, each on one of the blocks that it meets.
 template<int Dim>
 LoadPosition<Dim> loadAt(const Assembly<Dim>& assembly, const MovingLoadSettings<Dim>& settings,
@@ -85,21 +142,40 @@ LoadPosition<Dim> loadAt(const Assembly<Dim>& assembly, const MovingLoadSettings
     for (const auto& [offset, factor] : axles)
     {
         const Vector<Dim> from = position.place + offset * along;
-        const Landing landing = landingOf<Dim>(assembly, from, direction);
-        if (landing.blocks.empty())
+        const std::vector<Ray<Dim>> rays = raysOf(settings, from);
+        std::vector<int> carrying;
+        for (const Ray<Dim>& ray : rays)
         {
-            continue;
+            const Landing landing = landingOf<Dim>(assembly, ray.from, ray.direction);
+            if (landing.blocks.empty())
+            {
+                continue;
+            }
+            const int block = choice == Choice::lowest ? landing.blocks.front() : landing.blocks.back();
+            if (assembly.blocks[block].support >= 0)
+            {
+                continue;
+            }
+            const Eigen::VectorXd load =
+                pointLoad(assembly, block, Vector<Dim>(ray.from + landing.distance * ray.direction),
+                          Vector<Dim>(factor / static_cast<double>(rays.size()) * settings.value));
+            position.live = position.live.size() == 0 ? load : Eigen::VectorXd(position.live + load);
+            if (std::find(carrying.begin(), carrying.end(), block) == carrying.end())
+            {
+                carrying.push_back(block);
+            }
         }
-        const int block = choice == Choice::lowest ? landing.blocks.front() : landing.blocks.back();
-        if (assembly.blocks[block].support >= 0)
+        position.blocks.insert(position.blocks.end(), carrying.begin(), carrying.end());
+        if (!carrying.empty())
         {
-            continue;
+            const Landing middle = landingOf<Dim>(assembly, from, direction);
+            const int block = middle.blocks.empty()      ? carrying.front()
+                              : choice == Choice::lowest ? middle.blocks.front()
+                                                         : middle.blocks.back();
+            position.axles.push_back(
+                {middle.blocks.empty() ? from : Vector<Dim>(from + middle.distance * direction), block,
+                 factor});
         }
-        const Eigen::VectorXd load =
-            pointLoad(assembly, block, Vector<Dim>(from + landing.distance * direction),
-                      Vector<Dim>(factor * settings.value));
-        position.live = position.live.size() == 0 ? load : Eigen::VectorXd(position.live + load);
-        position.blocks.push_back(block);
     }
     return position;
 }
@@ -127,6 +203,22 @@ void declare(Options& options, MovingLoadSettings<Dim>& settings)
         .optional("axles", settings.axles,
                   "offset of each axle along the path [m] and its factor on value; absent: one axle")
         .example("((0 1) (1.2 0.5))");
+    options
+        .optional("loadedLength", settings.loadedLength,
+                  "of an axle on the path, along it: the length of a tyre")
+        .unit("m")
+        .atLeast(0);
+    if constexpr (Dim == 3)
+    {
+        options.optional("loadedWidth", settings.loadedWidth, "across the path").unit("m").atLeast(0);
+    }
+    options
+        .optional(
+            "spread", settings.spread,
+            "of the load through a fill: by how much it widens on each side for each metre below the path, "
+            "as 0.5 for 1:2; it acts uniformly over that width")
+        .atLeast(0)
+        .usual(0, 1);
     options.check("to",
                   [&settings]() -> std::string
                   {
@@ -156,8 +248,11 @@ std::vector<LoadPosition<Dim>> movingLoad(const Assembly<Dim>& assembly,
     {
         const double distance = i * length / (settings.positions - 1);
         LoadPosition<Dim> lowest = loadAt(assembly, settings, distance, Choice::lowest);
-        LoadPosition<Dim> highest = loadAt(assembly, settings, distance, Choice::highest);
-        const bool isOneOnly = lowest.blocks == highest.blocks;
+        // A load that is spread over both sides of a joint is one load.
+        const bool isSpread = settings.spread > 0 || settings.loadedLength > 0 || settings.loadedWidth > 0;
+        LoadPosition<Dim> highest =
+            isSpread ? LoadPosition<Dim>() : loadAt(assembly, settings, distance, Choice::highest);
+        const bool isOneOnly = isSpread || lowest.blocks == highest.blocks;
         for (LoadPosition<Dim>* position : {&lowest, &highest})
         {
             if (!position->blocks.empty() && !(isOneOnly && position == &highest))

@@ -22,10 +22,22 @@ struct MovingLoadSettings
     Vector<Dim> value = Vector<Dim>::Zero();      ///< of an axle [N]
     std::vector<std::pair<double, double>> axles; ///< offset from the position, along the path [m], and
                                                   ///< factor on `value`; empty: one at the position
+    double loadedLength = 0;                      ///< of an axle on the path, along it [m]
+    double loadedWidth = 0;                       ///< in space across it [m]
+    double spread = 0; ///< by how much the load widens on each side per depth below the path [-]
 };
 
 template<int Dim>
 void declare(Options& options, MovingLoadSettings<Dim>& settings);
+
+/// An axle on the structure.
+template<int Dim>
+struct AxlePlace
+{
+    Vector<Dim> place = Vector<Dim>::Zero(); ///< where its middle meets a block [m]
+    int block = -1;
+    double factor = 1; ///< on `value`
+};
 
 /// One place of the load.
 template<int Dim>
@@ -33,14 +45,22 @@ struct LoadPosition
 {
     double distance = 0;                     ///< along the path from its beginning [m]
     Vector<Dim> place = Vector<Dim>::Zero(); ///< on the path [m]
-    std::vector<int> blocks;                 ///< that carry an axle, one each
-    Eigen::VectorXd live;                    ///< rows as LoadVectors
+    std::vector<int> blocks;           ///< that carry an axle, one each; all that carry one that spreads
+    std::vector<AxlePlace<Dim>> axles; ///< those that meet a free block
+    Eigen::VectorXd live;              ///< rows as LoadVectors
 };
 
 /// The live load of each position. An axle goes along its force from the path to the first block that is in
 /// its way; on a fixed block, or on none, it loads nothing. Where it meets a joint it may act on either of
 /// the blocks: such a position comes twice, with all axles at joints on the block of the lowest index, then
 /// on that of the highest. Positions that load nothing are left out.
+///
+/// With `spread` or `loadedLength` the force of an axle is uniform, at a depth t below the path, over
+/// loadedLength + 2 spread t along the path, and in space over loadedWidth + 2 spread t across it, all of it
+/// in the direction of `value`: the dispersal of codes through fill (1:2 is `spread 0.5`). It is divided into
+/// equal forces, each of which goes along its own ray through the fill to the first block in its way; what
+/// meets a fixed block or none loads nothing. 400 of them in the plane: the share of a block is right to
+/// 1/400; in space 24 x 24.
 template<int Dim>
 std::vector<LoadPosition<Dim>> movingLoad(const Assembly<Dim>& assembly,
                                           const MovingLoadSettings<Dim>& settings);

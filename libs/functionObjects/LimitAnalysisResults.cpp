@@ -17,6 +17,7 @@
 #include "functionObjects/LoadMeaning.h"
 #include "io/Frames.h"
 #include "io/Mechanism.h"
+#include "io/ParaViewState.h"
 #include "quantities/LimitAnalysisFigures.h"
 #include "runControl/CaseFiles.h"
 
@@ -218,6 +219,7 @@ void writeAnswer(const std::filesystem::path& caseDirectory, const LimitAnalysis
     }
     picture.towardsViewer = pictures.towardsViewer;
     picture.load = loadArrow(structure, result);
+    picture.loadPlaces = loadPlaces(structure);
     const double drawn = 0.5 * meanBlockSize(assembly);
     picture.motion = fmt::format("moved by up to {:.2g} m in this picture", drawn);
     if constexpr (Dim == 3)
@@ -268,13 +270,18 @@ void writeLimitAnalysisResults(const std::filesystem::path& caseDirectory,
     writeEnvelope(folder, structure, caseName(caseDirectory), pictures.formats);
     writeInput(limitAnalysisInput(caseDirectory), inputOfLimitAnalysis(caseDirectory, structure.assembly));
     writeWholeFile(limitAnalysisTable(caseDirectory), tableText(structure, results, cpuTime));
-    info("Wrote {}: limitAnalysis.dat and thrust.dat (tables), {}{} ({}{})",
-         folder.lexically_normal().string(), pictureNames("mechanism", pictures.formats),
+    const bool isMoving = !structure.envelope.empty();
+    info("Wrote {}: limitAnalysis.dat, {}thrust.dat (tables), {}{}{} ({}{})",
+         folder.lexically_normal().string(), isMoving ? "movingLoad.dat, " : "",
+         pictureNames("mechanism", pictures.formats),
+         isMoving && worstPlace(structure) ? ", " + pictureNames("movingLoad", pictures.formats) : "",
          Dim == 2 ? " and " + pictureNames("thrust", pictures.formats) : "",
-         Dim == 2 || pictures.formats.size() > 1 ? "pictures" : "picture",
+         Dim == 2 || isMoving || pictures.formats.size() > 1 ? "pictures" : "picture",
          results.size() > 1 ? ", one an answer" : "");
-    info("Wrote {}: blocks (mechanism), contacts (forces), thrust; .vtp.series opens in ParaView\n",
-         (caseDirectory / "VTK").lexically_normal().string());
+    const bool hasState = writeParaViewState(caseDirectory);
+    info("Wrote {}: blocks (mechanism), contacts (forces), thrust; .vtp.series opens in ParaView{}\n",
+         (caseDirectory / "VTK").lexically_normal().string(),
+         hasState ? ", paraviewState.py (Load State) shows all of it" : "");
 }
 
 template void checkFunctions(const Dictionary& controlDict, const std::filesystem::path& caseDirectory,

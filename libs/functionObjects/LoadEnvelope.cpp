@@ -76,6 +76,32 @@ std::string placeText(const LimitAnalysisCase<Dim>& structure, const EnvelopePoi
 }
 
 template<int Dim>
+std::vector<LoadPlace> loadPlaces(const LimitAnalysisCase<Dim>& structure)
+{
+    std::vector<LoadPlace> places;
+    const std::optional<EnvelopePoint> worst = worstPlace(structure);
+    if (!worst)
+    {
+        return places;
+    }
+    double largest = 0;
+    for (const AxlePlace<Dim>& axle : structure.loads.positions[worst->position].axles)
+    {
+        LoadPlace place;
+        place.place.template head<Dim>() = axle.place;
+        place.block = axle.block;
+        place.part = axle.factor;
+        largest = std::max(largest, axle.factor);
+        places.push_back(place);
+    }
+    for (LoadPlace& place : places)
+    {
+        place.part /= largest;
+    }
+    return places;
+}
+
+template<int Dim>
 void printEnvelope(const LimitAnalysisCase<Dim>& structure)
 {
     const std::vector<EnvelopePoint> points = envelopeOf(structure);
@@ -89,8 +115,11 @@ void printEnvelope(const LimitAnalysisCase<Dim>& structure)
                                        [](const EnvelopePoint& point) { return std::isinf(point.alpha); });
     info("Moving load: {} places{}", points.size(),
          carried > 0 ? fmt::format(", at {} of them no load makes the structure collapse", carried) : "");
-    info("Worst place: {:.6g} m along the path, from {}, on block {}", worst->distance,
-         placeText(structure, *worst), fmt::join(position.blocks, " "));
+    std::vector<int> blocks = position.blocks; // two axles may spread over the same
+    std::sort(blocks.begin(), blocks.end());
+    blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
+    info("Worst place: {:.6g} m along the path, from {}, on {} {}", worst->distance,
+         placeText(structure, *worst), blocks.size() > 1 ? "blocks" : "block", fmt::join(blocks, " "));
 }
 
 template<int Dim>
@@ -183,6 +212,8 @@ template std::optional<EnvelopePoint> worstPlace(const LimitAnalysisCase<2>& str
 template std::optional<EnvelopePoint> worstPlace(const LimitAnalysisCase<3>& structure);
 template std::string placeText(const LimitAnalysisCase<2>& structure, const EnvelopePoint& point);
 template std::string placeText(const LimitAnalysisCase<3>& structure, const EnvelopePoint& point);
+template std::vector<LoadPlace> loadPlaces(const LimitAnalysisCase<2>& structure);
+template std::vector<LoadPlace> loadPlaces(const LimitAnalysisCase<3>& structure);
 template void printEnvelope(const LimitAnalysisCase<2>& structure);
 template void printEnvelope(const LimitAnalysisCase<3>& structure);
 template void writeEnvelope(const std::filesystem::path& folder, const LimitAnalysisCase<2>& structure,

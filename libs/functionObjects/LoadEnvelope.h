@@ -2,6 +2,7 @@
 /// Multipliers of a moving load over its places, for logs, tables and pictures.
 #pragma once
 
+#include "io/MechanismPicture.h"
 #include "runControl/PictureFormats.h"
 #include "statics/LimitAnalysisCase.h"
 
@@ -32,6 +33,10 @@ std::optional<EnvelopePoint> worstPlace(const LimitAnalysisCase<Dim>& structure)
 /// `(-0.1 3)`: the place on the path.
 template<int Dim>
 std::string placeText(const LimitAnalysisCase<Dim>& structure, const EnvelopePoint& point);
+
+/// Where the axles of the worst place meet the structure; none without a moving load.
+template<int Dim>
+std::vector<LoadPlace> loadPlaces(const LimitAnalysisCase<Dim>& structure);
 
 /// Range of multipliers and the worst place, for the log. Nothing without a moving load.
 template<int Dim>

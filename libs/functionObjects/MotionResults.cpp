@@ -10,6 +10,7 @@
 #include "dynamics/StartCheck.h"
 #include "functionObjects/KeptResults.h"
 #include "io/Frames.h"
+#include "io/ParaViewState.h"
 #include "runControl/Case.h"
 
 #include <fmt/format.h>
@@ -425,6 +426,7 @@ void MotionResults<Dim>::writeFirstFrames()
 {
     requireWritable(caseDirectory);
     requireWritable(caseDirectory / "VTK");
+    hasState = writeParaViewState(caseDirectory); // so that a motion can be watched while it is computed
     if (blocks.times().empty() || blocks.times().back() < time.value())
     {
         writing.start([this, frames = framesNow()] { write(frames); });
@@ -444,8 +446,9 @@ void MotionResults<Dim>::printWritten() const
                               : fmt::format("{} states, {} to {}", kept.size(), kept.front(), kept.back()));
     }
     functionList.writePictures();
-    info("Wrote {}: blocks and contacts, {} frames; .vtp.series opens in ParaView",
-         (caseDirectory / "VTK").lexically_normal().string(), blocks.times().size());
+    info("Wrote {}: blocks and contacts, {} frames; .vtp.series opens in ParaView{}",
+         (caseDirectory / "VTK").lexically_normal().string(), blocks.times().size(),
+         hasState ? ", paraviewState.py (Load State) shows all of it" : "");
     if (const std::vector<std::string> names = functionList.names(); !names.empty())
     {
         info("Wrote {}: {}", (caseDirectory / "postProcessing").lexically_normal().string(),

@@ -100,6 +100,7 @@ private:
     std::vector<std::string> statesWritten; ///< names of their times
     VtkSeries blocks;
     VtkSeries contacts;
+    bool hasState = false; ///< VTK/paraviewState.py was written
     WritingThread writing; ///< the one user of states, blocks and contacts from the first frame on
 };
 

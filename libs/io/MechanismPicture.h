@@ -46,6 +46,14 @@ struct LoadArrow
     std::string label = "";                  ///< for instance "live load 24.6 kN"
 };
 
+/// Where a part of the load acts, drawn there as an arrow.
+struct LoadPlace
+{
+    Vector<3> place = Vector<3>::Zero(); ///< as built; in the plane z = 0 [m]
+    int block = -1;                      ///< with which it moves
+    double part = 1;                     ///< of the largest: the length of the arrow
+};
+
 struct MechanismPicture
 {
     std::string title = "";    ///< for instance "masonryPanels/wall1"
@@ -57,8 +65,9 @@ struct MechanismPicture
     Vector<3> towardsViewer = usualView(); ///< of space: a unit vector
     /// Of space: hinges and sliding joints, drawn where they are seen on the displaced blocks.
     std::vector<JointMark> marks = {};
-    std::optional<LoadArrow> load = {}; ///< drawn where its direction is seen
-    std::string motion = "";            ///< how far the blocks are drawn from where they are
+    std::optional<LoadArrow> load = {};     ///< drawn below, where its direction is seen
+    std::vector<LoadPlace> loadPlaces = {}; ///< of a load that acts at points, along the direction of `load`
+    std::string motion = "";                ///< how far the blocks are drawn from where they are
 };
 
 /// The displaced blocks, shaded by their displacement, over the dashed outline of the structure as built;

@@ -9,6 +9,14 @@
 namespace drystone
 {
 
+namespace
+{
+
+/// Seen along its own direction a load is a point.
+constexpr double leastSeen = 0.2;
+
+} // namespace
+
 PicturePage makePicturePage(const MechanismPicture& picture, const Vector<2>& world)
 {
     constexpr double margin = 16;
@@ -44,6 +52,20 @@ double roundLength(double length)
     return power;
 }
 
+void paintLoadArrow(Canvas& drawing, const Vector<2>& tip, const Vector<2>& onPage, double length)
+{
+    const ShapeStyle red{.stroke = "#b3261e", .strokeWidth = 2.2};
+    if (onPage.norm() < leastSeen)
+    {
+        drawing.circle(tip, 3, {.fill = red.stroke});
+        return;
+    }
+    const Vector<2> along = onPage.normalized();
+    const Vector<2> across(-along.y(), along.x());
+    drawing.line(tip - length * onPage, tip - 5 * along, red);
+    drawing.polygon({tip, tip - 8 * along + 4 * across, tip - 8 * along - 4 * across}, {.fill = red.stroke});
+}
+
 void paintNotes(PicturePage& page, const MechanismPicture& picture, const Vector<2>& onPage)
 {
     constexpr double size = 12;
@@ -64,23 +86,8 @@ void paintNotes(PicturePage& page, const MechanismPicture& picture, const Vector
     x += bar + 6 + textWidth(length, size) + 18;
     if (picture.load)
     {
-        // Seen along its own direction a load is a point.
-        const Vector<2> half = 13 * onPage;
-        const Vector<2> centre(x + 13, y + 7);
-        const ShapeStyle red{.stroke = "#b3261e", .strokeWidth = 2.2};
-        if (onPage.norm() < 0.2)
-        {
-            drawing.circle(centre, 3, {.fill = red.stroke});
-        }
-        else
-        {
-            const Vector<2> along = onPage.normalized();
-            const Vector<2> across(-along.y(), along.x());
-            const Vector<2> tip = centre + half;
-            drawing.line(centre - half, tip - 5 * along, red);
-            drawing.polygon({tip, tip - 8 * along + 4 * across, tip - 8 * along - 4 * across},
-                            {.fill = red.stroke});
-        }
+        const bool isPoint = onPage.norm() < leastSeen;
+        paintLoadArrow(drawing, Vector<2>(x + 13, y + 7) + (isPoint ? 0 : 13) * onPage, onPage, 26);
         drawing.text({x + 32, y + 11}, picture.load->label, {.size = size});
         x += 32 + textWidth(picture.load->label, size) + 18;
     }

@@ -28,6 +28,10 @@ PicturePage makePicturePage(const MechanismPicture& picture, const Vector<2>& wo
 /// length
 void paintNotes(PicturePage& page, const MechanismPicture& picture, const Vector<2>& onPage);
 
+/// The load's arrow. \param onPage along it, as for paintNotes \param length from its tail to its tip, where
+/// onPage is a unit vector [px]; a point where it is seen along its own direction
+void paintLoadArrow(Canvas& drawing, const Vector<2>& tip, const Vector<2>& onPage, double length);
+
 /// The largest of 1, 2 and 5 times a power of ten that is at most `length`, above 0.
 double roundLength(double length);
 

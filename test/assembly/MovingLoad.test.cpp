@@ -2,8 +2,12 @@
 /// Where a moving load meets blocks.
 #include "assembly/MovingLoad.h"
 
+#include "geometry/space/Polyhedron.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <utility>
 
 using namespace drystone;
 using testing::ElementsAre;
@@ -60,6 +64,101 @@ TEST(MovingLoad, ComesTwiceWhereItMeetsAJoint)
     EXPECT_THAT(positions[3].blocks, ElementsAre(2));
     EXPECT_NEAR(positions[2].live[2], -5, 1e-12);
     EXPECT_NEAR(positions[3].live[5], 5, 1e-12);
+}
+
+/// Four blocks of 1 m side by side on the ground, their tops at the level 1.
+Assembly<2> row()
+{
+    Assembly<2> assembly{{{rectangle(-9, -1, 9, 0), 1, 0}}, {{"ground", "ground"}}};
+    for (int i = 0; i < 4; ++i)
+    {
+        assembly.blocks.push_back({rectangle(i, 0, i + 1, 1)});
+    }
+    return assembly;
+}
+
+TEST(MovingLoad, SpreadsUniformlyThroughAFill)
+{
+    MovingLoadSettings<2> settings;
+    settings.from = {1.5, 3};
+    settings.to = {2, 3};
+    settings.positions = 2;
+    settings.value = {0, -10};
+    settings.loadedLength = 0.3;
+    settings.spread = 0.5;
+    const std::vector<LoadPosition<2>> positions = movingLoad(row(), settings);
+    ASSERT_EQ(positions.size(), 2u); // once where its middle meets a joint
+    // At the depth 2 it is 0.3 + 2 x 0.5 x 2 = 2.3 wide: from 0.85 to 3.15.
+    const Eigen::VectorXd& live = positions[1].live;
+    const double width = 2.3;
+    const double least = 10.0 / 400; // a part of the load
+    EXPECT_NEAR(live[1] + live[4] + live[7] + live[10], -10, 1e-12);
+    for (const auto& [block, length] :
+         {std::pair(0, 0.15), std::pair(1, 1.0), std::pair(2, 1.0), std::pair(3, 0.15)})
+    {
+        EXPECT_NEAR(live[3 * block + 1], -10 * length / width, least) << block;
+        EXPECT_NEAR(live[3 * block], 0, 1e-12) << block;
+    }
+    // Of the outer blocks only the inner 0.15 m are loaded, in their middle at 0.425 m from that of the
+    // block.
+    EXPECT_NEAR(live[2], -10 * 0.15 / width * 0.425, least);
+    EXPECT_NEAR(live[11], 10 * 0.15 / width * 0.425, least);
+    EXPECT_THAT(positions[1].blocks, ElementsAre(1, 2, 3, 4));
+    ASSERT_EQ(positions[1].axles.size(), 1u);
+    EXPECT_NEAR((positions[1].axles[0].place - Vector<2>(2, 1)).norm(), 0, 1e-12);
+    // From the other position, 0.35 to 2.65, the last block bears nothing.
+    EXPECT_NEAR(positions[0].live[1], -10 * 0.65 / width, least);
+    EXPECT_NEAR(positions[0].live[10], 0, 1e-12);
+    // What falls beside the blocks is borne by the ground.
+    settings.from.x() = 4;
+    settings.to.x() = 4.5;
+    const Eigen::VectorXd beside = movingLoad(row(), settings)[0].live;
+    EXPECT_NEAR(beside[7], -10 * 0.15 / width, least);
+    EXPECT_NEAR(beside[10], -10 * 1 / width, least);
+}
+
+TEST(MovingLoad, SpreadsToBothSidesInSpace)
+{
+    Assembly<3> slab;
+    slab.blocks.resize(2);
+    slab.blocks[0].shape = makeBox({-2, -3, 0}, {0, 3, 1});
+    slab.blocks[1].shape = makeBox({0, -3, 0}, {2, 3, 1});
+    MovingLoadSettings<3> settings;
+    settings.from = {0, 0, 3};
+    settings.to = {1.4, 0, 3};
+    settings.positions = 2;
+    settings.value = {0, 0, -10};
+    settings.loadedLength = 0.3;
+    settings.loadedWidth = 1.3;
+    settings.spread = 0.5;
+    const std::vector<LoadPosition<3>> positions = movingLoad(slab, settings);
+    ASSERT_EQ(positions.size(), 2u);
+    // Over the joint half of it on either block, 2.3 m along the path: at 0.575 m from the joint, in the
+    // middle across.
+    const Eigen::VectorXd& middle = positions[0].live;
+    EXPECT_NEAR(middle[2], -5, 1e-12);
+    EXPECT_NEAR(middle[8], -5, 1e-12);
+    EXPECT_NEAR(middle[3], 0, 1e-12);
+    EXPECT_NEAR(middle[4], 5 * (1 - 0.575), 1e-12); // r x F about y, with r = (0.425 .. 0.5)
+    EXPECT_NEAR(middle[10], -5 * (1 - 0.575), 1e-12);
+    // At 1.4 the part beyond the end of the slab meets nothing.
+    const double share = (2.3 - 0.55) / 2.3;
+    EXPECT_NEAR(positions[1].live[2] + positions[1].live[8], -10 * share, 10.0 / 24);
+}
+
+TEST(MovingLoad, OfALoadedLengthAloneDoesNotWiden)
+{
+    MovingLoadSettings<2> settings;
+    settings.from = {1.5, 3};
+    settings.to = {3.75, 3};
+    settings.positions = 2;
+    settings.value = {0, -10};
+    settings.loadedLength = 0.5;
+    const std::vector<LoadPosition<2>> positions = movingLoad(row(), settings);
+    EXPECT_NEAR(positions[0].live[4], -10, 1e-12); // all of it on the second block
+    EXPECT_NEAR(positions[0].live[5], 0, 1e-12);
+    EXPECT_NEAR(positions[1].live[10], -10, 1e-12);
+    EXPECT_NEAR(positions[1].live[11], -10 * 0.25, 1e-12);
 }
 
 TEST(MovingLoad, AxlesThatHaveLeftTheBlocksLoadNothing)

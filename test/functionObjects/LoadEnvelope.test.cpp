@@ -21,7 +21,11 @@ LimitAnalysisCase<2> solvedCase()
     LimitAnalysisCase<2> structure;
     const auto add = [&](double distance, int block, CollapseStatus status, double alpha)
     {
-        structure.loads.positions.push_back({distance, {distance, 1}, {block}, {}});
+        structure.loads.positions.push_back({distance,
+                                             {distance, 1},
+                                             {block},
+                                             {{{distance, 0.5}, block, 1}, {{distance - 1, 0.5}, 0, 0.5}},
+                                             {}});
         structure.envelope.push_back({status, alpha});
     };
     add(0, 0, CollapseStatus::unbounded, 0);
@@ -31,6 +35,18 @@ LimitAnalysisCase<2> solvedCase()
     add(1.5, 1, CollapseStatus::optimal, 6);
     add(2, 1, CollapseStatus::optimal, 5 * (1 - 1e-9)); // as good as the same
     return structure;
+}
+
+TEST(LoadEnvelope, StatesWhereTheAxlesOfTheWorstPlaceStand)
+{
+    const std::vector<LoadPlace> places = loadPlaces(solvedCase());
+    ASSERT_EQ(places.size(), 2u);
+    EXPECT_EQ(places[0].place, Vector<3>(1, 0.5, 0));
+    EXPECT_EQ(places[0].block, 1);
+    EXPECT_EQ(places[0].part, 1);
+    EXPECT_EQ(places[1].place, Vector<3>(0, 0.5, 0));
+    EXPECT_EQ(places[1].part, 0.5);
+    EXPECT_TRUE(loadPlaces(LimitAnalysisCase<2>()).empty());
 }
 
 TEST(LoadEnvelope, TakesTheLowerSideOfAJointAndTheFirstOfEqualPlaces)

@@ -134,6 +134,46 @@ TEST(MechanismPicture, HasAScaleBarTheLoadAndItsMotion)
     EXPECT_GT(y2, y1);
 }
 
+TEST(MechanismPicture, DrawsALoadAtItsPlaceOnTheMovedBlock)
+{
+    // A block of 1 m that moves by 0.5 m to the right: a load on the middle of its top goes with it.
+    Assembly<2> assembly;
+    assembly.blocks.push_back({{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 1, -1});
+    assembly.blocks.push_back({{{4, 0}, {5, 0}, {5, 1}, {4, 1}}, 1, -1});
+    MechanismPicture picture;
+    picture.load = {{0, -1, 0}, "live load"};
+    picture.loadPlaces = {{{0.5, 1, 0}, 0, 1}, {{4.5, 1, 0}, 1, 0.5}};
+    const auto tips = [&](const std::vector<Placement<2>>& placements)
+    {
+        const std::string svg = mechanismSvg(assembly, placements, picture);
+        EXPECT_TRUE(parsed(svg));
+        std::vector<Vector<4>> shafts;
+        for (std::size_t at = svg.find("<line"); at != std::string::npos; at = svg.find("<line", at + 1))
+        {
+            const std::string element = svg.substr(at, svg.find("/>", at) - at);
+            Vector<4> line;
+            if (element.find("#b3261e") != std::string::npos
+                && std::sscanf(element.c_str(), "<line x1=\"%lf\" y1=\"%lf\" x2=\"%lf\" y2=\"%lf\"", &line[0],
+                               &line[1], &line[2], &line[3])
+                       == 4)
+            {
+                shafts.push_back(line);
+            }
+        }
+        return shafts;
+    };
+    const auto built = tips({{{0, 0}, 0}, {{0, 0}, 0}});
+    const auto moved = tips({{{0.5, 0}, 0}, {{0, 0}, 0}});
+    ASSERT_EQ(built.size(), 3u); // and that of the legend
+    ASSERT_EQ(moved.size(), 3u);
+    const double metre = (built[1][0] - built[0][0]) / 4;
+    EXPECT_GT(metre, 10);
+    EXPECT_NEAR(moved[1][0] - moved[0][0], 3.5 * metre,
+                0.2 * metre); // the page may be as wide as before or not
+    EXPECT_GT(built[0][3] - built[0][1], 1.4 * (built[1][3] - built[1][1])); // half the axle, a shorter arrow
+    EXPECT_EQ(built[0][0], built[0][2]);
+}
+
 TEST(MechanismPicture, OfALargeWallIsAreasWithoutJointsBelowAMegabyte)
 {
     const Assembly<2> wall = test::wall(160, 160);

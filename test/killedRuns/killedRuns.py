@@ -16,44 +16,11 @@ import sys
 import tempfile
 import time
 
+import shakenWall
+from shakenWall import interval, step
+
 applications, runs = sys.argv[1], int(sys.argv[2])
 seed = int(sys.argv[3]) if len(sys.argv) > 3 else 1
-
-header = "FoamFile { version 2.0; format ascii; class dictionary; object %s; }\n"
-step, interval, end = 0.001, 0.01, 0.8
-files = {
-    "constant/g": "value (0 -9.81 0);\n",
-    "constant/materialProperties": "density 2000;\n",
-    "constant/contactProperties": "friction { type Coulomb; mu 0.5; flowRule nonAssociative; }\n",
-    "constant/groundMotion": "direction (1 0 0);\nacceleration { type sine; amplitude 6; duration 1; cycles 4; }\n",
-    "system/blockTextureDict": """dimensions 2;
-texture { type courses; unit (0.4 0.2); thickness 1; rows ( (0.5 1 1 0.5) (1 1 1) (0.5 1 1 0.5) (1 1 1) ); }
-supports { ground { type ground; } }
-""",
-    "system/controlDict": f"""application contactDynamics;
-startFrom latestTime; startTime 0; stopAt endTime; endTime {end}; deltaT {step};
-writeControl runTime; writeInterval {interval};
-functions {{ energy {{ type energy; }} }}
-""",
-}
-
-
-def make(case):
-    for name, text in files.items():
-        path = os.path.join(case, name)
-        os.makedirs(os.path.dirname(path), exist_ok=True)
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(header % os.path.basename(name) + text)
-    run("blockTexture", case)
-
-
-def run(application, case):
-    done = subprocess.run([os.path.join(applications, application), "-case", case], capture_output=True, text=True,
-                          check=False)
-    if done.returncode != 0:
-        sys.exit(f"{application} ended with {done.returncode}\n{done.stdout[-2000:]}{done.stderr}")
-    return done.stdout
-
 
 def times(case):
     return sorted((name for name in os.listdir(case) if re.fullmatch(r"[0-9]+(\.[0-9]+)?", name)), key=float)
@@ -88,11 +55,11 @@ def energies(case):
 
 with tempfile.TemporaryDirectory() as root:
     base = os.path.join(root, "base")
-    make(base)
+    shakenWall.make(applications, base)
     reference = os.path.join(root, "reference")
     shutil.copytree(base, reference)
     began = time.monotonic()
-    run("contactDynamics", reference)
+    shakenWall.run(applications, "contactDynamics", reference)
     length = time.monotonic() - began
     wholeEnergy = energies(reference)
     whole = times(reference)
@@ -121,7 +88,7 @@ with tempfile.TemporaryDirectory() as root:
         if reached - latest > 2 * interval + 1.5 * step:
             sys.exit(f"{what}: had come to {reached:g} s, and only {latest:g} s was written")
         lost.append(max(0, round((reached - latest) / step)))
-        again = run("contactDynamics", case)
+        again = shakenWall.run(applications, "contactDynamics", case)
         first = re.search(r"^Time = (\S+)", again, re.M)
         if first and not 0 < float(first.group(1)) - latest < 1.5 * step:
             sys.exit(f"{what}: went on at {first.group(1)} s from {latest:g} s")

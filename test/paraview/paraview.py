@@ -71,6 +71,11 @@ def main():
             for name in ("motion", "joints", "forces"):
                 assert f'name="{name}"' in text, name
             shown[magnification] = pixels(picture)[1]
+        # The state that the run has written, in a case that was copied to another place while its own is gone.
+        moved, picture = os.path.join(folder, "moved"), os.path.join(folder, "state.png")
+        os.rename(case, moved)
+        subprocess.run(command + [os.path.join(moved, "VTK/paraviewState.py"), "--picture", picture], check=True, timeout=200)
+        assert pixels(picture)[1] == shown["1"], "the state shows something else than the macro"
     counts = {colour: sum(near(pixel, colour) for row in shown["1"] for pixel in row) for colour in (sticking, sliding)}
     print(counts)
     assert counts[sticking] > 200, "no arrows of sticking points are seen"

@@ -3,6 +3,7 @@
 #include "io/MechanismPicture.h"
 
 #include "core/Error.h"
+#include "geometry/Rotation.h"
 #include "io/Canvas.h"
 #include "io/ClayColour.h"
 #include "io/PicturePage.h"
@@ -271,6 +272,21 @@ void paintBlocks(Canvas& drawing, const Assembly<2>& assembly, const std::vector
     }
 }
 
+/// A place of the load on its block where that is now [m].
+Vector<2> movedPlace(const Assembly<2>& assembly, const std::vector<Placement<2>>& placements,
+                     const LoadPlace& at)
+{
+    const Vector<2> place = at.place.head<2>();
+    if (at.block < 0)
+    {
+        return place;
+    }
+    const Block<2>& block = assembly.blocks[static_cast<std::size_t>(at.block)];
+    const Placement<2>& placement = placements[static_cast<std::size_t>(at.block)];
+    return placedOutline(block, placement).front()
+           + turned(placement.rotation, place - block.outline.front());
+}
+
 constexpr std::string_view thrustColour = "#1b4f8f";
 
 double thrustWidth(double share)
@@ -408,6 +424,13 @@ Canvas drawnMechanism(const Assembly<2>& assembly, const std::vector<Placement<2
     {
         largestForce = paintThrust(drawing, assembly, picture.thrust, view, blockSize);
     }
+    const Vector<3> load =
+        picture.load ? picture.load->direction.normalized().eval() : Vector<3>::Zero().eval();
+    const Vector<2> loadOnPage(load.x(), -load.y());
+    for (const LoadPlace& at : picture.loadPlaces)
+    {
+        paintLoadArrow(drawing, view(movedPlace(assembly, placements, at)), loadOnPage, 18 + 22 * at.part);
+    }
     drawing.endClip();
 
     const double y = page.legend();
@@ -433,9 +456,7 @@ Canvas drawnMechanism(const Assembly<2>& assembly, const std::vector<Placement<2
         }
         drawing.text({x, y + 11}, "line of thrust, reactions", {.size = 12});
     }
-    const Vector<3> load =
-        picture.load ? picture.load->direction.normalized().eval() : Vector<3>::Zero().eval();
-    paintNotes(page, picture, {load.x(), -load.y()});
+    paintNotes(page, picture, loadOnPage);
     return drawing;
 }
 

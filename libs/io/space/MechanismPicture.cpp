@@ -9,6 +9,7 @@
 
 #include "core/Error.h"
 #include "geometry/BroadPhase.h"
+#include "geometry/Rotation.h"
 #include "io/Canvas.h"
 #include "io/ClayColour.h"
 #include "io/PicturePage.h"
@@ -311,6 +312,20 @@ void paintGround(Canvas& drawing, const Assembly<3>& assembly, const View& view,
     drawing.polygon(outline, {.fill = "#e6e6e2", .stroke = "#9a9a9a", .strokeWidth = 0.8});
 }
 
+/// A place of the load on its block where that is now [m].
+Vector<3> movedPlace(const Assembly<3>& assembly, const std::vector<Placement<3>>& placements,
+                     const LoadPlace& at)
+{
+    if (at.block < 0)
+    {
+        return at.place;
+    }
+    const Block<3>& block = assembly.blocks[static_cast<std::size_t>(at.block)];
+    const Placement<3>& placement = placements[static_cast<std::size_t>(at.block)];
+    return placedShape(block, placement).vertices.front()
+           + turned(placement.rotation, Vector<3>(at.place - block.shape.vertices.front()));
+}
+
 } // namespace
 
 Canvas drawnMechanism(const Assembly<3>& assembly, const std::vector<Placement<3>>& placements,
@@ -351,16 +366,22 @@ Canvas drawnMechanism(const Assembly<3>& assembly, const std::vector<Placement<3
         paintBlock(drawing, shown[i], view, furthest > 0 ? shown[i].moved / furthest : 0);
         paintMarks(drawing, marks, shown[i].block, shown[i].shape, placements, view);
     }
+    // As it is seen: a length of 1 m along the load, in metres of the page.
+    const Vector<3> load =
+        picture.load ? picture.load->direction.normalized().eval() : Vector<3>::Zero().eval();
+    const Vector<2> loadOnPage = (view.onPage(load) - view.onPage(Vector<3>::Zero())) / view.scale;
+    for (const LoadPlace& at : picture.loadPlaces) // over all blocks: a load is not to be hidden
+    {
+        paintLoadArrow(drawing, view.onPage(movedPlace(assembly, placements, at)), loadOnPage,
+                       18 + 22 * at.part);
+    }
     drawing.endClip();
     if (furthest > 0)
     {
         paintMarkLegend(drawing, picture.marks,
                         {paintClayLegend(drawing, {view.corner.x() + 4, page.legend()}) + 20, page.legend()});
     }
-    // As it is seen: a length of 1 m along the load, in metres of the page.
-    const Vector<3> load =
-        picture.load ? picture.load->direction.normalized().eval() : Vector<3>::Zero().eval();
-    paintNotes(page, picture, (view.onPage(load) - view.onPage(Vector<3>::Zero())) / view.scale);
+    paintNotes(page, picture, loadOnPage);
     return drawing;
 }
 

@@ -1,0 +1,56 @@
+#!/usr/bin/env python3
+# Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs on a disk that becomes full: they end with a message that names the file and the reason, and leave no temporary
+file or folder behind. The disk is a tmpfs of some hundred kB, mounted in a namespace of its own; where this is not allowed
+the test is skipped (77).
+
+fullDisk.py BIN
+"""
+import os
+import subprocess
+import sys
+import tempfile
+
+import shakenWall
+
+applications = os.path.abspath(sys.argv[1])
+
+
+def mounted(folder, size, commands):
+    """Runs commands in a namespace in which a disk of this size is mounted at the folder; then lists what is left."""
+    script = f'mount -t tmpfs -o size={size} none "{folder}" && cd "{folder}" && {commands}; status=$?; ' \
+             'echo "== left"; find . -name "*.tmp" -o -name ".*.tmp*"; exit $status'
+    flags = ["-m"] if os.geteuid() == 0 else ["-r", "-m"]
+    return subprocess.run(["unshare", *flags, "bash", "-c", script], capture_output=True, text=True, timeout=300, check=False)
+
+
+def main():
+    with tempfile.TemporaryDirectory() as root:
+        disk, case = os.path.join(root, "disk"), os.path.join(root, "case")
+        os.mkdir(disk)
+        try:
+            works = mounted(disk, "100k", "true")
+        except FileNotFoundError:
+            works = None
+        if works is None or works.returncode != 0:
+            print("a disk cannot be mounted here (unshare): skipped")
+            return 77
+        shakenWall.make(applications, case)
+        run = os.path.join(applications, "contactDynamics") + " -case case"
+        # Full before the run, after some states, and in the course of the frames.
+        for size in ("60k", "150k", "400k"):
+            done = mounted(disk, size, f'cp -r "{case}" . && {run}')
+            print(size, [line for line in done.stderr.splitlines() if "No space" in line])
+            assert done.returncode == 1, done.stdout[-500:] + done.stderr
+            assert "No space left on device" in done.stderr, done.stderr
+            assert "case/" in done.stderr, "the message names no file: " + done.stderr
+            left = done.stdout.split("== left\n")[1].split()
+            assert not left, f"left behind: {left}"
+        # On a disk that has room the same run ends well.
+        done = mounted(disk, "200m", f'cp -r "{case}" . && {run}')
+        assert done.returncode == 0, done.stderr
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
