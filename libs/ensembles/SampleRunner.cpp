@@ -8,6 +8,7 @@
 #include "core/WholeFile.h"
 #include "dictionary/DictionaryEdit.h"
 #include "dictionary/FilesInMemory.h"
+#include "dictionary/Fingerprint.h"
 #include "dynamics/Advance.h"
 #include "ensembles/CaseRuns.h"
 #include "ensembles/IncrementalDynamicsCase.h"
@@ -23,6 +24,8 @@
 #include <csignal>
 #include <map>
 #include <new>
+#include <optional>
+#include <tuple>
 
 namespace drystone
 {
@@ -68,6 +71,14 @@ struct NotConverged
 
 } // namespace
 
+/// The blocks of the last sample, and the fingerprint of the dictionary that they are made of.
+template<int Dim>
+struct KeptStructure
+{
+    std::uint64_t key = 0;
+    std::optional<SoundStructure<Dim>> blocks;
+};
+
 /// Samples without files: the dictionaries of the case in memory, those with variables anew for each sample.
 struct SampleRunner::InProcess
 {
@@ -79,7 +90,7 @@ struct SampleRunner::InProcess
     {
         std::fill(results.begin(), results.end(), std::nan(""));
         setEntries(values);
-        if (contains(ensemble.settings.applications, "blockTexture"))
+        if (runs("blockTexture"))
         {
             const Dictionary dictionary =
                 Dictionary::readFile(ensemble.caseDirectory / "system/blockTextureDict");
@@ -87,7 +98,7 @@ struct SampleRunner::InProcess
         }
         else
         {
-            assemblyDimensions(ensemble.caseDirectory) == 3 ? analyse<3>({}) : analyse<2>({});
+            assemblyDimensions(ensemble.caseDirectory) == 3 ? runAsItStands<3>() : runAsItStands<2>();
         }
         return results;
     }
@@ -121,44 +132,84 @@ struct SampleRunner::InProcess
         return text->second;
     }
 
+    bool runs(const std::string& application) const
+    {
+        return contains(ensemble.settings.applications, application);
+    }
+
+    /// The blocks of a dictionary with their contact points. Most samples differ in properties or loads, not
+    /// in blocks: those of the last sample are kept. \param make of the dictionary its assembly, joints
+    /// closed
+    template<int Dim, class Make>
+    const SoundStructure<Dim>& soundOf(const Dictionary& dictionary, const Make& make)
+    {
+        auto& [key, blocks] = std::get<KeptStructure<Dim>>(kept);
+        const std::uint64_t wanted = fingerprint(dictionary);
+        if (!blocks || key != wanted)
+        {
+            blocks.reset(); // also where those of the dictionary are refused
+            blocks = soundStructure(ensemble.caseDirectory, make());
+            key = wanted;
+        }
+        return *blocks;
+    }
+
     template<int Dim>
     void runBuilt(const Dictionary& dictionary)
     {
-        Assembly<Dim> assembly = makeStructure<Dim>(dictionary);
-        if (contains(ensemble.settings.applications, "contactDynamics")
-            || contains(ensemble.settings.applications, "incrementalDynamics"))
+        if (runs("contactDynamics") || runs("incrementalDynamics"))
         {
-            files.set(assemblyFile(ensemble.caseDirectory), assemblyText(assembly));
+            files.set(assemblyFile(ensemble.caseDirectory), assemblyText(makeStructure<Dim>(dictionary)));
         }
-        closeJoints(assembly);
-        analyse<Dim>(std::move(assembly));
+        if (runs("limitAnalysis"))
+        {
+            analyse<Dim>(soundOf<Dim>(dictionary,
+                                      [&]
+                                      {
+                                          Assembly<Dim> assembly = makeStructure<Dim>(dictionary);
+                                          closeJoints(assembly);
+                                          return assembly;
+                                      }));
+        }
+        runMotions<Dim>();
     }
 
-    /// \param assembly as built, joints closed; nothing: as the case has it
+    /// With the blocks of constant/assembly.
     template<int Dim>
-    void analyse(std::optional<Assembly<Dim>> assembly)
+    void runAsItStands()
     {
         const fs::path& directory = ensemble.caseDirectory;
-        if (contains(ensemble.settings.applications, "limitAnalysis"))
+        if (runs("limitAnalysis"))
         {
-            LimitAnalysisCase<Dim> structure =
-                assembly ? readLimitAnalysisCase<Dim>(directory, std::move(*assembly))
-                         : readLimitAnalysisCase<Dim>(directory);
-            const std::vector<LimitAnalysis> answers = solveLimitAnalyses(structure);
-            for (const LimitAnalysis& answer : answers)
-            {
-                if (answer.status == CollapseStatus::notConverged)
-                {
-                    throw NotConverged{"limitAnalysis did not converge"};
-                }
-            }
-            takeFigures(structure, answers);
+            analyse<Dim>(soundOf<Dim>(Dictionary::readFile(assemblyFile(directory)),
+                                      [&] { return readAssembly<Dim>(directory); }));
         }
-        if (contains(ensemble.settings.applications, "contactDynamics"))
+        runMotions<Dim>();
+    }
+
+    template<int Dim>
+    void analyse(const SoundStructure<Dim>& blocks)
+    {
+        LimitAnalysisCase<Dim> structure = readLimitAnalysisCase<Dim>(ensemble.caseDirectory, blocks);
+        const std::vector<LimitAnalysis> answers = solveLimitAnalyses(structure);
+        for (const LimitAnalysis& answer : answers)
+        {
+            if (answer.status == CollapseStatus::notConverged)
+            {
+                throw NotConverged{"limitAnalysis did not converge"};
+            }
+        }
+        takeFigures(structure, answers);
+    }
+
+    template<int Dim>
+    void runMotions()
+    {
+        if (runs("contactDynamics"))
         {
             move<Dim>();
         }
-        if (contains(ensemble.settings.applications, "incrementalDynamics"))
+        if (runs("incrementalDynamics"))
         {
             findLeastIntensities<Dim>();
         }
@@ -267,6 +318,7 @@ struct SampleRunner::InProcess
     const Ensemble& ensemble;
     FilesInMemory files;
     std::map<std::string, std::string> originals;
+    std::tuple<KeptStructure<2>, KeptStructure<3>> kept;
     std::vector<double> results;
 };
 

@@ -21,11 +21,10 @@ namespace drystone
 namespace
 {
 
-/// Finds the points and reads what each carries.
+/// Divides joints as the case requests it and reads what each point carries.
 std::vector<PointLaw> setContactPoints(LimitAnalysisCase<2>& structure)
 {
     const int pointsPerJoint = structure.contact.pointsPerJoint.value_or(2);
-    structure.points = findContactPoints(structure.assembly);
     if (pointsPerJoint > 2)
     {
         structure.points = divideJoints(structure.points, pointsPerJoint);
@@ -45,7 +44,6 @@ bool namesStrength(const ContactProperties& contact)
 
 std::vector<PointLaw> setContactPoints(LimitAnalysisCase<3>& structure)
 {
-    structure.points = findContactPoints(structure.assembly);
     if (!structure.contact.jointPoints && !namesStrength(structure.contact))
     {
         return pointLaws(structure.contact, structure.assembly, structure.points);
@@ -114,8 +112,26 @@ LimitAnalysisCase<Dim> readLimitAnalysisCase(const std::filesystem::path& caseDi
 }
 
 template<int Dim>
+SoundStructure<Dim> soundStructure(const std::filesystem::path& caseDirectory, Assembly<Dim> assembly)
+{
+    refuseOverlaps(assembly, caseDirectory);
+    refuseAlmostJoints(assembly, caseDirectory);
+    requireFreeBlock(assembly, caseDirectory);
+    std::vector<ContactPoint<Dim>> points = findContactPoints(assembly);
+    return {std::move(assembly), std::move(points)};
+}
+
+template<int Dim>
 LimitAnalysisCase<Dim> readLimitAnalysisCase(const std::filesystem::path& caseDirectory,
                                              Assembly<Dim> assembly, std::optional<int> jointPoints)
+{
+    return readLimitAnalysisCase(caseDirectory, soundStructure(caseDirectory, std::move(assembly)),
+                                 jointPoints);
+}
+
+template<int Dim>
+LimitAnalysisCase<Dim> readLimitAnalysisCase(const std::filesystem::path& caseDirectory,
+                                             SoundStructure<Dim> blocks, std::optional<int> jointPoints)
 {
     LimitAnalysisCase<Dim> result;
     const Dictionary solution = readSolution(caseDirectory, "limitAnalysis");
@@ -131,10 +147,8 @@ LimitAnalysisCase<Dim> readLimitAnalysisCase(const std::filesystem::path& caseDi
                            result.solutionLocations.of("solver"));
     }
     result.solution.solver = SolverType::interiorPoint;
-    result.assembly = std::move(assembly);
-    refuseOverlaps(result.assembly, caseDirectory);
-    refuseAlmostJoints(result.assembly, caseDirectory);
-    requireFreeBlock(result.assembly, caseDirectory);
+    result.assembly = std::move(blocks.assembly);
+    result.points = std::move(blocks.points);
 
     result.contact = readContactProperties(caseDirectory);
     if (jointPoints && Dim == 2)
@@ -146,9 +160,9 @@ LimitAnalysisCase<Dim> readLimitAnalysisCase(const std::filesystem::path& caseDi
         result.contact.jointPoints = PointGrid{*jointPoints};
     }
     const Vector<Dim> gravity = readGravity<Dim>(caseDirectory);
-    const std::vector<BlockMass<Dim>> blocks = blockMasses(result.assembly);
+    const std::vector<BlockMass<Dim>> massOfBlocks = blockMasses(result.assembly);
     const std::vector<double> masses =
-        massesOf(blocks, readDensities(caseDirectory, result.assembly, gravity));
+        massesOf(massOfBlocks, readDensities(caseDirectory, result.assembly, gravity));
     const LoadContext<Dim> context{result.assembly, masses, gravity,
                                    [&result] { return coveredSurface(result.assembly); }};
     result.combinations = readLoadCombinations(caseDirectory, context);
@@ -199,12 +213,18 @@ template LimitAnalysisCase<2> readLimitAnalysisCase(const std::filesystem::path&
                                                     std::optional<int> jointPoints);
 template LimitAnalysisCase<2> readLimitAnalysisCase(const std::filesystem::path& caseDirectory,
                                                     Assembly<2> assembly, std::optional<int> jointPoints);
+template SoundStructure<2> soundStructure(const std::filesystem::path& caseDirectory, Assembly<2> assembly);
+template LimitAnalysisCase<2> readLimitAnalysisCase(const std::filesystem::path& caseDirectory,
+                                                    SoundStructure<2> blocks, std::optional<int> jointPoints);
 template const Eigen::VectorXd& liveLoadOf(const LimitAnalysisCase<2>& structure,
                                            const LimitAnalysis& result);
 template LimitAnalysisCase<3> readLimitAnalysisCase(const std::filesystem::path& caseDirectory,
                                                     std::optional<int> jointPoints);
 template LimitAnalysisCase<3> readLimitAnalysisCase(const std::filesystem::path& caseDirectory,
                                                     Assembly<3> assembly, std::optional<int> jointPoints);
+template SoundStructure<3> soundStructure(const std::filesystem::path& caseDirectory, Assembly<3> assembly);
+template LimitAnalysisCase<3> readLimitAnalysisCase(const std::filesystem::path& caseDirectory,
+                                                    SoundStructure<3> blocks, std::optional<int> jointPoints);
 template const Eigen::VectorXd& liveLoadOf(const LimitAnalysisCase<3>& structure,
                                            const LimitAnalysis& result);
 

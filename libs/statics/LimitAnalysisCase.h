@@ -54,6 +54,20 @@ struct LimitAnalysisCase
     std::vector<PositionResult> envelope; ///< of a moving load, one for each of loads.positions, once solved
 };
 
+/// Blocks that limit analysis takes, and where they touch: what cases have in common that differ in
+/// properties and loads alone. To find them takes as long as to solve.
+template<int Dim>
+struct SoundStructure
+{
+    Assembly<Dim> assembly;
+    std::vector<ContactPoint<Dim>> points; ///< findContactPoints of it
+};
+
+/// \param assembly joints closed, as by readAssembly. \param caseDirectory for messages
+/// \throws FatalIOError when blocks overlap or almost meet, or none is free
+template<int Dim>
+SoundStructure<Dim> soundStructure(const std::filesystem::path& caseDirectory, Assembly<Dim> assembly);
+
 /// Reads constant/assembly, g, materialProperties, contactProperties, loads and system/solution.
 /// \param jointPoints contact points of a joint instead of what the case has, for studies: in the plane
 /// pointsPerJoint, in space as many along each side
@@ -68,6 +82,11 @@ LimitAnalysisCase<Dim> readLimitAnalysisCase(const std::filesystem::path& caseDi
 template<int Dim>
 LimitAnalysisCase<Dim> readLimitAnalysisCase(const std::filesystem::path& caseDirectory,
                                              Assembly<Dim> assembly, std::optional<int> jointPoints = {});
+
+/// The same of blocks that have been found sound.
+template<int Dim>
+LimitAnalysisCase<Dim> readLimitAnalysisCase(const std::filesystem::path& caseDirectory,
+                                             SoundStructure<Dim> blocks, std::optional<int> jointPoints = {});
 
 /// The program of the points that the structure has. \param strengths of each point, or empty
 template<int Dim>

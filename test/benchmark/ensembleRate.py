@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 # Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-"""The rate of ensemble: 100,000 limit analyses of wall 1 with friction and unit length uncertain (Latin hypercube).
+"""The rate of ensemble: 100,000 limit analyses of wall 1 with friction and unit length uncertain (Latin hypercube), and
+10,000 of wall 6, which has five times the blocks, with friction uncertain: their blocks are the same in all samples.
 
-    ensembleRate.py [BIN] [--samples N] [--out FILE]
+    ensembleRate.py [BIN] [--samples N] [--rounds N] [--out FILE]
 
-BIN defaults to build/bin. One process, then two, in turn, as often as --rounds says; the least time of each. Prints
-samples a second, the efficiency of two processes (time of one over twice the time of two) and the largest memory of a
-process, and checks that the table of samples is the same, md5 for md5, but for the CPU times.
+BIN defaults to build/bin; --samples are those of wall 1. One process, then two, in turn, as often as --rounds says; the
+least time of each. Prints samples a second, the efficiency of two processes (time of one over twice the time of two) and
+the largest memory of a process, and checks that the table of samples is the same, md5 for md5, but for the CPU times.
 """
 import argparse
 import csv
@@ -27,34 +28,37 @@ variables
 {
     mu { file "constant/contactProperties"; entry "friction/mu";
          distribution { type lognormal; median 0.65; beta 0.15; minimum 0.2; maximum 1.2; } }
-    unit { file "system/blockTextureDict"; entry "unitLength"; distribution { type uniform; minimum 0.35; maximum 0.45; } }
+    %s
 }
 design { type latinHypercube; samples %d; seed 1; }
 results { alpha { table "postProcessing/limitAnalysis/0/limitAnalysis.dat"; column alpha; } }
 statistics { capacity { type distribution; value alpha; } }
 """
 
+unit = """unit { file "system/blockTextureDict"; entry "unitLength";
+           distribution { type uniform; minimum 0.35; maximum 0.45; } }"""
 
-def makeCase(folder, samples):
-    shutil.copytree(os.path.join(root, "tutorials/limitAnalysis/masonryPanels/wall1"), folder)
+
+def makeCase(folder, wall, samples):
+    shutil.copytree(os.path.join(root, "tutorials/limitAnalysis/masonryPanels", wall), folder)
     texture = os.path.join(folder, "system/blockTextureDict")
     with open(texture, encoding="utf-8") as file:
         text = file.read()
     changed = text.replace("dimensions      2;", "dimensions      2;\nunitLength 0.4;").replace(
         "(0.4 0.175)", "($unitLength 0.175)")
     if "$unitLength" not in changed or "\nunitLength" not in changed:
-        sys.exit("ensembleRate.py: wall1/system/blockTextureDict is not as it was")
+        sys.exit(f"ensembleRate.py: {wall}/system/blockTextureDict is not as it was")
     with open(texture, "w", encoding="utf-8") as file:
         file.write(changed)
     with open(os.path.join(folder, "system/ensembleDict"), "w", encoding="utf-8") as file:
-        file.write(ensembleDict % samples)
+        file.write(ensembleDict % (unit if wall == "wall1" else "", samples))
 
 
-def run(binaries, samples, jobs):
+def run(binaries, wall, samples, jobs):
     """Clock [s], digest of the table, largest memory of a process [MB]."""
     with tempfile.TemporaryDirectory() as scratch:
-        case = os.path.join(scratch, "wall1")
-        makeCase(case, samples)
+        case = os.path.join(scratch, wall)
+        makeCase(case, wall, samples)
         begin = time.monotonic()
         subprocess.run([os.path.join(binaries, "ensemble"), "-case", case, "-jobs", str(jobs)], check=True,
                        stdout=subprocess.DEVNULL)
@@ -74,6 +78,20 @@ def processor():
         return next((line.split(":")[1].strip() for line in file if line.startswith("model name")), "unknown CPU")
 
 
+def rowsOf(options, wall, samples):
+    least, digests, memory = {1: float("inf"), 2: float("inf")}, set(), 0
+    for _ in range(options.rounds):
+        for jobs in least:
+            elapsed, digest, memory = run(options.bin, wall, samples, jobs)
+            least[jobs] = min(least[jobs], elapsed)
+            digests.add(digest)
+    if len(digests) != 1:
+        sys.exit("ensembleRate.py: the tables differ")
+    return [{"case": wall, "processes": jobs, "samples": samples, "clock[s]": f"{clock:.2f}",
+             "samples/s": f"{samples / clock:.0f}", "efficiency": f"{least[1] / jobs / clock:.3f}",
+             "memory[MB]": f"{memory:.0f}"} for jobs, clock in least.items()]
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("bin", nargs="?", default=os.path.join(root, "build/bin"))
@@ -81,17 +99,7 @@ def main():
     parser.add_argument("--rounds", type=int, default=2)
     parser.add_argument("--out")
     options = parser.parse_args()
-    least, digests, memory = {1: float("inf"), 2: float("inf")}, set(), 0
-    for _ in range(options.rounds):
-        for jobs in least:
-            elapsed, digest, memory = run(options.bin, options.samples, jobs)
-            least[jobs] = min(least[jobs], elapsed)
-            digests.add(digest)
-    if len(digests) != 1:
-        sys.exit("ensembleRate.py: the tables differ")
-    rows = [{"processes": jobs, "samples": options.samples, "clock[s]": f"{clock:.2f}",
-             "samples/s": f"{options.samples / clock:.0f}", "efficiency": f"{least[1] / jobs / clock:.3f}",
-             "memory[MB]": f"{memory:.0f}"} for jobs, clock in least.items()]
+    rows = rowsOf(options, "wall1", options.samples) + rowsOf(options, "wall6", options.samples // 10)
     head = f"# {processor()}, {platform.system()} {platform.release()}, {os.cpu_count()} cores"
     for row in rows:
         print(", ".join(f"{name} {value}" for name, value in row.items()))

@@ -50,6 +50,12 @@ class Ensemble(CaseTest):
         self.set(case, **changes)
         return case
 
+    def edit(self, case, name, old, new):
+        text = self.read(case, name)
+        self.assertIn(old, text)
+        with open(os.path.join(case, name), "w", encoding="utf-8") as written:
+            written.write(text.replace(old, new))
+
     @staticmethod
     def set(case, **changes):
         with open(os.path.join(case, "system/ensembleDict"), "w", encoding="utf-8") as file:
@@ -137,6 +143,22 @@ class Ensemble(CaseTest):
         self.assertEqual(self.table(case), self.table(inProcess))
         self.assertEqual(os.path.exists(os.path.join(inProcess, "constant/assembly")), False)
 
+    def testSamplesThatShareBlocksAreThoseOfTheApplications(self):
+        """Blocks are kept from one sample to the next where their dictionary says the same."""
+        changes = {"samples": 12, "design": "random"}
+        cases = {"sharedByFiles": {"applications": "blockTexture checkBlocks limitAnalysis", **changes},
+                 "shared": changes}
+        for name, ofCase in cases.items():
+            case = self.case(name, **ofCase)
+            self.edit(case, "system/ensembleDict", "distribution { type uniform; minimum 0.35; maximum 0.45; }",
+                      "distribution { type list; values (0.35 0.45); }")
+            self.run_(case, "-jobs", "1")
+        tables = [self.table(os.path.join(self.root.name, name)) for name in cases]
+        self.assertEqual(*tables)
+        units = [row[2] for row in tables[0][1:]]
+        same = sum(one == next for one, next in zip(units, units[1:]))
+        self.assertTrue(0 < same < len(units) - 1, units)
+
     def testLeastIntensitiesAreThoseOfTheApplication(self):
         tables = []
         for name, applications_ in (("leastInProcess", "blockTexture incrementalDynamics"),
@@ -146,10 +168,7 @@ class Ensemble(CaseTest):
                                     "incrementalDynamics/0/leastIntensity.dat\"; column leastIntensity"),
                                    ("system/controlDict", "endTime         1;\ndeltaT          1;",
                                     "endTime 0.1;\ndeltaT 0.01;")):
-                text = self.read(case, file)
-                self.assertIn(old, text)
-                with open(os.path.join(case, file), "w", encoding="utf-8") as written:
-                    written.write(text.replace(old, new))
+                self.edit(case, file, old, new)
             with open(os.path.join(case, "system/incrementalDynamicsDict"), "w", encoding="utf-8") as written:
                 written.write("intensity { type bisection; unit g; low 0.3; high 1.1; tolerance 0.05; }\n"
                               "criterion { type motion; displacement 1e-6; }\n")
