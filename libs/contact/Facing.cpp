@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <tuple>
 
 namespace drystone
@@ -117,31 +118,85 @@ std::vector<OutlineEdge> outlineEdges(const Assembly<2>& assembly, const FacingT
     return edges;
 }
 
+namespace
+{
+
+/// The edges of one block whose boxes meet a box. \param first of the edges of each block
+void edgesWithin(const BoundingBox& box, const std::vector<BoundingBox>& boxes, const std::vector<int>& first,
+                 int block, std::vector<int>& within)
+{
+    within.clear();
+    for (int edge = first[block]; edge < first[block + 1]; ++edge)
+    {
+        if (meet(boxes[edge], box))
+        {
+            within.push_back(edge);
+        }
+    }
+}
+
+/// Calls `found` with each pair of edges of two blocks, not both fixed, whose boxes enlarged by `reach` [m]
+/// meet, the edge of the block with the lower index first. Boxes of blocks are searched for first: of the
+/// pairs that a search among edges finds most are of one outline, edges that share a corner.
+template<class Found>
+void forMeetingEdges(const Assembly<2>& assembly, const std::vector<OutlineEdge>& edges, double reach,
+                     const Found& found)
+{
+    const std::size_t blocks = assembly.blocks.size();
+    std::vector<BoundingBox> boxes;
+    boxes.reserve(edges.size());
+    std::vector<BoundingBox> boxOfBlock(blocks);
+    std::vector<int> first(blocks + 1, 0);
+    for (const OutlineEdge& edge : edges) // in block order
+    {
+        boxes.push_back(enlarged({edge.from.cwiseMin(edge.to), edge.from.cwiseMax(edge.to)}, reach));
+        extend<2>(boxOfBlock[edge.block], boxes.back().lower);
+        extend<2>(boxOfBlock[edge.block], boxes.back().upper);
+        ++first[edge.block + 1];
+    }
+    std::partial_sum(first.begin(), first.end(), first.begin());
+
+    std::vector<int> ofOne;
+    std::vector<int> ofOther;
+    for (const auto& [one, other] : findMeetingPairs(boxOfBlock))
+    {
+        if (assembly.blocks[one].support >= 0 && assembly.blocks[other].support >= 0)
+        {
+            continue;
+        }
+        edgesWithin(boxOfBlock[other], boxes, first, one, ofOne);
+        edgesWithin(boxOfBlock[one], boxes, first, other, ofOther);
+        for (const int a : ofOne)
+        {
+            for (const int b : ofOther)
+            {
+                if (meet(boxes[a], boxes[b]))
+                {
+                    found(a, b);
+                }
+            }
+        }
+    }
+}
+
+} // namespace
+
 std::vector<FacingPiece> findFacingPieces(const Assembly<2>& assembly, const FacingTolerance& tolerance)
 {
     const std::vector<OutlineEdge> edges = outlineEdges(assembly, tolerance);
     const double reach = std::max(tolerance.distance, tolerance.oblique);
-    std::vector<BoundingBox> boxes;
-    boxes.reserve(edges.size());
-    for (const OutlineEdge& edge : edges)
-    {
-        boxes.push_back(enlarged({edge.from.cwiseMin(edge.to), edge.from.cwiseMax(edge.to)}, reach));
-    }
-
     std::vector<FacingPiece> pieces;
     FacingPiece piece;
-    for (const auto& [first, second] : findMeetingPairs(boxes))
-    {
-        const OutlineEdge& a = edges[first]; // edges are in block order: a's block comes first
-        const OutlineEdge& b = edges[second];
-        const bool bothFixed = assembly.blocks[a.block].support >= 0 && assembly.blocks[b.block].support >= 0;
-        if (a.block != b.block && !bothFixed && findPiece(a, b, tolerance, piece))
-        {
-            piece.edge = first;
-            piece.neighbourEdge = second;
-            pieces.push_back(piece);
-        }
-    }
+    forMeetingEdges(assembly, edges, reach,
+                    [&](int first, int second)
+                    {
+                        if (findPiece(edges[first], edges[second], tolerance, piece))
+                        {
+                            piece.edge = first;
+                            piece.neighbourEdge = second;
+                            pieces.push_back(piece);
+                        }
+                    });
     // A fixed order in space, whatever the order of the search.
     std::sort(pieces.begin(), pieces.end(),
               [](const FacingPiece& a, const FacingPiece& b)

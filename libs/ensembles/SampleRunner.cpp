@@ -3,6 +3,7 @@
 #include "ensembles/Ensemble.h"
 
 #include "assembly/AssemblyFile.h"
+#include "conic/form/Form.h"
 #include "contact/ClosedAssembly.h"
 #include "contact/JointClosure.h"
 #include "core/WholeFile.h"
@@ -191,7 +192,7 @@ struct SampleRunner::InProcess
     void analyse(const SoundStructure<Dim>& blocks)
     {
         LimitAnalysisCase<Dim> structure = readLimitAnalysisCase<Dim>(ensemble.caseDirectory, blocks);
-        const std::vector<LimitAnalysis> answers = solveLimitAnalyses(structure);
+        const std::vector<LimitAnalysis> answers = solveLimitAnalyses(structure, &symbolic);
         for (const LimitAnalysis& answer : answers)
         {
             if (answer.status == CollapseStatus::notConverged)
@@ -319,6 +320,7 @@ struct SampleRunner::InProcess
     FilesInMemory files;
     std::map<std::string, std::string> originals;
     std::tuple<KeptStructure<2>, KeptStructure<3>> kept;
+    SymbolicAnalysis symbolic; ///< of the last limit analysis: most samples have the same blocks touch
     std::vector<double> results;
 };
 

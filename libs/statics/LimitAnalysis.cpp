@@ -36,9 +36,10 @@ StaticProgram<Dim> limitAnalysisProgram(int freeBlocks, const std::vector<Contac
 
 template<int Rows, int Forces>
 LimitAnalysis solveLimitAnalysis(const ConeProgram<Rows, Forces>& program,
-                                 const InteriorPointSettings& settings)
+                                 const InteriorPointSettings& settings, SymbolicAnalysis* kept)
 {
-    SymbolicAnalysis symbolic;
+    SymbolicAnalysis own;
+    SymbolicAnalysis& symbolic = kept ? *kept : own;
     const ConeSolution solution = solveInteriorPoint(program, settings, &symbolic);
     LimitAnalysis result;
     result.variables = Forces * program.points() + 1;
@@ -119,8 +120,8 @@ template PlaneConeProgram limitAnalysisProgram(int freeBlocks, const std::vector
 template SpaceConeProgram limitAnalysisProgram(int freeBlocks, const std::vector<ContactColumns<3>>& columns,
                                                const std::vector<double>& friction, const LoadVectors& loads);
 template LimitAnalysis solveLimitAnalysis(const PlaneConeProgram& program,
-                                          const InteriorPointSettings& settings);
+                                          const InteriorPointSettings& settings, SymbolicAnalysis* kept);
 template LimitAnalysis solveLimitAnalysis(const SpaceConeProgram& program,
-                                          const InteriorPointSettings& settings);
+                                          const InteriorPointSettings& settings, SymbolicAnalysis* kept);
 
 } // namespace drystone

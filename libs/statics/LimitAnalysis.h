@@ -14,6 +14,8 @@
 namespace drystone
 {
 
+struct SymbolicAnalysis;
+
 /// The program of Portioli & Cascini 2017, eq. 10: max alpha with A0 c = fD + alpha fL and |t| <= mu n, in
 /// space with the Euclidean norm of the two components of t. \param friction mu of each contact point \param
 /// loads dead and live, 3 rows a free block, in space 6
@@ -66,9 +68,11 @@ struct LimitAnalysis
 /// Solves the program and checks the dead load by itself: the multipliers that a structure can carry are an
 /// interval, and `optimal` means that 0 lies in it and alpha is its upper end. `unstable` carries a mechanism
 /// that the dead load alone sets going, `unbounded` contact forces that balance the live load alone; both are
-/// verified by Certificate.h.
+/// verified by Certificate.h. \param kept of the last program, to be used where the same bodies touch
+/// (form/Form.h), which changes no digit of the answer; not owned
 template<int Rows, int Forces>
 LimitAnalysis solveLimitAnalysis(const ConeProgram<Rows, Forces>& program,
-                                 const InteriorPointSettings& settings = {});
+                                 const InteriorPointSettings& settings = {},
+                                 SymbolicAnalysis* kept = nullptr);
 
 } // namespace drystone

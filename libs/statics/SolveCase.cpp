@@ -1,6 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "statics/SolveCase.h"
 
+#include "conic/form/Form.h"
 #include "statics/AddedPoints.h"
 #include "statics/Settlement.h"
 #include "statics/SurfaceContact.h"
@@ -21,12 +22,12 @@ constexpr double sameMultiplier = 1e-7;
 
 /// Of joints that are one surface each. Solved closer, so that the certificate in resultants, whose residuals
 /// are sums, meets the tolerance too.
-LimitAnalysis solveWithSurfaces(const LimitAnalysisCase<2>& structure)
+LimitAnalysis solveWithSurfaces(const LimitAnalysisCase<2>& structure, SymbolicAnalysis& symbolic)
 {
     InteriorPointSettings solver = interiorPointSettings(structure.solution);
     const double tolerance = solver.tolerance;
     solver.tolerance *= 0.1;
-    LimitAnalysis result = solveLimitAnalysis(structure.program, solver);
+    LimitAnalysis result = solveLimitAnalysis(structure.program, solver, &symbolic);
     const std::vector<JointResultant> joints =
         jointResultants(structure.points, structure.friction, result.contactForce);
     result.variables = 3 * static_cast<int>(joints.size()) + 1;
@@ -42,20 +43,20 @@ LimitAnalysis solveWithSurfaces(const LimitAnalysisCase<2>& structure)
 }
 
 template<int Dim>
-LimitAnalysis solveWithPoints(const LimitAnalysisCase<Dim>& structure)
+LimitAnalysis solveWithPoints(const LimitAnalysisCase<Dim>& structure, SymbolicAnalysis& symbolic)
 {
     if constexpr (Dim == 2)
     {
         if (isSurfaceContact(structure.contact))
         {
-            return solveWithSurfaces(structure);
+            return solveWithSurfaces(structure, symbolic);
         }
     }
     const InteriorPointSettings solver = interiorPointSettings(structure.solution);
     return structure.movement ? solveSettlement(structure.program, solver)
            : flowRuleOf(structure.contact) == FlowRule::nonAssociative
                ? solveNonAssociative(structure.program, structure.nonAssociative, solver)
-               : solveLimitAnalysis(structure.program, solver);
+               : solveLimitAnalysis(structure.program, solver, &symbolic);
 }
 
 template<int Dim>
@@ -80,7 +81,8 @@ bool isWorse(const LimitAnalysis& a, const LimitAnalysis& b)
 }
 
 template<int Dim>
-std::vector<LimitAnalysis> solveAllWithPoints(const LimitAnalysisCase<Dim>& structure)
+std::vector<LimitAnalysis> solveAllWithPoints(const LimitAnalysisCase<Dim>& structure,
+                                              SymbolicAnalysis& symbolic)
 {
     std::vector<LimitAnalysis> results;
     if (!structure.loads.positions.empty())
@@ -90,7 +92,7 @@ std::vector<LimitAnalysis> solveAllWithPoints(const LimitAnalysisCase<Dim>& stru
         for (const LoadPosition<Dim>& position : structure.loads.positions)
         {
             setLive(single, position.live);
-            results.push_back(solveWithPoints(single));
+            results.push_back(solveWithPoints(single, symbolic));
             results.back().position = static_cast<int>(results.size()) - 1;
         }
         return results;
@@ -105,7 +107,7 @@ std::vector<LimitAnalysis> solveAllWithPoints(const LimitAnalysisCase<Dim>& stru
             single.multiplier = loads.multiplier;
             single.program.load = loads.dead;
             single.program.liveLoad = loads.live;
-            for (LimitAnalysis& result : solveAllWithPoints(single))
+            for (LimitAnalysis& result : solveAllWithPoints(single, symbolic))
             {
                 result.combination = name;
                 results.push_back(std::move(result));
@@ -115,14 +117,14 @@ std::vector<LimitAnalysis> solveAllWithPoints(const LimitAnalysisCase<Dim>& stru
     }
     if (structure.multiplier != Multiplier::negative)
     {
-        results.push_back(solveWithPoints(structure));
+        results.push_back(solveWithPoints(structure, symbolic));
     }
     if (structure.multiplier != Multiplier::positive)
     {
         LimitAnalysisCase<Dim> reversed = structure;
         reversed.program.liveLoad *= -1;
         reversed.loads.live *= -1;
-        results.push_back(solveWithPoints(reversed));
+        results.push_back(solveWithPoints(reversed, symbolic));
         results.back().alpha *= -1;
     }
     return results;
@@ -131,13 +133,14 @@ std::vector<LimitAnalysis> solveAllWithPoints(const LimitAnalysisCase<Dim>& stru
 /// Solves until no joint bears more than it can, and more points would not make much of a difference. \return
 /// the answers; `notConverged` when that takes too long
 template<int Dim, class Solve>
-std::vector<LimitAnalysis> solveWithMorePoints(LimitAnalysisCase<Dim>& structure, const Solve& solve)
+std::vector<LimitAnalysis> solveWithMorePoints(LimitAnalysisCase<Dim>& structure, const Solve& solve,
+                                               SymbolicAnalysis& symbolic)
 {
-    std::vector<LimitAnalysis> results = solve(structure);
+    std::vector<LimitAnalysis> results = solve(structure, symbolic);
     for (int round = 0; addPoints(structure, results); ++round)
     {
         const std::vector<LimitAnalysis> before = std::move(results);
-        results = solve(structure);
+        results = solve(structure, symbolic);
         for (std::size_t i = 0; i < results.size(); ++i)
         {
             results[i].iterations += before[i].iterations;
@@ -165,15 +168,21 @@ LimitAnalysis solveLimitAnalysis(LimitAnalysisCase<Dim>& structure)
     {
         return solveLimitAnalyses(structure).front();
     }
-    return solveWithMorePoints(structure, [](const LimitAnalysisCase<Dim>& with)
-                               { return std::vector<LimitAnalysis>{solveWithPoints(with)}; })
+    SymbolicAnalysis symbolic;
+    return solveWithMorePoints(
+               structure,
+               [](const LimitAnalysisCase<Dim>& with, SymbolicAnalysis& kept)
+               { return std::vector<LimitAnalysis>{solveWithPoints(with, kept)}; },
+               symbolic)
         .front();
 }
 
 template<int Dim>
-std::vector<LimitAnalysis> solveLimitAnalyses(LimitAnalysisCase<Dim>& structure)
+std::vector<LimitAnalysis> solveLimitAnalyses(LimitAnalysisCase<Dim>& structure, SymbolicAnalysis* kept)
 {
-    std::vector<LimitAnalysis> results = solveWithMorePoints(structure, solveAllWithPoints<Dim>);
+    SymbolicAnalysis own;
+    std::vector<LimitAnalysis> results =
+        solveWithMorePoints(structure, solveAllWithPoints<Dim>, kept ? *kept : own);
     if (structure.loads.positions.empty())
     {
         return results;
@@ -197,10 +206,12 @@ Pushover solvePushover(const LimitAnalysisCase<Dim>& structure, const PushoverOb
 }
 
 template LimitAnalysis solveLimitAnalysis(LimitAnalysisCase<2>& structure);
-template std::vector<LimitAnalysis> solveLimitAnalyses(LimitAnalysisCase<2>& structure);
+template std::vector<LimitAnalysis> solveLimitAnalyses(LimitAnalysisCase<2>& structure,
+                                                       SymbolicAnalysis* kept);
 template Pushover solvePushover(const LimitAnalysisCase<2>& structure, const PushoverObserver<2>& observe);
 template LimitAnalysis solveLimitAnalysis(LimitAnalysisCase<3>& structure);
-template std::vector<LimitAnalysis> solveLimitAnalyses(LimitAnalysisCase<3>& structure);
+template std::vector<LimitAnalysis> solveLimitAnalyses(LimitAnalysisCase<3>& structure,
+                                                       SymbolicAnalysis* kept);
 template Pushover solvePushover(const LimitAnalysisCase<3>& structure, const PushoverObserver<3>& observe);
 
 } // namespace drystone

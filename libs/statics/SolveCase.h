@@ -28,7 +28,10 @@ Pushover solvePushover(const LimitAnalysisCase<Dim>& structure, const PushoverOb
 /// worst position alone: the lowest multiplier, of equal ones the first; one without an answer, if there is
 /// any. \param structure gets points where joints crush, see solveLimitAnalysis; with a moving load the
 /// envelope and, as live load, that of the worst position
+/// \param kept of the last case, to be used where the same bodies touch (form/Form.h), which changes no digit
+/// of an answer; not owned
 template<int Dim>
-std::vector<LimitAnalysis> solveLimitAnalyses(LimitAnalysisCase<Dim>& structure);
+std::vector<LimitAnalysis> solveLimitAnalyses(LimitAnalysisCase<Dim>& structure,
+                                              SymbolicAnalysis* kept = nullptr);
 
 } // namespace drystone
