@@ -8,6 +8,7 @@
 /// motions at the end [m], the share of the blocks that a step simulated.
 ///
 ///     build/test/ChosenEffectsBenchmark --benchmark_out=chosenEffects.csv --benchmark_out_format=csv
+#include "../dynamics/SceneGravity.h"
 #include "core/Log.h"
 #include "dynamics/Advance.h"
 #include "dynamics/VerifiedStep.h"
@@ -33,12 +34,7 @@ DynamicCase<Dim> sceneOf(Assembly<Dim> assembly, double mu, FlowRule flowRule)
     DynamicCase<Dim> scene;
     const std::vector<double> densities(assembly.blocks.size(), 2000);
     setStructure(scene, std::move(assembly), densities);
-    scene.gravity = -weight * Vector<Dim>::Unit(Dim - 1);
-    scene.deadLoad = Eigen::VectorXd::Zero(scene.mass.size());
-    for (Eigen::Index row = 0; row < scene.mass.size(); row += freedomCount<Dim>)
-    {
-        scene.deadLoad.template segment<Dim>(row) = scene.mass[row] * scene.gravity;
-    }
+    setGravity(scene, -weight * Vector<Dim>::Unit(Dim - 1));
     scene.contact.friction = CoulombFriction{mu, flowRule};
     return scene;
 }

@@ -2,6 +2,8 @@
 /// Random walls of the plane and of space, with random sets of effects, for tests of what steps leave out.
 #pragma once
 
+#include "SceneGravity.h"
+
 #include "dynamics/DynamicCase.h"
 #include "effects/GroundMotion.h"
 #include "effects/JointBonds.h"
@@ -100,12 +102,7 @@ DynamicCase<Dim> scene(std::mt19937& random)
     Assembly<Dim> assembly = wall<Dim>(random);
     const std::vector<double> densities(assembly.blocks.size(), 2000);
     setStructure(scene, std::move(assembly), densities);
-    scene.gravity = -g * Vector<Dim>::Unit(Dim - 1);
-    scene.deadLoad = Eigen::VectorXd::Zero(scene.mass.size());
-    for (Eigen::Index row = 0; row < scene.mass.size(); row += freedomCount<Dim>)
-    {
-        scene.deadLoad.template segment<Dim>(row) = scene.mass[row] * scene.gravity;
-    }
+    setGravity(scene, -g * Vector<Dim>::Unit(Dim - 1));
     scene.contact.friction = CoulombFriction{
         between(random, 0.3, 0.8), chance(random, 0.5) ? FlowRule::nonAssociative : FlowRule::associative};
     if (Dim == 2 && chance(random, 0.25))

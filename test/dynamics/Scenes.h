@@ -2,6 +2,8 @@
 /// Structures in memory for the tests of motion: what a case directory would have been read into.
 #pragma once
 
+#include "SceneGravity.h"
+
 #include "dynamics/Advance.h"
 #include "effects/GroundMotion.h"
 
@@ -89,12 +91,7 @@ inline DynamicCase<2> sceneOf(Assembly<2> assembly, const Settings& settings)
     DynamicCase<2> scene;
     const std::vector<double> densities(assembly.blocks.size(), settings.density);
     setStructure(scene, std::move(assembly), densities);
-    scene.gravity = settings.gravity;
-    scene.deadLoad = Eigen::VectorXd::Zero(scene.mass.size());
-    for (Eigen::Index row = 0; row < scene.mass.size(); row += 3)
-    {
-        scene.deadLoad.segment<2>(row) = scene.mass[row] * settings.gravity;
-    }
+    setGravity(scene, settings.gravity);
     scene.contact.friction = CoulombFriction{settings.mu, settings.flowRule};
     if (settings.restitution > 0)
     {

@@ -2,6 +2,8 @@
 /// Structures in space in memory for the tests of motion.
 #pragma once
 
+#include "SceneGravity.h"
+
 #include "dynamics/Advance.h"
 #include "geometry/Rotation.h"
 
@@ -38,17 +40,6 @@ inline Assembly<3> freeBox(const Vector<3>& size)
     Assembly<3> assembly;
     assembly.blocks.push_back(boxBlock(-size / 2, size / 2));
     return assembly;
-}
-
-/// From now on.
-inline void setGravity(DynamicCase<3>& scene, const Vector<3>& gravity)
-{
-    scene.gravity = gravity;
-    scene.deadLoad = Eigen::VectorXd::Zero(scene.mass.size());
-    for (Eigen::Index row = 0; row < scene.mass.size(); row += 6)
-    {
-        scene.deadLoad.segment<3>(row) = scene.mass[row] * gravity;
-    }
 }
 
 inline DynamicCase<3> sceneOf(Assembly<3> assembly, double theta, double mu, const Vector<3>& gravity,
