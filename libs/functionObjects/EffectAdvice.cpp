@@ -3,6 +3,7 @@
 #include "functionObjects/EffectAdvice.h"
 
 #include "effects/GroundMotion.h"
+#include "quantities/LimitAnalysisFigures.h"
 #include "statics/LimitAnalysis.h"
 
 #include <fmt/format.h>
@@ -43,18 +44,7 @@ struct Statics
         }
         program.liveLoad = load;
         const LimitAnalysis result = solveLimitAnalysis(program, settings);
-        switch (result.status)
-        {
-        case CollapseStatus::optimal:
-            return result.alpha;
-        case CollapseStatus::unbounded:
-            return std::numeric_limits<double>::infinity();
-        case CollapseStatus::unstable:
-            return 0;
-        case CollapseStatus::notConverged:
-            break;
-        }
-        return std::numeric_limits<double>::quiet_NaN();
+        return result.status == CollapseStatus::unstable ? 0 : tabledAlpha(result);
     }
 };
 

@@ -5,12 +5,12 @@
 #include "core/Log.h"
 #include "core/WholeFile.h"
 #include "io/Plot.h"
+#include "quantities/LimitAnalysisFigures.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace drystone
 {
@@ -19,17 +19,7 @@ namespace
 
 double alphaOf(const PositionResult& result)
 {
-    switch (result.status)
-    {
-    case CollapseStatus::optimal:
-        return result.alpha;
-    case CollapseStatus::unbounded:
-        return std::numeric_limits<double>::infinity();
-    case CollapseStatus::unstable:
-    case CollapseStatus::notConverged:
-        break;
-    }
-    return std::nan("");
+    return tabledAlpha(result.status, result.alpha);
 }
 
 } // namespace

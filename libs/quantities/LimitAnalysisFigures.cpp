@@ -9,9 +9,9 @@
 namespace drystone
 {
 
-double tabledAlpha(const LimitAnalysis& result)
+double tabledAlpha(CollapseStatus status, double alpha)
 {
-    switch (result.status)
+    switch (status)
     {
     case CollapseStatus::unbounded:
         return std::numeric_limits<double>::infinity();
@@ -21,7 +21,12 @@ double tabledAlpha(const LimitAnalysis& result)
     case CollapseStatus::optimal:
         break;
     }
-    return result.alpha;
+    return alpha;
+}
+
+double tabledAlpha(const LimitAnalysis& result)
+{
+    return tabledAlpha(result.status, result.alpha);
 }
 
 template<int Dim>

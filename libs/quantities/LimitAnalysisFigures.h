@@ -29,7 +29,8 @@ std::vector<TabledFigure> limitAnalysisFigures(const LimitAnalysisCase<Dim>& str
 /// The headings of the columns, in their order.
 std::vector<std::string_view> limitAnalysisHeadings();
 
-/// The column alpha[-]: a number where there is one.
+/// The column alpha[-]: a number where there is one. \param alpha counts where the status is optimal
+double tabledAlpha(CollapseStatus status, double alpha);
 double tabledAlpha(const LimitAnalysis& result);
 
 } // namespace drystone
