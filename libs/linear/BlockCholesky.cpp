@@ -14,6 +14,26 @@ BlockCholesky<Rows, Scalar>::BlockCholesky(FactorPattern pattern)
 {
 }
 
+namespace
+{
+
+/// B = B L' with a lower triangle L, from the last column of B on, since each takes those before it as they
+/// were.
+template<int column, int Rows, class Scalar, class Block>
+void multiplyByTransposed(const Eigen::Matrix<Scalar, Rows, Rows>& lower, Block& block)
+{
+    const Eigen::Matrix<Scalar, Block::RowsAtCompileTime, 1> sum =
+        block.template leftCols<column + 1>().lazyProduct(
+            lower.row(column).template head<column + 1>().transpose());
+    block.col(column) = sum;
+    if constexpr (column > 0)
+    {
+        multiplyByTransposed<column - 1>(lower, block);
+    }
+}
+
+} // namespace
+
 template<int Rows, class Scalar>
 bool BlockCholesky<Rows, Scalar>::factorise(const BlockPattern& matrix, const Block* values)
 {
@@ -44,18 +64,16 @@ bool BlockCholesky<Rows, Scalar>::factorise(const BlockPattern& matrix, const Bl
                 blocks[place[row[entry]]].noalias() -= blocks[entry].lazyProduct(factor);
             }
         }
-        const Block pivot = blocks[begin].template topRows<Rows>();
+        Block pivot = blocks[begin].template topRows<Rows>();
         Block inverse;
         if (!invertFactor<Rows, Scalar>(pivot, inverse))
         {
             return false;
         }
         blocks[begin].template topRows<Rows>() = inverse;
-        const Block inverseTransposed = inverse.transpose();
         for (int entry = begin + 1; entry < end; ++entry)
         {
-            const PaddedBlock below = blocks[entry];
-            blocks[entry].noalias() = below.lazyProduct(inverseTransposed);
+            multiplyByTransposed<Rows - 1>(inverse, blocks[entry]);
         }
     }
     return true;

@@ -280,8 +280,9 @@ bool FrontalCholesky<Rows>::eliminateColumns(const Front& front)
                                        height - column);
             Eigen::Map<Eigen::Matrix3d, 0, Eigen::OuterStride<>> diagonal(block,
                                                                           Eigen::OuterStride<>(height));
+            Eigen::Matrix3d factor = diagonal;
             Eigen::Matrix3d scale;
-            if (!invertFactor<3, double>(diagonal, scale))
+            if (!invertFactor<3, double>(factor, scale))
             {
                 return false;
             }

@@ -10,9 +10,10 @@ namespace drystone
 {
 
 /// Inverse of the Cholesky factor of a small symmetric block. By hand, so that the compiler unrolls it.
-/// \param pivot the block, of which the lower triangle is read \return false when it is not positive definite
+/// \param pivot the block, of which the lower triangle is read and becomes the factor \return false when it
+/// is not positive definite
 template<int Rows, class Scalar>
-[[gnu::always_inline]] inline bool invertFactor(Eigen::Matrix<Scalar, Rows, Rows> pivot,
+[[gnu::always_inline]] inline bool invertFactor(Eigen::Matrix<Scalar, Rows, Rows>& pivot,
                                                 Eigen::Matrix<Scalar, Rows, Rows>& inverse)
 {
     using std::isfinite;

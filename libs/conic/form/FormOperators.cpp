@@ -19,10 +19,19 @@ using ProductsOf = Eigen::Matrix<Scalar, Form<Rows>::columnSize, Form<Rows>::col
 template<int Rows, class Scalar>
 using RowsOf = Eigen::Matrix<Scalar, Rows, 1>;
 
+/// By reference where that is possible: the copy of a ray is stored in halves, and the processor waits for
+/// both when it is then read as one.
 template<int Rows, class Scalar>
-ColumnOf<Rows, Scalar> rayOf(const Form<Rows>& form, int ray)
+decltype(auto) rayOf(const Form<Rows>& form, int ray)
 {
-    return form.rays[ray].template cast<Scalar>();
+    if constexpr (std::is_same_v<Scalar, double>)
+    {
+        return (form.rays[ray]);
+    }
+    else
+    {
+        return ColumnOf<Rows, Scalar>(form.rays[ray].template cast<Scalar>());
+    }
 }
 
 /// What a column does to the rows of its two bodies.
@@ -123,16 +132,18 @@ void addToBlocks(const Form<Rows>& form, const typename Form<Rows>::Group& group
         return;
     }
     // With the translations of the second body opposite to those of the first.
-    Eigen::Matrix<Scalar, Rows, Rows> secondFirst;
-    secondFirst << -products.template topLeftCorner<forces, Rows>(),
-        products.template bottomLeftCorner<moments, Rows>();
-    system.coupling(group.slot) += secondFirst;
-    Eigen::Matrix<Scalar, Rows, Rows> secondSecond;
-    secondSecond << products.template topLeftCorner<forces, forces>(),
-        -products.template topRightCorner<forces, moments>(),
-        -products.template bottomLeftCorner<moments, forces>(),
+    auto& secondFirst = system.coupling(group.slot);
+    secondFirst.template topRows<forces>() -= products.template topLeftCorner<forces, Rows>();
+    secondFirst.template bottomRows<moments>() += products.template bottomLeftCorner<moments, Rows>();
+    auto& secondSecond = system.diagonal(group.second);
+    secondSecond.template topLeftCorner<forces, forces>() +=
+        products.template topLeftCorner<forces, forces>();
+    secondSecond.template topRightCorner<forces, moments>() -=
+        products.template topRightCorner<forces, moments>();
+    secondSecond.template bottomLeftCorner<moments, forces>() -=
+        products.template bottomLeftCorner<moments, forces>();
+    secondSecond.template bottomRightCorner<moments, moments>() +=
         products.template bottomRightCorner<moments, moments>();
-    system.diagonal(group.second) += secondSecond;
 }
 
 /// sum of d b b' over the cones of each group.
@@ -144,7 +155,7 @@ void addCones(const Form<Rows>& form, const ConeWeights<Scalar>& d, SchurSystem<
         ProductsOf<Rows, Scalar> products = ProductsOf<Rows, Scalar>::Zero();
         for (int ray = group.begin; ray < group.end; ++ray)
         {
-            const ColumnOf<Rows, Scalar> column = rayOf<Rows, Scalar>(form, ray);
+            const ColumnOf<Rows, Scalar>& column = rayOf<Rows, Scalar>(form, ray);
             products.noalias() += (d.rays[ray] * column).lazyProduct(column.transpose());
         }
         for (int round = group.beginRound; round < group.endRound; ++round)
