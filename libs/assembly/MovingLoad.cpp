@@ -139,8 +139,11 @@ LoadPosition<Dim> loadAt(const Assembly<Dim>& assembly, const MovingLoadSettings
     {
         axles.emplace_back(0, 1);
     }
+    double met = 0;
+    double all = 0;
     for (const auto& [offset, factor] : axles)
     {
+        all += factor;
         const Vector<Dim> from = position.place + offset * along;
         const std::vector<Ray<Dim>> rays = raysOf(settings, from);
         std::vector<int> carrying;
@@ -159,6 +162,7 @@ LoadPosition<Dim> loadAt(const Assembly<Dim>& assembly, const MovingLoadSettings
             const Eigen::VectorXd load =
                 pointLoad(assembly, block, Vector<Dim>(ray.from + landing.distance * ray.direction),
                           Vector<Dim>(factor / static_cast<double>(rays.size()) * settings.value));
+            met += factor / static_cast<double>(rays.size());
             position.live = position.live.size() == 0 ? load : Eigen::VectorXd(position.live + load);
             if (std::find(carrying.begin(), carrying.end(), block) == carrying.end())
             {
@@ -177,6 +181,7 @@ LoadPosition<Dim> loadAt(const Assembly<Dim>& assembly, const MovingLoadSettings
                  factor});
         }
     }
+    position.beside = 1 - met / all;
     return position;
 }
 

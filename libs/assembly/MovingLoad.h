@@ -48,6 +48,7 @@ struct LoadPosition
     std::vector<int> blocks;           ///< that carry an axle, one each; all that carry one that spreads
     std::vector<AxlePlace<Dim>> axles; ///< those that meet a free block
     Eigen::VectorXd live;              ///< rows as LoadVectors
+    double beside = 0;                 ///< share of the axles' force that meets no free block
 };
 
 /// The live load of each position. An axle goes along its force from the path to the first block that is in

@@ -110,6 +110,14 @@ void printEnvelope(const LimitAnalysisCase<Dim>& structure)
     blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
     info("Worst place: {:.6g} m along the path, from {}, on {} {}", worst->distance,
          placeText(structure, *worst), blocks.size() > 1 ? "blocks" : "block", fmt::join(blocks, " "));
+    constexpr double worthSaying = 1e-6;
+    if (position.beside > worthSaying)
+    {
+        info(
+            "There {:.3g}% of the load meets no block that can move, and is left out: supports or the ground "
+            "beside the structure carry it",
+            100 * position.beside);
+    }
 }
 
 template<int Dim>

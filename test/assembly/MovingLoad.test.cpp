@@ -144,6 +144,8 @@ TEST(MovingLoad, SpreadsToBothSidesInSpace)
     // At 1.4 the part beyond the end of the slab meets nothing.
     const double share = (2.3 - 0.55) / 2.3;
     EXPECT_NEAR(positions[1].live[2] + positions[1].live[8], -10 * share, 10.0 / 24);
+    EXPECT_NEAR(positions[1].beside, 1 + (positions[1].live[2] + positions[1].live[8]) / 10, 1e-12);
+    EXPECT_NEAR(positions[0].beside, 0, 1e-12);
 }
 
 TEST(MovingLoad, OfALoadedLengthAloneDoesNotWiden)
