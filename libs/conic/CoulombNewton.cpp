@@ -18,7 +18,7 @@ using Eigen::VectorXd;
 /// way among the states of the points, and growing slowly while it does: measured on the paper's walls in
 /// collapse, from 1e4, or growing tenfold, many steps do not end.
 constexpr double firstPenalty = 1e3;
-constexpr double largestPenalty = 1e10;
+constexpr double stiffestPenalty = 1e10;
 constexpr double penaltyGrowth = 3;
 
 constexpr int mostTurns = 30;
@@ -189,7 +189,7 @@ double CoulombNewton<Rows, Forces>::turn()
                              / rho[point]);
     }
     s = c;
-    if (penalty < largestPenalty)
+    if (penalty < stiffestPenalty)
     {
         penalty *= penaltyGrowth;
         rho *= penaltyGrowth;

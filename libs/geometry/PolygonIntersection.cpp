@@ -3,6 +3,8 @@
 /// 1992).
 #include "geometry/PolygonIntersection.h"
 
+#include "geometry/Turn.h"
+
 #include "geometry/PolygonShape.h"
 
 #include <polyclipping/clipper.hpp>
@@ -15,12 +17,6 @@ namespace drystone
 
 namespace
 {
-
-/// Twice the signed area of a triangle: positive when it turns left.
-double turn(const Vector<2>& a, const Vector<2>& b, const Vector<2>& c)
-{
-    return cross(b - a, c - a);
-}
 
 /// The part of a convex polygon on the left of the line through `from` and `to`.
 void clip(Polygon& polygon, const Vector<2>& from, const Vector<2>& to, Polygon& scratch)

@@ -3,6 +3,8 @@
 /// materials.
 #include "geometry/PolygonShape.h"
 
+#include "geometry/Turn.h"
+
 #include "geometry/BroadPhase.h"
 #include "geometry/PolygonIntersection.h"
 
@@ -15,12 +17,6 @@ namespace drystone
 
 namespace
 {
-
-/// Twice the signed area of a triangle: positive when it turns left.
-double turn(const Vector<2>& a, const Vector<2>& b, const Vector<2>& c)
-{
-    return cross(b - a, c - a);
-}
 
 bool isInTriangle(const Vector<2>& point, const Vector<2>& a, const Vector<2>& b, const Vector<2>& c)
 {

@@ -4,6 +4,7 @@
 
 #include "assembly/BlockShape.h"
 #include "core/Error.h"
+#include "geometry/Turn.h"
 #include "geometry/space/FacePolygon.h"
 
 #include <fmt/format.h>
@@ -91,12 +92,6 @@ Box<Dim> groundView(const Assembly<Dim>& assembly, const std::vector<std::vector
                 Vector<Dim>::Constant(std::numeric_limits<double>::max())};
     }
     return enlarged<Dim>(box, 0.25 * (box.upper - box.lower).maxCoeff());
-}
-
-/// Twice the area of a triangle, positive when it runs counter-clockwise.
-double turn(const Vector<2>& a, const Vector<2>& b, const Vector<2>& c)
-{
-    return cross(b - a, c - a);
 }
 
 bool isCoveredByFan(const Polygon& outline, std::size_t first)

@@ -15,7 +15,7 @@ namespace drystone
 namespace
 {
 
-struct Free
+struct FreeStepper
 {
     void operator()(gsl_odeiv2_step* object) const { gsl_odeiv2_step_free(object); }
     void operator()(gsl_odeiv2_control* object) const { gsl_odeiv2_control_free(object); }
@@ -35,10 +35,11 @@ EventOutcome integrateToEvent(const EventProblem& problem, double start, std::ve
 {
     const std::size_t size = state.size();
     gsl_odeiv2_system system{rateForGsl, nullptr, size, const_cast<EventProblem*>(&problem)};
-    const std::unique_ptr<gsl_odeiv2_step, Free> step(gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, size));
-    const std::unique_ptr<gsl_odeiv2_control, Free> control(
+    const std::unique_ptr<gsl_odeiv2_step, FreeStepper> step(
+        gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, size));
+    const std::unique_ptr<gsl_odeiv2_control, FreeStepper> control(
         gsl_odeiv2_control_y_new(tolerance.absolute, tolerance.relative));
-    const std::unique_ptr<gsl_odeiv2_evolve, Free> evolve(gsl_odeiv2_evolve_alloc(size));
+    const std::unique_ptr<gsl_odeiv2_evolve, FreeStepper> evolve(gsl_odeiv2_evolve_alloc(size));
 
     double time = start;
     double length = std::min(tolerance.longestStep, 1e-3);

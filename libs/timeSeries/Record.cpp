@@ -85,7 +85,7 @@ double timeOfSquareIntegral(const Record& record, double target)
     return record.times.empty() ? 0 : record.times.back();
 }
 
-struct Free
+struct FreeFit
 {
     void operator()(gsl_matrix* object) const { gsl_matrix_free(object); }
     void operator()(gsl_vector* object) const { gsl_vector_free(object); }
@@ -214,7 +214,7 @@ Record baselineCorrected(Record record, Baseline baseline)
     // times mapped to [-1, 1], where the powers are far from parallel and the fit is well conditioned
     const double middle = 0.5 * (record.times.front() + record.times.back());
     const double half = std::max(0.5 * (record.times.back() - record.times.front()), 1e-300);
-    const std::unique_ptr<gsl_matrix, Free> powers(gsl_matrix_alloc(count, coefficients));
+    const std::unique_ptr<gsl_matrix, FreeFit> powers(gsl_matrix_alloc(count, coefficients));
     for (std::size_t i = 0; i < count; ++i)
     {
         const double s = (record.times[i] - middle) / half;
@@ -225,9 +225,9 @@ Record baselineCorrected(Record record, Baseline baseline)
         }
     }
     const auto values = gsl_vector_view_array(record.accelerations.data(), count);
-    const std::unique_ptr<gsl_vector, Free> fit(gsl_vector_alloc(coefficients));
-    const std::unique_ptr<gsl_matrix, Free> covariance(gsl_matrix_alloc(coefficients, coefficients));
-    const std::unique_ptr<gsl_multifit_linear_workspace, Free> workspace(
+    const std::unique_ptr<gsl_vector, FreeFit> fit(gsl_vector_alloc(coefficients));
+    const std::unique_ptr<gsl_matrix, FreeFit> covariance(gsl_matrix_alloc(coefficients, coefficients));
+    const std::unique_ptr<gsl_multifit_linear_workspace, FreeFit> workspace(
         gsl_multifit_linear_alloc(count, coefficients));
     double squares = 0;
     gsl_multifit_linear(powers.get(), &values.vector, fit.get(), covariance.get(), &squares, workspace.get());

@@ -15,7 +15,7 @@ namespace
 {
 
 /// Forces below this share of the largest are none, and a shear nearer than this to its limit is at it.
-constexpr double smallForce = 1e-9;
+constexpr double negligibleForce = 1e-9;
 
 /// How far inside its piece a point begins whose force does not say, as a share of the largest force; points
 /// differ in it, so that they do not change their states at one instant.
@@ -74,7 +74,7 @@ void ContactPath::begin(const VectorXd& startForce)
     w = -settings.stiffness * gap;
     states.resize(laws.size());
     const double largest = startForce.size() > 0 ? startForce.lpNorm<Eigen::Infinity>() : 0;
-    const double least = smallForce * largest;
+    const double least = negligibleForce * largest;
     for (std::size_t point = 0; point < laws.size(); ++point)
     {
         const auto row = 2 * static_cast<Eigen::Index>(point);
@@ -89,8 +89,8 @@ void ContactPath::begin(const VectorXd& startForce)
         const double held = std::max(normal, -law.tension);
         const double limit = law.cohesion + law.mu * held;
         state.normal = normal > -law.tension + least ? State::Normal::presses : State::Normal::open;
-        state.shear =
-            std::abs(shear) < (1 - smallForce) * limit - least ? State::Shear::sticks : State::Shear::slides;
+        state.shear = std::abs(shear) < (1 - negligibleForce) * limit - least ? State::Shear::sticks
+                                                                              : State::Shear::slides;
         const double side = shear != 0 ? shear : trial[1];
         state.direction[0] = side < 0 ? -1 : 1;
         if (law.sliding == Sliding::associative)

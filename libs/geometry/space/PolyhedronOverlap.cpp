@@ -19,7 +19,7 @@ namespace drystone
 namespace
 {
 
-double extentOf(const Polyhedron& polyhedron)
+double reachOf(const Polyhedron& polyhedron)
 {
     double extent = 0;
     for (const Vector<3>& vertex : polyhedron.vertices)
@@ -234,7 +234,7 @@ std::vector<Tetrahedron> tetrahedra(const Polyhedron& polyhedron, const Vector<3
 
 bool isConvex(const Polyhedron& polyhedron)
 {
-    const double near = 1e-9 * extentOf(polyhedron);
+    const double near = 1e-9 * reachOf(polyhedron);
     for (const std::vector<int>& face : polyhedron.faces)
     {
         const Vector<3> normal = areaVector(polyhedron, face).normalized();
