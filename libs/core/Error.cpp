@@ -63,6 +63,16 @@ constexpr std::size_t longestComparedWord = 200;
 
 } // namespace
 
+FatalError::FatalError(const std::string& message, int exitStatusOfProgram)
+    : std::runtime_error(message), status(exitStatusOfProgram)
+{
+}
+
+FatalIOError::FatalIOError(const std::string& message, SourceLocation where, int exitStatusOfProgram)
+    : FatalError(message, exitStatusOfProgram), place(std::move(where))
+{
+}
+
 std::string FatalError::report() const
 {
     return std::string("--> DRYSTONE FATAL ERROR:\n") + what() + "\n\nDRYSTONE exiting\n";

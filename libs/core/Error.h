@@ -24,10 +24,7 @@ struct SourceLocation
 class FatalError : public std::runtime_error
 {
 public:
-    explicit FatalError(const std::string& message, int exitStatusOfProgram = 1)
-        : std::runtime_error(message), status(exitStatusOfProgram)
-    {
-    }
+    explicit FatalError(const std::string& message, int exitStatusOfProgram = 1);
     int exitStatus() const { return status; }
     /// The message between `--> DRYSTONE FATAL ERROR:` and `DRYSTONE exiting`.
     virtual std::string report() const;
@@ -40,10 +37,7 @@ private:
 class FatalIOError : public FatalError
 {
 public:
-    FatalIOError(const std::string& message, SourceLocation where, int exitStatusOfProgram = 1)
-        : FatalError(message, exitStatusOfProgram), place(std::move(where))
-    {
-    }
+    FatalIOError(const std::string& message, SourceLocation where, int exitStatusOfProgram = 1);
     const SourceLocation& location() const { return place; }
     std::string report() const override;
 

@@ -1,8 +1,9 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Breaks text into lines.
+/// Breaks text into lines and words.
 #include "core/Paragraph.h"
 
 #include <algorithm>
+#include <sstream>
 
 namespace drystone
 {
@@ -60,6 +61,17 @@ std::string hangingParagraph(std::string_view term, std::string_view description
         lines.insert(end + 1, margin);
     }
     return text + lines;
+}
+
+std::vector<std::string> wordsOf(const std::string& text)
+{
+    std::istringstream stream(text);
+    std::vector<std::string> words;
+    for (std::string word; stream >> word;)
+    {
+        words.push_back(word);
+    }
+    return words;
 }
 
 } // namespace drystone

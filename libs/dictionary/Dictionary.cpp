@@ -31,6 +31,12 @@ Entry::Entry(std::string entryKeyword, Dictionary entryDictionary, SourceLocatio
     body.push_back(std::move(entryDictionary));
 }
 
+Entry::~Entry() = default;
+Entry::Entry(const Entry&) = default;
+Entry::Entry(Entry&&) noexcept = default;
+Entry& Entry::operator=(const Entry&) = default;
+Entry& Entry::operator=(Entry&&) noexcept = default;
+
 const Dictionary& Entry::dictionary() const
 {
     if (body.empty())
@@ -190,6 +196,14 @@ std::string headerText(std::string_view object, std::string_view location, std::
 
 // -----------------------------------------------------------------------------------------------------
 // Dictionary
+
+Dictionary::Dictionary() = default;
+Dictionary::Dictionary(SourceLocation dictionaryLocation) : where(std::move(dictionaryLocation)) {}
+Dictionary::~Dictionary() = default;
+Dictionary::Dictionary(const Dictionary&) = default;
+Dictionary::Dictionary(Dictionary&&) noexcept = default;
+Dictionary& Dictionary::operator=(const Dictionary&) = default;
+Dictionary& Dictionary::operator=(Dictionary&&) noexcept = default;
 
 std::vector<std::string> Dictionary::keywords() const
 {

@@ -207,11 +207,15 @@ void readItems(TokenCursor& cursor, const TokenCursor::ListStart& start, std::ve
         return;
     }
     if (start.count > 0)
+    {
         values.reserve(std::min(static_cast<std::size_t>(start.count), cursor.remaining()));
+    }
     while (!cursor.isNext(')'))
     {
         if (cursor.atEnd())
+        {
             cursor.failExpected("`)`");
+        }
         Value value{};
         read(cursor, value);
         values.push_back(std::move(value));
@@ -251,6 +255,11 @@ public:
     Entry(std::string entryKeyword, std::vector<Token> entryTokens, std::shared_ptr<SourceText> entrySource,
           SourceLocation entryLocation);
     Entry(std::string entryKeyword, Dictionary entryDictionary, SourceLocation entryLocation);
+    ~Entry();
+    Entry(const Entry&);
+    Entry(Entry&&) noexcept;
+    Entry& operator=(const Entry&);
+    Entry& operator=(Entry&&) noexcept;
 
     const std::string& keyword() const { return key; }
     bool isPattern() const { return keyIsPattern; } ///< the keyword is a quoted regular expression
@@ -305,9 +314,15 @@ private:
 class Dictionary
 {
 public:
-    Dictionary() = default;
+    // Compiled once, since everything that reads a dictionary would have a copy of each.
+    Dictionary();
     /// \param dictionaryLocation file, path of the dictionary inside it and line of its `{`
-    explicit Dictionary(SourceLocation dictionaryLocation) : where(std::move(dictionaryLocation)) {}
+    explicit Dictionary(SourceLocation dictionaryLocation);
+    ~Dictionary();
+    Dictionary(const Dictionary&);
+    Dictionary(Dictionary&&) noexcept;
+    Dictionary& operator=(const Dictionary&);
+    Dictionary& operator=(Dictionary&&) noexcept;
 
     /// \throws FatalIOError for whatever is wrong with the file
     static Dictionary readFile(const std::filesystem::path& file, Expansion expansion = Expansion::all);

@@ -1,12 +1,11 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Declared settings: checks and messages, and the texts made from declarations.
+/// Declared settings: reading them, and the faults of a dictionary.
 #include "dictionary/Options.h"
 
+#include "dictionary/DictionaryPattern.h"
 #include "dictionary/Registry.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
 #include <fmt/format.h>
 #include <set>
 
@@ -16,125 +15,8 @@ namespace drystone
 using Form = OptionDescription::Form;
 using Presence = OptionDescription::Presence;
 
-// ---------------------------------------------------------------------------------------------------------
-// values
-
-void read(TokenCursor& cursor, NamePattern& value)
-{
-    const TokenCursor before = cursor;
-    const bool isPattern = !cursor.atEnd() && cursor.peek().kind == TokenKind::string;
-    read(cursor, value.text);
-    if (isPattern)
-    {
-        value.matches = patternMatcher(value.text, before.entry().locationOf(before.peek()));
-    }
-    else
-    {
-        value.matches = [name = value.text](const std::string& word) { return word == name; };
-    }
-}
-
-namespace detail
-{
-
-void assignName(std::string& name, const Entry& entry)
-{
-    if (entry.isPattern())
-    {
-        throw FatalIOError(
-            fmt::format("\"{}\" is a name between quotes, which stands for a regular expression; a plain "
-                        "name is wanted here.",
-                        entry.keyword()),
-            entry.location());
-    }
-    name = entry.keyword();
-}
-
-void assignName(NamePattern& name, const Entry& entry)
-{
-    name.text = entry.keyword();
-    if (entry.isPattern())
-    {
-        name.matches = patternMatcher(name.text, entry.location());
-    }
-    else
-    {
-        name.matches = [plain = name.text](const std::string& word) { return word == plain; };
-    }
-}
-
-std::string textOf(double value)
-{
-    return fmt::format("{}", value);
-}
-
-std::string textOf(int value)
-{
-    return std::to_string(value);
-}
-
-std::string textOf(long value)
-{
-    return std::to_string(value);
-}
-
-std::string textOf(bool value)
-{
-    return value ? "on" : "off";
-}
-
-std::string textOf(const std::string& value)
-{
-    // OpenFOAM does not take a dot first for a word.
-    const bool isWord = !value.empty() && value.front() != '.'
-                        && value.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                                   "0123456789_.:")
-                               == std::string::npos;
-    return isWord ? value : fmt::format("\"{}\"", value);
-}
-
-} // namespace detail
-
-// ---------------------------------------------------------------------------------------------------------
-// option
-
 namespace
 {
-
-/// Line of the number in question, when it can be found among the tokens.
-SourceLocation placeOf(double number, const Entry& entry)
-{
-    for (const Token& token : entry.tokens())
-    {
-        if (token.kind == TokenKind::number
-            && std::strtod(std::string(token.text).c_str(), nullptr) == number)
-        {
-            return entry.locationOf(token);
-        }
-    }
-    return entry.location();
-}
-
-std::string rangeText(double lowest, bool lowestAllowed, double highest, bool highestAllowed)
-{
-    const bool hasLowest = std::isfinite(lowest);
-    const bool hasHighest = std::isfinite(highest);
-    if (hasLowest && hasHighest && lowestAllowed && highestAllowed)
-    {
-        return fmt::format("from {} to {}", lowest, highest);
-    }
-    std::string text;
-    if (hasLowest)
-    {
-        text = fmt::format("{} {}", lowestAllowed ? "at least" : "above", lowest);
-    }
-    if (hasHighest)
-    {
-        text +=
-            fmt::format("{}{} {}", text.empty() ? "" : ", ", highestAllowed ? "at most" : "below", highest);
-    }
-    return text;
-}
 
 /// Faults of one dictionary, reported together.
 class Faults
@@ -191,135 +73,30 @@ private:
     std::vector<FatalIOError> collected;
 };
 
-std::string withUnit(const OptionDescription& option)
-{
-    return option.unit.empty() ? "" : fmt::format(" [{}]", option.unit);
-}
-
 } // namespace
 
-Option& Option::unit(std::string unitName)
-{
-    dimensionsOf(unitName); // a unit that is not known is an error of the declaration
-    about.unit = std::move(unitName);
-    return *this;
-}
-
-Option& Option::above(double limit)
-{
-    lowest = limit;
-    lowestAllowed = false;
-    about.range = rangeText(lowest, lowestAllowed, highest, highestAllowed);
-    return *this;
-}
-
-Option& Option::atLeast(double limit)
-{
-    lowest = limit;
-    lowestAllowed = true;
-    about.range = rangeText(lowest, lowestAllowed, highest, highestAllowed);
-    return *this;
-}
-
-Option& Option::below(double limit)
-{
-    highest = limit;
-    highestAllowed = false;
-    about.range = rangeText(lowest, lowestAllowed, highest, highestAllowed);
-    return *this;
-}
-
-Option& Option::atMost(double limit)
-{
-    highest = limit;
-    highestAllowed = true;
-    about.range = rangeText(lowest, lowestAllowed, highest, highestAllowed);
-    return *this;
-}
-
-Option& Option::orInfinite()
-{
-    infiniteAllowed = true;
-    return *this;
-}
-
-Option& Option::usual(double from, double to, std::string note)
-{
-    usuallyFrom = from;
-    usuallyTo = to;
-    usualNote = std::move(note);
-    about.usual = rangeText(from, true, to, true);
-    return *this;
-}
-
-Option& Option::oneOf(std::vector<std::string> allowedWords)
-{
-    about.words = std::move(allowedWords);
-    return *this;
-}
-
-Option& Option::example(std::string text)
-{
-    about.exampleText = std::move(text);
-    return *this;
-}
-
-void Option::checkNumber(double number, const Entry& entry) const
-{
-    const bool lowEnough = number < highest || (highestAllowed && number == highest);
-    const bool highEnough = number > lowest || (lowestAllowed && number == lowest);
-    if (lowEnough && highEnough)
-    {
-        return questionNumber(number, entry);
-    }
-    throw FatalIOError(fmt::format("{} = {}{} is out of range: it must be {}.", about.key, number,
-                                   withUnit(about), about.range),
-                       placeOf(number, entry));
-}
-
-void Option::questionNumber(double number, const Entry& entry) const
-{
-    if (number >= usuallyFrom && number <= usuallyTo)
-    {
-        return;
-    }
-    printWarningOnce(fmt::format("{} = {}{} is unusual: usual is {}{}. It is used as it stands.", about.key,
-                                 number, withUnit(about), about.usual,
-                                 usualNote.empty() ? "" : "; " + usualNote),
-                     placeOf(number, entry));
-}
-
-void Option::checkWord(const std::string& word, const Entry& entry) const
-{
-    if (about.words.empty() || std::find(about.words.begin(), about.words.end(), word) != about.words.end())
-    {
-        return;
-    }
-    throw FatalIOError(unknownWordMessage(about.key, word, about.words),
-                       entry.tokens().empty() ? entry.location() : entry.locationOf(entry.tokens().front()));
-}
-
-void Option::readEntry(const Entry& entry) const
-{
-    entry.markUsed();
-    readValue(entry, *this);
-}
-
-// --------------------------------------------------------------------------------------------------------
-// options
-
-Option& Options::add(OptionDescription::Presence presence, std::string key, std::string doc)
+Option& Options::add(OptionDescription::Presence presence, std::string_view key, std::string_view doc)
 {
     Option& option = options.emplace_back();
-    option.about.key = std::move(key);
-    option.about.doc = std::move(doc);
+    option.about.key = key;
+    option.about.doc = doc;
     option.about.presence = presence;
     return option;
 }
 
-Option& Options::addOwnNames(std::string doc)
+Options::Options() = default;
+Options::~Options() = default;
+
+void Options::describeAs(Option& option, OptionDescription::Form form, std::string_view type)
 {
-    Option& option = add(Presence::mayBeAbsent, "", std::move(doc));
+    option.about.form = form;
+    option.about.type = type;
+    option.about.allowAbsence();
+}
+
+Option& Options::addOwnNames(std::string_view doc)
+{
+    Option& option = add(Presence::mayBeAbsent, "", doc);
     option.about.form = Form::ownNames;
     return option;
 }
@@ -332,14 +109,14 @@ void Options::readElsewhere(const std::vector<std::string>& keys, const std::str
     }
 }
 
-void Options::check(std::string key, std::function<std::string()> fault)
+void Options::check(std::string_view key, std::function<std::string()> fault)
 {
-    rules.push_back({std::move(key), std::move(fault)});
+    rules.push_back({std::string(key), std::move(fault)});
 }
 
-void Options::question(std::string key, std::function<std::string()> doubt)
+void Options::question(std::string_view key, std::function<std::string()> doubt)
 {
-    questions.push_back({std::move(key), std::move(doubt)});
+    questions.push_back({std::string(key), std::move(doubt)});
 }
 
 const Option* Options::ownNamesOption() const
@@ -460,7 +237,7 @@ void Options::readFrom(const Dictionary& dictionary) const
             std::string message = fmt::format(
                 "The {} {} is missing: {}{}.",
                 about.form == Form::value || about.form == Form::dictionaryList ? "entry" : "sub-dictionary",
-                about.key, about.doc, withUnit(about));
+                about.key, about.doc, about.unitText());
             if (!about.exampleText.empty())
             {
                 message += fmt::format(" Write for example `{} {};`.", about.key, about.exampleText);

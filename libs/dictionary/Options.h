@@ -32,118 +32,21 @@
 /// ... }`.
 #pragma once
 
-#include "dictionary/Dictionary.h"
-#include "dictionary/DictionaryPattern.h"
+#include "dictionary/Option.h"
+#include "dictionary/OptionValue.h"
 
 #include <deque>
 #include <functional>
-#include <limits>
-#include <optional>
+#include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace drystone
 {
 
-class Options;
 template<class Made>
 struct Registry;
-
-/// What there is to know of a declared key.
-struct OptionDescription
-{
-    enum class Form
-    {
-        value,             ///< key value;
-        dictionary,        ///< key { ... }
-        dictionaryList,    ///< key ( { ... } { ... } );
-        namedDictionaries, ///< key { name { ... } name { ... } }
-        ownNames,          ///< name { ... }: the dictionary itself has users' names as keys
-        elsewhere          ///< read by someone else
-    };
-    enum class Presence
-    {
-        required,
-        hasDefault, ///< defaultText is what is taken
-        mayBeAbsent
-    };
-    /// A model that may be chosen by `type`.
-    struct Alternative
-    {
-        std::string name;
-        std::string summary;
-        std::vector<OptionDescription> members;
-    };
-
-    std::string key;
-    std::string doc;
-    Form form = Form::value;
-    Presence presence = Presence::required;
-    std::string type;  ///< number, integer, switch, word, vector of 2, list of ...
-    std::string unit;  ///< m, kg/m3, ...; empty when it has none
-    std::string range; ///< above 0, from 0 to 1; empty when all is allowed
-    std::string usual; ///< from 300 to 8000; empty when no value is questioned
-    std::string defaultText;
-    std::string exampleText;
-    bool given = false;                     ///< annotated dictionaries give it although it may be absent
-    std::vector<std::string> words;         ///< the allowed ones; empty when all are
-    std::vector<OptionDescription> members; ///< of a sub-dictionary
-    std::vector<Alternative> alternatives;  ///< models of a sub-dictionary that has a `type`
-};
-
-/// A name that may be a quoted regular expression, for choosing blocks, joints or supports.
-struct NamePattern
-{
-    std::string text;
-    std::function<bool(const std::string&)> matches; ///< the whole of a name
-};
-void read(TokenCursor& cursor, NamePattern& value);
-
-/// One declared key.
-class Option
-{
-public:
-    /// Unit that values are in, as m, m/s2, kg/m3, N, rad, -. A dimension set before the value is checked
-    /// against it.
-    Option& unit(std::string unitName);
-    // Bounds, of every number when there are several.
-    Option& above(double limit);
-    Option& atLeast(double limit);
-    Option& below(double limit);
-    Option& atMost(double limit);
-    /// `inf` is allowed (a double).
-    Option& orInfinite();
-    /// Values that need no question. Another one is taken as it is, with a warning: it may be in another
-    /// unit. \param note closes the warning, a sentence without its point: what the value may have been meant
-    /// as
-    Option& usual(double from, double to, std::string note = {});
-    /// The words that are allowed. (Enumerations know theirs.)
-    Option& oneOf(std::vector<std::string> allowedWords);
-    /// What annotated dictionaries show when there is no default; of a dictionary of dictionaries, the name
-    /// that a user might give.
-    Option& example(std::string text);
-
-    const OptionDescription& description() const { return about; }
-
-private:
-    friend class Options;
-    void readEntry(const Entry& entry) const;
-    void checkNumber(double number, const Entry& entry) const;
-    void questionNumber(double number, const Entry& entry) const;
-    void checkWord(const std::string& word, const Entry& entry) const;
-
-    OptionDescription about;
-    double lowest = -std::numeric_limits<double>::infinity();
-    double highest = std::numeric_limits<double>::infinity();
-    bool lowestAllowed = true;
-    bool highestAllowed = true;
-    bool infiniteAllowed = false;
-    double usuallyFrom = -std::numeric_limits<double>::infinity();
-    double usuallyTo = std::numeric_limits<double>::infinity();
-    std::string usualNote;
-    std::function<void(const Entry&, const Option&)> readValue;
-    std::function<void(OptionDescription&)> describeMembers;
-};
 
 template<class Model>
 concept Declared = requires(Options& options, Model& model)
@@ -159,195 +62,48 @@ Model readOptions(const Dictionary& dictionary);
 template<Declared Model>
 std::vector<OptionDescription> describeOptions();
 
-namespace detail
-{
-template<class Value>
-struct IsOptional : std::false_type
-{
-};
-template<class Value>
-struct IsOptional<std::optional<Value>> : std::true_type
-{
-    using Inner = Value;
-};
-template<class Value>
-struct IsVector : std::false_type
-{
-};
-template<class Value>
-struct IsVector<std::vector<Value>> : std::true_type
-{
-    using Inner = Value;
-};
-/// A vector of pairs of a user's name and something.
-template<class Value>
-struct IsNamedVector : std::false_type
-{
-};
-template<class Value>
-struct IsNamedVector<std::vector<std::pair<std::string, Value>>> : std::true_type
-{
-    using Inner = Value;
-};
-template<class Value>
-struct IsNamedVector<std::vector<std::pair<NamePattern, Value>>> : std::true_type
-{
-    using Inner = Value;
-};
-
-void assignName(std::string& name, const Entry& entry);
-void assignName(NamePattern& name, const Entry& entry);
-
-// Text of a value as a dictionary has it.
-std::string textOf(double value);
-std::string textOf(int value);
-std::string textOf(long value);
-std::string textOf(bool value);
-std::string textOf(const std::string& value);
-template<class Value>
-std::string textOf(const Value& value)
-{
-    if constexpr (NamedEnumeration<Value>)
-    {
-        for (const auto& [name, named] : namesOf(Value{}))
-        {
-            if (named == value)
-                return std::string(name);
-        }
-        return {};
-    }
-    else if constexpr (requires {
-                           value.begin();
-                           value.end();
-                       })
-    {
-        std::string text = "(";
-        for (const auto& element : value)
-            text.append(text.size() > 1 ? " " : "").append(textOf(element)); // + trips GCC 12's -Wrestrict
-        return text + ")";
-    }
-    else if constexpr (FixedVector<Value>)
-    {
-        std::string text = "(";
-        for (int i = 0; i < int(Value::SizeAtCompileTime); ++i)
-            text.append(i > 0 ? " " : "").append(textOf(value.data()[i]));
-        return text + ")";
-    }
-    else if constexpr (requires {
-                           value.first;
-                           value.second;
-                       })
-        return std::string("(")
-            .append(textOf(value.first))
-            .append(" ")
-            .append(textOf(value.second))
-            .append(")");
-    else
-        return {};
-}
-
-template<class Value>
-std::string typeNameOf()
-{
-    if constexpr (std::is_same_v<Value, double>)
-        return "number";
-    else if constexpr (std::is_same_v<Value, int> || std::is_same_v<Value, long>)
-        return "integer";
-    else if constexpr (std::is_same_v<Value, bool>)
-        return "switch";
-    else if constexpr (std::is_same_v<Value, Dictionary>)
-        return "dictionary";
-    else if constexpr (FixedVector<Value>)
-        return "vector of " + std::to_string(int(Value::SizeAtCompileTime));
-    else if constexpr (IsVector<Value>::value)
-        return "list, each: " + typeNameOf<typename IsVector<Value>::Inner>();
-    else if constexpr (requires {
-                           std::tuple_size<Value>::value;
-                           typename Value::value_type;
-                       })
-        return "vector of " + std::to_string(std::tuple_size<Value>::value);
-    else if constexpr (requires(Value value) {
-                           value.first;
-                           value.second;
-                       })
-        return "pair (" + typeNameOf<typename Value::first_type>() + " "
-               + typeNameOf<typename Value::second_type>() + ")";
-    else
-        return "word";
-}
-
-/// Every number in a value.
-template<class Value, class Visit>
-void visitNumbers(const Value& value, const Visit& visit)
-{
-    if constexpr (std::is_same_v<Value, bool>)
-        return;
-    else if constexpr (std::is_arithmetic_v<Value>)
-        visit(static_cast<double>(value));
-    else if constexpr (FixedVector<Value>)
-    {
-        for (int i = 0; i < int(Value::SizeAtCompileTime); ++i)
-            visit(value.data()[i]);
-    }
-    else if constexpr (std::is_same_v<Value, std::string>)
-        return;
-    else if constexpr (requires {
-                           value.begin();
-                           value.end();
-                       })
-    {
-        for (const auto& element : value)
-            visitNumbers(element, visit);
-    }
-    else if constexpr (requires {
-                           value.first;
-                           value.second;
-                       })
-    {
-        visitNumbers(value.first, visit);
-        visitNumbers(value.second, visit);
-    }
-}
-} // namespace detail
-
 /// The keys of one dictionary, declared, then read.
 class Options
 {
 public:
+    // Those of a deque of options are long: where they are compiled once, a declaration takes half the time.
+    Options();
+    ~Options();
+    Options(const Options&) = delete;
+    Options& operator=(const Options&) = delete;
+
     /// A key that must be given.
     template<class Value>
-    Option& required(std::string key, Value& field, std::string doc)
+    Option& required(std::string_view key, Value& field, std::string_view doc)
     {
-        return add(OptionDescription::Presence::required, std::move(key), field, std::move(doc));
+        return add(OptionDescription::Presence::required, key, field, doc);
     }
     /// A key that may be left out: the field then keeps its value, which is the default.
     template<class Value>
-    Option& optional(std::string key, Value& field, std::string doc)
+    Option& optional(std::string_view key, Value& field, std::string_view doc)
     {
-        return add(OptionDescription::Presence::hasDefault, std::move(key), field, std::move(doc));
+        return add(OptionDescription::Presence::hasDefault, key, field, doc);
     }
     /// A model chosen by `type` in a sub-dictionary that must be given. The field is a Made, a std::optional
     /// of one, a std::vector (a list of dictionaries) or a std::vector<Named<Made>> (users' names).
     template<class Field, class Made>
-    Option& required(std::string key, Field& field, const Registry<Made>& registry, std::string doc)
+    Option& required(std::string_view key, Field& field, const Registry<Made>& registry, std::string_view doc)
     {
-        return addModel(OptionDescription::Presence::required, std::move(key), field, registry,
-                        std::move(doc));
+        return addModel(OptionDescription::Presence::required, key, field, registry, doc);
     }
     /// The same, when it may be left out.
     template<class Field, class Made>
-    Option& optional(std::string key, Field& field, const Registry<Made>& registry, std::string doc)
+    Option& optional(std::string_view key, Field& field, const Registry<Made>& registry, std::string_view doc)
     {
-        return addModel(OptionDescription::Presence::mayBeAbsent, std::move(key), field, registry,
-                        std::move(doc));
+        return addModel(OptionDescription::Presence::mayBeAbsent, key, field, registry, doc);
     }
     /// Every other entry of this dictionary is a sub-dictionary with a user's name.
     template<class Named>
-    void each(std::vector<Named>& field, std::string doc)
+    void each(std::vector<Named>& field, std::string_view doc)
     {
         using Model = typename detail::IsNamedVector<std::vector<Named>>::Inner;
         static_assert(Declared<Model>);
-        Option& option = addOwnNames(std::move(doc));
+        Option& option = addOwnNames(doc);
         option.describeMembers = [](OptionDescription& about) { about.members = describeOptions<Model>(); };
         option.readValue = [&field](const Entry& entry, const Option&)
         {
@@ -359,9 +115,9 @@ public:
     }
     /// The same for models chosen by `type`.
     template<class Named, class Made>
-    void each(std::vector<Named>& field, const Registry<Made>& registry, std::string doc)
+    void each(std::vector<Named>& field, const Registry<Made>& registry, std::string_view doc)
     {
-        Option& option = addOwnNames(std::move(doc));
+        Option& option = addOwnNames(doc);
         option.describeMembers = [&registry](OptionDescription& about)
         { about.alternatives = registry.describe(); };
         option.readValue = [&field, &registry](const Entry& entry, const Option&)
@@ -376,10 +132,10 @@ public:
     /// A rule between fields, checked when all have been read.
     /// \param key whose place the message points at
     /// \param fault what is wrong and how to repair it; empty when nothing is
-    void check(std::string key, std::function<std::string()> fault);
+    void check(std::string_view key, std::function<std::string()> fault);
     /// What is allowed and improbable, as gravity that points upwards: a warning, when all has been read.
     /// \param doubt what is unusual and what would be usual; empty when nothing is
-    void question(std::string key, std::function<std::string()> doubt);
+    void question(std::string_view key, std::function<std::string()> doubt);
 
     /// Find unknown keys, read every option, check every rule.
     /// \throws FatalIOError
@@ -394,8 +150,8 @@ private:
         std::function<std::string()> fault;
     };
 
-    Option& add(OptionDescription::Presence presence, std::string key, std::string doc);
-    Option& addOwnNames(std::string doc);
+    Option& add(OptionDescription::Presence presence, std::string_view key, std::string_view doc);
+    Option& addOwnNames(std::string_view doc);
     void refuseUnknownKeys(const Dictionary& dictionary) const;
     const Option* ownNamesOption() const;
     /// Names of the models that an option chooses from; empty when it is none.
@@ -403,9 +159,10 @@ private:
     bool isDeclared(const std::string& key) const;
 
     template<class Value>
-    Option& add(OptionDescription::Presence presence, std::string key, Value& field, std::string doc)
+    Option& add(OptionDescription::Presence presence, std::string_view key, Value& field,
+                std::string_view doc)
     {
-        Option& option = add(presence, std::move(key), std::move(doc));
+        Option& option = add(presence, key, doc);
         bind(option, field);
         return option;
     }
@@ -420,8 +177,7 @@ private:
             // Bound to a field of its own, which becomes the value once it has been read.
             auto inner = std::make_shared<Inner>();
             bind(option, *inner);
-            if (option.about.presence == OptionDescription::Presence::hasDefault)
-                option.about.presence = OptionDescription::Presence::mayBeAbsent;
+            option.about.allowAbsence();
             option.about.defaultText.clear();
             option.readValue =
                 [inner, &field, readInner = option.readValue](const Entry& entry, const Option& self)
@@ -433,10 +189,7 @@ private:
         }
         else if constexpr (Declared<Value>)
         {
-            option.about.form = Form::dictionary;
-            option.about.type = "dictionary";
-            if (option.about.presence == OptionDescription::Presence::hasDefault)
-                option.about.presence = OptionDescription::Presence::mayBeAbsent;
+            describeAs(option, Form::dictionary, "dictionary");
             option.describeMembers = [](OptionDescription& about)
             { about.members = describeOptions<Value>(); };
             option.readValue = [&field](const Entry& entry, const Option&)
@@ -446,10 +199,7 @@ private:
         {
             using Model = typename detail::IsNamedVector<Value>::Inner;
             static_assert(Declared<Model>, "the structure needs a `declare`");
-            option.about.form = Form::namedDictionaries;
-            option.about.type = "dictionary of dictionaries";
-            if (option.about.presence == OptionDescription::Presence::hasDefault)
-                option.about.presence = OptionDescription::Presence::mayBeAbsent;
+            describeAs(option, Form::namedDictionaries, "dictionary of dictionaries");
             option.describeMembers = [](OptionDescription& about)
             { about.members = describeOptions<Model>(); };
             option.readValue = [&field](const Entry& entry, const Option&) {
@@ -460,69 +210,61 @@ private:
         else if constexpr (isListOfDeclared<Value>())
         {
             using Model = typename detail::IsVector<Value>::Inner;
-            option.about.form = Form::dictionaryList;
-            option.about.type = "list of dictionaries";
-            if (option.about.presence == OptionDescription::Presence::hasDefault)
-                option.about.presence = OptionDescription::Presence::mayBeAbsent;
+            describeAs(option, Form::dictionaryList, "list of dictionaries");
             option.describeMembers = [](OptionDescription& about)
             { about.members = describeOptions<Model>(); };
             option.readValue = [&field](const Entry& entry, const Option&)
             {
                 field.clear();
                 for (const Dictionary& dictionary : entry.as<std::vector<Dictionary>>())
+                {
                     field.push_back(readOptions<Model>(dictionary));
+                }
             };
         }
         else
         {
             option.about.type = detail::typeNameOf<Value>();
             if (option.about.presence == OptionDescription::Presence::hasDefault)
+            {
                 option.about.defaultText = detail::textOf(field);
+            }
             if constexpr (detail::NamedEnumeration<Value>)
             {
                 for (const auto& [name, value] : namesOf(Value{}))
+                {
                     option.about.words.emplace_back(name);
+                }
             }
             option.readValue = [&field](const Entry& entry, const Option& self)
             {
-                entry.markUsed();
-                TokenCursor cursor(entry);
-                if (!self.about.unit.empty())
-                    readDimensions(cursor, self.about.unit);
-                if constexpr (std::is_same_v<Value, double>)
-                {
-                    if (self.infiniteAllowed)
-                    {
-                        PossiblyInfinite value;
-                        read(cursor, value);
-                        field = value.value;
-                    }
-                    else
-                        read(cursor, field);
-                }
-                else
-                    read(cursor, field);
-                cursor.expectEnd();
-            };
-            const auto check = [](const Value& value, const Option& self, const Entry& entry)
-            {
-                detail::visitNumbers(value, [&](double number) { self.checkNumber(number, entry); });
-                if constexpr (std::is_same_v<Value, std::string>)
-                    self.checkWord(value, entry);
-                else if constexpr (std::is_same_v<Value, std::vector<std::string>>)
-                {
-                    for (const std::string& word : value)
-                        self.checkWord(word, entry);
-                }
-            };
-            option.readValue =
-                [&field, check, readPlain = option.readValue](const Entry& entry, const Option& self)
-            {
-                readPlain(entry, self);
-                check(field, self, entry);
+                readPlain(entry, self, field);
+                detail::visitNumbers(field, [&](double number) { self.checkNumber(number, entry); });
+                detail::visitWords(field, [&](const std::string& word) { self.checkWord(word, entry); });
             };
         }
     }
+
+    /// A value that is no dictionary, with the dimensions before it.
+    template<class Value>
+    static void readPlain(const Entry& entry, const Option& option, Value& field)
+    {
+        entry.markUsed();
+        TokenCursor cursor(entry);
+        option.readUnit(cursor);
+        if constexpr (std::is_same_v<Value, double>)
+        {
+            option.readNumber(cursor, field);
+        }
+        else
+        {
+            read(cursor, field);
+        }
+        cursor.expectEnd();
+    }
+
+    /// What is left out is then absent: a dictionary has no default of its own.
+    static void describeAs(Option& option, OptionDescription::Form form, std::string_view type);
 
     /// `key { name { ... } name { ... } }`, each inner dictionary read by `readOne`.
     template<class Field, class ReadOne>
@@ -532,7 +274,9 @@ private:
         for (const Entry& inner : entry.dictionary().entries())
         {
             if (!inner.isDictionary() && inner.isUsed()) // a value that others refer to as a macro
+            {
                 continue;
+            }
             typename Field::value_type::first_type name;
             detail::assignName(name, inner);
             field.emplace_back(std::move(name), readOne(inner.dictionary()));
@@ -543,17 +287,21 @@ private:
     static constexpr bool isListOfDeclared()
     {
         if constexpr (detail::IsVector<Value>::value)
+        {
             return Declared<typename detail::IsVector<Value>::Inner>;
+        }
         else
+        {
             return false;
+        }
     }
 
     template<class Field, class Made>
-    Option& addModel(OptionDescription::Presence presence, std::string key, Field& field,
-                     const Registry<Made>& registry, std::string doc)
+    Option& addModel(OptionDescription::Presence presence, std::string_view key, Field& field,
+                     const Registry<Made>& registry, std::string_view doc)
     {
         using Form = OptionDescription::Form;
-        Option& option = add(presence, std::move(key), std::move(doc));
+        Option& option = add(presence, key, doc);
         option.describeMembers = [&registry](OptionDescription& about)
         { about.alternatives = registry.describe(); };
         option.about.type = registry.family + " type";
@@ -573,7 +321,9 @@ private:
             {
                 field.clear();
                 for (const Dictionary& dictionary : entry.as<std::vector<Dictionary>>())
+                {
                     field.push_back(registry.select(dictionary));
+                }
             };
         }
         else

@@ -55,11 +55,7 @@ std::string exampleOf(const OptionDescription& option)
 
 std::string sentence(const OptionDescription& option)
 {
-    std::string text = option.doc;
-    if (!option.unit.empty())
-    {
-        text += fmt::format(" [{}]", option.unit);
-    }
+    std::string text = option.doc + option.unitText();
     if (!option.range.empty())
     {
         text += ", " + option.range;

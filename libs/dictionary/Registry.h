@@ -59,11 +59,15 @@ struct Registry
             for (const Model<Made>& model : models)
             {
                 if (model.name == name)
+                {
                     return model.read(dictionary);
+                }
             }
         }
         for (const Model<Made>& model : models)
+        {
             names.push_back(model.name);
+        }
         failSelection(dictionary, family, names);
     }
 
@@ -71,7 +75,9 @@ struct Registry
     {
         std::vector<OptionDescription::Alternative> alternatives;
         for (const Model<Made>& model : models)
+        {
             alternatives.push_back({model.name, model.summary, model.describe()});
+        }
         return alternatives;
     }
 };
@@ -90,9 +96,13 @@ Model<Made> model(std::string name, std::string summary, Make make)
                 declare(options, settings);
                 options.readFrom(dictionary);
                 if constexpr (std::is_invocable_v<Make, Settings, const Dictionary&>)
+                {
                     return make(std::move(settings), dictionary);
+                }
                 else
+                {
                     return make(std::move(settings));
+                }
             },
             [] { return describeOptions<Settings>(); }};
 }

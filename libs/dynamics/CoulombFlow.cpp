@@ -17,8 +17,6 @@ namespace
 /// From the forces of the last step it ends soon or not at all.
 constexpr int newtonStepsFromLastStep = 20;
 
-constexpr int mostRelinearisations = 10;
-
 /// With gaps as they are. \param program its gaps without what the flow opens; with it on return
 /// \return whether it was reached; otherwise the step is as it was but for the work counted
 template<int Dim>

@@ -16,8 +16,6 @@ namespace drystone
 namespace
 {
 
-constexpr int mostRelinearisations = 10;
-
 /// Error allowed in gaps that are linear predictions, where it does not become less.
 constexpr double partOfOverlap = 0.1;
 

@@ -7,6 +7,9 @@
 namespace drystone
 {
 
+/// How often Coulomb's law is linearised anew in a step before another way is taken.
+inline constexpr int mostRelinearisations = 10;
+
 /// Whether the flow of such steps is followed. Then the smallest overlap tells a force: none may be taken for
 /// rounding, which each step would put in its place.
 template<int Dim>

@@ -19,11 +19,6 @@ namespace fs = std::filesystem;
 namespace
 {
 
-bool contains(const std::vector<std::string>& applications, const std::string& name)
-{
-    return std::find(applications.begin(), applications.end(), name) != applications.end();
-}
-
 /// Whether each result is known to a chain of applications without files.
 bool canRunInProcess(const EnsembleSettings& settings)
 {
@@ -40,12 +35,10 @@ bool canRunInProcess(const EnsembleSettings& settings)
            && std::all_of(settings.results.begin(), settings.results.end(),
                           [&](const Named<Figure>& result)
                           {
-                              return (result.second.ofCollapse
-                                      && contains(settings.applications, "limitAnalysis"))
-                                     || (result.second.isOfMotion()
-                                         && contains(settings.applications, "contactDynamics"))
+                              return (result.second.ofCollapse && settings.runs("limitAnalysis"))
+                                     || (result.second.isOfMotion() && settings.runs("contactDynamics"))
                                      || (result.second.ofLeastIntensity
-                                         && contains(settings.applications, "incrementalDynamics"));
+                                         && settings.runs("incrementalDynamics"));
                           });
 }
 
@@ -65,7 +58,7 @@ void requireResults(const Ensemble& ensemble)
                     name),
                 place);
         }
-        if (figure.ofCollapse && contains(ensemble.settings.applications, "limitAnalysis"))
+        if (figure.ofCollapse && ensemble.settings.runs("limitAnalysis"))
         {
             const std::vector<std::string_view> headings = limitAnalysisHeadings();
             const std::string& wanted = *figure.ofCollapse;
@@ -77,7 +70,7 @@ void requireResults(const Ensemble& ensemble)
                                    ensemble.dictionary.subDict("results").subDict(name).locationOf("column"));
             }
         }
-        else if (figure.ofCollapse && !contains(ensemble.settings.applications, "parameterSearch")
+        else if (figure.ofCollapse && !ensemble.settings.runs("parameterSearch")
                  && std::none_of(ensemble.settings.applications.begin(), ensemble.settings.applications.end(),
                                  [](const std::string& word) { return word.find('/') != word.npos; }))
         {

@@ -71,6 +71,11 @@ void declare(Options& options, FailureSettings& failures)
         .atMost(1);
 }
 
+bool EnsembleSettings::runs(std::string_view application) const
+{
+    return std::find(applications.begin(), applications.end(), application) != applications.end();
+}
+
 void declare(Options& options, EnsembleSettings& settings)
 {
     options

@@ -35,6 +35,9 @@ struct EnsembleSettings
     std::vector<Named<Figure>> results;
     FailureSettings failures;
     std::vector<Named<Statistic>> statistics;
+
+    /// Whether an application of this name is among those of a sample.
+    bool runs(std::string_view application) const;
 };
 void declare(Options& options, EnsembleSettings& settings);
 

@@ -3,6 +3,7 @@
 #include "ensembles/Evaluate.h"
 
 #include "core/Log.h"
+#include "core/Paragraph.h"
 #include "core/WholeFile.h"
 #include "ensembles/Ensemble.h"
 
@@ -35,17 +36,6 @@ SampleValue valueOfText(std::string text)
     const double number = std::strtod(text.c_str(), &end);
     const bool isNumber = !text.empty() && end == text.c_str() + text.size() && std::isfinite(number);
     return isNumber ? SampleValue{std::move(text), number} : valueOf(text);
-}
-
-std::vector<std::string> wordsOf(const std::string& line)
-{
-    std::istringstream stream(line);
-    std::vector<std::string> words;
-    for (std::string word; stream >> word;)
-    {
-        words.push_back(word);
-    }
-    return words;
 }
 
 bool isCount(const std::string& word)

@@ -56,11 +56,11 @@ struct Likelihood
     }
 };
 
-using Function = std::function<Likelihood(const Eigen::Vector2d&)>;
+using LikelihoodFunction = std::function<Likelihood(const Eigen::Vector2d&)>;
 
 /// The maximum, by Newton steps that are halved until the value grows.
 /// \return nothing when it is not found, as where the function only approaches its supremum
-std::optional<Eigen::Vector2d> maximum(const Function& function, Eigen::Vector2d at)
+std::optional<Eigen::Vector2d> maximum(const LikelihoodFunction& function, Eigen::Vector2d at)
 {
     Likelihood here = function(at);
     for (int iteration = 0; iteration < 200; ++iteration)
@@ -134,7 +134,7 @@ std::optional<FragilityFit> fitStripes(const std::vector<Stripe>& stripes)
     {
         return {};
     }
-    const Function likelihood = [&](const Eigen::Vector2d& at)
+    const LikelihoodFunction likelihood = [&](const Eigen::Vector2d& at)
     {
         Likelihood sum;
         for (const Stripe& stripe : stripes)
@@ -165,7 +165,7 @@ std::optional<FragilityFit> fitTruncated(const std::vector<double>& failing, lon
         return {};
     }
     // In a = -ln(theta)/beta and b = 1/beta: sum of ln b - (a + b ln x)^2/2 and of ln Phi(-(a + b ln limit)).
-    const Function likelihood = [&](const Eigen::Vector2d& at)
+    const LikelihoodFunction likelihood = [&](const Eigen::Vector2d& at)
     {
         Likelihood sum;
         const double b = at[1];

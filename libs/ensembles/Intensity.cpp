@@ -147,13 +147,13 @@ IntensityPlan planBisection(const BisectionSettings& settings)
                     static_cast<double>(stepsBetween(settings.low, settings.high, settings.tolerance)))))};
 }
 
-struct ListSettings
+struct IntensityList
 {
     IntensityUnit unit = IntensityUnit::g;
     std::vector<double> values;
 };
 
-void declare(Options& options, ListSettings& settings)
+void declare(Options& options, IntensityList& settings)
 {
     declareUnit(options, settings.unit);
     options.required("values", settings.values, "the intensities").above(0).example("(0.1 0.2 0.5)");
@@ -169,7 +169,7 @@ void declare(Options& options, ListSettings& settings)
                   });
 }
 
-IntensityPlan planList(const ListSettings& settings)
+IntensityPlan planList(const IntensityList& settings)
 {
     return {settings.unit,
             [settings](const std::vector<Trial>& trials)
@@ -216,7 +216,7 @@ const Registry<IntensityPlan>& intensityTypes()
         {model<IntensityPlan, StepSettings>("step", "equal steps", planSteps),
          model<IntensityPlan, BisectionSettings>("bisection", "halves a bracket of the least that meets it",
                                                  planBisection),
-         model<IntensityPlan, ListSettings>("list", "these", planList)}};
+         model<IntensityPlan, IntensityList>("list", "these", planList)}};
     return registry;
 }
 

@@ -36,11 +36,6 @@ namespace fs = std::filesystem;
 namespace
 {
 
-bool contains(const std::vector<std::string>& applications, const std::string& name)
-{
-    return std::find(applications.begin(), applications.end(), name) != applications.end();
-}
-
 /// As a dictionary has it: words with signs between quotes.
 std::string entryText(const SampleValue& value)
 {
@@ -135,7 +130,7 @@ struct SampleRunner::InProcess
 
     bool runs(const std::string& application) const
     {
-        return contains(ensemble.settings.applications, application);
+        return ensemble.settings.runs(application);
     }
 
     /// The blocks of a dictionary with their contact points. Most samples differ in properties or loads, not

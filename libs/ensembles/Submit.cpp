@@ -3,12 +3,12 @@
 #include "ensembles/Submit.h"
 
 #include "core/Log.h"
+#include "core/Paragraph.h"
 #include "core/WholeFile.h"
 
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <sstream>
 
 #include <sys/wait.h>
 
@@ -29,17 +29,6 @@ std::string quoted(const std::string& text)
         word += c == '\'' ? "'\\''" : std::string(1, c);
     }
     return word + "'";
-}
-
-std::vector<std::string> wordsOf(const std::string& options)
-{
-    std::istringstream stream(options);
-    std::vector<std::string> words;
-    for (std::string word; stream >> word;)
-    {
-        words.push_back(word);
-    }
-    return words;
 }
 
 std::string heading(const fs::path& caseDirectory, const std::vector<std::string>& options,

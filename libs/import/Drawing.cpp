@@ -19,8 +19,7 @@ namespace drystone
 namespace
 {
 
-constexpr double farthestCoordinate = 1e6; // [m]
-constexpr std::size_t mostCorners = 5000;  // of a block: checks take time of the order of their square
+constexpr std::size_t mostCorners = 5000; // of a block: checks take time of the order of their square
 
 Polygon inMetres(const DrawnOutline& drawn, double scale, double tolerance, const ImportedFile& file)
 {

@@ -32,6 +32,9 @@ struct ImportedFile
     std::string bytes; ///< all of them
 };
 
+/// That a corner of a block may have [m].
+inline constexpr double farthestCoordinate = 1e6;
+
 /// \throws FatalIOError when there is no such file, it is no ordinary file (a pipe may never end), is empty,
 /// or larger than 2 GB
 ImportedFile readSource(const std::filesystem::path& file);

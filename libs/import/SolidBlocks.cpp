@@ -20,14 +20,13 @@ namespace drystone
 namespace
 {
 
-constexpr double farthestCoordinate = 1e6; // [m]
-constexpr double usualTolerance = 1e-6;    // of the mean size of the blocks
-constexpr double coarsest = 5e-3;          // likewise: rounding is not followed beyond it
-constexpr double roundingUnits = 1.75;     // half a unit along each axis, for two corners: sqrt(3)
-constexpr double exact = 1e-9;             // likewise: doubles are not more even
-constexpr double unevenest = 1e-4;         // likewise: faces that are more uneven are meant so
-constexpr double unevenUnits = 2;          // tolerance where the unevenness alone says what rounding was
-constexpr std::size_t mostFaces = 5000;    // of a block: checks take time of the order of their square
+constexpr double usualTolerance = 1e-6; // of the mean size of the blocks
+constexpr double coarsest = 5e-3;       // likewise: rounding is not followed beyond it
+constexpr double roundingUnits = 1.75;  // half a unit along each axis, for two corners: sqrt(3)
+constexpr double exact = 1e-9;          // likewise: doubles are not more even
+constexpr double unevenest = 1e-4;      // likewise: faces that are more uneven are meant so
+constexpr double unevenUnits = 2;       // tolerance where the unevenness alone says what rounding was
+constexpr std::size_t mostFaces = 5000; // of a block: checks take time of the order of their square
 
 /// A block in the making, with what messages say of it.
 struct Piece

@@ -14,18 +14,18 @@ namespace drystone
 namespace
 {
 
-constexpr std::size_t header = 80;
+constexpr std::size_t lengthOfHeader = 80;
 constexpr std::size_t triangle = 50; ///< bytes: normal, three vertices, two bytes of attributes
 
 /// Many binary files begin with `solid`, too: the count of triangles decides.
 bool isBinary(const ImportedFile& file)
 {
-    if (file.bytes.size() < header + 4)
+    if (file.bytes.size() < lengthOfHeader + 4)
     {
         return false;
     }
-    const auto count = ByteReader(file, header, false).take<std::uint32_t>();
-    if (file.bytes.size() == header + 4 + triangle * static_cast<std::size_t>(count))
+    const auto count = ByteReader(file, lengthOfHeader, false).take<std::uint32_t>();
+    if (file.bytes.size() == lengthOfHeader + 4 + triangle * static_cast<std::size_t>(count))
     {
         return true;
     }
@@ -35,7 +35,7 @@ bool isBinary(const ImportedFile& file)
 
 Solids readBinary(const ImportedFile& file)
 {
-    ByteReader bytes(file, header, false);
+    ByteReader bytes(file, lengthOfHeader, false);
     const auto count = bytes.take<std::uint32_t>();
     if (bytes.remaining() < triangle * static_cast<std::size_t>(count))
     {
@@ -43,7 +43,8 @@ Solids readBinary(const ImportedFile& file)
             file, 0,
             fmt::format("The file says that it has {} triangles, which take {} bytes, but it has {}: get a "
                         "complete copy of it.",
-                        count, header + 4 + triangle * static_cast<std::size_t>(count), file.bytes.size()));
+                        count, lengthOfHeader + 4 + triangle * static_cast<std::size_t>(count),
+                        file.bytes.size()));
     }
     Solids solids;
     Solid solid;

@@ -17,13 +17,13 @@ namespace drystone
 namespace
 {
 
-struct Transform
+struct SvgTransform
 {
     Eigen::Matrix2d matrix = Eigen::Matrix2d::Identity();
     Vector<2> shift = Vector<2>::Zero();
 };
 
-Transform operator*(const Transform& outer, const Transform& inner)
+SvgTransform operator*(const SvgTransform& outer, const SvgTransform& inner)
 {
     return {outer.matrix * inner.matrix, outer.matrix * inner.shift + outer.shift};
 }
@@ -133,7 +133,7 @@ public:
         }
         readUnit(root);
         // y points downwards in SVG.
-        Transform upwards;
+        SvgTransform upwards;
         upwards.matrix(1, 1) = -1;
         readChildren(root, upwards);
         for (const auto& [name, count] : others)
@@ -190,12 +190,12 @@ private:
     }
 
     /// Without recursion: a hostile file may nest deeper than the stack is.
-    void readChildren(const pugi::xml_node& root, const Transform& upwards)
+    void readChildren(const pugi::xml_node& root, const SvgTransform& upwards)
     {
         struct Level
         {
             pugi::xml_node next;
-            Transform transform;
+            SvgTransform transform;
             std::string layer;
         };
         std::vector<Level> levels{{root.first_child(), upwards, ""}};
@@ -230,7 +230,7 @@ private:
                 }
                 continue;
             }
-            const Transform transform = level.transform * transformOf(node, line);
+            const SvgTransform transform = level.transform * transformOf(node, line);
             if (isGroup)
             {
                 if (levels.size() >= deepest)
@@ -252,9 +252,9 @@ private:
         }
     }
 
-    Transform transformOf(const pugi::xml_node& node, int line) const
+    SvgTransform transformOf(const pugi::xml_node& node, int line) const
     {
-        Transform whole;
+        SvgTransform whole;
         Scanner scanner(file, line, node.attribute("transform").value());
         while (!scanner.isEnd())
         {
@@ -276,7 +276,7 @@ private:
                 return name == wanted
                        && std::find(counts.begin(), counts.end(), values.size()) != counts.end();
             };
-            Transform one;
+            SvgTransform one;
             if (has("matrix", {6}))
             {
                 one.matrix << values[0], values[2], values[1], values[3];
@@ -313,7 +313,8 @@ private:
         return whole;
     }
 
-    void readShape(const pugi::xml_node& node, const Transform& transform, const std::string& layer, int line)
+    void readShape(const pugi::xml_node& node, const SvgTransform& transform, const std::string& layer,
+                   int line)
     {
         const std::string_view name = node.name();
         if (name == "rect")
@@ -350,7 +351,7 @@ private:
         }
     }
 
-    void readPath(Scanner scanner, const Transform& transform, const std::string& layer, int line)
+    void readPath(Scanner scanner, const SvgTransform& transform, const std::string& layer, int line)
     {
         Polygon corners;
         Vector<2> place = Vector<2>::Zero();
@@ -432,7 +433,7 @@ private:
         close(false);
     }
 
-    void add(Polygon corners, const Transform& transform, const std::string& layer, int line)
+    void add(Polygon corners, const SvgTransform& transform, const std::string& layer, int line)
     {
         for (Vector<2>& corner : corners)
         {

@@ -1,6 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Axes, ticks, curves and legend, laid out without a plotting library.
-#include "io/Plot.h"
+#include "io/PlotAxis.h"
 
 #include "core/Error.h"
 #include "io/SvgText.h"
@@ -21,168 +21,6 @@ namespace
 /// The palette of Okabe and Ito, distinguishable with colour vision deficiency; without its yellow, which is
 /// too light for lines.
 constexpr std::array palette{"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#444444"};
-constexpr std::array markers{CurveMarker::circle, CurveMarker::square, CurveMarker::diamond,
-                             CurveMarker::triangle};
-
-double toScale(double value, AxisScale scale)
-{
-    return scale == AxisScale::logarithmic ? std::log10(value) : value;
-}
-
-/// Ends of an axis, in its own values.
-struct Range
-{
-    double lower;
-    double upper;
-    AxisScale scale;
-
-    /// Position on the axis, from 0 to 1.
-    double part(double value) const
-    {
-        return (toScale(value, scale) - toScale(lower, scale))
-               / (toScale(upper, scale) - toScale(lower, scale));
-    }
-};
-
-void checkValue(double value, const PlotAxis& axis, const std::string& owner, std::size_t index)
-{
-    if (!std::isfinite(value))
-    {
-        throw FatalError(
-            fmt::format("Point {} of {} in a plot has a value that is not finite.", index, owner));
-    }
-    if (axis.scale == AxisScale::logarithmic && value <= 0)
-    {
-        throw FatalError(
-            fmt::format("Point {} of {} in a plot is {}: a logarithmic axis ({}) shows positive values only.",
-                        index, owner, value, axis.label));
-    }
-}
-
-void check(const Plot& plot)
-{
-    for (const PlotCurve& curve : plot.curves)
-    {
-        const std::string owner = "the curve '" + curve.name + "'";
-        if (curve.x.size() != curve.y.size())
-        {
-            throw FatalError(
-                fmt::format("{} in a plot has {} x and {} y values.", owner, curve.x.size(), curve.y.size()));
-        }
-        for (std::size_t i = 0; i < curve.x.size(); ++i)
-        {
-            checkValue(curve.x[i], plot.x, owner, i);
-            checkValue(curve.y[i], plot.y, owner, i);
-        }
-    }
-    for (const PlotReference& reference : plot.references)
-    {
-        checkValue(reference.value, reference.direction == ReferenceDirection::horizontal ? plot.y : plot.x,
-                   "the reference '" + reference.name + "'", 0);
-    }
-}
-
-double tickStep(double span)
-{
-    const double raw = span / 7;
-    const double power = std::pow(10, std::floor(std::log10(raw)));
-    for (const double factor : {1.0, 2.0, 5.0})
-    {
-        if (raw <= factor * power * 1.001)
-        {
-            return factor * power;
-        }
-    }
-    return 10 * power;
-}
-
-/// From the data, with a margin; a linear axis that comes near zero begins there, a logarithmic one ends at
-/// ticks.
-Range chooseRange(const PlotAxis& axis, const std::vector<double>& values)
-{
-    double lower = std::numeric_limits<double>::max();
-    double upper = std::numeric_limits<double>::lowest();
-    for (const double value : values)
-    {
-        lower = std::min(lower, value);
-        upper = std::max(upper, value);
-    }
-    const bool logarithmic = axis.scale == AxisScale::logarithmic;
-    if (lower > upper)
-    {
-        lower = logarithmic ? 1 : 0;
-        upper = logarithmic ? 10 : 1;
-    }
-    if (logarithmic)
-    {
-        const double decades = std::log10(upper / lower);
-        if (decades < 0.1)
-        {
-            lower /= 2;
-            upper *= 2;
-        }
-        else
-        {
-            lower *= std::pow(10, -0.06 * decades);
-            upper *= std::pow(10, 0.06 * decades);
-        }
-    }
-    else
-    {
-        if (lower > 0 && lower < 0.4 * upper)
-        {
-            lower = 0;
-        }
-        double span = upper - lower;
-        const bool isFlat = !(span > 1e-12 * std::max(std::abs(lower), std::abs(upper)));
-        if (isFlat)
-        {
-            span = upper == 0 ? 10 : 10 * std::abs(upper);
-        }
-        if (lower != 0 || isFlat)
-        {
-            lower -= 0.05 * span;
-        }
-        if (upper != 0 || isFlat)
-        {
-            upper += 0.05 * span;
-        }
-    }
-    const Range range{axis.lower.value_or(lower), axis.upper.value_or(upper), axis.scale};
-    if (!std::isfinite(range.lower) || !std::isfinite(range.upper) || !(range.lower < range.upper)
-        || (logarithmic && range.lower <= 0))
-    {
-        throw FatalError(fmt::format("The axis '{}' of a plot cannot run from {} to {}.", axis.label,
-                                     range.lower, range.upper));
-    }
-    return range;
-}
-
-/// 0.01, 0.1, 1, 10, 100 as they are, other powers of ten with an exponent.
-std::string tickLabel(double value, AxisScale scale)
-{
-    const double magnitude = std::abs(value);
-    if (value == 0 || (magnitude >= 0.00999 && magnitude < 1e4)
-        || (scale == AxisScale::linear && magnitude >= 0.000999 && magnitude < 1e6))
-    {
-        return fmt::format("{:.6g}", value);
-    }
-    constexpr std::array digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-    const int exponent = static_cast<int>(std::floor(std::log10(magnitude) + 1e-9));
-    const double mantissa = value / std::pow(10, exponent);
-    std::string label = fmt::format("{:.4g}", mantissa);
-    label = label == "1" ? "" : label == "-1" ? "-" : label + "·";
-    label += "10";
-    if (exponent < 0)
-    {
-        label += "⁻";
-    }
-    for (const char digit : std::to_string(std::abs(exponent)))
-    {
-        label += digits[static_cast<std::size_t>(digit - '0')];
-    }
-    return label;
-}
 
 void paintMarker(Canvas& drawing, const Vector<2>& at, CurveMarker marker, const std::string& colour)
 {
@@ -234,8 +72,9 @@ std::vector<Look> looks(const Plot& plot)
         Look look{curve.colour.empty() ? curveColour(i) : curve.colour, curve.marker};
         if (look.marker == CurveMarker::automatic) // markers at very many points are illegible
         {
-            look.marker = curve.x.size() > 60 && curve.line != CurveLine::none ? CurveMarker::none
-                                                                               : markers[i % markers.size()];
+            look.marker = curve.x.size() > 60 && curve.line != CurveLine::none
+                              ? CurveMarker::none
+                              : curveMarkers[i % curveMarkers.size()];
         }
         result.push_back(look);
     }
@@ -245,7 +84,7 @@ std::vector<Look> looks(const Plot& plot)
 struct Frame
 {
     double left, top, width, height; ///< of the area of the curves [px]
-    Range x, y;
+    AxisRange x, y;
 
     Vector<2> operator()(double px, double py) const
     {
@@ -269,7 +108,7 @@ void paintAxes(Canvas& drawing, const Plot& plot, const Frame& frame, const std:
     const ShapeStyle faint{.stroke = "#f3f3f3", .strokeWidth = 1};
     const double bottom = frame.top + frame.height;
     const double right = frame.left + frame.width;
-    const auto minor = [&](const Range& range, const auto& paint)
+    const auto minor = [&](const AxisRange& range, const auto& paint)
     {
         if (range.scale != AxisScale::logarithmic || std::log10(range.upper / range.lower) > 8)
         {
@@ -321,90 +160,64 @@ void paintAxes(Canvas& drawing, const Plot& plot, const Frame& frame, const std:
                  {.size = 13.5, .anchor = TextAnchor::middle, .rotation = -90});
 }
 
-} // namespace
+/// Between the axis and what stands beside it [px].
+constexpr double leastRoom = 24;
+constexpr double lengthOfKey = 28;
+constexpr double textOfKey = 36;
+constexpr double lineOfKey = 20;
+constexpr double sizeOfText = 12.5;
 
-std::vector<double> axisTicks(double lower, double upper, AxisScale scale)
+const ShapeStyle& styleOfReferences()
 {
-    std::vector<double> ticks;
-    if (scale == AxisScale::linear)
-    {
-        const double step = tickStep(upper - lower);
-        for (double i = std::ceil(lower / step - 1e-9); i <= upper / step + 1e-9; ++i)
-        {
-            ticks.push_back(i == 0 ? 0 : i * step);
-        }
-        return ticks;
-    }
-    const double decades = std::log10(upper / lower);
-    const int every = std::max(1, static_cast<int>(std::ceil(decades / 9)));
-    const auto inside = [&](double value)
-    { return value >= lower * (1 - 1e-9) && value <= upper * (1 + 1e-9); };
-    for (double exponent = std::floor(std::log10(lower)); exponent <= std::ceil(std::log10(upper));
-         ++exponent)
-    {
-        for (const double factor : {1.0, 2.0, 5.0})
-        {
-            if ((factor == 1 ? std::fmod(exponent, every) == 0 : decades < 2)
-                && inside(factor * std::pow(10, exponent)))
-            {
-                ticks.push_back(factor * std::pow(10, exponent));
-            }
-        }
-    }
-    if (ticks.size() < 2) // less than a factor of two: as a linear axis
-    {
-        return axisTicks(lower, upper, AxisScale::linear);
-    }
-    return ticks;
+    static const ShapeStyle style{.stroke = "#222222", .strokeWidth = 1.3, .dash = {3, 3}};
+    return style;
 }
 
-std::string curveColour(std::size_t index)
+ShapeStyle styleOf(const PlotCurve& curve, const Look& look)
 {
-    return palette[index % palette.size()];
+    return {.stroke = look.colour, .strokeWidth = 1.9, .dash = dash(curve.line)};
 }
 
-Canvas drawnPlot(const Plot& plot)
+AxisRange rangeOf(const Plot& plot, ReferenceDirection along)
 {
-    check(plot);
-    std::vector<double> allX;
-    std::vector<double> allY;
+    const bool isX = along == ReferenceDirection::vertical;
+    std::vector<double> values;
     for (const PlotCurve& curve : plot.curves)
     {
-        allX.insert(allX.end(), curve.x.begin(), curve.x.end());
-        allY.insert(allY.end(), curve.y.begin(), curve.y.end());
+        const std::vector<double>& own = isX ? curve.x : curve.y;
+        values.insert(values.end(), own.begin(), own.end());
     }
     for (const PlotReference& reference : plot.references)
     {
-        (reference.direction == ReferenceDirection::horizontal ? allY : allX).push_back(reference.value);
+        if (reference.direction == along)
+        {
+            values.push_back(reference.value);
+        }
     }
+    return chooseRange(isX ? plot.x : plot.y, values);
+}
 
-    Frame frame{0, 0, 0, 0, chooseRange(plot.x, allX), chooseRange(plot.y, allY)};
-    const std::vector<double> xTicks = axisTicks(frame.x.lower, frame.x.upper, frame.x.scale);
-    const std::vector<double> yTicks = axisTicks(frame.y.lower, frame.y.upper, frame.y.scale);
-    double yLabelRoom = 0;
-    for (const double value : yTicks)
-    {
-        yLabelRoom = std::max(yLabelRoom, textWidth(tickLabel(value, frame.y.scale), 12.5));
-    }
-    double legendRoom = 0;
+/// Width that the legend takes beside the frame [px].
+double roomOfLegend(const Plot& plot)
+{
+    constexpr double beforeText = 16 + textOfKey + 6;
+    double room = 0;
     for (const PlotCurve& curve : plot.curves)
     {
         if (!curve.name.empty())
         {
-            legendRoom = std::max(legendRoom, 58 + textWidth(curve.name, 12.5));
+            room = std::max(room, beforeText + textWidth(curve.name, sizeOfText));
         }
     }
     for (const PlotReference& reference : plot.references)
     {
-        legendRoom = std::max(legendRoom, 58 + textWidth(reference.name, 12.5));
+        room = std::max(room, beforeText + textWidth(reference.name, sizeOfText));
     }
+    return std::max(leastRoom, room + 8);
+}
 
-    frame.left = 44 + yLabelRoom;
-    frame.top = 22 + (plot.title.empty() ? 0 : 26) + (plot.subtitle.empty() ? 0 : 20);
-    frame.width = std::max(160.0, plot.width - frame.left - std::max(24.0, legendRoom + 8));
-    frame.height = std::max(120.0, plot.height - frame.top - 60);
-    Canvas drawing(frame.left + frame.width + std::max(24.0, legendRoom + 8), frame.top + frame.height + 60);
-
+void paintTitles(Canvas& drawing, const Plot& plot, const Frame& frame)
+{
     if (!plot.title.empty())
     {
         drawing.text({frame.left, 30}, plot.title, {.size = 16, .weight = "bold"});
@@ -412,24 +225,21 @@ Canvas drawnPlot(const Plot& plot)
     if (!plot.subtitle.empty())
     {
         drawing.text({frame.left, plot.title.empty() ? 24 : 50}, plot.subtitle,
-                     {.size = 12.5, .fill = "#555555"});
+                     {.size = sizeOfText, .fill = "#555555"});
     }
-    paintAxes(drawing, plot, frame, xTicks, yTicks, yLabelRoom);
+}
 
-    const std::vector<Look> look = looks(plot);
+void paintLines(Canvas& drawing, const Plot& plot, const Frame& frame, const std::vector<Look>& look)
+{
     // As wide as half a line beyond the frame, so that a curve along an axis keeps its width.
     drawing.beginClip("curves", {frame.left - 1, frame.top - 1}, frame.width + 2, frame.height + 2);
     for (const PlotReference& reference : plot.references)
     {
-        const ShapeStyle style{.stroke = "#222222", .strokeWidth = 1.3, .dash = {3, 3}};
-        if (reference.direction == ReferenceDirection::horizontal)
-        {
-            drawing.line(frame(frame.x.lower, reference.value), frame(frame.x.upper, reference.value), style);
-        }
-        else
-        {
-            drawing.line(frame(reference.value, frame.y.lower), frame(reference.value, frame.y.upper), style);
-        }
+        const bool isHorizontal = reference.direction == ReferenceDirection::horizontal;
+        drawing.line(
+            isHorizontal ? frame(frame.x.lower, reference.value) : frame(reference.value, frame.y.lower),
+            isHorizontal ? frame(frame.x.upper, reference.value) : frame(reference.value, frame.y.upper),
+            styleOfReferences());
     }
     for (std::size_t i = 0; i < plot.curves.size(); ++i)
     {
@@ -441,10 +251,14 @@ Canvas drawnPlot(const Plot& plot)
         }
         if (curve.line != CurveLine::none && path.size() > 1)
         {
-            drawing.polyline(path, {.stroke = look[i].colour, .strokeWidth = 1.9, .dash = dash(curve.line)});
+            drawing.polyline(path, styleOf(curve, look[i]));
         }
     }
     drawing.endClip();
+}
+
+void paintMarkers(Canvas& drawing, const Plot& plot, const Frame& frame, const std::vector<Look>& look)
+{
     for (std::size_t i = 0; i < plot.curves.size(); ++i)
     {
         const PlotCurve& curve = plot.curves[i];
@@ -457,9 +271,18 @@ Canvas drawnPlot(const Plot& plot)
             }
         }
     }
+}
 
+void paintLegend(Canvas& drawing, const Plot& plot, const Frame& frame, const std::vector<Look>& look)
+{
     const double x = frame.left + frame.width + 16;
+    const double middle = x + lengthOfKey / 2;
     double y = frame.top + 12;
+    const auto paintName = [&](const std::string& name)
+    {
+        drawing.text({x + textOfKey, y + 4.4}, name, {.size = sizeOfText});
+        y += lineOfKey;
+    };
     for (std::size_t i = 0; i < plot.curves.size(); ++i)
     {
         const PlotCurve& curve = plot.curves[i];
@@ -469,27 +292,57 @@ Canvas drawnPlot(const Plot& plot)
         }
         if (curve.line != CurveLine::none)
         {
-            drawing.line({x, y}, {x + 28, y},
-                         {.stroke = look[i].colour, .strokeWidth = 1.9, .dash = dash(curve.line)});
+            drawing.line({x, y}, {x + lengthOfKey, y}, styleOf(curve, look[i]));
         }
-        paintMarker(drawing, {x + 14, y}, look[i].marker, look[i].colour);
-        drawing.text({x + 36, y + 4.4}, curve.name, {.size = 12.5});
-        y += 20;
+        paintMarker(drawing, {middle, y}, look[i].marker, look[i].colour);
+        paintName(curve.name);
     }
     for (const PlotReference& reference : plot.references)
     {
-        if (reference.direction == ReferenceDirection::horizontal)
-        {
-            drawing.line({x, y}, {x + 28, y}, {.stroke = "#222222", .strokeWidth = 1.3, .dash = {3, 3}});
-        }
-        else
-        {
-            drawing.line({x + 14, y - 8}, {x + 14, y + 8},
-                         {.stroke = "#222222", .strokeWidth = 1.3, .dash = {3, 3}});
-        }
-        drawing.text({x + 36, y + 4.4}, reference.name, {.size = 12.5});
-        y += 20;
+        const bool isHorizontal = reference.direction == ReferenceDirection::horizontal;
+        drawing.line(isHorizontal ? Vector<2>(x, y) : Vector<2>(middle, y - 8),
+                     isHorizontal ? Vector<2>(x + lengthOfKey, y) : Vector<2>(middle, y + 8),
+                     styleOfReferences());
+        paintName(reference.name);
     }
+}
+
+} // namespace
+
+std::string curveColour(std::size_t index)
+{
+    return palette[index % palette.size()];
+}
+
+Canvas drawnPlot(const Plot& plot)
+{
+    checkValues(plot);
+    Frame frame{0,
+                0,
+                0,
+                0,
+                rangeOf(plot, ReferenceDirection::vertical),
+                rangeOf(plot, ReferenceDirection::horizontal)};
+    const std::vector<double> xTicks = axisTicks(frame.x.lower, frame.x.upper, frame.x.scale);
+    const std::vector<double> yTicks = axisTicks(frame.y.lower, frame.y.upper, frame.y.scale);
+    double yLabelRoom = 0;
+    for (const double value : yTicks)
+    {
+        yLabelRoom = std::max(yLabelRoom, textWidth(tickLabel(value, frame.y.scale), sizeOfText));
+    }
+    const double legendRoom = roomOfLegend(plot);
+    frame.left = 44 + yLabelRoom;
+    frame.top = 22 + (plot.title.empty() ? 0 : 26) + (plot.subtitle.empty() ? 0 : 20);
+    frame.width = std::max(160.0, plot.width - frame.left - legendRoom);
+    frame.height = std::max(120.0, plot.height - frame.top - 60);
+
+    Canvas drawing(frame.left + frame.width + legendRoom, frame.top + frame.height + 60);
+    const std::vector<Look> look = looks(plot);
+    paintTitles(drawing, plot, frame);
+    paintAxes(drawing, plot, frame, xTicks, yTicks, yLabelRoom);
+    paintLines(drawing, plot, frame, look);
+    paintMarkers(drawing, plot, frame, look);
+    paintLegend(drawing, plot, frame, look);
     return drawing;
 }
 

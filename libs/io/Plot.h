@@ -4,6 +4,7 @@
 
 #include "io/PictureFile.h"
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -43,6 +44,9 @@ enum class CurveMarker
     diamond,
     triangle,
 };
+/// Those that differ, in the order in which curves get them.
+inline constexpr std::array curveMarkers{CurveMarker::circle, CurveMarker::square, CurveMarker::diamond,
+                                         CurveMarker::triangle};
 
 struct PlotCurve
 {

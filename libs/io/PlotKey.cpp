@@ -12,8 +12,6 @@ namespace
 
 constexpr std::size_t mostColours = 7; // of the palette
 constexpr std::array lines{CurveLine::solid, CurveLine::dashed, CurveLine::dotted};
-constexpr std::array markers{CurveMarker::circle, CurveMarker::square, CurveMarker::diamond,
-                             CurveMarker::triangle};
 constexpr const char* neutral = "#444444";
 
 /// The value of each curve, of one setting or of several together, and the values there are, in the order of
@@ -68,7 +66,7 @@ bool lookBySettings(std::vector<PlotCurve>& curves, const std::vector<std::vecto
     const Values dashes = valuesOf(words, {settings.back()});
     const Values shapes = valuesOf(words, {settings.begin() + 1, settings.end() - 1});
     if (colours.all.size() > mostColours || dashes.all.size() > lines.size()
-        || shapes.all.size() > markers.size())
+        || shapes.all.size() > curveMarkers.size())
     {
         return false;
     }
@@ -77,7 +75,7 @@ bool lookBySettings(std::vector<PlotCurve>& curves, const std::vector<std::vecto
         curves[i].name.clear();
         curves[i].colour = curveColour(colours.indexOf(i));
         curves[i].line = lines[dashes.indexOf(i)];
-        curves[i].marker = markers[shapes.indexOf(i)];
+        curves[i].marker = curveMarkers[shapes.indexOf(i)];
     }
     for (std::size_t i = 0; i < colours.all.size(); ++i)
     {
@@ -89,7 +87,7 @@ bool lookBySettings(std::vector<PlotCurve>& curves, const std::vector<std::vecto
     }
     for (std::size_t i = 0; i < shapes.all.size() && shapes.all.size() > 1; ++i)
     {
-        curves.push_back({shapes.all[i], {}, {}, CurveLine::none, markers[i], neutral});
+        curves.push_back({shapes.all[i], {}, {}, CurveLine::none, curveMarkers[i], neutral});
     }
     return true;
 }

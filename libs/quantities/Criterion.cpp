@@ -48,13 +48,13 @@ CriterionMaker makeMotion(const MotionSettings& settings, const Dictionary& dict
                    { return above(farthestCorner(assembly, location), settings.displacement); });
 }
 
-struct DisplacementSettings
+struct DisplacementLimit
 {
     std::optional<int> block;
     double limit = 0;
 };
 
-void declare(Options& options, DisplacementSettings& settings)
+void declare(Options& options, DisplacementLimit& settings)
 {
     declareBlock(options, settings.block);
     options.required("limit", settings.limit, "of the displacement of the mass centre")
@@ -63,7 +63,7 @@ void declare(Options& options, DisplacementSettings& settings)
         .example("0.05");
 }
 
-CriterionMaker makeDisplacement(const DisplacementSettings& settings, const Dictionary& dictionary)
+CriterionMaker makeDisplacementCriterion(const DisplacementLimit& settings, const Dictionary& dictionary)
 {
     return forBoth(
         [settings, location = dictionary.locationOf("block")]<int Dim>(const Assembly<Dim>& assembly)
@@ -129,8 +129,8 @@ const Registry<CriterionMaker>& criterionTypes()
     static const Registry<CriterionMaker> registry{
         "criterion",
         {model<CriterionMaker, MotionSettings>("motion", "something moves at all", makeMotion),
-         model<CriterionMaker, DisplacementSettings>("displacement", "a block is displaced by more than this",
-                                                     makeDisplacement),
+         model<CriterionMaker, DisplacementLimit>("displacement", "a block is displaced by more than this",
+                                                  makeDisplacementCriterion),
          model<CriterionMaker, RotationSettings>("rotation", "a block turns by more than this", makeRotation),
          model<CriterionMaker, CollapseSettings>("collapse", "a block falls", makeCollapse)}};
     return registry;

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The capacity curve of a structure: limit analysis of each position on the way of its mechanism.
 #include "statics/Pushover.h"
 
 #include "conic/form/Form.h"
@@ -89,6 +90,242 @@ const std::vector<Vector<3>>& cornersOf(const Block<3>& block)
     return block.shape.vertices;
 }
 
+/// A structure on its way, position by position: contacts and gaps, the program of the position, and the
+/// motion to the next.
+template<int Dim>
+class PushoverPath
+{
+public:
+    PushoverPath(const PushoverScene<Dim>& structure, const PushoverSettings& pushoverSettings,
+                 const InteriorPointSettings& solverSettings, const PushoverObserver<Dim>& observer);
+
+    Pushover follow();
+
+private:
+    void findContacts();
+    void setGaps();
+    void solvePosition(bool isFirst);
+    PushoverEnd reasonWhyUnsolved(bool isFirst);
+    void keepPoint();
+    void goBackToZero();
+    Eigen::VectorXd motionAboutMiddle();
+    bool moveOn();
+
+    const PushoverScene<Dim>& scene;
+    const PushoverSettings& settings;
+    const InteriorPointSettings& solver;
+    const PushoverObserver<Dim>& observe;
+
+    std::vector<BlockMass<Dim>> masses;
+    std::vector<int> free;
+    std::vector<double> radius; ///< of each block, about its mass centre [m]
+    double liveForce = 0;       ///< sum over the blocks [N]
+    double margin;              ///< gaps up to this are contacts to come [m]
+    PushoverContacts<Dim> contacts;
+
+    std::vector<Placement<Dim>> placements;
+    std::vector<ContactPoint<Dim>> points;
+    StaticProgram<Dim> program;
+    SymbolicAnalysis symbolic; ///< of the last program: blocks touch the same ones for many steps
+    ConeSolution solution;
+    double work; ///< of the live load in a step [J]
+    CapacityPoint point;
+    Pushover result;
+};
+
+template<int Dim>
+PushoverPath<Dim>::PushoverPath(const PushoverScene<Dim>& structure, const PushoverSettings& pushoverSettings,
+                                const InteriorPointSettings& solverSettings,
+                                const PushoverObserver<Dim>& observer)
+    : scene(structure),
+      settings(pushoverSettings),
+      solver(solverSettings),
+      observe(observer),
+      masses(blockMasses(scene.assembly)),
+      free(freeIndices(scene.assembly)),
+      radius(masses.size(), 0),
+      margin(farthestContact * meanBlockSize(scene.assembly)),
+      contacts(scene.assembly),
+      placements(scene.assembly.blocks.size())
+{
+    for (std::size_t block = 0; block < masses.size(); ++block)
+    {
+        for (const Vector<Dim>& corner : cornersOf(scene.assembly.blocks[block]))
+        {
+            radius[block] = std::max(radius[block], (corner - masses[block].centroid).norm());
+        }
+    }
+    for (Eigen::Index row = 0; row < scene.loads.live.size(); row += freedomCount<Dim>)
+    {
+        liveForce += scene.loads.live.template segment<Dim>(row).norm();
+    }
+    program.bodies = static_cast<int>(scene.loads.dead.size() / freedomCount<Dim>);
+    program.load = scene.loads.dead;
+    program.liveLoad = scene.loads.live;
+    work = settings.step * liveForce;
+}
+
+/// Points of the position, with the columns and gaps of the program.
+template<int Dim>
+void PushoverPath<Dim>::findContacts()
+{
+    points = contacts.update(placements, margin);
+    program.friction.assign(points.size(), scene.mu);
+    setColumns(program, scene, masses, placements, points);
+    setGaps();
+}
+
+template<int Dim>
+void PushoverPath<Dim>::setGaps()
+{
+    program.gap = Eigen::VectorXd::Zero(Dim * program.points());
+    for (int i = 0; i < program.points(); ++i)
+    {
+        program.gap[Dim * i] = points[i].gap / work; // y of the program belongs to unit work
+    }
+}
+
+/// Where the program is not solved: a shorter step, overlaps of the last steps that cannot all be undone left
+/// as they are, and in the end a coarser tolerance, which the certificate of the point tells.
+template<int Dim>
+void PushoverPath<Dim>::solvePosition(bool isFirst)
+{
+    solution = solveInteriorPoint(program, solver, &symbolic);
+    for (const Attempt& attempt : attempts)
+    {
+        if (isFirst || solution.status == SolveStatus::optimal)
+        {
+            return;
+        }
+        work *= attempt.step;
+        setGaps();
+        if (attempt.overlaps == Overlaps::stay)
+        {
+            program.gap = program.gap.cwiseMax(0);
+        }
+        InteriorPointSettings coarser = solver;
+        coarser.tolerance = std::max(solver.tolerance, attempt.tolerance);
+        coarser.maximumIterations = std::max(solver.maximumIterations, patience);
+        solution = solveInteriorPoint(program, coarser, &symbolic);
+    }
+}
+
+template<int Dim>
+PushoverEnd PushoverPath<Dim>::reasonWhyUnsolved(bool isFirst)
+{
+    StaticProgram<Dim> dead = program;
+    dead.liveLoad.resize(0);
+    dead.gap.resize(0);
+    if (solveInteriorPoint(dead, solver, &symbolic).status == SolveStatus::infeasible)
+    {
+        return isFirst ? PushoverEnd::unstable : PushoverEnd::falling;
+    }
+    return solution.status == SolveStatus::unbounded ? PushoverEnd::unbounded : PushoverEnd::notConverged;
+}
+
+template<int Dim>
+void PushoverPath<Dim>::keepPoint()
+{
+    result.curve.push_back(point);
+    observe(point, placements);
+}
+
+/// The place between the last two positions at which the multiplier is zero.
+template<int Dim>
+void PushoverPath<Dim>::goBackToZero()
+{
+    if (!result.curve.empty())
+    {
+        const CapacityPoint& before = result.curve.back();
+        const double share = before.alpha / (before.alpha - point.alpha);
+        point.displacement = before.displacement + share * (point.displacement - before.displacement);
+        point.largest = before.largest + share * (point.largest - before.largest);
+    }
+    point.alpha = 0;
+}
+
+/// The motion by the columns in the middle of the step, with the gaps of its beginning.
+template<int Dim>
+Eigen::VectorXd PushoverPath<Dim>::motionAboutMiddle()
+{
+    std::vector<double> gaps;
+    for (const ContactPoint<Dim>& at : points)
+    {
+        gaps.push_back(at.gap);
+    }
+    const std::vector<Placement<Dim>> middle = pushedOn(placements, free, solution.displacement, work / 2);
+    contacts.measure(middle, points);
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+        points[i].gap = gaps[i];
+    }
+    setColumns(program, scene, masses, middle, points);
+    setGaps();
+    ConeSolution motion = solveInteriorPoint(program, solver, &symbolic);
+    return motion.status == SolveStatus::optimal ? motion.displacement : solution.displacement;
+}
+
+/// \return false where blocks meet without a contact to part them
+template<int Dim>
+bool PushoverPath<Dim>::moveOn()
+{
+    const double rate = largestOf<Dim>(radius, free, solution.displacement);
+    work = std::max(settings.step / rate, leastWork * settings.step * liveForce);
+    const Eigen::VectorXd displacement = motionAboutMiddle();
+    placements = pushedOn(std::move(placements), free, displacement, work);
+    point.displacement += work / liveForce;
+    point.largest += work * largestOf<Dim>(radius, free, displacement);
+    result.overlap = contacts.missed(placements);
+    return result.overlap.block < 0;
+}
+
+template<int Dim>
+Pushover PushoverPath<Dim>::follow()
+{
+    for (int step = 0; step <= settings.maximumSteps; ++step)
+    {
+        const bool isFirst = step == 0;
+        findContacts();
+        solvePosition(isFirst);
+        if (solution.status != SolveStatus::optimal)
+        {
+            result.end = reasonWhyUnsolved(isFirst);
+            if (result.end == PushoverEnd::falling)
+            {
+                point.alpha = 0;
+                keepPoint();
+            }
+            return std::move(result);
+        }
+        point.alpha = solution.multiplier;
+        point.worst = certify(program, solution).worst();
+        point.iterations = solution.iterations;
+        if (isFirst && point.alpha < 0)
+        {
+            result.end = PushoverEnd::unstable;
+            return std::move(result);
+        }
+        const bool isOverturned = point.alpha <= 0;
+        if (isOverturned)
+        {
+            goBackToZero();
+        }
+        keepPoint();
+        if (isOverturned)
+        {
+            result.end = PushoverEnd::overturned;
+            return std::move(result);
+        }
+        if (!moveOn())
+        {
+            result.end = PushoverEnd::meeting;
+            return std::move(result);
+        }
+    }
+    result.end = PushoverEnd::stepsUsedUp;
+    return std::move(result);
+}
+
 } // namespace
 
 void declare(Options& options, PushoverSettings& settings)
@@ -103,143 +340,7 @@ template<int Dim>
 Pushover solvePushover(const PushoverScene<Dim>& scene, const PushoverSettings& settings,
                        const InteriorPointSettings& solver, const PushoverObserver<Dim>& observe)
 {
-    const std::vector<BlockMass<Dim>> masses = blockMasses(scene.assembly);
-    const std::vector<int> free = freeIndices(scene.assembly);
-    std::vector<double> radius(masses.size(), 0);
-    for (std::size_t block = 0; block < masses.size(); ++block)
-    {
-        for (const Vector<Dim>& corner : cornersOf(scene.assembly.blocks[block]))
-        {
-            radius[block] = std::max(radius[block], (corner - masses[block].centroid).norm());
-        }
-    }
-    double liveForce = 0;
-    for (Eigen::Index row = 0; row < scene.loads.live.size(); row += freedomCount<Dim>)
-    {
-        liveForce += scene.loads.live.template segment<Dim>(row).norm();
-    }
-
-    StaticProgram<Dim> program;
-    program.bodies = static_cast<int>(scene.loads.dead.size() / freedomCount<Dim>);
-    program.load = scene.loads.dead;
-    program.liveLoad = scene.loads.live;
-    PushoverContacts<Dim> contacts(scene.assembly);
-    const double margin = farthestContact * meanBlockSize(scene.assembly);
-    std::vector<Placement<Dim>> placements(scene.assembly.blocks.size());
-    Pushover result;
-    CapacityPoint point;
-    SymbolicAnalysis symbolic;               // of the last program: blocks touch the same ones for many steps
-    double work = settings.step * liveForce; // of the live load in a step
-    for (int step = 0; step <= settings.maximumSteps; ++step)
-    {
-        std::vector<ContactPoint<Dim>> points = contacts.update(placements, margin);
-        program.friction.assign(points.size(), scene.mu);
-        const auto setGaps = [&]
-        {
-            program.gap = Eigen::VectorXd::Zero(Dim * program.points());
-            for (int i = 0; i < program.points(); ++i)
-            {
-                program.gap[Dim * i] = points[i].gap / work; // y of the program belongs to unit work
-            }
-        };
-        setColumns(program, scene, masses, placements, points);
-        setGaps();
-        ConeSolution solution = solveInteriorPoint(program, solver, &symbolic);
-        // Where that fails: a shorter step, overlaps of the last steps that cannot all be undone left as they
-        // are, and in the end a coarser tolerance, which the certificate of the point tells.
-        for (const Attempt& attempt : attempts)
-        {
-            if (step == 0 || solution.status == SolveStatus::optimal)
-            {
-                break;
-            }
-            work *= attempt.step;
-            setGaps();
-            if (attempt.overlaps == Overlaps::stay)
-            {
-                program.gap = program.gap.cwiseMax(0);
-            }
-            InteriorPointSettings coarser = solver;
-            coarser.tolerance = std::max(solver.tolerance, attempt.tolerance);
-            coarser.maximumIterations = std::max(solver.maximumIterations, patience);
-            solution = solveInteriorPoint(program, coarser, &symbolic);
-        }
-        if (solution.status != SolveStatus::optimal)
-        {
-            StaticProgram<Dim> dead = program;
-            dead.liveLoad.resize(0);
-            dead.gap.resize(0);
-            const bool falls = solveInteriorPoint(dead, solver, &symbolic).status == SolveStatus::infeasible;
-            result.end = falls ? (step == 0 ? PushoverEnd::unstable : PushoverEnd::falling)
-                         : solution.status == SolveStatus::unbounded ? PushoverEnd::unbounded
-                                                                     : PushoverEnd::notConverged;
-            if (result.end == PushoverEnd::falling)
-            {
-                point.alpha = 0;
-                result.curve.push_back(point);
-                observe(point, placements);
-            }
-            return result;
-        }
-        point.alpha = solution.multiplier;
-        point.worst = certify(program, solution).worst();
-        point.iterations = solution.iterations;
-        if (step == 0 && point.alpha < 0)
-        {
-            result.end = PushoverEnd::unstable;
-            return result;
-        }
-        if (point.alpha <= 0)
-        {
-            // Between the last two positions.
-            const CapacityPoint& before = result.curve.back();
-            const double share = before.alpha / (before.alpha - point.alpha);
-            point.displacement = before.displacement + share * (point.displacement - before.displacement);
-            point.largest = before.largest + share * (point.largest - before.largest);
-            point.alpha = 0;
-            result.curve.push_back(point);
-            observe(point, placements);
-            result.end = PushoverEnd::overturned;
-            return result;
-        }
-        result.curve.push_back(point);
-        observe(point, placements);
-
-        const double rate = largestOf<Dim>(radius, free, solution.displacement);
-        work = std::max(settings.step / rate, leastWork * settings.step * liveForce);
-        const std::vector<double> gaps = [&]
-        {
-            std::vector<double> now;
-            for (const ContactPoint<Dim>& at : points)
-            {
-                now.push_back(at.gap);
-            }
-            return now;
-        }();
-        const std::vector<Placement<Dim>> middle =
-            pushedOn(placements, free, solution.displacement, work / 2);
-        contacts.measure(middle, points);
-        for (std::size_t i = 0; i < points.size(); ++i)
-        {
-            points[i].gap = gaps[i];
-        }
-        setColumns(program, scene, masses, middle, points);
-        setGaps();
-        ConeSolution motion = solveInteriorPoint(program, solver, &symbolic);
-        const Eigen::VectorXd& displacement =
-            motion.status == SolveStatus::optimal ? motion.displacement : solution.displacement;
-        placements = pushedOn(std::move(placements), free, displacement, work);
-        result.overlap = contacts.missed(placements);
-        if (result.overlap.block >= 0)
-        {
-            result.end = PushoverEnd::meeting;
-            return result;
-        }
-        point.displacement += work / liveForce;
-        point.largest += work * largestOf<Dim>(radius, free, displacement);
-    }
-    result.end = PushoverEnd::stepsUsedUp;
-    return result;
+    return PushoverPath<Dim>(scene, settings, solver, observe).follow();
 }
 
 template Pushover solvePushover(const PushoverScene<2>& scene, const PushoverSettings& settings,

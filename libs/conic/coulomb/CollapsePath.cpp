@@ -26,7 +26,7 @@ constexpr double beyondLaw = 1e-9;
 /// A direction is refined, for what the regularisation and missing pivots have changed, until the residual is
 /// so small a share of its largest entry, at the end of the path smaller. What is larger than `accepted`
 /// after that is wrong.
-constexpr int mostRefinements = 8;
+constexpr int mostRefinementsOfCollapse = 8;
 constexpr double sufficient = 1e-12;
 constexpr double refined = 1e-14;
 constexpr double accepted = 1e-9;
@@ -192,7 +192,7 @@ double CollapsePath<Rows, Forces>::refineDirection(double enough)
 {
     double before = std::numeric_limits<double>::infinity();
     VectorXd closing = scaled.columnsTransposedTimes(direction);
-    for (int round = 0; round < mostRefinements; ++round)
+    for (int round = 0; round < mostRefinementsOfCollapse; ++round)
     {
         const VectorXd residual = alphaRate * scaled.liveLoad - scaled.columnsTimes(scaled.forcesOf(closing));
         const double error = residual.lpNorm<Eigen::Infinity>();

@@ -13,8 +13,6 @@ namespace drystone
 namespace
 {
 
-using EdgeRange = std::vector<FaceEdge>::const_iterator;
-
 /// Coplanar regions of more faces than this are merged as a whole or not at all: piece by piece takes time of
 /// the order of their square.
 constexpr std::size_t mostPieces = 500;
@@ -84,7 +82,7 @@ public:
             normals.push_back(areas.back() > 0 ? Vector<3>(area / areas.back()) : Vector<3>::Zero());
         }
         visitEdges(edges,
-                   [&](EdgeRange first, EdgeRange last)
+                   [&](EdgeIterator first, EdgeIterator last)
                    {
                        if (last - first != 2)
                        {

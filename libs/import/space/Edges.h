@@ -22,6 +22,9 @@ struct FaceEdge
     int high() const { return std::max(from, to); }
 };
 
+/// Into a list of edges.
+using EdgeIterator = std::vector<FaceEdge>::const_iterator;
+
 inline bool areSameEdge(const FaceEdge& a, const FaceEdge& b)
 {
     return a.low() == b.low() && a.high() == b.high();

@@ -16,8 +16,6 @@ namespace drystone
 namespace
 {
 
-using EdgeRange = std::vector<FaceEdge>::const_iterator;
-
 int rootOf(std::vector<int>& parents, int index)
 {
     while (parents[index] != index)
@@ -54,7 +52,7 @@ Vector<3> sideOf(const Polyhedron& mesh, const FaceEdge& edge, const Vector<3>& 
 /// Of more than two faces at an edge those that bound a solid across it belong together. Seen along the edge,
 /// a face that runs along it from low to high vertex has its solid on the side towards smaller angles (faces
 /// are turned outwards, counter-clockwise), one that runs back towards larger ones.
-void joinAround(const Polyhedron& mesh, EdgeRange first, EdgeRange last, std::vector<int>& parents)
+void joinAround(const Polyhedron& mesh, EdgeIterator first, EdgeIterator last, std::vector<int>& parents)
 {
     const Vector<3> origin = mesh.vertices[first->low()];
     const Vector<3> whole = mesh.vertices[first->high()] - origin;
@@ -198,7 +196,7 @@ std::vector<Polyhedron> parted(const Polyhedron& mesh)
     std::iota(parents.begin(), parents.end(), 0);
     const std::vector<FaceEdge> edges = sortedEdges(mesh);
     visitEdges(edges,
-               [&](EdgeRange first, EdgeRange last)
+               [&](EdgeIterator first, EdgeIterator last)
                {
                    constexpr int most = 64; // more faces at an edge are of no solids that one builds with
                    if (last - first == 2)
@@ -239,11 +237,11 @@ int turnOutwards(Polyhedron& mesh)
     bool doAgree = true;
     const std::vector<FaceEdge> edges = sortedEdges(mesh);
     visitEdges(edges,
-               [&](EdgeRange first, EdgeRange last)
+               [&](EdgeIterator first, EdgeIterator last)
                {
                    if (last - first == 2)
                    {
-                       const EdgeRange second = std::next(first);
+                       const EdgeIterator second = std::next(first);
                        const bool isTurned = first->from == second->from;
                        doAgree = doAgree && !isTurned;
                        neighbours[first->face].emplace_back(second->face, isTurned);

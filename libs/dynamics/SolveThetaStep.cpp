@@ -1,0 +1,375 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The programs in turn that lead to the solution of a theta step.
+#include "dynamics/ThetaStep.h"
+
+#include "conic/form/Form.h"
+#include "dynamics/AcceleratedIteration.h"
+#include "dynamics/CoulombFlow.h"
+#include "dynamics/FollowedFlow.h"
+#include "dynamics/RestingStep.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace drystone
+{
+namespace
+{
+
+constexpr int maximumPrograms = 60;
+
+/// Of the fixed point from the motion that was expected; then once more from the associative solution, as if
+/// they stuck. Where no sliding motion exists (Painleve's rod) only that leads to the solution. Before it,
+/// Newton's method from no forces at all: just above a threshold Coulomb's motion is thousands of times the
+/// associative one, near which it is not (a prism that begins to slide in a groove).
+constexpr int programsToRestart = 30;
+
+/// Newton's method reaches Coulomb's law exactly, most often from the first program or the second, and is
+/// tried after both, in an impact after the first. From the fourth program on the law may have the error
+/// below: one point of hundreds that would neither slide nor stick makes steps without an end.
+constexpr int programsToExactFlow = 4;
+constexpr int newtonSteps = 60; // nearly all tries that end take less than 50
+
+/// Impacts of a wall hit 150 points at once, where Newton's method seldom ends.
+constexpr int newtonStepsOfImpact = 20;
+
+/// The error of mu |u_t| may be this share of what the step changes the motion by, and after so many programs
+/// the larger one: just above a threshold the fixed point is not reached closer.
+constexpr double shareOfStep = 1e-2;
+constexpr double largerShareOfStep = 5e-2;
+constexpr int programsToLargerShare = 15;
+constexpr double nearlySolved = 1000; // times the tolerance
+
+/// \return whether the displacements are those that the contact forces give the blocks
+template<int Dim>
+bool solveOnce(ThetaStep& step, const StepProgram<Dim>& program, const SolverChoice& solver,
+               const ConeSolution& start, SymbolicAnalysis* symbolic)
+{
+    ConeSolution solution = solveCounted(step, program, solver, start, symbolic);
+    ++step.programs;
+    step.status = solution.status;
+    bool isBalanced = false;
+    if (solution.status == SolveStatus::optimal)
+    {
+        const Eigen::VectorXd outOfBalance = program.load - applyEquilibrium(program, solution.contactForce);
+        if (mayRest(program, outOfBalance) && standsStill(step, program, solver, solution, symbolic))
+        {
+            return false;
+        }
+        ConeSolution balanced = solution;
+        balanced.displacement = displacementUnder(program, outOfBalance);
+        const Certificate certificate = certifyOptimal(program, balanced);
+        isBalanced = certificate.worst() <= solver.tolerance;
+        if (isBalanced)
+        {
+            step.certificate = certificate;
+            solution = std::move(balanced);
+        }
+    }
+    if (!isBalanced)
+    {
+        step.certificate = certifyOptimal(program, solution);
+    }
+    step.displacement = std::move(solution.displacement);
+    step.contactForce = std::move(solution.contactForce);
+    step.closing = applyTransposed(program, step.displacement);
+    return isBalanced;
+}
+
+/// Whether another program would go beyond the work allowed.
+template<int Dim>
+bool isWorkUsedUp(const StepSettings& settings, const ThetaStep& step, const StepProgram<Dim>& program)
+{
+    return settings.work
+           && settings.work->done
+                      + workOf(step.iterations, step.factorisations, program.points(), program.bodies)
+                  > settings.work->mostOfAttempt;
+}
+
+/// The solver's choice with no more iterations a program than the work left to the step allows for, but as
+/// many as an ordinary program takes: the one that crosses the border is brought to its end, not beyond.
+template<int Dim>
+SolverChoice withinWork(const StepSettings& settings, const ThetaStep& step, const StepProgram<Dim>& program)
+{
+    constexpr double ordinary = 30;
+    SolverChoice choice = settings.solver;
+    if (settings.work)
+    {
+        const double left = settings.work->most - settings.work->done
+                            - workOf(step.iterations, step.factorisations, program.points(), program.bodies);
+        const double iterations = left / workOf(1, 1, program.points(), program.bodies);
+        choice.maximumIterations =
+            static_cast<int>(std::min<double>(choice.maximumIterations, std::max(ordinary, iterations)));
+    }
+    return choice;
+}
+
+/// A step between the programs that lead to its solution. Each program is linearised about the motion that
+/// the last one found, with the gaps that Coulomb's law opens by it.
+template<int Dim>
+class StepSearch
+{
+public:
+    StepSearch(StepProgram<Dim> stepProgram, const StepSettings& stepSettings, const StepGuess& stepGuess,
+               const Relinearisation<Dim>& relinearisation, SymbolicAnalysis* keptAnalysis)
+        : program(std::move(stepProgram)),
+          settings(stepSettings),
+          guess(stepGuess),
+          relinearise(relinearisation),
+          symbolic(keptAnalysis),
+          isGuessed(stepGuess.displacement.size() > 0),
+          isCoulomb(stepSettings.flowRule == FlowRule::nonAssociative),
+          isImpact(stepSettings.kind == StepKind::impact)
+    {
+        step.interior = guess.interior;
+    }
+
+    ThetaStep solve();
+
+private:
+    void flyFreely();
+    bool rests();
+    void chooseStart();
+    bool isNewtonsTurn() const;
+    bool reachesFlow();
+    bool solveProgram();
+    bool isOfNoUse() const;
+    bool meetsFlow(bool isBalanced);
+    bool meetsGaps();
+    SymbolicAnalysis& analysis() { return symbolic ? *symbolic : ownAnalysis; }
+
+    ThetaStep step;
+    StepProgram<Dim> program;
+    const StepSettings& settings;
+    const StepGuess& guess;
+    const Relinearisation<Dim>& relinearise;
+    SymbolicAnalysis* symbolic;
+    SymbolicAnalysis ownAnalysis; ///< where none is kept
+    bool isGuessed;
+    bool isCoulomb;
+    bool isImpact;
+
+    ConeSolution start;
+    Eigen::VectorXd expected; ///< motion of the blocks, by the guess
+    Eigen::VectorXd imposed;  ///< share of the gaps that Coulomb's law opens, one a point
+    Eigen::VectorXd gap;      ///< of the program without that share
+    AcceleratedIteration fixedPoint;
+};
+
+/// Without contact points.
+template<int Dim>
+void StepSearch<Dim>::flyFreely()
+{
+    step.displacement = displacementUnder(program, program.load);
+    if constexpr (Dim == 3)
+    {
+        if (relinearise) // blocks that turn
+        {
+            step.contactForce.resize(0);
+            relinearise(step.displacement, step.contactForce, program);
+            keepMomenta(step, program, relinearise);
+        }
+    }
+    step.status = SolveStatus::optimal;
+}
+
+/// Whether the blocks stay at rest, by forces near those of the guess.
+template<int Dim>
+bool StepSearch<Dim>::rests()
+{
+    start.displacement = guess.displacement;
+    start.contactForce = guess.contactForce.size() == Dim * program.points()
+                             ? guess.contactForce
+                             : Eigen::VectorXd::Zero(Dim * program.points());
+    Rest rest = restWith(program, start.contactForce);
+    step.initialResidual = rest.certificate.worst();
+    return comesToRest(step, program, std::move(rest), settings.solver.tolerance);
+}
+
+template<int Dim>
+void StepSearch<Dim>::chooseStart()
+{
+    start.interior = step.interior;
+    if (start.contactForce.template lpNorm<Eigen::Infinity>() > 0)
+    {
+        // Where the forces of the last step would take the blocks: in steady motion that is nearly the
+        // solution.
+        start.displacement =
+            displacementUnder(program, program.load - applyEquilibrium(program, start.contactForce));
+    }
+    imposed = isCoulomb && isGuessed
+                  ? dilatancy(program, applyTransposed(program, guess.displacement), start.contactForce)
+                  : Eigen::VectorXd(Eigen::VectorXd::Zero(program.points()));
+    if (relinearise && isGuessed)
+    {
+        // About the expected motion, so that what is left is of second order in the acceleration of blocks.
+        relinearise(guess.displacement, start.contactForce, program);
+    }
+    expected = isGuessed ? guess.displacement : Eigen::VectorXd(Eigen::VectorXd::Zero(program.load.size()));
+}
+
+template<int Dim>
+bool StepSearch<Dim>::isNewtonsTurn() const
+{
+    return isCoulomb && !program.hasCompliance()
+           && (step.programs == 1 || (step.programs == 2 && !isImpact) || step.programs == programsToRestart);
+}
+
+/// Whether Coulomb's law is reached by following forces or by Newton's method; otherwise the step is as it
+/// was.
+template<int Dim>
+bool StepSearch<Dim>::reachesFlow()
+{
+    program.gap = gap;
+    if (step.programs == 1 && followFlow(step, program, start, settings, relinearise, analysis()))
+    {
+        return true;
+    }
+    ConeSolution from = start;
+    if (step.programs == programsToRestart) // from nothing
+    {
+        from.displacement = expected;
+        from.contactForce.setZero();
+    }
+    return solveFlow(step, program, std::move(from), expected, settings, relinearise,
+                     {isImpact ? newtonStepsOfImpact : newtonSteps, settings.contactTolerance}, analysis());
+}
+
+/// The next program. \return whether the displacements are those that the contact forces give the blocks
+template<int Dim>
+bool StepSearch<Dim>::solveProgram()
+{
+    for (int point = 0; isCoulomb && point < program.points(); ++point)
+    {
+        program.gap[Dim * point] = gap[Dim * point] + imposed[point];
+    }
+    return solveOnce(step, program, withinWork(settings, step, program), start, symbolic);
+}
+
+/// Whether no further program can begin with the last one's solution. Only the last program of Coulomb's law
+/// has to be solved to the tolerance.
+template<int Dim>
+bool StepSearch<Dim>::isOfNoUse() const
+{
+    return step.status != SolveStatus::optimal
+           && (!isCoulomb || step.certificate.worst() > nearlySolved * settings.solver.tolerance
+               || step.programs == maximumPrograms);
+}
+
+/// Whether the gaps that the motion opens by Coulomb's law are those that the program had; the next has new
+/// ones.
+template<int Dim>
+bool StepSearch<Dim>::meetsFlow(bool isBalanced)
+{
+    const double tolerance = settings.solver.tolerance;
+    const Eigen::VectorXd opening = dilatancy(program, step.closing, step.contactForce);
+    const double least = tolerance * step.contactForce.template lpNorm<Eigen::Infinity>();
+    const double change = errorOfFlow<Dim>(imposed, opening, gap, step, least);
+    const double exact =
+        std::max(1e-12 * settings.blockSize, 10 * tolerance * opening.template lpNorm<Eigen::Infinity>());
+    // Otherwise a small part of what the step itself does: with steps so short that gravity moves a
+    // block by less than some length, any force at all would do. Nor less than what a program
+    // certified to its tolerance determines.
+    const double moved = (step.displacement - expected).template lpNorm<Eigen::Infinity>();
+    const double share = step.programs < programsToLargerShare ? shareOfStep : largerShareOfStep;
+    const double certified = tolerance
+                             * std::max(step.displacement.template lpNorm<Eigen::Infinity>(),
+                                        gap.template lpNorm<Eigen::Infinity>());
+    const bool isExact =
+        !isImpact
+        && (step.programs < programsToExactFlow || (!isBalanced && step.programs < programsToLargerShare));
+    step.flowError = change;
+    imposed = fixedPoint.next(imposed, opening);
+    if (step.programs == programsToRestart)
+    {
+        fixedPoint = {};
+        imposed.setZero();
+    }
+    return change <= (isExact ? exact : std::max({exact, certified, share * moved}));
+}
+
+/// Whether the gaps at the end of the motion are those of the linearised program; the next is linearised
+/// about it.
+template<int Dim>
+bool StepSearch<Dim>::meetsGaps()
+{
+    program.gap = gap;
+    const double error = relinearise(step.displacement, step.contactForce, program);
+    gap = program.gap;
+    return error <= settings.contactTolerance;
+}
+
+template<int Dim>
+ThetaStep StepSearch<Dim>::solve()
+{
+    if (program.points() == 0)
+    {
+        flyFreely();
+        return std::move(step);
+    }
+    if (rests())
+    {
+        return std::move(step);
+    }
+    chooseStart();
+    if (isCoulomb && goesOnFromLastStep(step, program, start, expected, settings, relinearise, analysis()))
+    {
+        return std::move(step);
+    }
+    gap = program.gap;
+    for (;;)
+    {
+        if (isNewtonsTurn() && reachesFlow())
+        {
+            return std::move(step);
+        }
+        const bool isBalanced = solveProgram();
+        if (isOfNoUse())
+        {
+            return std::move(step);
+        }
+        start.displacement = step.displacement;
+        start.contactForce = step.contactForce;
+        start.interior = step.interior;
+        bool stands = step.status == SolveStatus::optimal;
+        if (isCoulomb)
+        {
+            stands = meetsFlow(isBalanced) && stands;
+        }
+        if (relinearise)
+        {
+            stands = meetsGaps() && stands;
+        }
+        if (stands)
+        {
+            if (relinearise && isBalanced)
+            {
+                keepMomenta(step, program, relinearise);
+            }
+            return std::move(step);
+        }
+        if (step.programs == maximumPrograms || isWorkUsedUp(settings, step, program))
+        {
+            step.status = SolveStatus::notConverged;
+            return std::move(step);
+        }
+    }
+}
+
+} // namespace
+
+template<int Dim>
+ThetaStep solveThetaStep(StepProgram<Dim> program, const StepSettings& settings, const StepGuess& guess,
+                         const Relinearisation<Dim>& relinearise, SymbolicAnalysis* symbolic)
+{
+    return StepSearch<Dim>(std::move(program), settings, guess, relinearise, symbolic).solve();
+}
+
+template ThetaStep solveThetaStep(StepProgram<2> program, const StepSettings& settings,
+                                  const StepGuess& guess, const Relinearisation<2>& relinearise,
+                                  SymbolicAnalysis* symbolic);
+template ThetaStep solveThetaStep(StepProgram<3> program, const StepSettings& settings,
+                                  const StepGuess& guess, const Relinearisation<3>& relinearise,
+                                  SymbolicAnalysis* symbolic);
+
+} // namespace drystone
