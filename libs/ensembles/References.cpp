@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 namespace drystone
 {
@@ -77,22 +79,104 @@ double firstTimeAbove(const GroundAcceleration& ground, double level, double fro
     return end;
 }
 
-} // namespace
-
-RockingHistory rockingMotion(const RockingBlock& block, const GroundAcceleration& ground,
-                             const RockingRun& run)
+/// A rocking block on its way, piece by piece between kinks of the ground's motion, requested times and
+/// impacts.
+class RockingPath
 {
-    const double alpha = block.slenderness();
-    const double p = block.frequencyParameter();
-    const double ratio = run.restitution < 0 ? block.restitution() : run.restitution;
-    const double uplift = block.gravity * std::tan(alpha);
-    const double slowest = 1e-10 * p;
+public:
+    RockingPath(const RockingBlock& rockingBlock, const GroundAcceleration& groundAcceleration,
+                const RockingRun& rockingRun);
+    RockingHistory follow();
 
-    double side = 1; // +1 on the left corner, -1 on the right one
-    bool pieceEndsInJump = true;
+private:
+    void sampleState();
+    RockingVerdict certainVerdict() const;
+    void waitForUplift();
+    EventProblem problem();
+    void rock();
+    void meetGround(double passed);
+
+    const RockingBlock& block;
+    const GroundAcceleration& ground;
+    const RockingRun& run;
+    const double alpha;  ///< slenderness [rad]
+    const double p;      ///< frequency parameter [1/s]
+    const double ratio;  ///< of angular velocities, after an impact over before
+    const double uplift; ///< acceleration of the ground at which a block at rest begins to rock [m/s2]
+    const std::vector<double> kinks;
+    const double still; ///< when the ground has stopped for good [s]
+
+    RockingHistory history;
+    RockingState state;
+    bool isResting;
+    double side; ///< +1 on the left corner, -1 on the right one
     double pieceEnd = 0;
-    EventProblem problem;
-    problem.rate = [&](double time, const double* y, double* rate)
+    bool pieceEndsInJump = true;
+    std::size_t kink = 0;   ///< the next of `kinks`
+    std::size_t sample = 0; ///< the next of the requested times
+};
+
+double timeOfStillness(const GroundAcceleration& ground, const std::vector<double>& kinks)
+{
+    constexpr double never = std::numeric_limits<double>::infinity();
+    return kinks.empty() ? (ground.peak() > 0 ? never : -never) : kinks.back();
+}
+
+RockingPath::RockingPath(const RockingBlock& rockingBlock, const GroundAcceleration& groundAcceleration,
+                         const RockingRun& rockingRun)
+    : block(rockingBlock),
+      ground(groundAcceleration),
+      run(rockingRun),
+      alpha(block.slenderness()),
+      p(block.frequencyParameter()),
+      ratio(run.restitution < 0 ? block.restitution() : run.restitution),
+      uplift(block.gravity * std::tan(alpha)),
+      kinks(ground.kinks()),
+      still(timeOfStillness(ground, kinks)),
+      state(run.start),
+      isResting(state.rotation == 0 && state.angularVelocity == 0),
+      side(std::copysign(1.0, state.rotation != 0 ? state.rotation : state.angularVelocity))
+{
+}
+
+/// The requested times that have been reached.
+void RockingPath::sampleState()
+{
+    for (; sample < run.sampleTimes.size() && run.sampleTimes[sample] <= state.time; ++sample)
+    {
+        history.samples.push_back({run.sampleTimes[sample], state.rotation, state.angularVelocity});
+    }
+}
+
+RockingVerdict RockingPath::certainVerdict() const
+{
+    if (state.time < still || std::abs(ground.at(state.time)) > 0)
+    {
+        return RockingVerdict::rocks;
+    }
+    // kinetic energy over m g R: w^2/(2 p^2); potential: cos(alpha - |theta|), 1 at the crest
+    const double w = state.angularVelocity / p;
+    const double energy = 0.5 * w * w + std::cos(alpha - std::abs(state.rotation));
+    return std::abs(state.rotation) < alpha && energy < 1 ? RockingVerdict::stands : RockingVerdict::rocks;
+}
+
+/// Until the ground makes the block rock, or the next requested time.
+void RockingPath::waitForUplift()
+{
+    const double end =
+        sample < run.sampleTimes.size() ? std::min(run.sampleTimes[sample], run.endTime) : run.endTime;
+    state = {firstTimeAbove(ground, uplift, state.time, end), 0, 0};
+    if (state.time < end)
+    {
+        isResting = false;
+        side = std::copysign(1.0, ground.at(state.time));
+    }
+}
+
+EventProblem RockingPath::problem()
+{
+    EventProblem result;
+    result.rate = [this](double time, const double* y, double* rate)
     {
         // within a smooth piece the value at its end is that before the jump
         const double instant = pieceEndsInJump ? std::min(time, std::nextafter(pieceEnd, -1e300)) : time;
@@ -100,122 +184,106 @@ RockingHistory rockingMotion(const RockingBlock& block, const GroundAcceleration
         rate[0] = y[1];
         rate[1] = -p * p * (side * std::sin(tilt) - ground.at(instant) / block.gravity * std::cos(tilt));
     };
-    RockingHistory history;
-    problem.event = [&](double, const double* y)
+    result.event = [this](double, const double* y)
     {
         history.largestRotation =
             std::max(history.largestRotation, std::min(std::abs(y[0]), std::numbers::pi / 2));
         // upright again, or on its side
         return std::min(side * y[0], std::numbers::pi / 2 - side * y[0]);
     };
+    return result;
+}
 
-    std::vector<double> kinks = ground.kinks();
-    // the ground counts as still once it has stopped for good
-    const double still = kinks.empty() ? (ground.peak() > 0 ? HUGE_VAL : -HUGE_VAL) : kinks.back();
-    std::size_t kink = 0;
-    std::size_t sample = 0;
-    RockingState state = run.start;
-    bool resting = state.rotation == 0 && state.angularVelocity == 0;
-    side =
-        state.rotation != 0 ? std::copysign(1.0, state.rotation) : std::copysign(1.0, state.angularVelocity);
-
-    const auto certain = [&]
+/// To the end of a smooth piece, the next requested time or the next event.
+void RockingPath::rock()
+{
+    pieceEndsInJump = kink < kinks.size() && kinks[kink] <= run.endTime;
+    pieceEnd = pieceEndsInJump ? kinks[kink] : run.endTime;
+    double end = pieceEnd;
+    if (sample < run.sampleTimes.size())
     {
-        if (state.time < still || std::abs(ground.at(state.time)) > 0)
-        {
-            return RockingVerdict::rocks;
-        }
-        // kinetic energy over m g R: w^2/(2 p^2); potential: cos(alpha - |theta|), 1 at the crest
-        const double w = state.angularVelocity / p;
-        const double energy = 0.5 * w * w + std::cos(alpha - std::abs(state.rotation));
-        return std::abs(state.rotation) < alpha && energy < 1 ? RockingVerdict::stands
-                                                              : RockingVerdict::rocks;
-    };
+        end = std::min(end, run.sampleTimes[sample]);
+    }
+    // Before the ground is still the verdict is not certain; afterwards it is checked about every second.
+    if (run.untilVerdict)
+    {
+        end = std::min(end, state.time + 1);
+    }
+    const EventOutcome outcome =
+        integrateToEvent(problem(), state.time, {state.rotation, state.angularVelocity}, end);
+    const double passed = outcome.time - state.time;
+    state = {outcome.time, outcome.state[0], outcome.state[1]};
+    if (outcome.happened)
+    {
+        meetGround(passed);
+    }
+}
 
-    while (state.time < run.endTime)
+/// \param passed since the last event or the start of the piece [s]
+void RockingPath::meetGround(double passed)
+{
+    if (side * state.rotation > alpha)
+    {
+        history.verdict = RockingVerdict::overturns;
+        return;
+    }
+    const RockingImpact impact{state.time, state.angularVelocity, ratio * state.angularVelocity};
+    history.impacts.push_back(impact);
+    state.rotation = 0;
+    state.angularVelocity = impact.velocityAfter;
+    side = state.angularVelocity != 0 ? std::copysign(1.0, state.angularVelocity) : -side;
+    const double slowest = 1e-10 * p;
+    if (std::abs(state.angularVelocity) < slowest || passed < 1e-13)
+    {
+        state.angularVelocity = 0;
+        isResting = true;
+    }
+}
+
+RockingHistory RockingPath::follow()
+{
+    while (state.time < run.endTime && history.verdict == RockingVerdict::rocks)
     {
         while (kink < kinks.size() && kinks[kink] <= state.time)
         {
             ++kink;
         }
-        for (; sample < run.sampleTimes.size() && run.sampleTimes[sample] <= state.time; ++sample)
-        {
-            history.samples.push_back({run.sampleTimes[sample], state.rotation, state.angularVelocity});
-        }
-
+        sampleState();
         if (run.untilVerdict && sample == run.sampleTimes.size())
         {
-            history.verdict = certain();
+            history.verdict = certainVerdict();
             if (history.verdict != RockingVerdict::rocks)
             {
                 break;
             }
         }
-        if (resting)
+        if (isResting)
         {
-            const double end = sample < run.sampleTimes.size()
-                                   ? std::min(run.sampleTimes[sample], run.endTime)
-                                   : run.endTime;
-            state = {firstTimeAbove(ground, uplift, state.time, end), 0, 0};
-            if (state.time >= end)
-            {
-                continue;
-            }
-            resting = false;
-            side = std::copysign(1.0, ground.at(state.time));
-            continue;
+            waitForUplift();
         }
-
-        const bool toKink = kink < kinks.size() && kinks[kink] <= run.endTime;
-        pieceEndsInJump = toKink;
-        pieceEnd = toKink ? kinks[kink] : run.endTime;
-        double end = pieceEnd;
-        if (sample < run.sampleTimes.size())
+        else
         {
-            end = std::min(end, run.sampleTimes[sample]);
-        }
-        // Before the ground is still the verdict is not certain; afterwards it is checked about every second.
-        if (run.untilVerdict)
-        {
-            end = std::min(end, state.time + 1);
-        }
-        const EventOutcome outcome =
-            integrateToEvent(problem, state.time, {state.rotation, state.angularVelocity}, end);
-        const double passed = outcome.time - state.time;
-        state = {outcome.time, outcome.state[0], outcome.state[1]};
-        if (!outcome.happened)
-        {
-            continue;
-        }
-        if (side * state.rotation > alpha)
-        {
-            history.verdict = RockingVerdict::overturns;
-            break;
-        }
-        const RockingImpact impact{state.time, state.angularVelocity, ratio * state.angularVelocity};
-        history.impacts.push_back(impact);
-        state.rotation = 0;
-        state.angularVelocity = impact.velocityAfter;
-        side = state.angularVelocity != 0 ? std::copysign(1.0, state.angularVelocity) : -side;
-        if (std::abs(state.angularVelocity) < slowest || passed < 1e-13)
-        {
-            state.angularVelocity = 0;
-            resting = true;
+            rock();
         }
     }
     if (history.verdict == RockingVerdict::rocks)
     {
-        history.verdict = certain();
+        history.verdict = certainVerdict();
     }
     if (history.verdict != RockingVerdict::overturns)
     {
-        for (; sample < run.sampleTimes.size() && run.sampleTimes[sample] <= state.time; ++sample)
-        {
-            history.samples.push_back({run.sampleTimes[sample], state.rotation, state.angularVelocity});
-        }
+        sampleState();
     }
     history.last = state;
-    return history;
+    return std::move(history);
+}
+
+} // namespace
+
+RockingHistory rockingMotion(const RockingBlock& block, const GroundAcceleration& ground,
+                             const RockingRun& run)
+{
+    return RockingPath(block, ground, run).follow();
 }
 
 double rockingPeriod(const RockingBlock& block, double rotation)

@@ -33,24 +33,38 @@ Sampler::Sampler(const std::vector<Named<EnsembleVariable>>& allVariables,
                  const Dictionary& dictionary, const std::filesystem::path& caseDirectory)
     : variables(allVariables), design(wantedDesign)
 {
-    const auto size = static_cast<long>(variables.size());
     if (design.type == DesignType::table)
     {
         readTable(dictionary, caseDirectory);
     }
     else
     {
-        for (const auto& [name, variable] : variables)
+        requireDistributions(dictionary);
+    }
+    countSamples();
+    stratify();
+    if (!correlations.empty())
+    {
+        chooseFactor(correlations, dictionary.locationOf("correlations"));
+    }
+}
+
+void Sampler::requireDistributions(const Dictionary& dictionary) const
+{
+    for (const auto& [name, variable] : variables)
+    {
+        if (!variable.distribution)
         {
-            if (!variable.distribution)
-            {
-                throw FatalIOError(fmt::format("The variable {} has no distribution: give one. Only with "
-                                               "`design {{ type table; }}` does it need none.",
-                                               name),
-                                   dictionary.subDict("variables").locationOf(name));
-            }
+            throw FatalIOError(fmt::format("The variable {} has no distribution: give one. Only with "
+                                           "`design {{ type table; }}` does it need none.",
+                                           name),
+                               dictionary.subDict("variables").locationOf(name));
         }
     }
+}
+
+void Sampler::countSamples()
+{
     switch (design.type)
     {
     case DesignType::table:
@@ -75,9 +89,15 @@ Sampler::Sampler(const std::vector<Named<EnsembleVariable>>& allVariables,
     case DesignType::random:
     case DesignType::latinHypercube:
     case DesignType::sobol:
-        count = design.samples * (design.sensitivity ? size + 2 : 1);
+        count = design.samples * (design.sensitivity ? static_cast<long>(variables.size()) + 2 : 1);
         break;
     }
+}
+
+/// The permutations of a Latin hypercube; the others have none.
+void Sampler::stratify()
+{
+    const auto size = static_cast<long>(variables.size());
     const long dimensions = design.sensitivity ? 2 * size : size;
     if (design.type == DesignType::sobol && dimensions > sobolDimensions)
     {
@@ -96,11 +116,13 @@ Sampler::Sampler(const std::vector<Named<EnsembleVariable>>& allVariables,
                                          static_cast<std::uint32_t>(design.samples)));
         }
     }
-    if (correlations.empty())
-    {
-        return;
-    }
-    const SourceLocation place = dictionary.locationOf("correlations");
+}
+
+/// The Cholesky factor of the correlations that the normal variables must have (Nataf's model), so that the
+/// variables have those that the user states.
+void Sampler::chooseFactor(const std::vector<Correlation>& correlations, const SourceLocation& place)
+{
+    const auto size = static_cast<Eigen::Index>(variables.size());
     if (design.type == DesignType::grid || design.type == DesignType::table || design.sensitivity)
     {
         throw FatalIOError(

@@ -31,6 +31,10 @@ public:
 
 private:
     void readTable(const Dictionary& dictionary, const std::filesystem::path& caseDirectory);
+    void requireDistributions(const Dictionary& dictionary) const;
+    void countSamples();
+    void stratify();
+    void chooseFactor(const std::vector<Correlation>& correlations, const SourceLocation& place);
     std::vector<double> point(long index, bool isSecond) const;
     std::vector<SampleValue> gridPoint(long sample) const;
     void correlate(std::vector<double>& probabilities) const;
