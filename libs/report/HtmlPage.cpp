@@ -2,9 +2,9 @@
 /// Writes HTML.
 #include "report/HtmlPage.h"
 
-#include <fmt/format.h>
+#include "core/Base64.h"
 
-#include <cstdint>
+#include <fmt/format.h>
 
 namespace drystone
 {
@@ -24,25 +24,6 @@ pre { background: #f6f6f4; padding: 0.6em; overflow-x: auto; }
 )";
 
 } // namespace
-
-std::string base64(std::string_view bytes)
-{
-    constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    for (std::size_t i = 0; i < bytes.size(); i += 3)
-    {
-        std::uint32_t three = 0;
-        for (std::size_t k = 0; k < 3; ++k)
-        {
-            three = three << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-        }
-        for (std::size_t k = 0; k < 4; ++k)
-        {
-            text += i + k > bytes.size() ? '=' : digits[three >> (18 - 6 * k) & 63];
-        }
-    }
-    return text;
-}
 
 std::string htmlText(std::string_view text)
 {

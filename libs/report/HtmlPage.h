@@ -12,9 +12,6 @@ namespace drystone
 /// Text with `& < > "` as HTML wants them.
 std::string htmlText(std::string_view text);
 
-/// Bytes as text of RFC 4648, in which a page holds an image.
-std::string base64(std::string_view bytes);
-
 /// Collects a page from top to bottom. What is passed as text is escaped; what is passed as markup is not.
 class HtmlPage
 {

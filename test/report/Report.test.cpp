@@ -40,14 +40,6 @@ TEST(HtmlPage, EscapesTextAndKeepsMarkup)
 
 TEST(HtmlPage, HoldsAnImageAsText)
 {
-    // The vectors of RFC 4648, section 10.
-    EXPECT_EQ(base64(""), "");
-    EXPECT_EQ(base64("f"), "Zg==");
-    EXPECT_EQ(base64("fo"), "Zm8=");
-    EXPECT_EQ(base64("foo"), "Zm9v");
-    EXPECT_EQ(base64("foob"), "Zm9vYg==");
-    EXPECT_EQ(base64("fooba"), "Zm9vYmE=");
-    EXPECT_EQ(base64("\xff\xfe"), "//4=");
     HtmlPage page("wall");
     page.image("foobar", "A & B");
     EXPECT_THAT(page.text(), HasSubstr("alt=\"A &amp; B\""));

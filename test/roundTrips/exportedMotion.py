@@ -124,6 +124,36 @@ def pointsOf(format_, text, dimensions):
     return sorted({tuple(round(value, 12) + 0.0 for value in place) for place in places})
 
 
+def rotated(quaternion, place):
+    x, y, z, w = quaternion
+    twice = [2 * value for value in cross([x, y, z], place)]
+    return [p + w * t + c for p, t, c in zip(place, twice, cross([x, y, z], twice))]
+
+
+def animatedPoints(text, node):
+    """Of each moment of a glTF animation its time, and the corners of a node with z upwards."""
+    gltf = json.loads(text)
+    data = base64.b64decode(gltf["buffers"][0]["uri"].split(",")[1], validate=True)
+
+    def vectors(index):
+        accessor = gltf["accessors"][index]
+        width = {"SCALAR": 1, "VEC3": 3, "VEC4": 4}[accessor["type"]]
+        values = struct.unpack_from(f"<{width * accessor['count']}f", data,
+                                    gltf["bufferViews"][accessor["bufferView"]]["byteOffset"])
+        return [list(values[i:i + width]) for i in range(0, len(values), width)]
+
+    animation, = gltf["animations"]
+    moved = {channel["target"]["path"]: animation["samplers"][channel["sampler"]]
+             for channel in animation["channels"] if channel["target"]["node"] == node}
+    corners = vectors(gltf["meshes"][gltf["nodes"][node]["mesh"]]["primitives"][0]["attributes"]["POSITION"])
+    times = [time for time, in vectors(moved["translation"]["input"])]
+    moments = []
+    for time, to, turn in zip(times, *(vectors(moved[path]["output"]) for path in ("translation", "rotation"))):
+        places = [[a + b for a, b in zip(rotated(turn, corner), to)] for corner in corners]
+        moments.append((time, sorted({(round(x, 4), round(-z, 4) + 0.0, round(y, 4)) for x, y, z in places})))
+    return moments
+
+
 class ExportedMotion(CaseTest):
     application = "exportBlocks"
 
@@ -150,8 +180,22 @@ class ExportedMotion(CaseTest):
                     most = max(abs(a - b) for p, q in zip(found, expected) for a, b in zip(p, q))
                     self.assertLess(most, 1e-5 if format_ == "gltf" else 1e-11)
         self.assertGreater(abs(rotationAt["0.2"] - rotationAt["0.1"]), 0.1)  # it does turn
+        moments = animatedPoints(self.exported(case, "-format", "gltf", "-animation"), 0)
+        self.assertEqual([round(time, 6) for time, _ in moments], [0, 0.1, 0.2])
+        for time, found in moments[1:]:
+            expected = expectedPoints(dimensions, next(row for row in table if abs(row["Time"] - time) < 1e-6))
+            self.assertEqual(len(found), 8)
+            self.assertLess(max(abs(a - b) for p, q in zip(found, expected) for a, b in zip(p, q)), 1e-4)
+        twice = animatedPoints(self.exported(case, "-format", "gltf", "-animation", "-magnification", "2"), 0)
+        self.assertEqual(twice[0], moments[0])
+        self.assertNotEqual(twice[2], moments[2])
+        self.assertIn("in the format gltf only", self.run_(case, "-animation", status=1).stderr)
         done = self.run_(case, "-time", "0.15", status=1)
         self.assertIn("There is no state of time 0.15 in this case.\n\nTimes: 0.1 0.2\n", done.stderr)
+
+    def exported(self, case, *options):
+        self.run_(case, *options)
+        return self.read(case, "export/motion.gltf")
 
     def test_ofThePlane(self):
         self.check(2)

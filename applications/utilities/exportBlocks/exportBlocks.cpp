@@ -9,11 +9,13 @@
 #include "core/WholeFile.h"
 #include "effects/EffectList.h"
 #include "import/export/Writers.h"
+#include "io/FrameReader.h"
 #include "io/TimeDirectory.h"
 #include "runControl/Application.h"
 
 #include <algorithm>
 #include <charconv>
+#include <limits>
 
 using namespace drystone;
 namespace fs = std::filesystem;
@@ -132,6 +134,46 @@ std::vector<Placement<Dim>> placementsAt(const fs::path& caseDirectory, const st
     return placements;
 }
 
+/// The frames of the case with the axes of solids: blocks of the plane lie in x-z.
+template<int Dim>
+std::vector<SolidFrame> framesOf(const CommandLine& commandLine, std::size_t blocks)
+{
+    if (!commandLine.has("animation"))
+    {
+        return {};
+    }
+    if (formatOf(commandLine).first != "gltf" || commandLine.has("time"))
+    {
+        throw FatalError("-animation has all moments of a motion, in the format gltf only.\n\nWrite "
+                         "exportBlocks -format gltf -animation, without -time.");
+    }
+    if (!fs::exists(commandLine.caseDirectory / "VTK/blocks.vtp.series"))
+    {
+        throw FatalError("There is no motion in this case: VTK/blocks.vtp.series does not exist.\n\nRun "
+                         "limitAnalysis or contactDynamics first.");
+    }
+    const double magnification = numberOf<double>(commandLine, "magnification", 0, 1e9).value_or(1);
+    std::vector<SolidFrame> frames;
+    for (BlockFrame& frame : readBlockFrames(commandLine.caseDirectory / "VTK", "blocks", blocks,
+                                             std::numeric_limits<std::size_t>::max()))
+    {
+        for (Eigen::Matrix3Xd* vectors : {&frame.displacement, &frame.rotation})
+        {
+            *vectors *= magnification;
+            if constexpr (Dim == 2)
+            {
+                vectors->row(1).swap(vectors->row(2));
+            }
+        }
+        if constexpr (Dim == 2)
+        {
+            frame.rotation.row(1) *= -1; // from x to z is about -y
+        }
+        frames.push_back({frame.time, std::move(frame.displacement), std::move(frame.rotation)});
+    }
+    return frames;
+}
+
 /// The joints as built, for formats that have them.
 std::vector<StatedJoint<3>> jointsOf(Assembly<3> assembly)
 {
@@ -173,6 +215,7 @@ int runIn(const CommandLine& commandLine)
     const WrittenNumbers numbers{numberOf<int>(commandLine, "decimals", 0, 17)};
     const std::string time = timeOf(commandLine);
     const Assembly<Dim> assembly = readBlocks<Dim>(directory);
+    const std::vector<SolidFrame> frames = framesOf<Dim>(commandLine, assembly.blocks.size());
     const auto placements = placementsAt<Dim>(directory, time, assembly.blocks.size());
     const bool hasDensities = format == "lmgc90";
     const std::vector<double> densities =
@@ -195,7 +238,7 @@ int runIn(const CommandLine& commandLine)
     }
     else if (format == "gltf")
     {
-        text = gltfText(solids);
+        text = gltfText(solids, frames);
     }
     else if (format == "lmgc90")
     {
@@ -216,11 +259,15 @@ int runIn(const CommandLine& commandLine)
                             format == "3dec" ? "they are left out" : "divide them before it computes"));
         }
     }
-    const fs::path file = directory
-                          / commandLine.get("output").value_or(
-                              fmt::format("export/blocks{}{}", time.empty() ? "" : "_" + time, ending));
+    const fs::path file =
+        directory
+        / commandLine.get("output").value_or(fmt::format(
+            "export/{}{}{}", frames.empty() ? "blocks" : "motion", time.empty() ? "" : "_" + time, ending));
     writeWholeFile(file, text);
-    info("Blocks: {}, {}", assembly.blocks.size(), time.empty() ? "as built" : "at time " + time);
+    info("Blocks: {}, {}", assembly.blocks.size(),
+         !frames.empty() ? fmt::format("in {} frames", frames.size())
+         : time.empty()  ? "as built"
+                         : "at time " + time);
     info("Wrote {}\n", file.lexically_normal().string());
     printExecutionTime();
     printEnd();
@@ -239,15 +286,18 @@ int main(int argc, char* argv[])
     ApplicationDescription description;
     description.name = "exportBlocks";
     description.summary =
-        "Writes the blocks of a case, as built or at a moment of a motion, into a file for other "
-        "programs. Blocks of the plane become solids of their thickness, but in dxf.";
+        "Writes the blocks of a case, as built, at a moment of a motion, or with the whole of it, into a "
+        "file for other programs. Blocks of the plane become solids of their thickness, but in dxf.";
     description.kind = ApplicationKind::utility;
     description.options = {
         {"format", "FORMAT", "obj (default), compasJson, dxf, gltf, lmgc90 (script) or 3dec (commands)"},
         {"time", "TIME", "of a state that contactDynamics wrote, or latestTime; as built if absent"},
+        {"animation", "", "with the frames of the motion or mechanism, in gltf; export/motion.gltf"},
+        {"magnification", "M", "of the displacements of -animation; 1 if absent"},
         {"decimals", "N", "of coordinates in obj, compasJson and dxf; all digits if absent"},
         {"output", "FILE", "relative to the case; export/blocks... if absent"}};
-    description.examples = {"exportBlocks -format gltf -time latestTime  # end of a motion, for viewers",
+    description.examples = {"exportBlocks -format gltf -animation        # a motion, for viewers and slides",
+                            "exportBlocks -format gltf -time latestTime  # its end",
                             "exportBlocks -format compasJson             # for compas_assembly"};
     return runApplication(argc, argv, description, run);
 }

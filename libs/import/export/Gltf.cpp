@@ -1,10 +1,17 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// glTF 2.0 with its buffer within: corners of each triangle with the normal of their face.
+/// glTF 2.0 with its buffer within: corners of each triangle with the normal of their face, about the centre
+/// of the block, which the node places and an animation moves.
+#include "core/Base64.h"
+#include "geometry/space/Polyhedron.h"
 #include "import/export/Number.h"
+#include "import/export/Writers.h"
+
+#include <Eigen/Geometry>
+#include <fmt/ranges.h>
 
 #include <bit>
+#include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <iterator>
 
 namespace drystone
@@ -13,101 +20,219 @@ namespace drystone
 namespace
 {
 
-std::string base64(std::string_view bytes)
+/// z upwards becomes y upwards; for places, displacements and rotation vectors alike.
+Vector<3> upright(const Vector<3>& place)
 {
-    constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    text.reserve(bytes.size() / 3 * 4 + 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3)
-    {
-        std::uint32_t group = 0;
-        for (std::size_t k = 0; k < 3; ++k)
-        {
-            group = group << 8U | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-        }
-        for (std::size_t k = 0; k < 4; ++k)
-        {
-            text += i + k <= bytes.size() ? letters[group >> (18U - 6U * k) & 63U] : '=';
-        }
-    }
-    return text;
+    return {place.x(), place.z(), -place.y()};
 }
 
-void append(std::string& bytes, float value)
+/// Whether an accessor states the least and largest numbers of its array, as places and times must.
+enum class Extent
 {
-    const auto bits = std::bit_cast<std::uint32_t>(value);
-    for (unsigned shift = 0; shift < 32; shift += 8) // little-endian on all machines
-    {
-        bytes += static_cast<char>(bits >> shift & 255U);
-    }
+    absent,
+    given
+};
+
+/// The numbers of the file: one buffer, a view and an accessor for each array.
+class Buffer
+{
+public:
+    /// Adds vectors, a column each. \param type SCALAR, VEC3 or VEC4 \return their accessor
+    std::size_t add(const Eigen::MatrixXd& vectors, std::string_view type, Extent extent);
+
+    std::string viewList;
+    std::string accessorList;
+    std::string bytes;
+
+private:
+    std::size_t count = 0;
+};
+
+std::string extentOf(const Eigen::MatrixXf& numbers)
+{
+    const Eigen::VectorXf lower = numbers.rowwise().minCoeff();
+    const Eigen::VectorXf upper = numbers.rowwise().maxCoeff();
+    return fmt::format(R"(,"min":[{}],"max":[{}])", fmt::join(lower, ","), fmt::join(upper, ","));
 }
 
-/// z upwards becomes y upwards.
-Eigen::Vector3f upright(const Vector<3>& place)
+std::size_t Buffer::add(const Eigen::MatrixXd& vectors, std::string_view type, Extent extent)
 {
-    return Vector<3>(place.x(), place.z(), -place.y()).cast<float>();
+    const Eigen::MatrixXf numbers = vectors.cast<float>();
+    const char* separator = count > 0 ? ",\n" : "";
+    fmt::format_to(std::back_inserter(viewList), R"({}{{"buffer":0,"byteOffset":{},"byteLength":{}}})",
+                   separator, bytes.size(), 4 * numbers.size());
+    fmt::format_to(std::back_inserter(accessorList),
+                   R"({}{{"bufferView":{},"componentType":5126,"count":{},"type":"{}"{}}})", separator, count,
+                   numbers.cols(), type, extent == Extent::given ? extentOf(numbers) : "");
+    for (const float value : numbers.reshaped())
+    {
+        const auto bits = std::bit_cast<std::uint32_t>(value);
+        for (unsigned shift = 0; shift < 32; shift += 8) // little-endian on all machines
+        {
+            bytes += static_cast<char>(bits >> shift & 255U);
+        }
+    }
+    return count++;
+}
+
+/// Corners of the triangles and normals of their faces, about a centre, a column each.
+struct Triangles
+{
+    Eigen::Matrix3Xd places;
+    Eigen::Matrix3Xd normals;
+};
+
+Triangles trianglesAbout(const Vector<3>& centre, const Polyhedron& shape)
+{
+    std::vector<Vector<3>> places;
+    std::vector<Vector<3>> normals;
+    for (const std::vector<int>& face : shape.faces)
+    {
+        const Vector<3> normal = upright(areaVector(shape, face).normalized());
+        for (const std::array<int, 3>& triangle : trianglesOf(shape, face))
+        {
+            for (const int vertex : triangle)
+            {
+                places.push_back(upright(shape.vertices[static_cast<std::size_t>(vertex)] - centre));
+                normals.push_back(normal);
+            }
+        }
+    }
+    Triangles triangles{Eigen::Matrix3Xd(3, places.size()), Eigen::Matrix3Xd(3, places.size())};
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+        triangles.places.col(static_cast<Eigen::Index>(i)) = places[i];
+        triangles.normals.col(static_cast<Eigen::Index>(i)) = normals[i];
+    }
+    return triangles;
+}
+
+/// x y z w; that of the rotation which is nearer to `previous`, so that a viewer turns the short way.
+Eigen::Vector4d quaternionOf(const Vector<3>& rotation, const Eigen::Vector4d& previous)
+{
+    const double angle = rotation.norm();
+    const Eigen::Quaterniond turned(angle > 0 ? Eigen::AngleAxisd(angle, rotation / angle)
+                                              : Eigen::AngleAxisd::Identity());
+    const Eigen::Vector4d coefficients = turned.coeffs();
+    return coefficients.dot(previous) < 0 ? Eigen::Vector4d(-coefficients) : coefficients;
+}
+
+/// Samplers and channels of an animation, three a block at most.
+class Animation
+{
+public:
+    Animation(Buffer& numbers, const std::vector<SolidFrame>& frames);
+
+    /// What moves a node whose block has its centre at a place.
+    void move(std::size_t node, const Vector<3>& centre);
+
+    std::string samplerList;
+    std::string channelList;
+
+private:
+    void add(std::size_t node, std::string_view path, const Eigen::MatrixXd& values);
+
+    Buffer& buffer;
+    const std::vector<SolidFrame>& moments;
+    std::size_t times = 0; ///< their accessor
+    std::size_t count = 0;
+};
+
+Animation::Animation(Buffer& numbers, const std::vector<SolidFrame>& frames)
+    : buffer(numbers), moments(frames)
+{
+    Eigen::MatrixXd row(1, frames.size());
+    for (std::size_t k = 0; k < frames.size(); ++k)
+    {
+        row(0, static_cast<Eigen::Index>(k)) = frames[k].time;
+    }
+    times = buffer.add(row, "SCALAR", Extent::given);
+}
+
+void Animation::add(std::size_t node, std::string_view path, const Eigen::MatrixXd& values)
+{
+    const std::size_t output = buffer.add(values, path == "rotation" ? "VEC4" : "VEC3", Extent::absent);
+    const char* separator = count > 0 ? ",\n" : "";
+    fmt::format_to(std::back_inserter(samplerList), R"({}{{"input":{},"output":{},"interpolation":"{}"}})",
+                   separator, times, output, path == "scale" ? "STEP" : "LINEAR");
+    fmt::format_to(std::back_inserter(channelList),
+                   R"({}{{"sampler":{},"target":{{"node":{},"path":"{}"}}}})", separator, count, node, path);
+    ++count;
+}
+
+void Animation::move(std::size_t node, const Vector<3>& centre)
+{
+    const auto frames = static_cast<Eigen::Index>(moments.size());
+    Eigen::MatrixXd translation(3, frames);
+    Eigen::MatrixXd rotation(4, frames);
+    Eigen::MatrixXd scale = Eigen::MatrixXd::Ones(3, frames);
+    Vector<3> place = upright(centre);
+    Eigen::Vector4d turned(0, 0, 0, 1);
+    for (Eigen::Index k = 0; k < frames; ++k)
+    {
+        const SolidFrame& moment = moments[static_cast<std::size_t>(k)];
+        const auto column = static_cast<Eigen::Index>(node);
+        const bool isShown = moment.displacement.col(column).allFinite();
+        if (isShown)
+        {
+            place = upright(centre + moment.displacement.col(column));
+            turned = quaternionOf(upright(moment.rotation.col(column)), turned);
+        }
+        translation.col(k) = place;
+        rotation.col(k) = turned;
+        scale.col(k) *= isShown ? 1 : 0;
+    }
+    add(node, "translation", translation);
+    add(node, "rotation", rotation);
+    if (scale.minCoeff() < 1)
+    {
+        add(node, "scale", scale);
+    }
 }
 
 } // namespace
 
-std::string gltfText(const std::vector<ExportedSolid>& solids)
+std::string gltfText(const std::vector<ExportedSolid>& solids, const std::vector<SolidFrame>& frames)
 {
-    std::string bytes;
-    std::string views;
-    std::string accessors;
+    Buffer buffer;
     std::string meshes;
     std::string nodes;
     std::string children;
+    std::vector<Vector<3>> centres(solids.size(), Vector<3>::Zero());
     for (std::size_t i = 0; i < solids.size(); ++i)
     {
-        const Polyhedron& shape = solids[i].shape;
-        std::string positions;
-        std::string normals;
-        Eigen::Vector3f lower = Eigen::Vector3f::Constant(3e38F);
-        Eigen::Vector3f upper = -lower;
-        std::size_t count = 0;
-        for (const std::vector<int>& face : shape.faces)
+        // Blocks that stay are written where they are.
+        centres[i] = frames.empty() ? centres[i] : volumeProperties(solids[i].shape).centroid;
+        const Triangles triangles = trianglesAbout(centres[i], solids[i].shape);
+        const std::size_t positions = buffer.add(triangles.places, "VEC3", Extent::given);
+        const std::size_t normals = buffer.add(triangles.normals, "VEC3", Extent::absent);
+        const char* separator = i > 0 ? ",\n" : "";
+        fmt::format_to(std::back_inserter(meshes),
+                       R"({}{{"primitives":[{{"attributes":{{"POSITION":{},"NORMAL":{}}},"material":{}}}]}})",
+                       separator, positions, normals, solids[i].isFixed ? 1 : 0);
+        const Vector<3> place = upright(centres[i]);
+        fmt::format_to(std::back_inserter(nodes),
+                       R"({}{{"name":"block_{}","mesh":{}{},"extras":{{"layer":"{}"}}}})", separator, i, i,
+                       frames.empty() ? ""
+                                      : fmt::format(R"(,"translation":[{},{},{}])", place.x() + 0.0,
+                                                    place.y() + 0.0, place.z() + 0.0),
+                       solids[i].layer);
+        fmt::format_to(std::back_inserter(children), "{}{}", i > 0 ? "," : "", i);
+    }
+    std::string animations;
+    if (!frames.empty())
+    {
+        Animation animation(buffer, frames);
+        for (std::size_t i = 0; i < solids.size(); ++i)
         {
-            const Eigen::Vector3f normal = upright(areaVector(shape, face).normalized());
-            for (const std::array<int, 3>& triangle : trianglesOf(shape, face))
+            if (!solids[i].isFixed)
             {
-                for (const int vertex : triangle)
-                {
-                    const Eigen::Vector3f place = upright(shape.vertices[static_cast<std::size_t>(vertex)]);
-                    lower = lower.cwiseMin(place);
-                    upper = upper.cwiseMax(place);
-                    for (int axis = 0; axis < 3; ++axis)
-                    {
-                        append(positions, place[axis]);
-                        append(normals, normal[axis]);
-                    }
-                    ++count;
-                }
+                animation.move(i, centres[i]);
             }
         }
-        const char* separator = i > 0 ? ",\n" : "";
-        fmt::format_to(
-            std::back_inserter(views),
-            "{}{{\"buffer\":0,\"byteOffset\":{},\"byteLength\":{}}},{{\"buffer\":0,\"byteOffset\":{},"
-            "\"byteLength\":{}}}",
-            separator, bytes.size(), positions.size(), bytes.size() + positions.size(), normals.size());
-        fmt::format_to(
-            std::back_inserter(accessors),
-            "{}{{\"bufferView\":{},\"componentType\":5126,\"count\":{},\"type\":\"VEC3\",\"min\":[{},{},{}],"
-            "\"max\":[{},{},{}]}},{{\"bufferView\":{},\"componentType\":5126,\"count\":{},\"type\":\"VEC3\"}"
-            "}",
-            separator, 2 * i, count, lower.x(), lower.y(), lower.z(), upper.x(), upper.y(), upper.z(),
-            2 * i + 1, count);
-        fmt::format_to(
-            std::back_inserter(meshes),
-            "{}{{\"primitives\":[{{\"attributes\":{{\"POSITION\":{},\"NORMAL\":{}}},\"material\":{}}}]}}",
-            separator, 2 * i, 2 * i + 1, solids[i].isFixed ? 1 : 0);
-        fmt::format_to(std::back_inserter(nodes),
-                       "{}{{\"name\":\"block_{}\",\"mesh\":{},\"extras\":{{\"layer\":\"{}\"}}}}", separator,
-                       i, i, solids[i].layer);
-        fmt::format_to(std::back_inserter(children), "{}{}", i > 0 ? "," : "", i);
-        bytes += positions;
-        bytes += normals;
+        animations =
+            fmt::format("\"animations\":[{{\"name\":\"motion\",\"samplers\":[{}],\n\"channels\":[{}]}}],\n",
+                        animation.samplerList, animation.channelList);
     }
     return fmt::format(
         "{{\"asset\":{{\"version\":\"2.0\",\"generator\":\"Drystone\"}},\"scene\":0,\"scenes\":[{{\"nodes\":["
@@ -116,9 +241,10 @@ std::string gltfText(const std::vector<ExportedSolid>& solids)
         "1],"
         "\"metallicFactor\":0,\"roughnessFactor\":0.9}}}},{{\"name\":\"supports\",\"pbrMetallicRoughness\":"
         "{{\"baseColorFactor\":[0.55,0.55,0.55,1],\"metallicFactor\":0,\"roughnessFactor\":0.9}}}}],\n"
-        "\"nodes\":[{}],\n\"meshes\":[{}],\n\"accessors\":[{}],\n\"bufferViews\":[{}],\n"
+        "\"nodes\":[{}],\n\"meshes\":[{}],\n{}\"accessors\":[{}],\n\"bufferViews\":[{}],\n"
         "\"buffers\":[{{\"byteLength\":{},\"uri\":\"data:application/octet-stream;base64,{}\"}}]}}\n",
-        children, nodes, meshes, accessors, views, bytes.size(), base64(bytes));
+        children, nodes, meshes, animations, buffer.accessorList, buffer.viewList, buffer.bytes.size(),
+        base64(buffer.bytes));
 }
 
 } // namespace drystone

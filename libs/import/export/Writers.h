@@ -32,8 +32,18 @@ std::string dxfText(const Assembly<2>& assembly, const std::vector<Placement<2>>
                     const WrittenNumbers& numbers);
 std::string dxfText(const std::vector<ExportedSolid>& solids, const WrittenNumbers& numbers);
 
-/// glTF 2.0 in one file: a node `block_<index>` a block, y upwards, blocks of clay and grey supports.
-std::string gltfText(const std::vector<ExportedSolid>& solids);
+/// Where the solids are at a moment of an animation, a column each. NaN: not shown, as a block that was
+/// deleted.
+struct SolidFrame
+{
+    double time = 0;               ///< [s]; later than that of the frame before
+    Eigen::Matrix3Xd displacement; ///< of the centres of volume from where `solids` are, axes as theirs [m]
+    Eigen::Matrix3Xd rotation;     ///< rotation vectors about them [rad]
+};
+
+/// glTF 2.0 in one file: a node `block_<index>` a block, y upwards, blocks of clay and grey supports. With
+/// frames, an animation `motion` moves the nodes of all blocks that are not fixed.
+std::string gltfText(const std::vector<ExportedSolid>& solids, const std::vector<SolidFrame>& frames = {});
 
 /// A script for the pre-processor of LMGC90 (pylmgc90.pre), which writes its DATBOX: rigid polyhedra, Coulomb
 /// friction. LMGC90 takes convex blocks. \param friction coefficient

@@ -1,0 +1,25 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Base 64.
+#include "core/Base64.h"
+
+#include <gtest/gtest.h>
+
+namespace drystone
+{
+namespace
+{
+
+TEST(Base64, HasTheVectorsOfItsStandard)
+{
+    // The vectors of RFC 4648, section 10.
+    EXPECT_EQ(base64(""), "");
+    EXPECT_EQ(base64("f"), "Zg==");
+    EXPECT_EQ(base64("fo"), "Zm8=");
+    EXPECT_EQ(base64("foo"), "Zm9v");
+    EXPECT_EQ(base64("foob"), "Zm9vYg==");
+    EXPECT_EQ(base64("fooba"), "Zm9vYmE=");
+    EXPECT_EQ(base64("\xff\xfe"), "//4=");
+}
+
+} // namespace
+} // namespace drystone
