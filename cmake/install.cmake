@@ -1,6 +1,7 @@
 # What `cmake --install` and the Debian package hold: applications, manual pages, completion, tutorials, and the files of
 # etc/ that cases use. Paths are relative, so that the prefix can be chosen when installing.
 include(GNUInstallDirs)
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME applications)
 
 get_property(drystone_applications GLOBAL PROPERTY DRYSTONE_APPLICATIONS)
 set(share ${CMAKE_INSTALL_DATADIR}/drystone)
@@ -11,6 +12,8 @@ install(DIRECTORY tutorials DESTINATION ${share} USE_SOURCE_PERMISSIONS
     PATTERN parameterSearch/points EXCLUDE REGEX "/[0-9]+\\.[0-9.e+-]*$" EXCLUDE)
 install(DIRECTORY etc/annotated etc/cases etc/paraview etc/tools DESTINATION ${share}/etc USE_SOURCE_PERMISSIONS)
 install(FILES README.md GUIDE.md CHANGELOG.md LICENSE CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
+# Where Debian's Python looks for packages when the prefix is /usr; with another, RunFunctions adds it to PYTHONPATH.
+install(DIRECTORY python/drystone DESTINATION lib/python3/dist-packages COMPONENT python PATTERN "__pycache__" EXCLUDE)
 install(FILES etc/bash_completion DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME blockTexture)
 
 # A tutorial that was copied elsewhere finds RunFunctions beside the applications: in bin/ of the build and of the
@@ -37,14 +40,26 @@ install(CODE "
     endforeach()
 ")
 
-# cpack -G DEB, in the build folder. The shared libraries that the package depends on are found by dpkg-shlibdeps.
+# cpack -G DEB, in the build folder: drystone_*.deb and python3-drystone_*.deb. The shared libraries that the first
+# depends on are found by dpkg-shlibdeps; the second is pure Python.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME drystone)
 set(CPACK_PACKAGE_CONTACT "the Drystone authors <drystone@localhost>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "limit analysis and dynamics of structures of rigid blocks with dry joints")
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
-set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_DEPENDS bash)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_ALL applications python)
+set(CPACK_DEBIAN_APPLICATIONS_PACKAGE_NAME drystone)
+set(CPACK_DEBIAN_APPLICATIONS_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_APPLICATIONS_PACKAGE_DEPENDS bash)
+set(CPACK_DEBIAN_APPLICATIONS_PACKAGE_SUGGESTS python3-drystone)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-drystone)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_ARCHITECTURE all)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.9)")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "drystone, python3-numpy")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-pandas, python3-matplotlib")
+set(CPACK_COMPONENT_PYTHON_DESCRIPTION "Python package that runs Drystone and reads its results")
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)

@@ -12,9 +12,11 @@
 Dictionaries are edited by the application caseDictionary (`wall.set`), or by foamlib, which reads them too.
 Pure Python; with NumPy installed numbers are arrays, and `table.pandas()` needs pandas.
 """
+from ._numbers import numpy as _numpy
 from .case import Case, RunError
 from .frames import Frame, readFrame, readSeries
 from .tables import Table, readTable
 
 __all__ = ["Case", "Frame", "RunError", "Table", "readFrame", "readSeries", "readTable"]
 __version__ = "0.1.0"
+hasNumPy = _numpy is not None  # else numbers are lists

@@ -72,15 +72,18 @@ class Case:
             named = folder / (function + ".dat")
             if len(files) != 1 and named not in files:
                 raise FileNotFoundError(f"{folder} holds {', '.join(path.name for path in files)}: name one")
-            file = named if named in files else files[0]
+            file = (named if named in files else files[0]).name
         return readTable(folder / file)
 
     def frames(self, name="blocks"):
         """The frames of VTK/<name>.vtp.series."""
         return readSeries(self.directory / "VTK", name)
 
-    def copy(self, directory):
-        """A new case with the input of this one: without results, logs and times but 0."""
+    def copy(self, directory, replace=False):
+        """A new case with the input of this one: without results, logs and times but 0. With `replace` an older case
+        in its place, as of a cell that is run again, is removed."""
+        if replace and (Path(directory) / "system").is_dir():
+            shutil.rmtree(directory)
         def isResult(folder, names):
             atTop = Path(folder) == self.directory
             return [name for name in names if atTop and (

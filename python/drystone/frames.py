@@ -16,13 +16,15 @@ _formats = {"Int8": "b", "UInt8": "B", "Int32": "i", "UInt32": "I", "Int64": "q"
 class Frame:
     """One moment: `time` [s] (of a mechanism its part from 0 to 1), `points` [m], and `fields` by name, one value or row
     a cell: blockId, displacement[m], rotation[rad] and more (of contacts: a point each); `pointFields` has those of the
-    corners of blocks. `frame["displacement"]` is a field with its unit or without."""
+    corners of blocks, and `polygons` of each cell the indices of its corners in `points`. `frame["displacement"]` is a
+    field with its unit or without."""
 
-    def __init__(self, time, points, fields, pointFields=None):
+    def __init__(self, time, points, fields, pointFields=None, polygons=()):
         self.time = time
         self.points = points
         self.fields = fields
         self.pointFields = pointFields or {}
+        self.polygons = list(polygons)
 
     def __getitem__(self, name):
         for known, values in self.fields.items():
@@ -78,7 +80,9 @@ def readFrame(file, time=0.0):
     points = rows(read(piece.find("Points/DataArray")), 3)
     if int(piece.get("NumberOfPolys", 0)) == 0:
         return Frame(time, points, {**fields["CellData"], **fields["PointData"]})
-    return Frame(time, points, fields["CellData"], fields["PointData"])
+    indices, ends = (read(piece.find(f"Polys/DataArray[@Name='{name}']")) for name in ("connectivity", "offsets"))
+    polygons = [indices[begin:end] for begin, end in zip((0, *ends), ends)]
+    return Frame(time, points, fields["CellData"], fields["PointData"], polygons)
 
 
 def readSeries(folder, name="blocks"):

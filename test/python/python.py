@@ -41,6 +41,10 @@ class Package(CaseTest):
         self.assertGreater(frames[-1].largestDisplacement(), 0.01)
         self.assertEqual(sorted(int(block) for block in frames[0]["blockId"]), list(range(43)))
         self.assertEqual(len(frames[0].points), 172)
+        self.assertEqual(len(frames[0].polygons), 43)
+        self.assertEqual(sorted(i for polygon in frames[0].polygons for i in polygon), list(range(172)))
+        brick = [frames[0].points[i] for i in frames[0].polygons[0]]
+        self.assertEqual(len({(round(float(x), 6), round(float(y), 6)) for x, y, _ in brick}), 4)
         moved = frames[-1].pointFields["pointDisplacement[m]"]
         self.assertEqual(len(moved), 172)
         # Four corners a block; the ground is shown as far as the structure reaches.
@@ -49,9 +53,23 @@ class Package(CaseTest):
                 self.assertAlmostEqual(point[0] - displacement[0], built[0], delta=1e-6)
         self.assertEqual(len(next(iter(wall.frames("contacts")))["contactForce"]), 174)
 
+    def testADirectoryMayBeRelative(self):
+        wall, before = self.wall(), os.getcwd()
+        os.chdir(os.path.dirname(wall.directory))
+        try:
+            relative = drystone.Case(os.path.basename(wall.directory), applications)
+            relative.run("limitAnalysis")
+            self.assertAlmostEqual(relative.table("limitAnalysis")["alpha"][0], 0.642859003, places=8)
+            self.assertEqual(len(relative.table("limitAnalysis", "thrust.dat")["normalForce"]) > 0, True)
+        finally:
+            os.chdir(before)
+
     def testVariesAnEntryInACopy(self):
         wall = self.wall()
         other = wall.copy(str(wall.directory) + "Copy")
+        with self.assertRaises(FileExistsError):
+            wall.copy(other.directory)
+        other = wall.copy(other.directory, replace=True)
         other.set("constant/contactProperties", "friction/mu", 0.3)
         other.set("constant/g", "value", (0, -9.81, 0))
         self.assertEqual(other.get("constant/contactProperties", "friction/mu"), "0.3")
@@ -59,6 +77,23 @@ class Package(CaseTest):
         other.run("limitAnalysis")
         wall.run("limitAnalysis")
         self.assertLess(other.table("limitAnalysis")["alpha"][0], wall.table("limitAnalysis")["alpha"][0])
+
+    @unittest.skipUnless(drystone.hasNumPy, "NumPy is not installed")
+    def testTablesAndFramesAreArraysOfNumPy(self):
+        import numpy
+        wall = self.wall()
+        wall.run("limitAnalysis")
+        self.assertIsInstance(wall.table("limitAnalysis")["alpha"], numpy.ndarray)
+        frame = list(wall.frames())[-1]
+        self.assertEqual(frame["displacement"].shape, (43, 3))
+        self.assertAlmostEqual(float(numpy.linalg.norm(frame["displacement"], axis=1).max()), frame.largestDisplacement())
+        try:
+            import pandas
+        except ImportError:
+            self.skipTest("pandas is not installed")
+        table = wall.table("limitAnalysis").pandas()
+        self.assertIsInstance(table, pandas.DataFrame)
+        self.assertEqual(list(table.columns[:2]) + [table.shape[0]], ["alpha[-]", "status[-]", 1])
 
     def testReadsAMotion(self):
         case = self.case()
