@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// What can be done with a record, and its figures. The readers are in RecordReaders.cpp.
+/// What can be done with a record, and its figures. The readers are in PeerRecord.cpp and CsvRecord.cpp.
 #include "timeSeries/Record.h"
 
 #include <gsl/gsl_multifit.h>
