@@ -34,6 +34,9 @@ std::string statusText(const LimitAnalysisCase<Dim>& structure, const LimitAnaly
     case CollapseStatus::unbounded:
         return structure.movement ? "unbounded (no force moves the support in this direction)"
                                   : "unbounded (no load of this direction makes it collapse)";
+    case CollapseStatus::upperBound:
+        return "upper bound (no collapse by Coulomb's law was found; forces and mechanism are those of the "
+               "associative law)";
     case CollapseStatus::notConverged:
         break;
     }
@@ -41,11 +44,17 @@ std::string statusText(const LimitAnalysisCase<Dim>& structure, const LimitAnaly
            "system/solution/limitAnalysis";
 }
 
+/// The multiplier, or the bound on it where no more is known, which tables do not have.
+double knownAlpha(const LimitAnalysis& result)
+{
+    return result.status == CollapseStatus::upperBound ? result.alpha : tabledAlpha(result);
+}
+
 /// The combination nearest to collapse.
 void printGoverning(const std::vector<LimitAnalysis>& results)
 {
     const auto demand = [](const LimitAnalysis& result)
-    { return result.status == CollapseStatus::unstable ? 0 : std::abs(tabledAlpha(result)); };
+    { return result.status == CollapseStatus::unstable ? 0 : std::abs(knownAlpha(result)); };
     const auto least = std::min_element(results.begin(), results.end(),
                                         [&](const auto& a, const auto& b) { return demand(a) < demand(b); });
     if (least->status == CollapseStatus::unstable)
@@ -54,7 +63,8 @@ void printGoverning(const std::vector<LimitAnalysis>& results)
     }
     else
     {
-        info("Governing combination: {}, alpha = {:.9g}\n", least->combination, tabledAlpha(*least));
+        info("Governing combination: {}, alpha {} {:.9g}\n", least->combination,
+             least->status == CollapseStatus::upperBound ? "<=" : "=", knownAlpha(*least));
     }
 }
 
@@ -72,8 +82,11 @@ void printCoulombRange(const CoulombRange& range, const LimitAnalysis& result)
     {
         info("Coulomb's law: no collapse found on which the live load does work ({} starts); its multiplier "
              "is at "
-             "most that of the associative law, {:.6f}",
-             range.starts, range.associative);
+             "most that of the associative law, {:.6f}{}",
+             range.starts, range.associative,
+             std::isfinite(range.safe)
+                 ? fmt::format(", and at least that of joints without friction, {:.6f}", range.safe)
+                 : "");
     }
     if (range.fall < range.lowest)
     {
@@ -157,6 +170,10 @@ void printLimitAnalysis(const LimitAnalysisCase<Dim>& structure, const std::vect
                 printLine(sentence);
             }
         }
+        if (result.status == CollapseStatus::upperBound)
+        {
+            info("Collapse load multiplier alpha <= {:.9g}", result.alpha);
+        }
         if (result.coulomb)
         {
             printCoulombRange(*result.coulomb, result);
@@ -183,7 +200,7 @@ void printLimitAnalysis(const LimitAnalysisCase<Dim>& structure, const std::vect
     {
         info("Range of load multipliers: {:.9g} to {:.9g}\n",
              results[1].status == CollapseStatus::unbounded ? -tabledAlpha(results[1]) : results[1].alpha,
-             tabledAlpha(results[0]));
+             knownAlpha(results[0]));
     }
 }
 

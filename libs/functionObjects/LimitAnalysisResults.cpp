@@ -44,6 +44,8 @@ std::string caption(const LimitAnalysisCase<Dim>& structure, const LimitAnalysis
     case CollapseStatus::unbounded:
         return structure.movement ? "no force moves the support in this direction"
                                   : "no live load of this direction makes it collapse";
+    case CollapseStatus::upperBound:
+        return fmt::format("alpha at most {:.6f}", result.alpha);
     case CollapseStatus::notConverged:
         break;
     }

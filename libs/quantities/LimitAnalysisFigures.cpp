@@ -17,6 +17,7 @@ double tabledAlpha(CollapseStatus status, double alpha)
         return std::numeric_limits<double>::infinity();
     case CollapseStatus::unstable:
     case CollapseStatus::notConverged:
+    case CollapseStatus::upperBound:
         return std::numeric_limits<double>::quiet_NaN();
     case CollapseStatus::optimal:
         break;

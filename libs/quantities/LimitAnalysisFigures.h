@@ -20,7 +20,8 @@ struct TabledFigure
 };
 
 /// Multiplier, status, sizes, certificate and CPU time of one answer. The multiplier of what is unbounded is
-/// `inf` (for a support that moves `-inf`), of what does not stand or did not converge `nan`.
+/// `inf` (for a support that moves `-inf`), of what does not stand, did not converge, or has a bound only
+/// `nan`.
 /// \param cpuTime of the solution [s]
 template<int Dim>
 std::vector<TabledFigure> limitAnalysisFigures(const LimitAnalysisCase<Dim>& structure,

@@ -133,6 +133,10 @@ std::string verdict(const LimitAnalysis& answer)
         return "unstable: the blocks cannot carry their dead load";
     case CollapseStatus::unbounded:
         return "unbounded: no load of this direction makes it collapse";
+    case CollapseStatus::upperBound:
+        return "no collapse by Coulomb's law was found: alpha is at most that of the associative law, as the "
+               "log "
+               "says";
     case CollapseStatus::notConverged:
         break;
     }

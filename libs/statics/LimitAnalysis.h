@@ -26,17 +26,21 @@ StaticProgram<Dim> limitAnalysisProgram(int freeBlocks, const std::vector<Contac
 /// What a structure does under dead + alpha live load.
 enum class CollapseStatus
 {
-    optimal = 0,     ///< it collapses at alpha
-    unstable = 1,    ///< it cannot carry the dead load
-    unbounded = 2,   ///< no load of this direction makes it collapse
-    notConverged = 3 ///< the solver did not reach its tolerance: there is no answer
+    optimal = 0,      ///< it collapses at alpha
+    unstable = 1,     ///< it cannot carry the dead load
+    unbounded = 2,    ///< no load of this direction makes it collapse
+    notConverged = 3, ///< the solver did not reach its tolerance: there is no answer
+    upperBound = 4    ///< it collapses at alpha or less, by Coulomb's law, but no such collapse was found
 };
 
 /// With Coulomb's law collapse is not unique: what a search from several starts has met (NonAssociative.h).
 struct CoulombRange
 {
     double associative =
-        0;              ///< multiplier of the associative law, never below; infinite when that is unbounded
+        0; ///< multiplier of the associative law, never below; infinite when that is unbounded
+    /// Multiplier below which nothing collapses, found where no collapse was met: that of joints whose shear
+    /// is cohesion alone; minus infinity where these cannot carry the dead load.
+    double safe = -std::numeric_limits<double>::infinity();
     double lowest = 0;  ///< of the collapses met; infinite where there is none
     double highest = 0; ///< of the collapses met
     /// Lowest multiplier met at which blocks fall under the dead load alone, without work of the live load;
@@ -49,7 +53,8 @@ struct CoulombRange
 struct LimitAnalysis
 {
     CollapseStatus status = CollapseStatus::notConverged;
-    double alpha = 0; ///< collapse load multiplier, for `optimal`; of a settlement the base reaction [N]
+    double alpha = 0; ///< collapse load multiplier, for `optimal`, or a bound on it, for `upperBound`; of a
+                      ///< settlement the base reaction [N]
     Eigen::VectorXd contactForce; ///< (n, t), in space (n, t1, t2), of each contact point at collapse [N];
                                   ///< zero for `unstable`
     Eigen::VectorXd mechanism;    ///< (ux uy rz), in space (ux uy uz rx ry rz), of each free block, largest

@@ -311,6 +311,28 @@ private:
     CoulombPair latestPair;
 };
 
+/// The multiplier of joints without friction, below which there is no pair. Minus infinity where they cannot
+/// carry the dead load.
+template<int Rows, int Forces>
+double safeMultiplier(const ConeProgram<Rows, Forces>& program, const InteriorPointSettings& solver,
+                      LimitAnalysis& effort)
+{
+    ConeProgram<Rows, Forces> smooth = program;
+    smooth.friction.assign(program.friction.size(), 0);
+    for (std::size_t point = 0; point < smooth.strength.size(); ++point)
+    {
+        Strength& strength = smooth.strength[point];
+        strength.cohesion = std::max(0.0, strength.cohesion - program.friction[point] * strength.tension);
+    }
+    const LimitAnalysis analysis = solveLimitAnalysis(smooth, solver);
+    effort.iterations += analysis.iterations;
+    effort.factorisations += analysis.factorisations;
+    effort.solves += analysis.solves;
+    return analysis.status == CollapseStatus::optimal     ? analysis.alpha
+           : analysis.status == CollapseStatus::unbounded ? std::numeric_limits<double>::infinity()
+                                                          : -std::numeric_limits<double>::infinity();
+}
+
 } // namespace
 
 void declare(Options& options, NonAssociativeSettings& settings)
@@ -337,7 +359,6 @@ LimitAnalysis solveNonAssociative(const ConeProgram<Rows, Forces>& program,
     {
         return result;
     }
-    const CollapseStatus associative = result.status;
     Search<Rows, Forces> search(program, settings, solver, result);
     if (search.findRest())
     {
@@ -356,8 +377,11 @@ LimitAnalysis solveNonAssociative(const ConeProgram<Rows, Forces>& program,
     result.coulomb = search.range;
     if (!found.exists())
     {
-        result.status = associative == CollapseStatus::unbounded ? CollapseStatus::unbounded
-                                                                 : CollapseStatus::notConverged;
+        if (result.status == CollapseStatus::optimal)
+        {
+            result.status = CollapseStatus::upperBound;
+            result.coulomb->safe = safeMultiplier(program, solver, result);
+        }
         return result;
     }
     result.status = CollapseStatus::optimal;

@@ -48,9 +48,15 @@ void declare(Options& options, NonAssociativeSettings& settings);
 /// bound on the least of all collapses, which nothing here proves; that of the associative law is one that is
 /// proved. Where only falls have been met the lowest of them is the result. Where all pairs are below zero,
 /// which says that some forces at rest are not safe, it is the highest of them. Without any pair the result
-/// is `notConverged`, its range with the associative multiplier. What the friction cones cannot carry is
-/// `unstable` with either law; `unbounded` means that the associative law has no collapse and no other was
-/// met. \throws std::invalid_argument for a program with gaps
+/// is `upperBound`: forces, mechanism and certificate of the associative collapse, which no pair exceeds.
+/// What the friction cones cannot carry is `unstable` with either law; `unbounded` means that the associative
+/// law has no collapse and no other was met.
+///
+/// Where no pair is met the range says from where on there may be one. A pair of Coulomb's law has
+/// (c - c')'A'y >= 0 for all forces c' with |c'_t| <= C - mu T, -T <= c'_n <= N: where a point opens, c_n is
+/// -T and so the least, where it slides, c't = (C + mu c_n)|s| is the larger work. With A c = f + alpha L,
+/// A c' = f + alpha' L and L'y = 1 that is alpha >= alpha' (Radenkovic 1961): no pair is below the greatest
+/// alpha' of joints without friction. \throws std::invalid_argument for a program with gaps
 template<int Rows, int Forces>
 LimitAnalysis solveNonAssociative(const ConeProgram<Rows, Forces>& program,
                                   const NonAssociativeSettings& settings = {},

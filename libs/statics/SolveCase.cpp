@@ -73,11 +73,13 @@ bool isWorse(const LimitAnalysis& a, const LimitAnalysis& b)
     {
         constexpr std::array worstFirst{CollapseStatus::notConverged, CollapseStatus::unstable,
                                         CollapseStatus::optimal, CollapseStatus::unbounded};
-        return std::find(worstFirst.begin(), worstFirst.end(), status) - worstFirst.begin();
+        const CollapseStatus kind = status == CollapseStatus::upperBound ? CollapseStatus::optimal : status;
+        return std::find(worstFirst.begin(), worstFirst.end(), kind) - worstFirst.begin();
     };
-    return rank(a.status) != rank(b.status)
-               ? rank(a.status) < rank(b.status)
-               : a.status == CollapseStatus::optimal && a.alpha < b.alpha * (1 - sameMultiplier);
+    const auto collapses = [](CollapseStatus status)
+    { return status == CollapseStatus::optimal || status == CollapseStatus::upperBound; };
+    return rank(a.status) != rank(b.status) ? rank(a.status) < rank(b.status)
+                                            : collapses(a.status) && a.alpha < b.alpha * (1 - sameMultiplier);
 }
 
 template<int Dim>
