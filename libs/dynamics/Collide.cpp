@@ -163,9 +163,10 @@ bool takeImpact(Step<Dim>& step, std::vector<std::size_t> meeting)
     {
         setColumns(arrival, step.arrivals);
     }
-    Impact impact = impactOf<Dim>({step.mass, solved.velocity, arrival, meeting, step.bySupports,
-                                   scene.restitution(), slowestRebound(step), timeStep},
-                                  step.settings);
+    Impact impact =
+        impactOf<Dim>({step.mass, solved.velocity, arrival, meeting, step.bySupports, scene.restitution(),
+                       slowestRebound(step), timeStep, &solved.result.contactForce},
+                      step.settings);
     countWork(step, impact.iterations, impact.factorisations, impact.programs);
     solved.isSolved = impact.isSolved;
     if (!solved.isSolved)

@@ -30,15 +30,17 @@ constexpr int manyPivots = 4;
 /// and winding; by way of points that are softer by these factors it is short.
 constexpr std::array<double, 3> softening{65536, 256, 1};
 
-/// In powers of 4 times what stops all of a structure in one step, so that it stays from step to step and is
-/// the same in any units. \return the stiffness with which points overlap by no more under a force [N/m]
-double stiffnessFor(const StepProgram<2>& program, double force, double overlap)
+/// In powers of 4 times what stops all of a structure in one whole step, so that it stays from step to step,
+/// and from part to part, and is the same in any units. \return the stiffness with which points overlap by no
+/// more under a force [N/m]
+double stiffnessFor(const StepProgram<2>& program, double force, double overlap, double partOfStep)
 {
     double inertia = 0;
     for (const StepProgram<2>::Inertia& ofBody : program.inertia)
     {
         inertia += ofBody(0, 0);
     }
+    inertia *= partOfStep * partOfStep;
     return inertia * std::exp2(2 * std::ceil(0.5 * std::log2(force / (inertia * overlap))));
 }
 
@@ -51,18 +53,10 @@ struct FollowedFlow
     ThetaStep& step;
 };
 
-/// Whose forces a path begins with.
-enum class From
-{
-    lastStep,
-    afar ///< of another kind, such as those of the interior point
-};
-
 /// Takes the overlaps c/k away: with gaps that are smaller by them points carry the same forces where they
 /// touch (the method of multipliers, Hestenes 1969). What is left of the overlaps is what the forces change
 /// by, over k, and they change by the inertia of displacements as small as overlaps only.
-bool closeOverlaps(FollowedFlow& flow, ContactPath& path, ConeSolution& solution, double stiffness,
-                   const Relinearisation<2>& relinearise)
+bool closeOverlaps(const FollowedFlow& flow, ContactPath& path, ConeSolution& solution, double stiffness)
 {
     constexpr int rounds = 2;
     for (int round = 0; round < rounds; ++round)
@@ -74,37 +68,26 @@ bool closeOverlaps(FollowedFlow& flow, ContactPath& path, ConeSolution& solution
             return false;
         }
         solution.contactForce = path.contactForce();
-        solution.displacement = displacementUnder(
-            flow.program, flow.program.load - applyEquilibrium(flow.program, solution.contactForce));
-        relinearise(solution.displacement, solution.contactForce, flow.program);
     }
+    solution.displacement = displacementUnder(
+        flow.program, flow.program.load - applyEquilibrium(flow.program, solution.contactForce));
     return true;
 }
 
 /// From a solution to that for points of this stiffness. \param relinearise or empty: with the gaps as they
-/// are \param gapTolerance of the linear prediction \return whether it was reached
+/// are \param gapTolerance of the linear prediction \param overlaps left at the end \return whether it was
+/// reached
 bool followTo(FollowedFlow& flow, ConeSolution& solution, double stiffness, int maximumPivots,
-              const Relinearisation<2>& relinearise, double gapTolerance, From from)
+              const Relinearisation<2>& relinearise, double gapTolerance, Overlaps overlaps)
 {
     constexpr double beyond = 1e-3;
     constexpr double exact = 1e-3;
-    // Where overlaps are closed after each step, they are there again when the next begins, with its forces.
-    const bool areClosed = relinearise && flow.settings.overlaps == Overlaps::closed;
-    const Eigen::VectorXd overlapBefore = areClosed && from == From::lastStep
-                                              ? Eigen::VectorXd(solution.contactForce / stiffness)
-                                              : Eigen::VectorXd::Zero(solution.contactForce.size());
-    const auto overlapping = [&]
-    {
-        StepProgram<2> program = flow.program;
-        program.gap -= overlapBefore;
-        return program;
-    };
-    ContactPath path(overlapping(), solution,
+    ContactPath path(flow.program, solution,
                      {Sliding::coulomb, stiffness, beyond * flow.settings.solver.tolerance, maximumPivots},
                      flow.symbolic);
     bool isReached = false;
     double before = std::numeric_limits<double>::infinity();
-    for (int round = 0; !isReached && round <= mostRelinearisations && path.follow(overlapping()); ++round)
+    for (int round = 0; !isReached && round <= mostRelinearisations && path.follow(flow.program); ++round)
     {
         solution.contactForce = path.contactForce();
         solution.displacement = displacementUnder(
@@ -119,9 +102,9 @@ bool followTo(FollowedFlow& flow, ConeSolution& solution, double stiffness, int 
         isReached = error <= exact * gapTolerance || (error <= gapTolerance && error >= 0.5 * before);
         before = error;
     }
-    if (isReached && areClosed)
+    if (isReached && overlaps == Overlaps::closed)
     {
-        isReached = closeOverlaps(flow, path, solution, stiffness, relinearise);
+        isReached = closeOverlaps(flow, path, solution, stiffness);
     }
     flow.step.iterations += path.factorisations;
     flow.step.factorisations += path.factorisations;
@@ -136,20 +119,21 @@ bool followFlow<2>(ThetaStep& step, const StepProgram<2>& program, const ConeSol
                    SymbolicAnalysis& symbolic)
 {
     const double largest = start.contactForce.size() > 0 ? start.contactForce.lpNorm<Eigen::Infinity>() : 0;
-    if (!relinearise || !followsFlow<2>(settings) || program.hasCompliance() || program.hasCrushing()
-        || !(largest > 0))
+    const bool isMotion = settings.kind == StepKind::motion; // an impact has its gaps as they are
+    if ((isMotion && !relinearise) || !followsFlow<2>(settings) || program.hasCompliance()
+        || program.hasCrushing() || !(largest > 0))
     {
         return false;
     }
     // Half of what is allowed under the largest force of the step before.
     const double overlap = settings.contactOverlap * settings.blockSize;
-    const double stiffness = stiffnessFor(program, largest, overlap / 2);
+    const double stiffness = stiffnessFor(program, largest, overlap / 2, settings.partOfStep);
     const int few = fewPivots + program.points() / pointsToAPivot;
     const int many = manyPivots * program.points();
     FollowedFlow flow{program, settings, symbolic, step};
     ConeSolution solution = start;
     bool isReached =
-        followTo(flow, solution, stiffness, few, relinearise, partOfOverlap * overlap, From::lastStep);
+        followTo(flow, solution, stiffness, few, relinearise, partOfOverlap * overlap, settings.overlaps);
     if (!isReached)
     {
         flow.program = program;
@@ -158,9 +142,9 @@ bool followFlow<2>(ThetaStep& step, const StepProgram<2>& program, const ConeSol
         for (std::size_t stage = 0; isReached && stage < softening.size(); ++stage)
         {
             const bool isLast = stage + 1 == softening.size();
-            isReached =
-                followTo(flow, solution, stiffness / softening[stage], many,
-                         isLast ? relinearise : Relinearisation<2>{}, partOfOverlap * overlap, From::afar);
+            isReached = followTo(flow, solution, stiffness / softening[stage], many,
+                                 isLast ? relinearise : Relinearisation<2>{}, partOfOverlap * overlap,
+                                 isLast ? settings.overlaps : Overlaps::damped);
         }
     }
     if (!isReached)

@@ -21,10 +21,10 @@ bool followsFlow(const StepSettings& settings)
 /// Coulomb's law by following forces from a start to those of points that overlap by up to
 /// `contactOverlap` (conic/coulomb/ContactPath.h). Rigid forces are not unique, and with them neither is the
 /// motion: these are the least, so that the motion depends on the places and velocities of the blocks only,
-/// and changes as they do. Where nothing would take away the energy of overlaps, they are closed again by
-/// multipliers. Only in the plane, with theta 1, blocks that move and forces to begin with. \param program
-/// its gaps without what the flow opens \return whether it was reached; otherwise the step is as it was but
-/// for the work counted
+/// and changes as they do. Those of an impact, which nothing would close after it, are closed again by
+/// multipliers. Only in the plane, with theta 1 or for an impact, and forces to begin with. \param program
+/// its gaps without what the flow opens \param relinearise empty for an impact \return whether it was
+/// reached; otherwise the step is as it was but for the work counted
 template<int Dim>
 bool followFlow(ThetaStep& step, const StepProgram<Dim>& program, const ConeSolution& start,
                 const StepSettings& settings, const Relinearisation<Dim>& relinearise,

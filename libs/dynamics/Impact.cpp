@@ -2,6 +2,8 @@
 /// The law of impacts, apart from the steps: the law of an instant knows no time integration.
 #include "dynamics/Impact.h"
 
+#include "conic/form/Form.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -272,10 +274,23 @@ Impact impactOf(const ImpactProblem<Dim>& problem, const StepSettings& settings)
     Impact impact;
     StepSettings instant = settings;
     instant.kind = StepKind::impact;
+    instant.overlaps = Overlaps::closed;
+    SymbolicAnalysis symbolic; // of all programs: they differ in their gaps
+    StepGuess guess;
+    if (problem.stepForce)
+    {
+        guess.contactForce.resize(Dim * static_cast<Eigen::Index>(problem.meeting.size()));
+        for (std::size_t i = 0; i < problem.meeting.size(); ++i)
+        {
+            guess.contactForce.template segment<Dim>(Dim * static_cast<Eigen::Index>(i)) =
+                problem.stepForce->template segment<Dim>(Dim * static_cast<Eigen::Index>(problem.meeting[i]));
+        }
+    }
     const auto solve = [&](const Eigen::VectorXd& share, FlowRule flowRule, Outcome& outcome)
     {
         instant.flowRule = flowRule;
-        const ThetaStep step = solveThetaStep(impactProgram(problem, groups, closing, share), instant);
+        const ThetaStep step = solveThetaStep(impactProgram(problem, groups, closing, share), instant, guess,
+                                              Relinearisation<Dim>(), &symbolic);
         impact.iterations += step.iterations;
         impact.factorisations += step.factorisations;
         impact.programs += step.programs;
@@ -284,6 +299,7 @@ Impact impactOf(const ImpactProblem<Dim>& problem, const StepSettings& settings)
             return false;
         }
         outcome = {step.displacement / problem.timeStep, step.contactForce, share, {}};
+        guess.contactForce = step.contactForce;
         outcome.gain = gainOf(problem, groups, outcome.velocity, outcome.force);
         return true;
     };

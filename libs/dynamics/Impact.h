@@ -21,6 +21,8 @@ struct ImpactProblem
     double restitution = 0;                   ///< e, 0 to 1
     double slowestRebound = 0;                ///< points that would part slower do not part at all [m/s]
     double timeStep = 1;                      ///< of the step [s]; scales the program only
+    /// Of all points of the program in the step, where the search for impulses begins [N]; null: from none.
+    const Eigen::VectorXd* stepForce = nullptr;
 };
 
 /// What an impact changes.

@@ -123,7 +123,7 @@ bool takeParts(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeSt
     const double start = motion.state.time;
     const bool isLocated = scene.schemes.impacts == ImpactInstant::located && tolerance < 1;
     ImpactChoice impacts{isLocated ? ImpactInstant::located : ImpactInstant::stepStart, tolerance * timeStep,
-                         isLocated ? shortestFlight * timeStep : 0};
+                         isLocated ? shortestFlight * timeStep : 0, timeStep};
     std::optional<Motion<Dim>> before; // where the step is parted
     PartedStep<Dim> parts;
     double left = timeStep;

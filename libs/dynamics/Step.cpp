@@ -33,10 +33,9 @@ Step<Dim>::Step(const DynamicCase<Dim>& dynamicCase, Motion<Dim>& current, doubl
       mass(massAt(scene, motion.state.placements))
 {
     settings.flowRule = scene.flowRule();
-    settings.overlaps = scheme.theta < 1    ? Overlaps::none
-                        : hasImpacts(scene) ? Overlaps::closed
-                                            : Overlaps::damped;
+    settings.overlaps = scheme.theta < 1 ? Overlaps::none : Overlaps::damped;
     settings.blockSize = scene.blockSize;
+    settings.partOfStep = choice.wholeStep > 0 ? length / choice.wholeStep : 1;
     settings.contactOverlap = scene.schemes.contactOverlap;
     settings.contactTolerance = scene.schemes.contactTolerance * scene.blockSize;
     settings.solver = scene.solution;

@@ -13,6 +13,7 @@ struct ImpactChoice
     ImpactInstant instant = ImpactInstant::stepStart;
     double tolerance = 0;      ///< blocks that would meet within this time meet now [s]
     double shortestFlight = 0; ///< blocks that would be back before this time do not rebound [s]
+    double wholeStep = 0;      ///< that the step is a part of [s]; 0: itself
 };
 
 /// What is known of the end of a step.

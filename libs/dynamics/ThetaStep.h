@@ -50,13 +50,12 @@ enum class StepKind
     impact
 };
 
-/// Whether points may overlap by a little under their forces. Where impacts are apart from the program of the
-/// step nothing takes away the energy that overlaps give back.
+/// Whether points may overlap by a little under their forces.
 enum class Overlaps
 {
-    none,   ///< rigid, and forces that any solver gives: theta below 1
-    closed, ///< none at the end of a step: forces are those of points that overlap, but these do not
-    damped  ///< by the step itself
+    none,   ///< rigid, and forces that any solver gives: theta below 1, where nothing takes away their energy
+    closed, ///< none at the end: forces are those of points that overlap, but these do not. An impact
+    damped  ///< by the step itself, which theta 1 does
 };
 
 /// How well a step is to be solved.
@@ -67,6 +66,7 @@ struct StepSettings
     Overlaps overlaps = Overlaps::none;
     double blockSize = 1;                             ///< mean, what lengths are compared with [m]
     double contactOverlap = Schemes().contactOverlap; ///< of points that follow the flow [blockSize]
+    double partOfStep = 1;       ///< its length over that of the whole step that impacts have parted
     double contactTolerance = 0; ///< error allowed in the gaps at the end of the step [m]
     SolverChoice solver;
     const StepWork* work = nullptr; ///< done so far, and the most allowed; not owned; null: no bound

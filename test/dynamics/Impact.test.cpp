@@ -211,8 +211,13 @@ TEST(Impact, ThrowsOfAllKindsGainNoMoreThanTheToleranceOfGaps)
         start.placements[1] = {{0, std::hypot(width, height) / 2 - height / 2 + draw(0, 0.02)},
                                draw(-M_PI, M_PI)};
         start.velocity << draw(-3, 3), draw(-3, -1), draw(-8, 8);
-        // With theta 0.5 what a step leaves of gaps, within contactTolerance, is closed without a loss.
-        EXPECT_LT(largestGain(scene, start, 5e-3, 0.5), theta == 1 ? 1e-10 : 1e-5)
+        // With theta 0.5 what a step leaves of gaps, within contactTolerance, is closed without a loss. With
+        // theta 1 points that follow Coulomb's law give way by contactOverlap and come back: the weight sinks
+        // and rises by as much.
+        const double sunk = scene.schemes.contactOverlap * scene.blockSize * scenes::g;
+        const double kinetic = 0.5 * start.velocity.head<2>().squaredNorm(); // both for a mass of 1
+        const double byOverlaps = flowRule == FlowRule::nonAssociative ? sunk / kinetic : 0;
+        EXPECT_LT(largestGain(scene, start, 5e-3, 0.5), theta == 1 ? 1e-10 + byOverlaps : 1e-5)
             << "seed " << seed << " theta " << theta << " rule " << int(flowRule) << " e " << restitution
             << " mu " << mu;
     }

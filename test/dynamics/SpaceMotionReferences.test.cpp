@@ -3,6 +3,8 @@
 /// and spins, rocking on a corner, a pulse along a diagonal. Steps of first order are extrapolated from two
 /// lengths.
 #include "SpaceScenes.h"
+#include "dictionary/Dictionary.h"
+#include "texture/Texture.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -243,4 +245,31 @@ TEST(SpaceMotionReferences, APulseAlongTheDiagonalRocksAndOverturns)
     EXPECT_GT(largestTilt({1, 0, 0}, 0.2505), 1e-5);
     EXPECT_LT(largestTilt(diagonal, 0.4785), 0.34); // below the critical angle of 0.3398
     EXPECT_GE(largestTilt(diagonal, 0.4833), 0.6);
+}
+
+// Below the lowest collapse known of Coulomb's law, 0.203232297, nothing moves; above the associative
+// multiplier, 0.207494721, the front leaves its return. Between the two it rests as it stands.
+TEST(SpaceMotionReferences, AnLWallMovesByCoulombsLawWhereLimitAnalysisSaysSo)
+{
+    const Assembly<3> assembly = makeStructure<3>(
+        Dictionary::readString("dimensions 3; supports { ground { type ground; } }\n"
+                               "texture { type walls; unit (0.4 0.2 0.2); bond running; courses 6;\n"
+                               "walls { front { from (0 0); length 3; }\n"
+                               "left { from (0 0); direction (0 1); length 1; thickness right; } } }\n"));
+    DynamicCase<3> scene = sceneOf(assembly, 1, 0.65, {0, 0, -g});
+    for (const auto& [share, moves] : {std::pair(0.2032, false), std::pair(0.2076, true)})
+    {
+        setGravity(scene, {0, -share * g, -g});
+        Motion<3> motion = startMotion(scene, stateAtRest(scene.assembly));
+        double farthest = 0;
+        for (int step = 1; step <= 10; ++step)
+        {
+            ASSERT_TRUE(advance(scene, motion, 0.002)) << share << ", step " << step;
+        }
+        for (const Placement<3>& placement : motion.state.placements)
+        {
+            farthest = std::max(farthest, -placement.translation.y());
+        }
+        EXPECT_EQ(farthest > 1e-8, moves) << share << ": " << farthest;
+    }
 }
