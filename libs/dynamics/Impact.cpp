@@ -274,10 +274,13 @@ Impact impactOf(const ImpactProblem<Dim>& problem, const StepSettings& settings)
     Impact impact;
     StepSettings instant = settings;
     instant.kind = StepKind::impact;
-    instant.overlaps = Overlaps::closed;
+    // Steps that are followed have unique forces, from which impulses can be followed too.
+    const bool isFollowed =
+        settings.flowRule == FlowRule::nonAssociative && settings.overlaps == Overlaps::damped;
+    instant.overlaps = isFollowed ? Overlaps::closed : Overlaps::none;
     SymbolicAnalysis symbolic; // of all programs: they differ in their gaps
     StepGuess guess;
-    if (problem.stepForce)
+    if (isFollowed && problem.stepForce)
     {
         guess.contactForce.resize(Dim * static_cast<Eigen::Index>(problem.meeting.size()));
         for (std::size_t i = 0; i < problem.meeting.size(); ++i)
@@ -299,7 +302,10 @@ Impact impactOf(const ImpactProblem<Dim>& problem, const StepSettings& settings)
             return false;
         }
         outcome = {step.displacement / problem.timeStep, step.contactForce, share, {}};
-        guess.contactForce = step.contactForce;
+        if (isFollowed)
+        {
+            guess.contactForce = step.contactForce;
+        }
         outcome.gain = gainOf(problem, groups, outcome.velocity, outcome.force);
         return true;
     };
