@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
+#include <limits>
 #include <sched.h>
 #include <unistd.h>
 
@@ -61,6 +62,43 @@ std::string joined(const std::vector<std::string>& words)
     return text.empty() ? "none" : text;
 }
 
+/// A number of threads in the environment; 0 where there is none.
+int threadsInEnvironment(const char* name)
+{
+    const char* wanted = std::getenv(name);
+    const long count = wanted ? std::strtol(wanted, nullptr, 10) : 0;
+    return count > 0 && count < 100000 ? static_cast<int>(count) : 0;
+}
+
+/// Cores whose time a control group may use, from the line `quota period` of its cpu.max; infinite where it
+/// has no limit.
+double coresOfGroup()
+{
+    double quota = 0;
+    double period = 0;
+    if (std::FILE* file = std::fopen("/sys/fs/cgroup/cpu.max", "r"))
+    {
+        const int found = std::fscanf(file, "%lf %lf", &quota, &period);
+        std::fclose(file);
+        if (found == 2 && quota > 0 && period > 0)
+        {
+            return quota / period;
+        }
+    }
+    return std::numeric_limits<double>::infinity();
+}
+
+int coresAllowed()
+{
+    cpu_set_t allowed;
+    CPU_ZERO(&allowed);
+    if (::sched_getaffinity(0, sizeof(allowed), &allowed) == 0)
+    {
+        return std::max(1, CPU_COUNT(&allowed));
+    }
+    return static_cast<int>(std::max(1L, ::sysconf(_SC_NPROCESSORS_ONLN)));
+}
+
 } // namespace
 
 void printLine(std::string_view line)
@@ -106,21 +144,14 @@ void printEnd()
 
 int threadCount()
 {
-    if (const char* wanted = std::getenv("OMP_NUM_THREADS"))
+    for (const char* name : {"OMP_NUM_THREADS", "SLURM_CPUS_PER_TASK"})
     {
-        const long count = std::strtol(wanted, nullptr, 10);
-        if (count > 0 && count < 100000)
+        if (const int inEnvironment = threadsInEnvironment(name))
         {
-            return static_cast<int>(count);
+            return inEnvironment;
         }
     }
-    cpu_set_t allowed;
-    CPU_ZERO(&allowed);
-    if (::sched_getaffinity(0, sizeof(allowed), &allowed) == 0)
-    {
-        return std::max(1, CPU_COUNT(&allowed));
-    }
-    return static_cast<int>(std::max(1L, ::sysconf(_SC_NPROCESSORS_ONLN)));
+    return std::max(1, static_cast<int>(std::min<double>(coresAllowed(), std::ceil(coresOfGroup()))));
 }
 
 std::string durationText(double seconds)

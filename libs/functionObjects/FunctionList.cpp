@@ -32,6 +32,7 @@ bool isTimeReached(const std::vector<double>& times, double written, const TimeP
 void declare(Options& options, ControlDictSettings& settings)
 {
     declare(options, settings.controls);
+    declare(options, settings.threads);
     options.optional("functions", settings.functions, functionTypes<2>(),
                      "what is written beside the animation; each has a name of yours");
 }

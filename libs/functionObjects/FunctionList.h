@@ -11,6 +11,7 @@
 #include "dictionary/Registry.h"
 #include "functionObjects/FunctionObject.h"
 #include "runControl/OutputControl.h"
+#include "runControl/ThreadControls.h"
 #include "runControl/Time.h"
 
 #include <functional>
@@ -48,6 +49,7 @@ const Registry<FunctionPlan<Dim>>& functionTypes();
 struct ControlDictSettings
 {
     TimeControls controls;
+    ThreadControls threads;
     std::vector<Named<FunctionPlan<2>>> functions;
 };
 void declare(Options& options, ControlDictSettings& settings);

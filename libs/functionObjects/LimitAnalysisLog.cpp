@@ -2,6 +2,7 @@
 /// The sentences of a limit analysis on standard output.
 #include "functionObjects/LimitAnalysisLog.h"
 
+#include "conic/MachineText.h"
 #include "contact/JointClosure.h"
 #include "contact/SupportPaths.h"
 #include "core/Log.h"
@@ -143,7 +144,8 @@ void printLimitAnalysisCase(const LimitAnalysisCase<Dim>& structure)
         printLine(sentence);
     }
     printClosure(structure.assembly);
-    info("Solver: {}, tolerance {:g}\n", nameOf(structure.solution.solver), structure.solution.tolerance);
+    info("Solver: {}, tolerance {:g}", nameOf(structure.solution.solver), structure.solution.tolerance);
+    info("{}\n", machineText());
 }
 
 template<int Dim>

@@ -2,6 +2,7 @@
 /// Words the log of contactDynamics.
 #include "functionObjects/MotionLog.h"
 
+#include "conic/MachineText.h"
 #include "contact/JointClosure.h"
 #include "core/Log.h"
 #include "dynamics/Step.h"
@@ -49,6 +50,7 @@ void printScene(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const 
     info("Time integration: theta {:g}, deltaT {:g} s, from {} s to {:g} s",
          scene.schemes.timeIntegration.theta, time.deltaT(), time.startName(), time.controls().endTime);
     info("Solver: {}, tolerance {:g}", nameOf(scene.solution.solver), scene.solution.tolerance);
+    printLine(machineText());
     if (!functions.empty())
     {
         std::string names;

@@ -9,7 +9,8 @@ namespace drystone
 {
 
 /// Of C = C - A B' or C = -A B', where the rows of B are the first rows of A: a symmetric update of the
-/// columns that stand first. All matrices are stored by columns, `stride` from one to the next.
+/// columns that stand first. All matrices are stored by columns, `stride` from one to the next. Each number
+/// of C comes out the same whichever others are computed with it, so that several threads may share the rows.
 struct DenseUpdate
 {
     enum class Target
@@ -18,9 +19,10 @@ struct DenseUpdate
         set       ///< C = -A B'
     };
     Target target = Target::subtract;
-    int rows = 0;    ///< of A and C
-    int columns = 0; ///< of C, rows of B; at most `rows`
-    int depth = 0;   ///< columns of A and B
+    int rows = 0;     ///< of A and C
+    int columns = 0;  ///< of C, rows of B; at most `rows`
+    int firstRow = 0; ///< of C that is computed
+    int depth = 0;    ///< columns of A and B
     const double* a = nullptr;
     long aStride = 0;
     double* c = nullptr; ///< only on and below the diagonal is read and written

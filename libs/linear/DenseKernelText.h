@@ -119,7 +119,8 @@ struct KernelText
                 const bool isSet = task.target == DenseUpdate::Target::set && beginDepth == 0;
                 const double* a = task.a + beginDepth * task.aStride;
                 pack(a, task.aStride, beginColumn, columns, depth, width, packedB);
-                for (int beginRow = beginColumn; beginRow < task.rows; beginRow += high)
+                for (int beginRow = beginColumn > task.firstRow ? beginColumn : task.firstRow;
+                     beginRow < task.rows; beginRow += high)
                 {
                     const int rows = task.rows - beginRow < high ? task.rows - beginRow : high;
                     pack(a, task.aStride, beginRow, rows, depth, height, packedA);

@@ -3,8 +3,11 @@
 /// FrontalCholesky only, which is compiled with fused multiply-adds.
 #pragma once
 
+#include "linear/PivotBlock.h"
+
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -92,6 +95,68 @@ void multiply(const double* a, Index aStride, const double* b, Index bStride, in
     }
 }
 
+/// Multiplies rows of three columns by the transposed inverse of their diagonal block.
+inline void scaleRows(double* one, Index stride, const Eigen::Matrix3d& scale, int from, int to)
+{
+    double* two = one + stride;
+    double* three = two + stride;
+    for (int row = from; row < to; ++row)
+    {
+        three[row] = one[row] * scale(2, 0) + two[row] * scale(2, 1) + three[row] * scale(2, 2);
+        two[row] = one[row] * scale(1, 0) + two[row] * scale(1, 1);
+        one[row] *= scale(0, 0);
+    }
+}
+
+/// The columns of a panel, three at a time, once they are freed of those before it: their part of L, with
+/// diagonal blocks of three rows inverted. \param panel from its diagonal down \return false at a pivot that
+/// is not positive
+inline bool eliminatePanel(double* panel, Index stride, int width, int rows)
+{
+    for (int column = 0; column < width; column += columnsAtOnce)
+    {
+        double* block = panel + column * stride + column;
+        multiply<Target::subtract>(panel + column, stride, panel + column, stride, column, block, stride,
+                                   rows - column);
+        Eigen::Map<Eigen::Matrix3d, 0, Eigen::OuterStride<>> diagonal(block, Eigen::OuterStride<>(stride));
+        Eigen::Matrix3d factor = diagonal;
+        Eigen::Matrix3d scale;
+        if (!invertFactor<3, double>(factor, scale))
+        {
+            return false;
+        }
+        diagonal = scale;
+        scaleRows(block, stride, scale, columnsAtOnce, rows - column);
+    }
+    return true;
+}
+
+/// Likewise some rows below the diagonal of a panel that is eliminated there. \param from, to rows from the
+/// panel's first on; a multiple of a register, or up to the end
+inline void eliminateRows(double* panel, Index stride, int width, int from, int to)
+{
+    for (int column = 0; column < width; column += columnsAtOnce)
+    {
+        double* block = panel + column * stride;
+        multiply<Target::subtract>(panel + from, stride, panel + column, stride, column, block + from, stride,
+                                   to - from);
+        const Eigen::Matrix3d scale = Eigen::Map<const Eigen::Matrix3d, 0, Eigen::OuterStride<>>(
+            block + column, Eigen::OuterStride<>(stride));
+        scaleRows(block, stride, scale, from, to);
+    }
+}
+
+/// Tiles that reached beyond the end of a column have left numbers at the top of the next, above its
+/// diagonal, and behind the last. Solves multiply them with zero: they must be finite, and in ill-conditioned
+/// fronts they grow from column to column beyond what a double holds.
+inline void clearAboveDiagonal(double* columns, Index stride, int width)
+{
+    for (int column = 1; column <= width; ++column)
+    {
+        std::fill_n(columns + column * stride, std::min(column, lanes - 1), 0.0);
+    }
+}
+
 /// Columns that a solve takes at once: as many as leave their numbers in registers.
 template<int Sides>
 constexpr int columnsOfSolve = Sides == 1 ? 2 * columnsAtOnce : columnsAtOnce;
@@ -106,13 +171,12 @@ inline Lanes lanesOf(const float* values)
     return Eigen::Map<const Eigen::Array<float, lanes, 1>>(values).cast<double>();
 }
 
-/// Forward substitution with some columns of a front: solves for their own rows of each right side and takes
-/// what they do from the rows below. \param block the columns from their diagonal down \param x from the same
-/// row down; up to a register beyond its end is touched
+/// Solves for the rows of some columns of a front themselves, of each right side. \param block the columns
+/// from their diagonal down, of which blocks of three rows on the diagonal are inverted \param x from the
+/// same row down
 template<int Columns, int Sides, class Scalar>
-void substituteForward(const Scalar* block, Index stride, int rows, const std::array<double*, Sides>& x)
+void solveOwnRows(const Scalar* block, Index stride, const std::array<double*, Sides>& x)
 {
-    std::array<std::array<double, Columns>, Sides> solved;
     for (int side = 0; side < Sides; ++side)
     {
         double* own = x[side];
@@ -132,9 +196,20 @@ void substituteForward(const Scalar* block, Index stride, int rows, const std::a
                 own[row] -= one[row] * own[first] + two[row] * own[first + 1] + three[row] * own[first + 2];
             }
         }
-        std::copy_n(own, Columns, solved[side].begin());
     }
-    for (int row = Columns; row < rows; row += lanes)
+}
+
+/// Takes from other rows what the columns do to them, once their own rows are solved for. \param from, to
+/// rows from that of the diagonal on, rounded up to whole registers
+template<int Columns, int Sides, class Scalar>
+void takeFromRows(const Scalar* block, Index stride, int from, int to, const std::array<double*, Sides>& x)
+{
+    std::array<std::array<double, Columns>, Sides> solved;
+    for (int side = 0; side < Sides; ++side)
+    {
+        std::copy_n(x[side], Columns, solved[side].begin());
+    }
+    for (int row = from; row < to; row += lanes)
     {
         std::array<Lanes, Columns> values;
         for (int column = 0; column < Columns; ++column)
@@ -154,17 +229,29 @@ void substituteForward(const Scalar* block, Index stride, int rows, const std::a
     }
 }
 
-/// Backward substitution: takes from the rows of some columns what those below do, and solves for them.
-/// \param x likewise; zero where it has no rows
+/// Forward substitution with some columns of a front. \param x up to a register beyond its end is touched
 template<int Columns, int Sides, class Scalar>
-void substituteBackward(const Scalar* block, Index stride, int rows, const std::array<double*, Sides>& x)
+void substituteForward(const Scalar* block, Index stride, int rows, const std::array<double*, Sides>& x)
+{
+    solveOwnRows<Columns, Sides>(block, stride, x);
+    takeFromRows<Columns, Sides>(block, stride, Columns, rows, x);
+}
+
+/// A number of each of some columns, for each right side.
+template<int Columns, int Sides>
+using OfColumns = std::array<std::array<double, Columns>, Sides>;
+
+/// Products of columns with rows of x, as above. \param x zero where it has no rows
+template<int Columns, int Sides, class Scalar>
+OfColumns<Columns, Sides> productsWithRows(const Scalar* block, Index stride, int from, int to,
+                                           const std::array<double*, Sides>& x)
 {
     std::array<std::array<Lanes, Columns>, Sides> sum;
     for (auto& ofSide : sum)
     {
         ofSide.fill(Lanes::Zero());
     }
-    for (int row = Columns; row < rows; row += lanes)
+    for (int row = from; row < to; row += lanes)
     {
         std::array<Lanes, Sides> below;
         for (int side = 0; side < Sides; ++side)
@@ -180,6 +267,22 @@ void substituteBackward(const Scalar* block, Index stride, int rows, const std::
             }
         }
     }
+    OfColumns<Columns, Sides> products;
+    for (int side = 0; side < Sides; ++side)
+    {
+        for (int column = 0; column < Columns; ++column)
+        {
+            products[side][column] = sum[side][column].sum();
+        }
+    }
+    return products;
+}
+
+/// Solves for the rows of some columns, once what other rows do to them is known.
+template<int Columns, int Sides, class Scalar>
+void solveOwnRowsBackward(const Scalar* block, Index stride, const OfColumns<Columns, Sides>& products,
+                          const std::array<double*, Sides>& x)
+{
     for (int side = 0; side < Sides; ++side)
     {
         double* own = x[side];
@@ -188,9 +291,9 @@ void substituteBackward(const Scalar* block, Index stride, int rows, const std::
             const Scalar* one = block + first * stride;
             const Scalar* two = one + stride;
             const Scalar* three = two + stride;
-            double a = own[first] - sum[side][first].sum();
-            double b = own[first + 1] - sum[side][first + 1].sum();
-            double c = own[first + 2] - sum[side][first + 2].sum();
+            double a = own[first] - products[side][first];
+            double b = own[first + 1] - products[side][first + 1];
+            double c = own[first + 2] - products[side][first + 2];
             for (int row = first + columnsAtOnce; row < Columns; ++row)
             {
                 a -= one[row] * own[row];
@@ -202,6 +305,15 @@ void substituteBackward(const Scalar* block, Index stride, int rows, const std::
             own[first + 2] = c * three[first + 2];
         }
     }
+}
+
+/// Backward substitution: takes from the rows of some columns what those below do, and solves for them.
+template<int Columns, int Sides, class Scalar>
+void substituteBackward(const Scalar* block, Index stride, int rows, const std::array<double*, Sides>& x)
+{
+    const OfColumns<Columns, Sides> products =
+        productsWithRows<Columns, Sides>(block, stride, Columns, rows, x);
+    solveOwnRowsBackward<Columns, Sides>(block, stride, products, x);
 }
 
 } // namespace drystone::frontKernel

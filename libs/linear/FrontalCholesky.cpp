@@ -1,14 +1,16 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "linear/FrontalCholesky.h"
 
+#include "core/Threads.h"
 #include "linear/DenseKernel.h"
 #include "linear/FrontKernel.h"
-#include "linear/PivotBlock.h"
 #include "linear/Supernodes.h"
+#include "linear/UpdatePool.h"
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
+#include <atomic>
+#include <cmath>
 
 namespace drystone
 {
@@ -25,67 +27,12 @@ constexpr int panelWidth = 48;
 /// and 160 units: 1.27 and 52.6 ms with 12, 1.36 and 56 with 24, 1.5 and 60 with 48.
 constexpr int denseFrom = 12;
 
-/// Numbers in a factor from which it is worth rounding: 8 MB, more than caches hold. A solve takes 0.8 ms
-/// instead of 2.4 at 6,440 blocks and 8 instead of 13 at 25,680; their limit analyses 0.78 and 0.95 of the
-/// time.
-constexpr std::size_t roundedFrom = 1'000'000;
+/// Rows of a front that are one task, in whole registers, and bodies whose columns are one.
+constexpr int rowsOfTask = 256;
+constexpr int bodiesOfTask = 32;
 
-/// Numbers in a factor up to which it may be rounded: what that leaves of the balance grows with it. Limit
-/// analyses of 102,560 blocks with a friction of 0.65 and 1 or 2% more or less took 31 to 38 factorisations
-/// without, 36 to 40 with it, and one took 246 with 10 correctors, 27 without (now 24 without).
-constexpr std::size_t roundedUpTo = 10'000'000;
-
-/// A pool whose pieces are handed out where they fit first.
-class Pool
-{
-public:
-    std::size_t take(std::size_t size)
-    {
-        const auto fits = std::find_if(unused.begin(), unused.end(),
-                                       [size](const Piece& piece) { return piece.size >= size; });
-        if (fits == unused.end())
-        {
-            end += size;
-            return end - size;
-        }
-        const std::size_t begin = fits->begin;
-        fits->begin += size;
-        fits->size -= size;
-        if (fits->size == 0)
-        {
-            unused.erase(fits);
-        }
-        return begin;
-    }
-
-    void giveBack(std::size_t begin, std::size_t size)
-    {
-        auto next = std::find_if(unused.begin(), unused.end(),
-                                 [begin](const Piece& piece) { return piece.begin > begin; });
-        next = unused.insert(next, {begin, size});
-        if (next + 1 != unused.end() && begin + size == (next + 1)->begin)
-        {
-            next->size += (next + 1)->size;
-            unused.erase(next + 1);
-        }
-        if (next != unused.begin() && (next - 1)->begin + (next - 1)->size == begin)
-        {
-            (next - 1)->size += next->size;
-            unused.erase(next);
-        }
-    }
-
-    std::size_t size() const { return end; }
-
-private:
-    struct Piece
-    {
-        std::size_t begin;
-        std::size_t size;
-    };
-    std::vector<Piece> unused; ///< in order, none next to another
-    std::size_t end = 0;
-};
+/// Rows of a slice of the dense kernel: its packing does not pay for less.
+constexpr int rowsOfSlice = 192;
 
 } // namespace
 
@@ -93,6 +40,14 @@ template<int Rows>
 FrontalCholesky<Rows>::FrontalCholesky(const BlockPattern& matrix, const BlockPattern& factor)
 {
     static_assert(Rows % columnsAtOnce == 0);
+    findFronts(matrix, factor);
+    makeSchedule();
+    placeUpdates();
+}
+
+template<int Rows>
+void FrontalCholesky<Rows>::findFronts(const BlockPattern& matrix, const BlockPattern& factor)
+{
     std::vector<int> frontOf(matrix.columns());
     std::size_t size = 0;
     for (const Supernode& supernode : supernodes(factor, Rows))
@@ -104,26 +59,35 @@ FrontalCholesky<Rows>::FrontalCholesky(const BlockPattern& matrix, const BlockPa
         front.firstRow = static_cast<int>(rows.size());
         rows.insert(rows.end(), factor.row.begin() + factor.columnStart[front.lastBody - 1] + 1,
                     factor.row.begin() + factor.columnStart[front.lastBody]);
-        front.lastRow = static_cast<int>(rows.size());
+        front.lastRow = front.outerRow = static_cast<int>(rows.size());
         front.columns = size;
-        size += static_cast<std::size_t>(front.width()) * front.height();
+        // Tiles reach beyond its end, where another thread has its front.
+        size += static_cast<std::size_t>(front.width()) * front.height() + lanes;
         highest = std::max(highest, front.height());
         std::fill(frontOf.begin() + front.firstBody, frontOf.begin() + front.lastBody,
                   static_cast<int>(fronts.size()));
         fronts.push_back(std::move(front));
     }
-    lower.assign(size + overhang, 0);
-
-    std::vector<int> place(matrix.columns());
-    inParent.resize(rows.size());
-    inFront.resize(matrix.row.size());
     for (std::size_t index = 0; index < fronts.size(); ++index)
     {
-        Front& front = fronts[index];
-        if (front.lastRow > front.firstRow)
+        if (const Front& front = fronts[index]; front.lastRow > front.firstRow)
         {
             fronts[frontOf[rows[front.firstRow]]].children.push_back(static_cast<int>(index));
         }
+    }
+    lower.assign(size + overhang, 0);
+    placeRows(matrix);
+}
+
+/// Where rows of the matrix and of the children are in each front.
+template<int Rows>
+void FrontalCholesky<Rows>::placeRows(const BlockPattern& matrix)
+{
+    std::vector<int> place(matrix.columns());
+    inParent.resize(rows.size());
+    inFront.resize(matrix.row.size());
+    for (const Front& front : fronts)
+    {
         for (int body = front.firstBody; body < front.lastBody; ++body)
         {
             place[body] = body - front.firstBody;
@@ -145,79 +109,173 @@ FrontalCholesky<Rows>::FrontalCholesky(const BlockPattern& matrix, const BlockPa
             }
         }
     }
-    placeUpdates();
+}
+
+template<int Rows>
+double FrontalCholesky<Rows>::Front::operations() const
+{
+    const double columnsOfFront = width();
+    const double rowsBelow = below();
+    return columnsOfFront
+           * (columnsOfFront * columnsOfFront / 6 + rowsBelow * columnsOfFront / 2
+              + rowsBelow * rowsBelow / 2);
+}
+
+template<int Rows>
+void FrontalCholesky<Rows>::makeSchedule()
+{
+    std::vector<int> parent(fronts.size(), -1);
+    std::vector<double> operations;
+    operations.reserve(fronts.size());
+    for (std::size_t index = 0; index < fronts.size(); ++index)
+    {
+        operations.push_back(fronts[index].operations());
+        for (const int child : fronts[index].children)
+        {
+            parent[child] = static_cast<int>(index);
+        }
+    }
+    schedule = scheduleFronts(parent, operations);
+
+    outerPlace.resize(rows.size());
+    std::vector<int> place(fronts.empty() ? 0 : fronts.back().lastBody, -1);
+    for (const std::vector<int>& subtree : schedule.subtrees)
+    {
+        const Front& root = fronts[subtree.back()];
+        for (int row = root.firstRow; row < root.lastRow; ++row)
+        {
+            place[rows[row]] = row - root.firstRow;
+        }
+        for (const int index : subtree)
+        {
+            // The rows of a front are on the way to the root of the tree: once outside, they stay there.
+            Front& front = fronts[index];
+            front.isOfTask = true;
+            front.outerRow = front.lastRow;
+            while (front.outerRow > front.firstRow && place[rows[front.outerRow - 1]] >= 0)
+            {
+                --front.outerRow;
+                outerPlace[front.outerRow] = place[rows[front.outerRow]];
+            }
+        }
+        for (int row = root.firstRow; row < root.lastRow; ++row)
+        {
+            place[rows[row]] = -1;
+        }
+    }
 }
 
 /// Each U gets its place until the parent has taken it: whatever the order, few wait at a time.
 template<int Rows>
 void FrontalCholesky<Rows>::placeUpdates()
 {
-    Pool pool;
     const auto sizeOf = [](const Front& front)
     { return static_cast<std::size_t>(front.updateStride()) * front.below() + overhang; };
-    for (Front& front : fronts)
+    UpdatePool waiting;
+    const auto take = [&](Front& front, UpdatePool& pool)
     {
         if (front.below() > 0)
         {
             front.update = pool.take(sizeOf(front));
         }
+    };
+    const auto giveBack = [&](const Front& front, UpdatePool& pool)
+    {
         for (const int child : front.children)
         {
             pool.giveBack(fronts[child].update, sizeOf(fronts[child]));
         }
+    };
+    for (const FrontSchedule::Step& step : schedule.steps)
+    {
+        for (int task = step.firstSubtree; task < step.lastSubtree; ++task)
+        {
+            const std::vector<int>& subtree = schedule.subtrees[task];
+            UpdatePool own;
+            for (const int index : subtree)
+            {
+                take(fronts[index], index == subtree.back() ? waiting : own);
+                giveBack(fronts[index], own);
+            }
+            updatesOfTask = std::max(updatesOfTask, own.size());
+            fronts[subtree.back()].isOfTask = false;
+        }
+        if (step.isFront())
+        {
+            take(fronts[step.front], waiting);
+            giveBack(fronts[step.front], waiting);
+        }
     }
-    updates.assign(pool.size(), 0);
+    updates.assign(waiting.size(), 0);
 }
 
-/// The columns of S that are the front's.
 template<int Rows>
-void FrontalCholesky<Rows>::assembleColumns(const Front& front, const BlockPattern& matrix,
+void FrontalCholesky<Rows>::provideWorkers()
+{
+    workers.resize(std::max(workers.size(), static_cast<std::size_t>(threads())));
+}
+
+template<int Rows>
+double* FrontalCholesky<Rows>::updateOf(const Front& front, Worker& worker)
+{
+    return (front.isOfTask ? worker.updates : updates).data() + front.update;
+}
+
+/// The columns of S that are these bodies' of the front.
+template<int Rows>
+void FrontalCholesky<Rows>::assembleColumns(const Front& front, Bodies bodies, const BlockPattern& matrix,
                                             const Block* values)
 {
     double* columns = lower.data() + front.columns;
     const Index stride = front.height();
-    std::fill(columns, columns + stride * front.width(), 0.0);
-    for (int body = front.firstBody; body < front.lastBody; ++body)
+    std::fill(columns + Rows * bodies.begin * stride, columns + Rows * bodies.end * stride, 0.0);
+    for (int body = bodies.begin; body < bodies.end; ++body)
     {
-        for (int entry = matrix.columnStart[body]; entry < matrix.columnStart[body + 1]; ++entry)
+        const int column = front.firstBody + body;
+        for (int entry = matrix.columnStart[column]; entry < matrix.columnStart[column + 1]; ++entry)
         {
-            double* to = columns + Rows * (body - front.firstBody) * stride + Rows * inFront[entry];
+            double* to = columns + Rows * body * stride + Rows * inFront[entry];
             Eigen::Map<Block, 0, Eigen::OuterStride<>>(to, Eigen::OuterStride<>(stride)) = values[entry];
         }
     }
 }
 
-/// Adds those parts of the children's U that belong into the columns of the front, or into its own U.
+/// Adds those parts of the children's U that belong into the columns of these bodies of the front, which are
+/// all its own, or all below them.
 template<int Rows>
-void FrontalCholesky<Rows>::addUpdates(const Front& front, Into into)
+void FrontalCholesky<Rows>::addUpdates(const Front& front, Bodies into, Worker& worker)
 {
     const int ownBodies = front.lastBody - front.firstBody;
-    const bool isIntoColumns = into == Into::columns;
+    const bool isIntoColumns = into.begin < ownBodies;
     const Index stride = isIntoColumns ? front.height() : front.updateStride();
-    double* values = (isIntoColumns ? lower : updates).data();
-    // Where in `values` the first row and column of the front are, or would be if U had them too.
-    const Index corner = isIntoColumns ? static_cast<Index>(front.columns)
-                                       : static_cast<Index>(front.update) - (stride + 1) * Rows * ownBodies;
+    // Where the first row and column of the front are, or would be if U had them too.
+    double* values = isIntoColumns ? lower.data() + front.columns : updateOf(front, worker);
+    const Index corner = isIntoColumns ? 0 : -(stride + 1) * Rows * ownBodies;
     for (const int index : front.children)
     {
         const Front& child = fronts[index];
         const int bodies = child.lastRow - child.firstRow;
         const int* place = inParent.data() + child.firstRow;
-        const double* update = updates.data() + child.update;
-        runs.clear();
-        for (int body = 0; body < bodies; ++body)
+        // Places ascend.
+        const int begin = static_cast<int>(std::lower_bound(place, place + bodies, into.begin) - place);
+        const int end = static_cast<int>(std::lower_bound(place + begin, place + bodies, into.end) - place);
+        if (begin == end)
         {
-            if (body == 0 || place[body] != place[body - 1] + 1)
+            continue;
+        }
+        const double* update = updateOf(child, worker);
+        std::vector<Run>& runs = worker.runs;
+        runs.clear();
+        for (int body = begin; body < bodies; ++body)
+        {
+            if (body == begin || place[body] != place[body - 1] + 1)
             {
                 runs.push_back({body, place[body] - body});
             }
             runs.back().end = body + 1;
         }
-        // Places ascend: those among the front's columns come first.
-        const int split = static_cast<int>(std::lower_bound(place, place + bodies, ownBodies) - place);
-        const int end = isIntoColumns ? split : bodies;
         std::size_t first = 0;
-        for (int body = isIntoColumns ? 0 : split; body < end; ++body)
+        for (int body = begin; body < end; ++body)
         {
             while (body >= runs[first].end)
             {
@@ -242,16 +300,16 @@ void FrontalCholesky<Rows>::addUpdates(const Front& front, Into into)
 }
 
 template<int Rows>
-void FrontalCholesky<Rows>::updateDensely(const DenseUpdate& task)
+void FrontalCholesky<Rows>::updateDensely(const DenseUpdate& task, Worker& worker)
 {
-    denseKernel().update(task, alignedWork(packed));
+    denseKernel().update(task, alignedWork(worker.packed));
 }
 
 /// L11 and L21 from the columns of the front, panel by panel: the columns of a panel are freed of those
 /// before it by the dense kernel, then three at a time by the kernel. Diagonal blocks of three rows are kept
 /// inverted.
 template<int Rows>
-bool FrontalCholesky<Rows>::eliminateColumns(const Front& front)
+bool FrontalCholesky<Rows>::eliminateColumns(const Front& front, Worker& worker)
 {
     double* columns = lower.data() + front.columns;
     const int width = front.width();
@@ -262,55 +320,87 @@ bool FrontalCholesky<Rows>::eliminateColumns(const Front& front)
         double* corner = columns + panel * Index{height} + panel;
         if (panel > 0)
         {
-            const double* before = columns + panel;
-            updateDensely({.target = DenseUpdate::Target::subtract,
-                           .rows = height - panel,
+            updateDensely({.rows = height - panel,
                            .columns = end - panel,
                            .depth = panel,
-                           .a = before,
+                           .a = columns + panel,
                            .aStride = height,
                            .c = corner,
-                           .cStride = height});
+                           .cStride = height},
+                          worker);
         }
-        for (int column = panel; column < end; column += columnsAtOnce)
+        if (!eliminatePanel(corner, height, end - panel, height - panel))
         {
-            const double* before = columns + panel * Index{height} + column;
-            double* block = columns + column * Index{height} + column;
-            multiply<Target::subtract>(before, height, before, height, column - panel, block, height,
-                                       height - column);
-            Eigen::Map<Eigen::Matrix3d, 0, Eigen::OuterStride<>> diagonal(block,
-                                                                          Eigen::OuterStride<>(height));
-            Eigen::Matrix3d factor = diagonal;
-            Eigen::Matrix3d scale;
-            if (!invertFactor<3, double>(factor, scale))
-            {
-                return false;
-            }
-            diagonal = scale;
-            double* one = block;
-            double* two = one + height;
-            double* three = two + height;
-            for (int row = columnsAtOnce; row < height - column; ++row)
-            {
-                three[row] = one[row] * scale(2, 0) + two[row] * scale(2, 1) + three[row] * scale(2, 2);
-                two[row] = one[row] * scale(1, 0) + two[row] * scale(1, 1);
-                one[row] *= scale(0, 0);
-            }
+            return false;
         }
     }
-    // Tiles that reached beyond the end of a column have left numbers at the top of the next, above its
-    // diagonal. Solves multiply them with zero: they must be finite, and in ill-conditioned fronts they grow
-    // from column to column beyond what a double holds.
-    for (int column = 1; column < width; ++column)
+    clearAboveDiagonal(columns, height, width);
+    return true;
+}
+
+/// Likewise by several threads. The block on the diagonal of a panel is eliminated first, in a place of its
+/// own: tiles reach beyond the end of its columns, where there are rows here.
+template<int Rows>
+bool FrontalCholesky<Rows>::eliminateTogether(const Front& front)
+{
+    constexpr int stride = (panelWidth + lanes) / lanes * lanes;
+    std::array<double, panelWidth* stride + overhang> own = {};
+    double* columns = lower.data() + front.columns;
+    const int width = front.width();
+    const Index height = front.height();
+    for (int panel = 0; panel < width; panel += panelWidth)
     {
-        std::fill_n(columns + column * Index{height}, std::min(column, lanes - 1), 0.0);
+        const int ofPanel = std::min(width - panel, panelWidth);
+        double* corner = columns + panel * height + panel;
+        const auto update = [&](int from, int to, Worker& worker)
+        {
+            if (panel > 0)
+            {
+                updateDensely({.rows = to,
+                               .columns = ofPanel,
+                               .firstRow = from,
+                               .depth = panel,
+                               .a = columns + panel,
+                               .aStride = height,
+                               .c = corner,
+                               .cStride = height},
+                              worker);
+            }
+        };
+        update(0, ofPanel, workers[0]);
+        for (int column = 0; column < ofPanel; ++column)
+        {
+            std::copy_n(corner + column * height + column, ofPanel - column,
+                        own.data() + column * stride + column);
+        }
+        if (!eliminatePanel(own.data(), stride, ofPanel, ofPanel))
+        {
+            return false;
+        }
+        for (int column = 0; column < ofPanel; ++column)
+        {
+            // With the whole of a diagonal block of three.
+            const int first = column / columnsAtOnce * columnsAtOnce;
+            std::copy_n(own.data() + column * stride + first, ofPanel - first,
+                        corner + column * height + first);
+        }
+        const int rowsBelow = static_cast<int>(height) - panel - ofPanel;
+        carryOut((rowsBelow + rowsOfTask - 1) / rowsOfTask,
+                 [&](int task, int worker)
+                 {
+                     const int from = ofPanel + task * rowsOfTask;
+                     const int to = std::min(from + rowsOfTask, ofPanel + rowsBelow);
+                     update(from, to, workers[worker]);
+                     eliminateRows(corner, height, ofPanel, from, to);
+                 });
     }
+    clearAboveDiagonal(columns, height, width);
     return true;
 }
 
 /// U = -L21 L21', its lower triangle.
 template<int Rows>
-void FrontalCholesky<Rows>::updateBelow(const Front& front)
+void FrontalCholesky<Rows>::updateBelow(const Front& front, Worker& worker)
 {
     const int below = front.below();
     if (below == 0)
@@ -320,7 +410,7 @@ void FrontalCholesky<Rows>::updateBelow(const Front& front)
     const int height = front.height();
     const int stride = front.updateStride();
     const double* lower21 = lower.data() + front.columns + front.width();
-    double* update = updates.data() + front.update;
+    double* update = updateOf(front, worker);
     if (front.width() > denseFrom)
     {
         updateDensely({.target = DenseUpdate::Target::set,
@@ -330,7 +420,8 @@ void FrontalCholesky<Rows>::updateBelow(const Front& front)
                        .a = lower21,
                        .aStride = height,
                        .c = update,
-                       .cStride = stride});
+                       .cStride = stride},
+                      worker);
         return;
     }
     for (int column = 0; column < below; column += columnsAtOnce)
@@ -340,137 +431,127 @@ void FrontalCholesky<Rows>::updateBelow(const Front& front)
     }
 }
 
+/// Likewise by several threads, each strip of rows with as many numbers of the triangle as another. Each
+/// number comes out the same whichever strip it is in, so that there may be one where there is one thread:
+/// each has the rows of B packed.
 template<int Rows>
-bool FrontalCholesky<Rows>::factorise(const BlockPattern& matrix, const Block* values)
+void FrontalCholesky<Rows>::updateTogether(const Front& front)
 {
-    rounded.clear();
-    for (const Front& front : fronts)
+    const int below = front.below();
+    const int strips = threads() == 1 ? 1 : std::clamp(below / rowsOfSlice, 1, 3 * threads());
+    const auto end = [&](int strip)
+    { return static_cast<int>(std::lround(below * std::sqrt(static_cast<double>(strip) / strips))); };
+    carryOut(strips,
+             [&](int strip, int worker)
+             {
+                 updateDensely({.target = DenseUpdate::Target::set,
+                                .rows = end(strip + 1),
+                                .columns = end(strip + 1),
+                                .firstRow = end(strip),
+                                .depth = front.width(),
+                                .a = lower.data() + front.columns + front.width(),
+                                .aStride = front.height(),
+                                .c = updates.data() + front.update,
+                                .cStride = front.updateStride()},
+                               workers[worker]);
+             });
+}
+
+template<int Rows>
+bool FrontalCholesky<Rows>::factoriseFront(const Front& front, const BlockPattern& matrix,
+                                           const Block* values, Worker& worker)
+{
+    const int own = front.lastBody - front.firstBody;
+    assembleColumns(front, {0, own}, matrix, values);
+    addUpdates(front, {0, own}, worker);
+    if (!eliminateColumns(front, worker))
     {
-        assembleColumns(front, matrix, values);
-        addUpdates(front, Into::columns);
-        if (!eliminateColumns(front))
-        {
-            return false;
-        }
-        updateBelow(front);
-        addUpdates(front, Into::update);
+        return false;
     }
+    updateBelow(front, worker);
+    addUpdates(front, {own, own + front.lastRow - front.firstRow}, worker);
+    return true;
+}
+
+/// A large front above the tasks, likewise by several threads.
+template<int Rows>
+bool FrontalCholesky<Rows>::factoriseTogether(const Front& front, const BlockPattern& matrix,
+                                              const Block* values)
+{
+    const auto forBodies = [](int begin, int end, const auto& function)
+    {
+        carryOut((end - begin + bodiesOfTask - 1) / bodiesOfTask,
+                 [&](int task, int worker)
+                 {
+                     const int first = begin + task * bodiesOfTask;
+                     function(Bodies{first, std::min(first + bodiesOfTask, end)}, worker);
+                 });
+    };
+    const int own = front.lastBody - front.firstBody;
+    forBodies(0, own,
+              [&](Bodies bodies, int worker)
+              {
+                  assembleColumns(front, bodies, matrix, values);
+                  addUpdates(front, bodies, workers[worker]);
+              });
+    if (!eliminateTogether(front))
+    {
+        return false;
+    }
+    updateTogether(front);
+    forBodies(own, own + front.lastRow - front.firstRow,
+              [&](Bodies bodies, int worker) { addUpdates(front, bodies, workers[worker]); });
     return true;
 }
 
 template<int Rows>
-template<int Sides, class Scalar>
-void FrontalCholesky<Rows>::solveFor(const std::array<double*, Sides>& x, const Scalar* factor)
+bool FrontalCholesky<Rows>::factorise(const BlockPattern& matrix, const Block* values)
 {
-    constexpr int atOnce = columnsOfSolve<Sides>;
-    // One front's part of each right side, its own rows and those below, one after the other as in the front.
-    const std::size_t size = highest + overhang;
-    work.assign(Sides * size, 0);
-    const auto part = [&](int row)
+    rounded.clear();
+    provideWorkers();
+    std::atomic<bool> isDefinite = true;
+    const auto subtree = [&](int task, int number)
     {
-        std::array<double*, Sides> parts;
-        for (int side = 0; side < Sides; ++side)
+        Worker& worker = workers[number];
+        worker.updates.resize(std::max(worker.updates.size(), updatesOfTask));
+        for (const int front : schedule.subtrees[task])
         {
-            parts[side] = work.data() + side * size + row;
+            if (!isDefinite || !factoriseFront(fronts[front], matrix, values, worker))
+            {
+                isDefinite = false;
+                return;
+            }
         }
-        return parts;
     };
-    for (const Front& front : fronts)
+    for (const FrontSchedule::Step& step : schedule.steps)
     {
-        const int width = front.width();
-        const int height = front.height();
-        const Scalar* columns = factor + front.columns;
-        for (int side = 0; side < Sides; ++side)
+        const int tasks = step.lastSubtree - step.firstSubtree;
+        if (step.isFront())
         {
-            double* to = part(0)[side];
-            std::copy_n(x[side] + Rows * front.firstBody, width, to);
-            std::fill(to + width, to + height, 0.0);
-        }
-        int column = 0;
-        for (; column + atOnce <= width; column += atOnce)
-        {
-            substituteForward<atOnce, Sides>(columns + column * Index{height} + column, height,
-                                             height - column, part(column));
-        }
-        for (; column < width; column += columnsAtOnce)
-        {
-            substituteForward<columnsAtOnce, Sides>(columns + column * Index{height} + column, height,
-                                                    height - column, part(column));
-        }
-        for (int side = 0; side < Sides; ++side)
-        {
-            const double* from = part(0)[side];
-            std::copy_n(from, width, x[side] + Rows * front.firstBody);
-            from += width;
-            for (int row = front.firstRow; row < front.lastRow; ++row, from += Rows)
+            const Front& front = fronts[step.front];
+            if (!(step.isShared ? factoriseTogether(front, matrix, values)
+                                : factoriseFront(front, matrix, values, workers[0])))
             {
-                for (int i = 0; i < Rows; ++i)
-                {
-                    x[side][Rows * rows[row] + i] += from[i];
-                }
+                return false;
             }
         }
-    }
-    for (auto front = fronts.rbegin(); front != fronts.rend(); ++front)
-    {
-        const int width = front->width();
-        const int height = front->height();
-        const Scalar* columns = factor + front->columns;
-        for (int side = 0; side < Sides; ++side)
+        else if (step.isShared)
         {
-            double* to = part(0)[side];
-            std::copy_n(x[side] + Rows * front->firstBody, width, to);
-            to += width;
-            for (int row = front->firstRow; row < front->lastRow; ++row, to += Rows)
+            carryOut(tasks, [&](int task, int worker) { subtree(step.firstSubtree + task, worker); });
+        }
+        else
+        {
+            for (int task = 0; task < tasks; ++task)
             {
-                std::copy_n(x[side] + Rows * rows[row], Rows, to);
+                subtree(step.firstSubtree + task, 0);
             }
-            std::fill(to, part(height)[side] + lanes, 0.0);
         }
-        int column = width;
-        for (; column % atOnce != 0; column -= columnsAtOnce)
+        if (!isDefinite)
         {
-            const int first = column - columnsAtOnce;
-            substituteBackward<columnsAtOnce, Sides>(columns + first * Index{height} + first, height,
-                                                     height - first, part(first));
-        }
-        for (; column > 0; column -= atOnce)
-        {
-            const int first = column - atOnce;
-            substituteBackward<atOnce, Sides>(columns + first * Index{height} + first, height, height - first,
-                                              part(first));
-        }
-        for (int side = 0; side < Sides; ++side)
-        {
-            std::copy_n(part(0)[side], width, x[side] + Rows * front->firstBody);
+            return false;
         }
     }
-}
-
-template<int Rows>
-void FrontalCholesky<Rows>::solve(Eigen::Ref<Eigen::VectorXd> x)
-{
-    solveFor<1>({x.data()}, lower.data());
-}
-
-template<int Rows>
-void FrontalCholesky<Rows>::solve(Eigen::Ref<Eigen::VectorXd> one, Eigen::Ref<Eigen::VectorXd> other)
-{
-    solveFor<2>({one.data(), other.data()}, lower.data());
-}
-
-template<int Rows>
-void FrontalCholesky<Rows>::solveRoughly(Eigen::Ref<Eigen::VectorXd> x)
-{
-    if (lower.size() < roundedFrom || lower.size() > roundedUpTo)
-    {
-        return solve(x);
-    }
-    if (rounded.empty())
-    {
-        rounded.assign(lower.begin(), lower.end());
-    }
-    solveFor<1>({x.data()}, rounded.data());
+    return true;
 }
 
 template class FrontalCholesky<3>;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "linear/BlockPattern.h"
+#include "linear/FrontSchedule.h"
 
 #include <Eigen/Core>
 
@@ -23,7 +24,10 @@ struct DenseUpdate;
 /// is added to the front of the first of them, the parent: a sum of dense matrices from the leaves of a tree
 /// to its root.
 ///
-/// Memory: L and at most as much for the U that wait for their parents. Not thread-safe.
+/// In large systems several threads (core/Threads.h) share the subtrees and the rows of large fronts; what is
+/// added to what, and in which order, depends on the pattern alone.
+///
+/// Memory: L and at most as much for the U that wait for their parents. Not for two callers at once.
 template<int Rows>
 class FrontalCholesky
 {
@@ -52,8 +56,10 @@ private:
         int lastBody = 0;        ///< one past
         int firstRow = 0;        ///< of its rows below the columns, in `rows`
         int lastRow = 0;         ///< one past
+        int outerRow = 0;        ///< first of them that does not belong to a front of the same task
         std::size_t columns = 0; ///< where L11 and L21 are in `lower`
-        std::size_t update = 0;  ///< where U is in `updates`, until the parent has taken it
+        std::size_t update = 0;  ///< where U is, until the parent has taken it
+        bool isOfTask = false;   ///< then U is among those of a worker, but that of the task's last front
         std::vector<int> children;
 
         int width() const { return Rows * (lastBody - firstBody); }
@@ -62,40 +68,85 @@ private:
         int height() const { return (width() + below() + 3) / 4 * 4; }
         /// From one column of U to the next, in whole vector registers.
         int updateStride() const { return (below() + 3) / 4 * 4; }
+        /// Multiplications, about.
+        double operations() const;
     };
 
-    /// Part of a front.
-    enum class Into
-    {
-        columns,
-        update
-    };
     /// Rows of a child that stand together in its parent's front, too.
     struct Run
     {
         int end;   ///< one past its last body below the child's columns
         int shift; ///< from the child's bodies to the parent's
     };
+    /// What one of the threads works with.
+    struct Worker
+    {
+        std::vector<double> updates; ///< of the fronts of a task
+        std::vector<Run> runs;       ///< of `addUpdates`
+        std::vector<double> packed;  ///< of the dense kernel, once it was needed
+        std::vector<double> parts;   ///< of solves: one front's part of each right side
+    };
+    /// Bodies of a front, one past the last one too.
+    struct Bodies
+    {
+        int begin;
+        int end;
+    };
 
+    void findFronts(const BlockPattern& matrix, const BlockPattern& factor);
+    void placeRows(const BlockPattern& matrix);
+    void makeSchedule();
     void placeUpdates();
-    void assembleColumns(const Front& front, const BlockPattern& matrix, const Block* values);
-    void addUpdates(const Front& front, Into into);
-    bool eliminateColumns(const Front& front);
-    void updateBelow(const Front& front);
-    void updateDensely(const DenseUpdate& task);
+    void provideWorkers();
+
+    bool factoriseFront(const Front& front, const BlockPattern& matrix, const Block* values, Worker& worker);
+    bool factoriseTogether(const Front& front, const BlockPattern& matrix, const Block* values);
+    void assembleColumns(const Front& front, Bodies bodies, const BlockPattern& matrix, const Block* values);
+    void addUpdates(const Front& front, Bodies into, Worker& worker);
+    bool eliminateColumns(const Front& front, Worker& worker);
+    bool eliminateTogether(const Front& front);
+    void updateBelow(const Front& front, Worker& worker);
+    void updateTogether(const Front& front);
+    static void updateDensely(const DenseUpdate& task, Worker& worker);
+    double* updateOf(const Front& front, Worker& worker);
+
+    /// Right sides in hand, and what the tasks of a batch do to those rows of them that are above the tasks.
+    template<int Sides>
+    struct RightSides
+    {
+        std::array<double*, Sides> x;
+        std::array<double*, Sides> outer;
+    };
     template<int Sides, class Scalar>
     void solveFor(const std::array<double*, Sides>& x, const Scalar* factor);
+    template<int Sides, class Scalar>
+    void forwardBatch(const FrontSchedule::Step& step, const std::array<double*, Sides>& x,
+                      const Scalar* factor);
+    template<int Sides, class Scalar>
+    void forward(const Front& front, const RightSides<Sides>& to, const Scalar* factor, Worker& worker);
+    template<int Sides, class Scalar>
+    void backward(const Front& front, const std::array<double*, Sides>& x, const Scalar* factor,
+                  Worker& worker);
+    template<int Sides, class Scalar>
+    void forwardTogether(const Front& front, const Scalar* columns, const std::array<double*, Sides>& part);
+    template<int Sides, class Scalar>
+    void backwardTogether(const Front& front, const Scalar* columns, const std::array<double*, Sides>& part);
+    template<int Sides>
+    std::array<double*, Sides> partsOf(Worker& worker) const;
 
     std::vector<Front> fronts; ///< children before their parents
     std::vector<int> rows;     ///< bodies
     std::vector<int> inParent; ///< of each of `rows`: the place of that body in the parent's front
     std::vector<int> inFront;  ///< of each block of the matrix: the place of its row in its column's front
+    FrontSchedule schedule;
+    std::vector<int>
+        outerPlace; ///< of each of `rows` that is not of its task: its place below the task's root
     std::vector<double> lower;
-    std::vector<float> rounded; ///< L in single precision, once it was needed
-    std::vector<double> updates;
-    std::vector<Run> runs;      ///< work of `addUpdates`
-    std::vector<double> work;   ///< of solves: one front's part of each right side
-    std::vector<double> packed; ///< work of the dense kernel, once it was needed
+    std::vector<float> rounded;  ///< L in single precision, once it was needed
+    std::vector<double> updates; ///< that wait for fronts above the tasks
+    std::vector<double> outer;   ///< of solves: what the tasks of a batch do to rows above them
+    std::vector<Worker> workers;
+    std::size_t updatesOfTask = 0; ///< numbers, at most
     int highest = 0;
 };
 

@@ -1,6 +1,10 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "linear/SchurSystem.h"
 
+#include "core/Threads.h"
+
+#include <algorithm>
+
 namespace drystone
 {
 namespace
@@ -46,10 +50,8 @@ SchurSystem<Rows, Scalar>::SchurSystem(int bodies, const std::vector<Coupling>& 
 template<int Rows, class Scalar>
 void SchurSystem<Rows, Scalar>::setZero()
 {
-    for (Block& block : values)
-    {
-        block.setZero();
-    }
+    forParts(static_cast<long>(values.size()), [this](long begin, long end)
+             { std::fill(values.begin() + begin, values.begin() + end, Block::Zero()); });
 }
 
 template<int Rows, class Scalar>

@@ -32,7 +32,7 @@ std::string hostName()
     return name;
 }
 
-/// Who runs what, where and when: name, version and commit, command, date, host, process, case, threads.
+/// Who runs what, where and when: name, version and commit, command, date, host, process, case.
 void printBanner(const CommandLine& commandLine)
 {
     const std::time_t now = std::time(nullptr);
@@ -48,7 +48,6 @@ void printBanner(const CommandLine& commandLine)
     info("PID     : {}", ::getpid());
     info("Case    : {}", fullName(commandLine.caseDirectory).string());
     info("nProcs  : 1");
-    info("Threads : {}", threadCount());
     printLine();
     std::fflush(stdout);
 }

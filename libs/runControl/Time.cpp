@@ -70,6 +70,7 @@ void declare(Options& options, TimeControls& controls)
     options.optional("runTimeModifiable", controls.runTimeModifiable,
                      "read this file again when it has changed");
     options.optional("adjustTimeStep", controls.adjustTimeStep, "let the run choose the length of its steps");
+    options.readElsewhere({"nThreads"}); // ThreadControls.h
     options.readElsewhere({"functions"}, "function objects, each a dictionary with a name of the user's");
     options.check("writeControl",
                   [&controls]() -> std::string

@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
 # Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs cases with one thread and with two, twice each, and with each dense kernel, and compares all their files.
+"""Runs cases with one thread, with two and with four, and with each dense kernel, and compares all their files. Four
+are those of controlDict (nThreads), the others of the environment.
 
     determinism.py small|large BIN TUTORIALS
 
-small: wall 6 and a square wall of 40 units in limit analysis, wall 1 in collapse. large: a square wall of 160 units. Of
-the results only CPU times may differ, and between kernels of different processors the last digits.
+small: wall 6 and square walls of 40 and 60 units in limit analysis, wall 1 in collapse, a square wall of 40 units for two
+steps. large: a square wall of 160 units. Of the results only CPU times may differ, and between kernels of different
+processors the last digits.
 """
 import os
 import pathlib
@@ -29,21 +31,27 @@ supports {{ ground {{ type ground; segment 0.5; }} }}
 
 def run(application, case, threads, kernel=""):
     """False where this processor has not got the kernel."""
-    environment = {**os.environ, "OMP_NUM_THREADS": str(threads), "DRYSTONE_KERNEL": kernel}
+    environment = {**os.environ, "DRYSTONE_KERNEL": kernel, "OMP_NUM_THREADS": str(threads)}
+    if threads == 4:
+        environment["OMP_NUM_THREADS"] = "3"
+        control = case / "system/controlDict"
+        control.write_text(control.read_text(encoding="utf-8") + "nThreads 4;\n", encoding="utf-8")
     done = subprocess.run([applications / application, "-case", case], env=environment, capture_output=True, text=True,
                           check=False)
     if kernel and "DRYSTONE_KERNEL" in done.stderr:
         return False
     if done.returncode != 0:
         sys.exit(f"{application} failed with {threads} threads:\n{done.stdout[-2000:]}{done.stderr}")
+    if application != "blockTexture" and f"Threads: {threads}, dense kernel: {kernel}" not in done.stdout:
+        sys.exit(f"{application} does not have {threads} threads and the kernel {kernel}:\n{done.stdout[:2000]}")
     return True
 
 
 def results(case):
-    """Content of every file, with the CPU time of limitAnalysis.dat left out."""
+    """Content of every file but controlDict, with the CPU time of limitAnalysis.dat left out."""
     found = {}
     for file in sorted(case.rglob("*")):
-        if file.is_file():
+        if file.is_file() and file.name != "controlDict":
             content = file.read_bytes()
             if file.name == "limitAnalysis.dat":
                 content = re.sub(rb" \S+$", b"", content, flags=re.MULTILINE)
@@ -52,7 +60,7 @@ def results(case):
 
 
 def compare(name, source, application, edits, root):
-    """Prepares a case, runs it four times, compares; then twice with each kernel."""
+    """Prepares a case, runs it four times, compares; then three times with each kernel."""
     for kernel in ("", "avx512", "avx2", "baseline"):
         if not compareRuns(name, source, application, edits, root, kernel):
             print(f"{name}: no kernel {kernel} on this processor")
@@ -60,14 +68,14 @@ def compare(name, source, application, edits, root):
 
 def compareRuns(name, source, application, edits, root, kernel):
     seen = None
-    for threads in (1, 2) if kernel else (1, 2, 1, 2):
+    for threads in (1, 2, 4) if kernel else (1, 2, 1, 4):
         # Under the same name each time: results may hold the name of their case.
         case = root / name
         shutil.rmtree(case, ignore_errors=True)
         shutil.copytree(source, case, ignore=shutil.ignore_patterns("VTK", "postProcessing", "log.*", "assembly"))
         for file, text in edits.items():
             (case / file).write_text(text, encoding="utf-8")
-        run("blockTexture", case, threads)
+        run("blockTexture", case, 1)
         if not run(application, case, threads, kernel):
             return False
         now = results(case)
@@ -82,7 +90,7 @@ def compareRuns(name, source, application, edits, root, kernel):
               "contactDynamics": "0.04/state"}[application]
     if wanted not in seen:
         sys.exit(f"{name}: {wanted} is missing among {' '.join(seen)}")
-    print(f"{name}: {len(seen)} files, the same with one thread and with two" + (f", kernel {kernel}" if kernel else ""))
+    print(f"{name}: {len(seen)} files, the same with one thread, two and four" + (f", kernel {kernel}" if kernel else ""))
     return True
 
 
@@ -95,6 +103,8 @@ with tempfile.TemporaryDirectory() as folder:
     panels = tutorials / "limitAnalysis/masonryPanels"
     if size == "small":
         compare("wall6", panels / "wall6", "limitAnalysis", solution, root / "limitAnalysis")
+        compare("square60", panels / "wall6", "limitAnalysis",
+                {**solution, "system/blockTextureDict": squareWall.format(60)}, root / "limitAnalysis")
         compare("square40", panels / "wall6", "limitAnalysis",
                 {**solution, "system/blockTextureDict": squareWall.format(40)}, root / "limitAnalysis")
         control = ("application contactDynamics; startFrom startTime; startTime 0; endTime 0.04; deltaT 0.002;\n"

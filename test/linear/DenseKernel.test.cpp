@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <random>
 #include <vector>
@@ -81,6 +82,45 @@ TEST(DenseKernel, UpdatesOnAndBelowTheDiagonalOnly)
             }
             EXPECT_LE(error, 1e-15 * (depth + 4)) << rows << ' ' << columns << ' ' << depth;
             EXPECT_TRUE(isElsewhereUntouched) << rows << ' ' << columns << ' ' << depth;
+        }
+    }
+}
+
+// Several threads may share the rows, however they are divided.
+TEST(DenseKernel, NumbersComeOutTheSameInAnyPartsOfTheRows)
+{
+    constexpr int rows = 700;
+    constexpr int columns = 390;
+    constexpr int depth = 300;
+    const Eigen::MatrixXd a = Eigen::MatrixXd::Random(rows, depth);
+    const Eigen::MatrixXd before = Eigen::MatrixXd::Random(rows, columns);
+    std::vector<double> work;
+    for (const DenseKernel& kernel : availableDenseKernels())
+    {
+        const auto update = [&](Eigen::MatrixXd& c, int firstRow, int lastRow)
+        {
+            kernel.update({.rows = lastRow,
+                           .columns = std::min(columns, lastRow),
+                           .firstRow = firstRow,
+                           .depth = depth,
+                           .a = a.data(),
+                           .aStride = rows,
+                           .c = c.data(),
+                           .cStride = rows},
+                          alignedWork(work));
+        };
+        Eigen::MatrixXd whole = before;
+        update(whole, 0, rows);
+        EXPECT_GT((whole - before).norm(), 1);
+        for (const std::vector<int>& ends :
+             {std::vector<int>{0, 1, rows}, std::vector<int>{0, 193, 256, 391, 400, rows}})
+        {
+            Eigen::MatrixXd inParts = before;
+            for (std::size_t part = 1; part < ends.size(); ++part)
+            {
+                update(inParts, ends[part - 1], ends[part]);
+            }
+            EXPECT_TRUE(inParts == whole) << kernel.name;
         }
     }
 }

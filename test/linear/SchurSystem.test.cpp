@@ -1,6 +1,8 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "linear/SchurSystem.h"
 
+#include "core/Threads.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -209,6 +211,52 @@ TEST(SchurSystem, SolvesRoughlyToSinglePrecision)
             EXPECT_EQ(error > 1e-12, bodies == 600);
         }
     }
+}
+
+/// The solutions of one matrix by so many threads, one after the other, two at once and roughly.
+template<int Rows>
+Eigen::VectorXd solutionsWith(int count, const TestMatrix<Rows>& matrix, const FactorPattern& pattern)
+{
+    setThreads(count);
+    FrontalCholesky<Rows> fronts(matrix.pattern, pattern.factor);
+    EXPECT_TRUE(fronts.factorise(matrix.pattern, matrix.values.data()));
+    const auto size = static_cast<Eigen::Index>(Rows) * matrix.pattern.columns();
+    Eigen::VectorXd all(4 * size);
+    all.head(size) = Eigen::VectorXd::LinSpaced(size, -1, 2);
+    all.segment(size, size) = all.head(size);
+    all.segment(2 * size, size).setLinSpaced(3, 5);
+    all.tail(size) = all.head(size);
+    fronts.solve(all.head(size));
+    fronts.solve(all.segment(size, size), all.segment(2 * size, size));
+    fronts.solveRoughly(all.tail(size));
+    setThreads(1);
+    return all;
+}
+
+// Large enough for tasks and for fronts that several threads share: walls have many of the former, tangled
+// systems one of the latter.
+template<int Rows>
+void expectSameBits(const TestMatrix<Rows>& matrix)
+{
+    const FactorPattern pattern = makeFactorPattern(matrix.pattern);
+    const Eigen::VectorXd alone = solutionsWith(1, matrix, pattern);
+    for (const int count : {2, 4, 2})
+    {
+        EXPECT_TRUE(alone == solutionsWith(count, matrix, pattern)) << count << " threads";
+    }
+    const Eigen::Index size = alone.size() / 4;
+    const Eigen::VectorXd right = Eigen::VectorXd::LinSpaced(size, -1, 2);
+    EXPECT_LE((matrix.dense * alone.head(size) - right).norm() / right.norm(), 1e-12);
+    EXPECT_LE((matrix.dense * alone.segment(size, size) - right).norm() / right.norm(), 1e-12);
+}
+
+TEST(SchurSystem, SolutionsAreTheSameWhateverTheNumberOfThreads)
+{
+    std::mt19937 random(13);
+    expectSameBits(TestMatrix<3>(45 * 45, wall(45, true), random));
+    expectSameBits(TestMatrix<3>(700, tangled(700, random), random));
+    expectSameBits(TestMatrix<6>(25 * 25, wall(25, true), random));
+    expectSameBits(TestMatrix<6>(350, tangled(350, random), random));
 }
 
 TEST(SchurSystem, NeitherFactorTakesAMatrixThatIsNotPositiveDefinite)

@@ -5,6 +5,7 @@
 #include "conic/Certificate.h"
 #include "conic/UpperBounds.h"
 #include "contact/PointAreas.h"
+#include "core/Threads.h"
 #include "statics/CrushingHinges.h"
 #include "texture/Arch.h"
 
@@ -523,6 +524,38 @@ TEST(LimitAnalysis, OfSquareWallsTakesFewFactorisationsWhateverTheFriction)
         expectFew(40, mu);
     }
     expectFew(160, 0.6);
+}
+
+/// All numbers of a solution, one after the other.
+Eigen::VectorXd numbersOf(const ConeSolution& solution)
+{
+    Eigen::VectorXd all(solution.contactForce.size() + solution.displacement.size() + 3);
+    all << solution.contactForce, solution.displacement, solution.multiplier, solution.factorisations,
+        solution.solves;
+    return all;
+}
+
+// 3,630 blocks: large enough for shares of the contact points, parts of vectors, and tasks of the factor.
+TEST(LimitAnalysis, AndAStepAreTheSameToTheLastBitWhateverTheNumberOfThreads)
+{
+    const PlaneConeProgram atRest = squareWall(60, 0.65);
+    PlaneConeProgram step = withUnitInertia(atRest);
+    step.load += 0.3 * step.liveLoad;
+    step.liveLoad.resize(0);
+    for (const PlaneConeProgram& program : {atRest, step})
+    {
+        const auto solvedWith = [&program](int count)
+        {
+            setThreads(count);
+            const ConeSolution solution = solveInteriorPoint(program, {.tolerance = 1e-8});
+            setThreads(1);
+            EXPECT_EQ(solution.status, SolveStatus::optimal);
+            return numbersOf(solution);
+        };
+        const Eigen::VectorXd alone = solvedWith(1);
+        EXPECT_TRUE(alone == solvedWith(2));
+        EXPECT_TRUE(alone == solvedWith(4));
+    }
 }
 
 TEST(LimitAnalysis, OfSquareWallsComesByForcesThatCarryTheDeadLoad)

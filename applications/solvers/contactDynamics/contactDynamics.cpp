@@ -17,6 +17,7 @@
 #include "runControl/Application.h"
 #include "runControl/Case.h"
 #include "runControl/ReportApplication.h"
+#include "runControl/ThreadControls.h"
 
 using namespace drystone;
 
@@ -27,6 +28,7 @@ template<int Dim>
 int runIn(const CommandLine& commandLine)
 {
     Time time(commandLine.caseDirectory, ControlDict::required);
+    useThreads(time.controlDict());
     auto scene = readDynamicCase<Dim>(commandLine.caseDirectory);
     question(
         doubtsAboutTimes(groundMotionOf(scene.effects), scene.schemes, time.controls(), time.controlDict()));

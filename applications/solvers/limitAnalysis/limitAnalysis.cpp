@@ -12,6 +12,7 @@
 #include "io/MechanismPicture.h"
 #include "runControl/Application.h"
 #include "runControl/ReportApplication.h"
+#include "runControl/ThreadControls.h"
 #include "runControl/Time.h"
 #include "statics/SolveCase.h"
 
@@ -44,6 +45,7 @@ int runIn(const CommandLine& commandLine)
     const std::filesystem::path& directory = commandLine.caseDirectory;
     const Vector<3> towardsViewer = viewOf(commandLine, Dim);
     const Time time(directory); // nothing moves, but a fault in controlDict is reported here too
+    useThreads(time.controlDict());
     auto structure = readLimitAnalysisCase<Dim>(directory);
     if (!commandLine.noFunctionObjects)
     {

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "conic/cones/SecondOrderCone.h"
+#include "core/Threads.h"
 
 #include <vector>
 
@@ -35,25 +36,44 @@ struct ConeWeights
     /// x = D x.
     void apply(VectorOf<Scalar>& x) const
     {
-        const Eigen::Index count = rays.size();
-        x.head(count).array() *= rays.array();
-        for (std::size_t round = 0; round < rounds.size(); ++round)
-        {
-            auto part = x.template segment<3>(count + 3 * static_cast<Eigen::Index>(round));
-            part = rounds[round].apply(part);
-        }
+        forParts(rays.size(), [&](long begin, long end)
+                 { x.segment(begin, end - begin).array() *= rays.segment(begin, end - begin).array(); });
+        forRounds(
+            [&](std::size_t round, Eigen::Index at)
+            {
+                auto part = x.template segment<3>(at);
+                part = rounds[round].apply(part);
+            });
     }
 
     /// x += D v.
     void addApplied(const VectorOf<Scalar>& v, VectorOf<Scalar>& x) const
     {
-        const Eigen::Index count = rays.size();
-        x.head(count) += rays.cwiseProduct(v.head(count));
-        for (std::size_t round = 0; round < rounds.size(); ++round)
-        {
-            const Eigen::Index at = count + 3 * static_cast<Eigen::Index>(round);
-            x.template segment<3>(at) += rounds[round].apply(v.template segment<3>(at));
-        }
+        forParts(rays.size(),
+                 [&](long begin, long end)
+                 {
+                     const long count = end - begin;
+                     x.segment(begin, count) +=
+                         rays.segment(begin, count).cwiseProduct(v.segment(begin, count));
+                 });
+        forRounds([&](std::size_t round, Eigen::Index at)
+                  { x.template segment<3>(at) += rounds[round].apply(v.template segment<3>(at)); });
+    }
+
+private:
+    /// \param function of the number of a round cone and where its numbers begin
+    template<class Function>
+    void forRounds(const Function& function) const
+    {
+        const Eigen::Index first = rays.size();
+        forParts(static_cast<long>(rounds.size()),
+                 [&](long begin, long end)
+                 {
+                     for (long round = begin; round < end; ++round)
+                     {
+                         function(static_cast<std::size_t>(round), first + 3 * round);
+                     }
+                 });
     }
 };
 

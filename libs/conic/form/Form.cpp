@@ -139,6 +139,53 @@ std::vector<Coupling> touchingBodies(const ConeProgram<Rows, Forces>& program)
     return touching;
 }
 
+/// Divides the groups into shares, which depend on their number alone.
+template<int Rows>
+void divideGroups(Form<Rows>& form)
+{
+    constexpr int fewest = 4096;
+    constexpr int most = 32; // shares
+    const int groups = static_cast<int>(form.groups.size());
+    const int ofShare = std::max(fewest, (groups + most - 1) / most);
+    if (groups <= ofShare)
+    {
+        return;
+    }
+    struct Known
+    {
+        int share = -1; // that touches it first,
+        int last = -1;  // or did so last
+        int place = 0;  // where that one adds
+    };
+    std::vector<Known> known(static_cast<std::size_t>(form.bodies) + 1);
+    for (int begin = 0; begin < groups; begin += ofShare)
+    {
+        const int share = static_cast<int>(form.shares.size());
+        form.shares.push_back({begin, std::min(begin + ofShare, groups)});
+        const auto placeOf = [&](int body)
+        {
+            Known& of = known[static_cast<std::size_t>(body)];
+            if (of.last != share)
+            {
+                of.last = share;
+                of.share = of.share < 0 ? share : of.share;
+                of.place = body;
+                if (of.share != share && body < form.bodies)
+                {
+                    of.place = form.bodies + 1 + static_cast<int>(form.lent.size());
+                    form.lent.push_back(body);
+                }
+            }
+            return of.place;
+        };
+        for (int group = begin; group < form.shares.back().end; ++group)
+        {
+            const int first = placeOf(form.groups[group].first);
+            form.places.push_back({first, placeOf(form.groups[group].second)});
+        }
+    }
+}
+
 /// Sets load, liveLoad and gap, their scaling, and the inertia, once the structure stands.
 template<int Rows, int Forces>
 void setNumbers(Form<Rows>& form, const ConeProgram<Rows, Forces>& program, double multiplier)
@@ -284,6 +331,7 @@ Form<Rows> makeForm(const ConeProgram<Rows, Forces>& program, SymbolicAnalysis& 
     }
     form.firstRay.push_back(static_cast<int>(form.rays.size()));
     form.firstRound.push_back(static_cast<int>(form.rounds.size()));
+    divideGroups(form);
     setNumbers(form, program, multiplier);
     return form;
 }

@@ -10,6 +10,7 @@
 #include "linear/DoubleDouble.h"
 #include "linear/SchurSystem.h"
 
+#include <array>
 #include <optional>
 #include <tuple>
 
@@ -66,6 +67,14 @@ struct Form
         int endRound;
     };
 
+    /// Groups that one task adds up, in large forms. What it adds to a body that an earlier share touches,
+    /// too, it lends that body until all are done.
+    struct Share
+    {
+        int begin;
+        int end;
+    };
+
     /// The sum of one ray, or of two of the same point, times `component` is at most `bound`; or the first
     /// component of a round cone is.
     struct Limit
@@ -93,7 +102,11 @@ struct Form
     int bodies = 0;
     std::vector<int> position; ///< of each body in elimination order
     std::vector<Group> groups;
-    std::vector<Column> rays; ///< of points
+    std::vector<Share> shares;              ///< none where the groups are few
+    std::vector<std::array<int, 2>> places; ///< where each group adds: its body, or bodies + 1 and the place
+                                            ///< in `lent`; none without shares
+    std::vector<int> lent;                  ///< bodies that shares add to elsewhere, share by share
+    std::vector<Column> rays;               ///< of points
     std::vector<RoundColumns, Eigen::aligned_allocator<RoundColumns>> rounds;
     std::vector<Limit> limits;
     Eigen::VectorXd

@@ -1,6 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "conic/form/FormOperators.h"
 
+#include "core/Threads.h"
 #include "linear/DoubleDouble.h"
 
 #include <cmath>
@@ -115,27 +116,21 @@ LimitedWeights<Scalar> limitedWeights(const Form<Rows>& form, std::size_t limit,
     return {share, q * one * two * share};
 }
 
-/// sum d b b' over columns of a group, added to the blocks of its bodies.
-template<int Rows, class Scalar>
-void addToBlocks(const Form<Rows>& form, const typename Form<Rows>::Group& group,
-                 const ProductsOf<Rows, Scalar>& products, SchurSystem<Rows, Scalar>& system)
+/// sum d b b' over columns of a group, added to the blocks of its bodies: that of the first, the one with the
+/// rows of the second and the columns of the first, and that of the second.
+template<int Rows, class Scalar, class Block>
+void addToFirst(const ProductsOf<Rows, Scalar>& products, Block& firstFirst)
+{
+    firstFirst += products.template topLeftCorner<Rows, Rows>();
+}
+template<int Rows, class Scalar, class Block>
+void addToSecond(const ProductsOf<Rows, Scalar>& products, Block& secondFirst, Block& secondSecond)
 {
     constexpr int forces = Form<Rows>::forces;
     constexpr int moments = Form<Rows>::moments;
-    if (group.first >= form.bodies)
-    {
-        return;
-    }
-    system.diagonal(group.first) += products.template topLeftCorner<Rows, Rows>();
-    if (group.slot < 0)
-    {
-        return;
-    }
     // With the translations of the second body opposite to those of the first.
-    auto& secondFirst = system.coupling(group.slot);
     secondFirst.template topRows<forces>() -= products.template topLeftCorner<forces, Rows>();
     secondFirst.template bottomRows<moments>() += products.template bottomLeftCorner<moments, Rows>();
-    auto& secondSecond = system.diagonal(group.second);
     secondSecond.template topLeftCorner<forces, forces>() +=
         products.template topLeftCorner<forces, forces>();
     secondSecond.template topRightCorner<forces, moments>() -=
@@ -146,31 +141,86 @@ void addToBlocks(const Form<Rows>& form, const typename Form<Rows>::Group& group
         products.template bottomRightCorner<moments, moments>();
 }
 
-/// sum of d b b' over the cones of each group.
+template<int Rows, class Scalar>
+void addToBlocks(const Form<Rows>& form, const typename Form<Rows>::Group& group,
+                 const ProductsOf<Rows, Scalar>& products, SchurSystem<Rows, Scalar>& system)
+{
+    if (group.first >= form.bodies)
+    {
+        return;
+    }
+    addToFirst<Rows, Scalar>(products, system.diagonal(group.first));
+    if (group.slot >= 0)
+    {
+        addToSecond<Rows, Scalar>(products, system.coupling(group.slot), system.diagonal(group.second));
+    }
+}
+
+/// sum of d b b' over the cones of a group.
+template<int Rows, class Scalar>
+ProductsOf<Rows, Scalar> productsOf(const Form<Rows>& form, const typename Form<Rows>::Group& group,
+                                    const ConeWeights<Scalar>& d)
+{
+    ProductsOf<Rows, Scalar> products = ProductsOf<Rows, Scalar>::Zero();
+    for (int ray = group.begin; ray < group.end; ++ray)
+    {
+        const ColumnOf<Rows, Scalar>& column = rayOf<Rows, Scalar>(form, ray);
+        products.noalias() += (d.rays[ray] * column).lazyProduct(column.transpose());
+    }
+    for (int round = group.beginRound; round < group.endRound; ++round)
+    {
+        const FramedMatrix<Scalar>& framed = d.rounds[static_cast<std::size_t>(round)];
+        const Eigen::Matrix<Scalar, Form<Rows>::columnSize, 3> columns =
+            form.rounds[static_cast<std::size_t>(round)].template cast<Scalar>().lazyProduct(framed.frame());
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            products.noalias() +=
+                (framed.eigenvalues[axis] * columns.col(axis)).lazyProduct(columns.col(axis).transpose());
+        }
+    }
+    return products;
+}
+
 template<int Rows, class Scalar>
 void addCones(const Form<Rows>& form, const ConeWeights<Scalar>& d, SchurSystem<Rows, Scalar>& system)
 {
-    for (const typename Form<Rows>::Group& group : form.groups)
+    if (form.shares.empty())
     {
-        ProductsOf<Rows, Scalar> products = ProductsOf<Rows, Scalar>::Zero();
-        for (int ray = group.begin; ray < group.end; ++ray)
+        for (const typename Form<Rows>::Group& group : form.groups)
         {
-            const ColumnOf<Rows, Scalar>& column = rayOf<Rows, Scalar>(form, ray);
-            products.noalias() += (d.rays[ray] * column).lazyProduct(column.transpose());
+            addToBlocks<Rows, Scalar>(form, group, productsOf<Rows, Scalar>(form, group, d), system);
         }
-        for (int round = group.beginRound; round < group.endRound; ++round)
-        {
-            const FramedMatrix<Scalar>& framed = d.rounds[static_cast<std::size_t>(round)];
-            const Eigen::Matrix<Scalar, Form<Rows>::columnSize, 3> columns =
-                form.rounds[static_cast<std::size_t>(round)].template cast<Scalar>().lazyProduct(
-                    framed.frame());
-            for (int axis = 0; axis < 3; ++axis)
-            {
-                products.noalias() +=
-                    (framed.eigenvalues[axis] * columns.col(axis)).lazyProduct(columns.col(axis).transpose());
-            }
-        }
-        addToBlocks<Rows, Scalar>(form, group, products, system);
+        return;
+    }
+    using Block = typename SchurSystem<Rows, Scalar>::Block;
+    std::vector<Block, Eigen::aligned_allocator<Block>> lent(form.lent.size(), Block::Zero());
+    const auto blockAt = [&](int place) -> Block&
+    {
+        return place < form.bodies ? system.diagonal(place)
+                                   : lent[static_cast<std::size_t>(place - form.bodies - 1)];
+    };
+    carryOut(static_cast<int>(form.shares.size()),
+             [&](int share, int)
+             {
+                 for (int at = form.shares[share].begin; at < form.shares[share].end; ++at)
+                 {
+                     const typename Form<Rows>::Group& group = form.groups[at];
+                     if (group.first >= form.bodies)
+                     {
+                         continue;
+                     }
+                     const ProductsOf<Rows, Scalar> products = productsOf<Rows, Scalar>(form, group, d);
+                     addToFirst<Rows, Scalar>(products, blockAt(form.places[at][0]));
+                     if (group.slot >= 0)
+                     {
+                         addToSecond<Rows, Scalar>(products, system.coupling(group.slot),
+                                                   blockAt(form.places[at][1]));
+                     }
+                 }
+             });
+    for (std::size_t place = 0; place < lent.size(); ++place)
+    {
+        system.diagonal(form.lent[place]) += lent[place];
     }
 }
 
@@ -227,19 +277,33 @@ void applyTransposed(const Form<Rows>& form, const VectorOf<Scalar>& y, VectorOf
 {
     const ConeRanges cones = form.cones();
     out.resize(cones.size());
-    for (const typename Form<Rows>::Group& group : form.groups)
+    const auto close = [&](int begin, int end)
     {
-        const ColumnOf<Rows, Scalar> closing = closingOf<Rows, Scalar>(group, y);
-        for (int ray = group.begin; ray < group.end; ++ray)
+        for (int at = begin; at < end; ++at)
         {
-            out[ray] = rayOf<Rows, Scalar>(form, ray).dot(closing);
+            const typename Form<Rows>::Group& group = form.groups[at];
+            const ColumnOf<Rows, Scalar> closing = closingOf<Rows, Scalar>(group, y);
+            for (int ray = group.begin; ray < group.end; ++ray)
+            {
+                out[ray] = rayOf<Rows, Scalar>(form, ray).dot(closing);
+            }
+            for (int round = group.beginRound; round < group.endRound; ++round)
+            {
+                out.template segment<3>(cones.at(round)) = form.rounds[static_cast<std::size_t>(round)]
+                                                               .template cast<Scalar>()
+                                                               .transpose()
+                                                               .lazyProduct(closing);
+            }
         }
-        for (int round = group.beginRound; round < group.endRound; ++round)
-        {
-            out.template segment<3>(cones.at(round)) =
-                form.rounds[static_cast<std::size_t>(round)].template cast<Scalar>().transpose().lazyProduct(
-                    closing);
-        }
+    };
+    if (form.shares.empty())
+    {
+        close(0, static_cast<int>(form.groups.size()));
+    }
+    else
+    {
+        carryOut(static_cast<int>(form.shares.size()),
+                 [&](int share, int) { close(form.shares[share].begin, form.shares[share].end); });
     }
     for (std::size_t limit = 0; limit < form.limits.size(); ++limit)
     {
@@ -254,7 +318,7 @@ template<int Rows, class Scalar>
 void addForces(const Form<Rows>& form, const VectorOf<Scalar>& s, VectorOf<Scalar>& out)
 {
     const ConeRanges cones = form.cones();
-    for (const typename Form<Rows>::Group& group : form.groups)
+    const auto sumOf = [&](const typename Form<Rows>::Group& group)
     {
         ColumnOf<Rows, Scalar> sum = ColumnOf<Rows, Scalar>::Zero();
         for (int ray = group.begin; ray < group.end; ++ray)
@@ -266,13 +330,52 @@ void addForces(const Form<Rows>& form, const VectorOf<Scalar>& s, VectorOf<Scala
             sum += form.rounds[static_cast<std::size_t>(round)].template cast<Scalar>().lazyProduct(
                 s.template segment<3>(cones.at(round)));
         }
-        if (group.first < form.bodies)
+        return sum;
+    };
+    if (form.shares.empty())
+    {
+        for (const typename Form<Rows>::Group& group : form.groups)
         {
-            out.template segment<Rows>(Rows * group.first) += onFirst<Rows, Scalar>(sum);
+            const ColumnOf<Rows, Scalar> sum = sumOf(group);
+            if (group.first < form.bodies)
+            {
+                out.template segment<Rows>(Rows * group.first) += onFirst<Rows, Scalar>(sum);
+            }
+            if (group.second < form.bodies)
+            {
+                out.template segment<Rows>(Rows * group.second) += onSecond<Rows, Scalar>(sum);
+            }
         }
-        if (group.second < form.bodies)
+    }
+    else
+    {
+        VectorOf<Scalar> lent =
+            VectorOf<Scalar>::Constant(Rows * static_cast<Eigen::Index>(form.lent.size()), Scalar(0));
+        const auto add = [&](int place, const RowsOf<Rows, Scalar>& rows)
         {
-            out.template segment<Rows>(Rows * group.second) += onSecond<Rows, Scalar>(sum);
+            if (place < form.bodies)
+            {
+                out.template segment<Rows>(Rows * place) += rows;
+            }
+            else if (place > form.bodies)
+            {
+                lent.template segment<Rows>(Rows * (place - form.bodies - 1)) += rows;
+            }
+        };
+        carryOut(static_cast<int>(form.shares.size()),
+                 [&](int share, int)
+                 {
+                     for (int at = form.shares[share].begin; at < form.shares[share].end; ++at)
+                     {
+                         const ColumnOf<Rows, Scalar> sum = sumOf(form.groups[at]);
+                         add(form.places[at][0], onFirst<Rows, Scalar>(sum));
+                         add(form.places[at][1], onSecond<Rows, Scalar>(sum));
+                     }
+                 });
+        for (std::size_t place = 0; place < form.lent.size(); ++place)
+        {
+            out.template segment<Rows>(Rows * form.lent[place]) +=
+                lent.template segment<Rows>(Rows * static_cast<Eigen::Index>(place));
         }
     }
     for (std::size_t limit = 0; limit < form.limits.size(); ++limit)

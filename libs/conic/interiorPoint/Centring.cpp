@@ -1,6 +1,8 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "conic/interiorPoint/Centring.h"
 
+#include "core/Threads.h"
+
 namespace drystone
 {
 namespace
@@ -74,12 +76,18 @@ VectorOf<Scalar> mehrotraPull(const State<Rows, Scalar>& state, const ConeScalin
     const Eigen::Index rays = cones.rays;
     if constexpr (std::is_same_v<Scalar, double>)
     {
-        const auto ds = step.s.head(rays).array();
-        const auto dz = step.z.head(rays).array();
-        pull.head(rays).array() =
-            (aim - ds * dz)
-            / answerOfProducts(state.at.s.head(rays).array(), state.at.z.head(rays).array(), ds, dz, 1, 1)
-            * scaling.flexibility.array();
+        forParts(rays,
+                 [&](long begin, long end)
+                 {
+                     const auto part = [&](const VectorOf<Scalar>& of)
+                     { return of.segment(begin, end - begin).array(); };
+                     const auto s = part(state.at.s);
+                     const auto z = part(state.at.z);
+                     const auto ds = part(step.s);
+                     const auto dz = part(step.z);
+                     pull.segment(begin, end - begin).array() =
+                         (aim - ds * dz) / answerOfProducts(s, z, ds, dz, 1, 1) * part(scaling.flexibility);
+                 });
     }
     else
     {
@@ -112,14 +120,20 @@ VectorOf<Scalar> gondzioPull(const State<Rows, Scalar>& state, const ConeScaling
     const Eigen::Index rays = cones.rays;
     if constexpr (std::is_same_v<Scalar, double>)
     {
-        const auto s = state.at.s.head(rays).array();
-        const auto z = state.at.z.head(rays).array();
-        const auto ds = step.s.head(rays).array();
-        const auto dz = step.z.head(rays).array();
-        const auto product = (s + primal * ds) * (z + dual * dz);
-        pull.head(rays).array() = (least - product).max((largest - product).min(0.0).max(-largest))
-                                  / answerOfProducts(s, z, ds, dz, primal, dual)
-                                  * scaling.flexibility.array();
+        forParts(rays,
+                 [&](long begin, long end)
+                 {
+                     const auto part = [&](const VectorOf<Scalar>& of)
+                     { return of.segment(begin, end - begin).array(); };
+                     const auto s = part(state.at.s);
+                     const auto z = part(state.at.z);
+                     const auto ds = part(step.s);
+                     const auto dz = part(step.z);
+                     const auto product = (s + primal * ds) * (z + dual * dz);
+                     pull.segment(begin, end - begin).array() =
+                         (least - product).max((largest - product).min(0.0).max(-largest))
+                         / answerOfProducts(s, z, ds, dz, primal, dual) * part(scaling.flexibility);
+                 });
     }
     else
     {

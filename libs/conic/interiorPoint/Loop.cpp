@@ -2,6 +2,7 @@
 #include "conic/interiorPoint/Loop.h"
 
 #include "core/Log.h"
+#include "core/Threads.h"
 
 #include <cmath>
 #include <limits>
@@ -312,9 +313,14 @@ bool InteriorPointLoop<Rows, Scalar>::addCorrection(double least, double largest
     {
         return false;
     }
-    step.s += Scalar(forces.weight) * correction.s;
+    forParts(step.s.size(),
+             [&](long begin, long past)
+             {
+                 const long count = past - begin;
+                 step.s.segment(begin, count) += Scalar(forces.weight) * correction.s.segment(begin, count);
+                 step.z.segment(begin, count) += Scalar(openings.weight) * correction.z.segment(begin, count);
+             });
     step.alpha += Scalar(forces.weight) * correction.alpha;
-    step.z += Scalar(openings.weight) * correction.z;
     step.y += Scalar(openings.weight) * correction.y;
     scaledStep.forces += Scalar(forces.weight) * scaledCorrection.forces;
     scaledStep.openings += Scalar(openings.weight) * scaledCorrection.openings;

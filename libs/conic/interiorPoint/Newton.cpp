@@ -2,6 +2,7 @@
 #include "conic/interiorPoint/Newton.h"
 
 #include "conic/form/FormOperators.h"
+#include "core/Threads.h"
 
 namespace drystone
 {
@@ -195,7 +196,15 @@ void NewtonSystem<Rows, Scalar>::finishStep(double reduction, Iterate<Scalar>& s
         change += moreChange;
         scaling.weights.addApplied(moreChange, step.s);
     }
-    step.z = Scalar(reduction) * state.residuals.opening - change;
+    step.z.resize(change.size());
+    forParts(change.size(),
+             [&](long begin, long end)
+             {
+                 const long count = end - begin;
+                 step.z.segment(begin, count) =
+                     Scalar(reduction) * state.residuals.opening.segment(begin, count)
+                     - change.segment(begin, count);
+             });
 }
 
 /// With s = z = e, one Newton step without complementarity: B B' dy = f + ..., s = B' dy.

@@ -1,6 +1,8 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "conic/interiorPoint/StepLength.h"
 
+#include "core/Threads.h"
+
 namespace drystone
 {
 
@@ -18,13 +20,13 @@ double Blocking::Round::at(double weight) const
 
 void Blocking::clear()
 {
-    lines.clear();
+    found.lines.clear();
+    found.floor = 1 / farthestStep;
     rounds.clear();
-    floor = 1 / farthestStep;
 }
 
-void Blocking::collect(const ConeRanges& cones, const std::vector<ConeFrame>& frames, const StepOfCones& step,
-                       const StepOfCones& correction, double least)
+void Blocking::collectRays(const StepOfCones& step, const StepOfCones& correction, double least,
+                           Eigen::Index begin, Eigen::Index end, Found& found)
 {
     const Eigen::VectorXd& x = step.x;
     const Eigen::VectorXd& dx = step.dx;
@@ -33,21 +35,21 @@ void Blocking::collect(const ConeRanges& cones, const std::vector<ConeFrame>& fr
     {
         const double one = offset + slope;
         const double other = offset + least * slope;
-        if (std::max(one, other) > floor)
+        if (std::max(one, other) > found.floor)
         {
-            lines.push_back({offset, slope});
-            floor = std::max(floor, std::min(one, other));
+            found.lines.push_back({offset, slope});
+            found.floor = std::max(found.floor, std::min(one, other));
         }
     };
     constexpr int lanes = 4; // looked at together: few rays block
     using Lanes = Eigen::Array<double, lanes, 1>;
-    Eigen::Index ray = 0;
-    for (; ray + lanes <= cones.rays; ray += lanes)
+    Eigen::Index ray = begin;
+    for (; ray + lanes <= end; ray += lanes)
     {
         const Lanes slope = -c.segment<lanes>(ray).array();
         const Lanes offset = -dx.segment<lanes>(ray).array();
         const Lanes most = (offset + slope).max(offset + least * slope);
-        if ((most - floor * x.segment<lanes>(ray).array()).maxCoeff() > 0)
+        if ((most - found.floor * x.segment<lanes>(ray).array()).maxCoeff() > 0)
         {
             for (int lane = 0; lane < lanes; ++lane)
             {
@@ -55,9 +57,36 @@ void Blocking::collect(const ConeRanges& cones, const std::vector<ConeFrame>& fr
             }
         }
     }
-    for (; ray < cones.rays; ++ray)
+    for (; ray < end; ++ray)
     {
         add(-dx[ray] / x[ray], -c[ray] / x[ray]);
+    }
+}
+
+void Blocking::collect(const ConeRanges& cones, const std::vector<ConeFrame>& frames, const StepOfCones& step,
+                       const StepOfCones& correction, double least)
+{
+    if (partsOf(cones.rays) == 1)
+    {
+        collectRays(step, correction, least, 0, cones.rays, found);
+    }
+    else
+    {
+        // Lines below the floor of others are kept: they change no maximum.
+        parts.resize(static_cast<std::size_t>(partsOf(cones.rays)));
+        forParts(cones.rays,
+                 [&](long begin, long end)
+                 {
+                     Found& part = parts[static_cast<std::size_t>(begin / entriesOfTask)];
+                     part.lines.clear();
+                     part.floor = found.floor;
+                     collectRays(step, correction, least, begin, end, part);
+                 });
+        for (const Found& part : parts)
+        {
+            found.lines.insert(found.lines.end(), part.lines.begin(), part.lines.end());
+            found.floor = std::max(found.floor, part.floor);
+        }
     }
     for (std::size_t round = 0; round < frames.size(); ++round)
     {
@@ -65,7 +94,7 @@ void Blocking::collect(const ConeRanges& cones, const std::vector<ConeFrame>& fr
         const Round line{steepness(frames[round], step.scaled.segment<3>(at)),
                          steepness(frames[round], correction.scaled.segment<3>(at))};
         // Convex: nowhere between above both ends.
-        if (std::max(line.at(1), line.at(least)) > floor)
+        if (std::max(line.at(1), line.at(least)) > found.floor)
         {
             rounds.push_back(line);
         }
@@ -80,7 +109,7 @@ Weight Blocking::best(double least) const
     {
         const double weight = 1 - (1 - least) * interval / intervals;
         double steepest = 1 / farthestStep;
-        for (const Line& line : lines)
+        for (const Line& line : found.lines)
         {
             steepest = std::max(steepest, line.offset + weight * line.slope);
         }

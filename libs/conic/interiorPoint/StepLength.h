@@ -60,9 +60,18 @@ private:
         double at(double weight) const;
     };
 
-    std::vector<Line> lines;
+    /// Those found among some rays, and the floor below which the steepest of all is nowhere.
+    struct Found
+    {
+        std::vector<Line> lines;
+        double floor;
+    };
+    static void collectRays(const StepOfCones& step, const StepOfCones& correction, double least,
+                            Eigen::Index begin, Eigen::Index end, Found& found);
+
+    Found found;
+    std::vector<Found> parts; ///< of `found`, where there are many rays
     std::vector<Round> rounds;
-    double floor = 1 / farthestStep; ///< the steepest is nowhere below it
 };
 
 } // namespace drystone
