@@ -221,19 +221,19 @@ void writeAnswer(const std::filesystem::path& caseDirectory, const LimitAnalysis
     }
     picture.towardsViewer = pictures.towardsViewer;
     picture.load = loadArrow(structure, result);
-    picture.loadPlaces = loadPlaces(structure);
+    picture.loadPlaces = loadPlaces(structure, result);
     const double drawn = 0.5 * meanBlockSize(assembly);
     picture.motion = fmt::format("moved by up to {:.2g} m in this picture", drawn);
-    if constexpr (Dim == 3)
-    {
-        picture.marks = jointMarks(assembly, structure.points, structure.friction, rates);
-    }
+    picture.marks = jointMarks<Dim>(assembly, structure.points, structure.friction, rates);
     writeMechanismPicture(file("mechanism"), assembly, mechanismPlacements(assembly, rates, drawn), picture,
                           pictures.formats);
     if constexpr (Dim == 2)
     {
         picture.thrust = jointForces(structure.points, forces);
         picture.motion.clear();
+        // A sliding joint is a line as the thrust is.
+        std::erase_if(picture.marks,
+                      [](const JointMark& mark) { return mark.motion == JointMotion::sliding; });
         writeMechanismPicture(file("thrust"), assembly, std::vector<Placement<2>>(assembly.blocks.size()),
                               picture, pictures.formats);
     }

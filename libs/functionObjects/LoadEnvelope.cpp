@@ -2,6 +2,7 @@
 /// The envelope of a moving load, printed and written: it combines statics with output.
 #include "functionObjects/LoadEnvelope.h"
 
+#include "assembly/BlockShape.h"
 #include "core/Log.h"
 #include "core/WholeFile.h"
 #include "io/Plot.h"
@@ -20,6 +21,61 @@ namespace
 double alphaOf(const PositionResult& result)
 {
     return tabledAlpha(result.status, result.alpha);
+}
+
+/// Moment r x f of the line of action through r -> the r nearest to the mass centre.
+Vector<2> armOf(const Vector<2>& force, const Eigen::Matrix<double, 1, 1>& moment)
+{
+    return moment(0) / force.squaredNorm() * Vector<2>(force.y(), -force.x());
+}
+Vector<3> armOf(const Vector<3>& force, const Vector<3>& moment)
+{
+    return momentOf(force, moment) / force.squaredNorm();
+}
+
+/// Where the line of action of a load on one block alone enters it; nothing of other loads.
+/// \param live rows as LoadVectors
+template<int Dim>
+std::vector<LoadPlace> placesOfLoad(const Assembly<Dim>& assembly, const Eigen::VectorXd& live)
+{
+    int loaded = -1;
+    Eigen::Matrix<double, freedomCount<Dim>, 1> load;
+    const std::vector<int> indices = freeIndices(assembly);
+    for (std::size_t i = 0; i < assembly.blocks.size() && live.size() > 0; ++i)
+    {
+        if (indices[i] < 0 || live.segment<freedomCount<Dim>>(freedomCount<Dim> * indices[i]).isZero(0))
+        {
+            continue;
+        }
+        if (loaded >= 0)
+        {
+            return {};
+        }
+        loaded = static_cast<int>(i);
+        load = live.segment<freedomCount<Dim>>(freedomCount<Dim> * indices[i]);
+    }
+    if (loaded < 0 || load.template head<Dim>().isZero(0))
+    {
+        return {};
+    }
+    const Block<Dim>& block = assembly.blocks[static_cast<std::size_t>(loaded)];
+    const Vector<Dim> force = load.template head<Dim>();
+    const Vector<Dim> line =
+        blockMass<Dim>(block).centroid + armOf(force, load.template tail<freedomCount<Dim> - Dim>().eval());
+    const Vector<Dim> along = force.normalized();
+    double first = 0;
+    for (const double place : placesToCut(block, line, along))
+    {
+        if (place < first
+            && distanceFrom(block, Vector<Dim>(line + place * along)) <= widthOfAJoint(assembly))
+        {
+            first = place;
+        }
+    }
+    LoadPlace place;
+    place.place.template head<Dim>() = line + first * along;
+    place.block = loaded;
+    return {place};
 }
 
 } // namespace
@@ -66,13 +122,15 @@ std::string placeText(const LimitAnalysisCase<Dim>& structure, const EnvelopePoi
 }
 
 template<int Dim>
-std::vector<LoadPlace> loadPlaces(const LimitAnalysisCase<Dim>& structure)
+std::vector<LoadPlace> loadPlaces(const LimitAnalysisCase<Dim>& structure, const LimitAnalysis& result)
 {
     std::vector<LoadPlace> places;
     const std::optional<EnvelopePoint> worst = worstPlace(structure);
     if (!worst)
     {
-        return places;
+        const bool isTurned = result.status == CollapseStatus::optimal && result.alpha < 0;
+        return placesOfLoad(structure.assembly,
+                            Eigen::VectorXd((isTurned ? -1 : 1) * liveLoadOf(structure, result)));
     }
     double largest = 0;
     for (const AxlePlace<Dim>& axle : structure.loads.positions[worst->position].axles)
@@ -210,8 +268,10 @@ template std::optional<EnvelopePoint> worstPlace(const LimitAnalysisCase<2>& str
 template std::optional<EnvelopePoint> worstPlace(const LimitAnalysisCase<3>& structure);
 template std::string placeText(const LimitAnalysisCase<2>& structure, const EnvelopePoint& point);
 template std::string placeText(const LimitAnalysisCase<3>& structure, const EnvelopePoint& point);
-template std::vector<LoadPlace> loadPlaces(const LimitAnalysisCase<2>& structure);
-template std::vector<LoadPlace> loadPlaces(const LimitAnalysisCase<3>& structure);
+template std::vector<LoadPlace> loadPlaces(const LimitAnalysisCase<2>& structure,
+                                           const LimitAnalysis& result);
+template std::vector<LoadPlace> loadPlaces(const LimitAnalysisCase<3>& structure,
+                                           const LimitAnalysis& result);
 template void printEnvelope(const LimitAnalysisCase<2>& structure);
 template void printEnvelope(const LimitAnalysisCase<3>& structure);
 template void writeEnvelope(const std::filesystem::path& folder, const LimitAnalysisCase<2>& structure,

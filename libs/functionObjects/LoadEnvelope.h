@@ -34,9 +34,10 @@ std::optional<EnvelopePoint> worstPlace(const LimitAnalysisCase<Dim>& structure)
 template<int Dim>
 std::string placeText(const LimitAnalysisCase<Dim>& structure, const EnvelopePoint& point);
 
-/// Where the axles of the worst place meet the structure; none without a moving load.
+/// Where the axles of the worst place of a moving load meet the structure; of a live load on one block alone
+/// where its line of action enters it; none of others.
 template<int Dim>
-std::vector<LoadPlace> loadPlaces(const LimitAnalysisCase<Dim>& structure);
+std::vector<LoadPlace> loadPlaces(const LimitAnalysisCase<Dim>& structure, const LimitAnalysis& result);
 
 /// Range of multipliers and the worst place, for the log. Nothing without a moving load.
 template<int Dim>

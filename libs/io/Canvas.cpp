@@ -117,10 +117,14 @@ void Canvas::endClip()
 
 double textWidth(std::string_view content, double size)
 {
-    // Continuation bytes of a UTF-8 character have no width of their own.
-    const auto characters =
-        std::count_if(content.begin(), content.end(), [](char c) { return (c & 0xC0) != 0x80; });
-    return 0.56 * size * static_cast<double>(characters);
+    // Of the widest usual typeface, DejaVu Sans: digits 0.64, letters 0.56 in the mean. Continuation bytes of
+    // a UTF-8 character have no width of their own.
+    double width = 0;
+    for (const char c : content)
+    {
+        width += c >= '0' && c <= '9' ? 0.64 : (c & 0xC0) != 0x80 ? 0.56 : 0;
+    }
+    return size * width;
 }
 
 } // namespace drystone

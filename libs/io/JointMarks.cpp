@@ -12,13 +12,30 @@ namespace
 constexpr double still = 1e-3; ///< relative to the fastest joint
 
 /// Rate of a block at a place.
-Vector<3> rateAt(const Rates<3>& rates, const std::vector<BlockMass<3>>& masses, int block,
-                 const Vector<3>& place)
+template<int Dim>
+Vector<Dim> rateAt(const Rates<Dim>& rates, const std::vector<BlockMass<Dim>>& masses, int block,
+                   const Vector<Dim>& place)
 {
     const auto rate = rates.col(block);
-    const Vector<3> turn = rate.tail<3>();
-    // turn x arm, the moment of `turn` as a force
-    return rate.head<3>() + momentOf(turn, place - masses[static_cast<std::size_t>(block)].centroid);
+    const Vector<Dim> arm = place - masses[static_cast<std::size_t>(block)].centroid;
+    if constexpr (Dim == 2)
+    {
+        return rate.template head<2>() + rate(2) * Vector<2>(-arm.y(), arm.x());
+    }
+    else
+    {
+        const Vector<3> turn = rate.template tail<3>();
+        return rate.template head<3>() + momentOf(turn, arm); // turn x arm, the moment of `turn` as a force
+    }
+}
+
+Vector<3> inSpace(const Vector<2>& place)
+{
+    return {place.x(), place.y(), 0};
+}
+const Vector<3>& inSpace(const Vector<3>& place)
+{
+    return place;
 }
 
 /// The two places that are farthest apart; one where there is one.
@@ -40,6 +57,17 @@ std::vector<Vector<3>> endsOf(const std::vector<Vector<3>>& places)
         }
     }
     return ends;
+}
+
+/// The ends of a joint of the plane.
+std::vector<Vector<3>> hullOf(const std::vector<ContactPoint<2>>& points, std::size_t first, std::size_t last)
+{
+    std::vector<Vector<3>> places;
+    for (std::size_t i = first; i < last; ++i)
+    {
+        places.push_back(inSpace(points[i].position));
+    }
+    return endsOf(places);
 }
 
 /// The convex hull of the points of a joint, in order round it (Andrew's monotone chain).
@@ -90,17 +118,19 @@ std::vector<Vector<3>> hullOf(const std::vector<ContactPoint<3>>& points, std::s
 
 } // namespace
 
-std::vector<JointMark> jointMarks(const Assembly<3>& assembly, const std::vector<ContactPoint<3>>& points,
-                                  const std::vector<double>& friction, const Rates<3>& rates)
+template<int Dim>
+std::vector<JointMark> jointMarks(const Assembly<Dim>& assembly, const std::vector<ContactPoint<Dim>>& points,
+                                  const std::vector<double>& friction,
+                                  const std::type_identity_t<Rates<Dim>>& rates)
 {
-    const std::vector<BlockMass<3>> masses = blockMasses(assembly);
-    std::vector<Vector<3>> apart; // (opening, slips) of each point
+    const std::vector<BlockMass<Dim>> masses = blockMasses(assembly);
+    std::vector<Vector<Dim>> apart; // (opening, slips) of each point
     double fastest = 0;
-    for (const ContactPoint<3>& point : points)
+    for (const ContactPoint<Dim>& point : points)
     {
         apart.emplace_back(contactFrame(point).transpose()
-                           * (rateAt(rates, masses, point.block, point.position)
-                              - rateAt(rates, masses, point.neighbour, point.position)));
+                           * (rateAt<Dim>(rates, masses, point.block, point.position)
+                              - rateAt<Dim>(rates, masses, point.neighbour, point.position)));
         fastest = std::max(fastest, apart.back().norm());
     }
     const double least = still * fastest;
@@ -115,11 +145,11 @@ std::vector<JointMark> jointMarks(const Assembly<3>& assembly, const std::vector
         bool parts = false;
         for (; last < points.size() && points[last].joint == points[first].joint; ++last)
         {
-            const Vector<3>& rate = apart[last];
-            const double slip = rate.tail<2>().norm();
+            const Vector<Dim>& rate = apart[last];
+            const double slip = rate.template tail<Dim - 1>().norm();
             if (rate.norm() <= least)
             {
-                together.push_back(points[last].position);
+                together.push_back(inSpace(points[last].position));
             }
             else if (slip > least && rate.x() <= friction[last] * slip + least)
             {
@@ -145,5 +175,12 @@ std::vector<JointMark> jointMarks(const Assembly<3>& assembly, const std::vector
     }
     return marks;
 }
+
+template std::vector<JointMark> jointMarks(const Assembly<2>& assembly,
+                                           const std::vector<ContactPoint<2>>& points,
+                                           const std::vector<double>& friction, const Rates<2>& rates);
+template std::vector<JointMark> jointMarks(const Assembly<3>& assembly,
+                                           const std::vector<ContactPoint<3>>& points,
+                                           const std::vector<double>& friction, const Rates<3>& rates);
 
 } // namespace drystone

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Which joints of a mechanism in space turn and which slide, and where: the marks of its picture.
+/// Which joints of a mechanism turn and which slide, and where: the marks of its picture.
 #pragma once
 
 #include "contact/ContactPoint.h"
@@ -20,8 +20,8 @@ struct JointMark
 {
     JointMotion motion = JointMotion::hinge;
     int block = -1, neighbour = -1; ///< as of the contact points
-    /// As built [m]: of a hinge the two ends of its line, or one corner; of a sliding joint the corners of
-    /// its convex hull, in order round it.
+    /// As built, in the plane with z = 0 [m]: of a hinge the two ends of its line, or one corner; of a
+    /// sliding joint the corners of its convex hull, in order round it, in the plane its two ends.
     std::vector<Vector<3>> points;
 };
 
@@ -31,7 +31,9 @@ struct JointMark
 /// that stay together and others that part is a hinge; one without the former that has sliding points slides;
 /// what parts altogether has no mark.
 /// \param points those of one joint follow each other \param friction mu of each
-std::vector<JointMark> jointMarks(const Assembly<3>& assembly, const std::vector<ContactPoint<3>>& points,
-                                  const std::vector<double>& friction, const Rates<3>& rates);
+template<int Dim>
+std::vector<JointMark> jointMarks(const Assembly<Dim>& assembly, const std::vector<ContactPoint<Dim>>& points,
+                                  const std::vector<double>& friction,
+                                  const std::type_identity_t<Rates<Dim>>& rates);
 
 } // namespace drystone

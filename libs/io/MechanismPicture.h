@@ -63,7 +63,7 @@ struct MechanismPicture
     /// with the reactions of fixed blocks as arrows; none when empty.
     std::vector<JointForce<2>> thrust = {};
     Vector<3> towardsViewer = usualView(); ///< of space: a unit vector
-    /// Of space: hinges and sliding joints, drawn where they are seen on the displaced blocks.
+    /// Hinges and sliding joints, drawn on the displaced blocks, in space where they are seen.
     std::vector<JointMark> marks = {};
     std::optional<LoadArrow> load = {};     ///< drawn below, where its direction is seen
     std::vector<LoadPlace> loadPlaces = {}; ///< of a load that acts at points, along the direction of `load`
@@ -71,10 +71,10 @@ struct MechanismPicture
 };
 
 /// The displaced blocks, shaded by their displacement, over the dashed outline of the structure as built;
-/// fixed blocks are hatched. In space seen without perspective, hidden faces behind others
-/// (MechanismPicture.cpp in space/) and without the outline as built; fixed blocks are grey, the lines of
-/// hinges and the edges of sliding joints coloured. Below are a scale bar, the load and what is said of the
-/// motion.
+/// fixed blocks are hatched, hinges and sliding joints coloured unless blocks are drawn as areas without
+/// joints. In space seen without perspective, hidden faces behind others (MechanismPicture.cpp in space/) and
+/// without the outline as built; fixed blocks are grey. Below are a scale bar, the load and what is said of
+/// the motion.
 ///
 /// \param placements one per block
 Canvas drawnMechanism(const Assembly<2>& assembly, const std::vector<Placement<2>>& placements,

@@ -6,6 +6,7 @@
 #include "geometry/Rotation.h"
 #include "io/Canvas.h"
 #include "io/ClayColour.h"
+#include "io/MarkLegend.h"
 #include "io/PicturePage.h"
 #include "io/plane/ThrustLine.h"
 
@@ -272,19 +273,46 @@ void paintBlocks(Canvas& drawing, const Assembly<2>& assembly, const std::vector
     }
 }
 
-/// A place of the load on its block where that is now [m].
-Vector<2> movedPlace(const Assembly<2>& assembly, const std::vector<Placement<2>>& placements,
-                     const LoadPlace& at)
+/// A place on a block where that is now [m]. \param index of the block; none below 0
+Vector<2> movedPlace(const Assembly<2>& assembly, const std::vector<Placement<2>>& placements, int index,
+                     const Vector<3>& asBuilt)
 {
-    const Vector<2> place = at.place.head<2>();
-    if (at.block < 0)
+    const Vector<2> place = asBuilt.head<2>();
+    if (index < 0)
     {
         return place;
     }
-    const Block<2>& block = assembly.blocks[static_cast<std::size_t>(at.block)];
-    const Placement<2>& placement = placements[static_cast<std::size_t>(at.block)];
+    const Block<2>& block = assembly.blocks[static_cast<std::size_t>(index)];
+    const Placement<2>& placement = placements[static_cast<std::size_t>(index)];
     return placedOutline(block, placement).front()
            + turned(placement.rotation, place - block.outline.front());
+}
+
+/// A hinge as a point, a sliding joint as a line, on the block that moves more.
+void paintMarks(Canvas& drawing, const Assembly<2>& assembly, const std::vector<Placement<2>>& placements,
+                const std::vector<JointMark>& marks, const std::vector<double>& moved, const View& view)
+{
+    for (const JointMotion motion : {JointMotion::sliding, JointMotion::hinge}) // hinges over lines
+    {
+        for (const JointMark& mark : marks)
+        {
+            const bool isNeighbour =
+                moved[static_cast<std::size_t>(mark.neighbour)] > moved[static_cast<std::size_t>(mark.block)];
+            const auto onPage = [&](const Vector<3>& place) {
+                return view(
+                    movedPlace(assembly, placements, isNeighbour ? mark.neighbour : mark.block, place));
+            };
+            if (mark.motion == motion && motion == JointMotion::hinge)
+            {
+                drawing.circle(onPage(mark.points.front()), 3.5, {.fill = hingeColour});
+            }
+            else if (mark.motion == motion && mark.points.size() == 2)
+            {
+                drawing.line(onPage(mark.points.front()), onPage(mark.points.back()),
+                             {.stroke = slidingColour, .strokeWidth = 2});
+            }
+        }
+    }
 }
 
 constexpr std::string_view thrustColour = "#1b4f8f";
@@ -424,12 +452,16 @@ Canvas drawnMechanism(const Assembly<2>& assembly, const std::vector<Placement<2
     {
         largestForce = paintThrust(drawing, assembly, picture.thrust, view, blockSize);
     }
+    const std::vector<JointMark> marks =
+        blockSize * view.scale < smallBlock ? std::vector<JointMark>() : picture.marks;
+    paintMarks(drawing, assembly, placements, marks, moved, view);
     const Vector<3> load =
         picture.load ? picture.load->direction.normalized().eval() : Vector<3>::Zero().eval();
     const Vector<2> loadOnPage(load.x(), -load.y());
     for (const LoadPlace& at : picture.loadPlaces)
     {
-        paintLoadArrow(drawing, view(movedPlace(assembly, placements, at)), loadOnPage, 18 + 22 * at.part);
+        paintLoadArrow(drawing, view(movedPlace(assembly, placements, at.block, at.place)), loadOnPage,
+                       18 + 22 * at.part);
     }
     drawing.endClip();
 
@@ -442,6 +474,7 @@ Canvas drawnMechanism(const Assembly<2>& assembly, const std::vector<Placement<2
         drawing.text({x + 36, y + 11}, "as built", {.size = 12});
         x += 36 + textWidth("as built", 12) + 18;
     }
+    x = paintMarkLegend(drawing, marks, {x, y});
     if (!picture.thrust.empty())
     {
         // A scale of forces: the width of the largest one and of a tenth of it.

@@ -2,20 +2,16 @@
 #include "io/space/MarkPainter.h"
 
 #include "geometry/space/Polyhedron.h"
+#include "io/MarkLegend.h"
 
 #include <Eigen/Geometry>
 
-#include <algorithm>
 #include <cmath>
-#include <tuple>
 
 namespace drystone
 {
 namespace
 {
-
-constexpr const char* hingeColour = "#c2185b";
-constexpr const char* slidingColour = "#1f5fa8";
 
 /// Whether a place on a block is on a face of it that looks at the viewer, or on none: not behind the block
 /// itself.
@@ -115,23 +111,6 @@ void paintMarks(Canvas& drawing, MarksToPaint& marks, int block, const Polyhedro
             paintMark(drawing, mark, shape,
                       placedPoints(marks.assembly.blocks[index], placements[index], mark.points), view,
                       touching);
-        }
-    }
-}
-
-void paintMarkLegend(Canvas& drawing, const std::vector<JointMark>& marks, const Vector<2>& corner)
-{
-    double x = corner.x();
-    for (const auto& [motion, colour, text] : {std::tuple(JointMotion::hinge, hingeColour, "hinge"),
-                                               std::tuple(JointMotion::sliding, slidingColour, "sliding")})
-    {
-        if (std::any_of(marks.begin(), marks.end(),
-                        [motion = motion](const JointMark& mark) { return mark.motion == motion; }))
-        {
-            drawing.line({x, corner.y() + 6.5}, {x + 18, corner.y() + 6.5},
-                         {.stroke = colour, .strokeWidth = 2.4});
-            drawing.text({x + 23, corner.y() + 11}, text, {.size = 12});
-            x += 23 + textWidth(text, 12) + 20;
         }
     }
 }

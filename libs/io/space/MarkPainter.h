@@ -30,7 +30,4 @@ MarksToPaint marksToPaint(const Assembly<3>& assembly, const std::vector<JointMa
 void paintMarks(Canvas& drawing, MarksToPaint& marks, int block, const Polyhedron& shape,
                 const std::vector<Placement<3>>& placements, const View& view);
 
-/// What the colours of those marks mean that there are.
-void paintMarkLegend(Canvas& drawing, const std::vector<JointMark>& marks, const Vector<2>& corner);
-
 } // namespace drystone
