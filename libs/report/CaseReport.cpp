@@ -30,6 +30,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <charconv>
 #include <set>
 #include <sstream>
 
@@ -40,6 +41,40 @@ namespace
 {
 
 namespace fs = std::filesystem;
+
+/// Whether a name comes before another one, numbers by their value: motion_3 before motion_3.5.
+bool isBefore(std::string_view one, std::string_view other)
+{
+    const auto numberIn = [](std::string_view& text)
+    {
+        double value = 0;
+        const auto end =
+            std::from_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed).ptr;
+        text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+        return value;
+    };
+    const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
+    while (!one.empty() && !other.empty())
+    {
+        if (isDigit(one.front()) && isDigit(other.front()))
+        {
+            const double first = numberIn(one);
+            const double second = numberIn(other);
+            if (first != second)
+            {
+                return first < second;
+            }
+            continue;
+        }
+        if (one.front() != other.front())
+        {
+            return one.front() < other.front();
+        }
+        one.remove_prefix(1);
+        other.remove_prefix(1);
+    }
+    return one.empty() && !other.empty();
+}
 
 /// Files below a folder with an ending, sorted, so that a report is the same each time.
 std::vector<fs::path> filesWithEnding(const fs::path& folder, const std::string& ending)
@@ -53,7 +88,13 @@ std::vector<fs::path> filesWithEnding(const fs::path& folder, const std::string&
             files.push_back(entry.path());
         }
     }
-    std::sort(files.begin(), files.end());
+    std::sort(files.begin(), files.end(),
+              [](const fs::path& one, const fs::path& other)
+              {
+                  // Without the ending, whose full stop may follow a number.
+                  const auto name = [](fs::path file) { return file.replace_extension().string(); };
+                  return isBefore(name(one), name(other));
+              });
     return files;
 }
 
@@ -259,6 +300,53 @@ bool isOfMotion(const fs::path& caseDirectory)
     return application && application->valueText() != "limitAnalysis";
 }
 
+/// How far blocks go in the frames of a motion, and where they are at its end.
+template<int Dim>
+std::vector<std::string> motionMeaning(const Assembly<Dim>& assembly, const std::vector<BlockFrame>& frames)
+{
+    struct Farthest
+    {
+        double distance = 0; ///< [m]
+        std::size_t block = 0;
+        double time = 0; ///< [s]
+    };
+    Farthest largest;
+    Farthest atTheEnd;
+    const double far = 0.5 * meanBlockSize(assembly);
+    int away = 0;
+    int freeBlocks = 0;
+    for (const BlockFrame& frame : frames)
+    {
+        const bool isLast = &frame == &frames.back();
+        for (std::size_t block = 0; block < assembly.blocks.size(); ++block)
+        {
+            const double distance = frame.displacement.col(static_cast<Eigen::Index>(block)).norm();
+            if (assembly.blocks[block].support >= 0)
+            {
+                continue;
+            }
+            if (distance > largest.distance) // not where it is NaN, of a block that was deleted
+            {
+                largest = {distance, block, frame.time};
+            }
+            if (isLast)
+            {
+                atTheEnd = distance > atTheEnd.distance ? Farthest{distance, block, frame.time} : atTheEnd;
+                away += distance <= far ? 0 : 1;
+                ++freeBlocks;
+            }
+        }
+    }
+    return {
+        fmt::format(
+            "The largest displacement of a block in these frames is {:.4g} m, of block {} at {:.4g} s.",
+            largest.distance, largest.block, largest.time),
+        fmt::format("After {:.4g} s the largest displacement of a block is {:.4g} m, of block {}; {} of {} "
+                    "blocks are farther from their places than half the mean block size of {:.3g} m{}.",
+                    frames.back().time, atTheEnd.distance, atTheEnd.block, away, freeBlocks, 2 * far,
+                    away == 0 ? ": the structure stands" : "")};
+}
+
 /// The animation, with what its end shows, and the viewer.
 template<int Dim>
 void addMotion(HtmlPage& page, const fs::path& caseDirectory, const Assembly<Dim>& assembly)
@@ -275,17 +363,10 @@ void addMotion(HtmlPage& page, const fs::path& caseDirectory, const Assembly<Dim
         caseDirectory / "VTK", "blocks", assembly.blocks.size(), std::clamp<std::size_t>(mostFrames, 2, 101));
     if (isMotion && !frames.empty())
     {
-        Eigen::Index block = 0;
-        const double largest = frames.back()
-                                   .displacement.array()
-                                   .isNaN()
-                                   .select(0, frames.back().displacement)
-                                   .colwise()
-                                   .norm()
-                                   .maxCoeff(&block);
-        page.paragraph(
-            fmt::format("After {:.4g} s the largest displacement of a block is {:.4g} m, of block {}.",
-                        frames.back().time, largest, block));
+        for (const std::string& sentence : motionMeaning(assembly, frames))
+        {
+            page.paragraph(sentence);
+        }
     }
     const std::optional<std::string> script = viewerScript();
     if (!script)
@@ -340,7 +421,12 @@ std::vector<Input> inputsOf()
             {"system/solution",
              {subDictionary("limitAnalysis", describeOptions<LimitAnalysisControls>()),
               subDictionary("contactDynamics", describeOptions<SolverChoice>())}},
-            {"system/blockTextureDict", describeOptions<BlockTexture<Dim>>()}};
+            {"system/blockTextureDict", describeOptions<BlockTexture<Dim>>()},
+            // Of studies, whose keys this library does not know: without units.
+            {"system/incrementalDynamicsDict", {}},
+            {"system/parameterSearchDict", {}},
+            {"system/ensembleDict", {}},
+            {"system/accuracyCostDict", {}}};
 }
 
 template<int Dim>

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace drystone
 {
 
@@ -22,6 +24,29 @@ pre { background: #f6f6f4; padding: 0.6em; overflow-x: auto; }
 .viewer canvas { border: 1px solid #ccc; touch-action: none; } .viewer .controls > * { margin-right: 0.8em; }
 @media print { .viewer { display: none; } figure { break-inside: avoid; } }
 )";
+
+/// Names of a drawing, such as that of what it is cut to, belong to the whole page that it stands in: a
+/// prefix tells them from those of other drawings.
+std::string withOwnNames(std::string_view svg, std::string_view prefix)
+{
+    std::string text;
+    while (!svg.empty())
+    {
+        std::size_t next = svg.size();
+        for (const std::string_view mark : {" id=\"", "url(#"})
+        {
+            const std::size_t at = svg.find(mark);
+            next = at == std::string_view::npos ? next : std::min(next, at + mark.size());
+        }
+        text.append(svg.substr(0, next));
+        svg.remove_prefix(next);
+        if (!svg.empty())
+        {
+            text.append(prefix);
+        }
+    }
+    return text;
+}
 
 } // namespace
 
@@ -97,7 +122,8 @@ void HtmlPage::picture(std::string_view svg, std::string_view caption)
     {
         svg.remove_prefix(begin);
     }
-    body += fmt::format("<figure>\n{}\n<figcaption>{}</figcaption>\n</figure>\n", svg, htmlText(caption));
+    body += fmt::format("<figure>\n{}\n<figcaption>{}</figcaption>\n</figure>\n",
+                        withOwnNames(svg, fmt::format("picture{}-", ++pictures)), htmlText(caption));
 }
 
 void HtmlPage::image(std::string_view png, std::string_view caption)

@@ -23,7 +23,8 @@ public:
     /// \param head of the columns \param rows of as many texts each
     void table(const std::vector<std::string>& head, const std::vector<std::vector<std::string>>& rows);
     void verbatim(std::string_view text);
-    /// An SVG drawing, the text of its file, with a caption.
+    /// An SVG drawing, the text of its file, with a caption. Its names get a prefix, since those of all
+    /// drawings of a page are in one space.
     void picture(std::string_view svg, std::string_view caption);
     /// A PNG image, the bytes of its file, with a caption.
     void image(std::string_view png, std::string_view caption);
@@ -35,6 +36,7 @@ public:
 private:
     std::string title;
     std::string body;
+    int pictures = 0; ///< so far
 };
 
 } // namespace drystone

@@ -38,6 +38,19 @@ TEST(HtmlPage, EscapesTextAndKeepsMarkup)
     EXPECT_THAT(text, testing::Not(HasSubstr("<?xml")));
 }
 
+TEST(HtmlPage, NamesOfOneDrawingAreNotThoseOfAnother)
+{
+    HtmlPage page("wall");
+    for (int i = 0; i < 2; ++i)
+    {
+        page.picture("<svg><clipPath id=\"view\"/><g clip-path=\"url(#view)\"/></svg>", "");
+    }
+    EXPECT_THAT(page.text(),
+                HasSubstr("<clipPath id=\"picture1-view\"/><g clip-path=\"url(#picture1-view)\"/>"));
+    EXPECT_THAT(page.text(),
+                HasSubstr("<clipPath id=\"picture2-view\"/><g clip-path=\"url(#picture2-view)\"/>"));
+}
+
 TEST(HtmlPage, HoldsAnImageAsText)
 {
     HtmlPage page("wall");

@@ -1,5 +1,6 @@
 # Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 """A whole report: what its page holds, that it requests nothing, and its viewer driven in headless Chromium."""
+import html
 import json
 import os
 import re
@@ -12,20 +13,36 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 from caseTest import CaseTest, applications, tutorial  # noqa: E402
 
 viewer = os.path.join(applications, "../share/drystone/viewer.js")
+hasViewer = shutil.which("chromium") and os.path.exists(viewer) and os.path.getsize(viewer) > 0
+noViewer = "viewer not tested: chromium is not installed, or Drystone was built without npm"
 
 # Moves the slider, clicks into the middle and leaves what it saw in the title, which is printed with the page.
 drive = """<script>
 addEventListener("load", () => {
     const element = document.querySelector(".viewer"), canvas = element.querySelector("canvas");
     const control = (name) => element.querySelector(`[name=${name}]`);
-    const seen = { ready: element.dataset.ready, pictures: [], readouts: [] };
-    const look = () => { seen.pictures.push(canvas.toDataURL()); seen.readouts.push(element.querySelector(".readout").textContent); };
+    const seen = { ready: element.dataset.ready, pictures: [], readouts: [], shares: [] };
+    // The share of a picture that is not white: what the structure covers.
+    const share = () => {
+        const flat = Object.assign(document.createElement("canvas"), { width: canvas.width, height: canvas.height });
+        const context = flat.getContext("2d");
+        context.drawImage(canvas, 0, 0);
+        const bytes = context.getImageData(0, 0, flat.width, flat.height).data;
+        let count = 0;
+        for (let i = 0; i < bytes.length; i += 4) { count += bytes[i] + bytes[i + 1] + bytes[i + 2] < 740 ? 1 : 0; }
+        return count / (flat.width * flat.height);
+    };
+    const look = () => {
+        seen.pictures.push(canvas.toDataURL());
+        seen.readouts.push(element.querySelector(".readout").textContent);
+        seen.shares.push(share());
+    };
     const set = (name, value) => { control(name).value = value; control(name).dispatchEvent(new Event("input")); };
     look();
     set("frame", 0); look();
     set("frame", control("frame").max); look();
     set("quantity", "displacement"); look();
-    set("magnification", 0); look();
+    set("magnification", 0); look();  // where they were built: a block is in the middle
     const box = canvas.getBoundingClientRect();
     const at = { clientX: box.left + box.width / 2, clientY: box.top + box.height / 2, pointerId: 1, bubbles: true };
     canvas.setPointerCapture = canvas.releasePointerCapture = () => {};
@@ -49,11 +66,14 @@ class Report(CaseTest):
         self.assertEqual(done.returncode, 0, done.stdout[-1000:] + done.stderr)
         return done
 
-    def wall(self):
+    def caseOf(self, name):
         case = os.path.join(self.root.name, self.id().rsplit(".", 1)[-1])
-        self.copyInput(os.path.join(tutorial, "wall1"), case)
+        self.copyInput(os.path.join(tutorial, name), case)
         self.runIn("blockTexture", case)
         return case
+
+    def wall(self):
+        return self.caseOf("wall1")
 
     def testHoldsInputResultAndHowToRepeatIt(self):
         case = self.wall()
@@ -83,12 +103,8 @@ class Report(CaseTest):
         # But for the log, which is not there, they are the same.
         self.assertEqual(page, self.read(case, "other.html"))
 
-    @unittest.skipUnless(shutil.which("chromium"), "viewer not tested: chromium is not installed")
-    @unittest.skipUnless(os.path.exists(viewer) and os.path.getsize(viewer) > 0,
-                         "viewer not tested: built without npm")
-    def testTheViewerFollowsSliderAndClick(self):
-        case = self.wall()
-        self.runIn("limitAnalysis", case, "-report")
+    def seenIn(self, case):
+        """What a reader sees who drives the viewer of the page of a case."""
         page = self.read(case, "report.html").replace("</body>", drive + "</body>")
         with open(os.path.join(case, "driven.html"), "w", encoding="utf-8") as file:
             file.write(page)
@@ -99,14 +115,46 @@ class Report(CaseTest):
                               capture_output=True, text=True, timeout=200, check=False)
         found = re.search(r'<pre id="seen">(.*?)</pre>', done.stdout, re.DOTALL)
         self.assertTrue(found, done.stderr[-2000:])
-        seen = json.loads(found.group(1))
+        return json.loads(html.unescape(found.group(1)))
+
+    def checkViewer(self, case, momentName, first, last):
+        seen = self.seenIn(case)
         self.assertEqual(seen["ready"], "yes")
-        # Shown first is the whole mechanism: as built it looks different, at its end again the same; colours and
+        # Shown first is the end: at the beginning it looks different, at its end again the same; colours and
         # magnification change the picture, and a click the colour of the block.
         self.assertEqual(seen["pictures"], [0, 1, 0, 3, 4, 5])
-        self.assertIn("part of the mechanism 1.000.", seen["readouts"][0])
-        self.assertIn("part of the mechanism 0.000.", seen["readouts"][1])
+        self.assertGreater(min(seen["shares"]), 0.02)
+        self.assertIn(f"{momentName} {last}", seen["readouts"][0])
+        self.assertIn(f"{momentName} {first}", seen["readouts"][1])
         self.assertRegex(seen["readouts"][5], r"Block \d+: displacement \([-0-9.e ]+\) m, rotation [0-9.e-]+ rad")
+
+    @unittest.skipUnless(hasViewer, noViewer)
+    def testTheViewerOfWall6FollowsSliderAndClick(self):
+        case = self.caseOf("wall6")
+        self.runIn("limitAnalysis", case, "-report")
+        self.checkViewer(case, "part of the mechanism", "0.000.", "1.000.")
+        self.assertLess(os.path.getsize(os.path.join(case, "report.html")), 1.2e6)
+
+    @unittest.skipUnless(hasViewer, noViewer)
+    def testTheViewerOfAWallThatFallsUnderARecord(self):
+        case = self.caseOf("../../contactDynamics/fallingWall/wall")
+        self.runIn("caseDictionary", case, "system/controlDict", "-entry", "endTime", "-set", "3.5")
+        self.runIn("contactDynamics", case, "-report")
+        self.checkViewer(case, "time", "0.000 s.", "3.500 s.")
+        page = self.read(case, "report.html")
+        for part in ("After 3.5 s the largest displacement of a block is", "motion_3.5.svg", "groundMotion_m_s2.svg",
+                     "<td>acceleration/peakAcceleration</td>"):
+            self.assertIn(part, page)
+        self.assertRegex(page, r"in these frames is 0\.\d+ m, of block \d+ at 3\.5 s")
+        self.assertRegex(page, r"[1-9]\d* of 146 blocks are farther from their places")
+        # Moments in their order.
+        self.assertEqual(re.findall(r"collapse/0/motion_([\d.]+)\.svg", page), ["2.5", "3", "3.5"])
+
+    @unittest.skipUnless(hasViewer, noViewer)
+    def testTheViewerOfAHouseInSpace(self):
+        case = self.caseOf("../space/house/structure")
+        self.runIn("limitAnalysis", case, "-report")
+        self.checkViewer(case, "part of the mechanism", "0.000.", "1.000.")
 
 
 if __name__ == "__main__":
