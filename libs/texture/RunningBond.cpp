@@ -55,7 +55,7 @@ std::string openingFault(const RunningBond& bond, const Opening& opening)
     {
         return corners + " has no area: \"from\" is its lower left corner, \"to\" its upper right one.";
     }
-    if (from.x() < 0 || from.y() < 0 || to.x() > bond.length || to.y() > bond.courses)
+    if (from.x() < 0 || from.y() < 0 || to.x() > bond.length || from.y() >= bond.courses)
     {
         return corners
                + fmt::format(" reaches outside the wall, which is {:g} units long and {} courses high.",
@@ -74,6 +74,22 @@ std::string openingFault(const RunningBond& bond, const Opening& opening)
         return corners
                + fmt::format(" has a lintel that reaches past an end of the wall, which is {:g} units long.",
                              bond.length);
+    }
+    return {};
+}
+
+/// An opening may go on above the wall, as one that was drawn for a higher wall: what is there is cut out.
+std::string openingDoubt(const RunningBond& bond)
+{
+    for (std::size_t i = 0; i < bond.openings.size(); ++i)
+    {
+        const double top = bond.openings[i].to.y();
+        if (top > bond.courses)
+        {
+            return fmt::format("Opening {} reaches up to course {:g}, and the wall is {} courses high: it is "
+                               "open at the top.",
+                               i, top, bond.courses);
+        }
     }
     return {};
 }
@@ -124,6 +140,7 @@ void declare(Options& options, RunningBond& bond)
         });
     checkOpenings(options, bond.openings,
                   [&bond](const auto& opening) { return openingFault(bond, opening); });
+    options.question("openings", [&bond] { return openingDoubt(bond); });
 }
 
 Assembly<2> makeAssembly(const RunningBond& bond)

@@ -44,6 +44,11 @@ class Installation(unittest.TestCase):
         self.assertEqual(bash("./Allclean", folder, self.path).returncode, 0)
         self.assertFalse(os.path.exists(os.path.join(folder, "stands", "log.limitAnalysis")))
 
+    def testAStudyInPythonFindsThePackage(self):
+        done = bash("./Allrun", self.copyOfTutorial("limitAnalysis/fromPython"), self.path)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertIn("0.65 0.642859", done.stdout)
+
     def testACopiedTutorialEndsWhereNothingIsInstalled(self):
         done = bash("./Allrun", self.copyOfTutorial("limitAnalysis/arch"), system)
         self.assertEqual(done.returncode, 1)
@@ -96,6 +101,8 @@ class Installation(unittest.TestCase):
         self.assertNotIn("-parallel", self.complete("limitAnalysis -"))
         self.assertEqual(self.complete("solveProgram program -solver g"), ["gaussSeidel"])
         self.assertEqual(self.complete("solveProgram program -tolerance "), [])
+        self.assertEqual(self.complete("exportBlocks -format "), ["3dec", "compasJson", "dxf", "gltf", "lmgc90", "obj"])
+        self.assertEqual(self.complete("limitAnalysis -view b"), ["back"])
         self.assertEqual(self.complete("drystone-new ga"), ["garden-wall"])
         dictionary = ("system/solution", "limitAnalysis { solver interiorPoint; tolerance 1e-9; }\n")
         self.assertEqual(self.complete("caseDictionary system/solution -entry l", dictionary), ["limitAnalysis"])

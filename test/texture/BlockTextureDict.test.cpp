@@ -122,7 +122,10 @@ TEST(BlockTextureDict, FaultsOfARunningBondAreNamed)
     fault("unit (0.4 0.175); length 5; courses 6; opennings ();", "openings");
     fault("unit (0.4 0.175); length 1e5; courses 100000;", "more than 10000000 blocks");
     const std::string wall = "unit (0.4 0.175); length 5; courses 6; openings ";
-    fault(wall + "( { from (1 2); to (2 7); } );", "reaches outside the wall");
+    fault(wall + "( { from (1 6); to (2 7); } );", "reaches outside the wall");
+    // The documented example: six courses, an opening drawn for more.
+    EXPECT_EQ(report("texture\n{\ntype runningBond;\n" + wall + "( { from (1.5 3); to (2.5 8); } );\n}"),
+              "no error");
     fault(wall + "( { from (1 2); to (5.1 4); } );", "reaches outside the wall");
     fault(wall + "( { from (2 2); to (1 4); } );", "has no area");
     fault(wall + "( { from (1 2.5); to (2 4); } );", "within a course");

@@ -107,7 +107,7 @@ int main(int argc, char* argv[])
     description.options = {
         {"report", "", "also write report.html, as the application report does"},
         {"view", "DIRECTION",
-         "in space, from where mechanism.svg is seen: front, back, left, right, top, or the "
+         "one of front back left right top, from where mechanism.svg is seen in space, or the "
          "direction to the viewer, as \"(1 -1.4 0.8)\""}};
     description.examples = {"limitAnalysis                       # in a case directory, after blockTexture",
                             "limitAnalysis -case wall -dry-run   # checks every dictionary, solves nothing",

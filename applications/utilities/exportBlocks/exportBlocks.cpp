@@ -290,7 +290,8 @@ int main(int argc, char* argv[])
         "file for other programs. Blocks of the plane become solids of their thickness, but in dxf.";
     description.kind = ApplicationKind::utility;
     description.options = {
-        {"format", "FORMAT", "obj (default), compasJson, dxf, gltf, lmgc90 (script) or 3dec (commands)"},
+        {"format", "FORMAT",
+         "one of obj compasJson dxf gltf lmgc90 3dec; the last two are a script and commands; default obj"},
         {"time", "TIME", "of a state that contactDynamics wrote, or latestTime; as built if absent"},
         {"animation", "", "with the frames of the motion or mechanism, in gltf; export/motion.gltf"},
         {"magnification", "M", "of the displacements of -animation; 1 if absent"},
