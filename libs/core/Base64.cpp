@@ -2,6 +2,7 @@
 /// Base 64, of no model, hence in core.
 #include "core/Base64.h"
 
+#include <algorithm>
 #include <cstdint>
 
 namespace drystone
@@ -10,18 +11,19 @@ namespace drystone
 std::string base64(std::string_view bytes)
 {
     constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    text.reserve(bytes.size() / 3 * 4 + 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3)
+    std::string text((bytes.size() + 2) / 3 * 4, '=');
+    char* to = text.data();
+    for (std::size_t i = 0; i < bytes.size(); i += 3, to += 4)
     {
+        const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
         std::uint32_t three = 0;
         for (std::size_t k = 0; k < 3; ++k)
         {
-            three = three << 8U | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+            three = three << 8U | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0U);
         }
-        for (std::size_t k = 0; k < 4; ++k)
+        for (std::size_t k = 0; k <= count; ++k)
         {
-            text += i + k > bytes.size() ? '=' : digits[three >> (18U - 6U * k) & 63U];
+            to[k] = digits[three >> (18U - 6U * k) & 63U];
         }
     }
     return text;

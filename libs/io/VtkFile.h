@@ -51,7 +51,7 @@ std::size_t cellCount(const PolyData<Dim>& data);
 template<int Dim>
 void checkPolyData(const PolyData<Dim>& data);
 
-/// The bytes of a .vtp file: VTK's XML, raw appended, compressed in zlib's format, as VTK writes the same
+/// The bytes of a .vtp file: VTK's XML, arrays in base 64 of zlib's format, as VTK writes the same
 /// data (vtpBytesOfVtk; a test compares what its reader makes of both). Coordinates and fields of the points
 /// of polygons are written in single precision, since they are only displayed, other fields in double
 /// precision, since they are also used in computations.

@@ -205,8 +205,7 @@ std::string vtpBytesOfVtk(const PolyData<Dim>& data)
     vtkNew<vtkXMLPolyDataWriter> writer;
     vtkNew<Deflate> compressor;
     writer->SetInputData(poly);
-    writer->SetDataModeToAppended();
-    writer->EncodeAppendedDataOff();
+    writer->SetDataModeToBinary(); // not appended: see VtkFile.cpp
     writer->SetCompressor(compressor);
     writer->SetHeaderTypeToUInt32();
     writer->WriteToOutputStringOn();

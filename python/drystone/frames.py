@@ -1,5 +1,6 @@
 # Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 """Frames of an animation, VTK/<name>.vtp.series: where the blocks are, and the fields of their cells."""
+import base64
 import json
 import math
 import struct
@@ -38,33 +39,43 @@ class Frame:
 
 
 def _arrays(file):
-    """The numbers of each DataArray of a .vtp file with appended raw data, compressed or not, by its element."""
+    """The numbers of each DataArray of a .vtp file, in its element or, as in files of older versions, raw at the end, by
+    its element."""
     content = Path(file).read_bytes()
     marker = content.find(b"<AppendedData")
     begin = content.find(b"_", marker) + 1
     end = content.rfind(b"</AppendedData>")
-    if marker < 0 or begin == 0 or end < 0:
-        raise ValueError(f"{file} has no appended data: it was not written by Drystone")
-    root = xml.etree.ElementTree.fromstring(content[:begin] + content[end:])
+    if marker >= 0 and (begin == 0 or end < 0):
+        raise ValueError(f"{file} is cut off")
+    try:
+        root = xml.etree.ElementTree.fromstring(content if marker < 0 else content[:begin] + content[end:])
+    except xml.etree.ElementTree.ParseError as fault:
+        raise ValueError(f"{file} was not written by Drystone: {fault}") from None
     order = "<" if root.get("byte_order") == "LittleEndian" else ">"
     size = struct.Struct(order + {"UInt32": "I", "UInt64": "Q"}[root.get("header_type", "UInt32")])
     compressed = root.get("compressor") is not None
 
-    def number(at):
-        return size.unpack_from(content, at)[0]
+    def bytesOf(element):
+        """Header and data."""
+        if element.get("format") == "appended":
+            return content[begin + int(element.get("offset")):end]
+        text = element.text.strip()
+        # The header is encoded for itself: its first number says how many follow.
+        count = size.unpack_from(base64.b64decode(text[:16]))[0] + 3 if compressed else 1
+        letters = (count * size.size + 2) // 3 * 4
+        return base64.b64decode(text[:letters]) + base64.b64decode(text[letters:])
 
     def read(element):
-        at = begin + int(element.get("offset"))
+        raw = bytesOf(element)
         if compressed:
-            count = number(at)
-            sizes = [number(at + (3 + i) * size.size) for i in range(count)]
-            at += (3 + count) * size.size
-            data = b""
-            for length in sizes:
-                data += zlib.decompress(content[at:at + length])
+            count = size.unpack_from(raw)[0]
+            at, data = (3 + count) * size.size, b""
+            for i in range(count):
+                length = size.unpack_from(raw, (3 + i) * size.size)[0]
+                data += zlib.decompress(raw[at:at + length])
                 at += length
         else:
-            data = content[at + size.size:at + size.size + number(at)]
+            data = raw[size.size:size.size + size.unpack_from(raw)[0]]
         code = _formats[element.get("type")]
         return struct.unpack(f"{order}{len(data) // struct.calcsize(code)}{code}", data)
 

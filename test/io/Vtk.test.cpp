@@ -285,11 +285,13 @@ TEST(Vtp, AnEmptyAssemblyGivesAFileThatVtkReads)
     EXPECT_EQ(readBack(folder / "contacts.vtp")->GetNumberOfCells(), 0);
 }
 
-TEST(Vtp, TheFileIsRawAppendedAndZlib)
+TEST(Vtp, TheFileHasItsArraysInItsElementsByZlib)
 {
     const std::string bytes = vtpBytes(blockFrame(test::wall(5, 6)));
     EXPECT_THAT(bytes, HasSubstr("compressor=\"vtkZLibDataCompressor\""));
-    EXPECT_THAT(bytes, HasSubstr("<AppendedData encoding=\"raw\">"));
+    // What VTK 9.1 and ParaView 5.11 cannot read with the expat of an up-to-date Debian 12.
+    EXPECT_THAT(bytes, testing::Not(HasSubstr("AppendedData")));
+    EXPECT_THAT(vtpBytesOfVtk(blockFrame(test::wall(5, 6))), testing::Not(HasSubstr("AppendedData")));
 }
 
 TEST(Vtp, ManyBlocksSurviveTheCompressorsBlocks)
