@@ -28,18 +28,11 @@ ConeWeights<double> barrierWeights(const ConeRanges& cones, const Eigen::VectorX
     return weights;
 }
 
-/// Whether a change leaves each cone the margin of how far s is inside: s + change/(1 - margin) is in the
-/// cones.
-bool isWithin(const ConeRanges& cones, const Eigen::VectorXd& s, const Eigen::VectorXd& change, double margin)
-{
-    return smallestEigenvalue<double>(cones, (1 - margin) * s + change) >= 0;
-}
-
 } // namespace
 
 template<int Rows, int Forces>
-Eigen::VectorXd balancedForces(const ConeProgram<Rows, Forces>& program, const Eigen::VectorXd& near,
-                               const BalanceSettings& settings, SymbolicAnalysis& symbolic)
+Eigen::VectorXd nearestForces(const ConeProgram<Rows, Forces>& program, const Eigen::VectorXd& near,
+                              double tolerance, SymbolicAnalysis& symbolic)
 {
     constexpr int mostRefinements = 6; // each leaves a part of the last, given by the regularisation
     constexpr double relative = 1e-13; // bodies that nothing touches make S singular
@@ -54,8 +47,7 @@ Eigen::VectorXd balancedForces(const ConeProgram<Rows, Forces>& program, const E
     {
         return {};
     }
-    const double allowed =
-        settings.tolerance * std::max(1e-300, form.load.template lpNorm<Eigen::Infinity>());
+    const double allowed = tolerance * std::max(1e-300, form.load.template lpNorm<Eigen::Infinity>());
     Eigen::VectorXd s = known;
     Eigen::VectorXd change(s.size());
     for (int refinement = 0; refinement <= mostRefinements; ++refinement)
@@ -64,10 +56,6 @@ Eigen::VectorXd balancedForces(const ConeProgram<Rows, Forces>& program, const E
         addForces(form, s, missing);
         if (missing.lpNorm<Eigen::Infinity>() <= allowed)
         {
-            if (!isWithin(cones, known, s - known, settings.margin))
-            {
-                return {};
-            }
             return solutionOf(program, form, s, Eigen::VectorXd(Eigen::VectorXd::Zero(form.rows())), 0.0)
                 .contactForce;
         }
@@ -83,9 +71,32 @@ Eigen::VectorXd balancedForces(const ConeProgram<Rows, Forces>& program, const E
     return {};
 }
 
-template Eigen::VectorXd balancedForces(const PlaneConeProgram&, const Eigen::VectorXd&,
-                                        const BalanceSettings&, SymbolicAnalysis&);
-template Eigen::VectorXd balancedForces(const SpaceConeProgram&, const Eigen::VectorXd&,
-                                        const BalanceSettings&, SymbolicAnalysis&);
+template<int Rows, int Forces>
+std::vector<std::size_t> pointsOutside(const ConeProgram<Rows, Forces>& program, const Eigen::VectorXd& near,
+                                       const Eigen::VectorXd& forces, double margin)
+{
+    std::vector<std::size_t> outside;
+    for (std::size_t i = 0; i < program.contacts.size(); ++i)
+    {
+        const Eigen::Index row = Forces * static_cast<Eigen::Index>(i);
+        const Eigen::Matrix<double, Forces, 1> left =
+            forces.segment<Forces>(row) - margin * near.segment<Forces>(row);
+        if (!(left.template tail<Forces - 1>().norm() <= program.friction[i] * left[0]))
+        {
+            outside.push_back(i);
+        }
+    }
+    return outside;
+}
+
+template Eigen::VectorXd nearestForces(const PlaneConeProgram&, const Eigen::VectorXd&, double,
+                                       SymbolicAnalysis&);
+template Eigen::VectorXd nearestForces(const SpaceConeProgram&, const Eigen::VectorXd&, double,
+                                       SymbolicAnalysis&);
+
+template std::vector<std::size_t> pointsOutside(const PlaneConeProgram&, const Eigen::VectorXd&,
+                                                const Eigen::VectorXd&, double);
+template std::vector<std::size_t> pointsOutside(const SpaceConeProgram&, const Eigen::VectorXd&,
+                                                const Eigen::VectorXd&, double);
 
 } // namespace drystone

@@ -201,25 +201,32 @@ void MovingContacts<2>::measure(const std::vector<Placement<2>>& placements,
                                 std::vector<ContactPoint<2>>& points) const
 {
     assert(placements.size() == centroids.size());
-    points = found;
+    points.resize(found.size());
     for (std::size_t i = 0; i < points.size(); ++i)
     {
-        const auto [corner, edge] = cornerAndEdge[i];
-        ContactPoint<2>& point = points[i];
-        const bool cornerIsTheBlocks = point.feature.vertexBlock == point.block;
-        const int cornerBlock = cornerIsTheBlocks ? point.block : point.neighbour;
-        const int edgeBlock = cornerIsTheBlocks ? point.neighbour : point.block;
-        const Eigen::Rotation2Dd turned(placements[cornerBlock].rotation);
-        const Eigen::Rotation2Dd turnedEdge(placements[edgeBlock].rotation);
-        const Vector<2> cornerArm = turned * localCorner[corner];
-        const Vector<2> normal = outwardNormal(turnedEdge * localTangent[edge]);
-        // Differences of places first, so that a structure far from the origin keeps its digits.
-        const Vector<2> centres = (centroids[cornerBlock] - centroids[edgeBlock])
-                                  + (placements[cornerBlock].translation - placements[edgeBlock].translation);
-        point.gap = (centres + cornerArm - turnedEdge * localCorner[edge]).dot(normal);
-        point.position = centroids[cornerBlock] + placements[cornerBlock].translation + cornerArm;
-        point.normal = cornerIsTheBlocks ? normal : Vector<2>(-normal);
+        points[i] = pointAt(placements, i);
     }
+}
+
+ContactPoint<2> MovingContacts<2>::pointAt(const std::vector<Placement<2>>& placements,
+                                           std::size_t index) const
+{
+    const auto [corner, edge] = cornerAndEdge[index];
+    ContactPoint<2> point = found[index];
+    const bool cornerIsTheBlocks = point.feature.vertexBlock == point.block;
+    const int cornerBlock = cornerIsTheBlocks ? point.block : point.neighbour;
+    const int edgeBlock = cornerIsTheBlocks ? point.neighbour : point.block;
+    const Eigen::Rotation2Dd turned(placements[cornerBlock].rotation);
+    const Eigen::Rotation2Dd turnedEdge(placements[edgeBlock].rotation);
+    const Vector<2> cornerArm = turned * localCorner[corner];
+    const Vector<2> normal = outwardNormal(turnedEdge * localTangent[edge]);
+    // Differences of places first, so that a structure far from the origin keeps its digits.
+    const Vector<2> centres = (centroids[cornerBlock] - centroids[edgeBlock])
+                              + (placements[cornerBlock].translation - placements[edgeBlock].translation);
+    point.gap = (centres + cornerArm - turnedEdge * localCorner[edge]).dot(normal);
+    point.position = centroids[cornerBlock] + placements[cornerBlock].translation + cornerArm;
+    point.normal = cornerIsTheBlocks ? normal : Vector<2>(-normal);
+    return point;
 }
 
 double MovingContacts<2>::marginFor(const std::vector<Vector<3>>& velocities, double timeStep,

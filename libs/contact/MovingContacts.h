@@ -88,6 +88,9 @@ public:
     /// \param points overwritten
     void measure(const std::vector<Placement<2>>& placements, std::vector<ContactPoint<2>>& points) const;
 
+    /// One of them, by its index.
+    ContactPoint<2> pointAt(const std::vector<Placement<2>>& placements, std::size_t index) const;
+
     /// The margin that lists every pair of blocks that can meet within a step: twice the farthest that any
     /// point of a block travels. Features are chosen well as long as no block travels farther in a step than
     /// a quarter of its thickness. \param velocities (ux uy rz) of each block [m/s, rad/s] \param timeStep

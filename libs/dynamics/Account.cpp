@@ -1,6 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// The last stage of a step: its energy, and what the next step starts from.
-#include "dynamics/Step.h"
+#include "dynamics/EffectCalls.h"
 
 #include <algorithm>
 
@@ -96,6 +96,10 @@ void account(Step<Dim>& step)
     const StageTimer timer(step.motion.stageTimes, Stage::account);
     const DynamicCase<Dim>& scene = step.scene;
     Motion<Dim>& motion = step.motion;
+    if (scene.schemes.effects.selection == EffectSelection::automatic)
+    {
+        motion.effectCalls = effectCalls(step);
+    }
     StepEnergy energy = energyOf(step);
     motion.effectStates = std::move(step.effectStates);
     energy.externalWork -= leaveOutBlocks(scene, motion);

@@ -52,10 +52,14 @@ void countUse(Motion<Dim>& motion, long provedBefore, double since)
     ++use.steps;
     (use.atRest > provedBefore ? use.secondsAtRest : use.secondsOfOthers) += seconds;
     use.blocks += static_cast<double>(motion.state.velocity.size()) / freedomCount<Dim>;
-    const bool isPart = !motion.isAwake.empty();
-    use.awakeBlocks +=
-        isPart ? static_cast<double>(std::count(motion.isAwake.begin(), motion.isAwake.end(), true))
-               : static_cast<double>(motion.state.velocity.size()) / freedomCount<Dim>;
+    use.awakeBlocks += static_cast<double>(awakeBlocks(motion));
+    use.bodies += static_cast<double>(simulatedBodies(motion));
+    use.calls.resize(motion.effectCalls.size());
+    for (std::size_t i = 0; i < use.calls.size(); ++i)
+    {
+        use.calls[i].steps += motion.effectCalls[i] > 0 ? 1 : 0;
+        use.calls[i].places += motion.effectCalls[i];
+    }
 }
 
 } // namespace
@@ -70,6 +74,7 @@ double advanceUnparted(const DynamicCase<Dim>& scene, Motion<Dim>& motion, doubl
         return 1;
     }
     motion.isAwake.clear();
+    motion.bodies.clear();
     findContacts(step);
     assemble(step);
     contribute(step);

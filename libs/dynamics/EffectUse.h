@@ -2,8 +2,17 @@
 /// What a run with `selection automatic` has left out, and what that has saved.
 #pragma once
 
+#include <vector>
+
 namespace drystone
 {
+
+/// How often an effect acted (EffectCalls.h): a step that it did not act on is the same without it.
+struct EffectCallSums
+{
+    long steps = 0;    ///< on which it acted
+    double places = 0; ///< share of the points, or blocks, on which it did, summed over all steps
+};
 
 /// Sums over the steps of a run, times of the processor; steps that were tried and not taken, and parts of
 /// steps, count each.
@@ -13,6 +22,8 @@ struct EffectUse
     long atRest = 0;                    ///< of them taken with a proof instead of a program
     double blocks = 0;                  ///< free ones, summed over the steps
     double awakeBlocks = 0;             ///< of them those that were simulated
+    double bodies = 0;                  ///< that these were, blocks that moved as one being one
+    std::vector<EffectCallSums> calls;  ///< one an effect of namesOfEffects
     double secondsAtRest = 0;           ///< that these have taken, their proofs included [s]
     double secondsOfOthers = 0;         ///< that the others have taken [s]
     long verified = 0;                  ///< steps that were solved with everything on, too

@@ -1,10 +1,12 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// The program of the blocks that are awake, and the forces that hold the others.
+/// The program of the bodies that a step is taken with, and the forces that hold each of them together.
 #include "dynamics/HeldBlocks.h"
 
 #include "conic/BalancedForces.h"
 #include "conic/form/Form.h"
+#include "dynamics/BlockGroups.h"
 #include "dynamics/ClosedPoints.h"
+#include "dynamics/GroupChoice.h"
 #include "dynamics/RestingStep.h"
 
 #include <algorithm>
@@ -14,244 +16,113 @@ namespace drystone
 namespace
 {
 
-/// A block that is slower than this part of the fastest is held, if that is proved.
-constexpr double slow = 1e-6;
+/// Fewer bodies than this share of the blocks, or it does not pay.
+constexpr double mostBodies = 0.7;
 
-/// Holding fewer of the blocks does not pay.
-constexpr double leastHeld = 0.3;
+/// Where a guess is not proved it is changed so many times less one.
+constexpr int attempts = 3;
 
-/// Blocks about those that are awake wake up when the first attempt is not proved, and so do those about
-/// them.
-constexpr int attempts = 2;
-constexpr int rings = 2;
+/// Where more than this share of the points within bodies fail, another guess is of no use.
+constexpr double mostFailing = 0.2;
 
-/// The blocks that are awake, the points that touch them, and where they are in the program of these.
+constexpr double partOfTolerance = 0.1;
+
+/// The balance of the blocks within the bodies: over the closed points there, under what they lack.
 template<int Dim>
-struct AwakePart
+struct InnerBalance
 {
-    std::vector<char> isAwake;       ///< of each free block
-    std::vector<int> bodies;         ///< those that are
-    std::vector<int> place;          ///< of each free block in it, or -1
-    std::vector<std::size_t> points; ///< that touch one of them
-};
-
-bool isAwakeAt(const std::vector<char>& isAwake, int body)
-{
-    return body >= 0 && isAwake[static_cast<std::size_t>(body)];
-}
-
-template<int Dim>
-AwakePart<Dim> awakePart(const StepProgram<Dim>& program, std::vector<char> isAwake)
-{
-    AwakePart<Dim> part;
-    part.place.assign(isAwake.size(), -1);
-    for (std::size_t body = 0; body < isAwake.size(); ++body)
-    {
-        if (isAwake[body])
-        {
-            part.place[body] = static_cast<int>(part.bodies.size());
-            part.bodies.push_back(static_cast<int>(body));
-        }
-    }
-    for (std::size_t point = 0; point < program.contacts.size(); ++point)
-    {
-        if (isAwakeAt(isAwake, program.contacts[point].first)
-            || isAwakeAt(isAwake, program.contacts[point].second))
-        {
-            part.points.push_back(point);
-        }
-    }
-    part.isAwake = std::move(isAwake);
-    return part;
-}
-
-/// Blocks that move, or fall in this step: nothing of the last one holds them.
-template<int Dim>
-std::vector<char> movingBlocks(const Step<Dim>& step)
-{
-    const Eigen::VectorXd& velocity = step.motion.state.velocity;
-    std::vector<double> speeds(static_cast<std::size_t>(step.program.bodies));
-    for (std::size_t body = 0; body < speeds.size(); ++body)
-    {
-        const auto own =
-            velocity.segment<freedomCount<Dim>>(freedomCount<Dim> * static_cast<Eigen::Index>(body));
-        speeds[body] = own.template head<Dim>().norm()
-                       + step.scene.blockSize * own.template tail<rotationCount<Dim>>().norm();
-    }
-    const double fastest = speeds.empty() ? 0 : *std::max_element(speeds.begin(), speeds.end());
-    std::vector<char> isMoving(speeds.size());
-    for (std::size_t body = 0; body < speeds.size(); ++body)
-    {
-        isMoving[body] = speeds[body] > slow * fastest;
-    }
-    return isMoving;
-}
-
-/// With the neighbours of those that are awake.
-template<int Dim>
-std::vector<char> withNeighbours(const StepProgram<Dim>& program, std::vector<char> isAwake)
-{
-    for (int ring = 0; ring < rings; ++ring)
-    {
-        const std::vector<char> before = isAwake;
-        for (const auto& contact : program.contacts)
-        {
-            if (contact.first >= 0 && contact.second >= 0
-                && (isAwakeAt(before, contact.first) || isAwakeAt(before, contact.second)))
-            {
-                isAwake[static_cast<std::size_t>(contact.first)] = true;
-                isAwake[static_cast<std::size_t>(contact.second)] = true;
-            }
-        }
-    }
-    return isAwake;
-}
-
-/// The numbers of some of many that have `size` each: rows of blocks, or of points. What is empty stays so.
-template<int size, class Index>
-Eigen::VectorXd takenFrom(const std::vector<Index>& some, const Eigen::VectorXd& whole)
-{
-    Eigen::VectorXd own(whole.size() > 0 ? size * static_cast<Eigen::Index>(some.size()) : 0);
-    for (Eigen::Index i = 0; size * i < own.size(); ++i)
-    {
-        own.segment<size>(size * i) =
-            whole.segment<size>(size * static_cast<Eigen::Index>(some[static_cast<std::size_t>(i)]));
-    }
-    return own;
-}
-
-/// The other way.
-template<int size, class Index>
-void putInto(const std::vector<Index>& some, const Eigen::VectorXd& own, Eigen::VectorXd& whole)
-{
-    for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(some.size()); ++i)
-    {
-        whole.segment<size>(size * static_cast<Eigen::Index>(some[static_cast<std::size_t>(i)])) =
-            own.segment<size>(size * i);
-    }
-}
-
-/// The columns of a point with the blocks that are held as the ground.
-template<int Dim, class Columns>
-Columns columnsOfPart(const AwakePart<Dim>& part, Columns columns)
-{
-    columns.first = columns.first < 0 ? -1 : part.place[static_cast<std::size_t>(columns.first)];
-    columns.second = columns.second < 0 ? -1 : part.place[static_cast<std::size_t>(columns.second)];
-    return columns;
-}
-
-template<int Dim>
-void setContacts(const AwakePart<Dim>& part, const StepProgram<Dim>& whole, StepProgram<Dim>& program)
-{
-    program.contacts.clear();
-    for (const std::size_t point : part.points)
-    {
-        program.contacts.push_back(columnsOfPart(part, whole.contacts[point]));
-    }
-}
-
-template<int Dim>
-StepProgram<Dim> programOfPart(const AwakePart<Dim>& part, const StepProgram<Dim>& whole)
-{
-    StepProgram<Dim> program;
-    program.bodies = static_cast<int>(part.bodies.size());
-    setContacts(part, whole, program);
-    for (const std::size_t point : part.points)
-    {
-        program.friction.push_back(whole.friction[point]);
-    }
-    for (const int body : part.bodies)
-    {
-        program.inertia.push_back(whole.inertia[static_cast<std::size_t>(body)]);
-    }
-    program.load = takenFrom<freedomCount<Dim>>(part.bodies, whole.load);
-    program.gap = takenFrom<Dim>(part.points, whole.gap);
-    return program;
-}
-
-template<int Dim>
-StepGuess guessOfPart(const AwakePart<Dim>& part, const StepGuess& whole)
-{
-    StepGuess guess;
-    guess.displacement = takenFrom<freedomCount<Dim>>(part.bodies, whole.displacement);
-    guess.contactForce = takenFrom<Dim>(part.points, whole.contactForce);
-    if (!whole.interior.isEmpty())
-    {
-        guess.interior = {takenFrom<Dim>(part.points, whole.interior.contactForce),
-                          takenFrom<Dim>(part.points, whole.interior.opening),
-                          takenFrom<freedomCount<Dim>>(part.bodies, whole.interior.displacement)};
-    }
-    return guess;
-}
-
-/// The relinearisation of all blocks, for those that are awake. \param whole the program of all, kept up to
-/// date; not owned, as the others
-template<int Dim>
-Relinearisation<Dim> relinearisationOfPart(const Step<Dim>& step, const AwakePart<Dim>& part,
-                                           StepProgram<Dim>& whole)
-{
-    if (!step.relinearise)
-    {
-        return {};
-    }
-    return [&step, &part, &whole](const Eigen::VectorXd& displacement, const Eigen::VectorXd& contactForce,
-                                  StepProgram<Dim>& program)
-    {
-        Eigen::VectorXd y = Eigen::VectorXd::Zero(whole.load.size());
-        Eigen::VectorXd c = Eigen::VectorXd::Zero(whole.gap.size());
-        putInto<freedomCount<Dim>>(part.bodies, displacement, y);
-        putInto<Dim>(part.points, contactForce, c);
-        putInto<Dim>(part.points, program.gap, whole.gap);
-        putInto<freedomCount<Dim>>(part.bodies, program.load, whole.load);
-        const double error = step.relinearise(y, c, whole);
-        program.gap = takenFrom<Dim>(part.points, whole.gap);
-        program.load = takenFrom<freedomCount<Dim>>(part.bodies, whole.load);
-        setContacts(part, whole, program);
-        return error;
-    };
-}
-
-/// The balance of the blocks that are held, under what the others press them with, over the closed points
-/// among them and the ground.
-template<int Dim>
-struct HeldBalance
-{
-    StepProgram<Dim> program;        ///< of all blocks, loads on those held only
+    StepProgram<Dim> program;        ///< of all blocks, loads of those that share a body or are held
     std::vector<std::size_t> points; ///< of it
 };
 
+/// Whether a block shares its body with others, or is held.
 template<int Dim>
-HeldBalance<Dim> heldBalance(const AwakePart<Dim>& part, const StepProgram<Dim>& whole,
-                             const Eigen::VectorXd& forcesOfAwake, double tolerance)
+bool isBound(const BlockGroups<Dim>& groups, std::size_t body)
 {
-    HeldBalance<Dim> held;
-    held.program.bodies = whole.bodies;
-    held.program.inertia = whole.inertia;
-    held.program.load = whole.load - applyEquilibrium(whole, forcesOfAwake);
-    for (const int body : part.bodies)
+    const int group = groups.group[body];
+    return group < 0 || groups.blocks[static_cast<std::size_t>(group)].size() > 1;
+}
+
+/// See Step::isShared.
+template<int Dim>
+std::vector<char> sharedBlocks(const BlockGroups<Dim>& groups)
+{
+    std::vector<char> isShared;
+    if (!groups.areSingle())
     {
-        held.program.load.template segment<freedomCount<Dim>>(freedomCount<Dim> * body).setZero();
-    }
-    const std::vector<char> isClosed = closedPoints<Dim>(whole, tolerance);
-    std::vector<double> gaps;
-    for (std::size_t point = 0; point < isClosed.size(); ++point)
-    {
-        const auto& contact = whole.contacts[point];
-        if (isClosed[point] && !isAwakeAt(part.isAwake, contact.first)
-            && !isAwakeAt(part.isAwake, contact.second))
+        isShared.resize(groups.group.size());
+        for (std::size_t body = 0; body < isShared.size(); ++body)
         {
-            held.points.push_back(point);
-            held.program.contacts.push_back(contact);
-            held.program.friction.push_back(whole.friction[point]);
+            isShared[body] = groups.group[body] >= 0 && isBound(groups, body);
         }
     }
-    held.program.gap.resize(Dim * static_cast<Eigen::Index>(held.points.size()));
-    for (std::size_t i = 0; i < held.points.size(); ++i)
+    return isShared;
+}
+
+/// \param missing f - Mbar y - A_O c_O
+template<int Dim>
+InnerBalance<Dim> innerBalance(const Step<Dim>& step, const BlockGroups<Dim>& groups, Eigen::VectorXd missing)
+{
+    const StepProgram<Dim>& whole = step.program;
+    InnerBalance<Dim> inner;
+    inner.program.bodies = whole.bodies;
+    inner.program.inertia = whole.inertia;
+    inner.program.load = std::move(missing);
+    for (std::size_t body = 0; body < groups.group.size(); ++body)
     {
-        held.program.gap.template segment<Dim>(Dim * static_cast<Eigen::Index>(i)) =
-            whole.gap.template segment<Dim>(Dim * static_cast<Eigen::Index>(held.points[i]));
+        if (!isBound(groups, body))
+        {
+            inner.program.load
+                .template segment<freedomCount<Dim>>(freedomCount<Dim> * static_cast<Eigen::Index>(body))
+                .setZero();
+        }
     }
-    return held;
+    const std::vector<char> isClosed = closedPoints<Dim>(whole, step.settings.solver.tolerance);
+    std::vector<double> gaps;
+    for (const std::size_t point : groups.inner)
+    {
+        const auto& contact = whole.contacts[point];
+        const bool moves = groups.of(contact.first >= 0 ? contact.first : contact.second) >= 0;
+        const double gap = whole.gap[Dim * static_cast<Eigen::Index>(point)];
+        if (moves ? std::abs(gap) <= keptGap(step) : isClosed[point])
+        {
+            inner.points.push_back(point);
+            inner.program.contacts.push_back(contact);
+            inner.program.friction.push_back(whole.friction[point]);
+            gaps.push_back(moves ? 0 : gap);
+        }
+    }
+    inner.program.gap = Eigen::VectorXd::Zero(Dim * static_cast<Eigen::Index>(gaps.size()));
+    for (std::size_t i = 0; i < gaps.size(); ++i)
+    {
+        inner.program.gap[Dim * static_cast<Eigen::Index>(i)] = gaps[i];
+    }
+    return inner;
+}
+
+/// The program from which forces are found: one block of each body that moves is as good as the ground of the
+/// others, since their balance is its own.
+template<int Dim>
+StepProgram<Dim> withGroundInBodies(const BlockGroups<Dim>& groups, StepProgram<Dim> program)
+{
+    std::vector<char> isGround(groups.group.size(), false);
+    for (const std::vector<int>& blocks : groups.blocks)
+    {
+        if (blocks.size() > 1)
+        {
+            isGround[static_cast<std::size_t>(blocks.front())] = true;
+            program.load.template segment<freedomCount<Dim>>(freedomCount<Dim> * blocks.front()).setZero();
+        }
+    }
+    for (auto& contact : program.contacts)
+    {
+        for (int* body : {&contact.first, &contact.second})
+        {
+            *body = *body >= 0 && isGround[static_cast<std::size_t>(*body)] ? -1 : *body;
+        }
+    }
+    program.inertia.clear();
+    return program;
 }
 
 Certificate larger(const Certificate& one, const Certificate& other)
@@ -260,9 +131,9 @@ Certificate larger(const Certificate& one, const Certificate& other)
             std::max(one.dualResidual, other.dualResidual), std::max(one.gap, other.gap)};
 }
 
-/// The interior of the part among all blocks; zero at the points of the others, as if they were new.
+/// The interior of the bodies' program among all blocks; zero at the points within, as if they were new.
 template<int Dim>
-InteriorStart interiorOfWhole(const AwakePart<Dim>& part, const StepProgram<Dim>& whole,
+InteriorStart interiorOfWhole(const BlockGroups<Dim>& groups, const StepProgram<Dim>& whole,
                               const InteriorStart& own)
 {
     if (own.isEmpty())
@@ -272,112 +143,177 @@ InteriorStart interiorOfWhole(const AwakePart<Dim>& part, const StepProgram<Dim>
     InteriorStart interior;
     interior.contactForce = Eigen::VectorXd::Zero(whole.gap.size());
     interior.opening = Eigen::VectorXd::Zero(whole.gap.size());
-    interior.displacement = Eigen::VectorXd::Zero(whole.load.size());
-    putInto<Dim>(part.points, own.contactForce, interior.contactForce);
-    putInto<Dim>(part.points, own.opening, interior.opening);
-    putInto<freedomCount<Dim>>(part.bodies, own.displacement, interior.displacement);
+    putInto<Dim>(groups.outer, own.contactForce, interior.contactForce);
+    putInto<Dim>(groups.outer, own.opening, interior.opening);
+    interior.displacement = linearDisplacement(groups, own.displacement);
     return interior;
 }
 
+/// How a guess came out.
+struct Outcome
+{
+    bool isProved = false;
+    std::vector<std::size_t> failing; ///< points of the whole that are not; none: nothing is known
+};
+
+/// Gives the solution of the bodies to all blocks. \param displacement of the bodies
 template<int Dim>
-bool solvePart(Step<Dim>& step, const AwakePart<Dim>& part)
+void takeOver(Step<Dim>& step, const BlockGroups<Dim>& groups, const StepProgram<Dim>& whole, ThetaStep own,
+              Eigen::VectorXd forces, const Eigen::VectorXd& displacement)
+{
+    ThetaStep& result = step.solved.result;
+    result = std::move(own);
+    result.displacement = displacementOfBlocks(groups, displacement);
+    result.contactForce = std::move(forces);
+    result.closing = applyTransposed(whole, result.displacement);
+    result.interior = interiorOfWhole(groups, whole, result.interior);
+}
+
+template<int Dim>
+Outcome solveGroups(Step<Dim>& step, const BlockGroups<Dim>& groups)
 {
     StepProgram<Dim> whole = step.program;
     const double tolerance = step.settings.solver.tolerance;
-    ThetaStep own = solveThetaStep(programOfPart(part, whole), step.settings, guessOfPart(part, step.guess),
-                                   relinearisationOfPart(step, part, whole), step.motion.symbolic.get());
+    const StepProgram<Dim> program = programOfGroups(groups, whole);
+    ThetaStep own = solveThetaStep(program, step.settings, guessOfGroups(groups, whole, program, step.guess),
+                                   relinearisationOfGroups(step, groups, whole), step.motion.symbolic.get());
     countWork(step, own.iterations, own.factorisations, own.programs);
     if (own.status != SolveStatus::optimal)
     {
-        return false;
+        return {};
+    }
+    Eigen::VectorXd displacement = own.displacement;
+    if (!groups.areSingle())
+    {
+        displacement = balancedDisplacement(groups, whole, program, own.contactForce, displacement);
+        if ((displacement - own.displacement).template lpNorm<Eigen::Infinity>()
+            > tolerance * displacement.lpNorm<Eigen::Infinity>())
+        {
+            return {};
+        }
     }
     Eigen::VectorXd forces = Eigen::VectorXd::Zero(whole.gap.size());
-    putInto<Dim>(part.points, own.contactForce, forces);
-    HeldBalance<Dim> held = heldBalance(part, whole, forces, tolerance);
-    Eigen::VectorXd near(held.program.gap.size());
-    for (std::size_t i = 0; i < held.points.size(); ++i)
-    {
-        near.segment<Dim>(Dim * static_cast<Eigen::Index>(i)) =
-            step.guess.contactForce.template segment<Dim>(Dim * static_cast<Eigen::Index>(held.points[i]));
-    }
-    constexpr double partOfTolerance = 0.1;
-    StepProgram<Dim> balance = held.program;
-    balance.inertia.clear();
+    putInto<Dim>(groups.outer, own.contactForce, forces);
+    const Eigen::VectorXd y = displacementOfBlocks(groups, displacement);
+    const InnerBalance<Dim> inner = innerBalance(
+        step, groups, Eigen::VectorXd(whole.load - applyInertia(whole, y) - applyEquilibrium(whole, forces)));
+    const Eigen::VectorXd near = takenFrom<Dim>(inner.points, step.guess.contactForce);
     const Eigen::VectorXd holding =
-        balancedForces(balance, near, {step.scene.schemes.effects.margin, partOfTolerance * tolerance},
-                       *step.motion.symbolicOfHeld.get());
+        nearestForces(withGroundInBodies(groups, inner.program), near, partOfTolerance * tolerance,
+                      *step.motion.symbolicOfHeld.get());
     ++step.motion.attempt.factorisations;
-    if (holding.size() != held.program.gap.size())
+    if (holding.size() != inner.program.gap.size())
     {
-        return false;
+        return {};
     }
-    const Rest rest = restWith(held.program, holding);
+    std::vector<std::size_t> failing =
+        pointsOutside(inner.program, near, holding, step.scene.schemes.effects.margin);
+    if (!failing.empty())
+    {
+        for (std::size_t& point : failing)
+        {
+            point = inner.points[point];
+        }
+        return {false, std::move(failing)};
+    }
+    const Rest rest = restWith(inner.program, holding);
     if (rest.certificate.worst() > tolerance)
     {
-        return false;
+        return {};
     }
-    for (std::size_t i = 0; i < held.points.size(); ++i)
+    putInto<Dim>(inner.points, holding, forces);
+    own.certificate = larger(own.certificate, rest.certificate);
+    takeOver(step, groups, whole, std::move(own), std::move(forces), displacement);
+    return {true, {}};
+}
+
+/// Says which blocks were simulated, and in which bodies.
+template<int Dim>
+void keepGroups(Step<Dim>& step, const BlockGroups<Dim>& groups)
+{
+    const std::vector<int>& free = step.scene.free;
+    std::vector<char>& isAwake = step.motion.isAwake;
+    std::vector<int>& bodies = step.motion.bodies;
+    isAwake.assign(free.size(), false);
+    bodies.assign(free.size(), -1);
+    for (std::size_t block = 0; block < free.size(); ++block)
     {
-        forces.segment<Dim>(Dim * static_cast<Eigen::Index>(held.points[i])) =
-            holding.segment<Dim>(Dim * static_cast<Eigen::Index>(i));
+        bodies[block] = groups.of(free[block]);
+        isAwake[block] = bodies[block] >= 0;
     }
-    ThetaStep& result = step.solved.result;
-    result = std::move(own);
-    result.certificate = larger(result.certificate, rest.certificate);
-    Eigen::VectorXd displacement = Eigen::VectorXd::Zero(whole.load.size());
-    putInto<freedomCount<Dim>>(part.bodies, result.displacement, displacement);
-    result.displacement = std::move(displacement);
-    Eigen::VectorXd closing = Eigen::VectorXd::Zero(whole.gap.size());
-    if (result.closing.size() > 0)
-    {
-        putInto<Dim>(part.points, result.closing, closing);
-    }
-    result.closing = std::move(closing);
-    result.contactForce = std::move(forces);
-    result.interior = interiorOfWhole(part, whole, result.interior);
-    return true;
 }
 
 } // namespace
 
 template<int Dim>
+std::string_view whyAllBlocks(const DynamicCase<Dim>& scene)
+{
+    if (traitsOf(scene.effects).isCompliant)
+    {
+        return "elastic joints give way at rest too";
+    }
+    if (scene.schemes.timeIntegration.theta < 1)
+    {
+        return "with theta below 1 blocks that meet have impacts of their own, which depend on forces that "
+               "are not "
+               "unique";
+    }
+    if (scene.flowRule() == FlowRule::nonAssociative)
+    {
+        if (Dim == 3)
+        {
+            return "in space Coulomb's law is reached to a part of what a step does, so that two ways to it "
+                   "differ";
+        }
+        if (hasImpacts(scene) || traitsOf(scene.effects).holdsJoints)
+        {
+            return "by Coulomb's law impacts and bonds depend on forces that are not unique";
+        }
+    }
+    return "";
+}
+
+template<int Dim>
 bool solveAwake(Step<Dim>& step)
 {
-    const DynamicCase<Dim>& scene = step.scene;
     const StepProgram<Dim>& program = step.program;
-    // In space Coulomb's law is reached to a part of what the step does, and two ways to it may end so far
-    // apart.
-    const bool isApproximate = Dim == 3 && step.settings.flowRule == FlowRule::nonAssociative;
-    if (scene.schemes.effects.selection != EffectSelection::automatic || hasImpacts(scene) || isApproximate
-        || program.hasCompliance() || program.hasStrength() || program.bodies == 0)
+    if (step.scene.schemes.effects.selection != EffectSelection::automatic || program.bodies == 0
+        || !whyAllBlocks(step.scene).empty())
     {
         return false;
     }
-    std::vector<char> isAwake = movingBlocks(step);
+    GroupChoice<Dim> choice(step);
     for (int attempt = 0; attempt < attempts; ++attempt)
     {
-        const auto awake = std::count(isAwake.begin(), isAwake.end(), true);
-        if (awake == 0 || awake > (1 - leastHeld) * program.bodies)
+        const int bodies = choice.bodies();
+        if (bodies == 0 || bodies > mostBodies * program.bodies)
         {
             return false;
         }
-        const AwakePart<Dim> part = awakePart<Dim>(program, isAwake);
-        if (solvePart(step, part))
+        const BlockGroups<Dim> groups = blockGroups(step, choice.groups());
+        step.isShared = sharedBlocks(groups);
+        step.measuredPoints = &groups.outer;
+        const Outcome outcome = solveGroups(step, groups);
+        step.measuredPoints = nullptr;
+        step.isShared.clear();
+        if (outcome.isProved)
         {
-            std::vector<char>& ofBlocks = step.motion.isAwake;
-            ofBlocks.assign(scene.free.size(), false);
-            for (std::size_t block = 0; block < scene.free.size(); ++block)
-            {
-                ofBlocks[block] = isAwakeAt(part.isAwake, scene.free[block]);
-            }
+            keepGroups(step, groups);
             return true;
         }
-        isAwake = withNeighbours<Dim>(program, std::move(isAwake));
+        if (static_cast<double>(outcome.failing.size())
+            > mostFailing * static_cast<double>(groups.inner.size()))
+        {
+            return false;
+        }
+        choice.change(outcome.failing);
     }
     return false;
 }
 
+template std::string_view whyAllBlocks(const DynamicCase<2>& scene);
 template bool solveAwake(Step<2>& step);
+template std::string_view whyAllBlocks(const DynamicCase<3>& scene);
 template bool solveAwake(Step<3>& step);
 
 } // namespace drystone

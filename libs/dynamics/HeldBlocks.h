@@ -1,6 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Steps in which a part of the blocks provably rests: the program of the others alone, `selection
-/// automatic`.
+/// Steps with fewer bodies than blocks: those that provably rest are held with the ground, those that
+/// provably move as one are one body, `selection automatic`.
 #pragma once
 
 #include "dynamics/Step.h"
@@ -8,25 +8,40 @@
 namespace drystone
 {
 
-/// Solves the step with the blocks that hardly move held as one body with the ground, and proves that this is
-/// a solution of the whole. With y_R = 0 of the blocks held, R, the program of the others, M, is
+/// Solves the step with the blocks that hardly move held as one body with the ground, and blocks that hardly
+/// move against each other as one body each, and proves that this is a solution of the whole. With the
+/// displacements y of all blocks that follow (BlockGroups.h) and c_O the forces of the points between bodies,
+/// the balance of each body as a whole is that of its blocks summed up, and what these lack,
 ///
-///     Mbar_M y_M + A_M c_M = f_M,    z_M = g_M - A_M'y_M,
+///     f - Mbar y - A_O c_O,
 ///
-/// c_M the forces of the points that touch a block of M. Together with forces c_R in the cones of the closed
-/// points among R and the ground that balance what is left, A_R c_R = f_R - (A c_M)_R, it is a solution of
-/// the program of all blocks: each of the conditions of optimality belongs to one of the two, z_R = g_R >= 0
-/// and g_R'c_R = 0 among them; y is unique. By Coulomb's law it is one, too, as nothing slides among R. Its
-/// certificate is the larger of those of the two parts, with the tolerance of every step. c_R is found from
-/// the forces of the last step by one factorisation (conic/BalancedForces.h), no farther to the surface of
-/// the cones than the margin.
+/// is left to the points within the bodies. These are closed and neither open nor slide, as bodies are rigid:
+/// z = g - A'y = 0, or g > 0 where they carry nothing. Together with forces c_I in their cones that balance
+/// what is lacking, A_I c_I = f - Mbar y - A_O c_O, it is a solution of the program of all blocks: each of
+/// the conditions of optimality belongs to a point of one kind or the other, and y is unique. By Coulomb's
+/// law it is one, too, as nothing slides within. Its certificate is the larger of those of the two parts,
+/// with the tolerance of every step. For what is held this says that forces at rest exist; for what moves,
+/// that they exist in axes that move along with the body, with its inertial forces among the loads. c_I is
+/// found from the forces of the last step by one factorisation (conic/BalancedForces.h), no farther to the
+/// surface of the cones than the margin. Points of bodies that move keep the gaps that they had, which
+/// are within the error that each step is allowed in them.
 ///
-/// Which blocks are held is a guess, from their velocities, that the proof does not depend on; where it is
-/// not proved it is tried again with more blocks awake. Not where impacts are instants of their own, which
-/// take all blocks together, nor with points that give way or have strengths, nor by Coulomb's law in space,
-/// whose iterations end within a part of what the step does, so that two ways to it differ. \return whether
-/// `solved.result` is the step; otherwise it is to be solved with all blocks
+/// Which blocks are held, or are one, is a guess, from their velocities, that the proof does not depend on;
+/// where it is not proved at some points it is tried again with bodies parted there and blocks about them
+/// awake. Bonds between blocks that are held or one do not matter where friction alone carries c_I. With
+/// restitution points of the bodies collide as they do with everything on, and the step is solved again from
+/// the velocities after the impact. \return whether `solved.result` is the step; otherwise it is to be solved
+/// with all blocks
 template<int Dim>
 bool solveAwake(Step<Dim>& step);
+
+/// Why steps in which anything moves are taken with all blocks as bodies of their own; empty: they need not
+/// be. Points that give way do so at rest too. With theta below 1 plastic impacts are instants of their own:
+/// which points take part in one follows from the forces of the step, of which there are many, and other ones
+/// come of fewer bodies (0.08 mm apart after a step, in one of a hundred random walls); by Coulomb's law the
+/// same goes for impacts with restitution and for bonds (0.03 mm). In space Coulomb's law is reached to a
+/// part of what the step does (0.15 mm).
+template<int Dim>
+std::string_view whyAllBlocks(const DynamicCase<Dim>& scene);
 
 } // namespace drystone

@@ -161,6 +161,21 @@ double leaveOutBlocks(const DynamicCase<Dim>& scene, Motion<Dim>& motion)
 }
 
 template<int Dim>
+long awakeBlocks(const Motion<Dim>& motion)
+{
+    return motion.isAwake.empty() ? motion.state.velocity.size() / freedomCount<Dim>
+                                  : std::count(motion.isAwake.begin(), motion.isAwake.end(), true);
+}
+
+template<int Dim>
+long simulatedBodies(const Motion<Dim>& motion)
+{
+    // They are numbered from 0 on.
+    return motion.bodies.empty() ? awakeBlocks(motion)
+                                 : 1 + *std::max_element(motion.bodies.begin(), motion.bodies.end());
+}
+
+template<int Dim>
 const std::vector<Vector<Dim>>& meanContactForces(const Motion<Dim>& motion)
 {
     return motion.meanForces.empty() ? motion.contactForces : motion.meanForces;
@@ -205,6 +220,8 @@ template double leaveOutBlocks(const DynamicCase<2>& scene, Motion<2>& motion);
 template Motion<2> startMotion(const DynamicCase<2>& scene, DynamicState<2> state);
 template std::vector<BlockVector<2>>
 velocitiesOfAllBlocks(const DynamicCase<2>& scene, const DynamicState<2>& state, double from, double to);
+template long awakeBlocks(const Motion<2>& motion);
+template long simulatedBodies(const Motion<2>& motion);
 template const std::vector<Vector<2>>& meanContactForces(const Motion<2>& motion);
 template StepObservation<2> observe(const DynamicCase<2>& scene, const Motion<2>& motion, const Time& time,
                                     ObservedLists<2>& lists);
@@ -213,6 +230,8 @@ template double leaveOutBlocks(const DynamicCase<3>& scene, Motion<3>& motion);
 template Motion<3> startMotion(const DynamicCase<3>& scene, DynamicState<3> state);
 template std::vector<BlockVector<3>>
 velocitiesOfAllBlocks(const DynamicCase<3>& scene, const DynamicState<3>& state, double from, double to);
+template long awakeBlocks(const Motion<3>& motion);
+template long simulatedBodies(const Motion<3>& motion);
 template const std::vector<Vector<3>>& meanContactForces(const Motion<3>& motion);
 template StepObservation<3> observe(const DynamicCase<3>& scene, const Motion<3>& motion, const Time& time,
                                     ObservedLists<3>& lists);

@@ -66,8 +66,16 @@ struct Motion
     /// Whether each block, fixed ones too, was simulated in the last step, or held by a proof; empty: all
     /// were.
     std::vector<char> isAwake;
-    EffectUse effectUse; ///< of this run
+    std::vector<int> bodies; ///< in which body each block was simulated, -1: in none; empty: each was its own
+    std::vector<double> effectCalls; ///< of the last step, see EffectCalls.h, with `automatic`; else empty
+    EffectUse effectUse;             ///< of this run
 };
+
+/// How many blocks were simulated in the last step, and as how many bodies.
+template<int Dim>
+long awakeBlocks(const Motion<Dim>& motion);
+template<int Dim>
+long simulatedBodies(const Motion<Dim>& motion);
 
 /// The strengths that effects give the points now; empty where there are none.
 template<int Dim>

@@ -45,9 +45,10 @@ Relinearisation<Dim> movingContactGeometry(const Step<Dim>& step)
     {
         const DynamicCase<Dim>& scene = step.scene;
         const Motion<Dim>& motion = step.motion;
-        const Eigen::VectorXd linear = applyTransposed(program, displacement);
         std::vector<ContactPoint<Dim>> points;
         const double early = 1 - step.scheme.theta;
+        const std::vector<std::size_t>* some = step.measuredPoints; // with theta 1
+        const Eigen::VectorXd linear = some ? Eigen::VectorXd() : applyTransposed(program, displacement);
         if (early > 0)
         {
             const auto between = placementsAfter(step, displacement, early);
@@ -55,7 +56,17 @@ Relinearisation<Dim> movingContactGeometry(const Step<Dim>& step)
             setColumns(program, columnsAt(scene, between, points));
         }
         const auto after = placementsAfter(step, displacement);
-        motion.contacts->measure(after, points);
+        if (some)
+        {
+            for (const std::size_t index : *some)
+            {
+                points.push_back(motion.contacts->pointAt(after, index));
+            }
+        }
+        else
+        {
+            motion.contacts->measure(after, points);
+        }
         // Named solvers leave what their tolerance leaves: rounding would add to it in the ledger of energy.
         if (!followsFlow<Dim>(step.settings) || step.settings.solver.solver != SolverType::automatic)
         {
@@ -64,27 +75,31 @@ Relinearisation<Dim> movingContactGeometry(const Step<Dim>& step)
         const Eigen::VectorXd closing =
             early > 0 ? applyTransposed(program, displacement) : Eigen::VectorXd(linear);
         double error = turnMomenta(step, displacement, contactForce, program);
-        for (std::size_t i = 0; i < points.size(); ++i)
+        for (std::size_t k = 0; k < points.size(); ++k)
         {
+            const std::size_t i = some ? (*some)[k] : k;
             const Eigen::Index row = Dim * static_cast<Eigen::Index>(i);
             const Vector<Dim> own = step.gapsOfEffects.size() > 0
                                         ? Vector<Dim>(step.gapsOfEffects.template segment<Dim>(row))
                                         : Vector<Dim>(Vector<Dim>::Zero());
-            const double predicted = program.gap[row] - own[0] - linear[row];
-            if (contactForce[row] != 0 || points[i].gap < 0)
+            const Vector<Dim> before =
+                some ? closingOf(program.contacts[i], displacement) : Vector<Dim>(linear.segment<Dim>(row));
+            const Vector<Dim> now = some ? before : Vector<Dim>(closing.segment<Dim>(row));
+            const double predicted = program.gap[row] - own[0] - before[0];
+            if (contactForce[row] != 0 || points[k].gap < 0)
             {
-                error = std::max(error, std::abs(points[i].gap - predicted));
+                error = std::max(error, std::abs(points[k].gap - predicted));
             }
             const Shear<Dim> slid = slip(step, after, i, program.contacts[i]);
             auto shear = program.gap.template segment<Dim - 1>(row + 1);
             if (program.hasStrength() && program.strength[i].cohesion > 0) // where slip decides what holds
             {
                 const Shear<Dim> missed =
-                    slid + shear - own.template tail<Dim - 1>() - linear.segment<Dim - 1>(row + 1);
+                    slid + shear - own.template tail<Dim - 1>() - before.template tail<Dim - 1>();
                 error = std::max(error, missed.norm());
             }
-            program.gap[row] = points[i].gap + closing[row] + own[0];
-            shear = closing.segment<Dim - 1>(row + 1) - slid + own.template tail<Dim - 1>();
+            program.gap[row] = points[k].gap + now[0] + own[0];
+            shear = now.template tail<Dim - 1>() - slid + own.template tail<Dim - 1>();
         }
         return error;
     };

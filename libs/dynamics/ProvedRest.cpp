@@ -2,6 +2,7 @@
 /// The step that a proof of rest stands for.
 #include "dynamics/ProvedRest.h"
 
+#include "dynamics/EffectCalls.h"
 #include "dynamics/RestingStep.h"
 
 namespace drystone
@@ -107,6 +108,8 @@ bool staysAtRest(Step<Dim>& step)
     motion.attempt.gap = rest.certificate.gap;
     motion.residuals = motion.attempt;
     motion.isAwake.assign(scene.free.size(), false);
+    motion.bodies.assign(scene.free.size(), -1);
+    motion.effectCalls.assign(namesOfEffects(scene).size(), 0);
     ++motion.effectUse.atRest;
     return true;
 }

@@ -73,6 +73,12 @@ struct Step
 
     // solve, collide, review
     StepSolution solved;
+    /// Of each free block, whether it is taken as one body with others, so that forces between them are not
+    /// known yet and its moments follow from its motion; empty: none is.
+    std::vector<char> isShared;
+    /// Points of which the relinearisation measures the gaps while the others are within bodies, with theta
+    /// 1; null: all. Not owned.
+    const std::vector<std::size_t>* measuredPoints = nullptr;
 
     // move
     Eigen::VectorXd velocityAtEnd; ///< in space angular velocities in axes that have not turned in the step

@@ -5,6 +5,8 @@
 #include "conic/MachineText.h"
 #include "contact/JointClosure.h"
 #include "core/Log.h"
+#include "dynamics/EffectCalls.h"
+#include "dynamics/HeldBlocks.h"
 #include "dynamics/Step.h"
 
 #include <algorithm>
@@ -118,10 +120,10 @@ void printStep(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const T
          nameOf(scene.solution.solver), residuals.initialResidual, worst(residuals), residuals.iterations);
     if (scene.schemes.effects.selection == EffectSelection::automatic)
     {
-        const auto all = scene.mass.size() / freedomCount<Dim>;
-        info("Effects: on for {} of {} blocks",
-             motion.isAwake.empty() ? all : std::count(motion.isAwake.begin(), motion.isAwake.end(), true),
-             all);
+        const long awake = awakeBlocks(motion);
+        const long bodies = simulatedBodies(motion);
+        info("Effects: on for {} of {} blocks{}", awake, scene.mass.size() / freedomCount<Dim>,
+             bodies < awake ? fmt::format(", which move as {} bodies", bodies) : "");
     }
     for (const std::string& event : events)
     {
@@ -166,17 +168,23 @@ void printEffectUse(const DynamicCase<Dim>& scene, const Motion<Dim>& motion)
         return;
     }
     info("Effects as the steps called for them (margin {:g})", effects.margin);
-    info("    effect               on in steps [%]   of blocks [%]");
-    auto simulated = scene.effectNames.simulated;
-    if (!scene.schemes.smallDisplacements)
-    {
-        simulated.emplace_back("largeDisplacements");
-    }
+    info("    effect               in steps [%]  at places [%]  places: of the");
     const auto steps = static_cast<double>(use.steps);
-    for (const std::string& name : simulated)
+    const std::vector<std::string> names = namesOfEffects(scene);
+    for (std::size_t i = 0; i < names.size() && i < use.calls.size(); ++i)
     {
-        info("    {:20} {:15.1f} {:15.1f}", name, 100 * (steps - static_cast<double>(use.atRest)) / steps,
-             use.blocks > 0 ? 100 * use.awakeBlocks / use.blocks : 100);
+        info("    {:20} {:12.1f} {:14.2f}  {}", names[i],
+             100 * static_cast<double>(use.calls[i].steps) / steps, 100 * use.calls[i].places / steps,
+             placesOf(names[i]));
+    }
+    if (use.blocks > 0)
+    {
+        info("Simulated: {:.2f}% of the blocks, as {:.2f}% of as many bodies; the others were proved to rest",
+             100 * use.awakeBlocks / use.blocks, 100 * use.bodies / use.blocks);
+    }
+    if (const std::string_view why = whyAllBlocks(scene); !why.empty())
+    {
+        info("Steps in which anything moves were taken with all blocks: {}", why);
     }
     const long others = use.steps - use.atRest;
     info("Proved at rest: {} of {} steps, in {:.3g} s, proofs included; the others took {:.3g} s", use.atRest,

@@ -12,6 +12,7 @@
 #include "io/Frames.h"
 #include "io/ParaViewState.h"
 #include "runControl/Case.h"
+#include "runControl/CaseFiles.h"
 
 #include <fmt/format.h>
 
@@ -325,6 +326,11 @@ MotionResults<Dim>::MotionResults(std::filesystem::path directory, const Dynamic
       blocks(caseDirectory / "VTK", "blocks", time.startValue()),
       contacts(caseDirectory / "VTK", "contacts", time.startValue())
 {
+    if (scene.schemes.effects.selection == EffectSelection::automatic
+        && functionObjects == FunctionObjects::asInControlDict)
+    {
+        effects.emplace(scene);
+    }
     time.stopAlsoAt([this](double value, double deltaT)
                     { return functionList.timeToNextWrite(value, deltaT); });
 }
@@ -334,6 +340,10 @@ void MotionResults<Dim>::write()
 {
     ObservedLists<Dim> lists;
     functionList.write(observe(scene, motion, time, lists), time.point());
+    if (effects)
+    {
+        effects->observe(motion);
+    }
     if (time.isWriteTime())
     {
         writeNow();
@@ -394,6 +404,12 @@ typename MotionResults<Dim>::Frames MotionResults<Dim>::framesNow() const
             isAwake.values.push_back(scene.free[block] >= 0); // all that are free
         }
         fields.push_back(std::move(isAwake));
+        Field bodies{"body", 1, {motion.bodies.begin(), motion.bodies.end()}, FieldType::integer};
+        for (std::size_t block = bodies.values.size(); block < scene.free.size(); ++block)
+        {
+            bodies.values.push_back(scene.free[block]); // each its own
+        }
+        fields.push_back(std::move(bodies));
     }
     PolyData<Dim> ofBlocks = blockFrame(scene.assembly, motion.state.placements, std::move(fields));
     const std::vector<double> friction = frictionAt(scene, motion.points);
@@ -446,6 +462,12 @@ void MotionResults<Dim>::printWritten() const
                               : fmt::format("{} states, {} to {}", kept.size(), kept.front(), kept.back()));
     }
     functionList.writePictures();
+    const std::filesystem::path folder = postProcessingFolder(caseDirectory, "effects", time.startName());
+    if (effects && effects->write(folder, caseName(caseDirectory), time.controls().pictureFormats))
+    {
+        info("Wrote {}: what the steps called for, over time, as table and picture",
+             folder.lexically_normal().string());
+    }
     info("Wrote {}: blocks and contacts, {} frames; .vtp.series opens in ParaView{}",
          (caseDirectory / "VTK").lexically_normal().string(), blocks.times().size(),
          hasState ? ", paraviewState.py (Load State) shows all of it" : "");

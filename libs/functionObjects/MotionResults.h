@@ -6,6 +6,7 @@
 #include "core/WritingThread.h"
 #include "dictionary/Fingerprint.h"
 #include "dynamics/Motion.h"
+#include "functionObjects/EffectHistory.h"
 #include "functionObjects/FunctionList.h"
 #include "io/TimeDirectory.h"
 #include "io/VtkSeries.h"
@@ -97,7 +98,8 @@ private:
     FunctionList<Dim> functionList;
     std::vector<InputFile> input; ///< that the motion follows from, the steps last
     StateWriter states;
-    std::vector<std::string> statesWritten; ///< names of their times
+    std::optional<EffectHistory<Dim>> effects; ///< with `selection automatic`, unless functions are off
+    std::vector<std::string> statesWritten;    ///< names of their times
     VtkSeries blocks;
     VtkSeries contacts;
     bool hasState = false; ///< VTK/paraviewState.py was written

@@ -38,6 +38,16 @@ Eigen::VectorXd evenForces()
     return Eigen::Vector4d(0.5, 0, 0.5, 0);
 }
 
+/// The nearest forces where they leave the margin at all points; else empty.
+template<class Program>
+Eigen::VectorXd balancedForces(const Program& program, const Eigen::VectorXd& near, double margin,
+                               SymbolicAnalysis& symbolic)
+{
+    const Eigen::VectorXd forces = nearestForces(program, near, 1e-12, symbolic);
+    EXPECT_EQ(forces.size(), near.size());
+    return pointsOutside(program, near, forces, margin).empty() ? forces : Eigen::VectorXd();
+}
+
 } // namespace
 
 TEST(BalancedForces, TheyBalanceTheLoadInsideTheCones)
@@ -46,7 +56,7 @@ TEST(BalancedForces, TheyBalanceTheLoadInsideTheCones)
     {
         const PlaneConeProgram program = bodyOnTwoPoints({push, -1, 0});
         SymbolicAnalysis symbolic;
-        const Eigen::VectorXd forces = balancedForces(program, evenForces(), {0, 1e-12}, symbolic);
+        const Eigen::VectorXd forces = balancedForces(program, evenForces(), 0, symbolic);
         ASSERT_EQ(forces.size(), 4) << push;
         EXPECT_LT((applyEquilibrium(program, forces) - program.load).norm(), 1e-11);
         EXPECT_NEAR(forces[0] + forces[2], 1, 1e-11); // what the points carry together
@@ -58,22 +68,30 @@ TEST(BalancedForces, TheyBalanceTheLoadInsideTheCones)
     }
 }
 
+TEST(BalancedForces, ThePointsOutsideAreNamed)
+{
+    const PlaneConeProgram program = bodyOnTwoPoints({0, -1, 0});
+    EXPECT_EQ(pointsOutside(program, evenForces(), Eigen::Vector4d(0.5, 0.2, 0.5, -0.3), 0),
+              (std::vector<std::size_t>{1}));
+    EXPECT_EQ(pointsOutside(program, evenForces(), Eigen::Vector4d(0.5, 0.2, 0.5, -0.3), 0.5),
+              (std::vector<std::size_t>{0, 1}));
+}
+
 // Beyond mu = 0.5 there are none; near it the margin is used up.
 TEST(BalancedForces, NoneAreFoundOutsideTheConesNorInTheMargin)
 {
     SymbolicAnalysis symbolic;
-    EXPECT_EQ(balancedForces(bodyOnTwoPoints({0.6, -1, 0}), evenForces(), {0, 1e-12}, symbolic).size(), 0);
-    EXPECT_EQ(balancedForces(bodyOnTwoPoints({0.05, 1, 0}), evenForces(), {0, 1e-12}, symbolic).size(), 0);
+    EXPECT_EQ(balancedForces(bodyOnTwoPoints({0.6, -1, 0}), evenForces(), 0, symbolic).size(), 0);
+    EXPECT_EQ(balancedForces(bodyOnTwoPoints({0.05, 1, 0}), evenForces(), 0, symbolic).size(), 0);
     const PlaneConeProgram nearly = bodyOnTwoPoints({0.3, -1, 0});
-    EXPECT_EQ(balancedForces(nearly, evenForces(), {0, 1e-12}, symbolic).size(), 4);
-    EXPECT_EQ(balancedForces(nearly, evenForces(), {0.9, 1e-12}, symbolic).size(), 0);
+    EXPECT_EQ(balancedForces(nearly, evenForces(), 0, symbolic).size(), 4);
+    EXPECT_EQ(balancedForces(nearly, evenForces(), 0.9, symbolic).size(), 0);
 }
 
 TEST(BalancedForces, ForcesThatBalanceTheLoadStayAsTheyAre)
 {
     SymbolicAnalysis symbolic;
-    const Eigen::VectorXd forces =
-        balancedForces(bodyOnTwoPoints({0, -1, 0}), evenForces(), {0.5, 1e-12}, symbolic);
+    const Eigen::VectorXd forces = balancedForces(bodyOnTwoPoints({0, -1, 0}), evenForces(), 0.5, symbolic);
     ASSERT_EQ(forces.size(), 4);
     EXPECT_LT((forces - evenForces()).norm(), 1e-14);
 }
@@ -100,7 +118,7 @@ TEST(BalancedForces, RoundConesOfSpaceLikewise)
         known[3 * corner] = 0.25;
     }
     SymbolicAnalysis symbolic;
-    const Eigen::VectorXd forces = balancedForces(program, known, {0, 1e-12}, symbolic);
+    const Eigen::VectorXd forces = balancedForces(program, known, 0, symbolic);
     ASSERT_EQ(forces.size(), 12);
     EXPECT_LT((applyEquilibrium(program, forces) - program.load).norm(), 1e-11);
     for (int point = 0; point < 4; ++point)

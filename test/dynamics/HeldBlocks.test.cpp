@@ -5,6 +5,7 @@
 
 #include "dynamics/HeldBlocks.h"
 #include "dynamics/VerifiedStep.h"
+#include "effects/JointBonds.h"
 #include "texture/Texture.h"
 #include "timeSeries/GroundAcceleration.h"
 
@@ -97,14 +98,55 @@ TEST(HeldBlocks, BlocksThatArePushedWakeUp)
     EXPECT_LT(motion.effectUse.largestDifference, 1e-7 * scene.blockSize);
 }
 
-TEST(HeldBlocks, NotWhereImpactsAreInstantsOfTheirOwn)
+// Impacts are instants of their own, after which the step is solved again from other velocities.
+TEST(HeldBlocks, BlocksRestWhileOthersRebound)
 {
     DynamicCase<2> scene = wallWithStone(0.24);
     scene.contact.restitution = Restitution{0.2};
+    Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
+    int held = 0;
+    for (int step = 0; step < 30; ++step)
+    {
+        const Motion<2> before = motion;
+        ASSERT_TRUE(advance(scene, motion, timeStep)) << step;
+        verifyStep(scene, before, timeStep, motion);
+        held += !motion.isAwake.empty() ? 1 : 0;
+    }
+    EXPECT_GE(held, 5);
+    EXPECT_LT(motion.effectUse.largestDifference, 1e-7 * scene.blockSize);
+}
+
+TEST(HeldBlocks, NotWithThetaBelowOne)
+{
+    DynamicCase<2> scene = wallWithStone(0.24);
+    EXPECT_EQ(whyAllBlocks(scene), "");
+    scene.schemes.timeIntegration.theta = 0.9;
+    EXPECT_NE(whyAllBlocks(scene), "");
     Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
     for (int step = 0; step < 10; ++step)
     {
         ASSERT_TRUE(advance(scene, motion, timeStep));
         EXPECT_TRUE(motion.isAwake.empty());
     }
+}
+
+// Bonds of blocks that rest, which friction holds too.
+TEST(HeldBlocks, BlocksWithBondsRestWhileOthersFall)
+{
+    DynamicCase<2> scene = wallWithStone(0.24);
+    scene.contact.cohesion = JointStrength{100};
+    scene.contact.tension = JointStrength{20};
+    scene.effects.push_back(std::make_shared<JointBonds<2>>(jointBonds(scene.contact, scene.assembly)));
+    Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
+    int held = 0;
+    for (int step = 0; step < 40; ++step)
+    {
+        const Motion<2> before = motion;
+        ASSERT_TRUE(advance(scene, motion, timeStep)) << step;
+        verifyStep(scene, before, timeStep, motion);
+        held += !motion.isAwake.empty() && awakeOf(motion) > 0 ? 1 : 0;
+    }
+    EXPECT_GE(held, 20);
+    EXPECT_LT(motion.state.placements.back().translation.y(), -0.01);
+    EXPECT_LT(motion.effectUse.largestDifference, 1e-7 * scene.blockSize);
 }

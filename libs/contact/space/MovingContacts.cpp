@@ -129,24 +129,32 @@ Vector<3> MovingContacts<3>::placed(int block, const Vector<3>& point, const Pla
 void MovingContacts<3>::measure(const std::vector<Placement<3>>& placements,
                                 std::vector<ContactPoint<3>>& measured) const
 {
-    measured = points;
-    for (ContactPoint<3>& point : measured)
+    measured.resize(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
     {
-        const Pair& pair = pairs[static_cast<std::size_t>(point.feature.vertex)];
-        const Placement<3>& ofCorner = placements[static_cast<std::size_t>(pair.cornerBlock)];
-        const Placement<3>& ofFace = placements[static_cast<std::size_t>(pair.faceBlock)];
-        const Vector<3> outward = turned(ofFace.rotation, pair.outward);
-        // Corner and face coincide as built: the gap is what they have moved by, to the last digits.
-        const Vector<3> cornerMoves =
-            ofCorner.translation
-            + swing(ofCorner.rotation, pair.corner - centroids[static_cast<std::size_t>(pair.cornerBlock)]);
-        const Vector<3> faceMoves =
-            ofFace.translation
-            + swing(ofFace.rotation, pair.corner - centroids[static_cast<std::size_t>(pair.faceBlock)]);
-        point.position = pair.corner + cornerMoves;
-        point.gap = outward.dot(cornerMoves - faceMoves);
-        point.normal = pair.cornerBlock == point.block ? outward : Vector<3>(-outward);
+        measured[i] = pointAt(placements, i);
     }
+}
+
+ContactPoint<3> MovingContacts<3>::pointAt(const std::vector<Placement<3>>& placements,
+                                           std::size_t index) const
+{
+    ContactPoint<3> point = points[index];
+    const Pair& pair = pairs[static_cast<std::size_t>(point.feature.vertex)];
+    const Placement<3>& ofCorner = placements[static_cast<std::size_t>(pair.cornerBlock)];
+    const Placement<3>& ofFace = placements[static_cast<std::size_t>(pair.faceBlock)];
+    const Vector<3> outward = turned(ofFace.rotation, pair.outward);
+    // Corner and face coincide as built: the gap is what they have moved by, to the last digits.
+    const Vector<3> cornerMoves =
+        ofCorner.translation
+        + swing(ofCorner.rotation, pair.corner - centroids[static_cast<std::size_t>(pair.cornerBlock)]);
+    const Vector<3> faceMoves =
+        ofFace.translation
+        + swing(ofFace.rotation, pair.corner - centroids[static_cast<std::size_t>(pair.faceBlock)]);
+    point.position = pair.corner + cornerMoves;
+    point.gap = outward.dot(cornerMoves - faceMoves);
+    point.normal = pair.cornerBlock == point.block ? outward : Vector<3>(-outward);
+    return point;
 }
 
 const std::vector<ContactPoint<3>>& MovingContacts<3>::update(const std::vector<Placement<3>>& now, double)

@@ -29,6 +29,9 @@ public:
     /// The points of the last update, were the blocks placed so. \param points overwritten
     void measure(const std::vector<Placement<3>>& placements, std::vector<ContactPoint<3>>& points) const;
 
+    /// One of them, by its index.
+    ContactPoint<3> pointAt(const std::vector<Placement<3>>& placements, std::size_t index) const;
+
     /// All points are always listed: nothing depends on it.
     double marginFor(const std::vector<Eigen::Matrix<double, 6, 1>>&, double, double) const { return 0; }
 

@@ -48,10 +48,18 @@ double turnMomenta(const Step<3>& step, const Eigen::VectorXd& displacement,
     for (int body = 0; body < program.bodies; ++body)
     {
         const Eigen::Index row = 6 * body + 3;
-        const Vector<3> moment = step.load.segment<3>(row) - byContacts.segment<3>(row);
-        const Vector<3> momentum =
-            step.mass.tensors[static_cast<std::size_t>(body)] * step.solved.velocity.segment<3>(row)
-            + timeStep * moment;
+        const Eigen::Matrix3d& tensor = step.mass.tensors[static_cast<std::size_t>(body)];
+        Vector<3> momentum; // R1 J W1, from the moments, or from r = dt R0 W1 with theta 1
+        if (!step.isShared.empty() && step.isShared[static_cast<std::size_t>(body)])
+        {
+            const Vector<3> turn = displacement.segment<3>(row);
+            momentum = turned(turn, Vector<3>(tensor * turn / timeStep));
+        }
+        else
+        {
+            const Vector<3> moment = step.load.segment<3>(row) - byContacts.segment<3>(row);
+            momentum = tensor * step.solved.velocity.segment<3>(row) + timeStep * moment;
+        }
         const Vector<3> load = step.program.load.segment<3>(row)
                                + swing(Vector<3>(-displacement.segment<3>(row)), momentum) / timeStep;
         BlockVector<3> change = BlockVector<3>::Zero();

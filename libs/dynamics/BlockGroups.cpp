@@ -1,0 +1,371 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The program of groups of blocks: sums over each of them, and rigid motions back.
+#include "dynamics/BlockGroups.h"
+
+#include "dynamics/MovingGeometry.h"
+#include "geometry/Rotation.h"
+
+#include <Eigen/Geometry>
+
+#include <map>
+
+namespace drystone
+{
+namespace
+{
+
+/// a x f, as the rows of a moment.
+Eigen::Matrix<double, 1, 1> momentOf(const Vector<2>& arm, const Vector<2>& force)
+{
+    return Eigen::Matrix<double, 1, 1>(cross(arm, force));
+}
+Vector<3> momentOf(const Vector<3>& arm, const Vector<3>& force)
+{
+    return arm.cross(force);
+}
+
+/// T' of the rows of one block.
+template<int Dim>
+BlockVector<Dim> atGroup(const Vector<Dim>& arm, BlockVector<Dim> rows)
+{
+    rows.template tail<rotationCount<Dim>>() += momentOf(arm, Vector<Dim>(rows.template head<Dim>()));
+    return rows;
+}
+
+/// T of one block.
+template<int Dim>
+BlockVector<Dim> linearOfBlock(const Vector<Dim>& arm, const BlockVector<Dim>& ofGroup)
+{
+    BlockVector<Dim> own = ofGroup;
+    own.template head<Dim>() += velocityOfArm(turnOf<Dim>(ofGroup.template tail<rotationCount<Dim>>()), arm);
+    return own;
+}
+
+/// T'Mbar T of one block: about another point than its mass centre (Steiner), but for what the masses of all
+/// have about their common centre, which is nothing.
+template<int Dim>
+BlockMatrix<Dim> inertiaAbout(const Vector<Dim>& arm, BlockMatrix<Dim> inertia)
+{
+    const double mass = inertia(0, 0);
+    auto tensor = inertia.template bottomRightCorner<rotationCount<Dim>, rotationCount<Dim>>();
+    if constexpr (Dim == 2)
+    {
+        tensor(0, 0) += mass * arm.squaredNorm();
+    }
+    else
+    {
+        tensor += mass * (arm.squaredNorm() * Eigen::Matrix3d::Identity() - arm * arm.transpose());
+    }
+    return inertia;
+}
+
+/// The columns of a point with the groups for bodies.
+template<int Dim>
+ConeColumns<freedomCount<Dim>, Dim> columnsOfGroups(const BlockGroups<Dim>& groups,
+                                                    ConeColumns<freedomCount<Dim>, Dim> columns)
+{
+    const auto move = [&groups](int& body, auto& onBody)
+    {
+        if (body >= 0)
+        {
+            const Vector<Dim>& arm = groups.arm[static_cast<std::size_t>(body)];
+            for (int column = 0; column < Dim; ++column)
+            {
+                onBody.col(column) = atGroup<Dim>(arm, BlockVector<Dim>(onBody.col(column)));
+            }
+            body = groups.of(body);
+        }
+    };
+    move(columns.first, columns.onFirst);
+    move(columns.second, columns.onSecond);
+    return columns;
+}
+
+template<int Dim>
+void setContacts(const BlockGroups<Dim>& groups, const StepProgram<Dim>& whole, StepProgram<Dim>& program)
+{
+    program.contacts.clear();
+    for (const std::size_t point : groups.outer)
+    {
+        program.contacts.push_back(columnsOfGroups<Dim>(groups, whole.contacts[point]));
+    }
+}
+
+} // namespace
+
+template<int Dim>
+BlockGroups<Dim> blockGroups(const Step<Dim>& step, std::vector<int> group)
+{
+    BlockGroups<Dim> groups;
+    std::map<int, int> numbers;
+    for (int& number : group)
+    {
+        number = number < 0 ? -1 : numbers.emplace(number, static_cast<int>(numbers.size())).first->second;
+    }
+    groups.group = std::move(group);
+    groups.blocks.resize(numbers.size());
+    for (std::size_t body = 0; body < groups.group.size(); ++body)
+    {
+        if (groups.group[body] >= 0)
+        {
+            groups.blocks[static_cast<std::size_t>(groups.group[body])].push_back(static_cast<int>(body));
+        }
+    }
+    const auto bodies = groups.group.size();
+    std::vector<Vector<Dim>> centre(bodies);
+    for (std::size_t block = 0; block < step.scene.free.size(); ++block)
+    {
+        if (const int body = step.scene.free[block]; body >= 0)
+        {
+            centre[static_cast<std::size_t>(body)] =
+                step.scene.blocks[block].centroid + step.motion.state.placements[block].translation;
+        }
+    }
+    groups.arm.assign(bodies, Vector<Dim>::Zero());
+    for (const std::vector<int>& blocks : groups.blocks)
+    {
+        if (blocks.size() == 1)
+        {
+            continue;
+        }
+        // From the centre of the first, so that a structure far from the origin keeps its digits.
+        const Vector<Dim>& first = centre[static_cast<std::size_t>(blocks.front())];
+        Vector<Dim> mean = Vector<Dim>::Zero();
+        double mass = 0;
+        for (const int body : blocks)
+        {
+            const double own = step.program.inertia[static_cast<std::size_t>(body)](0, 0);
+            mean += own * (centre[static_cast<std::size_t>(body)] - first);
+            mass += own;
+        }
+        mean /= mass;
+        for (const int body : blocks)
+        {
+            groups.arm[static_cast<std::size_t>(body)] =
+                (centre[static_cast<std::size_t>(body)] - first) - mean;
+        }
+    }
+    for (std::size_t point = 0; point < step.program.contacts.size(); ++point)
+    {
+        const auto& contact = step.program.contacts[point];
+        (groups.of(contact.first) != groups.of(contact.second) ? groups.outer : groups.inner)
+            .push_back(point);
+    }
+    return groups;
+}
+
+template<int Dim>
+Eigen::VectorXd rowsOfGroups(const BlockGroups<Dim>& groups, const Eigen::VectorXd& rows)
+{
+    constexpr int size = freedomCount<Dim>;
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(size * groups.count());
+    for (std::size_t body = 0; body < groups.group.size(); ++body)
+    {
+        if (groups.group[body] >= 0)
+        {
+            sum.segment<size>(size * groups.group[body]) +=
+                atGroup<Dim>(groups.arm[body],
+                             BlockVector<Dim>(rows.segment<size>(size * static_cast<Eigen::Index>(body))));
+        }
+    }
+    return sum;
+}
+
+template<int Dim>
+Eigen::VectorXd linearDisplacement(const BlockGroups<Dim>& groups, const Eigen::VectorXd& ofGroups)
+{
+    constexpr int size = freedomCount<Dim>;
+    Eigen::VectorXd y = Eigen::VectorXd::Zero(size * static_cast<Eigen::Index>(groups.group.size()));
+    for (std::size_t body = 0; body < groups.group.size(); ++body)
+    {
+        if (groups.group[body] >= 0)
+        {
+            y.segment<size>(size * static_cast<Eigen::Index>(body)) = linearOfBlock<Dim>(
+                groups.arm[body], BlockVector<Dim>(ofGroups.segment<size>(size * groups.group[body])));
+        }
+    }
+    return y;
+}
+
+template<int Dim>
+Eigen::VectorXd displacementOfBlocks(const BlockGroups<Dim>& groups, const Eigen::VectorXd& ofGroups)
+{
+    constexpr int size = freedomCount<Dim>;
+    Eigen::VectorXd y = Eigen::VectorXd::Zero(size * static_cast<Eigen::Index>(groups.group.size()));
+    for (std::size_t body = 0; body < groups.group.size(); ++body)
+    {
+        if (groups.group[body] >= 0)
+        {
+            auto own = y.segment<size>(size * static_cast<Eigen::Index>(body));
+            own = ofGroups.segment<size>(size * groups.group[body]);
+            own.template head<Dim>() +=
+                swing(turnOf<Dim>(own.template tail<rotationCount<Dim>>()), groups.arm[body]);
+        }
+    }
+    return y;
+}
+
+namespace
+{
+
+/// h.
+template<int Dim>
+Eigen::VectorXd bending(const BlockGroups<Dim>& groups, const Eigen::VectorXd& ofGroups)
+{
+    return displacementOfBlocks(groups, ofGroups) - linearDisplacement(groups, ofGroups);
+}
+
+} // namespace
+
+template<int Dim>
+StepProgram<Dim> programOfGroups(const BlockGroups<Dim>& groups, const StepProgram<Dim>& whole)
+{
+    StepProgram<Dim> program;
+    program.bodies = groups.count();
+    setContacts(groups, whole, program);
+    for (const std::size_t point : groups.outer)
+    {
+        program.friction.push_back(whole.friction[point]);
+        if (whole.hasStrength())
+        {
+            program.strength.push_back(whole.strength[point]);
+        }
+    }
+    program.inertia.assign(groups.blocks.size(), BlockMatrix<Dim>::Zero());
+    for (std::size_t body = 0; body < groups.group.size(); ++body)
+    {
+        if (groups.group[body] >= 0)
+        {
+            program.inertia[static_cast<std::size_t>(groups.group[body])] +=
+                inertiaAbout<Dim>(groups.arm[body], whole.inertia[body]);
+        }
+    }
+    program.load = rowsOfGroups(groups, whole.load);
+    program.gap = takenFrom<Dim>(groups.outer, whole.gap);
+    return program;
+}
+
+template<int Dim>
+StepGuess guessOfGroups(const BlockGroups<Dim>& groups, const StepProgram<Dim>& whole,
+                        const StepProgram<Dim>& program, const StepGuess& guess)
+{
+    const auto ofGroups = [&](const Eigen::VectorXd& displacement)
+    {
+        return displacement.size() == 0
+                   ? displacement
+                   : displacementUnder(program, rowsOfGroups(groups, applyInertia(whole, displacement)));
+    };
+    StepGuess own;
+    own.displacement = ofGroups(guess.displacement);
+    own.contactForce = takenFrom<Dim>(groups.outer, guess.contactForce);
+    if (!guess.interior.isEmpty())
+    {
+        own.interior = {takenFrom<Dim>(groups.outer, guess.interior.contactForce),
+                        takenFrom<Dim>(groups.outer, guess.interior.opening),
+                        ofGroups(guess.interior.displacement)};
+    }
+    return own;
+}
+
+template<int Dim>
+Relinearisation<Dim> relinearisationOfGroups(const Step<Dim>& step, const BlockGroups<Dim>& groups,
+                                             StepProgram<Dim>& whole)
+{
+    if (!step.relinearise)
+    {
+        return {};
+    }
+    return [&step, &groups, &whole](const Eigen::VectorXd& displacement, const Eigen::VectorXd& contactForce,
+                                    StepProgram<Dim>& program)
+    {
+        const bool isBent = !groups.areSingle();
+        const Eigen::VectorXd y = displacementOfBlocks(groups, displacement);
+        const Eigen::VectorXd bent = isBent ? bending(groups, displacement) : Eigen::VectorXd();
+        // The gaps at the end that the groups have predicted: g - A'y of the blocks, A'h of it by bending.
+        Eigen::VectorXd c = Eigen::VectorXd::Zero(whole.gap.size());
+        for (std::size_t k = 0; k < groups.outer.size(); ++k)
+        {
+            const std::size_t point = groups.outer[k];
+            const Eigen::Index row = Dim * static_cast<Eigen::Index>(point);
+            const Eigen::Index own = Dim * static_cast<Eigen::Index>(k);
+            c.segment<Dim>(row) = contactForce.segment<Dim>(own);
+            whole.gap.template segment<Dim>(row) = program.gap.template segment<Dim>(own);
+            if (isBent)
+            {
+                whole.gap.template segment<Dim>(row) += closingOf(whole.contacts[point], bent);
+            }
+        }
+        double error = step.relinearise(y, c, whole);
+        for (std::size_t k = 0; k < groups.outer.size(); ++k)
+        {
+            const std::size_t point = groups.outer[k];
+            auto own = program.gap.template segment<Dim>(Dim * static_cast<Eigen::Index>(k));
+            own = whole.gap.template segment<Dim>(Dim * static_cast<Eigen::Index>(point));
+            if (isBent)
+            {
+                own -= closingOf(whole.contacts[point], bent);
+            }
+        }
+        const Eigen::VectorXd load = rowsOfGroups(
+            groups, isBent ? Eigen::VectorXd(whole.load - applyInertia(whole, bent)) : whole.load);
+        if (isBent)
+        {
+            error = std::max(error, farthestMotion<Dim>(displacementUnder(program, load - program.load),
+                                                        step.scene.blockSize));
+        }
+        program.load = load;
+        return error;
+    };
+}
+
+template<int Dim>
+Eigen::VectorXd balancedDisplacement(const BlockGroups<Dim>& groups, const StepProgram<Dim>& whole,
+                                     const StepProgram<Dim>& program, const Eigen::VectorXd& contactForce,
+                                     Eigen::VectorXd ofGroups)
+{
+    constexpr int mostRounds = 8; // each leaves of the last the part by which a group turns
+    constexpr double lastDigits = 1e-15;
+    const Eigen::VectorXd byContacts = applyEquilibrium(program, contactForce);
+    for (int round = 0; round < mostRounds; ++round)
+    {
+        const Eigen::VectorXd bent = bending(groups, ofGroups);
+        const Eigen::VectorXd next = displacementUnder(
+            program, rowsOfGroups(groups, whole.load - applyInertia(whole, bent)) - byContacts);
+        const double change = (next - ofGroups).template lpNorm<Eigen::Infinity>();
+        ofGroups = next;
+        if (change <= lastDigits * ofGroups.lpNorm<Eigen::Infinity>())
+        {
+            break;
+        }
+    }
+    return ofGroups;
+}
+
+template struct BlockGroups<2>;
+template BlockGroups<2> blockGroups(const Step<2>& step, std::vector<int> group);
+template Eigen::VectorXd rowsOfGroups(const BlockGroups<2>& groups, const Eigen::VectorXd& rows);
+template Eigen::VectorXd linearDisplacement(const BlockGroups<2>& groups, const Eigen::VectorXd& ofGroups);
+template Eigen::VectorXd displacementOfBlocks(const BlockGroups<2>& groups, const Eigen::VectorXd& ofGroups);
+template StepProgram<2> programOfGroups(const BlockGroups<2>& groups, const StepProgram<2>& whole);
+template StepGuess guessOfGroups(const BlockGroups<2>& groups, const StepProgram<2>& whole,
+                                 const StepProgram<2>& program, const StepGuess& guess);
+template Relinearisation<2> relinearisationOfGroups(const Step<2>& step, const BlockGroups<2>& groups,
+                                                    StepProgram<2>& whole);
+template Eigen::VectorXd balancedDisplacement(const BlockGroups<2>& groups, const StepProgram<2>& whole,
+                                              const StepProgram<2>& program,
+                                              const Eigen::VectorXd& contactForce, Eigen::VectorXd ofGroups);
+template struct BlockGroups<3>;
+template BlockGroups<3> blockGroups(const Step<3>& step, std::vector<int> group);
+template Eigen::VectorXd rowsOfGroups(const BlockGroups<3>& groups, const Eigen::VectorXd& rows);
+template Eigen::VectorXd linearDisplacement(const BlockGroups<3>& groups, const Eigen::VectorXd& ofGroups);
+template Eigen::VectorXd displacementOfBlocks(const BlockGroups<3>& groups, const Eigen::VectorXd& ofGroups);
+template StepProgram<3> programOfGroups(const BlockGroups<3>& groups, const StepProgram<3>& whole);
+template StepGuess guessOfGroups(const BlockGroups<3>& groups, const StepProgram<3>& whole,
+                                 const StepProgram<3>& program, const StepGuess& guess);
+template Relinearisation<3> relinearisationOfGroups(const Step<3>& step, const BlockGroups<3>& groups,
+                                                    StepProgram<3>& whole);
+template Eigen::VectorXd balancedDisplacement(const BlockGroups<3>& groups, const StepProgram<3>& whole,
+                                              const StepProgram<3>& program,
+                                              const Eigen::VectorXd& contactForce, Eigen::VectorXd ofGroups);
+
+} // namespace drystone

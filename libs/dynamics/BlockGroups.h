@@ -1,0 +1,103 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Blocks of a step that are taken as one body: its program with fewer bodies, and the way back to all of
+/// them.
+#pragma once
+
+#include "dynamics/Step.h"
+
+#include <algorithm>
+
+namespace drystone
+{
+
+/// Blocks of a step in groups that each move as one rigid body, some of them held as one with the ground. The
+/// displacements of the blocks follow from those of the groups: with r the turn of a group, u the
+/// displacement of its mass centre and a the arm from there to the mass centre of a block,
+///
+///     y = (u + (R(r) - 1) a, r) = T (u, r) + h(r),    T the linear part.
+///
+/// Columns and arms are those at the start of a step with theta 1. With T' from the left the balance of the
+/// blocks, Mbar y + A c = f, is that of the groups, T'Mbar T (u, r) + T'A c = T'(f - Mbar h), from which the
+/// forces among the blocks of a group drop out, as they do no work.
+template<int Dim>
+struct BlockGroups
+{
+    std::vector<int> group;               ///< of each free block, from 0; -1: held with the ground
+    std::vector<std::vector<int>> blocks; ///< of each group
+    std::vector<Vector<Dim>> arm;         ///< a of each free block, at the start of the step [m]
+    std::vector<std::size_t> outer; ///< points between two groups, or between one and what is held or fixed
+    std::vector<std::size_t> inner; ///< the other points
+
+    int count() const { return static_cast<int>(blocks.size()); }
+    int of(int body) const { return body < 0 ? -1 : group[static_cast<std::size_t>(body)]; }
+    /// Whether each group is one block.
+    bool areSingle() const
+    {
+        return std::all_of(blocks.begin(), blocks.end(),
+                           [](const std::vector<int>& ofGroup) { return ofGroup.size() == 1; });
+    }
+};
+
+/// \param group of each free block: any numbers from 0 on, or -1. They become consecutive
+template<int Dim>
+BlockGroups<Dim> blockGroups(const Step<Dim>& step, std::vector<int> group);
+
+/// T' rows: forces on the groups, moments about their mass centres.
+template<int Dim>
+Eigen::VectorXd rowsOfGroups(const BlockGroups<Dim>& groups, const Eigen::VectorXd& rows);
+
+/// T (u, r).
+template<int Dim>
+Eigen::VectorXd linearDisplacement(const BlockGroups<Dim>& groups, const Eigen::VectorXd& ofGroups);
+
+/// y of all blocks, turned by finite angles. \param ofGroups (u, r) of each group
+template<int Dim>
+Eigen::VectorXd displacementOfBlocks(const BlockGroups<Dim>& groups, const Eigen::VectorXd& ofGroups);
+
+/// The program of the groups, that of all blocks being `whole`.
+template<int Dim>
+StepProgram<Dim> programOfGroups(const BlockGroups<Dim>& groups, const StepProgram<Dim>& whole);
+
+/// What is known of the solution, for the groups: of displacements those with the momenta of the blocks.
+template<int Dim>
+StepGuess guessOfGroups(const BlockGroups<Dim>& groups, const StepProgram<Dim>& whole,
+                        const StepProgram<Dim>& program, const StepGuess& guess);
+
+/// The relinearisation of all blocks, for the groups. \param whole the program of all, kept up to date; not
+/// owned, as the others
+template<int Dim>
+Relinearisation<Dim> relinearisationOfGroups(const Step<Dim>& step, const BlockGroups<Dim>& groups,
+                                             StepProgram<Dim>& whole);
+
+/// The displacements of the groups to the last digits: those that the forces give them, with h of just these.
+/// \param whole its load is that of the end of the step
+template<int Dim>
+Eigen::VectorXd balancedDisplacement(const BlockGroups<Dim>& groups, const StepProgram<Dim>& whole,
+                                     const StepProgram<Dim>& program, const Eigen::VectorXd& contactForce,
+                                     Eigen::VectorXd ofGroups);
+
+/// The numbers of some of many that have `size` each: rows of blocks, or of points. What is empty stays so.
+template<int size, class Index>
+Eigen::VectorXd takenFrom(const std::vector<Index>& some, const Eigen::VectorXd& whole)
+{
+    Eigen::VectorXd own(whole.size() > 0 ? size * static_cast<Eigen::Index>(some.size()) : 0);
+    for (Eigen::Index i = 0; size * i < own.size(); ++i)
+    {
+        own.segment<size>(size * i) =
+            whole.segment<size>(size * static_cast<Eigen::Index>(some[static_cast<std::size_t>(i)]));
+    }
+    return own;
+}
+
+/// The other way.
+template<int size, class Index>
+void putInto(const std::vector<Index>& some, const Eigen::VectorXd& own, Eigen::VectorXd& whole)
+{
+    for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(some.size()); ++i)
+    {
+        whole.segment<size>(size * static_cast<Eigen::Index>(some[static_cast<std::size_t>(i)])) =
+            own.segment<size>(size * i);
+    }
+}
+
+} // namespace drystone

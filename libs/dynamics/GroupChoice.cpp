@@ -1,0 +1,229 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The guess which blocks rest, and which move as one.
+#include "dynamics/GroupChoice.h"
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+
+namespace drystone
+{
+namespace
+{
+
+/// A block that is slower than this part of the fastest is held, if that is proved.
+constexpr double slow = 1e-6;
+
+/// Of the error allowed in gaps: on the length of a joint, and many joints on each other, a gap adds up to
+/// more.
+constexpr double partOfTolerance = 0.1;
+
+/// So many neighbours deep blocks wake up.
+constexpr int rings = 2;
+
+/// The first of the blocks that one is joined with.
+int rootOf(std::vector<int>& parent, int body)
+{
+    while (parent[static_cast<std::size_t>(body)] != body)
+    {
+        int& above = parent[static_cast<std::size_t>(body)];
+        above = parent[static_cast<std::size_t>(above)];
+        body = above;
+    }
+    return body;
+}
+
+} // namespace
+
+template<int Dim>
+double keptGap(const Step<Dim>& step)
+{
+    return partOfTolerance * step.settings.contactTolerance;
+}
+
+template<int Dim>
+GroupChoice<Dim>::GroupChoice(const Step<Dim>& step) : current(step)
+{
+    holdSlowBlocks();
+    joinBlocks();
+    number();
+}
+
+template<int Dim>
+int GroupChoice<Dim>::bodies() const
+{
+    int count = 0;
+    for (std::size_t body = 0; body < group.size(); ++body)
+    {
+        count += group[body] == static_cast<int>(body); // the first block of each
+    }
+    return count;
+}
+
+template<int Dim>
+void GroupChoice<Dim>::holdSlowBlocks()
+{
+    const Eigen::VectorXd& velocity = current.solved.velocity;
+    std::vector<double> speeds(static_cast<std::size_t>(current.program.bodies));
+    for (std::size_t body = 0; body < speeds.size(); ++body)
+    {
+        const auto own =
+            velocity.segment<freedomCount<Dim>>(freedomCount<Dim> * static_cast<Eigen::Index>(body));
+        speeds[body] = own.template head<Dim>().norm()
+                       + current.scene.blockSize * own.template tail<rotationCount<Dim>>().norm();
+    }
+    const double fastest = speeds.empty() ? 0 : *std::max_element(speeds.begin(), speeds.end());
+    isHeld.resize(speeds.size());
+    for (std::size_t body = 0; body < speeds.size(); ++body)
+    {
+        isHeld[body] = speeds[body] <= slow * fastest;
+    }
+}
+
+template<int Dim>
+void GroupChoice<Dim>::joinBlocks()
+{
+    const StepProgram<Dim>& program = current.program;
+    isJoined.assign(program.contacts.size(), false);
+    if (current.settings.flowRule == FlowRule::nonAssociative)
+    {
+        return; // whose motion follows from the forces within, too
+    }
+    const double kept = keptGap(current);
+    const Eigen::VectorXd moved = current.scheme.timeStep * current.solved.velocity;
+    const Eigen::VectorXd closing = applyTransposed(program, moved);
+    const auto turn = [&moved](int body)
+    { return moved.segment<rotationCount<Dim>>(freedomCount<Dim> * body + Dim); };
+    for (std::size_t point = 0; point < isJoined.size(); ++point)
+    {
+        const auto& contact = program.contacts[point];
+        const Eigen::Index row = Dim * static_cast<Eigen::Index>(point);
+        isJoined[point] =
+            contact.first >= 0 && contact.second >= 0 && !isHeld[static_cast<std::size_t>(contact.first)]
+            && !isHeld[static_cast<std::size_t>(contact.second)] && current.guess.contactForce[row] > 0
+            && std::abs(program.gap[row]) <= kept && closing.segment<Dim>(row).norm() <= kept
+            && current.scene.blockSize * (turn(contact.first) - turn(contact.second)).norm() <= kept;
+    }
+}
+
+template<int Dim>
+void GroupChoice<Dim>::number()
+{
+    std::vector<int> parent(isHeld.size());
+    std::iota(parent.begin(), parent.end(), 0);
+    for (std::size_t point = 0; point < isJoined.size(); ++point)
+    {
+        if (isJoined[point])
+        {
+            const int one = rootOf(parent, current.program.contacts[point].first);
+            const int other = rootOf(parent, current.program.contacts[point].second);
+            parent[static_cast<std::size_t>(std::max(one, other))] = std::min(one, other);
+        }
+    }
+    group.resize(isHeld.size());
+    for (std::size_t body = 0; body < group.size(); ++body)
+    {
+        group[body] = isHeld[body] ? -1 : rootOf(parent, static_cast<int>(body));
+    }
+}
+
+template<int Dim>
+void GroupChoice<Dim>::wakeNeighbours(std::vector<char> isAwake)
+{
+    for (int ring = 0; ring < rings; ++ring)
+    {
+        const std::vector<char> before = isAwake;
+        for (const auto& contact : current.program.contacts)
+        {
+            if (contact.first >= 0 && contact.second >= 0
+                && (before[static_cast<std::size_t>(contact.first)]
+                    || before[static_cast<std::size_t>(contact.second)]))
+            {
+                isAwake[static_cast<std::size_t>(contact.first)] = true;
+                isAwake[static_cast<std::size_t>(contact.second)] = true;
+            }
+        }
+    }
+    for (std::size_t body = 0; body < isHeld.size(); ++body)
+    {
+        isHeld[body] = isHeld[body] && !isAwake[body];
+    }
+}
+
+template<int Dim>
+void GroupChoice<Dim>::change(const std::vector<std::size_t>& failing)
+{
+    const StepProgram<Dim>& program = current.program;
+    if (failing.empty())
+    {
+        std::vector<char> isAwake(isHeld.size());
+        std::transform(isHeld.begin(), isHeld.end(), isAwake.begin(), [](char held) { return !held; });
+        wakeNeighbours(std::move(isAwake));
+        isJoined.assign(isJoined.size(), false);
+        number();
+        return;
+    }
+    std::set<std::pair<int, int>> parted;
+    std::vector<char> isAwake(isHeld.size(), false);
+    bool isAnyHeld = false;
+    for (const std::size_t point : failing)
+    {
+        const auto& contact = program.contacts[point];
+        parted.emplace(contact.first, contact.second);
+        for (const int body : {contact.first, contact.second})
+        {
+            if (body >= 0 && isHeld[static_cast<std::size_t>(body)])
+            {
+                isAwake[static_cast<std::size_t>(body)] = true;
+                isAnyHeld = true;
+            }
+        }
+    }
+    if (isAnyHeld)
+    {
+        wakeNeighbours(std::move(isAwake));
+    }
+    for (std::size_t point = 0; point < isJoined.size(); ++point)
+    {
+        const auto& contact = program.contacts[point];
+        isJoined[point] = isJoined[point] && !parted.count({contact.first, contact.second});
+    }
+    number();
+    partWholly(failing);
+}
+
+template<int Dim>
+void GroupChoice<Dim>::partWholly(const std::vector<std::size_t>& failing)
+{
+    const StepProgram<Dim>& program = current.program;
+    std::set<int> still; // in one by way of other blocks
+    for (const std::size_t point : failing)
+    {
+        const auto& contact = program.contacts[point];
+        if (contact.first >= 0 && contact.second >= 0)
+        {
+            const int one = group[static_cast<std::size_t>(contact.first)];
+            if (one >= 0 && one == group[static_cast<std::size_t>(contact.second)])
+            {
+                still.insert(one);
+            }
+        }
+    }
+    if (still.empty())
+    {
+        return;
+    }
+    for (std::size_t point = 0; point < isJoined.size(); ++point)
+    {
+        isJoined[point] =
+            isJoined[point] && !still.count(group[static_cast<std::size_t>(program.contacts[point].first)]);
+    }
+    number();
+}
+
+template double keptGap(const Step<2>& step);
+template class GroupChoice<2>;
+template double keptGap(const Step<3>& step);
+template class GroupChoice<3>;
+
+} // namespace drystone

@@ -1,0 +1,122 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Follows what steps call for, and draws it.
+#include "functionObjects/EffectHistory.h"
+
+#include "dynamics/EffectCalls.h"
+#include "functionObjects/ColumnFile.h"
+#include "io/Plot.h"
+
+#include <algorithm>
+
+namespace drystone
+{
+namespace
+{
+
+constexpr std::size_t mostRows = 800;
+constexpr double percent = 100;
+
+} // namespace
+
+template<int Dim>
+EffectHistory<Dim>::EffectHistory(const DynamicCase<Dim>& dynamicCase)
+    : scene(dynamicCase), effects(namesOfEffects(dynamicCase))
+{
+}
+
+template<int Dim>
+void EffectHistory<Dim>::observe(const Motion<Dim>& motion)
+{
+    if (sums.empty() || sums.back().steps == stepsOfEach)
+    {
+        if (sums.size() == mostRows)
+        {
+            halve();
+        }
+        sums.push_back({});
+        sums.back().shares.assign(2 + effects.size(), 0);
+    }
+    Sums& last = sums.back();
+    const auto all = static_cast<double>(std::max<Eigen::Index>(1, scene.mass.size() / freedomCount<Dim>));
+    last.time = motion.state.time;
+    ++last.steps;
+    last.shares[0] += static_cast<double>(awakeBlocks(motion)) / all;
+    last.shares[1] += static_cast<double>(simulatedBodies(motion)) / all;
+    for (std::size_t i = 0; i < motion.effectCalls.size() && i < effects.size(); ++i)
+    {
+        last.shares[2 + i] += motion.effectCalls[i];
+    }
+}
+
+template<int Dim>
+void EffectHistory<Dim>::halve()
+{
+    for (std::size_t i = 0; 2 * i + 1 < sums.size(); ++i)
+    {
+        Sums both = sums[2 * i + 1];
+        both.steps += sums[2 * i].steps;
+        for (std::size_t k = 0; k < both.shares.size(); ++k)
+        {
+            both.shares[k] += sums[2 * i].shares[k];
+        }
+        sums[i] = std::move(both);
+    }
+    sums.resize(sums.size() / 2);
+    stepsOfEach *= 2;
+}
+
+template<int Dim>
+bool EffectHistory<Dim>::write(const std::filesystem::path& folder, const std::string& title,
+                               const PictureFormats& formats) const
+{
+    if (sums.empty())
+    {
+        return false;
+    }
+    std::vector<std::string> names{"blocks", "bodies"};
+    names.insert(names.end(), effects.begin(), effects.end());
+    std::vector<std::string> columns{"Time[s]"};
+    std::vector<std::string> notes{
+        "blocks: simulated, not held by a proof; bodies: that these were, blocks that "
+        "move as one being one; of all blocks"};
+    Plot plot;
+    plot.title = title;
+    plot.subtitle = "of the blocks simulated, and of the points or blocks on which effects act";
+    plot.x.label = "time [s]";
+    plot.y = {"share [%]", AxisScale::linear, 0, percent};
+    for (std::size_t k = 0; k < names.size(); ++k)
+    {
+        columns.push_back(names[k] + "[%]");
+        PlotCurve curve;
+        curve.name = names[k];
+        curve.marker = CurveMarker::none;
+        for (const Sums& row : sums)
+        {
+            curve.x.push_back(row.time);
+            curve.y.push_back(percent * row.shares[k] / static_cast<double>(row.steps));
+        }
+        if (k >= 2)
+        {
+            notes.push_back(names[k] + ": of the " + std::string(placesOf(names[k])));
+            curve.line = CurveLine::dashed;
+        }
+        plot.curves.push_back(std::move(curve));
+    }
+    ColumnFile table(folder / "effects.dat", columns, 6, notes);
+    for (std::size_t i = 0; i < sums.size(); ++i)
+    {
+        std::vector<double> row{sums[i].time};
+        for (const PlotCurve& curve : plot.curves)
+        {
+            row.push_back(curve.y[i]);
+        }
+        table.write(row);
+    }
+    writePlot(folder / "effects", plot, formats);
+    return true;
+}
+
+template class EffectHistory<2>;
+template class EffectHistory<3>;
+
+} // namespace drystone
