@@ -39,14 +39,14 @@ LimitAnalysisCase<2> solvedCase()
 
 TEST(LoadEnvelope, StatesWhereTheAxlesOfTheWorstPlaceStand)
 {
-    const std::vector<LoadPlace> places = loadPlaces(solvedCase());
+    const std::vector<LoadPlace> places = loadPlaces(solvedCase(), LimitAnalysis());
     ASSERT_EQ(places.size(), 2u);
     EXPECT_EQ(places[0].place, Vector<3>(1, 0.5, 0));
     EXPECT_EQ(places[0].block, 1);
     EXPECT_EQ(places[0].part, 1);
     EXPECT_EQ(places[1].place, Vector<3>(0, 0.5, 0));
     EXPECT_EQ(places[1].part, 0.5);
-    EXPECT_TRUE(loadPlaces(LimitAnalysisCase<2>()).empty());
+    EXPECT_TRUE(loadPlaces(LimitAnalysisCase<2>(), LimitAnalysis()).empty());
 }
 
 TEST(LoadEnvelope, TakesTheLowerSideOfAJointAndTheFirstOfEqualPlaces)
