@@ -87,6 +87,9 @@ void judgeLimitAnalysis(const RandomAssembly& structure, const LimitAnalysis& re
         expectWithin(judge.outsideCones(c), force, "cones", tally);
         break;
     }
+    case CollapseStatus::upperBound:
+        ADD_FAILURE() << "a bound is an answer of Coulomb's law alone";
+        break;
     case CollapseStatus::notConverged:
         ++tally.answers["notConverged"];
         break;

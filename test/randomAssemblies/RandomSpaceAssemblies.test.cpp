@@ -234,6 +234,9 @@ void judge(const RandomSpaceAssembly& structure, const LimitAnalysis& result, Ta
         expectWithin(judge.outside(result.contactForce, true), force, "limits of forces", tally);
         break;
     }
+    case CollapseStatus::upperBound:
+        ADD_FAILURE() << "a bound is an answer of Coulomb's law alone";
+        break;
     case CollapseStatus::notConverged:
         ++tally.answers["not converged"];
         break;
