@@ -1,6 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// The last stage of a step: its energy, and what the next step starts from.
 #include "dynamics/EffectCalls.h"
+#include "dynamics/Step.h"
 
 #include <algorithm>
 

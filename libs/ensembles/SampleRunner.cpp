@@ -128,10 +128,7 @@ struct SampleRunner::InProcess
         return text->second;
     }
 
-    bool runs(const std::string& application) const
-    {
-        return ensemble.settings.runs(application);
-    }
+    bool runs(const std::string& application) const { return ensemble.settings.runs(application); }
 
     /// The blocks of a dictionary with their contact points. Most samples differ in properties or loads, not
     /// in blocks: those of the last sample are kept. \param make of the dictionary its assembly, joints
