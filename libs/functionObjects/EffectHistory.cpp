@@ -76,12 +76,10 @@ bool EffectHistory<Dim>::write(const std::filesystem::path& folder, const std::s
     std::vector<std::string> names{"blocks", "bodies"};
     names.insert(names.end(), effects.begin(), effects.end());
     std::vector<std::string> columns{"Time[s]"};
-    std::vector<std::string> notes{
-        "blocks: simulated, not held by a proof; bodies: that these were, blocks that "
-        "move as one being one; of all blocks"};
     Plot plot;
     plot.title = title;
-    plot.subtitle = "of the blocks simulated, and of the points or blocks on which effects act";
+    plot.subtitle = "blocks simulated and the bodies they were, of all blocks; where each effect acted, of "
+                    "the points or blocks";
     plot.x.label = "time [s]";
     plot.y = {"share [%]", AxisScale::linear, 0, percent};
     for (std::size_t k = 0; k < names.size(); ++k)
@@ -97,12 +95,11 @@ bool EffectHistory<Dim>::write(const std::filesystem::path& folder, const std::s
         }
         if (k >= 2)
         {
-            notes.push_back(names[k] + ": of the " + std::string(placesOf(names[k])));
             curve.line = CurveLine::dashed;
         }
         plot.curves.push_back(std::move(curve));
     }
-    ColumnFile table(folder / "effects.dat", columns, 6, notes);
+    ColumnFile table(folder / "effects.dat", columns, 6);
     for (std::size_t i = 0; i < sums.size(); ++i)
     {
         std::vector<double> row{sums[i].time};

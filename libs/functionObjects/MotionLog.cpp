@@ -123,7 +123,8 @@ void printStep(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const T
         const long awake = awakeBlocks(motion);
         const long bodies = simulatedBodies(motion);
         info("Effects: on for {} of {} blocks{}", awake, scene.mass.size() / freedomCount<Dim>,
-             bodies < awake ? fmt::format(", which move as {} bodies", bodies) : "");
+             bodies < awake ? fmt::format(", which move as {} bod{}", bodies, bodies == 1 ? "y" : "ies")
+                            : "");
     }
     for (const std::string& event : events)
     {
@@ -179,7 +180,7 @@ void printEffectUse(const DynamicCase<Dim>& scene, const Motion<Dim>& motion)
     }
     if (use.blocks > 0)
     {
-        info("Simulated: {:.2f}% of the blocks, as {:.2f}% of as many bodies; the others were proved to rest",
+        info("Simulated: {:.2f}% of the blocks, in bodies whose number is {:.2f}% of theirs; the others rest",
              100 * use.awakeBlocks / use.blocks, 100 * use.bodies / use.blocks);
     }
     if (const std::string_view why = whyAllBlocks(scene); !why.empty())
