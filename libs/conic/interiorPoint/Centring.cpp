@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The pulls of the corrections towards the central path: what they ask for in each ray and cone.
 #include "conic/interiorPoint/Centring.h"
 
 #include "core/Threads.h"
@@ -58,6 +59,25 @@ ConeVector<Scalar> dividedByAnswer(const NesterovToddScaling<Scalar>& scaling, c
     return divided.apply(c);
 }
 
+/// The pulls of the rays, by parts of vectors. \param ask (s, z, ds, dz) of a part: what the flexibilities
+/// are multiplied by, an expression
+template<int Rows, class Ask>
+void pullRays(const State<Rows, double>& state, const ConeScaling<double>& scaling,
+              const Iterate<double>& step, Eigen::VectorXd& pull, const Ask& ask)
+{
+    forParts(state.cones.rays,
+             [&](long begin, long end)
+             {
+                 const auto part = [&](const Eigen::VectorXd& of)
+                 { return of.segment(begin, end - begin).array(); };
+                 const auto s = part(state.at.s);
+                 const auto z = part(state.at.z);
+                 const auto ds = part(step.s);
+                 const auto dz = part(step.z);
+                 pull.segment(begin, end - begin).array() = ask(s, z, ds, dz) * part(scaling.flexibility);
+             });
+}
+
 /// The change that brings a product into the box, no further down than the largest aim.
 double intoBox(double product, double least, double largest)
 {
@@ -76,18 +96,9 @@ VectorOf<Scalar> mehrotraPull(const State<Rows, Scalar>& state, const ConeScalin
     const Eigen::Index rays = cones.rays;
     if constexpr (std::is_same_v<Scalar, double>)
     {
-        forParts(rays,
-                 [&](long begin, long end)
-                 {
-                     const auto part = [&](const VectorOf<Scalar>& of)
-                     { return of.segment(begin, end - begin).array(); };
-                     const auto s = part(state.at.s);
-                     const auto z = part(state.at.z);
-                     const auto ds = part(step.s);
-                     const auto dz = part(step.z);
-                     pull.segment(begin, end - begin).array() =
-                         (aim - ds * dz) / answerOfProducts(s, z, ds, dz, 1, 1) * part(scaling.flexibility);
-                 });
+        pullRays(state, scaling, step, pull,
+                 [&](const auto& s, const auto& z, const auto& ds, const auto& dz)
+                 { return (aim - ds * dz) / answerOfProducts(s, z, ds, dz, 1, 1); });
     }
     else
     {
@@ -120,19 +131,12 @@ VectorOf<Scalar> gondzioPull(const State<Rows, Scalar>& state, const ConeScaling
     const Eigen::Index rays = cones.rays;
     if constexpr (std::is_same_v<Scalar, double>)
     {
-        forParts(rays,
-                 [&](long begin, long end)
+        pullRays(state, scaling, step, pull,
+                 [&](const auto& s, const auto& z, const auto& ds, const auto& dz)
                  {
-                     const auto part = [&](const VectorOf<Scalar>& of)
-                     { return of.segment(begin, end - begin).array(); };
-                     const auto s = part(state.at.s);
-                     const auto z = part(state.at.z);
-                     const auto ds = part(step.s);
-                     const auto dz = part(step.z);
                      const auto product = (s + primal * ds) * (z + dual * dz);
-                     pull.segment(begin, end - begin).array() =
-                         (least - product).max((largest - product).min(0.0).max(-largest))
-                         / answerOfProducts(s, z, ds, dz, primal, dual) * part(scaling.flexibility);
+                     return (least - product).max((largest - product).min(0.0).max(-largest))
+                            / answerOfProducts(s, z, ds, dz, primal, dual);
                  });
     }
     else
