@@ -3,6 +3,7 @@
 
 #include "conic/Certificate.h"
 #include "conic/form/FormOperators.h"
+#include "conic/form/FormSchur.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,6 +3,7 @@
 #include "conic/BalancedForces.h"
 
 #include "conic/form/FormOperators.h"
+#include "conic/form/FormSchur.h"
 
 namespace drystone
 {

@@ -1,7 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "conic/UnitOfWork.h"
 
-#include "conic/form/FormOperators.h"
+#include "conic/form/FormSchur.h"
 #include "core/Log.h"
 
 #include <algorithm>

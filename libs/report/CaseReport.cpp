@@ -3,28 +3,18 @@
 #include "report/CaseReport.h"
 
 #include "assembly/AssemblyFile.h"
-#include "assembly/Loads.h"
 #include "assembly/Materials.h"
 #include "contact/AssemblyChecks.h"
 #include "contact/ClosedAssembly.h"
 #include "core/Error.h"
 #include "core/Log.h"
 #include "core/WholeFile.h"
-#include "dynamics/InitialMotion.h"
-#include "dynamics/Schemes.h"
-#include "effects/EffectList.h"
-#include "effects/GroundMotion.h"
-#include "effects/SupportMotion.h"
-#include "functionObjects/FunctionList.h"
 #include "functionObjects/Histories.h"
 #include "functionObjects/LimitAnalysisResults.h"
 #include "functionObjects/LoadMeaning.h"
-#include "report/HtmlPage.h"
-#include "report/InputTable.h"
-#include "report/ViewerData.h"
+#include "report/ReportSections.h"
 #include "runControl/Application.h"
 #include "runControl/CaseFiles.h"
-#include "texture/Texture.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -139,92 +129,6 @@ void addStructure(HtmlPage& page, const fs::path& caseDirectory, const Assembly<
     page.table({}, rows);
 }
 
-/// The answers of limitAnalysis as its tables have them.
-std::vector<LimitAnalysis> storedAnswers(const fs::path& caseDirectory, const NumberTable& table)
-{
-    // Combinations of loads are named in a table of their own, in the same order.
-    std::vector<std::string> names;
-    std::istringstream combinations(
-        contentOfFile(limitAnalysisTable(caseDirectory).replace_filename("combinations.dat")));
-    std::string line;
-    std::getline(combinations, line);
-    while (std::getline(combinations, line))
-    {
-        names.push_back(line.substr(0, line.find(' ')));
-    }
-    std::vector<LimitAnalysis> answers;
-    for (std::size_t row = 0; row < table.columns.front().size(); ++row)
-    {
-        LimitAnalysis answer;
-        answer.alpha = table.columns[0][row];
-        answer.status = static_cast<CollapseStatus>(static_cast<int>(table.columns[1][row]));
-        answer.combination = row < names.size() ? names[row] : "";
-        answers.push_back(std::move(answer));
-    }
-    return answers;
-}
-
-std::string verdict(const LimitAnalysis& answer)
-{
-    switch (answer.status)
-    {
-    case CollapseStatus::optimal:
-        return fmt::format("alpha = {:.6g}", answer.alpha);
-    case CollapseStatus::unstable:
-        return "unstable: the blocks cannot carry their dead load";
-    case CollapseStatus::unbounded:
-        return "unbounded: no load of this direction makes it collapse";
-    case CollapseStatus::upperBound:
-        return "no collapse by Coulomb's law was found: alpha is at most that of the associative law, as the "
-               "log "
-               "says";
-    case CollapseStatus::notConverged:
-        break;
-    }
-    return "no answer";
-}
-
-template<int Dim>
-void addLimitAnalysis(HtmlPage& page, const fs::path& caseDirectory)
-{
-    const NumberTable table = readNumberTable(limitAnalysisTable(caseDirectory));
-    if (table.columns.size() < 10)
-    {
-        return;
-    }
-    page.heading("Collapse");
-    page.paragraph(
-        "The live load times the multiplier alpha is the largest that the structure carries: forces between "
-        "the "
-        "blocks balance it without tension and with friction, and a mechanism shows that more cannot be "
-        "carried (Portioli, Cascini and Landolfo 2017, eq. 10).");
-    const LimitAnalysisCase<Dim> structure = readLimitAnalysisCase<Dim>(caseDirectory);
-    for (const LimitAnalysis& answer : storedAnswers(caseDirectory, table))
-    {
-        page.paragraph((answer.combination.empty() ? "" : "Combination " + answer.combination + ": ")
-                       + verdict(answer) + ".");
-        if (answer.status == CollapseStatus::optimal)
-        {
-            for (const std::string& sentence : loadMeaning(structure, answer))
-            {
-                page.paragraph(sentence + ".");
-            }
-        }
-    }
-    std::vector<std::vector<std::string>> rows;
-    for (std::size_t row = 0; row < table.columns.front().size(); ++row)
-    {
-        const auto value = [&](std::size_t column)
-        { return fmt::format("{:.3g}", table.columns[column][row]); };
-        rows.push_back({fmt::format("{:.9g}", table.columns[0][row]), value(6), value(7), value(8),
-                        fmt::format("{:g}", table.columns[5][row]), value(9) + " s"});
-    }
-    page.paragraph("Certificate: the residual of equilibrium and of the cones, that of the mechanism, and "
-                   "the gap between "
-                   "the bounds that they give, each relative.");
-    page.table({"alpha", "primal residual", "dual residual", "gap", "iterations", "CPU time"}, rows);
-}
-
 /// Pictures that applications have left, but for those that are too large for a page.
 void addPictures(HtmlPage& page, const fs::path& caseDirectory)
 {
@@ -290,159 +194,6 @@ void addHistories(HtmlPage& page, const fs::path& caseDirectory)
     {
         page.paragraph(
             fmt::format("{} more are left out; their tables are in postProcessing/.", count - most));
-    }
-}
-
-bool isOfMotion(const fs::path& caseDirectory)
-{
-    const Dictionary controls = Dictionary::readFileIfPresent(caseDirectory / "system/controlDict");
-    const Entry* application = controls.find("application");
-    return application && application->valueText() != "limitAnalysis";
-}
-
-/// How far blocks go in the frames of a motion, and where they are at its end.
-template<int Dim>
-std::vector<std::string> motionMeaning(const Assembly<Dim>& assembly, const std::vector<BlockFrame>& frames)
-{
-    struct Farthest
-    {
-        double distance = 0; ///< [m]
-        std::size_t block = 0;
-        double time = 0; ///< [s]
-    };
-    Farthest largest;
-    Farthest atTheEnd;
-    const double far = 0.5 * meanBlockSize(assembly);
-    int away = 0;
-    int freeBlocks = 0;
-    for (const BlockFrame& frame : frames)
-    {
-        const bool isLast = &frame == &frames.back();
-        for (std::size_t block = 0; block < assembly.blocks.size(); ++block)
-        {
-            const double distance = frame.displacement.col(static_cast<Eigen::Index>(block)).norm();
-            if (assembly.blocks[block].support >= 0)
-            {
-                continue;
-            }
-            if (distance > largest.distance) // not where it is NaN, of a block that was deleted
-            {
-                largest = {distance, block, frame.time};
-            }
-            if (isLast)
-            {
-                atTheEnd = distance > atTheEnd.distance ? Farthest{distance, block, frame.time} : atTheEnd;
-                away += distance <= far ? 0 : 1;
-                ++freeBlocks;
-            }
-        }
-    }
-    return {
-        fmt::format(
-            "The largest displacement of a block in these frames is {:.4g} m, of block {} at {:.4g} s.",
-            largest.distance, largest.block, largest.time),
-        fmt::format("After {:.4g} s the largest displacement of a block is {:.4g} m, of block {}; {} of {} "
-                    "blocks are farther from their places than half the mean block size of {:.3g} m{}.",
-                    frames.back().time, atTheEnd.distance, atTheEnd.block, away, freeBlocks, 2 * far,
-                    away == 0 ? ": the structure stands" : "")};
-}
-
-/// The animation, with what its end shows, and the viewer.
-template<int Dim>
-void addMotion(HtmlPage& page, const fs::path& caseDirectory, const Assembly<Dim>& assembly)
-{
-    constexpr std::size_t mostNumbers = 150'000; // of positions: some 2 MB of page
-    const std::size_t mostFrames = mostNumbers / std::max<std::size_t>(1, assembly.blocks.size());
-    if (!fs::exists(caseDirectory / "VTK" / "blocks.vtp.series"))
-    {
-        return;
-    }
-    const bool isMotion = isOfMotion(caseDirectory);
-    page.heading(isMotion ? "Motion" : "Mechanism");
-    const std::vector<BlockFrame> frames = readBlockFrames(
-        caseDirectory / "VTK", "blocks", assembly.blocks.size(), std::clamp<std::size_t>(mostFrames, 2, 101));
-    if (isMotion && !frames.empty())
-    {
-        for (const std::string& sentence : motionMeaning(assembly, frames))
-        {
-            page.paragraph(sentence);
-        }
-    }
-    const std::optional<std::string> script = viewerScript();
-    if (!script)
-    {
-        page.paragraph(
-            "This page has no viewer in three dimensions, since Drystone was built without npm; open "
-            "VTK/blocks.vtp.series in ParaView.");
-        return;
-    }
-    if (mostFrames < 2)
-    {
-        page.paragraph(
-            fmt::format("{} blocks are too many for a viewer in this page; open VTK/blocks.vtp.series in "
-                        "ParaView.",
-                        assembly.blocks.size()));
-        return;
-    }
-    const AnimationTime time =
-        isMotion ? AnimationTime{"time", " s", 1} : AnimationTime{"part of the mechanism", "", 1};
-    page.markup(viewerMarkup(viewerJson(assembly, frames, time), "motion"));
-    page.markup(fmt::format("<script>{}</script>\n", *script));
-}
-
-/// A dictionary of the case and what describes it.
-struct Input
-{
-    std::string file;
-    std::vector<OptionDescription> options;
-};
-
-OptionDescription subDictionary(const std::string& key, std::vector<OptionDescription> members)
-{
-    OptionDescription option;
-    option.key = key;
-    option.form = OptionDescription::Form::dictionary;
-    option.members = std::move(members);
-    return option;
-}
-
-template<int Dim>
-std::vector<Input> inputsOf()
-{
-    return {{"constant/g", describeOptions<Gravity<Dim>>()},
-            {"constant/materialProperties", describeOptions<MaterialProperties>()},
-            {"constant/contactProperties", describeOptions<CaseEffects<2>>()},
-            {"constant/loads", describeOptions<LoadCases<Dim>>()},
-            {"constant/groundMotion", describeOptions<GroundMotionSettings>()},
-            {"constant/supportMotion", describeOptions<SupportMotionFile<2>>()},
-            {"0/motion", describeOptions<InitialMotion<2>>()},
-            {"system/controlDict", describeOptions<ControlDictSettings>()},
-            {"system/schemes", describeOptions<Schemes>()},
-            {"system/solution",
-             {subDictionary("limitAnalysis", describeOptions<LimitAnalysisControls>()),
-              subDictionary("contactDynamics", describeOptions<SolverChoice>())}},
-            {"system/blockTextureDict", describeOptions<BlockTexture<Dim>>()},
-            // Of studies, whose keys this library does not know: without units.
-            {"system/incrementalDynamicsDict", {}},
-            {"system/parameterSearchDict", {}},
-            {"system/ensembleDict", {}},
-            {"system/accuracyCostDict", {}}};
-}
-
-template<int Dim>
-void addInputs(HtmlPage& page, const fs::path& caseDirectory)
-{
-    page.heading("Input");
-    for (const Input& input : inputsOf<Dim>())
-    {
-        std::error_code none;
-        if (!fs::exists(caseDirectory / input.file, none))
-        {
-            continue;
-        }
-        page.paragraph(input.file);
-        page.table({"key", "value", "unit", "what it is"},
-                   inputRows(Dictionary::readFile(caseDirectory / input.file), input.options));
     }
 }
 
@@ -534,7 +285,7 @@ std::string reportText(const fs::path& caseDirectory)
     const Assembly<Dim> assembly = readAssembly<Dim>(caseDirectory);
     HtmlPage page(caseName(caseDirectory));
     addStructure(page, caseDirectory, assembly);
-    addLimitAnalysis<Dim>(page, caseDirectory);
+    addCollapse<Dim>(page, caseDirectory);
     addMotion(page, caseDirectory, assembly);
     addPictures(page, caseDirectory);
     addHistories(page, caseDirectory);

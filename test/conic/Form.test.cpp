@@ -3,6 +3,7 @@
 #include "conic/form/Form.h"
 #include "conic/Certificate.h"
 #include "conic/form/FormOperators.h"
+#include "conic/form/FormSchur.h"
 #include "conic/interiorPoint/SolveOnce.h"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 /// Measures F with CHOLMOD, on one thread.
 #include "CholmodUnit.h"
 
-#include "conic/form/FormOperators.h"
+#include "conic/form/FormSchur.h"
 #include "core/Log.h"
 
 #include <cholmod.h>

@@ -19,15 +19,4 @@ void addForces(const Form<Rows>& form, const VectorOf<Scalar>& s, VectorOf<Scala
 template<int Rows, class Scalar>
 void addInertia(const Form<Rows>& form, const VectorOf<Scalar>& y, VectorOf<Scalar>& out);
 
-/// Puts S = M + delta I + B D B' into the system, its diagonal entries raised by the share `relative`.
-template<int Rows, class Scalar>
-void assembleSchur(const Form<Rows>& form, const ConeWeights<Scalar>& d, double delta, double relative,
-                   SchurSystem<Rows, Scalar>& system);
-
-/// Solves S x = right for bodies and limits with the factor of the bodies' part. \param d that S was
-/// assembled with \param x right, replaced by the solution
-template<int Rows, class Scalar>
-void solveWithLimits(const Form<Rows>& form, const ConeWeights<Scalar>& d, SchurSystem<Rows, Scalar>& system,
-                     VectorOf<Scalar>& x);
-
 } // namespace drystone

@@ -2,6 +2,7 @@
 #include "conic/interiorPoint/Newton.h"
 
 #include "conic/form/FormOperators.h"
+#include "conic/form/FormSchur.h"
 #include "core/Threads.h"
 
 namespace drystone

@@ -1,0 +1,113 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// What limitAnalysis has found, as its tables have it.
+#include "report/ReportSections.h"
+
+#include "core/WholeFile.h"
+#include "functionObjects/Histories.h"
+#include "functionObjects/LimitAnalysisResults.h"
+#include "functionObjects/LoadMeaning.h"
+
+#include <fmt/format.h>
+
+#include <sstream>
+
+namespace drystone
+{
+
+namespace fs = std::filesystem;
+
+namespace
+{
+
+/// The answers of limitAnalysis as its tables have them.
+std::vector<LimitAnalysis> storedAnswers(const fs::path& caseDirectory, const NumberTable& table)
+{
+    // Combinations of loads are named in a table of their own, in the same order.
+    std::vector<std::string> names;
+    std::istringstream combinations(
+        contentOfFile(limitAnalysisTable(caseDirectory).replace_filename("combinations.dat")));
+    std::string line;
+    std::getline(combinations, line);
+    while (std::getline(combinations, line))
+    {
+        names.push_back(line.substr(0, line.find(' ')));
+    }
+    std::vector<LimitAnalysis> answers;
+    for (std::size_t row = 0; row < table.columns.front().size(); ++row)
+    {
+        LimitAnalysis answer;
+        answer.alpha = table.columns[0][row];
+        answer.status = static_cast<CollapseStatus>(static_cast<int>(table.columns[1][row]));
+        answer.combination = row < names.size() ? names[row] : "";
+        answers.push_back(std::move(answer));
+    }
+    return answers;
+}
+
+std::string verdict(const LimitAnalysis& answer)
+{
+    switch (answer.status)
+    {
+    case CollapseStatus::optimal:
+        return fmt::format("alpha = {:.6g}", answer.alpha);
+    case CollapseStatus::unstable:
+        return "unstable: the blocks cannot carry their dead load";
+    case CollapseStatus::unbounded:
+        return "unbounded: no load of this direction makes it collapse";
+    case CollapseStatus::upperBound:
+        return "no collapse by Coulomb's law was found: alpha is at most that of the associative law, as the "
+               "log "
+               "says";
+    case CollapseStatus::notConverged:
+        break;
+    }
+    return "no answer";
+}
+
+} // namespace
+
+template<int Dim>
+void addCollapse(HtmlPage& page, const fs::path& caseDirectory)
+{
+    const NumberTable table = readNumberTable(limitAnalysisTable(caseDirectory));
+    if (table.columns.size() < 10)
+    {
+        return;
+    }
+    page.heading("Collapse");
+    page.paragraph(
+        "The live load times the multiplier alpha is the largest that the structure carries: forces between "
+        "the "
+        "blocks balance it without tension and with friction, and a mechanism shows that more cannot be "
+        "carried (Portioli, Cascini and Landolfo 2017, eq. 10).");
+    const LimitAnalysisCase<Dim> structure = readLimitAnalysisCase<Dim>(caseDirectory);
+    for (const LimitAnalysis& answer : storedAnswers(caseDirectory, table))
+    {
+        page.paragraph((answer.combination.empty() ? "" : "Combination " + answer.combination + ": ")
+                       + verdict(answer) + ".");
+        if (answer.status == CollapseStatus::optimal)
+        {
+            for (const std::string& sentence : loadMeaning(structure, answer))
+            {
+                page.paragraph(sentence + ".");
+            }
+        }
+    }
+    std::vector<std::vector<std::string>> rows;
+    for (std::size_t row = 0; row < table.columns.front().size(); ++row)
+    {
+        const auto value = [&](std::size_t column)
+        { return fmt::format("{:.3g}", table.columns[column][row]); };
+        rows.push_back({fmt::format("{:.9g}", table.columns[0][row]), value(6), value(7), value(8),
+                        fmt::format("{:g}", table.columns[5][row]), value(9) + " s"});
+    }
+    page.paragraph("Certificate: the residual of equilibrium and of the cones, that of the mechanism, and "
+                   "the gap between "
+                   "the bounds that they give, each relative.");
+    page.table({"alpha", "primal residual", "dual residual", "gap", "iterations", "CPU time"}, rows);
+}
+
+template void addCollapse<2>(HtmlPage& page, const fs::path& caseDirectory);
+template void addCollapse<3>(HtmlPage& page, const fs::path& caseDirectory);
+
+} // namespace drystone

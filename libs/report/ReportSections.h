@@ -1,0 +1,28 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Sections of the report of a case that a source of their own makes.
+#pragma once
+
+#include "assembly/Assembly.h"
+#include "report/HtmlPage.h"
+
+#include <filesystem>
+
+namespace drystone
+{
+
+/// The answers of limitAnalysis with what they mean and their certificate; nothing without its table.
+template<int Dim>
+void addCollapse(HtmlPage& page, const std::filesystem::path& caseDirectory);
+
+/// The animation, with what its end shows, and the viewer.
+template<int Dim>
+void addMotion(HtmlPage& page, const std::filesystem::path& caseDirectory, const Assembly<Dim>& assembly);
+
+/// All input with units.
+template<int Dim>
+void addInputs(HtmlPage& page, const std::filesystem::path& caseDirectory);
+
+/// Whether the frames of a case are of a motion in time, not of a mechanism.
+bool isOfMotion(const std::filesystem::path& caseDirectory);
+
+} // namespace drystone
