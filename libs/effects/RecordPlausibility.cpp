@@ -15,6 +15,8 @@ namespace
 /// Peaks of records [m/s2]. Above 2 g there are a handful in all catalogues; below, nobody felt it.
 constexpr double weakestRecord = 0.01;
 constexpr double strongestRecord = 20;
+/// Peaks of records in g are below; of records in m/s2 most are above.
+constexpr double strongestInG = 1;
 /// The part of the peak velocity that may be left when a record ends: corrected records leave some percent.
 constexpr double velocityLeft = 0.1;
 
@@ -68,6 +70,16 @@ std::vector<Doubt> doubtsAboutRecord(const GroundMotion::Component& component, c
                          "is from {:g} to {:g} m/s2. Check unit and scale; the record is used as "
                          "it stands.",
                          peak, weakestRecord, strongestRecord),
+             acceleration.locationOf("file")});
+    }
+    else if (component.unitIsAssumed && !acceleration.found("peakAcceleration") && peak > 0
+             && peak < strongestInG * std::abs(scale) && !convertsFromG(scale))
+    {
+        doubts.push_back(
+            {fmt::format(
+                 "The record does not say its unit, and m/s2 is assumed: its largest value of {:.4g} is "
+                 "as usual in g. Declare `unit g;` or `unit m/s2;`.",
+                 peak / std::abs(scale)),
              acceleration.locationOf("file")});
     }
     const std::vector<double> kinks = history.kinks();

@@ -146,7 +146,10 @@ Record readCsvRecord(const std::filesystem::path& file, const CsvLayout& layout)
     Record record;
     record.file = file;
     record.title = file.filename().string();
-    record.unit = settledUnit(text, first, layout.unit, unitFound);
+    // Numbers of a table without any unit are SI, as all others of a case; what is printed of the record says
+    // so.
+    record.unitIsAssumed = layout.unit.empty() && unitFound.empty();
+    record.unit = record.unitIsAssumed ? "m/s2" : settledUnit(text, first, layout.unit, unitFound);
     const double factor = accelerationUnit(record.unit);
     const std::size_t needed = std::max(equalSteps ? 0 : timeColumn, valueColumn) + 1;
     for (std::size_t i = titled ? first + 1 : first; i < text.lines.size(); ++i)

@@ -289,8 +289,11 @@ DescribedAcceleration preparedRecord(const RecordMotion& motion, const std::file
     {
         described.summary += fmt::format("    title       {}\n", record.title);
     }
+    described.unitIsAssumed = record.unitIsAssumed;
     described.summary +=
-        fmt::format("    unit        {} (1 {} = {:.6g} m/s2)\n", record.unit, record.unit, factor);
+        record.unitIsAssumed
+            ? "    unit        m/s2, assumed: neither the file nor `unit` says it\n"
+            : fmt::format("    unit        {} (1 {} = {:.6g} m/s2)\n", record.unit, record.unit, factor);
     described.summary +=
         fmt::format("    scale       {:.6g}, of a PGA of {:.6g} {}\n", scale, ownPeak / factor, record.unit);
     described.summary += fmt::format("    PGV         {:.6g} m/s\n    PGD         {:.6g} m\n", f.peakVelocity,
@@ -338,7 +341,8 @@ void declare(Options& options, RecordMotion& settings)
         .example("\"constant/record.AT2\"");
     options.optional("format", settings.format, "how the file is laid out");
     options.optional("unit", settings.unit,
-                     "of the values: g, m/s2, cm/s2 or gal; only needed where the file does not say it");
+                     "of the values: g, m/s2, cm/s2 or gal; where neither this nor the file says it, a "
+                     "csv file is in m/s2");
     options.optional("timeColumn", settings.timeColumn,
                      "of a csv file: its position counted from 0, or its title; the first one when absent");
     options.optional("accelerationColumn", settings.accelerationColumn,

@@ -21,8 +21,9 @@ namespace drystone
 struct DescribedAcceleration
 {
     std::shared_ptr<const GroundAcceleration> acceleration;
-    std::string summary;  ///< for the log: a line a property, each beginning with four blanks
-    double valueUnit = 0; ///< of the values in the file of a record [m/s2]; 0 of other types
+    std::string summary;        ///< for the log: a line a property, each beginning with four blanks
+    double valueUnit = 0;       ///< of the values in the file of a record [m/s2]; 0 of other types
+    bool unitIsAssumed = false; ///< neither the file of a record nor its settings say it
 };
 
 /// How the file of a record is laid out.
@@ -51,7 +52,7 @@ struct RecordMotion
 {
     std::string file; ///< absolute, or relative to the case directory
     RecordFormat format = RecordFormat::PEER_AT2;
-    std::optional<UnitName> unit;             ///< absent: the file says it
+    std::optional<UnitName> unit;             ///< absent: the file says it, or it is m/s2 of a csv file
     std::optional<Column> timeColumn;         ///< of a csv file; absent: the first
     std::optional<Column> accelerationColumn; ///< of a csv file; absent: the one after the times
     double timeStep = 0;                      ///< of a csv file without times [s]; 0: it has times

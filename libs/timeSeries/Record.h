@@ -23,6 +23,7 @@ struct Record
     std::filesystem::path file;        ///< where it was read
     std::string title;                 ///< what the file says of itself: event, station, component
     std::string unit;                  ///< of the values in the file: g, m/s2, cm/s2 or gal
+    bool unitIsAssumed = false;        ///< neither the file nor the user says it
     std::vector<double> times;         ///< strictly increasing [s]
     std::vector<double> accelerations; ///< one a time [m/s2]
 };
@@ -54,7 +55,7 @@ struct CsvLayout
     /// Interval of equally spaced values, for a file without a column of times; 0: times are in `timeColumn`
     /// [s]
     double timeStep = 0;
-    std::string unit; ///< empty: it must stand in the column's title, as in `acceleration [m/s2]`
+    std::string unit; ///< empty: that of the column's title, as in `acceleration [g]`, else m/s2
 };
 
 /// Read columns separated by commas, semicolons, tabs or blanks. Lines that begin with # or % and empty lines

@@ -149,9 +149,32 @@ class Contract(CaseTest):
                 self.build(case)
                 self.assertIn("Assembly OK.", self.call("checkBlocks", "-case", case).stdout)
                 self.assertRegex(self.call("limitAnalysis", "-case", case).stdout, r"Status: (optimal|unstable|unbounded)")
-        said = self.call("blockTexture", "-help").stdout
-        for name in ("crossVault", "column", "stair", "rubble", "import"):
-            self.assertRegex(said, rf"\b{name}\b")
+
+    def annotatedTexture(self, name):
+        """The example of a texture of space in etc/annotated, which has all but the first one in comments."""
+        root = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../..")
+        text = self.read(root, "etc/annotated/space/system/blockTextureDict")
+        examples = re.findall(r"(?ms)^// texture\n(// \{\n.*?^// \}\n)", text)
+        example = next(text for text in examples if re.search(rf"(?m)^//     type +{name};", text))
+        return "texture\n" + re.sub(r"(?m)^// ?", "", example)
+
+    def testTexturesOfSpaceWithTheKeysOfTheirAnnotatedDictionary(self):
+        for name in ("crossVault", "column", "stair", "rubble"):
+            with self.subTest(texture=name):
+                ground = "" if name == "stair" else "supports { ground { type ground; } }"  # its wall is its support
+                files = {"system/blockTextureDict": f"dimensions 3;\n{self.annotatedTexture(name)}\n{ground}"}
+                case = self.build(self.case(space, files=files))
+                self.assertIn("Assembly OK.", self.call("checkBlocks", "-case", case).stdout)
+                self.assertRegex(self.call("limitAnalysis", "-case", case).stdout, r"Status: (optimal|unstable|unbounded)")
+
+    def testRubbleOfSpaceHasASeed(self):
+        def blocks(seed):
+            text = f"dimensions 3; texture {{ type rubble; size (2 0.5 1); stones 30; seed {seed}; }}"
+            case = self.build(self.case(space, files={"system/blockTextureDict": text + "supports { ground { type ground; } }"}))
+            return self.read(case, "constant/assembly/blocks")
+
+        self.assertEqual(blocks(1), blocks(1))
+        self.assertNotEqual(blocks(1), blocks(2))
 
     def testAWallOfItsExampleIsImported(self):
         case = self.case(space, files={"system/blockTextureDict": "dimensions 3;\ntexture { type boxes; blocks ( "
@@ -258,14 +281,17 @@ class Contract(CaseTest):
                          "type sine; amplitude 3; duration 0.01; start 0;",
                          "type table; values ((0 0) (0.01 1) (0.02 0));",
                          f'type table; file "{self.root.name}/a.csv";',
-                         f'type record; file "{self.root.name}/a.csv"; format csv; unit m/s2; scale 2;']
+                         f'type record; file "{self.root.name}/a.csv"; format csv; scale 2;']
         for text in accelerations:
             with self.subTest(acceleration=text):
                 case = self.build(self.case(motion, files={
                     "constant/groundMotion": f"direction (1 0 0); acceleration {{ {text} }}",
                     "0/motion": "30 { displacement (0 0); rotation 0; velocity (0 0); angularVelocity 0; }\n"
                                 "\"3[1-2]\" { velocity (0 0.001); }"}))
-                self.call("contactDynamics", "-case", case)
+                said = self.call("contactDynamics", "-case", case).stdout
+                if "format csv" in text:  # in m/s2 unless it says something else
+                    self.assertRegex(said, r"(?m)^ +unit +m/s2, assumed")
+                    self.assertRegex(said, r"(?m)^ +PGA +2 m/s2")
 
     def testEffects(self):
         case = self.build(self.case(motion))

@@ -97,6 +97,15 @@ TEST_F(GroundMotionTest, RecordEchoesItsPeakDurationAndUnit)
     EXPECT_THAT(text, HasSubstr(file.string()));
 }
 
+TEST_F(GroundMotionTest, RecordWithoutUnitSaysThatItIsTakenAsSI)
+{
+    std::ofstream(file) << "time,north\n0,0\n1,2\n2,-1\n3,0\n";
+    GroundMotion motion;
+    motion.components.push_back({recordedAcceleration(record(), ""), Eigen::Vector3d::UnitX()});
+    EXPECT_THAT(summary(motion, 9.81),
+                testing::AllOf(HasSubstr("unit        m/s2, assumed"), HasSubstr("PGA         2 m/s2")));
+}
+
 TEST_F(GroundMotionTest, RecordThatCannotBeTreatedAsAskedIsNamed)
 {
     std::ofstream(file) << "time [s],north [gal]\n0,0\n1,0\n";

@@ -295,6 +295,17 @@ class Improbable(InputTest):
         self.record(case, scale=9.81)
         self.only(case, "scale 9.81", r"28\.86 m/s2", r"2\.942 m/s2", "scale 1", "acceleration/scale at line 7")
 
+    def testARecordWithoutUnitWhoseValuesAreAsUsualInG(self):
+        case = self.copy("unitless")
+        self.record(case)
+        record = self.read(case, "constant/record.csv")
+        self.write(case, "constant/record.csv", record.replace(" [g]", ""))
+        self.only(case, "does not say its unit", "m/s2 is assumed", r"largest value of 0\.3 ", "unit g;",
+                  "acceleration/file at line 6")
+        self.record(case, unit="g")
+        self.write(case, "constant/record.csv", record.replace(" [g]", ""))
+        self.assertEqual(self.warnings(case, "-dry-run")[0], [])
+
     def testARecordStrongerThanAny(self):
         case = self.copy("strong")
         self.record(case, scale=20)
