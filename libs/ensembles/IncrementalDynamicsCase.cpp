@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace drystone
 {
@@ -207,6 +208,7 @@ void printRun(const IncrementalDynamics<Dim>& study, std::size_t motion, const I
          nameOf(study.intensity.unit), study.criterion.figure.name, run.largest, study.criterion.figure.unit,
          textOf(run.verdict), run.verdict == Verdict::stands ? "" : fmt::format(" at {:g} s", run.endTime),
          run.steps, run.worstResidual, run.cpuTime, timeLeft);
+    std::fflush(stdout); // for those who follow the log
 }
 
 StudyClock::StudyClock(long runs, long known) : toDo(runs - known), start(clockTime()) {}

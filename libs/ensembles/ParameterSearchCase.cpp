@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 
 namespace drystone
@@ -180,6 +181,7 @@ SearchOutcome carryOut(const ParameterSearch& search, SearchHistory& history)
         const auto report = [&](const Evaluation& found, const std::string& remark)
         {
             info("Evaluation {}: {}{}", number, outcomeText(settings, found), remark);
+            std::fflush(stdout); // for those who follow the log
             const double sign = settings.objective.sign();
             const bool isBest =
                 !bestObjective || found.violation < bestViolation

@@ -1,7 +1,9 @@
 # Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 """Installs into a folder of its own and uses what is there as a user would, without the source tree in any variable."""
 import os
+import pty
 import re
+import select
 import shutil
 import subprocess
 import sys
@@ -95,6 +97,48 @@ class Installation(unittest.TestCase):
         done = bash(script, folder, self.path)
         self.assertEqual(done.stderr, "")
         return sorted(done.stdout.split())
+
+    def typed(self, folder, line):
+        """What an interactive bash makes of a line when Tab is pressed behind it."""
+        master, slave = pty.openpty()
+        environment = {"PATH": self.path, "HOME": folder, "LANG": "C.UTF-8", "TERM": "dumb", "PS1": "$ ", "COLUMNS": "200"}
+        shell = subprocess.Popen(["bash", "--norc", "--noprofile", "-i"], cwd=folder, env=environment, stdin=slave, stdout=slave,
+                                 stderr=slave, start_new_session=True)
+        os.close(slave)
+
+        def answer(text, until):
+            os.write(master, text.encode())
+            said = ""
+            while not re.search(until, said) and select.select([master], [], [], 20)[0]:
+                said += os.read(master, 4096).decode()
+            return said
+
+        try:
+            answer(f"bind 'set enable-bracketed-paste off'; . '{self.prefix}/share/bash-completion/completions/"
+                   f"{line.split(' ')[0]}'; echo re''ady\n", r"ready\r?\n\$ ")
+            # Tab, then the line as the argument of echo instead of a command (Ctrl-A, Ctrl-E).
+            said = answer(line + "\t\x01echo '\x05'; echo do''ne\n", r"done\r?\n")
+            return said.replace("\r", "").split("\n")[-3].strip()
+        finally:
+            shell.kill()
+            shell.wait()
+            os.close(master)
+
+    def testTabCompletesInABash(self):
+        folder = tempfile.mkdtemp(dir=self.root.name)
+        os.mkdir(os.path.join(folder, "system"))
+        with open(os.path.join(folder, "system/solution"), "w", encoding="utf-8") as file:
+            file.write("limitAnalysis { solver interiorPoint; tolerance 1e-9; }\n")
+        for line, completed in (
+                ("solveProgram program -solver g", "solveProgram program -solver gaussSeidel"),
+                ("limitAnalysis -par", "limitAnalysis -par"),
+                ("limitAnalysis -dr", "limitAnalysis -dry-run"),
+                ("drystone-new ga", "drystone-new garden-wall"),
+                ("caseDictionary system/solution -entry l", "caseDictionary system/solution -entry limitAnalysis"),
+                ("caseDictionary system/solution -entry limitAnalysis/s",
+                 "caseDictionary system/solution -entry limitAnalysis/solver")):
+            with self.subTest(line=line):
+                self.assertEqual(self.typed(folder, line), completed)
 
     def testCompletionOffersWhatTheApplicationTakes(self):
         self.assertIn("-dry-run", self.complete("limitAnalysis -"))

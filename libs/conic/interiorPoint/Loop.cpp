@@ -1,10 +1,12 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Iterates on a program until one of the ends.
 #include "conic/interiorPoint/Loop.h"
 
 #include "core/Log.h"
 #include "core/Threads.h"
 
 #include <cmath>
+#include <cstdio>
 #include <limits>
 
 namespace drystone
@@ -41,16 +43,41 @@ constexpr double expensiveFactorisation = 30;
 
 /// A solution of which nothing has been heard for so long says on the log how far it is [s].
 constexpr double longSilence = 5;
+/// And one that takes longer than this shows it on a terminal [s].
+constexpr double shortSilence = 1;
 
-/// The complementarity falls by about the same factor in each iteration, from what it was at first to the
-/// tolerance.
-void reportProgress(int iteration, double first, double now, double tolerance, double seconds)
+/// Says how far a solution is that takes long: the complementarity falls by about the same factor in each
+/// iteration, from what it was at first to the tolerance.
+class LongSolution
 {
-    const double done = std::log(first / now);
-    const double toDo = std::log(now / tolerance);
-    info("    iteration {}: complementarity {:.1e} of {:.1e}{}", iteration, now, tolerance,
-         done > 0 && toDo > 0 ? ", about " + durationText(seconds * toDo / done) + " left" : "");
-}
+public:
+    void iterated(int iteration, double now, double tolerance)
+    {
+        first = iteration == 0 ? now : first;
+        const double seconds = clockTime() - start;
+        if (seconds < shortSilence)
+        {
+            return;
+        }
+        const double done = std::log(first / now);
+        const double toDo = std::log(now / tolerance);
+        if (seconds - heard > longSilence)
+        {
+            heard = seconds;
+            line.clear();
+            info("    iteration {}: complementarity {:.1e} of {:.1e}{}", iteration, now, tolerance,
+                 done > 0 && toDo > 0 ? ", about " + durationText(seconds * toDo / done) + " left" : "");
+            std::fflush(stdout); // for those who follow the log
+        }
+        line.update(done > 0 && toDo > 0 ? done / (done + toDo) : 0, fmt::format("iteration {}", iteration));
+    }
+
+private:
+    Progress line;
+    double start = clockTime();
+    double heard = 0; ///< after the start [s]
+    double first = 0; ///< complementarity
+};
 
 } // namespace
 
@@ -124,9 +151,7 @@ bool InteriorPointLoop<Rows, Scalar>::iterate(const Centring& centring, Passed w
     stalls = 0;
     expected = std::numeric_limits<double>::infinity();
     primal = dual = 0;
-    const double start = clockTime();
-    double heard = start;
-    double first = 0;
+    LongSolution longSolution;
     std::optional<Ending> ended;
     for (iteration = 0; !(ended = findEnd(whatIsPassed, mostIterations)); ++iteration)
     {
@@ -147,12 +172,7 @@ bool InteriorPointLoop<Rows, Scalar>::iterate(const Centring& centring, Passed w
             break;
         }
         move();
-        first = iteration == 0 ? state.mu : first;
-        if (const double now = clockTime(); now - heard > longSilence)
-        {
-            heard = now;
-            reportProgress(iteration, first, state.mu, state.tolerance(), now - start);
-        }
+        longSolution.iterated(iteration, state.mu, state.tolerance());
     }
     end = *ended;
     if (trace)

@@ -1,0 +1,117 @@
+#!/usr/bin/env python3
+# Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+"""What a user complained of on a first day and no other test concerns: names and marks in tables and pictures, one value of
+g, studies that are interrupted, dictionaries of etc/annotated that are copied.
+
+firstDay.py BIN CASES       CASES: the tutorial limitAnalysis/masonryPanels
+"""
+import os
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import unittest
+
+sys.path.insert(0, os.path.join(os.path.dirname(__file__), ".."))
+from caseTest import CaseTest, applications, header, tutorial  # noqa: E402
+
+root = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../..")
+tutorials = os.path.join(root, "tutorials")
+
+
+class FirstDay(CaseTest):
+    def case(self, name, **files):
+        """A copy of a tutorial, with other files in it, and its blocks."""
+        case = os.path.join(self.root.name, self.id().rsplit(".", 1)[-1])
+        self.copyInput(os.path.join(tutorials, name), case)
+        for path, text in files.get("files", {}).items():
+            self.write(case, path, text)
+        self.call("blockTexture", case)
+        return case
+
+    @staticmethod
+    def write(case, path, text):
+        with open(os.path.join(case, path), "w", encoding="utf-8") as file:
+            file.write(text)
+
+    def call(self, application, case, *options):
+        done = subprocess.run([os.path.join(applications, application), "-case", case, *options], capture_output=True, text=True,
+                              timeout=120, check=False)
+        self.assertEqual(done.returncode, 0, done.stdout[-2000:] + done.stderr)
+        return done.stdout
+
+    def incremental(self):
+        """Wall 1 under two records, to the intensity at which it moves."""
+        texture = self.read(os.path.join(tutorial, "wall1"), "system/blockTextureDict")
+        return self.case("incrementalDynamics/masonryPanels/wall", files={
+            "system/blockTextureDict": texture, "constant/kobe.csv": "t [s],a [g]\n0,0\n0.1,0.5\n0.3,-0.4\n0.4,0\n",
+            "constant/northridge.csv": "t [s],a [g]\n0,0\n0.05,0.3\n0.2,-0.5\n0.4,0\n",
+            "system/incrementalDynamicsDict": header % "incrementalDynamicsDict" +
+            "intensity { type bisection; unit g; low 0.1; high 0.9; tolerance 0.001; }\n"
+            "criterion { type motion; displacement 1e-6; }\njobs 1;\n"
+            "records { kobe { file \"constant/kobe.csv\"; format csv; } northridge { file \"constant/northridge.csv\"; "
+            "format csv; } }\n"})
+
+    def testMotionsHaveTheNamesOfTheirRecords(self):
+        case = self.incremental()
+        self.call("incrementalDynamics", case)
+        table = self.read(case, "postProcessing/incrementalDynamics/0/leastIntensity.dat")
+        self.assertTrue(table.startswith("# motion 0: kobe\n# motion 1: northridge\n"), table)
+
+    def testAnInterruptedIncrementalAnalysisGoesOn(self):
+        case, table = self.incremental(), "postProcessing/incrementalDynamics/0/leastIntensity.dat"
+        self.call("incrementalDynamics", case)
+        whole = self.read(case, table)
+        shutil.rmtree(os.path.join(case, "postProcessing"))
+        process = subprocess.Popen([os.path.join(applications, "incrementalDynamics"), "-case", case], stdout=subprocess.PIPE,
+                                   stderr=subprocess.PIPE, text=True)
+        done = 0
+        for line in process.stdout:
+            done += line.startswith(("kobe: intensity", "northridge: intensity"))
+            if done == 4:
+                process.send_signal(signal.SIGINT)
+                break
+        output, errors = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 130, output + errors)
+        self.assertIn("started again, it continues", output)
+        again = self.call("incrementalDynamics", case)
+        known = int(re.search(r"Continuing: (\d+) runs are known", again).group(1))
+        self.assertTrue(4 <= known < 24, again)  # what was printed was done, and the log is not behind the runs
+        self.assertEqual(self.read(case, table), whole)
+
+    def testOneLogHasOneValueOfG(self):
+        case = self.case("contactDynamics/slidingBlock/basePulse", files={
+            "constant/north.csv": "t [s],a [g]\n0,0\n0.1,0.32\n0.2,0\n",
+            "constant/groundMotion": header % "groundMotion" + "direction (1 0 0);\nacceleration { type record; file "
+                                     "\"constant/north.csv\"; format csv; }\n"})
+        said = self.call("contactDynamics", case, "-dry-run")
+        self.assertIn("1 g = 9.80665 m/s2", said)  # the unit of the record, once
+        inG = f"{0.32 * 9.80665 / 9.81:.6g}"       # all else by the gravity of the case
+        self.assertRegex(said, rf"PGA +3\.13813 m/s2 = {inG} g")
+        self.assertRegex(said, rf"Peak a/g = {inG[:7]}")
+
+    def testTheBestPointOfASearchIsMarked(self):
+        case = self.case("parameterSearch/liveLoadDirection")
+        self.call("parameterSearch", case)
+        self.assertRegex(self.read(case, "postProcessing/parameterSearch/0/parameterSearch.svg"), r">\s*best\s*<")
+
+    def testAPlateauDoesNotFlattenThePictureOfASearch(self):
+        case = self.case("parameterSearch/archThickness/stands")
+        self.call("parameterSearch", case)
+        self.assertRegex(self.read(case, "postProcessing/parameterSearch/0/parameterSearch.svg"), r">\s*beyond the axis\s*<")
+
+    def testTheAnnotatedDictionaryOfAccuracyCostIsReadAsItIs(self):
+        case = self.case("accuracyCost/rockingBlock/freeRocking")
+        shutil.copy(os.path.join(root, "etc/annotated/system/accuracyCostDict"), os.path.join(case, "system"))
+        self.call("accuracyCost", case, "-dry-run")
+
+    def testLimitAnalysisSaysTheForceBehindItsMultiplier(self):
+        case = self.case("limitAnalysis/masonryPanels/wall1")
+        said = self.call("limitAnalysis", case)
+        self.assertRegex(said, r"(?m)^Live load: \S+ k?N along \(1 0\); at collapse \S+ k?N, 0\.6429 of the dead load$")
+        self.assertIn("mechanism.svg", said)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
