@@ -202,6 +202,25 @@ std::string nearestWord(std::string_view word, const std::vector<std::string>& c
     return nearest;
 }
 
+namespace
+{
+
+/// Without the quotation marks of a text processor, which are letters to us.
+std::string withoutPrintedQuotes(std::string word)
+{
+    for (const std::string_view mark :
+         {"\u201c", "\u201d", "\u201e", "\u2018", "\u2019", "\u201a", "\u00ab", "\u00bb"})
+    {
+        for (auto place = word.find(mark); place != std::string::npos; place = word.find(mark))
+        {
+            word.erase(place, mark.size());
+        }
+    }
+    return word;
+}
+
+} // namespace
+
 std::string unknownWordMessage(std::string_view family, std::string_view word,
                                std::vector<std::string> validWords)
 {
@@ -209,7 +228,7 @@ std::string unknownWordMessage(std::string_view family, std::string_view word,
     // A key may be in the plural itself: pictureFormats.
     const std::string_view one = family.ends_with('s') ? family.substr(0, family.size() - 1) : family;
     std::string message = "Unknown " + std::string(one) + " " + std::string(word) + ".";
-    const std::string nearest = nearestWord(word, validWords);
+    const std::string nearest = nearestWord(withoutPrintedQuotes(std::string(word)), validWords);
     if (!nearest.empty())
     {
         message += " Did you mean " + nearest + "?";

@@ -105,6 +105,10 @@ std::string_view hintFor(const Token& token)
     {
         return " An entry is `key value;`, without `=`.";
     }
+    if (token.text.ends_with('%'))
+    {
+        return " A share is a part of 1: 65% is 0.65.";
+    }
     if (isUnit(token.text))
     {
         return " Values are in SI units (N, m, kg, s, Pa, rad), which are not written: 5 kN is 5000.";

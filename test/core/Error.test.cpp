@@ -14,6 +14,12 @@ namespace
 
 using testing::HasSubstr;
 
+TEST(UnknownWord, InTheQuotesOfATextProcessorIsStillRecognised)
+{
+    EXPECT_THAT(unknownWordMessage("profile", "\u201ccircular\u201d", {"circular", "pointed"}),
+                HasSubstr("Did you mean circular?"));
+}
+
 TEST(RunGuarded, TurnsEveryExceptionIntoAnExitStatus)
 {
     testing::internal::CaptureStderr();

@@ -158,6 +158,8 @@ TEST(Dictionary, WrongValuesAreRefusedWithTheReason)
     EXPECT_THAT(reportOfValue<double>("5 kN"), HasSubstr("5 kN is 5000"));
     EXPECT_THAT(reportOfValue<double>("5kN"), HasSubstr("5 kN is 5000"));
     EXPECT_THAT(reportOfValue<double>("5 N/m2"), HasSubstr("SI units"));
+    EXPECT_THAT(reportOfValue<double>("65%"), HasSubstr("65% is 0.65"));
+    EXPECT_THAT(reportOfValue<double>("65 %"), HasSubstr("65% is 0.65"));
     EXPECT_THAT(reportOfValue<double>("5 knots"), HasSubstr("Is a `;` missing"));
     EXPECT_THAT(reportOfValue<double>("12abc"), HasSubstr("`12abc`"));
     EXPECT_THAT(reportOfValue<int>("99999999999"), HasSubstr("out of range"));
