@@ -29,11 +29,20 @@ class CaseTest(unittest.TestCase):
         shutil.copytree(source, target,
                         ignore=shutil.ignore_patterns("VTK", "postProcessing", "log.*", "[0-9]*", "assembly"))
 
-    def run_(self, case, *options, status=0):
-        done = subprocess.run([os.path.join(applications, self.application), "-case", case, *options],
-                              capture_output=True, text=True, timeout=120, check=False)
+    def copyOf(self, source):
+        """The input of a case in a folder of this test."""
+        case = os.path.join(self.root.name, self.id().rsplit(".", 1)[-1])
+        self.copyInput(source, case)
+        return case
+
+    def runApplication(self, application, case, *options, status=0, timeout=120):
+        done = subprocess.run([os.path.join(applications, application), "-case", case, *options],
+                              capture_output=True, text=True, timeout=timeout, check=False)
         self.assertEqual(done.returncode, status, done.stdout[-2000:] + done.stderr)
         return done
+
+    def run_(self, case, *options, status=0):
+        return self.runApplication(self.application, case, *options, status=status)
 
     @staticmethod
     def read(case, name):

@@ -21,7 +21,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <set>
 #include <sstream>
 
 namespace drystone

@@ -56,8 +56,7 @@ std::string verdict(const LimitAnalysis& answer)
         return "unbounded: no load of this direction makes it collapse";
     case CollapseStatus::upperBound:
         return "no collapse by Coulomb's law was found: alpha is at most that of the associative law, as the "
-               "log "
-               "says";
+               "log says";
     case CollapseStatus::notConverged:
         break;
     }
@@ -77,8 +76,7 @@ void addCollapse(HtmlPage& page, const fs::path& caseDirectory)
     page.heading("Collapse");
     page.paragraph(
         "The live load times the multiplier alpha is the largest that the structure carries: forces between "
-        "the "
-        "blocks balance it without tension and with friction, and a mechanism shows that more cannot be "
+        "the blocks balance it without tension and with friction, and a mechanism shows that more cannot be "
         "carried (Portioli, Cascini and Landolfo 2017, eq. 10).");
     const LimitAnalysisCase<Dim> structure = readLimitAnalysisCase<Dim>(caseDirectory);
     for (const LimitAnalysis& answer : storedAnswers(caseDirectory, table))
@@ -102,8 +100,7 @@ void addCollapse(HtmlPage& page, const fs::path& caseDirectory)
                         fmt::format("{:g}", table.columns[5][row]), value(9) + " s"});
     }
     page.paragraph("Certificate: the residual of equilibrium and of the cones, that of the mechanism, and "
-                   "the gap between "
-                   "the bounds that they give, each relative.");
+                   "the gap between the bounds that they give, each relative.");
     page.table({"alpha", "primal residual", "dual residual", "gap", "iterations", "CPU time"}, rows);
 }
 

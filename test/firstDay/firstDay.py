@@ -21,11 +21,10 @@ tutorials = os.path.join(root, "tutorials")
 
 
 class FirstDay(CaseTest):
-    def case(self, name, **files):
+    def case(self, name, files=None):
         """A copy of a tutorial, with other files in it, and its blocks."""
-        case = os.path.join(self.root.name, self.id().rsplit(".", 1)[-1])
-        self.copyInput(os.path.join(tutorials, name), case)
-        for path, text in files.get("files", {}).items():
+        case = self.copyOf(os.path.join(tutorials, name))
+        for path, text in (files or {}).items():
             self.write(case, path, text)
         self.call("blockTexture", case)
         return case
@@ -35,11 +34,8 @@ class FirstDay(CaseTest):
         with open(os.path.join(case, path), "w", encoding="utf-8") as file:
             file.write(text)
 
-    def call(self, application, case, *options):
-        done = subprocess.run([os.path.join(applications, application), "-case", case, *options], capture_output=True, text=True,
-                              timeout=120, check=False)
-        self.assertEqual(done.returncode, 0, done.stdout[-2000:] + done.stderr)
-        return done.stdout
+    def call(self, *command):
+        return self.runApplication(*command).stdout
 
     def incremental(self):
         """Wall 1 under two records, to the intensity at which it moves."""

@@ -165,16 +165,11 @@ class MovingLoad(CaseTest):
         columns = [names.index(name) for name in ("distance", "alpha")]
         return [tuple(float(row[column]) for column in columns) for row in rows[1:]]
 
-    def copy(self, name):
-        case = os.path.join(self.root.name, self.id().rsplit(".", 1)[-1])
-        self.copyInput(os.path.join(tutorial, name), case)
-        return case
-
     def compare(self, name, every, tolerance):
         """Every so many rows of a table; tolerance(the load there), relative."""
         step, arch, load = cases[name]
         finite, worst = 0, math.inf
-        for distance, alpha in self.table(self.copy(name))[::every]:
+        for distance, alpha in self.table(self.copyOf(os.path.join(tutorial, name)))[::every]:
             with self.subTest(distance=distance):
                 live = load(arch, first + step * round(distance / step))
                 expected = arch.multiplier(live)
@@ -208,7 +203,7 @@ class MovingLoad(CaseTest):
 
     def testOnePlaceOfAVaultByHand(self):
         """The worst place, its axles as two forces on the faces below them."""
-        case = self.copy("vault")
+        case = self.copyOf(os.path.join(tutorial, "vault"))
         distance, worst = min(self.table(case), key=lambda row: row[1])
         step, arch, _ = cases["vault"]
         forces = ""

@@ -15,18 +15,12 @@ from caseTest import CaseTest, applications, tutorial  # noqa: E402
 
 class Package(CaseTest):
     def case(self, name="basePulse"):
-        directory = os.path.join(self.root.name, self.id().rsplit(".", 1)[-1])
-        self.copyInput(os.path.join(tutorial, name), directory)
-        case = drystone.Case(directory, applications)
+        case = drystone.Case(self.copyOf(os.path.join(tutorial, name)), applications)
         case.run("blockTexture")
         return case
 
     def wall(self):
-        directory = os.path.join(self.root.name, self.id().rsplit(".", 1)[-1])
-        self.copyInput(os.path.join(tutorial, "../../limitAnalysis/masonryPanels/wall1"), directory)
-        case = drystone.Case(directory, applications)
-        case.run("blockTexture")
-        return case
+        return self.case("../../limitAnalysis/masonryPanels/wall1")
 
     def testReadsAMultiplierAndItsMechanism(self):
         wall = self.wall()

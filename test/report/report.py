@@ -60,16 +60,9 @@ addEventListener("load", () => {
 class Report(CaseTest):
     application = "report"
 
-    def runIn(self, name, case, *options):
-        done = subprocess.run([os.path.join(applications, name), "-case", case, *options], capture_output=True,
-                              text=True, timeout=120, check=False)
-        self.assertEqual(done.returncode, 0, done.stdout[-1000:] + done.stderr)
-        return done
-
     def caseOf(self, name):
-        case = os.path.join(self.root.name, self.id().rsplit(".", 1)[-1])
-        self.copyInput(os.path.join(tutorial, name), case)
-        self.runIn("blockTexture", case)
+        case = self.copyOf(os.path.join(tutorial, name))
+        self.runApplication("blockTexture", case)
         return case
 
     def wall(self):
@@ -78,7 +71,7 @@ class Report(CaseTest):
     def testHoldsInputResultAndHowToRepeatIt(self):
         case = self.wall()
         with open(os.path.join(case, "log.limitAnalysis"), "w", encoding="utf-8") as log:
-            log.write(self.runIn("limitAnalysis", case).stdout + "--> DRYSTONE Warning :\nA <doubt>.\n\nfile: x at line 1.\n\n")
+            log.write(self.runApplication("limitAnalysis", case).stdout + "--> DRYSTONE Warning :\nA <doubt>.\n\nfile: x at line 1.\n\n")
         self.assertIn("Wrote " + os.path.join(case, "report.html"), self.run_(case).stdout)
         page = self.read(case, "report.html")
         for part in ("alpha = 0.642859", "at collapse 1.35 kN", "primal residual", "33 free, 10 fixed",
@@ -97,7 +90,7 @@ class Report(CaseTest):
 
     def testIsWrittenByTheSolverAndElsewhereOnRequest(self):
         case = self.wall()
-        self.runIn("limitAnalysis", case, "-report")
+        self.runApplication("limitAnalysis", case, "-report")
         page = self.read(case, "report.html")
         self.run_(case, "-output", os.path.join(case, "other.html"))
         # But for the log, which is not there, they are the same.
@@ -131,15 +124,15 @@ class Report(CaseTest):
     @unittest.skipUnless(hasViewer, noViewer)
     def testTheViewerOfWall6FollowsSliderAndClick(self):
         case = self.caseOf("wall6")
-        self.runIn("limitAnalysis", case, "-report")
+        self.runApplication("limitAnalysis", case, "-report")
         self.checkViewer(case, "part of the mechanism", "0.000.", "1.000.")
         self.assertLess(os.path.getsize(os.path.join(case, "report.html")), 1.2e6)
 
     @unittest.skipUnless(hasViewer, noViewer)
     def testTheViewerOfAWallThatFallsUnderARecord(self):
         case = self.caseOf("../../contactDynamics/fallingWall/wall")
-        self.runIn("caseDictionary", case, "system/controlDict", "-entry", "endTime", "-set", "3.5")
-        self.runIn("contactDynamics", case, "-report")
+        self.runApplication("caseDictionary", case, "system/controlDict", "-entry", "endTime", "-set", "3.5")
+        self.runApplication("contactDynamics", case, "-report")
         self.checkViewer(case, "time", "0.000 s.", "3.500 s.")
         page = self.read(case, "report.html")
         for part in ("After 3.5 s the largest displacement of a block is", "motion_3.5.svg", "groundMotion_m_s2.svg",
@@ -153,7 +146,7 @@ class Report(CaseTest):
     @unittest.skipUnless(hasViewer, noViewer)
     def testTheViewerOfAHouseInSpace(self):
         case = self.caseOf("../space/house/structure")
-        self.runIn("limitAnalysis", case, "-report")
+        self.runApplication("limitAnalysis", case, "-report")
         self.checkViewer(case, "part of the mechanism", "0.000.", "1.000.")
 
 

@@ -19,20 +19,16 @@ left = r"(\d+ (d|h|min|s) ?)+ *left"
 
 
 class TimeLeft(CaseTest):
-    def case(self, name, **changes):
-        """A copy of a tutorial with its blocks; changes: file, entry and value of dictionaries."""
-        case = os.path.join(self.root.name, self.id().rsplit(".", 1)[-1])
-        self.copyInput(os.path.join(tutorials, name), case)
-        for file, entry, value in changes.get("entries", ()):
+    def case(self, name, entries=()):
+        """A copy of a tutorial with its blocks. entries: file, entry and value of dictionaries."""
+        case = self.copyOf(os.path.join(tutorials, name))
+        for file, entry, value in entries:
             self.call("caseDictionary", case, file, "-entry", entry, "-set", value)
         self.call("blockTexture", case)
         return case
 
-    def call(self, application, case, *options):
-        done = subprocess.run([os.path.join(applications, application), "-case", case, *options], capture_output=True, text=True,
-                              timeout=280, check=False)
-        self.assertEqual(done.returncode, 0, done.stdout[-2000:] + done.stderr)
-        return done.stdout
+    def call(self, *command):
+        return self.runApplication(*command, timeout=280).stdout
 
     def onTerminal(self, application, case):
         """What a run writes on a terminal beside its log, and how long it takes [s]."""
