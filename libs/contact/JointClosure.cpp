@@ -2,6 +2,7 @@
 /// Faces of joints are put on common lines; in space they are counted.
 #include "contact/JointClosure.h"
 
+#include "assembly/BlockShape.h"
 #include "assembly/WrittenDigits.h"
 #include "contact/AlmostJoints.h"
 #include "contact/Facing.h"
@@ -32,16 +33,6 @@ constexpr double roundingUnits = Dim == 2 ? 1.5 : 1.8;
 
 /// No corner moves farther than this many tolerances.
 constexpr double farthestMove = 5;
-
-/// The corners of a block [m].
-const Polygon& cornersOf(const Block<2>& block)
-{
-    return block.outline;
-}
-const std::vector<Vector<3>>& cornersOf(const Block<3>& block)
-{
-    return block.shape.vertices;
-}
 
 /// What rounding in double precision leaves between faces that meet [m].
 template<int Dim>

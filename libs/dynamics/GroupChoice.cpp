@@ -16,7 +16,7 @@ constexpr double slow = 1e-6;
 
 /// Of the error allowed in gaps: on the length of a joint, and many joints on each other, a gap adds up to
 /// more.
-constexpr double partOfTolerance = 0.1;
+constexpr double partOfGap = 0.1;
 
 /// So many neighbours deep blocks wake up.
 constexpr int rings = 2;
@@ -38,7 +38,7 @@ int rootOf(std::vector<int>& parent, int body)
 template<int Dim>
 double keptGap(const Step<Dim>& step)
 {
-    return partOfTolerance * step.settings.contactTolerance;
+    return partOfGap * step.settings.contactTolerance;
 }
 
 template<int Dim>

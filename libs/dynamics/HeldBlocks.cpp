@@ -25,7 +25,8 @@ constexpr int attempts = 3;
 /// Where more than this share of the points within bodies fail, another guess is of no use.
 constexpr double mostFailing = 0.2;
 
-constexpr double partOfTolerance = 0.1;
+/// Forces within the bodies are known to this part of the tolerance of the step.
+constexpr double innerPartOfTolerance = 0.1;
 
 /// The balance of the blocks within the bodies: over the closed points there, under what they lack.
 template<int Dim>
@@ -199,7 +200,7 @@ Outcome solveGroups(Step<Dim>& step, const BlockGroups<Dim>& groups)
         step, groups, Eigen::VectorXd(whole.load - applyInertia(whole, y) - applyEquilibrium(whole, forces)));
     const Eigen::VectorXd near = takenFrom<Dim>(inner.points, step.guess.contactForce);
     const Eigen::VectorXd holding =
-        nearestForces(withGroundInBodies(groups, inner.program), near, partOfTolerance * tolerance,
+        nearestForces(withGroundInBodies(groups, inner.program), near, innerPartOfTolerance * tolerance,
                       *step.motion.symbolicOfHeld.get());
     ++step.motion.attempt.factorisations;
     if (holding.size() != inner.program.gap.size())

@@ -76,7 +76,7 @@ Groups groupsOf(const ImpactProblem<Dim>& problem)
 }
 
 /// A way for the impact to go.
-struct Outcome
+struct ImpactOutcome
 {
     Eigen::VectorXd velocity; ///< v+
     Eigen::VectorXd force;    ///< impulses over the time step [N]
@@ -156,8 +156,8 @@ double rootOfGain(double low, double slope, double curvature)
 
 /// Of each group the last point of the segment from `low` to `high` that creates no energy.
 template<int Dim>
-Eigen::VectorXd rootsBetween(const ImpactProblem<Dim>& problem, const Groups& groups, const Outcome& low,
-                             const Outcome& high)
+Eigen::VectorXd rootsBetween(const ImpactProblem<Dim>& problem, const Groups& groups,
+                             const ImpactOutcome& low, const ImpactOutcome& high)
 {
     Eigen::VectorXd curvature = Eigen::VectorXd::Zero(groups.count);
     for (std::size_t body = 0; body < groups.ofBody.size(); ++body)
@@ -182,7 +182,8 @@ Eigen::VectorXd rootsBetween(const ImpactProblem<Dim>& problem, const Groups& gr
 
 /// Takes over what another outcome has for some groups.
 template<int Dim>
-void takeGroups(Outcome& outcome, const Outcome& other, const Groups& groups, const std::vector<char>& which)
+void takeGroups(ImpactOutcome& outcome, const ImpactOutcome& other, const Groups& groups,
+                const std::vector<char>& which)
 {
     for (std::size_t body = 0; body < groups.ofBody.size(); ++body)
     {
@@ -212,10 +213,10 @@ void takeGroups(Outcome& outcome, const Outcome& other, const Groups& groups, co
 
 /// The outcome at a part of the way from one to another, another part for each group.
 template<int Dim>
-Outcome between(const ImpactProblem<Dim>& problem, const Groups& groups, const Outcome& low,
-                const Outcome& high, const Eigen::VectorXd& part)
+ImpactOutcome between(const ImpactProblem<Dim>& problem, const Groups& groups, const ImpactOutcome& low,
+                      const ImpactOutcome& high, const Eigen::VectorXd& part)
 {
-    Outcome outcome = low;
+    ImpactOutcome outcome = low;
     for (std::size_t body = 0; body < groups.ofBody.size(); ++body)
     {
         if (groups.ofBody[body] >= 0)
@@ -289,7 +290,7 @@ Impact impactOf(const ImpactProblem<Dim>& problem, const StepSettings& settings)
                 problem.stepForce->template segment<Dim>(Dim * static_cast<Eigen::Index>(problem.meeting[i]));
         }
     }
-    const auto solve = [&](const Eigen::VectorXd& share, FlowRule flowRule, Outcome& outcome)
+    const auto solve = [&](const Eigen::VectorXd& share, FlowRule flowRule, ImpactOutcome& outcome)
     {
         instant.flowRule = flowRule;
         const ThetaStep step = solveThetaStep(impactProgram(problem, groups, closing, share), instant, guess,
@@ -309,7 +310,7 @@ Impact impactOf(const ImpactProblem<Dim>& problem, const StepSettings& settings)
         outcome.gain = gainOf(problem, groups, outcome.velocity, outcome.force);
         return true;
     };
-    const auto whichGain = [&](const Outcome& outcome)
+    const auto whichGain = [&](const ImpactOutcome& outcome)
     {
         std::vector<char> which(static_cast<std::size_t>(groups.count));
         for (int group = 0; group < groups.count; ++group)
@@ -322,7 +323,7 @@ Impact impactOf(const ImpactProblem<Dim>& problem, const StepSettings& settings)
     { return std::find(which.begin(), which.end(), true) != which.end(); };
     const Eigen::VectorXd all = Eigen::VectorXd::Ones(groups.count);
 
-    Outcome chosen;
+    ImpactOutcome chosen;
     if (!solve(all, FlowRule::nonAssociative, chosen))
     {
         return impact;
@@ -332,14 +333,14 @@ Impact impactOf(const ImpactProblem<Dim>& problem, const StepSettings& settings)
     {
         // What creates no energy for sure: no impulse, and with the tolerance of the solver most often k = 0
         // with Coulomb's law, or with the associative one, which is a projection.
-        Outcome low{problem.velocity,
-                    Eigen::VectorXd::Zero(Dim * static_cast<Eigen::Index>(groups.ofPoint.size())),
-                    Eigen::VectorXd::Zero(groups.count), Eigen::VectorXd::Zero(groups.count)};
+        ImpactOutcome low{problem.velocity,
+                          Eigen::VectorXd::Zero(Dim * static_cast<Eigen::Index>(groups.ofPoint.size())),
+                          Eigen::VectorXd::Zero(groups.count), Eigen::VectorXd::Zero(groups.count)};
         std::vector<char> missing = gains;
         for (const FlowRule flowRule : {FlowRule::nonAssociative, FlowRule::associative})
         {
             const bool isKnown = flowRule == FlowRule::nonAssociative && problem.restitution == 0;
-            Outcome plastic;
+            ImpactOutcome plastic;
             if (!isKnown && isAny(missing) && solve(Eigen::VectorXd::Zero(groups.count), flowRule, plastic))
             {
                 const std::vector<char> plasticGains = whichGain(plastic);
@@ -352,7 +353,7 @@ Impact impactOf(const ImpactProblem<Dim>& problem, const StepSettings& settings)
                 takeGroups<Dim>(low, plastic, groups, taken);
             }
         }
-        Outcome high = chosen;
+        ImpactOutcome high = chosen;
         std::vector<char> others = gains;
         for (char& isOther : others)
         {
@@ -366,7 +367,7 @@ Impact impactOf(const ImpactProblem<Dim>& problem, const StepSettings& settings)
             const double undecided = (high.share - low.share)
                                          .cwiseProduct(roots.cwiseProduct(all - roots))
                                          .lpNorm<Eigen::Infinity>();
-            Outcome trial;
+            ImpactOutcome trial;
             if (undecided <= restitutionKnown || !solve(share, FlowRule::nonAssociative, trial))
             {
                 break;

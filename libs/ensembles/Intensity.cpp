@@ -37,7 +37,7 @@ std::string faultOfRange(double lowest, double highest, double step, const char*
                : "";
 }
 
-struct StepSettings
+struct EqualStepsSettings
 {
     IntensityUnit unit = IntensityUnit::g;
     double from = 0;
@@ -45,7 +45,7 @@ struct StepSettings
     double step = 0;
 };
 
-void declare(Options& options, StepSettings& settings)
+void declare(Options& options, EqualStepsSettings& settings)
 {
     declareUnit(options, settings.unit);
     options.required("from", settings.from, "the lowest intensity").above(0).example("0.3");
@@ -55,7 +55,7 @@ void declare(Options& options, StepSettings& settings)
                   { return faultOfRange(settings.from, settings.to, settings.step, "from, to and step"); });
 }
 
-IntensityPlan planSteps(const StepSettings& settings)
+IntensityPlan planSteps(const EqualStepsSettings& settings)
 {
     return {settings.unit,
             [settings](const std::vector<Trial>& trials)
@@ -213,7 +213,7 @@ const Registry<IntensityPlan>& intensityTypes()
 {
     static const Registry<IntensityPlan> registry{
         "intensity",
-        {model<IntensityPlan, StepSettings>("step", "equal steps", planSteps),
+        {model<IntensityPlan, EqualStepsSettings>("step", "equal steps", planSteps),
          model<IntensityPlan, BisectionSettings>("bisection", "halves a bracket of the least that meets it",
                                                  planBisection),
          model<IntensityPlan, IntensityList>("list", "these", planList)}};

@@ -2,6 +2,7 @@
 /// The capacity curve of a structure: limit analysis of each position on the way of its mechanism.
 #include "statics/Pushover.h"
 
+#include "assembly/BlockShape.h"
 #include "conic/form/Form.h"
 #include "statics/PushoverContacts.h"
 
@@ -78,16 +79,6 @@ void setColumns(StaticProgram<Dim>& program, const PushoverScene<Dim>& scene,
     {
         program.contacts.push_back({column.block, column.neighbour, column.onBlock, column.onNeighbour});
     }
-}
-
-const std::vector<Vector<2>>& cornersOf(const Block<2>& block)
-{
-    return block.outline;
-}
-
-const std::vector<Vector<3>>& cornersOf(const Block<3>& block)
-{
-    return block.shape.vertices;
 }
 
 /// A structure on its way, position by position: contacts and gaps, the program of the position, and the

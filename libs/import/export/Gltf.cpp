@@ -89,9 +89,9 @@ Triangles trianglesAbout(const Vector<3>& centre, const Polyhedron& shape)
     for (const std::vector<int>& face : shape.faces)
     {
         const Vector<3> normal = upright(areaVector(shape, face).normalized());
-        for (const std::array<int, 3>& triangle : trianglesOf(shape, face))
+        for (const std::array<int, 3>& corners : trianglesOf(shape, face))
         {
-            for (const int vertex : triangle)
+            for (const int vertex : corners)
             {
                 places.push_back(upright(shape.vertices[static_cast<std::size_t>(vertex)] - centre));
                 normals.push_back(normal);

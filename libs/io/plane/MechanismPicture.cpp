@@ -25,7 +25,7 @@ namespace
 using Area = Eigen::AlignedBox2d;
 
 /// From metres, y upwards, to pixels, y downwards.
-struct View
+struct PlaneView
 {
     Area world;       ///< [m]
     Vector<2> corner; ///< of the drawing area, upper left [px]
@@ -196,7 +196,7 @@ std::vector<Piece> outlinePieces(const Assembly<2>& assembly, double tolerance)
     return pieces;
 }
 
-void paintFixedBlocks(Canvas& drawing, const Assembly<2>& assembly, const View& view)
+void paintFixedBlocks(Canvas& drawing, const Assembly<2>& assembly, const PlaneView& view)
 {
     // The hatch is one strip behind all of them, because the joints between ground segments have no meaning.
     for (const Block<2>& block : assembly.blocks)
@@ -241,7 +241,7 @@ constexpr double smallBlock = 5;
 
 /// \param moved as parts of the largest displacement, one a block
 void paintBlocks(Canvas& drawing, const Assembly<2>& assembly, const std::vector<Placement<2>>& placements,
-                 const std::vector<double>& moved, const View& view, double blockSize)
+                 const std::vector<double>& moved, const PlaneView& view, double blockSize)
 {
     constexpr int shades = 24;
     const bool areas = blockSize * view.scale < smallBlock;
@@ -290,7 +290,7 @@ Vector<2> movedPlace(const Assembly<2>& assembly, const std::vector<Placement<2>
 
 /// A hinge as a point, a sliding joint as a line, on the block that moves more.
 void paintMarks(Canvas& drawing, const Assembly<2>& assembly, const std::vector<Placement<2>>& placements,
-                const std::vector<JointMark>& marks, const std::vector<double>& moved, const View& view)
+                const std::vector<JointMark>& marks, const std::vector<double>& moved, const PlaneView& view)
 {
     for (const JointMotion motion : {JointMotion::sliding, JointMotion::hinge}) // hinges over lines
     {
@@ -343,7 +343,7 @@ void paintReaction(Canvas& drawing, const Vector<2>& tip, const Vector<2>& direc
 
 /// \return the largest force [N]
 double paintThrust(Canvas& drawing, const Assembly<2>& assembly, const std::vector<JointForce<2>>& thrust,
-                   const View& view, double blockSize)
+                   const PlaneView& view, double blockSize)
 {
     double largest = 0;
     for (const JointForce<2>& joint : thrust)
@@ -422,7 +422,7 @@ Canvas drawnMechanism(const Assembly<2>& assembly, const std::vector<Placement<2
     }
 
     const double blockSize = meanBlockSize(assembly);
-    View view;
+    PlaneView view;
     view.world = shownArea(assembly, placements, blockSize);
     PicturePage page = makePicturePage(picture, view.world.sizes());
     view.scale = page.scale;
