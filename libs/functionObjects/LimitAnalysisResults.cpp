@@ -213,8 +213,9 @@ void writeAnswer(const std::filesystem::path& caseDirectory, const LimitAnalysis
 
     MechanismPicture picture;
     picture.title = caseName(caseDirectory);
-    picture.subtitle = fmt::format("{}, {} blocks, {} contact points", caption(structure, result),
-                                   structure.freeBlocks, structure.points.size());
+    picture.subtitle =
+        fmt::format("{}, {} block{}, {} contact points", caption(structure, result), structure.freeBlocks,
+                    structure.freeBlocks == 1 ? "" : "s", structure.points.size());
     if (const std::optional<EnvelopePoint> worst = worstPlace(structure))
     {
         picture.subtitle += fmt::format(", load from {}", placeText(structure, *worst));
@@ -223,7 +224,10 @@ void writeAnswer(const std::filesystem::path& caseDirectory, const LimitAnalysis
     picture.load = loadArrow(structure, result);
     picture.loadPlaces = loadPlaces(structure, result);
     const double drawn = 0.5 * meanBlockSize(assembly);
-    picture.motion = fmt::format("moved by up to {:.2g} m in this picture", drawn);
+    if (!rates.isZero(0)) // as where no load of its direction makes it collapse
+    {
+        picture.motion = fmt::format("moved by up to {:.2g} m in this picture", drawn);
+    }
     picture.marks = jointMarks<Dim>(assembly, structure.points, structure.friction, rates);
     writeMechanismPicture(file("mechanism"), assembly, mechanismPlacements(assembly, rates, drawn), picture,
                           pictures.formats);

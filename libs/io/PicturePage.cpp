@@ -91,7 +91,10 @@ void paintNotes(PicturePage& page, const MechanismPicture& picture, const Vector
         drawing.text({x + 32, y + 11}, picture.load->label, {.size = size});
         x += 32 + textWidth(picture.load->label, size) + 18;
     }
-    drawing.text({x, y + 11}, picture.motion, {.size = size});
+    if (!picture.motion.empty())
+    {
+        drawing.text({x, y + 11}, picture.motion, {.size = size});
+    }
 }
 
 } // namespace drystone

@@ -3,10 +3,12 @@
 #include "io/MechanismPicture.h"
 
 #include "geometry/PolygonShape.h"
+#include "io/Canvas.h"
 #include "texture/Texture.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -109,6 +111,36 @@ TEST(MechanismPicture, ShowsOfBondedWallsNoBrickUnderAnother)
     const double sill = 0.5 * 0.25 * std::sin(25 * degree);
     EXPECT_GE(top / front, 0.97 * tops / wholeFront);
     EXPECT_LE(top / front, 1.03 * (tops + sill) / wholeFront);
+}
+
+TEST(MechanismPicture, ShowsTheWholeGroundAndNothingOutsideItsPage)
+{
+    const Assembly<3> wall = makeStructure<3>(Dictionary::readString(
+        "dimensions 3;\n"
+        "texture { type walls; unit (0.25 0.125 0.065); bond running; courses 10;\n"
+        "    walls { front { from (0 0); direction (1 0); length 8; thickness left; } } }\n"
+        "supports { ground { type ground; } }\n"));
+    const Canvas drawn = drawnMechanism(wall, std::vector<Placement<3>>(wall.blocks.size()), {});
+    const auto isClip = [](const CanvasShape& shape) { return std::holds_alternative<CanvasClip>(shape); };
+    const auto clip = std::find_if(drawn.shapes.begin(), drawn.shapes.end(), isClip);
+    ASSERT_NE(clip, drawn.shapes.end());
+    const auto& room = std::get<CanvasClip>(*clip);
+    std::size_t polygons = 0;
+    for (auto shape = clip; !std::holds_alternative<CanvasClipEnd>(*shape); ++shape)
+    {
+        if (const auto* path = std::get_if<CanvasPath>(&*shape))
+        {
+            ++polygons;
+            for (const Vector<2>& point : path->pieces.front())
+            {
+                EXPECT_GE(point.x(), room.corner.x());
+                EXPECT_LE(point.x(), room.corner.x() + room.width);
+                EXPECT_GE(point.y(), room.corner.y());
+                EXPECT_LE(point.y(), room.corner.y() + room.height);
+            }
+        }
+    }
+    EXPECT_GT(polygons, wall.blocks.size()); // the ground, first, and the blocks
 }
 
 } // namespace

@@ -276,8 +276,8 @@ void paintBlock(Canvas& drawing, const ShownBlock& block, const View& view, doub
     }
 }
 
-/// The ground under the structure as a plane strip.
-void paintGround(Canvas& drawing, const Assembly<3>& assembly, const View& view, double blockSize)
+/// The ground under the structure as a plane strip, its corners; empty: there is none.
+std::vector<Vector<3>> groundStrip(const Assembly<3>& assembly, double blockSize)
 {
     Box<3> box;
     double top = 0;
@@ -299,16 +299,25 @@ void paintGround(Canvas& drawing, const Assembly<3>& assembly, const View& view,
     }
     if (!hasGround || box.lower.x() > box.upper.x())
     {
-        return;
+        return {};
     }
     const double margin = 0.8 * blockSize;
-    Polygon outline;
-    for (const auto& [x, y] : {std::pair(box.lower.x() - margin, box.lower.y() - margin),
-                               std::pair(box.upper.x() + margin, box.lower.y() - margin),
-                               std::pair(box.upper.x() + margin, box.upper.y() + margin),
-                               std::pair(box.lower.x() - margin, box.upper.y() + margin)})
+    return {{box.lower.x() - margin, box.lower.y() - margin, top},
+            {box.upper.x() + margin, box.lower.y() - margin, top},
+            {box.upper.x() + margin, box.upper.y() + margin, top},
+            {box.lower.x() - margin, box.upper.y() + margin, top}};
+}
+
+void paintGround(Canvas& drawing, const std::vector<Vector<3>>& strip, const View& view)
+{
+    if (strip.empty())
     {
-        outline.push_back(view.onPage({x, y, top}));
+        return;
+    }
+    Polygon outline;
+    for (const Vector<3>& corner : strip)
+    {
+        outline.push_back(view.onPage(corner));
     }
     drawing.polygon(outline, {.fill = "#e6e6e2", .stroke = "#9a9a9a", .strokeWidth = 0.8});
 }
@@ -345,11 +354,16 @@ Canvas drawnMechanism(const Assembly<3>& assembly, const std::vector<Placement<3
         extend<2>(view.world, block.box.lower);
         extend<2>(view.world, block.box.upper);
     }
+    const std::vector<Vector<3>> ground = groundStrip(assembly, blockSize);
+    for (const Vector<3>& corner : ground)
+    {
+        extend<2>(view.world, view.seen(corner));
+    }
     if (shown.empty())
     {
         view.world = {Vector<2>::Zero(), Vector<2>::Ones()};
     }
-    view.world = enlarged<2>(view.world, blockSize);
+    view.world = enlarged<2>(view.world, (ground.empty() ? 1 : 0.3) * blockSize);
     PicturePage page = makePicturePage(picture, view.world.upper - view.world.lower);
     view.scale = page.scale;
     view.corner = page.corner;
@@ -360,7 +374,7 @@ Canvas drawnMechanism(const Assembly<3>& assembly, const std::vector<Placement<3
         furthest = std::max(furthest, block.moved);
     }
     drawing.beginClip("view", page.corner, page.room.x(), page.room.y());
-    paintGround(drawing, assembly, view, blockSize);
+    paintGround(drawing, ground, view);
     MarksToPaint marks = marksToPaint(assembly, picture.marks);
     for (const int i : paintingOrder(shown, view))
     {
