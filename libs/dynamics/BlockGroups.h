@@ -30,6 +30,11 @@ struct BlockGroups
 
     int count() const { return static_cast<int>(blocks.size()); }
     int of(int body) const { return body < 0 ? -1 : group[static_cast<std::size_t>(body)]; }
+    /// Whether a block shares its group with others, or is held.
+    bool isBound(std::size_t body) const
+    {
+        return group[body] < 0 || blocks[static_cast<std::size_t>(group[body])].size() > 1;
+    }
     /// Whether each group is one block.
     bool areSingle() const
     {

@@ -11,12 +11,25 @@ namespace drystone
 namespace
 {
 
-/// A block that is slower than this part of the fastest is held, if that is proved.
-constexpr double slow = 1e-6;
+/// A block that is slower than this part of the fastest is held, if that is proved: the motion of a wall that
+/// breaks dies out into it by powers of ten, and ends where the solver's error begins. By Coulomb's law the
+/// forces beyond decide the motion.
+constexpr double slow = 1e-9;
+constexpr double slowByCoulombsLaw = 1e-6;
+
+constexpr double creeping = 1e-5;
+
+/// Joined blocks are worth it if they make no more bodies than this part of the blocks that are not held, and
+/// if these are few: in a wall that breaks some of so many bodies always part.
+constexpr double worthJoining = 0.5;
+constexpr long mostToJoin = 100;
 
 /// Of the error allowed in gaps: on the length of a joint, and many joints on each other, a gap adds up to
 /// more.
 constexpr double partOfGap = 0.1;
+
+/// Of more failing points than these it is not where bodies have to be parted that is to be learned.
+constexpr std::size_t fewFailing = 20;
 
 /// So many neighbours deep blocks wake up.
 constexpr int rings = 2;
@@ -47,6 +60,12 @@ GroupChoice<Dim>::GroupChoice(const Step<Dim>& step) : current(step)
     holdSlowBlocks();
     joinBlocks();
     number();
+    const auto moving = std::count(isHeld.begin(), isHeld.end(), false);
+    if (current.settings.flowRule == FlowRule::associative
+        && (moving > mostToJoin || bodies() > worthJoining * static_cast<double>(moving)))
+    {
+        wakeBuffer();
+    }
 }
 
 template<int Dim>
@@ -73,11 +92,16 @@ void GroupChoice<Dim>::holdSlowBlocks()
                        + current.scene.blockSize * own.template tail<rotationCount<Dim>>().norm();
     }
     const double fastest = speeds.empty() ? 0 : *std::max_element(speeds.begin(), speeds.end());
-    isHeld.resize(speeds.size());
+    const double held =
+        fastest * (current.settings.flowRule == FlowRule::associative ? slow : slowByCoulombsLaw);
+    isSlow.resize(speeds.size());
+    creeps.resize(speeds.size());
     for (std::size_t body = 0; body < speeds.size(); ++body)
     {
-        isHeld[body] = speeds[body] <= slow * fastest;
+        isSlow[body] = speeds[body] <= held;
+        creeps[body] = speeds[body] <= creeping * fastest;
     }
+    isHeld = isSlow;
 }
 
 template<int Dim>
@@ -151,16 +175,22 @@ void GroupChoice<Dim>::wakeNeighbours(std::vector<char> isAwake)
 }
 
 template<int Dim>
+void GroupChoice<Dim>::wakeBuffer()
+{
+    std::vector<char> isAwake(isHeld.size());
+    std::transform(isHeld.begin(), isHeld.end(), isAwake.begin(), [](char held) { return !held; });
+    wakeNeighbours(std::move(isAwake));
+    isJoined.assign(isJoined.size(), false);
+    number();
+}
+
+template<int Dim>
 void GroupChoice<Dim>::change(const std::vector<std::size_t>& failing)
 {
     const StepProgram<Dim>& program = current.program;
-    if (failing.empty())
+    if (failing.empty() || (!hasBuffer() && failing.size() > fewFailing))
     {
-        std::vector<char> isAwake(isHeld.size());
-        std::transform(isHeld.begin(), isHeld.end(), isAwake.begin(), [](char held) { return !held; });
-        wakeNeighbours(std::move(isAwake));
-        isJoined.assign(isJoined.size(), false);
-        number();
+        wakeBuffer();
         return;
     }
     std::set<std::pair<int, int>> parted;

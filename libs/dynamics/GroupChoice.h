@@ -12,9 +12,11 @@ template<int Dim>
 double keptGap(const Step<Dim>& step);
 
 /// A guess from the velocities at the start of the step, after its impacts, and from the forces of the last
-/// one: blocks that are slower than 1e-6 of the fastest are held; others are one where they touch at a closed
-/// point that carries a force, at which the step would move them against each other, and turn them, by less
-/// than a gap that is kept; by the associative law only. Holds a reference to the step.
+/// one: blocks that are slower than 1e-9 of the fastest are held (by Coulomb's law 1e-6); others are one
+/// where they touch at a closed point that carries a force, at which the step would move them against each
+/// other, and turn them, by less than a gap that is kept; by the associative law only. Where that makes
+/// hardly fewer bodies, blocks about those that move are not held but simulated, as a buffer: then what moves
+/// presses upon them with forces that they can hand on. Holds a reference to the step.
 template<int Dim>
 class GroupChoice
 {
@@ -23,6 +25,16 @@ public:
 
     /// A number for each free block, the same for those that move as one; -1: held.
     const std::vector<int>& groups() const { return group; }
+
+    /// Whether a free block is simulated although it is slow enough to be held.
+    bool isBuffer(int body) const
+    {
+        return isSlow[static_cast<std::size_t>(body)] && !isHeld[static_cast<std::size_t>(body)];
+    }
+    /// Whether it is slower than 1e-5 of the fastest.
+    bool isCreeping(int body) const { return creeps[static_cast<std::size_t>(body)]; }
+    /// Whether there are such blocks.
+    bool hasBuffer() const { return isSlow != isHeld; }
 
     /// How many bodies that makes, what is held aside.
     int bodies() const;
@@ -36,11 +48,14 @@ private:
     void holdSlowBlocks();
     void joinBlocks();
     void wakeNeighbours(std::vector<char> isAwake);
+    void wakeBuffer();
     void number();
     void partWholly(const std::vector<std::size_t>& failing);
 
     const Step<Dim>& current;
-    std::vector<char> isHeld;   ///< of each free block
+    std::vector<char> isSlow;   ///< of each free block
+    std::vector<char> creeps;   ///< likewise
+    std::vector<char> isHeld;   ///< likewise
     std::vector<char> isJoined; ///< of each point: its blocks move as one
     std::vector<int> group;
 };

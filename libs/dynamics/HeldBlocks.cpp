@@ -2,12 +2,8 @@
 /// The program of the bodies that a step is taken with, and the forces that hold each of them together.
 #include "dynamics/HeldBlocks.h"
 
-#include "conic/BalancedForces.h"
-#include "conic/form/Form.h"
-#include "dynamics/BlockGroups.h"
-#include "dynamics/ClosedPoints.h"
-#include "dynamics/GroupChoice.h"
-#include "dynamics/RestingStep.h"
+#include "dynamics/BodiesStep.h"
+#include "dynamics/HoldingForces.h"
 
 #include <algorithm>
 
@@ -22,27 +18,8 @@ constexpr double mostBodies = 0.7;
 /// Where a guess is not proved it is changed so many times less one.
 constexpr int attempts = 3;
 
-/// Where more than this share of the points within bodies fail, another guess is of no use.
-constexpr double mostFailing = 0.2;
-
-/// Forces within the bodies are known to this part of the tolerance of the step.
-constexpr double innerPartOfTolerance = 0.1;
-
-/// The balance of the blocks within the bodies: over the closed points there, under what they lack.
-template<int Dim>
-struct InnerBalance
-{
-    StepProgram<Dim> program;        ///< of all blocks, loads of those that share a body or are held
-    std::vector<std::size_t> points; ///< of it
-};
-
-/// Whether a block shares its body with others, or is held.
-template<int Dim>
-bool isBound(const BlockGroups<Dim>& groups, std::size_t body)
-{
-    const int group = groups.group[body];
-    return group < 0 || groups.blocks[static_cast<std::size_t>(group)].size() > 1;
-}
+/// More bodies than this, where some of them are expected at rest, cost nearly what all blocks do.
+constexpr double mostBodiesWithBuffer = 0.5;
 
 /// See Step::isShared.
 template<int Dim>
@@ -54,100 +31,16 @@ std::vector<char> sharedBlocks(const BlockGroups<Dim>& groups)
         isShared.resize(groups.group.size());
         for (std::size_t body = 0; body < isShared.size(); ++body)
         {
-            isShared[body] = groups.group[body] >= 0 && isBound(groups, body);
+            isShared[body] = groups.group[body] >= 0 && groups.isBound(body);
         }
     }
     return isShared;
-}
-
-/// \param missing f - Mbar y - A_O c_O
-template<int Dim>
-InnerBalance<Dim> innerBalance(const Step<Dim>& step, const BlockGroups<Dim>& groups, Eigen::VectorXd missing)
-{
-    const StepProgram<Dim>& whole = step.program;
-    InnerBalance<Dim> inner;
-    inner.program.bodies = whole.bodies;
-    inner.program.inertia = whole.inertia;
-    inner.program.load = std::move(missing);
-    for (std::size_t body = 0; body < groups.group.size(); ++body)
-    {
-        if (!isBound(groups, body))
-        {
-            inner.program.load
-                .template segment<freedomCount<Dim>>(freedomCount<Dim> * static_cast<Eigen::Index>(body))
-                .setZero();
-        }
-    }
-    const std::vector<char> isClosed = closedPoints<Dim>(whole, step.settings.solver.tolerance);
-    std::vector<double> gaps;
-    for (const std::size_t point : groups.inner)
-    {
-        const auto& contact = whole.contacts[point];
-        const bool moves = groups.of(contact.first >= 0 ? contact.first : contact.second) >= 0;
-        const double gap = whole.gap[Dim * static_cast<Eigen::Index>(point)];
-        if (moves ? std::abs(gap) <= keptGap(step) : isClosed[point])
-        {
-            inner.points.push_back(point);
-            inner.program.contacts.push_back(contact);
-            inner.program.friction.push_back(whole.friction[point]);
-            gaps.push_back(moves ? 0 : gap);
-        }
-    }
-    inner.program.gap = Eigen::VectorXd::Zero(Dim * static_cast<Eigen::Index>(gaps.size()));
-    for (std::size_t i = 0; i < gaps.size(); ++i)
-    {
-        inner.program.gap[Dim * static_cast<Eigen::Index>(i)] = gaps[i];
-    }
-    return inner;
-}
-
-/// The program from which forces are found: one block of each body that moves is as good as the ground of the
-/// others, since their balance is its own.
-template<int Dim>
-StepProgram<Dim> withGroundInBodies(const BlockGroups<Dim>& groups, StepProgram<Dim> program)
-{
-    std::vector<char> isGround(groups.group.size(), false);
-    for (const std::vector<int>& blocks : groups.blocks)
-    {
-        if (blocks.size() > 1)
-        {
-            isGround[static_cast<std::size_t>(blocks.front())] = true;
-            program.load.template segment<freedomCount<Dim>>(freedomCount<Dim> * blocks.front()).setZero();
-        }
-    }
-    for (auto& contact : program.contacts)
-    {
-        for (int* body : {&contact.first, &contact.second})
-        {
-            *body = *body >= 0 && isGround[static_cast<std::size_t>(*body)] ? -1 : *body;
-        }
-    }
-    program.inertia.clear();
-    return program;
 }
 
 Certificate larger(const Certificate& one, const Certificate& other)
 {
     return {std::max(one.primalResidual, other.primalResidual),
             std::max(one.dualResidual, other.dualResidual), std::max(one.gap, other.gap)};
-}
-
-/// The interior of the bodies' program among all blocks; zero at the points within, as if they were new.
-template<int Dim>
-InteriorStart interiorOfWhole(const BlockGroups<Dim>& groups, const StepProgram<Dim>& whole,
-                              const InteriorStart& own)
-{
-    if (own.isEmpty())
-    {
-        return {};
-    }
-    InteriorStart interior;
-    interior.contactForce = Eigen::VectorXd::Zero(whole.gap.size());
-    interior.opening = Eigen::VectorXd::Zero(whole.gap.size());
-    putInto<Dim>(groups.outer, own.contactForce, interior.contactForce);
-    putInto<Dim>(groups.outer, own.opening, interior.opening);
-    interior.displacement = linearDisplacement(groups, own.displacement);
-    return interior;
 }
 
 /// How a guess came out.
@@ -157,74 +50,61 @@ struct Outcome
     std::vector<std::size_t> failing; ///< points of the whole that are not; none: nothing is known
 };
 
-/// Gives the solution of the bodies to all blocks. \param displacement of the bodies
+/// Gives the solution of the bodies to all blocks. \param displacement of the bodies \param forces of all
+/// points
 template<int Dim>
-void takeOver(Step<Dim>& step, const BlockGroups<Dim>& groups, const StepProgram<Dim>& whole, ThetaStep own,
-              Eigen::VectorXd forces, const Eigen::VectorXd& displacement)
+void takeOver(Step<Dim>& step, BodiesStep<Dim> bodies, Eigen::VectorXd forces,
+              const Eigen::VectorXd& displacement)
 {
     ThetaStep& result = step.solved.result;
-    result = std::move(own);
-    result.displacement = displacementOfBlocks(groups, displacement);
+    result = std::move(bodies.step);
+    result.displacement = displacementOfBlocks(bodies.groups, displacement);
     result.contactForce = std::move(forces);
-    result.closing = applyTransposed(whole, result.displacement);
-    result.interior = interiorOfWhole(groups, whole, result.interior);
+    result.closing = applyTransposed(bodies.whole, result.displacement);
+    result.interior = std::move(bodies.interior);
+    result.load.resize(0);
+    result.gap.resize(0);
 }
 
+/// \param groups become those that the step was proved with
 template<int Dim>
-Outcome solveGroups(Step<Dim>& step, const BlockGroups<Dim>& groups)
+Outcome solveGroups(Step<Dim>& step, BlockGroups<Dim>& groups, const GroupChoice<Dim>& choice)
 {
-    StepProgram<Dim> whole = step.program;
-    const double tolerance = step.settings.solver.tolerance;
-    const StepProgram<Dim> program = programOfGroups(groups, whole);
-    ThetaStep own = solveThetaStep(program, step.settings, guessOfGroups(groups, whole, program, step.guess),
-                                   relinearisationOfGroups(step, groups, whole), step.motion.symbolic.get());
-    countWork(step, own.iterations, own.factorisations, own.programs);
-    if (own.status != SolveStatus::optimal)
+    BodiesStep<Dim> bodies = solveBodies(step, groups, choice);
+    if (bodies.step.status != SolveStatus::optimal)
     {
         return {};
     }
-    Eigen::VectorXd displacement = own.displacement;
-    if (!groups.areSingle())
+    const double tolerance = step.settings.solver.tolerance;
+    if (choice.hasBuffer())
     {
-        displacement = balancedDisplacement(groups, whole, program, own.contactForce, displacement);
-        if ((displacement - own.displacement).template lpNorm<Eigen::Infinity>()
+        holdBodiesAtRest(step, bodies);
+    }
+    Eigen::VectorXd displacement = bodies.step.displacement;
+    if (!bodies.groups.areSingle())
+    {
+        displacement = balancedDisplacement(bodies.groups, bodies.whole, bodies.program,
+                                            bodies.step.contactForce, displacement);
+        if ((displacement - bodies.step.displacement).template lpNorm<Eigen::Infinity>()
             > tolerance * displacement.lpNorm<Eigen::Infinity>())
         {
             return {};
         }
     }
-    Eigen::VectorXd forces = Eigen::VectorXd::Zero(whole.gap.size());
-    putInto<Dim>(groups.outer, own.contactForce, forces);
-    const Eigen::VectorXd y = displacementOfBlocks(groups, displacement);
-    const InnerBalance<Dim> inner = innerBalance(
-        step, groups, Eigen::VectorXd(whole.load - applyInertia(whole, y) - applyEquilibrium(whole, forces)));
-    const Eigen::VectorXd near = takenFrom<Dim>(inner.points, step.guess.contactForce);
-    const Eigen::VectorXd holding =
-        nearestForces(withGroundInBodies(groups, inner.program), near, innerPartOfTolerance * tolerance,
-                      *step.motion.symbolicOfHeld.get());
-    ++step.motion.attempt.factorisations;
-    if (holding.size() != inner.program.gap.size())
+    Eigen::VectorXd forces = forcesBetween(bodies);
+    const Eigen::VectorXd y = displacementOfBlocks(bodies.groups, displacement);
+    HoldingForces holding =
+        findHoldingForces(step, bodies.groups,
+                          Eigen::VectorXd(bodies.whole.load - applyInertia(bodies.whole, y)
+                                          - applyEquilibrium(bodies.whole, forces)),
+                          forces);
+    if (!holding.isFound)
     {
-        return {};
+        return {false, std::move(holding.failing)};
     }
-    std::vector<std::size_t> failing =
-        pointsOutside(inner.program, near, holding, step.scene.schemes.effects.margin);
-    if (!failing.empty())
-    {
-        for (std::size_t& point : failing)
-        {
-            point = inner.points[point];
-        }
-        return {false, std::move(failing)};
-    }
-    const Rest rest = restWith(inner.program, holding);
-    if (rest.certificate.worst() > tolerance)
-    {
-        return {};
-    }
-    putInto<Dim>(inner.points, holding, forces);
-    own.certificate = larger(own.certificate, rest.certificate);
-    takeOver(step, groups, whole, std::move(own), std::move(forces), displacement);
+    bodies.step.certificate = larger(bodies.step.certificate, holding.certificate);
+    groups = bodies.groups;
+    takeOver(step, std::move(bodies), std::move(forces), displacement);
     return {true, {}};
 }
 
@@ -283,18 +163,24 @@ bool solveAwake(Step<Dim>& step)
     {
         return false;
     }
+    // Work in vain takes nothing from the step with all blocks, which is solved as if it had come first.
+    const double done = step.motion.work.done;
     GroupChoice<Dim> choice(step);
+    int bodiesBefore = 0;
     for (int attempt = 0; attempt < attempts; ++attempt)
     {
         const int bodies = choice.bodies();
-        if (bodies == 0 || bodies > mostBodies * program.bodies)
+        const double most = (choice.hasBuffer() ? mostBodiesWithBuffer : mostBodies) * program.bodies;
+        if (bodies == bodiesBefore || bodies > most)
         {
-            return false;
+            break;
         }
-        const BlockGroups<Dim> groups = blockGroups(step, choice.groups());
+        bodiesBefore = bodies;
+        BlockGroups<Dim> groups = blockGroups(step, choice.groups());
         step.isShared = sharedBlocks(groups);
-        step.measuredPoints = &groups.outer;
-        const Outcome outcome = solveGroups(step, groups);
+        const std::vector<std::size_t> measured = groups.outer;
+        step.measuredPoints = &measured;
+        const Outcome outcome = solveGroups(step, groups, choice);
         step.measuredPoints = nullptr;
         step.isShared.clear();
         if (outcome.isProved)
@@ -302,13 +188,9 @@ bool solveAwake(Step<Dim>& step)
             keepGroups(step, groups);
             return true;
         }
-        if (static_cast<double>(outcome.failing.size())
-            > mostFailing * static_cast<double>(groups.inner.size()))
-        {
-            return false;
-        }
         choice.change(outcome.failing);
     }
+    step.motion.work.done = done;
     return false;
 }
 

@@ -22,16 +22,18 @@ namespace drystone
 /// law it is one, too, as nothing slides within. Its certificate is the larger of those of the two parts,
 /// with the tolerance of every step. For what is held this says that forces at rest exist; for what moves,
 /// that they exist in axes that move along with the body, with its inertial forces among the loads. c_I is
-/// found from the forces of the last step by one factorisation (conic/BalancedForces.h), no farther to the
-/// surface of the cones than the margin. Points of bodies that move keep the gaps that they had, which
-/// are within the error that each step is allowed in them.
+/// found from the forces of the last step (HoldingForces.h). Points of bodies, and of what is held, keep the
+/// gaps that they had, which are within the error that each step is allowed in them.
 ///
-/// Which blocks are held, or are one, is a guess, from their velocities, that the proof does not depend on;
-/// where it is not proved at some points it is tried again with bodies parted there and blocks about them
-/// awake. Bonds between blocks that are held or one do not matter where friction alone carries c_I. With
-/// restitution points of the bodies collide as they do with everything on, and the step is solved again from
-/// the velocities after the impact. \return whether `solved.result` is the step; otherwise it is to be solved
-/// with all blocks
+/// Which blocks are held, or are one, is a guess, from their velocities, that the proof does not depend on
+/// (GroupChoice.h). c_O is not unique, and of those that what is held could bear as ground most are more than
+/// it can bear as blocks. So blocks about those that move are simulated with them, as a buffer, and those of
+/// them that the solution leaves at rest are held after it (BodiesStep.h): c_O is then what moves and its
+/// surroundings have agreed upon. Where it is not proved at some points it is tried again with bodies parted
+/// there and blocks about them awake. Bonds between blocks that are held or one do not matter where friction
+/// alone carries c_I. With restitution points of the bodies collide as they do with everything on, and the
+/// step is solved again from the velocities after the impact. \return whether `solved.result` is the step;
+/// otherwise it is to be solved with all blocks
 template<int Dim>
 bool solveAwake(Step<Dim>& step);
 

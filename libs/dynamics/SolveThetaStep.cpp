@@ -243,6 +243,8 @@ bool StepSearch<Dim>::solveProgram()
     {
         program.gap[Dim * point] = gap[Dim * point] + imposed[point];
     }
+    step.load = program.load;
+    step.gap = program.gap;
     return solveOnce(step, program, withinWork(settings, step, program), start, symbolic);
 }
 

@@ -102,6 +102,8 @@ struct ThetaStep
     Eigen::VectorXd closing;      ///< A'y, likewise: by how much the points close and slide [m]
     InteriorStart interior;       ///< of the last program that had one, else the guess's
     Certificate certificate;      ///< of the last program solved
+    Eigen::VectorXd load;         ///< of that program, rows of each free block; or empty: as given
+    Eigen::VectorXd gap;          ///< likewise, (normal, tangent) of each point [m]
     double initialResidual =
         0;                  ///< worst figure of the certificate of the guess "no motion, forces as before"
     double flowError = 0;   ///< by how much mu |u_t| is missed, at the worst of the points that touch [m]

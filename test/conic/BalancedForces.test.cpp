@@ -48,6 +48,34 @@ Eigen::VectorXd balancedForces(const Program& program, const Eigen::VectorXd& ne
     return pointsOutside(program, near, forces, margin).empty() ? forces : Eigen::VectorXd();
 }
 
+/// Bodies each on two points of its own, the first under a push of its own.
+PlaneConeProgram bodiesInARow(int count, double push)
+{
+    PlaneConeProgram program;
+    program.bodies = count;
+    program.load.resize(3 * count);
+    for (int body = 0; body < count; ++body)
+    {
+        const PlaneConeProgram one = bodyOnTwoPoints({body == 0 ? push : 0, -1, 0});
+        program.load.segment<3>(3 * body) = one.load;
+        for (std::size_t point = 0; point < one.contacts.size(); ++point)
+        {
+            program.contacts.push_back(one.contacts[point]);
+            program.contacts.back().first = body;
+            program.friction.push_back(mu);
+        }
+    }
+    return program;
+}
+
+/// Forces that balance the loads of a row, the first two beyond friction.
+Eigen::VectorXd forcesBeyondFriction(int count, double push)
+{
+    Eigen::VectorXd forces = evenForces().replicate(count, 1);
+    forces.head<4>() << 0.5 - push / 2, 0.4 - push / 2, 0.5 + push / 2, -0.4 - push / 2;
+    return forces;
+}
+
 } // namespace
 
 TEST(BalancedForces, TheyBalanceTheLoadInsideTheCones)
@@ -125,4 +153,40 @@ TEST(BalancedForces, RoundConesOfSpaceLikewise)
     {
         EXPECT_LE(forces.segment<2>(3 * point + 1).norm(), mu * forces[3 * point]);
     }
+}
+
+TEST(BalancedForces, ForcesOutsideTheConesAreRepairedAndOthersStay)
+{
+    const PlaneConeProgram program = bodiesInARow(20, 0.2);
+    const Eigen::VectorXd forces = forcesBeyondFriction(20, 0.2);
+    ASSERT_LT((applyEquilibrium(program, forces) - program.load).norm(), 1e-15);
+    const std::vector<std::size_t> outside = pointsOutside(program, forces, forces, 0);
+    ASSERT_EQ(outside, (std::vector<std::size_t>{0, 1}));
+    int factorisations = 0;
+    const Eigen::VectorXd repaired = repairedForces(program, forces, outside, 1e-11, factorisations);
+    ASSERT_EQ(repaired.size(), forces.size());
+    EXPECT_EQ(repaired.tail(76), forces.tail(76));
+    EXPECT_GT(factorisations, 0);
+    ConeSolution rest;
+    rest.contactForce = repaired;
+    rest.displacement = Eigen::VectorXd::Zero(program.load.size());
+    EXPECT_LE(certifyOptimal(program, rest).worst(), 1e-11);
+}
+
+// A push of 0.6 is beyond the friction of 0.5. The others of the row have nothing to do with it: the search
+// for more neighbours ends.
+TEST(BalancedForces, NoForcesAreRepairedWhereThereAreNone)
+{
+    const PlaneConeProgram program = bodiesInARow(20, 0.6);
+    int factorisations = 0;
+    EXPECT_EQ(repairedForces(program, forcesBeyondFriction(20, 0.6), {1}, 1e-11, factorisations).size(), 0);
+}
+
+// Where half of the bodies and more would have to be found anew, a program of all is as good.
+TEST(BalancedForces, OfALargePartNoneAreRepaired)
+{
+    const PlaneConeProgram program = bodiesInARow(1, 0.2);
+    int factorisations = 0;
+    EXPECT_EQ(repairedForces(program, forcesBeyondFriction(1, 0.2), {1}, 1e-11, factorisations).size(), 0);
+    EXPECT_EQ(factorisations, 0);
 }

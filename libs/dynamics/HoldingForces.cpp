@@ -1,0 +1,153 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The balance of the blocks within bodies: the nearest forces, repaired and certified.
+#include "dynamics/HoldingForces.h"
+
+#include "conic/BalancedForces.h"
+#include "conic/form/Form.h"
+#include "dynamics/ClosedPoints.h"
+#include "dynamics/GroupChoice.h"
+#include "dynamics/RestingStep.h"
+
+namespace drystone
+{
+namespace
+{
+
+/// Forces within the bodies are known to this part of the tolerance of the step.
+constexpr double innerPartOfTolerance = 0.1;
+
+/// Where more than this share of the points within bodies fail, nothing is known of these.
+constexpr double mostFailing = 0.2;
+
+/// The balance of the blocks within the bodies: over the closed points there, under what they lack.
+template<int Dim>
+struct InnerBalance
+{
+    StepProgram<Dim> program;        ///< of all blocks, loads of those that share a body or are held
+    std::vector<std::size_t> points; ///< of it
+};
+
+/// \param missing f - Mbar y - A_O c_O
+template<int Dim>
+InnerBalance<Dim> innerBalance(const Step<Dim>& step, const BlockGroups<Dim>& groups, Eigen::VectorXd missing)
+{
+    const StepProgram<Dim>& whole = step.program;
+    InnerBalance<Dim> inner;
+    inner.program.bodies = whole.bodies;
+    inner.program.inertia = whole.inertia;
+    inner.program.load = std::move(missing);
+    for (std::size_t body = 0; body < groups.group.size(); ++body)
+    {
+        if (!groups.isBound(body))
+        {
+            inner.program.load
+                .template segment<freedomCount<Dim>>(freedomCount<Dim> * static_cast<Eigen::Index>(body))
+                .setZero();
+        }
+    }
+    const std::vector<char> isClosed = closedPoints<Dim>(whole, step.settings.solver.tolerance);
+    const double kept = keptGap(step);
+    std::vector<double> gaps;
+    for (const std::size_t point : groups.inner)
+    {
+        const auto& contact = whole.contacts[point];
+        const bool moves = groups.of(contact.first >= 0 ? contact.first : contact.second) >= 0;
+        const double gap = whole.gap[Dim * static_cast<Eigen::Index>(point)];
+        if (std::abs(gap) <= kept || (isClosed[point] && !moves))
+        {
+            inner.points.push_back(point);
+            inner.program.contacts.push_back(contact);
+            inner.program.friction.push_back(whole.friction[point]);
+            gaps.push_back(std::abs(gap) <= kept ? 0 : gap);
+        }
+    }
+    inner.program.gap = Eigen::VectorXd::Zero(Dim * static_cast<Eigen::Index>(gaps.size()));
+    for (std::size_t i = 0; i < gaps.size(); ++i)
+    {
+        inner.program.gap[Dim * static_cast<Eigen::Index>(i)] = gaps[i];
+    }
+    return inner;
+}
+
+/// The program from which forces are found: one block of each body that moves is as good as the ground of the
+/// others, since their balance is its own.
+template<int Dim>
+StepProgram<Dim> withGroundInBodies(const BlockGroups<Dim>& groups, StepProgram<Dim> program)
+{
+    std::vector<char> isGround(groups.group.size(), false);
+    for (const std::vector<int>& blocks : groups.blocks)
+    {
+        if (blocks.size() > 1)
+        {
+            isGround[static_cast<std::size_t>(blocks.front())] = true;
+            program.load.template segment<freedomCount<Dim>>(freedomCount<Dim> * blocks.front()).setZero();
+        }
+    }
+    for (auto& contact : program.contacts)
+    {
+        for (int* body : {&contact.first, &contact.second})
+        {
+            *body = *body >= 0 && isGround[static_cast<std::size_t>(*body)] ? -1 : *body;
+        }
+    }
+    program.inertia.clear();
+    return program;
+}
+
+} // namespace
+
+template<int Dim>
+HoldingForces findHoldingForces(Step<Dim>& step, const BlockGroups<Dim>& groups, Eigen::VectorXd missing,
+                                Eigen::VectorXd& forces)
+{
+    const double tolerance = step.settings.solver.tolerance;
+    const double closer = innerPartOfTolerance * tolerance;
+    const InnerBalance<Dim> inner = innerBalance(step, groups, std::move(missing));
+    const StepProgram<Dim> balance = withGroundInBodies(groups, inner.program);
+    const Eigen::VectorXd near = takenFrom<Dim>(inner.points, step.guess.contactForce);
+    int& factorisations = step.motion.attempt.factorisations;
+    Eigen::VectorXd holding = nearestForces(balance, near, closer, *step.motion.symbolicOfHeld.get());
+    ++factorisations;
+    if (holding.size() != inner.program.gap.size())
+    {
+        return {};
+    }
+    std::vector<std::size_t> failing =
+        pointsOutside(inner.program, near, holding, step.scene.schemes.effects.margin);
+    if (static_cast<double>(failing.size()) > mostFailing * static_cast<double>(inner.points.size()))
+    {
+        return {};
+    }
+    if (!failing.empty() && step.settings.flowRule == FlowRule::associative)
+    {
+        const Eigen::VectorXd repaired = repairedForces(balance, holding, failing, closer, factorisations);
+        if (repaired.size() > 0)
+        {
+            holding = repaired;
+            failing.clear();
+        }
+    }
+    if (!failing.empty())
+    {
+        for (std::size_t& point : failing)
+        {
+            point = inner.points[point];
+        }
+        return {false, {}, std::move(failing)};
+    }
+    HoldingForces found;
+    found.certificate = restWith(inner.program, holding).certificate;
+    found.isFound = found.certificate.worst() <= tolerance;
+    if (found.isFound)
+    {
+        putInto<Dim>(inner.points, holding, forces);
+    }
+    return found;
+}
+
+template HoldingForces findHoldingForces(Step<2>& step, const BlockGroups<2>& groups, Eigen::VectorXd missing,
+                                         Eigen::VectorXd& forces);
+template HoldingForces findHoldingForces(Step<3>& step, const BlockGroups<3>& groups, Eigen::VectorXd missing,
+                                         Eigen::VectorXd& forces);
+
+} // namespace drystone
