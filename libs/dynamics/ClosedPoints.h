@@ -7,6 +7,9 @@
 namespace drystone
 {
 
+/// Forces at rest are known to this part of the tolerance, so that sums and means of them meet it.
+constexpr double partOfTolerance = 0.1;
+
 /// Whether each point is closed, or so nearly that the certificate of rest allows a force there: the work of
 /// a force on its gap is compared with that of the largest load on how far it would move its body in the
 /// step. \param tolerance of the certificate

@@ -13,9 +13,6 @@ namespace drystone
 namespace
 {
 
-/// Forces within the bodies are known to this part of the tolerance of the step.
-constexpr double innerPartOfTolerance = 0.1;
-
 /// Where more than this share of the points within bodies fail, nothing is known of these.
 constexpr double mostFailing = 0.2;
 
@@ -101,7 +98,7 @@ HoldingForces findHoldingForces(Step<Dim>& step, const BlockGroups<Dim>& groups,
                                 Eigen::VectorXd& forces)
 {
     const double tolerance = step.settings.solver.tolerance;
-    const double closer = innerPartOfTolerance * tolerance;
+    const double closer = partOfTolerance * tolerance;
     const InnerBalance<Dim> inner = innerBalance(step, groups, std::move(missing));
     const StepProgram<Dim> balance = withGroundInBodies(groups, inner.program);
     const Eigen::VectorXd near = takenFrom<Dim>(inner.points, step.guess.contactForce);

@@ -2,7 +2,10 @@
 /// Forces at rest of the dead load and of loads that are just carried, and what lies between them.
 #include "dynamics/RestProof.h"
 
+#include "conic/BalancedForces.h"
 #include "conic/InteriorPoint.h"
+#include "conic/form/Form.h"
+#include "dynamics/BlockGroups.h"
 #include "dynamics/ClosedPoints.h"
 
 #include <Eigen/Dense>
@@ -14,9 +17,6 @@ namespace drystone
 {
 namespace
 {
-
-/// Forces are known to this part of the tolerance, so that their means meet it.
-constexpr double partOfTolerance = 0.1;
 
 /// A load of which the structure carries any amount is known up to so many times the dead load.
 constexpr double timesDeadLoad = 10;
@@ -47,65 +47,116 @@ Eigen::VectorXd ofTouched(const StepProgram<Dim>& program, Eigen::VectorXd rows)
     return rows;
 }
 
-/// Solves the balance of the dead load, and of as much as possible of another one, by forces of closed
-/// points. \param live or empty \return with forces of all points
+/// The balance over the closed points.
 template<int Dim>
-ConeSolution solveBalance(RestProof<Dim>& proof, const Eigen::VectorXd& live)
+struct ClosedBalance
+{
+    StepProgram<Dim> program;        ///< its load the dead load
+    std::vector<std::size_t> points; ///< of it, in the proof's program
+
+    /// Forces of all points.
+    Eigen::VectorXd ofAll(const StepProgram<Dim>& whole, const Eigen::VectorXd& forces) const
+    {
+        Eigen::VectorXd all = Eigen::VectorXd::Zero(Dim * whole.points());
+        putInto<Dim>(points, forces, all);
+        return all;
+    }
+};
+
+template<int Dim>
+ClosedBalance<Dim> closedBalance(const RestProof<Dim>& proof)
 {
     const StepProgram<Dim>& program = proof.program;
     const std::vector<char> isClosed = closedPoints<Dim>(program, proof.tolerance);
-    StepProgram<Dim> balance;
-    balance.bodies = program.bodies;
-    balance.load = proof.deadLoad;
-    balance.liveLoad = live;
+    ClosedBalance<Dim> balance;
+    balance.program.bodies = program.bodies;
+    balance.program.load = proof.deadLoad;
     for (std::size_t point = 0; point < isClosed.size(); ++point)
     {
         if (isClosed[point])
         {
-            balance.contacts.push_back(program.contacts[point]);
-            balance.friction.push_back(program.friction[point]);
+            balance.points.push_back(point);
+            balance.program.contacts.push_back(program.contacts[point]);
+            balance.program.friction.push_back(program.friction[point]);
             if (program.hasStrength())
             {
-                balance.strength.push_back(program.strength[point]);
+                balance.program.strength.push_back(program.strength[point]);
             }
+        }
+    }
+    return balance;
+}
+
+template<int Dim>
+ConeSolution solveCounted(RestProof<Dim>& proof, const StepProgram<Dim>& balance,
+                          const InteriorPointSettings& settings)
+{
+    ConeSolution solution = solveInteriorPoint(balance, settings);
+    ++proof.programs;
+    proof.factorisations += solution.factorisations;
+    return solution;
+}
+
+/// Nearly the largest multiple of a load that is carried with the dead load, from a program that is solved
+/// roughly: most of it, and a little of the forces of the dead load, which are inside the cones, by the
+/// nearest forces that balance them. A program of a wall with one degenerate joint may take hundreds of
+/// factorisations to its last digits, which a proof has no use for.
+template<int Dim>
+typename RestProof<Dim>::Carried nearlyMostOf(RestProof<Dim>& proof, ClosedBalance<Dim> balance)
+{
+    constexpr double roughly = 1e-6;
+    constexpr double part = 0.9999; // what is left is far more than roughly
+    InteriorPointSettings settings;
+    settings.tolerance = roughly;
+    settings.arithmetic = Arithmetic::standard;
+    const ConeSolution solution = solveCounted(proof, balance.program, settings);
+    if (solution.status != SolveStatus::optimal || solution.multiplier <= 0)
+    {
+        return {};
+    }
+    const double factor = part * solution.multiplier;
+    balance.program.load += factor * balance.program.liveLoad;
+    balance.program.liveLoad.resize(0);
+    const Eigen::VectorXd near =
+        part * solution.contactForce + (1 - part) * takenFrom<Dim>(balance.points, proof.forcesOfDeadLoad);
+    SymbolicAnalysis symbolic;
+    const Eigen::VectorXd forces =
+        nearestForces(balance.program, near, partOfTolerance * proof.tolerance, symbolic);
+    ++proof.factorisations;
+    if (forces.size() == 0 || !pointsOutside(balance.program, near, forces, 0).empty())
+    {
+        return {};
+    }
+    return {factor, balance.ofAll(proof.program, forces)};
+}
+
+/// The largest multiple of a load that is carried with the dead load, or nearly.
+template<int Dim>
+typename RestProof<Dim>::Carried mostOf(RestProof<Dim>& proof, const Eigen::VectorXd& live)
+{
+    ClosedBalance<Dim> balance = closedBalance(proof);
+    balance.program.liveLoad = live;
+    if (!balance.program.hasStrength()) // of which nearest forces know nothing
+    {
+        typename RestProof<Dim>::Carried nearly = nearlyMostOf(proof, balance);
+        if (nearly.factor > 0)
+        {
+            return nearly;
         }
     }
     InteriorPointSettings settings;
     settings.tolerance = partOfTolerance * proof.tolerance;
-    ConeSolution solution = solveInteriorPoint(balance, settings);
-    ++proof.programs;
-    proof.factorisations += solution.factorisations;
-    if (solution.contactForce.size() == 0)
-    {
-        return solution;
-    }
-    const Eigen::VectorXd ofClosed = std::move(solution.contactForce);
-    solution.contactForce = Eigen::VectorXd::Zero(Dim * program.points());
-    for (std::size_t point = 0, closed = 0; point < isClosed.size(); ++point)
-    {
-        if (isClosed[point])
-        {
-            solution.contactForce.segment<Dim>(Dim * static_cast<Eigen::Index>(point)) =
-                ofClosed.segment<Dim>(Dim * static_cast<Eigen::Index>(closed++));
-        }
-    }
-    return solution;
-}
-
-/// The largest multiple of a load that is carried with the dead load.
-template<int Dim>
-typename RestProof<Dim>::Carried mostOf(RestProof<Dim>& proof, const Eigen::VectorXd& live)
-{
-    ConeSolution solution = solveBalance(proof, live);
+    const ConeSolution solution = solveCounted(proof, balance.program, settings);
     if (solution.status == SolveStatus::optimal && solution.multiplier > 0)
     {
-        return {solution.multiplier, std::move(solution.contactForce)};
+        return {solution.multiplier, balance.ofAll(proof.program, solution.contactForce)};
     }
     if (solution.status == SolveStatus::unbounded)
     {
         const double factor = timesDeadLoad * proof.deadLoad.template lpNorm<Eigen::Infinity>()
                               / live.lpNorm<Eigen::Infinity>();
-        return {factor, proof.forcesOfDeadLoad + factor * solution.contactForce};
+        return {factor,
+                proof.forcesOfDeadLoad + factor * balance.ofAll(proof.program, solution.contactForce)};
     }
     return {};
 }
@@ -176,10 +227,13 @@ RestProof<Dim> proofOfRest(StepProgram<Dim> program, double timeStep, Eigen::Vec
             proof.directions.push_back(direction);
         }
     }
-    const ConeSolution solution = solveBalance(proof, {});
+    const ClosedBalance<Dim> balance = closedBalance(proof);
+    InteriorPointSettings settings;
+    settings.tolerance = partOfTolerance * tolerance;
+    const ConeSolution solution = solveCounted(proof, balance.program, settings);
     if (solution.status == SolveStatus::optimal)
     {
-        proof.forcesOfDeadLoad = solution.contactForce;
+        proof.forcesOfDeadLoad = balance.ofAll(proof.program, solution.contactForce);
     }
     return proof;
 }
