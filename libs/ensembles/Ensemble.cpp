@@ -42,6 +42,34 @@ bool canRunInProcess(const EnsembleSettings& settings)
                           });
 }
 
+/// Whether samples differ in what leaves the blocks and their contact points as they are, and results are
+/// properties of the structure: certificates and iterations are those of one of its solutions.
+bool haveSameBlocks(const Ensemble& ensemble)
+{
+    const auto isAmong = [](const std::string& name, std::initializer_list<const char*> names)
+    { return std::find(names.begin(), names.end(), name) != names.end(); };
+    const EnsembleSettings& settings = ensemble.settings;
+    return ensemble.isInProcess && settings.runs("limitAnalysis") && !settings.runs("contactDynamics")
+           && !settings.runs("incrementalDynamics")
+           && std::all_of(settings.variables.begin(), settings.variables.end(),
+                          [&](const Named<EnsembleVariable>& variable)
+                          {
+                              return isAmong(variable.second.place.file,
+                                             {"constant/contactProperties", "constant/loads", "constant/g",
+                                              "constant/materialProperties"});
+                          })
+           && std::all_of(settings.results.begin(), settings.results.end(),
+                          [&](const Named<Figure>& result)
+                          {
+                              const std::optional<std::string>& column = result.second.ofCollapse;
+                              return column
+                                     && (isColumn("alpha[-]", *column) || isColumn("status[-]", *column)
+                                         || isColumn("blocks[-]", *column)
+                                         || isColumn("contactPoints[-]", *column)
+                                         || isColumn("variables[-]", *column));
+                          });
+}
+
 /// Refuses results that the applications do not have.
 void requireResults(const Ensemble& ensemble)
 {
@@ -165,6 +193,7 @@ Ensemble readEnsemble(const fs::path& caseDirectory, const std::vector<std::stri
         std::make_shared<Sampler>(ensemble.settings.variables, ensemble.settings.correlations,
                                   ensemble.settings.design, ensemble.dictionary, caseDirectory);
     ensemble.isInProcess = canRunInProcess(ensemble.settings);
+    ensemble.areAlike = haveSameBlocks(ensemble);
     requireResults(ensemble);
     std::vector<std::string> names;
     for (const auto& [name, variable] : ensemble.settings.variables)

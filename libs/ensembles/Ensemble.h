@@ -6,8 +6,11 @@
 #include "ensembles/Sampler.h"
 #include "runControl/PictureFormats.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <memory>
+#include <optional>
 
 namespace drystone
 {
@@ -37,12 +40,19 @@ struct Ensemble
     EnsembleSettings settings;
     Dictionary dictionary; ///< system/ensembleDict, for the location in messages
     std::shared_ptr<const Sampler> sampler;
-    bool isInProcess = false;         ///< no copies of the case are made
+    bool isInProcess = false; ///< no copies of the case are made
+    /// Samples are limit analyses of the same blocks, and no result depends on which of several solutions
+    /// of one is found: they may be computed together.
+    bool areAlike = false;
     std::vector<std::string> options; ///< for the applications
     std::string plan;                 ///< all that the samples depend on, as text
     PictureFormats pictureFormats{PictureFormat::svg};
 
     long samples() const { return sampler->size(); }
+
+    /// Samples that a worker takes at a time are so many or a multiple: as many as the widest register has
+    /// numbers, but not so many that there is no work for all workers.
+    long wholeChunk() const { return areAlike ? std::clamp(samples() / 128, 1L, 8L) : 1; }
 };
 
 /// Reads system/ensembleDict and looks up the entries that it names.
@@ -78,6 +88,16 @@ public:
     /// but std::bad_alloc.
     SampleOutcome run(const std::vector<SampleValue>& values);
 
+    /// How many samples are best computed together: 1 where nothing is gained by it.
+    int together() const;
+
+    /// The results of several samples, each the same to the last bit as `run` has it; nothing for samples
+    /// with a fault, or where nothing is gained by it: these are for `run`. \param begins is called with the
+    /// index of a sample that may take long \throws std::exception for a fault of the case
+    std::vector<std::optional<SampleOutcome>>
+    runTogether(const std::vector<std::vector<SampleValue>>& samples,
+                const std::function<void(std::size_t)>& begins);
+
 private:
     struct InProcess;
     SampleOutcome runByApplications(const std::vector<SampleValue>& values);
@@ -85,6 +105,7 @@ private:
     const Ensemble& ensemble;
     std::filesystem::path scratch;
     std::unique_ptr<InProcess> inProcess;
+    bool isTogetherWorthIt = true; ///< something was gained by it with the last samples
 };
 
 } // namespace drystone

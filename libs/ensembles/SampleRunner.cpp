@@ -15,6 +15,7 @@
 #include "ensembles/IncrementalDynamicsCase.h"
 #include "functionObjects/MotionResults.h"
 #include "quantities/LimitAnalysisFigures.h"
+#include "statics/LaneAnalyses.h"
 #include "statics/SolveCase.h"
 #include "texture/Texture.h"
 
@@ -35,6 +36,8 @@ namespace fs = std::filesystem;
 
 namespace
 {
+
+constexpr const char* textureFile = "system/blockTextureDict";
 
 /// As a dictionary has it: words with signs between quotes.
 std::string entryText(const SampleValue& value)
@@ -88,8 +91,7 @@ struct SampleRunner::InProcess
         setEntries(values);
         if (runs("blockTexture"))
         {
-            const Dictionary dictionary =
-                Dictionary::readFile(ensemble.caseDirectory / "system/blockTextureDict");
+            const Dictionary dictionary = Dictionary::readFile(ensemble.caseDirectory / textureFile);
             dimensionsOf(dictionary) == 3 ? runBuilt<3>(dictionary) : runBuilt<2>(dictionary);
         }
         else
@@ -130,21 +132,33 @@ struct SampleRunner::InProcess
 
     bool runs(const std::string& application) const { return ensemble.settings.runs(application); }
 
-    /// The blocks of a dictionary with their contact points. Most samples differ in properties or loads, not
-    /// in blocks: those of the last sample are kept. \param make of the dictionary its assembly, joints
-    /// closed
-    template<int Dim, class Make>
-    const SoundStructure<Dim>& soundOf(const Dictionary& dictionary, const Make& make)
+    /// The blocks of a dictionary, of a texture or of an assembly, with their contact points. Most samples
+    /// differ in properties or loads, not in blocks: those of the last sample are kept.
+    template<int Dim>
+    const SoundStructure<Dim>& soundOf(const Dictionary& dictionary)
     {
         auto& [key, blocks] = std::get<KeptStructure<Dim>>(kept);
         const std::uint64_t wanted = fingerprint(dictionary);
         if (!blocks || key != wanted)
         {
             blocks.reset(); // also where those of the dictionary are refused
-            blocks = soundStructure(ensemble.caseDirectory, make());
+            blocks = soundStructure(ensemble.caseDirectory, assemblyOf<Dim>(dictionary));
             key = wanted;
         }
         return *blocks;
+    }
+
+    /// Joints closed.
+    template<int Dim>
+    Assembly<Dim> assemblyOf(const Dictionary& dictionary) const
+    {
+        if (!runs("blockTexture"))
+        {
+            return readAssembly<Dim>(ensemble.caseDirectory);
+        }
+        Assembly<Dim> assembly = makeStructure<Dim>(dictionary);
+        closeJoints(assembly);
+        return assembly;
     }
 
     template<int Dim>
@@ -156,13 +170,7 @@ struct SampleRunner::InProcess
         }
         if (runs("limitAnalysis"))
         {
-            analyse<Dim>(soundOf<Dim>(dictionary,
-                                      [&]
-                                      {
-                                          Assembly<Dim> assembly = makeStructure<Dim>(dictionary);
-                                          closeJoints(assembly);
-                                          return assembly;
-                                      }));
+            analyse<Dim>(soundOf<Dim>(dictionary));
         }
         runMotions<Dim>();
     }
@@ -171,11 +179,9 @@ struct SampleRunner::InProcess
     template<int Dim>
     void runAsItStands()
     {
-        const fs::path& directory = ensemble.caseDirectory;
         if (runs("limitAnalysis"))
         {
-            analyse<Dim>(soundOf<Dim>(Dictionary::readFile(assemblyFile(directory)),
-                                      [&] { return readAssembly<Dim>(directory); }));
+            analyse<Dim>(soundOf<Dim>(Dictionary::readFile(assemblyFile(ensemble.caseDirectory))));
         }
         runMotions<Dim>();
     }
@@ -183,16 +189,89 @@ struct SampleRunner::InProcess
     template<int Dim>
     void analyse(const SoundStructure<Dim>& blocks)
     {
-        LimitAnalysisCase<Dim> structure = readLimitAnalysisCase<Dim>(ensemble.caseDirectory, blocks);
-        const std::vector<LimitAnalysis> answers = solveLimitAnalyses(structure, &symbolic);
-        for (const LimitAnalysis& answer : answers)
+        std::vector<LimitAnalysisCase<Dim>> structures;
+        structures.push_back(readLimitAnalysisCase<Dim>(ensemble.caseDirectory, blocks));
+        std::vector<std::optional<LimitAnalysis>> inLanes(1);
+        if (ensemble.areAlike) // as together with others, to the last bit
         {
-            if (answer.status == CollapseStatus::notConverged)
+            inLanes = solveInLanes(structures, lanes, symbolic);
+        }
+        finish(structures.front(), inLanes.front());
+    }
+
+    /// \param answer of lanes, or none: it is then solved by itself
+    template<int Dim>
+    void finish(LimitAnalysisCase<Dim>& structure, const std::optional<LimitAnalysis>& answer)
+    {
+        const std::vector<LimitAnalysis> answers =
+            answer ? std::vector<LimitAnalysis>{*answer} : solveLimitAnalyses(structure, &symbolic);
+        for (const LimitAnalysis& each : answers)
+        {
+            if (each.status == CollapseStatus::notConverged)
             {
                 throw NotConverged{"limitAnalysis did not converge"};
             }
         }
         takeFigures(structure, answers);
+    }
+
+    /// The structures of several samples. \param read gets the numbers of those without a fault
+    std::vector<LimitAnalysisCase<2>> readAll(const std::vector<std::vector<SampleValue>>& samples,
+                                              std::vector<std::size_t>& read)
+    {
+        std::vector<LimitAnalysisCase<2>> structures;
+        structures.reserve(samples.size());
+        for (std::size_t i = 0; i < samples.size(); ++i)
+        {
+            setEntries(samples[i]);
+            const fs::path& directory = ensemble.caseDirectory;
+            const Dictionary dictionary = Dictionary::readFile(
+                runs("blockTexture") ? directory / textureFile : assemblyFile(directory));
+            try
+            {
+                if (dimensionsOf(dictionary) == 2)
+                {
+                    structures.push_back(readLimitAnalysisCase<2>(directory, soundOf<2>(dictionary)));
+                    read.push_back(i);
+                }
+            }
+            catch (const FatalError&)
+            {
+                // Reported where the sample is run by itself.
+            }
+        }
+        return structures;
+    }
+
+    /// The limit analyses of several samples. \return nothing for those with a fault; all of nothing where
+    /// lanes take none of them
+    std::vector<std::optional<SampleOutcome>>
+    runTogether(const std::vector<std::vector<SampleValue>>& samples,
+                const std::function<void(std::size_t)>& begins)
+    {
+        std::vector<std::optional<SampleOutcome>> outcomes(samples.size());
+        std::vector<std::size_t> read;
+        std::vector<LimitAnalysisCase<2>> structures = readAll(samples, read);
+        if (std::none_of(structures.begin(), structures.end(), isForLanes))
+        {
+            return outcomes;
+        }
+        const std::vector<std::optional<LimitAnalysis>> answers = solveInLanes(structures, lanes, symbolic);
+        for (std::size_t i = 0; i < structures.size(); ++i)
+        {
+            begins(read[i]);
+            std::fill(results.begin(), results.end(), std::nan(""));
+            try
+            {
+                finish(structures[i], answers[i]);
+                outcomes[read[i]] = outcomeOf(results);
+            }
+            catch (const NotConverged&)
+            {
+                // Likewise.
+            }
+        }
+        return outcomes;
     }
 
     template<int Dim>
@@ -313,6 +392,7 @@ struct SampleRunner::InProcess
     std::map<std::string, std::string> originals;
     std::tuple<KeptStructure<2>, KeptStructure<3>> kept;
     SymbolicAnalysis symbolic; ///< of the last limit analysis: most samples have the same blocks touch
+    LaneSolver lanes;          ///< likewise
     std::vector<double> results;
 };
 
@@ -353,6 +433,25 @@ SampleOutcome SampleRunner::run(const std::vector<SampleValue>& values)
     {
         return {SampleStatus::failed, none, firstLine(error.what())};
     }
+}
+
+int SampleRunner::together() const
+{
+    return ensemble.areAlike && isTogetherWorthIt ? LaneSolver::lanes() : 1;
+}
+
+std::vector<std::optional<SampleOutcome>>
+SampleRunner::runTogether(const std::vector<std::vector<SampleValue>>& samples,
+                          const std::function<void(std::size_t)>& begins)
+{
+    std::vector<std::optional<SampleOutcome>> outcomes(samples.size());
+    if (inProcess && ensemble.areAlike)
+    {
+        outcomes = inProcess->runTogether(samples, begins);
+    }
+    isTogetherWorthIt = std::any_of(outcomes.begin(), outcomes.end(),
+                                    [](const std::optional<SampleOutcome>& of) { return of.has_value(); });
+    return outcomes;
 }
 
 SampleOutcome SampleRunner::runByApplications(const std::vector<SampleValue>& values)

@@ -115,8 +115,10 @@ double monotonicTime()
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-SampleStore::SampleStore(const fs::path& caseDirectory, const std::string& plan, long samples)
-    : work(ensembleWork(caseDirectory)), count(samples), chunkSize(std::clamp(samples / 1024, 1L, 256L))
+SampleStore::SampleStore(const fs::path& caseDirectory, const std::string& plan, long samples, long whole)
+    : work(ensembleWork(caseDirectory)),
+      count(samples),
+      chunkSize((std::clamp(samples / 1024, 1L, 256L) + whole - 1) / whole * whole)
 {
     std::error_code error;
     fs::create_directories(work, error);
@@ -140,7 +142,7 @@ SampleStore::SampleStore(const fs::path& caseDirectory, const std::string& plan,
     {
         writeWholeFile(planFile, plan);
     }
-    const fs::path chunkName = work / fmt::format("chunks.{}", count);
+    const fs::path chunkName = work / fmt::format("chunks.{}.{}", count, chunkSize);
     chunkFile = openFile(chunkName, O_RDWR);
     struct stat status = {};
     ::fstat(chunkFile, &status);

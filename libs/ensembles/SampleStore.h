@@ -4,10 +4,9 @@
 ///
 /// postProcessing/ensemble/0/work/
 ///     plan             what the samples depend on: a folder of another plan is refused
-///     chunks.<n>       a byte a chunk of samples: 1 when all of them are in a journal. A process claims a
-///     chunk
-///                      by locking its byte (fcntl): the kernel releases the lock when the process dies,
-///                      however it does
+///     chunks.<n>.<m>   of n samples a byte for each chunk of m: 1 when all of them are in a journal. A
+///                      process claims a chunk by locking its byte (fcntl): the kernel releases the lock when
+///                      the process dies, however it does
 ///     journal.<host>.<process>.<worker>    a row a sample, written at its end and synced a chunk at a time
 ///     failures         a row an attempt that failed
 ///     messages.*       what workers print on standard error
@@ -45,9 +44,9 @@ class SampleStore
 {
 public:
     /// Prepares the folder, or continues in one with the same plan. Several processes may at a time.
-    /// \param count of samples \throws FatalError when the plan there is another one, or a file cannot be
-    /// written
-    SampleStore(const std::filesystem::path& caseDirectory, const std::string& plan, long count);
+    /// \param count of samples \param whole chunks are of so many or a multiple \throws FatalError when the
+    /// plan there is another one, or a file cannot be written
+    SampleStore(const std::filesystem::path& caseDirectory, const std::string& plan, long count, long whole);
     ~SampleStore();
     SampleStore(const SampleStore&) = delete;
     SampleStore& operator=(const SampleStore&) = delete;

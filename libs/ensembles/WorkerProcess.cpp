@@ -146,6 +146,52 @@ std::optional<SampleRow> computeSample(const Ensemble& ensemble, const fs::path&
     }
 }
 
+/// Samples from `first` on, without those that `isLeftOut` says, as many as are computed together. For the
+/// milliseconds that all of them take the first of them is in hand.
+/// \return rows of those that have come out; the others are computed one by one
+template<class IsLeftOut>
+std::map<long, SampleRow> computeTogether(const Ensemble& ensemble, SampleRunner& runner, Activity& activity,
+                                          long first, long end, const IsLeftOut& isLeftOut)
+{
+    std::vector<long> numbers;
+    std::vector<std::vector<SampleValue>> samples;
+    const auto most = static_cast<std::size_t>(runner.together());
+    for (long sample = first; sample < end && numbers.size() < most; ++sample)
+    {
+        if (!isLeftOut(sample))
+        {
+            numbers.push_back(sample);
+            samples.push_back(ensemble.sampler->at(sample));
+        }
+    }
+    std::map<long, SampleRow> rows;
+    const auto begins = [&](std::size_t index)
+    {
+        activity.since = monotonicTime();
+        activity.sample = numbers[index];
+    };
+    begins(0);
+    const double begin = cpuTimeOfAll();
+    try
+    {
+        std::vector<std::optional<SampleOutcome>> outcomes = runner.runTogether(samples, begins);
+        const double each = (cpuTimeOfAll() - begin) / static_cast<double>(samples.size());
+        for (std::size_t i = 0; i < outcomes.size(); ++i)
+        {
+            if (outcomes[i] && !isFailure(outcomes[i]->status))
+            {
+                rows[numbers[i]] = {outcomes[i]->status, 1, each, std::move(outcomes[i]->results)};
+            }
+        }
+    }
+    catch (const std::exception&)
+    {
+        // Memory that one by one they do not take, or a fault that one by one each of them reports.
+    }
+    activity.sample = -1;
+    return rows;
+}
+
 void computeChunk(const Ensemble& ensemble, const SampleStore& store, long chunk, SampleRunner& runner,
                   Activity& activity, Journal& journal, const std::map<long, SampleRow>& known)
 {
@@ -156,6 +202,12 @@ void computeChunk(const Ensemble& ensemble, const SampleStore& store, long chunk
         const auto found = counts.find(sample);
         return found == counts.end() ? 0 : found->second;
     };
+    const auto isLeftOut = [&](long sample) {
+        return known.contains(sample)
+               || countOf(attempts.own, sample) + countOf(attempts.outside, sample) > 0;
+    };
+    std::map<long, SampleRow> ahead; // rows that samples before have brought
+    long asked = begin;              // samples from here on have not been computed together
     activity.done = 0;
     for (long sample = begin; sample < end; ++sample)
     {
@@ -164,8 +216,17 @@ void computeChunk(const Ensemble& ensemble, const SampleStore& store, long chunk
             journal.sync();
             ::_exit(0);
         }
+        if (sample >= asked && !isLeftOut(sample) && runner.together() > 1)
+        {
+            ahead = computeTogether(ensemble, runner, activity, sample, end, isLeftOut);
+            asked = ahead.empty() ? sample + 1 : ahead.rbegin()->first + 1;
+        }
         const auto found = known.find(sample);
-        if (found == known.end())
+        if (const auto done = ahead.find(sample); done != ahead.end())
+        {
+            journal.add(sample, done->second);
+        }
+        else if (found == known.end())
         {
             const int own = countOf(attempts.own, sample);
             const int outside = countOf(attempts.outside, sample);

@@ -2,6 +2,7 @@
 #include "statics/LimitAnalysis.h"
 
 #include "conic/form/Form.h"
+#include "statics/CompletedAnalysis.h"
 
 namespace drystone
 {
@@ -40,7 +41,13 @@ LimitAnalysis solveLimitAnalysis(const ConeProgram<Rows, Forces>& program,
 {
     SymbolicAnalysis own;
     SymbolicAnalysis& symbolic = kept ? *kept : own;
-    const ConeSolution solution = solveInteriorPoint(program, settings, &symbolic);
+    return completedAnalysis(program, solveInteriorPoint(program, settings, &symbolic), settings, symbolic);
+}
+
+template<int Rows, int Forces>
+LimitAnalysis completedAnalysis(const ConeProgram<Rows, Forces>& program, const ConeSolution& solution,
+                                const InteriorPointSettings& settings, SymbolicAnalysis& kept)
+{
     LimitAnalysis result;
     result.variables = Forces * program.points() + 1;
     result.iterations = solution.iterations;
@@ -83,7 +90,7 @@ LimitAnalysis solveLimitAnalysis(const ConeProgram<Rows, Forces>& program,
                                && certifyOptimal(dead, resting).worst() <= settings.tolerance;
         if (!isCarried)
         {
-            resting = solveInteriorPoint(dead, settings, &symbolic);
+            resting = solveInteriorPoint(dead, settings, &kept);
             result.iterations += resting.iterations;
             result.factorisations += resting.factorisations;
             result.solves += resting.solves;
@@ -123,5 +130,9 @@ template LimitAnalysis solveLimitAnalysis(const PlaneConeProgram& program,
                                           const InteriorPointSettings& settings, SymbolicAnalysis* kept);
 template LimitAnalysis solveLimitAnalysis(const SpaceConeProgram& program,
                                           const InteriorPointSettings& settings, SymbolicAnalysis* kept);
+template LimitAnalysis completedAnalysis(const PlaneConeProgram& program, const ConeSolution& solution,
+                                         const InteriorPointSettings& settings, SymbolicAnalysis& kept);
+template LimitAnalysis completedAnalysis(const SpaceConeProgram& program, const ConeSolution& solution,
+                                         const InteriorPointSettings& settings, SymbolicAnalysis& kept);
 
 } // namespace drystone

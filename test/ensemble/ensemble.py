@@ -183,6 +183,43 @@ class Ensemble(CaseTest):
         same = sum(one == next for one, next in zip(units, units[1:]))
         self.assertTrue(0 < same < len(units) - 1, units)
 
+    def testSamplesThatAreComputedTogetherAreThoseOfTheApplications(self):
+        """Friction alone is uncertain, so that limit analyses are solved several at once: to the tolerance as by the
+        application, and the same to the last digit whatever samples are computed with one."""
+        def case(name, **changes):
+            made = self.case(name, **{"samples": 1500, "design": "random", **changes})
+            self.edit(made, "system/ensembleDict", "    unit { file \"system/blockTextureDict\"; entry \"unitLength\"; "
+                      "distribution { type uniform; minimum 0.35; maximum 0.45; } }\n", "")
+            return made
+
+        def alphas(of):
+            return [float(row[2]) for row in self.table(of)[1:]]
+
+        together = case("together")
+        self.run_(together, "-jobs", "1")
+        byFiles = case("togetherByFiles", applications="blockTexture checkBlocks limitAnalysis", samples=6)
+        self.run_(byFiles)
+        for one, other in zip(alphas(byFiles), alphas(together)):
+            self.assertAlmostEqual(one, other, delta=1e-9 * one)
+        # In other company: other samples in the table, two processes, an interruption.
+        fewer = case("togetherFewer", samples=201)
+        self.run_(fewer, "-jobs", "2")
+        self.assertEqual(self.table(fewer), self.table(together)[:202])
+        stopped = case("togetherStopped")
+        process = self.start(stopped, "-jobs", "2")
+        self.waitFor(lambda: self.rowsOf(stopped) > 20, process)
+        process.send_signal(signal.SIGINT)
+        process.wait()
+        self.run_(stopped, "-jobs", "2")
+        self.assertEqual(self.table(stopped), self.table(together))
+        # One by itself.
+        with open(os.path.join(together, "one.in"), "w", encoding="utf-8") as file:
+            file.write(f"1\nmu {self.table(together)[8][1]}\n")
+        results = os.path.join(together, "one.out")
+        self.run_(together, "-evaluate", os.path.join(together, "one.in"), results)
+        with open(results, encoding="utf-8") as file:
+            self.assertAlmostEqual(float(file.read()), alphas(together)[7], delta=1e-10)
+
     def testLeastIntensitiesAreThoseOfTheApplication(self):
         tables = []
         for name, applications_ in (("leastInProcess", "blockTexture incrementalDynamics"),

@@ -99,7 +99,7 @@ int run(const CommandLine& commandLine)
     }
 
     catchStopSignals();
-    SampleStore store(ensemble.caseDirectory, ensemble.plan, ensemble.samples());
+    SampleStore store(ensemble.caseDirectory, ensemble.plan, ensemble.samples(), ensemble.wholeChunk());
     WorkerSettings workers{jobsOf(commandLine), launched, isFirst && !launched.isArray};
     if (isFirst || launched.isArray)
     {

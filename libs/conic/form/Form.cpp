@@ -2,6 +2,7 @@
 #include "conic/form/Form.h"
 
 #include "conic/form/PointCones.h"
+#include "conic/form/PowerOfTwo.h"
 
 #include <algorithm>
 #include <array>
@@ -12,12 +13,6 @@ namespace drystone
 {
 namespace
 {
-
-/// The power of two next to a value, so that scaling by it changes no digit; 1 for zero.
-double powerOfTwo(double value)
-{
-    return value > 0 && std::isfinite(value) ? std::exp2(std::round(std::log2(value))) : 1;
-}
 
 /// Rows of one body with the moments divided by the lever arm.
 template<int Rows>

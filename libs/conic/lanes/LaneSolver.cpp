@@ -1,0 +1,122 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The choice among the kernels, and what they are asked.
+#include "conic/lanes/LaneSolver.h"
+
+#include "conic/Certificate.h"
+#include "conic/lanes/LaneGeometry.h"
+#include "linear/DenseKernel.h"
+
+#include <stdexcept>
+#include <string_view>
+
+namespace drystone
+{
+
+// Each in a file of its own, compiled for its processors: LaneKernelAvx512.cpp and so on.
+void solveLanesWithAvx512(LaneTask& task);
+void solveLanesWithAvx2(LaneTask& task);
+void solveLanesWithBaseline(LaneTask& task);
+
+namespace
+{
+
+/// Friction from which points have a ray along their normal besides (form/PointCones.cpp).
+constexpr double largeFriction = 5;
+
+/// Bodies up to which the factor, by blocks without supernodes, is the better one (linear/SchurSystem.cpp),
+/// and the memory of all lanes is that of a cache.
+constexpr int mostBodies = 500;
+
+/// That for the processors of the dense kernel in use.
+LaneKernel chooseKernel()
+{
+    [[maybe_unused]] const std::string_view processors = denseKernel().name;
+#if defined(__x86_64__)
+    if (processors == "avx512")
+    {
+        return {8, solveLanesWithAvx512};
+    }
+    if (processors == "avx2")
+    {
+        return {4, solveLanesWithAvx2};
+    }
+#endif
+    return {2, solveLanesWithBaseline};
+}
+
+const LaneKernel& laneKernel()
+{
+    static const LaneKernel chosen = chooseKernel();
+    return chosen;
+}
+
+} // namespace
+
+LaneSolver::LaneSolver() = default;
+LaneSolver::~LaneSolver() = default;
+
+int LaneSolver::lanes()
+{
+    return laneKernel().lanes;
+}
+
+bool LaneSolver::takes(const PlaneConeProgram& program)
+{
+    if (!program.hasMultiplier() || program.hasInertia() || program.gap.size() > 0 || program.hasCompliance()
+        || program.hasStrength() || program.points() == 0 || program.bodies == 0
+        || program.bodies > mostBodies)
+    {
+        return false;
+    }
+    for (int point = 0; point < program.points(); ++point)
+    {
+        const ConeColumns<3, 2>& columns = program.contacts[point];
+        const double mu = program.friction[point];
+        const bool isOfSameBodies = point > 0 && columns.first == program.contacts[point - 1].first
+                                    && columns.second == program.contacts[point - 1].second;
+        if (!(mu > 0 && mu < largeFriction) || (isOfSameBodies && mu != program.friction[point - 1])
+            || (columns.first < 0 && columns.second < 0) || !hasOppositeForces(columns))
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool LaneSolver::areAlike(const PlaneConeProgram& one, const PlaneConeProgram& other)
+{
+    return one.bodies == other.bodies && haveSamePoints(one.contacts, other.contacts);
+}
+
+std::vector<ConeSolution> LaneSolver::solve(const std::vector<const PlaneConeProgram*>& programs,
+                                            double tolerance)
+{
+    if (programs.empty() || programs.size() > static_cast<std::size_t>(lanes()))
+    {
+        throw std::invalid_argument("LaneSolver solves from one program to as many as it has lanes");
+    }
+    if (!geometry || !geometry->isOf(*programs.front()))
+    {
+        geometry = std::make_unique<LaneGeometry>(*programs.front(), lanes());
+    }
+    // In lanes without a program the first one.
+    std::vector<const PlaneConeProgram*> ofLane = programs;
+    ofLane.resize(static_cast<std::size_t>(lanes()), programs.front());
+    geometry->setPrograms(ofLane);
+    geometry->task.tolerance = tolerance;
+    laneKernel().solve(geometry->task);
+    std::vector<ConeSolution> solutions;
+    for (std::size_t lane = 0; lane < programs.size(); ++lane)
+    {
+        solutions.push_back(geometry->solutionOf(*programs[lane], static_cast<int>(lane)));
+        ConeSolution& solution = solutions.back();
+        if (solution.contactForce.size() > 0
+            && certifyOptimal(*programs[lane], solution).worst() <= tolerance)
+        {
+            solution.status = SolveStatus::optimal;
+        }
+    }
+    return solutions;
+}
+
+} // namespace drystone

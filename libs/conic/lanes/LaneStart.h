@@ -1,0 +1,187 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The text of the lane kernels, fourth part: where iterations begin, and forces of the load alone.
+#pragma once
+
+#include "conic/lanes/LaneSteps.h"
+
+namespace drystone
+{
+namespace
+{
+
+template<int lanes>
+struct LaneStart : LaneSteps<lanes>
+{
+    using Base = LaneSteps<lanes>;
+    using Base::all;
+    using Base::alpha;
+    using Base::any;
+    using Base::at;
+    using Base::larger;
+    using Base::numbers;
+    using Base::rays;
+    using Base::rows;
+    using Base::smaller;
+    using Base::task;
+    using typename Base::Mask;
+    using typename Base::Number;
+
+    static constexpr double leastRounding = 1e-15; ///< as in interiorPoint/Newton.h
+    static constexpr double largestRounding = 1e-6;
+
+    using Base::Base;
+
+    Mask active = Base::every(); ///< lanes that are neither answered nor given up
+    Number rounding = {};        ///< share that pivots are raised by
+    Number liveStiffness = {};   ///< L'S^-1 L
+
+    /// Of lanes with a pivot that is not positive every pivot is raised; where that is of no use they are
+    /// given up.
+    void factoriseRaised()
+    {
+        for (;;)
+        {
+            Base::assemble();
+            const Mask failed = Base::factorise(rounding) & active;
+            if (!any(failed))
+            {
+                return;
+            }
+            rounding = failed ? larger(all(leastRounding), 10 * rounding) : rounding;
+            active &= ~(rounding > largestRounding);
+        }
+    }
+
+    /// Moves displacements that balance loads to where the live load does no work. \return the change of
+    /// alpha
+    Number takeLiveWork(double* y)
+    {
+        const Number share = -Base::product(numbers.liveLoad, y) / liveStiffness;
+        for (long row = 0; row < rows; ++row)
+        {
+            at(y, row) += share * at(numbers.liveSolution, row);
+        }
+        return share;
+    }
+
+    void copyLiveLoad()
+    {
+        for (long row = 0; row < rows; ++row)
+        {
+            at(numbers.liveSolution, row) = at(numbers.liveLoad, row);
+        }
+    }
+
+    /// Least squares and pushed inside, as in Starts.cpp.
+    void start()
+    {
+        const LaneNumbers to = numbers;
+        Base::setZero(to.step);
+        Base::setZero(to.target);
+        for (long ray = 0; ray < rays; ++ray)
+        {
+            at(to.s, ray) = all(1);
+            at(to.inverseZ, ray) = all(1);
+            at(to.ratioS, ray) = at(to.ratioZ, ray) = Number{};
+            at(to.correctionS, ray) = at(to.correctionZ, ray) = Number{};
+        }
+        factoriseRaised();
+        Base::setLoads(to.step);
+        copyLiveLoad();
+        Base::template solve<2>({to.step, to.liveSolution});
+        liveStiffness = Base::product(to.liveLoad, to.liveSolution);
+        alpha = takeLiveWork(to.step);
+        const Number share = at(to.liveWork, 0) / liveStiffness;
+        for (long row = 0; row < rows + 3; ++row)
+        {
+            at(to.y, row) = share * at(to.liveSolution, row);
+        }
+        Number leastS = all(1e300);
+        Number leastZ = all(1e300);
+        Base::forClosings(to.step,
+                          [&](long ray, Number closing)
+                          {
+                              at(to.s, ray) = closing;
+                              leastS = smaller(leastS, closing);
+                          });
+        Base::forClosings(to.y,
+                          [&](long ray, Number closing)
+                          {
+                              at(to.z, ray) = -closing;
+                              leastZ = smaller(leastZ, -closing);
+                          });
+        pushInside(larger(Number{}, -1.5 * leastS), larger(Number{}, -1.5 * leastZ));
+    }
+
+    void pushInside(Number ofS, Number ofZ)
+    {
+        const LaneNumbers to = numbers;
+        Number products = {}, sumS = {}, sumZ = {}, largestS = all(-1e300), largestZ = all(-1e300);
+        for (long ray = 0; ray < rays; ++ray)
+        {
+            const Number s = at(to.s, ray) + ofS;
+            const Number z = at(to.z, ray) + ofZ;
+            products += s * z;
+            sumS += s;
+            sumZ += z;
+            largestS = larger(largestS, s);
+            largestZ = larger(largestZ, z);
+        }
+        ofS += larger(sumZ > 0 ? 0.5 * products / sumZ : Number{}, 1e-2 * largestS + 1e-2);
+        ofZ += larger(sumS > 0 ? 0.5 * products / sumS : Number{}, sumZ > 0 ? 1e-2 * largestZ : all(1));
+        for (long ray = 0; ray < rays; ++ray)
+        {
+            at(to.s, ray) += ofS;
+            at(to.z, ray) += ofZ;
+        }
+    }
+
+    /// Forces that carry the load alone, as NewtonSystem::forcesOfLoadAlone finds them.
+    void seekRest(int passes)
+    {
+        const LaneNumbers to = numbers;
+        Mask sought = active;
+        for (int lane = 0; lane < lanes; ++lane)
+        {
+            sought[lane] = task.ends[lane].isResting ? 0 : sought[lane];
+        }
+        for (long ray = 0; ray < rays; ++ray)
+        {
+            at(to.correctionS, ray) = at(to.s, ray);
+        }
+        for (int pass = 0; pass < passes && any(sought); ++pass)
+        {
+            for (long row = 0; row < rows + 3; ++row)
+            {
+                at(to.correction, row) = -at(to.load, row);
+            }
+            Base::forForces(to.correction,
+                            [&](long ray)
+                            {
+                                const Number force = at(to.correctionS, ray);
+                                const Number inside = force < 0 ? -2 * force : force;
+                                at(to.correctionS, ray) = inside;
+                                return inside;
+                            });
+            const Mask found = (Base::largest(to.correction) <= 0.1 * task.tolerance) & sought;
+            if (any(found))
+            {
+                for (long ray = 0; ray < rays; ++ray)
+                {
+                    at(to.resting, ray) = found ? at(to.correctionS, ray) : at(to.resting, ray);
+                }
+                for (int lane = 0; lane < lanes; ++lane)
+                {
+                    task.ends[lane].isResting = task.ends[lane].isResting || found[lane];
+                }
+                sought &= ~found;
+            }
+            Base::template solve<1>({to.correction});
+            Base::forClosings(to.correction, [&](long ray, Number closing)
+                              { at(to.correctionS, ray) -= at(to.s, ray) * at(to.inverseZ, ray) * closing; });
+        }
+    }
+};
+
+} // namespace
+} // namespace drystone

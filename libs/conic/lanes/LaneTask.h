@@ -1,0 +1,109 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// What the kernels of the lane solver are handed: plain arrays, since each kernel is compiled for a
+/// processor of its own and may use nothing inline of other headers. Internal to the lane solver.
+#pragma once
+
+namespace drystone
+{
+
+/// Points of one pair of bodies on one line, with the same friction: all but the arms of their normal forces
+/// is the same. The force on the first body is opposite to that on the second.
+struct LaneFace
+{
+    int first;          ///< body in elimination order, or `bodies`, the fixed ground, where both are fixed
+    int second;         ///< later than `first`, or `bodies`
+    int begin;          ///< of its points
+    int end;            ///< likewise
+    int friction;       ///< index of its coefficients
+    int firstDiagonal;  ///< place of a block of the factor, or -1 where the body is fixed
+    int coupling;       ///< likewise; rows of the second, columns of the first body
+    int secondDiagonal; ///< likewise
+    double normal[2];   ///< force on the first body of a unit of normal force
+    double tangent[2];  ///< of a unit of shear
+    double tangentMoment[2]; ///< of a unit of shear, on the first and on the second body, scaled
+};
+
+/// Moments of a unit of normal force on the first and on the second body, scaled.
+struct LanePoint
+{
+    double normalMoment[2];
+};
+
+/// Two blocks L_ik and L_jk whose product L_ij takes away.
+struct LaneProduct
+{
+    int left;
+    int right;
+};
+
+/// What the programs in the lanes have in common. Not owned.
+struct LaneGraph
+{
+    int bodies;
+    int points;
+    int faces;
+    int blocks; ///< of the factor, column by column, that of the diagonal first
+    const LanePoint* point;
+    const LaneFace* face;
+    const int* columnStart;  ///< of the factor's blocks: bodies + 1
+    const int* row;          ///< of each block
+    const int* productStart; ///< blocks + 1
+    const LaneProduct* product;
+    const int* updateStart;    ///< bodies + 1: blocks to the left of a diagonal one,
+    const int* updatePosition; ///< as their places,
+    const int* updateColumn;   ///< and their columns
+};
+
+/// What differs from lane to lane: numbers of `lanes` doubles each, 64-byte aligned. Rays: two a point, (1,
+/// mu) and (1, -mu). Rows: 3 a body (force, moment), then 3 of the ground, zero.
+struct LaneNumbers
+{
+    double* friction; ///< in: mu of each index
+    double* load;     ///< in: f, rows
+    double* liveLoad; ///< in: L, rows
+    double* liveWork; ///< in: w of L'y = w, one
+
+    double* s;       ///< out: forces of the rays
+    double* y;       ///< out: rows
+    double* alpha;   ///< out: one
+    double* resting; ///< out: forces of the rays that carry the load alone
+
+    // Work of the kernel.
+    double* z;                             ///< openings of the rays
+    double* ratioS;                        ///< ds/s of the step in hand
+    double* ratioZ;                        ///< dz/z
+    double* correctionS;                   ///< of ds/s; its pull, before that is solved for
+    double* correctionZ;                   ///< of dz/z
+    double* inverseZ;                      ///< 1/z
+    double* inverseProduct;                ///< 1/(s z)
+    double* leverage;                      ///< s / (2 (s + z)), see Centring.cpp
+    double *endS, *endZ, *endY, *endAlpha; ///< of lanes that have ended
+    double *balance, *step, *correction, *target, *liveSolution; ///< rows
+    double* blocks;                                              ///< 9 a block of the factor, by columns
+};
+
+/// How the program in one lane has ended.
+struct LaneEnd
+{
+    bool isAnswered; ///< the scaled residuals meet the tolerance but for the balance, which is repaired as
+                     ///< far as it goes
+    bool isResting;  ///< forces that carry the load alone were found
+    int iterations;
+};
+
+struct LaneTask
+{
+    LaneGraph graph;
+    LaneNumbers numbers;
+    double tolerance;
+    LaneEnd ends[8]; ///< out; none at first
+};
+
+/// One text compiled for several processors; which one runs is decided when it runs.
+struct LaneKernel
+{
+    int lanes;
+    void (*solve)(LaneTask& task);
+};
+
+} // namespace drystone

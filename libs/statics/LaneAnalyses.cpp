@@ -1,0 +1,94 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+#include "statics/LaneAnalyses.h"
+
+#include "conic/form/Form.h"
+#include "statics/CompletedAnalysis.h"
+#include "statics/SurfaceContact.h"
+
+namespace drystone
+{
+namespace
+{
+
+/// The answer of a solution that lanes have found, or none: what is not clearly an optimum at a multiplier of
+/// the right sign is for the ordinary solver.
+std::optional<LimitAnalysis> answerOf(const LimitAnalysisCase<2>& structure, const ConeSolution& solution,
+                                      SymbolicAnalysis& kept)
+{
+    if (solution.status != SolveStatus::optimal || solution.multiplier < 0)
+    {
+        return {};
+    }
+    return completedAnalysis(structure.program, solution, interiorPointSettings(structure.solution), kept);
+}
+
+/// Solves the first of the structures that are left with all that are like it, as many as there are lanes.
+void solveNext(const std::vector<LimitAnalysisCase<2>>& structures, std::vector<std::size_t>& left,
+               LaneSolver& lanes, SymbolicAnalysis& kept, std::vector<std::optional<LimitAnalysis>>& answers)
+{
+    const LimitAnalysisCase<2>& first = structures[left.front()];
+    std::vector<std::size_t> together;
+    std::vector<std::size_t> later;
+    std::vector<const PlaneConeProgram*> programs;
+    for (const std::size_t index : left)
+    {
+        const LimitAnalysisCase<2>& structure = structures[index];
+        const bool isAlike = structure.solution.tolerance == first.solution.tolerance
+                             && LaneSolver::areAlike(structure.program, first.program);
+        if (isAlike && programs.size() < static_cast<std::size_t>(LaneSolver::lanes()))
+        {
+            together.push_back(index);
+            programs.push_back(&structure.program);
+        }
+        else
+        {
+            later.push_back(index);
+        }
+    }
+    const std::vector<ConeSolution> solutions = lanes.solve(programs, first.solution.tolerance);
+    for (std::size_t i = 0; i < together.size(); ++i)
+    {
+        answers[together[i]] = answerOf(structures[together[i]], solutions[i], kept);
+    }
+    left = std::move(later);
+}
+
+} // namespace
+
+bool isForLanes(const LimitAnalysisCase<2>& structure)
+{
+    return structure.multiplier == Multiplier::positive && !structure.movement && !structure.pushover
+           && structure.loads.positions.empty() && structure.combinations.empty()
+           && !isSurfaceContact(structure.contact) && flowRuleOf(structure.contact) == FlowRule::associative
+           && !structure.solution.writeIterations && LaneSolver::takes(structure.program);
+}
+
+template<int Dim>
+std::vector<std::optional<LimitAnalysis>> solveInLanes(const std::vector<LimitAnalysisCase<Dim>>& structures,
+                                                       LaneSolver& lanes, SymbolicAnalysis& kept)
+{
+    std::vector<std::optional<LimitAnalysis>> answers(structures.size());
+    if constexpr (Dim == 2)
+    {
+        std::vector<std::size_t> left;
+        for (std::size_t index = 0; index < structures.size(); ++index)
+        {
+            if (isForLanes(structures[index]))
+            {
+                left.push_back(index);
+            }
+        }
+        while (!left.empty())
+        {
+            solveNext(structures, left, lanes, kept, answers);
+        }
+    }
+    return answers;
+}
+
+template std::vector<std::optional<LimitAnalysis>>
+solveInLanes(const std::vector<LimitAnalysisCase<2>>& structures, LaneSolver& lanes, SymbolicAnalysis& kept);
+template std::vector<std::optional<LimitAnalysis>>
+solveInLanes(const std::vector<LimitAnalysisCase<3>>& structures, LaneSolver& lanes, SymbolicAnalysis& kept);
+
+} // namespace drystone
