@@ -5,6 +5,7 @@
 #include "core/Log.h"
 #include "core/WholeFile.h"
 #include "ensembles/CaseRuns.h"
+#include "ensembles/SamplesInProcess.h"
 #include "functionObjects/ColumnFile.h"
 #include "quantities/LimitAnalysisFigures.h"
 #include "runControl/Case.h"
@@ -68,6 +69,20 @@ bool haveSameBlocks(const Ensemble& ensemble)
                                          || isColumn("contactPoints[-]", *column)
                                          || isColumn("variables[-]", *column));
                           });
+}
+
+/// Whether lanes take the limit analysis of the case as it stands (statics/LaneAnalyses.h). Its faults are
+/// those of samples.
+bool isForLanes(const Ensemble& ensemble)
+{
+    try
+    {
+        return SamplesInProcess(ensemble).isForLanes();
+    }
+    catch (const std::exception&)
+    {
+        return false;
+    }
 }
 
 /// Refuses results that the applications do not have.
@@ -193,7 +208,7 @@ Ensemble readEnsemble(const fs::path& caseDirectory, const std::vector<std::stri
         std::make_shared<Sampler>(ensemble.settings.variables, ensemble.settings.correlations,
                                   ensemble.settings.design, ensemble.dictionary, caseDirectory);
     ensemble.isInProcess = canRunInProcess(ensemble.settings);
-    ensemble.areAlike = haveSameBlocks(ensemble);
+    ensemble.areAlike = haveSameBlocks(ensemble) && isForLanes(ensemble);
     requireResults(ensemble);
     std::vector<std::string> names;
     for (const auto& [name, variable] : ensemble.settings.variables)

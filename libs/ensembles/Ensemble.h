@@ -41,8 +41,8 @@ struct Ensemble
     Dictionary dictionary; ///< system/ensembleDict, for the location in messages
     std::shared_ptr<const Sampler> sampler;
     bool isInProcess = false; ///< no copies of the case are made
-    /// Samples are limit analyses of the same blocks, and no result depends on which of several solutions
-    /// of one is found: they may be computed together.
+    /// Samples are limit analyses of the same blocks in the plane, with friction alone, and no result depends
+    /// on which of several solutions of one is found: they are computed together (statics/LaneAnalyses.h).
     bool areAlike = false;
     std::vector<std::string> options; ///< for the applications
     std::string plan;                 ///< all that the samples depend on, as text
@@ -52,7 +52,7 @@ struct Ensemble
 
     /// Samples that a worker takes at a time are so many or a multiple: as many as the widest register has
     /// numbers, but not so many that there is no work for all workers.
-    long wholeChunk() const { return areAlike ? std::clamp(samples() / 128, 1L, 8L) : 1; }
+    long wholeChunk() const { return areAlike ? std::clamp(samples() / 16, 1L, 8L) : 1; }
 };
 
 /// Reads system/ensembleDict and looks up the entries that it names.
@@ -75,6 +75,8 @@ struct SampleOutcome
     std::string message;         ///< why it failed
     bool isFromOutside = false;  ///< somebody has ended an application: no fault of the sample
 };
+
+class SamplesInProcess;
 
 /// Computes samples, one after the other.
 class SampleRunner
@@ -99,12 +101,11 @@ public:
                 const std::function<void(std::size_t)>& begins);
 
 private:
-    struct InProcess;
     SampleOutcome runByApplications(const std::vector<SampleValue>& values);
 
     const Ensemble& ensemble;
     std::filesystem::path scratch;
-    std::unique_ptr<InProcess> inProcess;
+    std::unique_ptr<SamplesInProcess> inProcess;
     bool isTogetherWorthIt = true; ///< something was gained by it with the last samples
 };
 

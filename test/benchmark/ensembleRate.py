@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 """The rate of ensemble: 100,000 limit analyses of wall 1 with friction and unit length uncertain (Latin hypercube), and
-10,000 of wall 6, which has five times the blocks, with friction uncertain: their blocks are the same in all samples.
+10,000 of wall 6, which has five times the blocks, with friction uncertain: their blocks are the same in all samples, so that
+they are solved several at once. The same one by one, as where the iterations of a solution are asked for besides.
 
     ensembleRate.py [BIN] [--samples N] [--rounds N] [--out FILE]
 
@@ -31,15 +32,17 @@ variables
     %s
 }
 design { type latinHypercube; samples %d; seed 1; }
-results { alpha { table "postProcessing/limitAnalysis/0/limitAnalysis.dat"; column alpha; } }
+results { alpha { table "postProcessing/limitAnalysis/0/limitAnalysis.dat"; column alpha; } %s }
 statistics { capacity { type distribution; value alpha; } }
 """
+
+iterations = """its { table "postProcessing/limitAnalysis/0/limitAnalysis.dat"; column iterations; }"""
 
 unit = """unit { file "system/blockTextureDict"; entry "unitLength";
            distribution { type uniform; minimum 0.35; maximum 0.45; } }"""
 
 
-def makeCase(folder, wall, samples):
+def makeCase(folder, wall, samples, more=""):
     shutil.copytree(os.path.join(root, "tutorials/limitAnalysis/masonryPanels", wall), folder)
     texture = os.path.join(folder, "system/blockTextureDict")
     with open(texture, encoding="utf-8") as file:
@@ -51,14 +54,14 @@ def makeCase(folder, wall, samples):
     with open(texture, "w", encoding="utf-8") as file:
         file.write(changed)
     with open(os.path.join(folder, "system/ensembleDict"), "w", encoding="utf-8") as file:
-        file.write(ensembleDict % (unit if wall == "wall1" else "", samples))
+        file.write(ensembleDict % (unit if wall == "wall1" else "", samples, more))
 
 
-def run(binaries, wall, samples, jobs):
+def run(binaries, wall, samples, jobs, more=""):
     """Clock [s], digest of the table, largest memory of a process [MB]."""
     with tempfile.TemporaryDirectory() as scratch:
         case = os.path.join(scratch, wall)
-        makeCase(case, wall, samples)
+        makeCase(case, wall, samples, more)
         begin = time.monotonic()
         subprocess.run([os.path.join(binaries, "ensemble"), "-case", case, "-jobs", str(jobs)], check=True,
                        stdout=subprocess.DEVNULL)
@@ -78,16 +81,17 @@ def processor():
         return next((line.split(":")[1].strip() for line in file if line.startswith("model name")), "unknown CPU")
 
 
-def rowsOf(options, wall, samples):
+def rowsOf(options, wall, samples, more=""):
     least, digests, memory = {1: float("inf"), 2: float("inf")}, set(), 0
     for _ in range(options.rounds):
         for jobs in least:
-            elapsed, digest, memory = run(options.bin, wall, samples, jobs)
+            elapsed, digest, memory = run(options.bin, wall, samples, jobs, more)
             least[jobs] = min(least[jobs], elapsed)
             digests.add(digest)
     if len(digests) != 1:
         sys.exit("ensembleRate.py: the tables differ")
-    return [{"case": wall, "processes": jobs, "samples": samples, "clock[s]": f"{clock:.2f}",
+    case = wall + (" one by one" if more else "")
+    return [{"case": case, "processes": jobs, "samples": samples, "clock[s]": f"{clock:.2f}",
              "samples/s": f"{samples / clock:.0f}", "efficiency": f"{least[1] / jobs / clock:.3f}",
              "memory[MB]": f"{memory:.0f}"} for jobs, clock in least.items()]
 
@@ -99,7 +103,8 @@ def main():
     parser.add_argument("--rounds", type=int, default=2)
     parser.add_argument("--out")
     options = parser.parse_args()
-    rows = rowsOf(options, "wall1", options.samples) + rowsOf(options, "wall6", options.samples // 10)
+    rows = (rowsOf(options, "wall1", options.samples) + rowsOf(options, "wall6", options.samples // 10)
+            + rowsOf(options, "wall6", options.samples // 10, iterations))
     head = f"# {processor()}, {platform.system()} {platform.release()}, {os.cpu_count()} cores"
     for row in rows:
         print(", ".join(f"{name} {value}" for name, value in row.items()))

@@ -59,11 +59,10 @@ struct LaneArithmetic
         }
         return root;
     }
-    /// 1 / sqrt(a) to three digits: Newton's method from an estimate by the exponent.
+    /// 1 / sqrt(a) to 0.2%: a step of Newton's from an estimate by the exponent.
     static Number roughInverseRoot(Number a)
     {
         Number root = (Number)(0x5fe6eb50c7b537a9L - ((Mask)a >> 1));
-        root *= 1.5 - 0.5 * a * root * root;
         return root * (1.5 - 0.5 * a * root * root);
     }
     static bool any(Mask mask)

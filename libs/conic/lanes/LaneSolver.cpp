@@ -25,7 +25,7 @@ constexpr double largeFriction = 5;
 
 /// Bodies up to which the factor, by blocks without supernodes, is the better one (linear/SchurSystem.cpp),
 /// and the memory of all lanes is that of a cache.
-constexpr int mostBodies = 500;
+constexpr int mostBodies = 300;
 
 /// That for the processors of the dense kernel in use.
 LaneKernel chooseKernel()

@@ -1,0 +1,50 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Samples that are computed in this process without any file.
+#pragma once
+
+#include "ensembles/Ensemble.h"
+
+#include <functional>
+#include <memory>
+
+namespace drystone
+{
+
+/// What a solver without an answer throws.
+struct NotConverged
+{
+    std::string message;
+};
+
+/// Samples without files: the dictionaries of the case in memory, those with variables anew for each sample,
+/// the others read once.
+class SamplesInProcess
+{
+public:
+    /// \param ensemble not owned
+    explicit SamplesInProcess(const Ensemble& ensemble);
+    ~SamplesInProcess();
+
+    /// \throws NotConverged, FatalError
+    std::vector<double> run(const std::vector<SampleValue>& values);
+
+    /// As SampleRunner::runTogether.
+    std::vector<std::optional<SampleOutcome>>
+    runTogether(const std::vector<std::vector<SampleValue>>& samples,
+                const std::function<void(std::size_t)>& begins);
+
+    /// Whether lanes take the case with the entries that are set. \throws FatalError
+    bool isForLanes();
+
+private:
+    struct Cases;
+    std::unique_ptr<Cases> cases;
+};
+
+/// As a dictionary has it: words with signs between quotes.
+std::string entryText(const SampleValue& value);
+
+/// Of results that are computed.
+SampleOutcome outcomeOf(std::vector<double> results);
+
+} // namespace drystone
