@@ -73,7 +73,7 @@ bool haveSameBlocks(const Ensemble& ensemble)
 
 /// Whether lanes take the limit analysis of the case as it stands (statics/LaneAnalyses.h). Its faults are
 /// those of samples.
-bool isForLanes(const Ensemble& ensemble)
+bool isCaseForLanes(const Ensemble& ensemble)
 {
     try
     {
@@ -208,7 +208,7 @@ Ensemble readEnsemble(const fs::path& caseDirectory, const std::vector<std::stri
         std::make_shared<Sampler>(ensemble.settings.variables, ensemble.settings.correlations,
                                   ensemble.settings.design, ensemble.dictionary, caseDirectory);
     ensemble.isInProcess = canRunInProcess(ensemble.settings);
-    ensemble.areAlike = haveSameBlocks(ensemble) && isForLanes(ensemble);
+    ensemble.areAlike = haveSameBlocks(ensemble) && isCaseForLanes(ensemble);
     requireResults(ensemble);
     std::vector<std::string> names;
     for (const auto& [name, variable] : ensemble.settings.variables)

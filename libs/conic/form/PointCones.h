@@ -1,6 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Which standard cones make up the set of a contact point: the one place where the plane and space differ,
-/// and where friction and strength become rays and round cones (Form.h). Internal to the form.
+/// and where friction and strength become rays and round cones (Form.h). Internal to the form and to solvers
+/// that have one of their own.
 #pragma once
 
 #include "conic/ConeProgram.h"
@@ -9,6 +10,12 @@
 
 namespace drystone
 {
+
+/// Friction from which a point gets a ray along the normal besides its cone, which has hardly a normal
+/// component where mu is large: a force along the normal is then the difference of forces mu times as large,
+/// and their openings are those of slip alone. Points with strength do without, since a limit to crushing
+/// needs equal normal components.
+inline constexpr double largeFriction = 5;
 
 /// The cones that make up the set of a point: directions of its rays, diagonals of T of its round cones.
 template<int Forces>

@@ -3,6 +3,7 @@
 #include "conic/lanes/LaneSolver.h"
 
 #include "conic/Certificate.h"
+#include "conic/form/PointCones.h"
 #include "conic/lanes/LaneGeometry.h"
 #include "linear/DenseKernel.h"
 
@@ -19,9 +20,6 @@ void solveLanesWithBaseline(LaneTask& task);
 
 namespace
 {
-
-/// Friction from which points have a ray along their normal besides (form/PointCones.cpp).
-constexpr double largeFriction = 5;
 
 /// Bodies up to which the factor, by blocks without supernodes, is the better one (linear/SchurSystem.cpp),
 /// and the memory of all lanes is that of a cache.
