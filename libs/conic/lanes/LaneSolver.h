@@ -2,8 +2,8 @@
 /// Limit analyses of the plane that differ in friction and loads only, several at once: one in each lane of
 /// the processor's vector registers. Beside the interior point of InteriorPoint.h, which solves any program
 /// and proves that there is no solution where there is none, because small programs leave most of a register,
-/// and most of the time, unused there: samples of an ensemble are solved here four times as fast. What has no
-/// answer here is left to that solver.
+/// and most of the time, unused there: samples of an ensemble are solved here some three times as fast. What
+/// has no answer here is left to that solver.
 #pragma once
 
 #include "conic/ConeProgram.h"
