@@ -231,7 +231,9 @@ void printEnsemble(const Ensemble& ensemble)
 {
     const EnsembleSettings& settings = ensemble.settings;
     info("Applications: {}{}", fmt::join(settings.applications, " "),
-         ensemble.isInProcess ? ", without files" : ", each sample in a copy of the case");
+         !ensemble.isInProcess ? ", each sample in a copy of the case"
+         : ensemble.areAlike   ? ", without files, several samples at once"
+                               : ", without files");
     info("Variables:");
     for (const auto& [name, variable] : settings.variables)
     {

@@ -82,7 +82,12 @@ void declare(Options& options, EnsembleSettings& settings)
         .required("applications", settings.applications,
                   "run one after the other for each sample; a script in the case as \"./prepare\"")
         .example("(blockTexture limitAnalysis)");
-    options.required("variables", settings.variables, "entries of the case that are uncertain; any names")
+    options
+        .required(
+            "variables", settings.variables,
+            "entries of the case that are uncertain; any names. Limit analyses in the plane that differ in "
+            "friction, density, g and loads alone, without strength of joints, with results as alpha, and "
+            "with the default solver, are solved several at once: the log says so")
         .example("mu");
     options.optional("correlations", settings.correlations, "of two variables with numbers (Nataf)")
         .example("((mu unit 0.3))");

@@ -53,6 +53,16 @@ void solveNext(const std::vector<LimitAnalysisCase<2>>& structures, std::vector<
     left = std::move(later);
 }
 
+/// Whether lanes solve as chosen. They have a number of correctors of their own, and end after fewer
+/// iterations than are allowed by default: fewer still, or others, are for the solver that the user has set.
+bool areHonoured(const SolverChoice& choice)
+{
+    const SolverChoice usual;
+    return (choice.solver == SolverType::automatic || choice.solver == SolverType::interiorPoint)
+           && choice.maximumIterations >= usual.maximumIterations && choice.correctors == usual.correctors
+           && choice.writeProgram == WriteProgram::never && !choice.writeIterations && !choice.observer;
+}
+
 } // namespace
 
 bool isForLanes(const LimitAnalysisCase<2>& structure)
@@ -60,7 +70,7 @@ bool isForLanes(const LimitAnalysisCase<2>& structure)
     return structure.multiplier == Multiplier::positive && !structure.movement && !structure.pushover
            && structure.loads.positions.empty() && structure.combinations.empty()
            && !isSurfaceContact(structure.contact) && flowRuleOf(structure.contact) == FlowRule::associative
-           && !structure.solution.writeIterations && LaneSolver::takes(structure.program);
+           && areHonoured(structure.solution) && LaneSolver::takes(structure.program);
 }
 
 template<int Dim>

@@ -14,7 +14,8 @@ namespace drystone
 struct SymbolicAnalysis;
 
 /// Whether a structure in the plane has one answer, at a positive multiplier by the associative flow rule,
-/// and LaneSolver takes its program.
+/// LaneSolver takes its program, and its solver is left as it is by default but for the tolerance, or with
+/// more iterations allowed.
 bool isForLanes(const LimitAnalysisCase<2>& structure);
 
 /// The answers of solveLimitAnalyses by LaneSolver, to the same tolerance, structures with the same points

@@ -120,6 +120,13 @@ TEST(LaneAnalyses, OtherLawsAndQuestionsAreNotForLanes)
     EXPECT_FALSE(isTaken([](auto& other) { other.loads.positions.resize(1); }));
     EXPECT_FALSE(isTaken([](auto& other) { other.combinations.resize(1); }));
     EXPECT_FALSE(isTaken([](auto& other) { other.solution.writeIterations = true; }));
+    EXPECT_FALSE(isTaken([](auto& other) { other.solution.writeProgram = WriteProgram::always; }));
+    EXPECT_FALSE(isTaken([](auto& other) { other.solution.solver = SolverType::gaussSeidel; }));
+    EXPECT_FALSE(isTaken([](auto& other) { other.solution.maximumIterations = 3; }));
+    EXPECT_FALSE(isTaken([](auto& other) { other.solution.correctors = 0; }));
+    EXPECT_TRUE(isTaken([](auto& other) { other.solution.maximumIterations = 1000; }));
+    EXPECT_TRUE(isTaken([](auto& other) { other.solution.solver = SolverType::interiorPoint; }));
+    EXPECT_TRUE(isTaken([](auto& other) { other.solution.tolerance = 1e-7; }));
     EXPECT_FALSE(isTaken([](auto& other) { other.program.strength.resize(other.program.contacts.size()); }));
 }
 
