@@ -3,6 +3,7 @@
 
 #include "core/Signals.h"
 
+#include <algorithm>
 #include <cmath>
 #include <csignal>
 #include <ctime>
@@ -146,12 +147,17 @@ std::optional<SampleRow> computeSample(const Ensemble& ensemble, const fs::path&
     }
 }
 
-/// Samples from `first` on, without those that `isLeftOut` says, as many as are computed together. For the
-/// milliseconds that all of them take the first of them is in hand.
-/// \return rows of those that have come out; the others are computed one by one
+/// Samples that were computed together.
+struct Together
+{
+    std::map<long, SampleRow> rows; ///< of those that have come out; the others are computed one by one
+    long end = 0;                   ///< the number after the last of them
+};
+
+/// Samples from `first` on, without those that `isLeftOut` says, as many as are computed together.
 template<class IsLeftOut>
-std::map<long, SampleRow> computeTogether(const Ensemble& ensemble, SampleRunner& runner, Activity& activity,
-                                          long first, long end, const IsLeftOut& isLeftOut)
+Together computeTogether(const Ensemble& ensemble, SampleRunner& runner, Activity& activity, long first,
+                         long end, const IsLeftOut& isLeftOut)
 {
     std::vector<long> numbers;
     std::vector<std::vector<SampleValue>> samples;
@@ -164,12 +170,14 @@ std::map<long, SampleRow> computeTogether(const Ensemble& ensemble, SampleRunner
             samples.push_back(ensemble.sampler->at(sample));
         }
     }
-    std::map<long, SampleRow> rows;
+    Together together;
+    together.end = numbers.back() + 1;
     const auto begins = [&](std::size_t index)
     {
         activity.since = monotonicTime();
         activity.sample = numbers[index];
     };
+    activity.togetherBefore = together.end;
     begins(0);
     const double begin = cpuTimeOfAll();
     try
@@ -180,7 +188,7 @@ std::map<long, SampleRow> computeTogether(const Ensemble& ensemble, SampleRunner
         {
             if (outcomes[i] && !isFailure(outcomes[i]->status))
             {
-                rows[numbers[i]] = {outcomes[i]->status, 1, each, std::move(outcomes[i]->results)};
+                together.rows[numbers[i]] = {outcomes[i]->status, 1, each, std::move(outcomes[i]->results)};
             }
         }
     }
@@ -189,7 +197,8 @@ std::map<long, SampleRow> computeTogether(const Ensemble& ensemble, SampleRunner
         // Memory that one by one they do not take, or a fault that one by one each of them reports.
     }
     activity.sample = -1;
-    return rows;
+    activity.togetherBefore = 0;
+    return together;
 }
 
 void computeChunk(const Ensemble& ensemble, const SampleStore& store, long chunk, SampleRunner& runner,
@@ -206,8 +215,8 @@ void computeChunk(const Ensemble& ensemble, const SampleStore& store, long chunk
         return known.contains(sample)
                || countOf(attempts.own, sample) + countOf(attempts.outside, sample) > 0;
     };
-    std::map<long, SampleRow> ahead; // rows that samples before have brought
-    long asked = begin;              // samples from here on have not been computed together
+    // None of those that were together when a worker died, or that come before them.
+    Together ahead{{}, std::max(begin, std::min(end, activity.aloneBefore.load()))};
     activity.done = 0;
     for (long sample = begin; sample < end; ++sample)
     {
@@ -216,13 +225,12 @@ void computeChunk(const Ensemble& ensemble, const SampleStore& store, long chunk
             journal.sync();
             ::_exit(0);
         }
-        if (sample >= asked && !isLeftOut(sample) && runner.together() > 1)
+        if (sample >= ahead.end && !isLeftOut(sample) && runner.together() > 1)
         {
             ahead = computeTogether(ensemble, runner, activity, sample, end, isLeftOut);
-            asked = ahead.empty() ? sample + 1 : ahead.rbegin()->first + 1;
         }
         const auto found = known.find(sample);
-        if (const auto done = ahead.find(sample); done != ahead.end())
+        if (const auto done = ahead.rows.find(sample); done != ahead.rows.end())
         {
             journal.add(sample, done->second);
         }
@@ -249,6 +257,7 @@ void computeChunk(const Ensemble& ensemble, const SampleStore& store, long chunk
         }
         ++activity.done;
     }
+    activity.aloneBefore = 0; // samples of another chunk have other numbers
     journal.sync();
 }
 

@@ -17,10 +17,15 @@ namespace drystone
 /// What a worker does, in memory that it shares with its supervisor.
 struct Activity
 {
-    std::atomic<long> sample{-1};           ///< in hand; -1: none
-    std::atomic<double> since{0};           ///< monotonic time at which the attempt began [s]
-    std::atomic<long> done{0};              ///< samples of the chunk in hand that are done
-    std::atomic<bool> stops{false};         ///< finish the sample in hand and end
+    std::atomic<long> sample{-1}; ///< in hand; -1: none
+    std::atomic<double> since{0}; ///< monotonic time at which the attempt began [s]
+    std::atomic<long> done{0};    ///< samples of the chunk in hand that are done
+    /// The sample in hand and others before this one are computed together: a crash is not known to be of the
+    /// sample in hand. 0: it is by itself.
+    std::atomic<long> togetherBefore{0};
+    std::atomic<long> aloneBefore{
+        0};                         ///< samples of the chunk in hand before this one are computed one by one
+    std::atomic<bool> stops{false}; ///< finish the sample in hand and end
     std::atomic<bool> isFromOutside{false}; ///< the signal that ended the worker was sent by somebody
 };
 

@@ -244,6 +244,7 @@ private:
         }
         worker.isEnded = false;
         worker.activity->sample = -1;
+        worker.activity->togetherBefore = 0;
         worker.activity->isFromOutside = false;
         const pid_t supervisor = ::getpid();
         const pid_t child = ::fork();
@@ -351,6 +352,11 @@ private:
         const long sample = worker.activity->sample;
         if (sample < 0)
         {
+            return;
+        }
+        if (const long end = worker.activity->togetherBefore; end > 0)
+        {
+            worker.activity->aloneBefore = end; // one by one they show whose fault it was
             return;
         }
         const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;

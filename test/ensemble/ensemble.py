@@ -50,6 +50,13 @@ class Ensemble(CaseTest):
         self.set(case, **changes)
         return case
 
+    def alike(self, name, **changes):
+        """A case with friction alone uncertain, whose samples are computed together."""
+        made = self.case(name, **{"samples": 1500, "design": "random", **changes})
+        self.edit(made, "system/ensembleDict", "    unit { file \"system/blockTextureDict\"; entry \"unitLength\"; "
+                  "distribution { type uniform; minimum 0.35; maximum 0.45; } }\n", "")
+        return made
+
     def edit(self, case, name, old, new):
         text = self.read(case, name)
         self.assertIn(old, text)
@@ -97,14 +104,14 @@ class Ensemble(CaseTest):
     def childrenOf(cls, process):
         return [int(word) for word in cls.ofProcess(process, f"task/{process}/children").split()]
 
-    def runUntilItIsHit(self, name, jobs, hit):
+    def runUntilItIsHit(self, name, jobs, hit, make=None):
         """A run of more than 20 samples that is hit before its end. On a busy machine it may end before this process
         comes to hit it: then another case is begun.
 
         hit(process)       whether there was something to hit
         """
         for attempt in range(10):
-            case = self.case(f"{name}{attempt}")
+            case = (make or self.case)(f"{name}{attempt}")
             process = self.start(case, "-jobs", jobs)
             self.waitFor(lambda: self.rowsOf(case) > 20, process)
             isHit = process.poll() is None and hit(process)
@@ -186,17 +193,13 @@ class Ensemble(CaseTest):
     def testSamplesThatAreComputedTogetherAreThoseOfTheApplications(self):
         """Friction alone is uncertain, so that limit analyses are solved several at once: to the tolerance as by the
         application, and the same to the last digit whatever samples are computed with one."""
-        def case(name, **changes):
-            made = self.case(name, **{"samples": 1500, "design": "random", **changes})
-            self.edit(made, "system/ensembleDict", "    unit { file \"system/blockTextureDict\"; entry \"unitLength\"; "
-                      "distribution { type uniform; minimum 0.35; maximum 0.45; } }\n", "")
-            return made
+        case = self.alike
 
         def alphas(of):
             return [float(row[2]) for row in self.table(of)[1:]]
 
         together = case("together")
-        self.run_(together, "-jobs", "1")
+        self.assertIn("several samples at once", self.run_(together, "-jobs", "1").stdout)
         byFiles = case("togetherByFiles", applications="blockTexture checkBlocks limitAnalysis", samples=6)
         self.run_(byFiles)
         for one, other in zip(alphas(byFiles), alphas(together)):
@@ -355,6 +358,63 @@ results
         case, status = self.runUntilItIsHit("crashed", "2", crash)
         self.assertEqual(status, 0)
         self.assertEqual(self.digest(case), self.reference())
+
+    def testACrashOfSamplesThatAreComputedTogetherIsBlamedOnNone(self):
+        """They are begun again one by one, each with all of its attempts; so are those that together take longer than
+        one of them may."""
+        def abort(process):
+            workers = self.childrenOf(process.pid)
+            if workers:
+                os.kill(workers[0], signal.SIGABRT)  # as a fault of its own
+            return bool(workers)
+
+        def hold(process):
+            workers = self.childrenOf(process.pid)
+            if not workers:
+                return False
+            os.kill(workers[0], signal.SIGSTOP)
+            time.sleep(2.5)
+            try:
+                os.kill(workers[0], signal.SIGCONT)
+            except ProcessLookupError:
+                return True  # it was late with samples in hand
+            return False
+
+        whole = self.alike("wholeTogether")
+        self.run_(whole)
+        for name, hit in (*((f"abortedTogether{i}.", abort) for i in range(3)), ("heldTogether", hold)):
+            case, status = self.runUntilItIsHit(
+                name, "1", hit, lambda name: self.alike(name, failures="attempts 1; maximumTime 1;"))
+            self.assertEqual(status, 0, name)
+            self.assertEqual(self.table(case), self.table(whole), name)
+
+    def testSettingsOfTheSolverAreHonoured(self):
+        """Those that samples computed together do not know are for samples one by one."""
+        for name, settings in (("fewIterations", "maximumIterations 3;"), ("fewCorrectors", "correctors 0;")):
+            case = self.alike(name, samples=12)
+            with open(os.path.join(case, "system/solution"), "w", encoding="utf-8") as file:
+                file.write(header % "solution" + f"limitAnalysis {{ {settings} }}\n")
+            isFew = name == "fewIterations"
+            self.assertNotIn("several samples at once", self.run_(case, status=2 if isFew else 0).stdout)
+            self.assertTrue(all(row[3] == ("3" if isFew else "0") for row in self.table(case)[1:]), self.table(case))
+
+    def testAFolderOfTheVersionBeforeIsContinued(self):
+        """Its file of chunks had their number alone in its name; journals say what is done."""
+        case, _ = self.runUntilItIsHit("before", "1", lambda process: process.send_signal(signal.SIGINT) is None,
+                                       self.alike)
+        work = os.path.join(case, "postProcessing/ensemble/0/work")
+        chunks = [name for name in os.listdir(work) if name.startswith("chunks.")]
+        self.assertEqual(len(chunks), 1, chunks)
+        os.remove(os.path.join(work, chunks[0]))
+        with open(os.path.join(work, "chunks.1500"), "wb") as file:
+            file.write(b"\1" * 10 + b"\0" * 1490)
+        before = self.rowsOf(case)
+        self.run_(case)
+        self.assertEqual(self.rowsOf(case), 1500)
+        self.assertGreater(before, 0)
+        whole = self.alike("beforeWhole")
+        self.run_(whole)
+        self.assertEqual(self.table(case), self.table(whole))
 
     def testCtrlCStopsAndItContinues(self):
         """The program ends after the samples in hand, so all may be there already: then it is interrupted anew."""
