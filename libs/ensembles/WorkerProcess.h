@@ -23,9 +23,9 @@ struct Activity
     /// The sample in hand and others before this one are computed together: a crash is not known to be of the
     /// sample in hand. 0: it is by itself.
     std::atomic<long> togetherBefore{0};
-    std::atomic<long> aloneBefore{
-        0};                         ///< samples of the chunk in hand before this one are computed one by one
-    std::atomic<bool> stops{false}; ///< finish the sample in hand and end
+    /// Samples of the chunk in hand before this one are computed one by one.
+    std::atomic<long> aloneBefore{0};
+    std::atomic<bool> stops{false};         ///< finish the sample in hand and end
     std::atomic<bool> isFromOutside{false}; ///< the signal that ended the worker was sent by somebody
 };
 

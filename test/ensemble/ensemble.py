@@ -388,6 +388,34 @@ results
             self.assertEqual(status, 0, name)
             self.assertEqual(self.table(case), self.table(whole), name)
 
+    def testASampleThatCrashesByItselfAfterwardsIsBlamedAlone(self):
+        """Workers are ended again and again, until one is hit that computes one by one."""
+        def abortUntilOneIsBlamed(process):
+            failures = os.path.join(self.root.name, self.newest, "postProcessing/ensemble/0/work/failures")
+            while process.poll() is None and not os.path.exists(failures):
+                time.sleep(random.uniform(0.005, 0.03))
+                for worker in self.childrenOf(process.pid):
+                    try:
+                        os.kill(worker, signal.SIGABRT)
+                    except ProcessLookupError:
+                        pass  # it has ended meanwhile
+            return os.path.exists(failures)
+
+        def make(name):
+            self.newest = name
+            return self.alike(name, failures="attempts 1; maximumPart 0.01;")
+
+        case, status = self.runUntilItIsHit("blamed", "1", abortUntilOneIsBlamed, make)
+        self.assertEqual(status, 0)
+        failed = [row for row in self.table(case)[1:] if row[3] != "0"]
+        # One, or two where the next worker was hit before the first was seen.
+        self.assertIn([row[2:] for row in failed], [[["nan", "4", "1"]], 2 * [["nan", "4", "1"]]])
+        whole = self.alike("blamedWhole")
+        self.run_(whole)
+        numbers = [row[0] for row in failed]
+        self.assertEqual([row for row in self.table(case) if row not in failed],
+                         [row for row in self.table(whole) if row[0] not in numbers])
+
     def testSettingsOfTheSolverAreHonoured(self):
         """Those that samples computed together do not know are for samples one by one."""
         for name, settings in (("fewIterations", "maximumIterations 3;"), ("fewCorrectors", "correctors 0;")):
