@@ -16,7 +16,7 @@ constexpr int mostIterations = 60;
 
 /// And so much closer they are solved, where the interior point alone gets there: what is held afterwards
 /// makes an error too.
-constexpr double partOfTolerance = 0.1;
+constexpr double partOfStepTolerance = 0.1;
 constexpr double leastTolerance = 1e-10;
 
 /// Bodies that move by less than this part of the farthest are at rest, if the certificate allows it, or else
@@ -101,7 +101,7 @@ BodiesStep<Dim> solveBodies(Step<Dim>& step, BlockGroups<Dim> groups, const Grou
     {
         settings.solver.maximumIterations = std::min(settings.solver.maximumIterations, mostIterations);
         double& tolerance = settings.solver.tolerance;
-        tolerance = std::max(partOfTolerance * tolerance, std::min(tolerance, leastTolerance));
+        tolerance = std::max(partOfStepTolerance * tolerance, std::min(tolerance, leastTolerance));
     }
     bodies.step = solveThetaStep(bodies.program, settings,
                                  guessOfGroups(bodies.groups, bodies.whole, bodies.program, step.guess),
