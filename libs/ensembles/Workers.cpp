@@ -16,6 +16,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
+#include <fstream>
 #include <new>
 #include <optional>
 
@@ -354,20 +355,24 @@ private:
         {
             return;
         }
+        const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+        const std::string why = worker.isEnded ? "took longer than maximumTime"
+                                : signal != 0
+                                    ? fmt::format("ended by signal {} ({})", signal, ::strsignal(signal))
+                                    : "ended without an answer";
         if (const long end = worker.activity->togetherBefore; end > 0)
         {
             worker.activity->aloneBefore = end; // one by one they show whose fault it was
+            std::ofstream(worker.messages, std::ios::app)
+                << fmt::format("Samples {} to {}, computed together: {}. They are begun again one by one.\n",
+                               sample, end - 1, why);
             return;
         }
-        const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
         const bool isOutside =
             !worker.isEnded
             && (worker.activity->isFromOutside || signal == SIGKILL || signal == SIGTERM || signal == SIGHUP);
         addFailure(store.folder(),
-                   {sample, worker.isEnded ? worker.endedFor : SampleStatus::crashed, isOutside,
-                    worker.isEnded ? "took longer than maximumTime"
-                    : signal != 0  ? fmt::format("ended by signal {} ({})", signal, ::strsignal(signal))
-                                   : "ended without an answer"});
+                   {sample, worker.isEnded ? worker.endedFor : SampleStatus::crashed, isOutside, why});
         ++failedAttempts;
     }
 

@@ -382,11 +382,18 @@ results
 
         whole = self.alike("wholeTogether")
         self.run_(whole)
+        said = ""
         for name, hit in (*((f"abortedTogether{i}.", abort) for i in range(3)), ("heldTogether", hold)):
             case, status = self.runUntilItIsHit(
                 name, "1", hit, lambda name: self.alike(name, failures="attempts 1; maximumTime 1;"))
             self.assertEqual(status, 0, name)
             self.assertEqual(self.table(case), self.table(whole), name)
+            work = os.path.join(self.root.name, case, "postProcessing/ensemble/0/work")
+            for file in os.listdir(work):
+                if file.startswith("messages."):
+                    with open(os.path.join(work, file)) as text:
+                        said += text.read()
+        self.assertIn("They are begun again one by one.", said)
 
     def testASampleThatCrashesByItselfAfterwardsIsBlamedAlone(self):
         """Workers are ended again and again, until one is hit that computes one by one."""
@@ -408,8 +415,9 @@ results
         case, status = self.runUntilItIsHit("blamed", "1", abortUntilOneIsBlamed, make)
         self.assertEqual(status, 0)
         failed = [row for row in self.table(case)[1:] if row[3] != "0"]
-        # One, or two where the next worker was hit before the first was seen.
-        self.assertIn([row[2:] for row in failed], [[["nan", "4", "1"]], 2 * [["nan", "4", "1"]]])
+        # One, or some more where next workers were hit before the first was seen.
+        self.assertIn(len(failed), range(1, 8))
+        self.assertEqual([row[2:] for row in failed], len(failed) * [["nan", "4", "1"]])
         whole = self.alike("blamedWhole")
         self.run_(whole)
         numbers = [row[0] for row in failed]
