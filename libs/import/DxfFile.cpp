@@ -1,0 +1,392 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// AutoCAD DXF, read group by group. ImportedFile.h says why the reader is our own.
+#include "import/DxfFile.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+
+namespace drystone
+{
+
+namespace
+{
+
+/// Two lines of the file: what a value means, and the value.
+struct Group
+{
+    int code = 0;
+    std::string_view value;
+    int line = 0;
+};
+
+class GroupReader
+{
+public:
+    explicit GroupReader(const ImportedFile& source) : file(source), lines(source.bytes) { advance(); }
+
+    const Group& current() const { return group; }
+    bool isEnd() const { return isAtEnd; }
+    /// To the next group that is no comment.
+    void advance()
+    {
+        constexpr int comment = 999;
+        do
+        {
+            readGroup();
+        } while (group.code == comment);
+    }
+    bool starts(std::string_view name) const { return group.code == 0 && group.value == name; }
+    double number() const { return numberOf(file, group.line + 1, group.value); }
+    int integer() const { return integerOf(file, group.line + 1, group.value); }
+
+private:
+    void readGroup()
+    {
+        std::string_view line;
+        if (!lines.next(line))
+        {
+            if (!isAtEnd && group.value != "EOF")
+            {
+                refuse(file, lines.number(), "The file ends without `EOF`: get a complete copy of it.");
+            }
+            isAtEnd = true;
+            group = {0, "EOF", lines.number()};
+            return;
+        }
+        group.line = lines.number();
+        group.code = integerOf(file, group.line, trimmed(line));
+        if (!lines.next(line))
+        {
+            refuse(file, group.line, "The file ends after a group code: get a complete copy of it.");
+        }
+        group.value = trimmed(line);
+    }
+
+    const ImportedFile& file;
+    LineReader lines;
+    Group group;
+    bool isAtEnd = false;
+};
+
+class DxfReader
+{
+public:
+    explicit DxfReader(const ImportedFile& source) : file(source), groups(source) {}
+
+    DxfFile read()
+    {
+        while (!groups.isEnd() && !groups.starts("EOF"))
+        {
+            if (!groups.starts("SECTION"))
+            {
+                refuse(file, groups.current().line + 1,
+                       fmt::format("`SECTION` is expected, but `{}` found: is this a DXF file in text form?",
+                                   shown(groups.current().value)));
+            }
+            groups.advance();
+            const std::string_view name = groups.current().value;
+            groups.advance();
+            if (name == "HEADER")
+            {
+                readHeader();
+            }
+            else if (name == "TABLES")
+            {
+                readTables();
+            }
+            else if (name == "BLOCKS")
+            {
+                readBlocks();
+            }
+            else if (name == "ENTITIES")
+            {
+                readEntities(result.entities, "ENDSEC");
+            }
+            while (!groups.starts("ENDSEC"))
+            {
+                requireMore("ENDSEC");
+                groups.advance();
+            }
+            groups.advance();
+        }
+        return std::move(result);
+    }
+
+private:
+    void requireMore(std::string_view what) const
+    {
+        if (groups.isEnd() || groups.starts("EOF"))
+        {
+            refuse(file, groups.current().line,
+                   fmt::format("The file ends before `{}`: get a complete copy of it.", what));
+        }
+    }
+
+    void readHeader()
+    {
+        while (!groups.starts("ENDSEC"))
+        {
+            requireMore("ENDSEC");
+            const bool isUnits = groups.current().code == 9 && groups.current().value == "$INSUNITS";
+            groups.advance();
+            if (isUnits && groups.current().code == 70)
+            {
+                static const std::map<int, double> metres{{1, 0.0254}, {2, 0.3048}, {4, 0.001},   {5, 0.01},
+                                                          {6, 1},      {7, 1000},   {10, 0.9144}, {14, 0.1}};
+                const int unit = groups.integer();
+                if (const auto found = metres.find(unit); found != metres.end())
+                {
+                    result.unit = found->second;
+                }
+                else if (unit != 0)
+                {
+                    result.unknownUnit =
+                        fmt::format("the unit of the drawing, $INSUNITS {}, which is not known", unit);
+                }
+            }
+        }
+    }
+
+    /// Layers that are off or frozen.
+    void readTables()
+    {
+        while (!groups.starts("ENDSEC"))
+        {
+            requireMore("ENDSEC");
+            const bool isLayer = groups.starts("LAYER");
+            groups.advance();
+            if (!isLayer)
+            {
+                continue;
+            }
+            std::string name;
+            bool isHidden = false;
+            for (; groups.current().code != 0; groups.advance())
+            {
+                const Group& group = groups.current();
+                if (group.code == 2)
+                {
+                    name = group.value;
+                }
+                isHidden = isHidden || (group.code == 70 && (groups.integer() & 1) != 0)
+                           || (group.code == 62 && groups.integer() < 0);
+            }
+            if (isHidden)
+            {
+                result.hidden.insert(name);
+            }
+        }
+    }
+
+    void readBlocks()
+    {
+        while (!groups.starts("ENDSEC"))
+        {
+            requireMore("ENDSEC");
+            if (!groups.starts("BLOCK"))
+            {
+                groups.advance();
+                continue;
+            }
+            DxfContent content;
+            std::string name;
+            for (groups.advance(); groups.current().code != 0; groups.advance())
+            {
+                const Group& group = groups.current();
+                if (group.code == 2)
+                {
+                    name = group.value;
+                }
+                else if (group.code == 10 || group.code == 20)
+                {
+                    content.base[group.code / 10 - 1] = groups.number();
+                }
+            }
+            readEntities(content, "ENDBLK");
+            result.blocks[name] = std::move(content);
+        }
+    }
+
+    void readEntities(DxfContent& content, std::string_view end)
+    {
+        while (!groups.starts(end))
+        {
+            requireMore(end);
+            if (groups.starts("ENDSEC"))
+            {
+                refuse(file, groups.current().line, fmt::format("`{}` is missing before `ENDSEC`.", end));
+            }
+            if (groups.starts("LWPOLYLINE"))
+            {
+                content.polylines.push_back(readPolyline());
+            }
+            else if (groups.starts("POLYLINE"))
+            {
+                content.polylines.push_back(readOldPolyline());
+            }
+            else if (groups.starts("INSERT"))
+            {
+                content.inserts.push_back(readInsert());
+            }
+            else
+            {
+                constexpr std::size_t mostNames = 100;
+                if (groups.current().code == 0 && result.others.size() < mostNames)
+                {
+                    ++result.others[shown(groups.current().value)];
+                }
+                groups.advance();
+            }
+        }
+    }
+
+    /// What all polylines have. \return whether the group is one of these
+    bool readCommon(DxfPolyline& polyline)
+    {
+        const Group& group = groups.current();
+        if (group.code == 8)
+        {
+            polyline.layer = group.value;
+        }
+        else if (group.code == 70)
+        {
+            polyline.isClosed = (groups.integer() & 1) != 0;
+        }
+        else if (group.code == 230)
+        {
+            polyline.isMirrored = groups.number() < 0;
+        }
+        else
+        {
+            return false;
+        }
+        return true;
+    }
+
+    /// Corner by corner: x begins one.
+    void readCorner(DxfPolyline& polyline, int& ofCorner)
+    {
+        const Group& group = groups.current();
+        if (group.code == 10)
+        {
+            polyline.corners.emplace_back(groups.number(), 0);
+            polyline.bulges.push_back(0);
+            result.digits.add(group.value);
+            ofCorner = 1;
+        }
+        else if (group.code == 20 && ofCorner > 0)
+        {
+            polyline.corners.back().y() = groups.number();
+            result.digits.add(group.value);
+        }
+        else if (group.code == 42 && ofCorner > 0)
+        {
+            polyline.bulges.back() = groups.number();
+        }
+    }
+
+    DxfPolyline readPolyline()
+    {
+        DxfPolyline polyline;
+        polyline.line = groups.current().line;
+        int ofCorner = 0;
+        for (groups.advance(); groups.current().code != 0; groups.advance())
+        {
+            if (!readCommon(polyline))
+            {
+                readCorner(polyline, ofCorner);
+            }
+        }
+        return polyline;
+    }
+
+    DxfPolyline readOldPolyline()
+    {
+        DxfPolyline polyline;
+        polyline.line = groups.current().line;
+        for (groups.advance(); groups.current().code != 0; groups.advance())
+        {
+            readCommon(polyline);
+        }
+        while (groups.starts("VERTEX"))
+        {
+            int ofCorner = 0;
+            for (groups.advance(); groups.current().code != 0; groups.advance())
+            {
+                readCorner(polyline, ofCorner);
+            }
+        }
+        if (!groups.starts("SEQEND"))
+        {
+            refuse(file, groups.current().line + 1, "The vertices of a POLYLINE end without `SEQEND`.");
+        }
+        groups.advance();
+        while (groups.current().code != 0)
+        {
+            groups.advance();
+        }
+        return polyline;
+    }
+
+    DxfInsert readInsert()
+    {
+        DxfInsert insert;
+        insert.line = groups.current().line;
+        for (groups.advance(); groups.current().code != 0; groups.advance())
+        {
+            const Group& group = groups.current();
+            switch (group.code)
+            {
+            case 2:
+                insert.block = group.value;
+                break;
+            case 8:
+                insert.layer = group.value;
+                break;
+            case 10:
+            case 20:
+                insert.place[group.code / 10 - 1] = groups.number();
+                break;
+            case 41:
+            case 42:
+                insert.factor[group.code - 41] = groups.number();
+                break;
+            case 44:
+            case 45:
+                insert.spacing[group.code - 44] = groups.number();
+                break;
+            case 50:
+                insert.angle = groups.number() * std::numbers::pi / 180;
+                break;
+            case 70:
+                insert.columns = std::max(1, groups.integer());
+                break;
+            case 71:
+                insert.rows = std::max(1, groups.integer());
+                break;
+            default:
+                break;
+            }
+        }
+        return insert;
+    }
+
+    const ImportedFile& file;
+    GroupReader groups;
+    DxfFile result;
+};
+
+} // namespace
+
+DxfFile readDxfFile(const ImportedFile& file)
+{
+    if (file.bytes.starts_with("AutoCAD Binary DXF"))
+    {
+        refuse(file, 0, "This DXF file is in binary form: save it in text form (ASCII DXF).");
+    }
+    return DxfReader(file).read();
+}
+
+} // namespace drystone
