@@ -3,22 +3,13 @@
 /// other such programs that share the folder.
 #pragma once
 
+#include "ensembles/LaunchedAs.h"
 #include "ensembles/SampleStore.h"
 
 #include <functional>
 
 namespace drystone
 {
-
-/// Which of several programs this one is, as the launcher says in the environment (Open MPI, MPICH and
-/// others, Slurm); one of one where it says nothing.
-struct LaunchedAs
-{
-    int rank = 0;
-    int size = 1;
-    bool isArray = false; ///< a task of a Slurm array, which ends when there is nothing left to begin
-};
-LaunchedAs launchedAs();
 
 struct WorkerSettings
 {

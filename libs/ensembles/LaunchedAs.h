@@ -1,0 +1,18 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Several programs that compute one ensemble, as mpirun and Slurm start them.
+#pragma once
+
+namespace drystone
+{
+
+/// Which of several programs this one is, as the launcher says in the environment (Open MPI, MPICH and
+/// others, Slurm); one of one where it says nothing.
+struct LaunchedAs
+{
+    int rank = 0;
+    int size = 1;
+    bool isArray = false; ///< a task of a Slurm array, which ends when there is nothing left to begin
+};
+LaunchedAs launchedAs();
+
+} // namespace drystone
