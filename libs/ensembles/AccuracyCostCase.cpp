@@ -162,6 +162,140 @@ fs::path accuracyFolder(const fs::path& caseDirectory)
     return postProcessingFolder(caseDirectory, accuracyCostName, "0");
 }
 
+namespace
+{
+
+/// Reads the structure with as many points to a joint as a setting has, if it is not known yet.
+template<int Dim>
+void requireStructure(AccuracyCase<Dim>& ofCase, const fs::path& caseDirectory, const RunSetting& setting)
+{
+    const int points = jointPointsOf<Dim>(setting);
+    if (!ofCase.structures.contains(points))
+    {
+        ofCase.structures.emplace(
+            points,
+            readLimitAnalysisCase<Dim>(caseDirectory, points > 0 ? std::optional(points) : std::nullopt));
+    }
+}
+
+/// Reads the motion of the case. \param study gets its duration \return its settings
+template<int Dim>
+RunSetting readMotion(const fs::path& caseDirectory, AccuracyCase<Dim>& ofCase, AccuracyStudy& study)
+{
+    Time time(caseDirectory, ControlDict::required);
+    ofCase.scene = readDynamicCase<Dim>(caseDirectory);
+    ofCase.start = startOrContinue(caseDirectory, *ofCase.scene, time).state;
+    ofCase.endTime = time.controls().endTime;
+    study.duration = ofCase.endTime - ofCase.start.time;
+    if (!(study.duration > 0))
+    {
+        throw FatalIOError("The motions of the study end where they begin: raise endTime.",
+                           time.controlDict().locationOf("endTime"));
+    }
+    const DynamicCase<Dim>& scene = *ofCase.scene;
+    return {time.controls().deltaT,
+            scene.schemes.timeIntegration.theta,
+            scene.flowRule(),
+            scene.solution.solver,
+            scene.solution.tolerance,
+            0,
+            0,
+            scene.schemes.smallDisplacements ? Displacements::small : Displacements::large,
+            ContactFormulation::points,
+            scene.schemes.contactOverlap,
+            scene.schemes.effects.selection};
+}
+
+/// Reads the limit analysis of the case. \return its settings
+template<int Dim>
+RunSetting readCollapse(const fs::path& caseDirectory, AccuracyCase<Dim>& ofCase)
+{
+    requireStructure(ofCase, caseDirectory, {});
+    const LimitAnalysisCase<Dim>& structure = ofCase.structures.at(0);
+    RunSetting setting;
+    setting.flowRule = flowRuleOf(structure.contact);
+    setting.solver = SolverType::interiorPoint;
+    setting.tolerance = structure.solution.tolerance;
+    setting.formulation =
+        structure.contact.contact ? structure.contact.contact->formulation : ContactFormulation::points;
+    return setting;
+}
+
+/// \param own the settings of the case \param reference its sub-dictionary
+template<int Dim>
+StudyQuantity quantityOf(const std::string& name, const QuantityPlan& plan, const RunSetting& own,
+                         const std::shared_ptr<AccuracyCase<Dim>>& shared, const fs::path& caseDirectory,
+                         const Dictionary& reference)
+{
+    StudyQuantity quantity{name,
+                           plan.kind,
+                           plan.make(shared),
+                           plan.reference,
+                           own,
+                           [shared, own, kind = plan.kind] { return unitOfWork(*shared, own, kind); },
+                           0};
+    if (plan.reference.kind == ReferencePlan::Kind::Housner)
+    {
+        quantity.housner = housnerValue(quantity.quantity, reference.locationOf("type"));
+    }
+    if (plan.reference.kind == ReferencePlan::Kind::finest)
+    {
+        rejectKeys<Dim>(reference, plan.kind);
+        const RunSetting finest = finestSetting(plan.reference, own);
+        if (plan.kind == QuantityKind::limitAnalysis)
+        {
+            requireStructure(*shared, caseDirectory, finest);
+        }
+        requirePossible(*shared, plan.kind, finest, reference);
+    }
+    return quantity;
+}
+
+/// The number of the quantity that a sweep names. \param own the dictionary of the sweep
+std::size_t quantityOfSweep(const AccuracyStudy& study, const std::string& wanted, const Dictionary& own)
+{
+    const auto quantity = std::find_if(study.quantities.begin(), study.quantities.end(),
+                                       [&](const auto& known) { return known.name == wanted; });
+    if (quantity == study.quantities.end())
+    {
+        std::vector<std::string> names;
+        for (const StudyQuantity& known : study.quantities)
+        {
+            names.push_back(known.name);
+        }
+        throw FatalIOError(unknownWordMessage("quantity", wanted, names), own.locationOf("quantity"));
+    }
+    return static_cast<std::size_t>(quantity - study.quantities.begin());
+}
+
+/// Rejects a sweep without meaning for its quantity, or that the case cannot be computed with.
+template<int Dim>
+void requireSweep(AccuracyCase<Dim>& ofCase, const fs::path& caseDirectory, const StudyQuantity& quantity,
+                  const Sweep& sweep, const Dictionary& own)
+{
+    rejectKeys<Dim>(own, quantity.kind);
+    const bool isMotion = quantity.kind == QuantityKind::motion;
+    if (sweep.along && *sweep.along != SweepAxis::tolerance
+        && (*sweep.along == SweepAxis::deltaT) != isMotion)
+    {
+        throw FatalIOError(
+            isMotion ? "Contact points are for multipliers: let this sweep go along deltaT or tolerance."
+                     : "deltaT is for motions: let this sweep go along tolerance, pointsPerJoint or "
+                       "pointsPerSide.",
+            own.locationOf("along"));
+    }
+    for (const RunSetting& setting : settingsOf(sweep, quantity.ofCase))
+    {
+        if (!isMotion)
+        {
+            requireStructure(ofCase, caseDirectory, setting);
+        }
+        requirePossible(ofCase, quantity.kind, setting, own);
+    }
+}
+
+} // namespace
+
 template<int Dim>
 AccuracyStudy readAccuracyStudy(const fs::path& caseDirectory)
 {
@@ -177,120 +311,27 @@ AccuracyStudy readAccuracyStudy(const fs::path& caseDirectory)
     study.sweeps = settings.sweeps;
     study.caseDirectory = caseDirectory;
     const auto shared = std::make_shared<AccuracyCase<Dim>>();
-    AccuracyCase<Dim>& ofCase = *shared;
     const auto ofKind = [&](QuantityKind kind)
     {
         return std::any_of(settings.quantities.begin(), settings.quantities.end(),
                            [kind](const auto& quantity) { return quantity.second.kind == kind; });
     };
-    RunSetting ofMotion;
-    if (ofKind(QuantityKind::motion))
-    {
-        Time time(caseDirectory, ControlDict::required);
-        ofCase.scene = readDynamicCase<Dim>(caseDirectory);
-        ofCase.start = startOrContinue(caseDirectory, *ofCase.scene, time).state;
-        ofCase.endTime = time.controls().endTime;
-        study.duration = ofCase.endTime - ofCase.start.time;
-        const DynamicCase<Dim>& scene = *ofCase.scene;
-        ofMotion = {time.controls().deltaT,
-                    scene.schemes.timeIntegration.theta,
-                    scene.flowRule(),
-                    scene.solution.solver,
-                    scene.solution.tolerance,
-                    0,
-                    0,
-                    scene.schemes.smallDisplacements ? Displacements::small : Displacements::large,
-                    ContactFormulation::points,
-                    scene.schemes.contactOverlap,
-                    scene.schemes.effects.selection};
-        if (!(study.duration > 0))
-        {
-            throw FatalIOError("The motions of the study end where they begin: raise endTime.",
-                               time.controlDict().locationOf("endTime"));
-        }
-    }
-    RunSetting ofCollapse;
-    const auto structureWith = [&](const RunSetting& setting)
-    {
-        const int points = jointPointsOf<Dim>(setting);
-        if (!ofCase.structures.contains(points))
-        {
-            ofCase.structures.emplace(
-                points,
-                readLimitAnalysisCase<Dim>(caseDirectory, points > 0 ? std::optional(points) : std::nullopt));
-        }
-    };
-    if (ofKind(QuantityKind::limitAnalysis))
-    {
-        structureWith({});
-        const LimitAnalysisCase<Dim>& structure = ofCase.structures.at(0);
-        ofCollapse.flowRule = flowRuleOf(structure.contact);
-        ofCollapse.solver = SolverType::interiorPoint;
-        ofCollapse.tolerance = structure.solution.tolerance;
-        ofCollapse.formulation =
-            structure.contact.contact ? structure.contact.contact->formulation : ContactFormulation::points;
-    }
+    const RunSetting ofMotion =
+        ofKind(QuantityKind::motion) ? readMotion(caseDirectory, *shared, study) : RunSetting();
+    const RunSetting ofCollapse =
+        ofKind(QuantityKind::limitAnalysis) ? readCollapse(caseDirectory, *shared) : RunSetting();
 
     for (const auto& [name, plan] : settings.quantities)
     {
-        const bool isMotion = plan.kind == QuantityKind::motion;
-        const RunSetting& own = isMotion ? ofMotion : ofCollapse;
-        study.quantities.push_back(
-            {name, plan.kind, plan.make(shared), plan.reference, own,
-             [shared, own, kind = plan.kind] { return unitOfWork(*shared, own, kind); }, 0});
-        const Dictionary& reference = quantities.subDict(name).subDict("reference");
-        if (plan.reference.kind == ReferencePlan::Kind::Housner)
-        {
-            StudyQuantity& quantity = study.quantities.back();
-            quantity.housner = housnerValue(quantity.quantity, reference.locationOf("type"));
-        }
-        if (plan.reference.kind == ReferencePlan::Kind::finest)
-        {
-            rejectKeys<Dim>(reference, plan.kind);
-            const RunSetting finest = finestSetting(plan.reference, study.quantities.back().ofCase);
-            if (!isMotion)
-            {
-                structureWith(finest);
-            }
-            requirePossible(ofCase, plan.kind, finest, reference);
-        }
+        const RunSetting& own = plan.kind == QuantityKind::motion ? ofMotion : ofCollapse;
+        study.quantities.push_back(quantityOf(name, plan, own, shared, caseDirectory,
+                                              quantities.subDict(name).subDict("reference")));
     }
     for (const auto& [name, sweep] : settings.sweeps)
     {
         const Dictionary& own = sweeps.subDict(name);
-        const std::string& wanted = sweep.quantity;
-        const auto quantity = std::find_if(study.quantities.begin(), study.quantities.end(),
-                                           [&](const auto& known) { return known.name == wanted; });
-        if (quantity == study.quantities.end())
-        {
-            std::vector<std::string> names;
-            for (const StudyQuantity& known : study.quantities)
-            {
-                names.push_back(known.name);
-            }
-            throw FatalIOError(unknownWordMessage("quantity", sweep.quantity, names),
-                               own.locationOf("quantity"));
-        }
-        study.quantityOfSweep.push_back(static_cast<std::size_t>(quantity - study.quantities.begin()));
-        rejectKeys<Dim>(own, quantity->kind);
-        if (sweep.along && *sweep.along != SweepAxis::tolerance
-            && (*sweep.along == SweepAxis::deltaT) != (quantity->kind == QuantityKind::motion))
-        {
-            throw FatalIOError(
-                quantity->kind == QuantityKind::motion
-                    ? "Contact points are for multipliers: let this sweep go along deltaT or tolerance."
-                    : "deltaT is for motions: let this sweep go along tolerance, pointsPerJoint or "
-                      "pointsPerSide.",
-                own.locationOf("along"));
-        }
-        for (const RunSetting& setting : settingsOf(sweep, quantity->ofCase))
-        {
-            if (quantity->kind == QuantityKind::limitAnalysis)
-            {
-                structureWith(setting);
-            }
-            requirePossible(ofCase, quantity->kind, setting, own);
-        }
+        study.quantityOfSweep.push_back(quantityOfSweep(study, sweep.quantity, own));
+        requireSweep(*shared, caseDirectory, study.quantities[study.quantityOfSweep.back()], sweep, own);
     }
     study.heading = historyHeading(caseDirectory, dictionary);
     return study;
