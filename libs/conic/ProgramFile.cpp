@@ -129,16 +129,11 @@ void refuseUnknownKeys(const Dictionary& dictionary)
     }
 }
 
+/// The columns of all contact points.
 template<int Rows, int Forces>
-ConeProgram<Rows, Forces> readProgramOf(const Dictionary& dictionary)
+std::vector<ConeColumns<Rows, Forces>> readContacts(const Dictionary& dictionary, int bodies)
 {
-    ConeProgram<Rows, Forces> program;
-    program.bodies = dictionary.get<int>("bodies");
-    if (program.bodies < 0)
-    {
-        throw FatalIOError(fmt::format("bodies {} is below 0.", program.bodies),
-                           dictionary.locationOf("bodies"));
-    }
+    std::vector<ConeColumns<Rows, Forces>> read;
     const Entry& contacts = dictionary.lookup("contacts");
     const auto entries = contacts.as<std::vector<ContactEntry>>();
     for (std::size_t point = 0; point < entries.size(); ++point)
@@ -149,10 +144,10 @@ ConeProgram<Rows, Forces> readProgramOf(const Dictionary& dictionary)
         };
         for (const int body : {entry.first, entry.second})
         {
-            if (body < -1 || body >= program.bodies)
+            if (body < -1 || body >= bodies)
             {
                 fail(fmt::format("there is no body {}: they are numbered from 0 to {}, and -1 does not move.",
-                                 body, program.bodies - 1));
+                                 body, bodies - 1));
             }
         }
         if (entry.first == entry.second && entry.first >= 0)
@@ -164,84 +159,117 @@ ConeProgram<Rows, Forces> readProgramOf(const Dictionary& dictionary)
             fail(fmt::format("{} and {} numbers, where {} x {} are needed for each of the two bodies.",
                              entry.onFirst.size(), entry.onSecond.size(), Rows, Forces));
         }
-        program.contacts.push_back({entry.first, entry.second,
-                                    matrixOf<Rows, Forces>(entry.onFirst, "", contacts.location()),
-                                    matrixOf<Rows, Forces>(entry.onSecond, "", contacts.location())});
-        if (!hasOppositeForces(program.contacts.back()))
+        read.push_back({entry.first, entry.second,
+                        matrixOf<Rows, Forces>(entry.onFirst, "", contacts.location()),
+                        matrixOf<Rows, Forces>(entry.onSecond, "", contacts.location())});
+        if (!hasOppositeForces(read.back()))
         {
             fail(fmt::format(
                 "what it does to its two bodies must be opposite in the first {} rows, the forces.", Forces));
         }
     }
-    const std::size_t points = program.contacts.size();
-    const std::size_t rows = Rows * static_cast<std::size_t>(program.bodies);
-    const std::string rowsOf = fmt::format("{} for each of {} bodies", Rows, program.bodies);
+    return read;
+}
 
-    program.friction = readList<double>(dictionary, "friction", points, "one for each contact point");
+std::vector<double> readFriction(const Dictionary& dictionary, std::size_t points)
+{
+    const auto friction = readList<double>(dictionary, "friction", points, "one for each contact point");
     for (std::size_t point = 0; point < points; ++point)
     {
-        if (program.friction[point] < 0)
+        if (friction[point] < 0)
         {
             throw FatalIOError(
-                fmt::format("friction {} of contact point {} is below 0.", program.friction[point], point),
+                fmt::format("friction {} of contact point {} is below 0.", friction[point], point),
                 dictionary.locationOf("friction"));
         }
     }
-    if (dictionary.found("strength"))
+    return friction;
+}
+
+/// \param friction of each contact point
+std::vector<Strength> readStrength(const Dictionary& dictionary, const std::vector<double>& friction)
+{
+    std::vector<Strength> strengths;
+    for (const StrengthEntry& entry :
+         readList<StrengthEntry>(dictionary, "strength", friction.size(), "one for each contact point"))
     {
-        for (const StrengthEntry& entry :
-             readList<StrengthEntry>(dictionary, "strength", points, "one for each contact point"))
+        strengths.push_back(entry.strength);
+    }
+    for (std::size_t point = 0; point < friction.size(); ++point)
+    {
+        const Strength& strength = strengths[point];
+        // mu tension may be rounded one way here and another way where it was computed.
+        if (!(strength.tension >= 0) || !(strength.crushing > 0)
+            || !(strength.cohesion >= friction[point] * strength.tension * (1 - 1e-12)))
         {
-            program.strength.push_back(entry.strength);
-        }
-        for (std::size_t point = 0; point < points; ++point)
-        {
-            const Strength& strength = program.strength[point];
-            // mu tension may be rounded one way here and another way where it was computed.
-            if (!(strength.tension >= 0) || !(strength.crushing > 0)
-                || !(strength.cohesion >= program.friction[point] * strength.tension * (1 - 1e-12)))
-            {
-                throw FatalIOError(
-                    fmt::format("strength ({} {} {}) of contact point {}: tension must be at least 0, "
-                                "cohesion at least mu tension, and crushing above 0.",
-                                strength.cohesion, strength.tension, strength.crushing, point),
-                    placeOf(dictionary.lookup("strength"), point));
-            }
+            throw FatalIOError(
+                fmt::format("strength ({} {} {}) of contact point {}: tension must be at least 0, "
+                            "cohesion at least mu tension, and crushing above 0.",
+                            strength.cohesion, strength.tension, strength.crushing, point),
+                placeOf(dictionary.lookup("strength"), point));
         }
     }
-    program.load = readVector(dictionary, "load", rows, rowsOf);
+    return strengths;
+}
+
+template<int Rows>
+std::vector<Eigen::Matrix<double, Rows, Rows>> readInertia(const Dictionary& dictionary, int bodies)
+{
+    std::vector<Eigen::Matrix<double, Rows, Rows>> inertias;
+    const Entry& inertia = dictionary.lookup("inertia");
+    const auto blocks = readList<std::vector<double>>(dictionary, "inertia", static_cast<std::size_t>(bodies),
+                                                      "one for each body");
+    for (std::size_t body = 0; body < blocks.size(); ++body)
+    {
+        const SourceLocation place = placeOf(inertia, body);
+        const auto block = matrixOf<Rows, Rows>(blocks[body], fmt::format("inertia of body {}", body), place);
+        const double asymmetry = (block - block.transpose()).cwiseAbs().maxCoeff();
+        if (asymmetry > 1e-12 * block.cwiseAbs().maxCoeff() || block.llt().info() != Eigen::Success)
+        {
+            throw FatalIOError(
+                fmt::format("inertia of body {} is not symmetric and positive definite.", body), place);
+        }
+        inertias.push_back(block);
+    }
+    return inertias;
+}
+
+template<int Rows, int Forces>
+ConeProgram<Rows, Forces> readProgramOf(const Dictionary& dictionary)
+{
+    ConeProgram<Rows, Forces> program;
+    program.bodies = dictionary.get<int>("bodies");
+    if (program.bodies < 0)
+    {
+        throw FatalIOError(fmt::format("bodies {} is below 0.", program.bodies),
+                           dictionary.locationOf("bodies"));
+    }
+    program.contacts = readContacts<Rows, Forces>(dictionary, program.bodies);
+    const std::size_t points = program.contacts.size();
+    const std::size_t rows = Rows * static_cast<std::size_t>(program.bodies);
+    const std::string ofRows = fmt::format("{} for each of {} bodies", Rows, program.bodies);
+    const std::string ofForces = fmt::format("{} for each of {} contact points", Forces, points);
+    program.friction = readFriction(dictionary, points);
+    if (dictionary.found("strength"))
+    {
+        program.strength = readStrength(dictionary, program.friction);
+    }
+    program.load = readVector(dictionary, "load", rows, ofRows);
     if (dictionary.found("liveLoad"))
     {
-        program.liveLoad = readVector(dictionary, "liveLoad", rows, rowsOf);
+        program.liveLoad = readVector(dictionary, "liveLoad", rows, ofRows);
     }
     if (dictionary.found("inertia"))
     {
-        const Entry& inertia = dictionary.lookup("inertia");
-        const auto blocks = readList<std::vector<double>>(
-            dictionary, "inertia", static_cast<std::size_t>(program.bodies), "one for each body");
-        for (std::size_t body = 0; body < blocks.size(); ++body)
-        {
-            const SourceLocation place = placeOf(inertia, body);
-            const auto block =
-                matrixOf<Rows, Rows>(blocks[body], fmt::format("inertia of body {}", body), place);
-            const double asymmetry = (block - block.transpose()).cwiseAbs().maxCoeff();
-            if (asymmetry > 1e-12 * block.cwiseAbs().maxCoeff() || block.llt().info() != Eigen::Success)
-            {
-                throw FatalIOError(
-                    fmt::format("inertia of body {} is not symmetric and positive definite.", body), place);
-            }
-            program.inertia.push_back(block);
-        }
+        program.inertia = readInertia<Rows>(dictionary, program.bodies);
     }
     if (dictionary.found("gap"))
     {
-        program.gap = readVector(dictionary, "gap", Forces * points,
-                                 fmt::format("{} for each of {} contact points", Forces, points));
+        program.gap = readVector(dictionary, "gap", Forces * points, ofForces);
     }
     if (dictionary.found("compliance"))
     {
-        program.compliance = readVector(dictionary, "compliance", Forces * points,
-                                        fmt::format("{} for each of {} contact points", Forces, points));
+        program.compliance = readVector(dictionary, "compliance", Forces * points, ofForces);
         if (program.compliance.size() > 0 && program.compliance.minCoeff() < 0)
         {
             throw FatalIOError("A compliance is at least 0.", dictionary.locationOf("compliance"));
