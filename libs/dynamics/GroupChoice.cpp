@@ -17,12 +17,14 @@ namespace
 constexpr double slow = 1e-9;
 constexpr double slowByCoulombsLaw = 1e-6;
 
+/// See isCreeping.
 constexpr double creeping = 1e-5;
 
 /// Joined blocks are worth it if they make no more bodies than this part of the blocks that are not held, and
-/// if these are few: in a wall that breaks some of so many bodies always part.
+/// if these are many, far fewer: in a wall that breaks some of so many bodies always part.
 constexpr double worthJoining = 0.5;
-constexpr long mostToJoin = 100;
+constexpr double worthJoiningMany = 0.1;
+constexpr long many = 100;
 
 /// Of the error allowed in gaps: on the length of a joint, and many joints on each other, a gap adds up to
 /// more.
@@ -61,8 +63,8 @@ GroupChoice<Dim>::GroupChoice(const Step<Dim>& step) : current(step)
     joinBlocks();
     number();
     const auto moving = std::count(isHeld.begin(), isHeld.end(), false);
-    if (current.settings.flowRule == FlowRule::associative
-        && (moving > mostToJoin || bodies() > worthJoining * static_cast<double>(moving)))
+    const double worth = moving > many ? worthJoiningMany : worthJoining;
+    if (current.settings.flowRule == FlowRule::associative && bodies() > worth * static_cast<double>(moving))
     {
         wakeBuffer();
     }

@@ -26,15 +26,11 @@ public:
     /// A number for each free block, the same for those that move as one; -1: held.
     const std::vector<int>& groups() const { return group; }
 
-    /// Whether a free block is simulated although it is slow enough to be held.
-    bool isBuffer(int body) const
-    {
-        return isSlow[static_cast<std::size_t>(body)] && !isHeld[static_cast<std::size_t>(body)];
-    }
-    /// Whether it is slower than 1e-5 of the fastest.
-    bool isCreeping(int body) const { return creeps[static_cast<std::size_t>(body)]; }
-    /// Whether there are such blocks.
+    /// Whether some blocks are simulated although they are slow enough to be held.
     bool hasBuffer() const { return isSlow != isHeld; }
+
+    /// Whether a free block is slower than 1e-5 of the fastest.
+    bool isCreeping(int body) const { return creeps[static_cast<std::size_t>(body)]; }
 
     /// How many bodies that makes, what is held aside.
     int bodies() const;
@@ -53,9 +49,9 @@ private:
     void partWholly(const std::vector<std::size_t>& failing);
 
     const Step<Dim>& current;
-    std::vector<char> isSlow;   ///< of each free block
-    std::vector<char> creeps;   ///< likewise
-    std::vector<char> isHeld;   ///< likewise
+    std::vector<char> isSlow;   ///< of each free block: enough to be held
+    std::vector<char> creeps;   ///< of each free block, see isCreeping
+    std::vector<char> isHeld;   ///< of each free block: not simulated
     std::vector<char> isJoined; ///< of each point: its blocks move as one
     std::vector<int> group;
 };
