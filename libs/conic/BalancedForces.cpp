@@ -95,42 +95,46 @@ std::vector<std::size_t> pointsOutside(const ConeProgram<Rows, Forces>& program,
     return outside;
 }
 
-namespace
-{
-
-/// Whether each body is at one of the points, or a neighbour of one that is, so many times.
 template<int Rows, int Forces>
-std::vector<char> bodiesAround(const ConeProgram<Rows, Forces>& program,
-                               const std::vector<std::size_t>& points, int neighbours)
+std::vector<char> withNeighbours(const ConeProgram<Rows, Forces>& program, std::vector<char> isMarked,
+                                 int times)
 {
-    std::vector<char> isNear(static_cast<std::size_t>(program.bodies), false);
-    const auto mark = [&isNear](int body)
+    for (int ring = 0; ring < times; ++ring)
     {
-        if (body >= 0)
-        {
-            isNear[static_cast<std::size_t>(body)] = true;
-        }
-    };
-    for (const std::size_t point : points)
-    {
-        mark(program.contacts[point].first);
-        mark(program.contacts[point].second);
-    }
-    for (int ring = 0; ring < neighbours; ++ring)
-    {
-        const std::vector<char> inner = isNear;
+        const std::vector<char> before = isMarked;
         for (const auto& contact : program.contacts)
         {
             if (contact.first >= 0 && contact.second >= 0
-                && (inner[static_cast<std::size_t>(contact.first)]
-                    || inner[static_cast<std::size_t>(contact.second)]))
+                && (before[static_cast<std::size_t>(contact.first)]
+                    || before[static_cast<std::size_t>(contact.second)]))
             {
-                mark(contact.first);
-                mark(contact.second);
+                isMarked[static_cast<std::size_t>(contact.first)] = true;
+                isMarked[static_cast<std::size_t>(contact.second)] = true;
             }
         }
     }
-    return isNear;
+    return isMarked;
+}
+
+namespace
+{
+
+/// Whether each body is at one of the points.
+template<int Rows, int Forces>
+std::vector<char> bodiesAt(const ConeProgram<Rows, Forces>& program, const std::vector<std::size_t>& points)
+{
+    std::vector<char> isAt(static_cast<std::size_t>(program.bodies), false);
+    for (const std::size_t point : points)
+    {
+        for (const int body : {program.contacts[point].first, program.contacts[point].second})
+        {
+            if (body >= 0)
+            {
+                isAt[static_cast<std::size_t>(body)] = true;
+            }
+        }
+    }
+    return isAt;
 }
 
 /// The balance of some of the bodies.
@@ -207,7 +211,7 @@ Eigen::VectorXd repairedForces(const ConeProgram<Rows, Forces>& program, const E
     int last = 0; // bodies of the part before
     for (int neighbours = 3;; neighbours *= 3)
     {
-        const std::vector<char> isPart = bodiesAround(program, outside, neighbours);
+        const std::vector<char> isPart = withNeighbours(program, bodiesAt(program, outside), neighbours);
         const PartOfBalance<Rows, Forces> part = partOfBalance(program, forces, isPart);
         if (part.program.bodies == last || part.program.bodies > largestPart * program.bodies)
         {
@@ -238,6 +242,9 @@ template std::vector<std::size_t> pointsOutside(const PlaneConeProgram&, const E
                                                 const Eigen::VectorXd&, double);
 template std::vector<std::size_t> pointsOutside(const SpaceConeProgram&, const Eigen::VectorXd&,
                                                 const Eigen::VectorXd&, double);
+
+template std::vector<char> withNeighbours(const PlaneConeProgram&, std::vector<char>, int);
+template std::vector<char> withNeighbours(const SpaceConeProgram&, std::vector<char>, int);
 
 template Eigen::VectorXd repairedForces(const PlaneConeProgram&, const Eigen::VectorXd&,
                                         const std::vector<std::size_t>&, double, int&);

@@ -32,6 +32,12 @@ template<int Rows, int Forces>
 std::vector<std::size_t> pointsOutside(const ConeProgram<Rows, Forces>& program, const Eigen::VectorXd& near,
                                        const Eigen::VectorXd& forces, double margin);
 
+/// Whether each body is marked, or a neighbour of one that is, so many times: bodies are neighbours where
+/// they touch. \param isMarked one a body
+template<int Rows, int Forces>
+std::vector<char> withNeighbours(const ConeProgram<Rows, Forces>& program, std::vector<char> isMarked,
+                                 int times);
+
 /// Forces in the cones that balance a load, from others that do so and leave the cones at a few points: those
 /// on the bodies around these points are found anew, by a program of their own, under the forces that all
 /// others give them, which stay as they are. Bodies up to three neighbours away come first, then those three

@@ -184,16 +184,14 @@ StepProgram<Dim> lastProgram(const BodiesStep<Dim>& bodies)
 template<int Dim>
 std::vector<double> motions(const BodiesStep<Dim>& bodies, double blockSize)
 {
-    const Eigen::VectorXd y = displacementOfBlocks(bodies.groups, bodies.step.displacement);
+    const std::vector<double> ofBlocks =
+        motionsOfBlocks<Dim>(displacementOfBlocks(bodies.groups, bodies.step.displacement), blockSize);
     std::vector<double> moved(bodies.groups.blocks.size(), 0);
     for (std::size_t body = 0; body < moved.size(); ++body)
     {
         for (const int block : bodies.groups.blocks[body])
         {
-            const auto own = y.segment<freedomCount<Dim>>(freedomCount<Dim> * block);
-            moved[body] =
-                std::max(moved[body], own.template head<Dim>().norm()
-                                          + blockSize * own.template tail<rotationCount<Dim>>().norm());
+            moved[body] = std::max(moved[body], ofBlocks[static_cast<std::size_t>(block)]);
         }
     }
     return moved;

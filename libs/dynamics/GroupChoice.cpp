@@ -2,6 +2,8 @@
 /// The guess which blocks rest, and which move as one.
 #include "dynamics/GroupChoice.h"
 
+#include "conic/BalancedForces.h"
+
 #include <algorithm>
 #include <numeric>
 #include <set>
@@ -57,6 +59,19 @@ double keptGap(const Step<Dim>& step)
 }
 
 template<int Dim>
+std::vector<double> motionsOfBlocks(const Eigen::VectorXd& rows, double blockSize)
+{
+    std::vector<double> motions(static_cast<std::size_t>(rows.size() / freedomCount<Dim>));
+    for (std::size_t body = 0; body < motions.size(); ++body)
+    {
+        const auto own = rows.segment<freedomCount<Dim>>(freedomCount<Dim> * static_cast<Eigen::Index>(body));
+        motions[body] =
+            own.template head<Dim>().norm() + blockSize * own.template tail<rotationCount<Dim>>().norm();
+    }
+    return motions;
+}
+
+template<int Dim>
 GroupChoice<Dim>::GroupChoice(const Step<Dim>& step) : current(step)
 {
     holdSlowBlocks();
@@ -84,15 +99,7 @@ int GroupChoice<Dim>::bodies() const
 template<int Dim>
 void GroupChoice<Dim>::holdSlowBlocks()
 {
-    const Eigen::VectorXd& velocity = current.solved.velocity;
-    std::vector<double> speeds(static_cast<std::size_t>(current.program.bodies));
-    for (std::size_t body = 0; body < speeds.size(); ++body)
-    {
-        const auto own =
-            velocity.segment<freedomCount<Dim>>(freedomCount<Dim> * static_cast<Eigen::Index>(body));
-        speeds[body] = own.template head<Dim>().norm()
-                       + current.scene.blockSize * own.template tail<rotationCount<Dim>>().norm();
-    }
+    const std::vector<double> speeds = motionsOfBlocks<Dim>(current.solved.velocity, current.scene.blockSize);
     const double fastest = speeds.empty() ? 0 : *std::max_element(speeds.begin(), speeds.end());
     const double held =
         fastest * (current.settings.flowRule == FlowRule::associative ? slow : slowByCoulombsLaw);
@@ -156,20 +163,7 @@ void GroupChoice<Dim>::number()
 template<int Dim>
 void GroupChoice<Dim>::wakeNeighbours(std::vector<char> isAwake)
 {
-    for (int ring = 0; ring < rings; ++ring)
-    {
-        const std::vector<char> before = isAwake;
-        for (const auto& contact : current.program.contacts)
-        {
-            if (contact.first >= 0 && contact.second >= 0
-                && (before[static_cast<std::size_t>(contact.first)]
-                    || before[static_cast<std::size_t>(contact.second)]))
-            {
-                isAwake[static_cast<std::size_t>(contact.first)] = true;
-                isAwake[static_cast<std::size_t>(contact.second)] = true;
-            }
-        }
-    }
+    isAwake = withNeighbours(current.program, std::move(isAwake), rings);
     for (std::size_t body = 0; body < isHeld.size(); ++body)
     {
         isHeld[body] = isHeld[body] && !isAwake[body];
@@ -254,8 +248,10 @@ void GroupChoice<Dim>::partWholly(const std::vector<std::size_t>& failing)
 }
 
 template double keptGap(const Step<2>& step);
+template std::vector<double> motionsOfBlocks<2>(const Eigen::VectorXd& rows, double blockSize);
 template class GroupChoice<2>;
 template double keptGap(const Step<3>& step);
+template std::vector<double> motionsOfBlocks<3>(const Eigen::VectorXd& rows, double blockSize);
 template class GroupChoice<3>;
 
 } // namespace drystone

@@ -11,6 +11,11 @@ namespace drystone
 template<int Dim>
 double keptGap(const Step<Dim>& step);
 
+/// How far each block moves, its turn times the size of a block included [m]; of velocities, how fast.
+/// \param rows of the blocks
+template<int Dim>
+std::vector<double> motionsOfBlocks(const Eigen::VectorXd& rows, double blockSize);
+
 /// A guess from the velocities at the start of the step, after its impacts, and from the forces of the last
 /// one: blocks that are slower than 1e-9 of the fastest are held (by Coulomb's law 1e-6); others are one
 /// where they touch at a closed point that carries a force, at which the step would move them against each

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Which limit analyses lanes can answer, and batches of those that are alike.
 #include "statics/LaneAnalyses.h"
 
 #include "conic/form/Form.h"
