@@ -3,6 +3,7 @@
 #include "conic/BalancedForces.h"
 
 #include "conic/InteriorPoint.h"
+#include "conic/ProgramPart.h"
 #include "conic/form/FormOperators.h"
 #include "conic/form/FormSchur.h"
 
@@ -33,37 +34,36 @@ ConeWeights<double> barrierWeights(const ConeRanges& cones, const Eigen::VectorX
     return weights;
 }
 
-} // namespace
-
-template<int Rows, int Forces>
-Eigen::VectorXd nearestForces(const ConeProgram<Rows, Forces>& program, const Eigen::VectorXd& near,
-                              double tolerance, SymbolicAnalysis& symbolic)
+/// Assembles and factorises B D B' with D at known forces. \return whether that is possible
+template<int Rows>
+bool factorise(const Form<Rows>& form, const Eigen::VectorXd& known, ConeWeights<double>& weights,
+               SchurSystem<Rows>& system)
 {
-    constexpr int mostRefinements = 6; // each leaves a part of the last, given by the regularisation
     constexpr double relative = 1e-13; // bodies that nothing touches make S singular
     constexpr double least = 1e-3;     // of the mean
-    Form<Rows> form = makeForm(program, symbolic);
     const ConeRanges cones = form.cones();
-    const Eigen::VectorXd known = conesOf(program, form, near);
-    SchurSystem<Rows>& system = schurSystem(form, symbolic);
     const double size = cones.degree() > 0 ? known.squaredNorm() / static_cast<double>(cones.degree()) : 1;
-    const ConeWeights<double> weights = barrierWeights(cones, known, least * std::sqrt(size));
+    weights = barrierWeights(cones, known, least * std::sqrt(size));
     assembleSchur(form, weights, relative * std::max(size, relative), relative, system);
-    if (!system.factorise())
-    {
-        return {};
-    }
-    const double allowed = tolerance * std::max(1e-300, form.load.template lpNorm<Eigen::Infinity>());
-    Eigen::VectorXd s = known;
+    return system.factorise();
+}
+
+/// Changes forces by the least until they balance a load. \param load as that of the form \param s is changed
+/// \return whether they do, to the tolerance
+template<int Rows>
+bool balance(const Form<Rows>& form, const ConeWeights<double>& weights, SchurSystem<Rows>& system,
+             const Eigen::VectorXd& load, double tolerance, Eigen::VectorXd& s)
+{
+    constexpr int mostRefinements = 6; // each leaves a part of the last, given by the regularisation
+    const double allowed = tolerance * std::max(1e-300, load.lpNorm<Eigen::Infinity>());
     Eigen::VectorXd change(s.size());
     for (int refinement = 0; refinement <= mostRefinements; ++refinement)
     {
-        Eigen::VectorXd missing = -form.load;
+        Eigen::VectorXd missing = -load;
         addForces(form, s, missing);
         if (missing.lpNorm<Eigen::Infinity>() <= allowed)
         {
-            return solutionOf(program, form, s, Eigen::VectorXd(Eigen::VectorXd::Zero(form.rows())), 0.0)
-                .contactForce;
+            return true;
         }
         solveWithLimits(form, weights, system, missing);
         applyTransposed(form, missing, change);
@@ -71,10 +71,56 @@ Eigen::VectorXd nearestForces(const ConeProgram<Rows, Forces>& program, const Ei
         s -= change;
         if (!s.allFinite())
         {
-            return {};
+            return false;
         }
     }
-    return {};
+    return false;
+}
+
+/// In the units of the program.
+template<int Rows, int Forces>
+Eigen::VectorXd forcesOf(const ConeProgram<Rows, Forces>& program, const Form<Rows>& form,
+                         const Eigen::VectorXd& s)
+{
+    return solutionOf(program, form, s, Eigen::VectorXd(Eigen::VectorXd::Zero(form.rows())), 0.0)
+        .contactForce;
+}
+
+} // namespace
+
+template<int Rows, int Forces>
+Eigen::VectorXd nearestForces(const ConeProgram<Rows, Forces>& program, const Eigen::VectorXd& near,
+                              double tolerance, SymbolicAnalysis& symbolic)
+{
+    Form<Rows> form = makeForm(program, symbolic);
+    SchurSystem<Rows>& system = schurSystem(form, symbolic);
+    Eigen::VectorXd s = conesOf(program, form, near);
+    ConeWeights<double> weights;
+    return factorise(form, s, weights, system) && balance(form, weights, system, form.load, tolerance, s)
+               ? forcesOf(program, form, s)
+               : Eigen::VectorXd();
+}
+
+template<int Rows, int Forces>
+ForceChanges<Rows, Forces>::ForceChanges(ConeProgram<Rows, Forces> ofStructure, const Eigen::VectorXd& near)
+    : program(std::move(ofStructure))
+{
+    program.liveLoad.resize(0);
+    program.inertia.clear();
+    program.strength.clear();
+    program.gap.resize(0);
+    form = makeForm(program, symbolic);
+    isFactorised = factorise(form, conesOf(program, form, near), weights, schurSystem(form, symbolic));
+}
+
+template<int Rows, int Forces>
+Eigen::VectorXd ForceChanges<Rows, Forces>::under(const Eigen::VectorXd& load, double tolerance)
+{
+    Eigen::VectorXd s = Eigen::VectorXd::Zero(form.cones().size());
+    return isFactorised
+                   && balance(form, weights, schurSystem(form, symbolic), loadOf(form, load), tolerance, s)
+               ? forcesOf(program, form, s)
+               : Eigen::VectorXd();
 }
 
 template<int Rows, int Forces>
@@ -93,27 +139,6 @@ std::vector<std::size_t> pointsOutside(const ConeProgram<Rows, Forces>& program,
         }
     }
     return outside;
-}
-
-template<int Rows, int Forces>
-std::vector<char> withNeighbours(const ConeProgram<Rows, Forces>& program, std::vector<char> isMarked,
-                                 int times)
-{
-    for (int ring = 0; ring < times; ++ring)
-    {
-        const std::vector<char> before = isMarked;
-        for (const auto& contact : program.contacts)
-        {
-            if (contact.first >= 0 && contact.second >= 0
-                && (before[static_cast<std::size_t>(contact.first)]
-                    || before[static_cast<std::size_t>(contact.second)]))
-            {
-                isMarked[static_cast<std::size_t>(contact.first)] = true;
-                isMarked[static_cast<std::size_t>(contact.second)] = true;
-            }
-        }
-    }
-    return isMarked;
 }
 
 namespace
@@ -137,64 +162,15 @@ std::vector<char> bodiesAt(const ConeProgram<Rows, Forces>& program, const std::
     return isAt;
 }
 
-/// The balance of some of the bodies.
+/// The balance of some of the bodies under the forces of the others, by friction alone.
 template<int Rows, int Forces>
-struct PartOfBalance
+ProgramPart<Rows, Forces> partOfBalance(const ConeProgram<Rows, Forces>& whole, const Eigen::VectorXd& forces,
+                                        const std::vector<char>& isPart)
 {
-    ConeProgram<Rows, Forces> program; ///< its load that of the whole with the forces of other bodies
-    std::vector<std::size_t> points;   ///< of it, in the whole
-};
-
-template<int Rows, int Forces>
-PartOfBalance<Rows, Forces> partOfBalance(const ConeProgram<Rows, Forces>& whole,
-                                          const Eigen::VectorXd& forces, const std::vector<char>& isPart)
-{
-    PartOfBalance<Rows, Forces> part;
-    std::vector<int> own(isPart.size(), -1); // number in the part
-    for (std::size_t body = 0; body < own.size(); ++body)
-    {
-        own[body] = isPart[body] ? part.program.bodies++ : -1;
-    }
-    Eigen::VectorXd& load = part.program.load;
-    load.resize(Rows * part.program.bodies);
-    for (std::size_t body = 0; body < own.size(); ++body)
-    {
-        if (isPart[body])
-        {
-            load.segment<Rows>(Rows * own[body]) =
-                whole.load.template segment<Rows>(Rows * static_cast<Eigen::Index>(body));
-        }
-    }
-    const auto numberOf = [&own](int body) { return body < 0 ? -1 : own[static_cast<std::size_t>(body)]; };
-    for (std::size_t point = 0; point < whole.contacts.size(); ++point)
-    {
-        ConeColumns<Rows, Forces> columns = whole.contacts[point];
-        const bool isKnown =
-            (columns.first >= 0 && numberOf(columns.first) < 0)
-            || (columns.second >= 0 && numberOf(columns.second) < 0); // another body is at it
-        columns.first = numberOf(columns.first);
-        columns.second = numberOf(columns.second);
-        if (columns.first < 0 && columns.second < 0)
-        {
-            continue;
-        }
-        if (!isKnown)
-        {
-            part.program.contacts.push_back(columns);
-            part.program.friction.push_back(whole.friction[point]);
-            part.points.push_back(point);
-            continue;
-        }
-        const auto force = forces.segment<Forces>(Forces * static_cast<Eigen::Index>(point));
-        if (columns.first >= 0)
-        {
-            load.segment<Rows>(Rows * columns.first) -= columns.onFirst * force;
-        }
-        if (columns.second >= 0)
-        {
-            load.segment<Rows>(Rows * columns.second) -= columns.onSecond * force;
-        }
-    }
+    ProgramPart<Rows, Forces> part = partUnderForces(whole, forces, isPart);
+    part.program.inertia.clear();
+    part.program.strength.clear();
+    part.program.gap.resize(0);
     return part;
 }
 
@@ -212,7 +188,7 @@ Eigen::VectorXd repairedForces(const ConeProgram<Rows, Forces>& program, const E
     for (int neighbours = 3;; neighbours *= 3)
     {
         const std::vector<char> isPart = withNeighbours(program, bodiesAt(program, outside), neighbours);
-        const PartOfBalance<Rows, Forces> part = partOfBalance(program, forces, isPart);
+        const ProgramPart<Rows, Forces> part = partOfBalance(program, forces, isPart);
         if (part.program.bodies == last || part.program.bodies > largestPart * program.bodies)
         {
             return {};
@@ -223,11 +199,7 @@ Eigen::VectorXd repairedForces(const ConeProgram<Rows, Forces>& program, const E
         if (solution.status == SolveStatus::optimal)
         {
             Eigen::VectorXd repaired = forces;
-            for (std::size_t i = 0; i < part.points.size(); ++i)
-            {
-                repaired.segment<Forces>(Forces * static_cast<Eigen::Index>(part.points[i])) =
-                    solution.contactForce.segment<Forces>(Forces * static_cast<Eigen::Index>(i));
-            }
+            putInto<Forces>(part.points, solution.contactForce, repaired);
             return repaired;
         }
     }
@@ -238,13 +210,13 @@ template Eigen::VectorXd nearestForces(const PlaneConeProgram&, const Eigen::Vec
 template Eigen::VectorXd nearestForces(const SpaceConeProgram&, const Eigen::VectorXd&, double,
                                        SymbolicAnalysis&);
 
+template class ForceChanges<3, 2>;
+template class ForceChanges<6, 3>;
+
 template std::vector<std::size_t> pointsOutside(const PlaneConeProgram&, const Eigen::VectorXd&,
                                                 const Eigen::VectorXd&, double);
 template std::vector<std::size_t> pointsOutside(const SpaceConeProgram&, const Eigen::VectorXd&,
                                                 const Eigen::VectorXd&, double);
-
-template std::vector<char> withNeighbours(const PlaneConeProgram&, std::vector<char>, int);
-template std::vector<char> withNeighbours(const SpaceConeProgram&, std::vector<char>, int);
 
 template Eigen::VectorXd repairedForces(const PlaneConeProgram&, const Eigen::VectorXd&,
                                         const std::vector<std::size_t>&, double, int&);

@@ -3,12 +3,10 @@
 /// leave their cones, instead of a program of all.
 #pragma once
 
-#include "conic/ConeProgram.h"
+#include "conic/form/Form.h"
 
 namespace drystone
 {
-
-struct SymbolicAnalysis;
 
 /// Forces c with A c = f, from some inside the cones that balance a load near f. Of all that do so they are
 /// the nearest in the metric of the cones' barrier at the forces known: with those of the cones s, D = s^2 of
@@ -26,17 +24,33 @@ template<int Rows, int Forces>
 Eigen::VectorXd nearestForces(const ConeProgram<Rows, Forces>& program, const Eigen::VectorXd& near,
                               double tolerance, SymbolicAnalysis& symbolic);
 
+/// The least changes of known forces, in the metric of nearestForces, that balance additional loads: one
+/// factorisation for all of them.
+template<int Rows, int Forces>
+class ForceChanges
+{
+public:
+    /// \param ofStructure its load, inertia, gaps and strengths are not looked at \param near forces that are
+    /// known, F k
+    ForceChanges(ConeProgram<Rows, Forces> ofStructure, const Eigen::VectorXd& near);
+
+    /// \param load R b \param tolerance of the balance, of the largest entry of the load \return F k; empty
+    /// where none balance it
+    Eigen::VectorXd under(const Eigen::VectorXd& load, double tolerance);
+
+private:
+    ConeProgram<Rows, Forces> program;
+    SymbolicAnalysis symbolic;
+    Form<Rows> form;
+    ConeWeights<double> weights;
+    bool isFactorised = false;
+};
+
 /// Points at which forces come nearer to the surface of the cone than a share of how far others are inside
 /// it: none where forces - margin near is in the cones.
 template<int Rows, int Forces>
 std::vector<std::size_t> pointsOutside(const ConeProgram<Rows, Forces>& program, const Eigen::VectorXd& near,
                                        const Eigen::VectorXd& forces, double margin);
-
-/// Whether each body is marked, or a neighbour of one that is, so many times: bodies are neighbours where
-/// they touch. \param isMarked one a body
-template<int Rows, int Forces>
-std::vector<char> withNeighbours(const ConeProgram<Rows, Forces>& program, std::vector<char> isMarked,
-                                 int times);
 
 /// Forces in the cones that balance a load, from others that do so and leave the cones at a few points: those
 /// on the bodies around these points are found anew, by a program of their own, under the forces that all

@@ -3,6 +3,7 @@
 /// them.
 #pragma once
 
+#include "conic/ProgramPart.h"
 #include "dynamics/Step.h"
 
 #include <algorithm>
@@ -80,29 +81,5 @@ template<int Dim>
 Eigen::VectorXd balancedDisplacement(const BlockGroups<Dim>& groups, const StepProgram<Dim>& whole,
                                      const StepProgram<Dim>& program, const Eigen::VectorXd& contactForce,
                                      Eigen::VectorXd ofGroups);
-
-/// The numbers of some of many that have `size` each: rows of blocks, or of points. What is empty stays so.
-template<int size, class Index>
-Eigen::VectorXd takenFrom(const std::vector<Index>& some, const Eigen::VectorXd& whole)
-{
-    Eigen::VectorXd own(whole.size() > 0 ? size * static_cast<Eigen::Index>(some.size()) : 0);
-    for (Eigen::Index i = 0; size * i < own.size(); ++i)
-    {
-        own.segment<size>(size * i) =
-            whole.segment<size>(size * static_cast<Eigen::Index>(some[static_cast<std::size_t>(i)]));
-    }
-    return own;
-}
-
-/// The other way.
-template<int size, class Index>
-void putInto(const std::vector<Index>& some, const Eigen::VectorXd& own, Eigen::VectorXd& whole)
-{
-    for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(some.size()); ++i)
-    {
-        whole.segment<size>(size * static_cast<Eigen::Index>(some[static_cast<std::size_t>(i)])) =
-            own.segment<size>(size * i);
-    }
-}
 
 } // namespace drystone

@@ -125,48 +125,6 @@ Eigen::VectorXd forcesBetween(const BodiesStep<Dim>& bodies)
 namespace
 {
 
-/// A program with some of its bodies held: those that stay, under the same loads. \param number of each body
-/// among those that stay, -1: held
-template<int Dim>
-StepProgram<Dim> withBodiesHeld(const StepProgram<Dim>& program, const std::vector<int>& number)
-{
-    constexpr int rows = freedomCount<Dim>;
-    StepProgram<Dim> left;
-    std::vector<int> bodies;
-    for (std::size_t body = 0; body < number.size(); ++body)
-    {
-        if (number[body] >= 0)
-        {
-            bodies.push_back(static_cast<int>(body));
-            left.inertia.push_back(program.inertia[body]);
-        }
-    }
-    left.bodies = static_cast<int>(bodies.size());
-    left.load = takenFrom<rows>(bodies, program.load);
-    std::vector<std::size_t> points;
-    for (std::size_t point = 0; point < program.contacts.size(); ++point)
-    {
-        auto contact = program.contacts[point];
-        for (int* body : {&contact.first, &contact.second})
-        {
-            *body = *body < 0 ? -1 : number[static_cast<std::size_t>(*body)];
-        }
-        if (contact.first < 0 && contact.second < 0)
-        {
-            continue;
-        }
-        points.push_back(point);
-        left.contacts.push_back(contact);
-        left.friction.push_back(program.friction[point]);
-        if (program.hasStrength())
-        {
-            left.strength.push_back(program.strength[point]);
-        }
-    }
-    left.gap = takenFrom<Dim>(points, program.gap);
-    return left;
-}
-
 /// The program that the step is the solution of. With theta 1 its columns are those at the start.
 template<int Dim>
 StepProgram<Dim> lastProgram(const BodiesStep<Dim>& bodies)
@@ -202,27 +160,19 @@ std::vector<double> motions(const BodiesStep<Dim>& bodies, double blockSize)
 template<int Dim>
 bool holdBodies(const Step<Dim>& step, BodiesStep<Dim>& bodies, const std::vector<double>& moved, double most)
 {
-    std::vector<int> kept;
-    std::vector<int> number(moved.size(), -1); // among those kept
-    for (std::size_t body = 0; body < moved.size(); ++body)
-    {
-        if (moved[body] > most)
-        {
-            number[body] = static_cast<int>(kept.size());
-            kept.push_back(static_cast<int>(body));
-        }
-    }
+    std::vector<char> isKept(moved.size());
+    std::transform(moved.begin(), moved.end(), isKept.begin(), [most](double own) { return own > most; });
+    const auto left = partWithOthersHeld(lastProgram(bodies), isKept);
     std::vector<int> group = bodies.groups.group;
     for (int& ofBlock : group)
     {
-        ofBlock = ofBlock < 0 ? -1 : number[static_cast<std::size_t>(ofBlock)];
+        ofBlock = ofBlock >= 0 && isKept[static_cast<std::size_t>(ofBlock)] ? ofBlock : -1;
     }
     BlockGroups<Dim> groups = blockGroups(step, std::move(group));
     ConeSolution solution;
-    solution.displacement = takenFrom<freedomCount<Dim>>(kept, bodies.step.displacement);
-    solution.contactForce = takenFrom<Dim>(groups.outer, forcesBetween(bodies));
-    const Certificate certificate =
-        certifyOptimal(withBodiesHeld<Dim>(lastProgram(bodies), number), solution);
+    solution.displacement = takenFrom<freedomCount<Dim>>(left.bodies, bodies.step.displacement);
+    solution.contactForce = takenFrom<Dim>(left.points, bodies.step.contactForce);
+    const Certificate certificate = certifyOptimal(left.program, solution);
     if (certificate.worst() > step.settings.solver.tolerance)
     {
         return false;

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "dynamics/DynamicState.h"
-#include "dynamics/Schemes.h"
 #include "effects/EffectList.h"
 #include "effects/Friction.h"
+#include "runControl/Schemes.h"
 
 #include <filesystem>
 

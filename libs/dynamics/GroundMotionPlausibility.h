@@ -2,8 +2,8 @@
 /// Questions about the times at which a motion of the ground is computed.
 #pragma once
 
-#include "dynamics/Schemes.h"
 #include "effects/RecordPlausibility.h"
+#include "runControl/Schemes.h"
 #include "runControl/Time.h"
 
 #include <vector>

@@ -2,7 +2,7 @@
 /// The guess which blocks rest, and which move as one.
 #include "dynamics/GroupChoice.h"
 
-#include "conic/BalancedForces.h"
+#include "conic/ProgramPart.h"
 
 #include <algorithm>
 #include <numeric>

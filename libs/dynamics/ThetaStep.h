@@ -6,10 +6,10 @@
 #include "conic/SolverChoice.h"
 #include "contact/Equilibrium.h"
 #include "dynamics/DynamicState.h"
-#include "dynamics/Schemes.h"
 #include "dynamics/StepWork.h"
 #include "effects/Effect.h"
 #include "effects/Friction.h"
+#include "runControl/Schemes.h"
 
 #include <functional>
 #include <type_traits>

@@ -5,9 +5,9 @@
 
 #include "conic/SolverChoice.h"
 #include "dictionary/Options.h"
-#include "dynamics/Schemes.h"
 #include "effects/ContactProperties.h"
 #include "effects/Effect.h"
+#include "runControl/Schemes.h"
 
 #include <optional>
 #include <string>

@@ -127,6 +127,49 @@ void printWholeJoints(const LimitAnalysisCase<3>& structure, const LimitAnalysis
     }
 }
 
+/// Why no answer is found with a part of the blocks.
+template<int Dim>
+std::string whyAllBlocks(const LimitAnalysisCase<Dim>& structure)
+{
+    if (structure.movement)
+    {
+        return "a support moves";
+    }
+    if (flowRuleOf(structure.contact) == FlowRule::nonAssociative)
+    {
+        return "by Coulomb's law collapse depends on forces everywhere";
+    }
+    if (isSurfaceContact(structure.contact))
+    {
+        return "joints are one surface each";
+    }
+    return "a live load acts on a third of them or more, they are fewer than 100, or no part stands for all";
+}
+
+/// How many of the answers `selection automatic` has found with a part of the blocks.
+template<int Dim>
+void printPartUse(const LimitAnalysisCase<Dim>& structure)
+{
+    const PartUse& use = structure.partUse;
+    if (structure.effects.selection != EffectSelection::automatic)
+    {
+        return;
+    }
+    if (use.ofParts == 0)
+    {
+        info("Effects that were called for: all blocks, since {}.", whyAllBlocks(structure));
+        return;
+    }
+    info("Effects that were called for: {} of {} answers from a part of the blocks, {:.3g} of {} in the "
+         "mean; the others provably stay at rest.",
+         use.ofParts, use.answers, use.blocks / use.ofParts, structure.freeBlocks);
+    if (use.verified > 0)
+    {
+        info("Verified with all blocks: {} answers, largest difference of alpha {:.2g}.", use.verified,
+             use.largestDifference);
+    }
+}
+
 } // namespace
 
 template<int Dim>
@@ -152,6 +195,7 @@ template<int Dim>
 void printLimitAnalysis(const LimitAnalysisCase<Dim>& structure, const std::vector<LimitAnalysis>& results)
 {
     printEnvelope(structure);
+    printPartUse(structure);
     for (const LimitAnalysis& result : results)
     {
         if (!result.combination.empty())

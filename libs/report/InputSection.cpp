@@ -5,12 +5,12 @@
 #include "assembly/Loads.h"
 #include "assembly/Materials.h"
 #include "dynamics/InitialMotion.h"
-#include "dynamics/Schemes.h"
 #include "effects/EffectList.h"
 #include "effects/GroundMotion.h"
 #include "effects/SupportMotion.h"
 #include "functionObjects/FunctionList.h"
 #include "report/InputTable.h"
+#include "runControl/Schemes.h"
 #include "statics/LimitAnalysisCase.h"
 #include "texture/Texture.h"
 

@@ -64,8 +64,10 @@ struct LimitAnalysis
     int factorisations = 0;       ///< likewise, of Schur matrices
     int solves = 0;               ///< likewise, with those factors
     int variables = 0;            ///< forces and the multiplier
-    std::string combination;      ///< of loads that this is the answer for; empty where there is one only
-    int position = -1;            ///< of a moving load, index into CaseLoads::positions; -1: it does not move
+    int simulatedBlocks = -1;     ///< where the others provably stay at rest (ReachedPart.h); -1: all
+    std::optional<double> differenceFromAll; ///< of alpha, where all blocks were solved too
+    std::string combination; ///< of loads that this is the answer for; empty where there is one only
+    int position = -1;       ///< of a moving load, index into CaseLoads::positions; -1: it does not move
     std::optional<CoulombRange>
         coulomb; ///< for the non-associative flow rule; the rest is of its lowest collapse
 };

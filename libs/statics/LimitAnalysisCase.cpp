@@ -140,6 +140,7 @@ LimitAnalysisCase<Dim> readLimitAnalysisCase(const std::filesystem::path& caseDi
     result.solution = controls.solver;
     result.nonAssociative = controls.nonAssociative;
     result.pushover = controls.pushover;
+    result.effects = readSchemes(caseDirectory).effects;
     if (solvesMotionOnly(result.solution.solver))
     {
         throw FatalIOError(nameOf(result.solution.solver)

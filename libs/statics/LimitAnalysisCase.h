@@ -5,6 +5,7 @@
 #include "conic/SolverChoice.h"
 #include "contact/space/PatchCells.h"
 #include "effects/ContactProperties.h"
+#include "runControl/Schemes.h"
 #include "statics/NonAssociative.h"
 #include "statics/Pushover.h"
 
@@ -31,6 +32,16 @@ struct PositionResult
     double alpha = 0; ///< where the status is optimal
 };
 
+/// How often a part of the blocks stood for all, `selection automatic`.
+struct PartUse
+{
+    int answers = 0;              ///< found, for each position, combination and end of the range
+    int ofParts = 0;              ///< of them those of a part (ReachedPart.h)
+    double blocks = 0;            ///< of these parts, summed up
+    int verified = 0;             ///< of them those that were found with all blocks too
+    double largestDifference = 0; ///< of a multiplier
+};
+
 /// A structure with its loads, read and checked.
 template<int Dim>
 struct LimitAnalysisCase
@@ -46,10 +57,12 @@ struct LimitAnalysisCase
     SolverChoice solution;
     EntryLocations solutionLocations; ///< of the entries of system/solution/limitAnalysis, for messages
     NonAssociativeSettings nonAssociative;
-    Multiplier multiplier = Multiplier::positive;                  ///< which ends of the range are asked for
-    std::optional<SupportMovement<Dim>> movement;                  ///< instead of a live load
-    std::optional<PushoverSettings> pushover;                      ///< the capacity curve is asked for
-    CaseLoads<Dim> loads;                                          ///< with combinations those of the first
+    ChosenEffects effects;                        ///< of system/schemes: whether all blocks are simulated
+    PartUse partUse;                              ///< once solved
+    Multiplier multiplier = Multiplier::positive; ///< which ends of the range are asked for
+    std::optional<SupportMovement<Dim>> movement; ///< instead of a live load
+    std::optional<PushoverSettings> pushover;     ///< the capacity curve is asked for
+    CaseLoads<Dim> loads;                         ///< with combinations those of the first
     std::vector<std::pair<std::string, LoadVectors>> combinations; ///< mostly none
     std::vector<PositionResult> envelope; ///< of a moving load, one for each of loads.positions, once solved
 };
@@ -68,7 +81,7 @@ struct SoundStructure
 template<int Dim>
 SoundStructure<Dim> soundStructure(const std::filesystem::path& caseDirectory, Assembly<Dim> assembly);
 
-/// Reads constant/assembly, g, materialProperties, contactProperties, loads and system/solution.
+/// Reads constant/assembly, g, materialProperties, contactProperties, loads, system/solution and schemes.
 /// \param jointPoints contact points of a joint instead of what the case has, for studies: in the plane
 /// pointsPerJoint, in space as many along each side
 /// \throws FatalIOError with the first thing that is wrong: blocks that overlap, a live load that is missing,

@@ -2,12 +2,17 @@
 #include "statics/SolveCase.h"
 
 #include "conic/form/Form.h"
+#include "core/Log.h"
 #include "statics/AddedPoints.h"
+#include "statics/ReachedPart.h"
 #include "statics/Settlement.h"
 #include "statics/SurfaceContact.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace drystone
 {
@@ -42,21 +47,74 @@ LimitAnalysis solveWithSurfaces(const LimitAnalysisCase<2>& structure, SymbolicA
     return result;
 }
 
+/// What is known of a structure from one of its answers to the next.
 template<int Dim>
-LimitAnalysis solveWithPoints(const LimitAnalysisCase<Dim>& structure, SymbolicAnalysis& symbolic)
+struct Kept
+{
+    SymbolicAnalysis& symbolic;
+    CarriedDeadLoad<freedomCount<Dim>, Dim> carried = {};
+    PartUse use = {}; ///< so far
+};
+
+/// Compares an answer that was found with a part of the blocks with that of all.
+template<int Dim>
+void verifyAnswer(const LimitAnalysisCase<Dim>& structure, const InteriorPointSettings& solver,
+                  const LimitAnalysis& answer, Kept<Dim>& kept)
+{
+    const LimitAnalysis all = solveLimitAnalysis(structure.program, solver, &kept.symbolic);
+    const double difference = all.status == CollapseStatus::optimal ? std::abs(answer.alpha - all.alpha)
+                                                                    : std::numeric_limits<double>::infinity();
+    ++kept.use.verified;
+    kept.use.largestDifference = std::max(kept.use.largestDifference, difference);
+    const double allowed = 2 * solver.tolerance * std::max(1.0, std::abs(all.alpha));
+    if (difference > allowed)
+    {
+        printWarning(fmt::format("The multiplier {:.9g}, found with {} of {} blocks, differs by {:.3g} from "
+                                 "that of all; tolerance of system/solution/limitAnalysis allows {:.3g}. "
+                                 "`selection asGiven;` in system/schemes/effects solves with all blocks.",
+                                 answer.alpha, answer.simulatedBlocks, structure.freeBlocks, difference,
+                                 allowed));
+    }
+}
+
+template<int Dim>
+LimitAnalysis solveByAssociativeLaw(const LimitAnalysisCase<Dim>& structure, Kept<Dim>& kept)
+{
+    const InteriorPointSettings solver = interiorPointSettings(structure.solution);
+    ++kept.use.answers;
+    if (structure.effects.selection == EffectSelection::automatic)
+    {
+        if (std::optional<LimitAnalysis> answer =
+                analyseReachedPart(structure.program, solver, kept.carried, kept.symbolic))
+        {
+            ++kept.use.ofParts;
+            kept.use.blocks += answer->simulatedBlocks;
+            const int interval = structure.effects.verifyInterval;
+            if (interval > 0 && kept.use.answers % interval == 0)
+            {
+                verifyAnswer(structure, solver, *answer, kept);
+            }
+            return std::move(*answer);
+        }
+    }
+    return solveLimitAnalysis(structure.program, solver, &kept.symbolic);
+}
+
+template<int Dim>
+LimitAnalysis solveWithPoints(const LimitAnalysisCase<Dim>& structure, Kept<Dim>& kept)
 {
     if constexpr (Dim == 2)
     {
         if (isSurfaceContact(structure.contact))
         {
-            return solveWithSurfaces(structure, symbolic);
+            return solveWithSurfaces(structure, kept.symbolic);
         }
     }
     const InteriorPointSettings solver = interiorPointSettings(structure.solution);
     return structure.movement ? solveSettlement(structure.program, solver)
            : flowRuleOf(structure.contact) == FlowRule::nonAssociative
                ? solveNonAssociative(structure.program, structure.nonAssociative, solver)
-               : solveLimitAnalysis(structure.program, solver, &symbolic);
+               : solveByAssociativeLaw(structure, kept);
 }
 
 template<int Dim>
@@ -83,8 +141,7 @@ bool isWorse(const LimitAnalysis& a, const LimitAnalysis& b)
 }
 
 template<int Dim>
-std::vector<LimitAnalysis> solveAllWithPoints(const LimitAnalysisCase<Dim>& structure,
-                                              SymbolicAnalysis& symbolic)
+std::vector<LimitAnalysis> solveAllWithPoints(const LimitAnalysisCase<Dim>& structure, Kept<Dim>& kept)
 {
     std::vector<LimitAnalysis> results;
     if (!structure.loads.positions.empty())
@@ -94,7 +151,7 @@ std::vector<LimitAnalysis> solveAllWithPoints(const LimitAnalysisCase<Dim>& stru
         for (const LoadPosition<Dim>& position : structure.loads.positions)
         {
             setLive(single, position.live);
-            results.push_back(solveWithPoints(single, symbolic));
+            results.push_back(solveWithPoints(single, kept));
             results.back().position = static_cast<int>(results.size()) - 1;
         }
         return results;
@@ -109,7 +166,7 @@ std::vector<LimitAnalysis> solveAllWithPoints(const LimitAnalysisCase<Dim>& stru
             single.multiplier = loads.multiplier;
             single.program.load = loads.dead;
             single.program.liveLoad = loads.live;
-            for (LimitAnalysis& result : solveAllWithPoints(single, symbolic))
+            for (LimitAnalysis& result : solveAllWithPoints(single, kept))
             {
                 result.combination = name;
                 results.push_back(std::move(result));
@@ -119,14 +176,14 @@ std::vector<LimitAnalysis> solveAllWithPoints(const LimitAnalysisCase<Dim>& stru
     }
     if (structure.multiplier != Multiplier::negative)
     {
-        results.push_back(solveWithPoints(structure, symbolic));
+        results.push_back(solveWithPoints(structure, kept));
     }
     if (structure.multiplier != Multiplier::positive)
     {
         LimitAnalysisCase<Dim> reversed = structure;
         reversed.program.liveLoad *= -1;
         reversed.loads.live *= -1;
-        results.push_back(solveWithPoints(reversed, symbolic));
+        results.push_back(solveWithPoints(reversed, kept));
         results.back().alpha *= -1;
     }
     return results;
@@ -136,13 +193,13 @@ std::vector<LimitAnalysis> solveAllWithPoints(const LimitAnalysisCase<Dim>& stru
 /// the answers; `notConverged` when that takes too long
 template<int Dim, class Solve>
 std::vector<LimitAnalysis> solveWithMorePoints(LimitAnalysisCase<Dim>& structure, const Solve& solve,
-                                               SymbolicAnalysis& symbolic)
+                                               Kept<Dim>& kept)
 {
-    std::vector<LimitAnalysis> results = solve(structure, symbolic);
+    std::vector<LimitAnalysis> results = solve(structure, kept);
     for (int round = 0; addPoints(structure, results); ++round)
     {
         const std::vector<LimitAnalysis> before = std::move(results);
-        results = solve(structure, symbolic);
+        results = solve(structure, kept);
         for (std::size_t i = 0; i < results.size(); ++i)
         {
             results[i].iterations += before[i].iterations;
@@ -171,11 +228,12 @@ LimitAnalysis solveLimitAnalysis(LimitAnalysisCase<Dim>& structure)
         return solveLimitAnalyses(structure).front();
     }
     SymbolicAnalysis symbolic;
+    Kept<Dim> ofStructure{symbolic};
     return solveWithMorePoints(
                structure,
-               [](const LimitAnalysisCase<Dim>& with, SymbolicAnalysis& kept)
+               [](const LimitAnalysisCase<Dim>& with, Kept<Dim>& kept)
                { return std::vector<LimitAnalysis>{solveWithPoints(with, kept)}; },
-               symbolic)
+               ofStructure)
         .front();
 }
 
@@ -183,8 +241,9 @@ template<int Dim>
 std::vector<LimitAnalysis> solveLimitAnalyses(LimitAnalysisCase<Dim>& structure, SymbolicAnalysis* kept)
 {
     SymbolicAnalysis own;
-    std::vector<LimitAnalysis> results =
-        solveWithMorePoints(structure, solveAllWithPoints<Dim>, kept ? *kept : own);
+    Kept<Dim> ofStructure{kept ? *kept : own};
+    std::vector<LimitAnalysis> results = solveWithMorePoints(structure, solveAllWithPoints<Dim>, ofStructure);
+    structure.partUse = ofStructure.use;
     if (structure.loads.positions.empty())
     {
         return results;

@@ -12,6 +12,7 @@
 #include "io/MechanismPicture.h"
 #include "runControl/Application.h"
 #include "runControl/ReportApplication.h"
+#include "runControl/Schemes.h"
 #include "runControl/ThreadControls.h"
 #include "runControl/Time.h"
 #include "statics/SolveCase.h"
@@ -119,6 +120,7 @@ int main(int argc, char* argv[])
                                 {"constant/contactProperties", describeOptions<CaseEffects<2>>},
                                 {"constant/loads", describeOptions<LoadCases<2>>},
                                 {"constant/loads in space", describeOptions<LoadCases<3>>},
+                                {"system/schemes", describeOptions<Schemes>},
                                 {"system/solution/limitAnalysis", describeOptions<LimitAnalysisControls>}};
     return runApplication(argc, argv, description, run);
 }

@@ -22,10 +22,10 @@ Eigen::Matrix<double, Rows, 1> scaledRows(Eigen::Matrix<double, Rows, 1> rows, d
     return rows;
 }
 
-/// A vector of body rows in elimination order, scaled, with zeros at its end for the ground and for each
-/// limit. Also its scale.
+/// A vector of body rows in elimination order, its moments as forces at the mean lever arm, with zeros at its
+/// end for the ground and for each limit.
 template<int Rows>
-Eigen::VectorXd scaledLoad(const Form<Rows>& form, const Eigen::VectorXd& rows, double& scale)
+Eigen::VectorXd orderedLoad(const Form<Rows>& form, const Eigen::VectorXd& rows)
 {
     Eigen::VectorXd result = Eigen::VectorXd::Zero(form.rows());
     for (int body = 0; body < form.bodies; ++body)
@@ -33,6 +33,15 @@ Eigen::VectorXd scaledLoad(const Form<Rows>& form, const Eigen::VectorXd& rows, 
         result.segment<Rows>(Rows * form.position[body]) =
             scaledRows<Rows>(rows.segment<Rows>(Rows * body), form.scaling.lever);
     }
+    return result;
+}
+
+/// A vector of body rows in elimination order, scaled, with zeros at its end for the ground and for each
+/// limit. Also its scale.
+template<int Rows>
+Eigen::VectorXd scaledLoad(const Form<Rows>& form, const Eigen::VectorXd& rows, double& scale)
+{
+    Eigen::VectorXd result = orderedLoad(form, rows);
     scale = powerOfTwo(result.lpNorm<Eigen::Infinity>());
     result /= scale;
     return result;
@@ -332,6 +341,12 @@ Form<Rows> makeForm(const ConeProgram<Rows, Forces>& program, SymbolicAnalysis& 
 }
 
 template<int Rows>
+Eigen::VectorXd loadOf(const Form<Rows>& form, const Eigen::VectorXd& load)
+{
+    return orderedLoad(form, load) / form.scaling.load;
+}
+
+template<int Rows>
 SchurSystem<Rows>& schurSystem(Form<Rows>& form, SymbolicAnalysis& symbolic)
 {
     std::optional<SchurSystem<Rows>>& kept = symbolic.system<Rows>();
@@ -350,6 +365,8 @@ template void analyse(const PlaneConeProgram&, SymbolicAnalysis&);
 template void analyse(const SpaceConeProgram&, SymbolicAnalysis&);
 template Form<3> makeForm(const PlaneConeProgram&, SymbolicAnalysis&, double);
 template Form<6> makeForm(const SpaceConeProgram&, SymbolicAnalysis&, double);
+template Eigen::VectorXd loadOf(const Form<3>& form, const Eigen::VectorXd& load);
+template Eigen::VectorXd loadOf(const Form<6>& form, const Eigen::VectorXd& load);
 template SchurSystem<3>& schurSystem(Form<3>&, SymbolicAnalysis&);
 template SchurSystem<6>& schurSystem(Form<6>&, SymbolicAnalysis&);
 

@@ -210,6 +210,11 @@ Eigen::VectorXd conesOfOpening(const Form<Rows>& form, const Eigen::VectorXd& op
 template<int Rows>
 Eigen::VectorXd openingOf(const Form<Rows>& form, const Eigen::VectorXd& z);
 
+/// Another load than that of the program, in the units and the order of its form. \param load R b
+/// \return as Form::load
+template<int Rows>
+Eigen::VectorXd loadOf(const Form<Rows>& form, const Eigen::VectorXd& load);
+
 /// Displacements in the units and the order of a form. \param displacement R b \return y, ground at rest
 template<int Rows>
 Eigen::VectorXd rowsOf(const Form<Rows>& form, const Eigen::VectorXd& displacement);

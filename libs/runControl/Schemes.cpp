@@ -1,6 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Declaration and reading of system/schemes.
-#include "dynamics/Schemes.h"
+#include "runControl/Schemes.h"
 
 namespace drystone
 {
@@ -40,18 +40,18 @@ void declare(Options& options, ChosenEffects& effects)
 {
     options.optional(
         "selection", effects.selection,
-        "asGiven: every step simulates all effects that the case names, of all blocks; automatic: "
-        "those that it calls for, with a proof that the others would change nothing beyond the "
-        "tolerance of the solver");
+        "asGiven: every step simulates all effects that the case names, of all blocks, and limit analysis "
+        "all blocks; automatic: those that it calls for, with a proof that the others would change nothing "
+        "beyond the tolerance of the solver");
     options
         .optional("margin", effects.margin,
-                  "share of what blocks at rest carry that a proof leaves unused, with automatic")
+                  "share of what blocks at rest carry that a proof leaves unused, in motion with automatic")
         .atLeast(0)
         .atMost(0.9);
     options
         .optional("verifyInterval", effects.verifyInterval,
-                  "every so many steps one is solved with everything on, too, and the largest difference is "
-                  "reported, with automatic; 0: none")
+                  "every so many steps, or answers of limit analysis, one is solved with everything on, too, "
+                  "and the largest difference is reported, with automatic; 0: none")
         .atLeast(0);
     options.check(
         "selection",
