@@ -50,7 +50,7 @@ public:
             for (std::size_t i = 0; i < list->size(); ++i)
             {
                 readBlock({&(*list)[i], fmt::format("{}{}", whole.path.empty() ? "" : whole.path + "/", i)},
-                          "", {});
+                          {}, {});
             }
         }
         else if (whole.member("assembly"))
@@ -69,7 +69,7 @@ public:
         }
         else
         {
-            readBlock(whole, "", {});
+            readBlock(whole, {}, {});
         }
         if (solids.solids.empty())
         {
@@ -120,6 +120,29 @@ private:
         return *value;
     }
 
+    /// `is_support`, and the texts of `zones`; what others keep under this name, and is no list, is theirs.
+    static std::vector<std::string> zonesOf(const Place& node)
+    {
+        std::vector<std::string> zones;
+        const Place support = node.member("is_support");
+        if (support && support.value->asSwitch() != nullptr && *support.value->asSwitch())
+        {
+            zones.emplace_back("is_support");
+        }
+        const Place named = node.member("zones");
+        if (named && named.value->asList() != nullptr)
+        {
+            for (const JsonValue& name : *named.value->asList())
+            {
+                if (name.asText() != nullptr)
+                {
+                    zones.push_back(*name.asText());
+                }
+            }
+        }
+        return zones;
+    }
+
     void readGraph(const Place& graph, const Place& nodes, const Place& blocksBeside)
     {
         std::unordered_map<std::string, int> solidOf;
@@ -140,11 +163,8 @@ private:
             {
                 fail(place, "This node has no block.");
             }
-            const Place support = place.member("is_support");
-            const bool isSupport =
-                support && support.value->asSwitch() != nullptr && *support.value->asSwitch();
             solidOf[key] = static_cast<int>(solids.solids.size());
-            readBlock(block, isSupport ? "is_support" : "", key);
+            readBlock(block, zonesOf(place), key);
         }
         const Place edges = graph.member("edge");
         if (!edges)
@@ -236,12 +256,12 @@ private:
     }
 
     /// A mesh: vertices by keys, with coordinates or without (then those of the defaults), and faces by keys.
-    void readBlock(const Place& wrapped, const std::string& zone, const std::string& name)
+    void readBlock(const Place& wrapped, std::vector<std::string> zones, const std::string& name)
     {
         const Place mesh = content(wrapped);
         Solid solid;
         solid.name = name;
-        solid.zone = zone;
+        solid.zones = std::move(zones);
         Place defaults = mesh ? mesh.member("default_vertex_attributes") : mesh;
         if (mesh && !defaults)
         {

@@ -55,7 +55,7 @@ public:
         {
             for (Solid& solid : solids.solids)
             {
-                solid.zone = withoutNumber(solid.name);
+                solid.zones = {withoutNumber(solid.name)};
             }
         }
         return std::move(solids);
@@ -117,7 +117,7 @@ private:
         if (current.faces.empty())
         {
             current.name = name;
-            current.zone = material;
+            current.zones = {material};
             current.line = beginsAt > 0 ? beginsAt : number;
         }
         std::vector<int> face;

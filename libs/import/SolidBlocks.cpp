@@ -33,7 +33,7 @@ struct Piece
 {
     Polyhedron shape;
     std::string name;
-    std::string zone;
+    std::vector<std::string> zones;
     int line = 0;
 };
 
@@ -96,12 +96,12 @@ std::vector<Piece> piecesOf(Solids& solids, const SolidSettings& settings, const
         solid.vertices = {};
         if (solids.division == Division::asWritten)
         {
-            pieces.push_back({std::move(shape), solid.name, solid.zone, solid.line});
+            pieces.push_back({std::move(shape), solid.name, solid.zones, solid.line});
             continue;
         }
         for (Polyhedron& part : parted(welded(shape, settings.tolerance.value_or(0))))
         {
-            pieces.push_back({std::move(part), solid.name, solid.zone, solid.line});
+            pieces.push_back({std::move(part), solid.name, solid.zones, solid.line});
         }
     }
     return pieces;
@@ -297,7 +297,10 @@ Assembly<3> solidBlocks(Solids solids, const SolidSettings& settings, const Impo
         pieces[i].shape = std::move(shapes[i]);
         requireSolid(file, pieces[i], i);
         assembly.blocks.push_back({std::move(pieces[i].shape)});
-        zones.add(pieces[i].zone, static_cast<int>(i));
+        for (const std::string& zone : pieces[i].zones)
+        {
+            zones.add(zone, static_cast<int>(i));
+        }
     }
     assembly.zones = zones.take();
     printTally(tally, planes, isRounded ? tolerance : unevenUnits * uneven, rounding);

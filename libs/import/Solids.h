@@ -18,7 +18,7 @@ namespace drystone
 struct Solid
 {
     std::string name;                    ///< as the file has it, for messages: `Mesh_3`; empty: it has none
-    std::string zone;                    ///< of Assembly::zones, as the file has it; empty: none
+    std::vector<std::string> zones;      ///< of Assembly::zones, as the file has them; an empty name is none
     std::vector<Vector<3>> vertices;     ///< in units of the file
     std::vector<std::vector<int>> faces; ///< indices into vertices
     int line = 0;                        ///< where it begins, from 1; 0: not known
@@ -70,7 +70,8 @@ Solids readStl(const ImportedFile& file);
 
 /// COMPAS JSON: an assembly of compas_assembly, in the schemas of compas 2, 1 and 0.19 (`data` or `value`,
 /// graph or network, blocks in the nodes or beside them), a list of meshes, or a mesh. Blocks with
-/// `is_support` have that name for a zone. Interfaces are read.
+/// `is_support` have that name for a zone, and those in the list `zones` of their node, as exportBlocks
+/// writes it. Interfaces are read.
 Solids readCompasJson(const ImportedFile& file);
 
 /// @}

@@ -91,7 +91,7 @@ public:
             }
             Solid solid;
             solid.name = trimmed(rest);
-            solid.zone = withoutNumber(solid.name);
+            solid.zones = {withoutNumber(solid.name)};
             solid.line = lines.number();
             rest = {};
             while ((word = next()) == "facet")

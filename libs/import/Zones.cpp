@@ -38,7 +38,11 @@ void ZoneList::add(const std::string& name, int block)
     {
         zones.push_back({key, {}});
     }
-    zones[place->second].blocks.push_back(block);
+    std::vector<int>& blocks = zones[place->second].blocks;
+    if (blocks.empty() || blocks.back() != block)
+    {
+        blocks.push_back(block);
+    }
 }
 
 std::vector<Zone> ZoneList::take()

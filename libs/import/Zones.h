@@ -19,7 +19,8 @@ std::string zoneName(const std::string& name);
 class ZoneList
 {
 public:
-    /// Puts a block into the zone of a name, see zoneName; into none for an empty name.
+    /// Puts a block into the zone of a name, see zoneName; into none for an empty name, once for a name that
+    /// is there twice. \pre blocks come in their order
     void add(const std::string& name, int block);
     /// \post the list is empty
     std::vector<Zone> take();

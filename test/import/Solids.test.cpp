@@ -38,10 +38,10 @@ TEST(Obj, EachObjectIsASolidAndItsMaterialTheZone)
     const Solids solids = readObj(fileOf(text));
     ASSERT_EQ(solids.solids.size(), 2u);
     EXPECT_EQ(solids.solids[0].name, "base.001");
-    EXPECT_EQ(solids.solids[0].zone, "stone");
+    EXPECT_THAT(solids.solids[0].zones, testing::ElementsAre("stone"));
     EXPECT_EQ(solids.solids[0].vertices.size(), 8u);
     EXPECT_DOUBLE_EQ(volumeOf(solids.solids[0]), 1);
-    EXPECT_EQ(solids.solids[1].zone, "brick");
+    EXPECT_THAT(solids.solids[1].zones, testing::ElementsAre("brick"));
     EXPECT_EQ(solids.solids[1].vertices.size(), 3u);
     EXPECT_EQ(solids.division, Division::asWritten);
 }
@@ -50,8 +50,8 @@ TEST(Obj, WithoutMaterialsTheZoneIsTheNameWithoutItsNumber)
 {
     const Solids solids = readObj(fileOf("v 0 0 0\nv 1 0 0\nv 0 1 0\ng Mesh_12\nf 1 2 3\ng 7\nf 1 2 3\n"));
     ASSERT_EQ(solids.solids.size(), 2u);
-    EXPECT_EQ(solids.solids[0].zone, "Mesh");
-    EXPECT_EQ(solids.solids[1].zone, "");
+    EXPECT_THAT(solids.solids[0].zones, testing::ElementsAre("Mesh"));
+    EXPECT_THAT(solids.solids[1].zones, testing::ElementsAre(""));
     EXPECT_EQ(readObj(fileOf("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")).division, Division::byConnectivity);
 }
 
@@ -210,7 +210,7 @@ TEST(Stl, BothFormsSayTheSame)
     }
     const Solids ascii = readStl(fileOf(text + "endsolid a cube 7\n"));
     ASSERT_EQ(ascii.solids.size(), 1u);
-    EXPECT_EQ(ascii.solids[0].zone, "a cube");
+    EXPECT_THAT(ascii.solids[0].zones, testing::ElementsAre("a cube"));
     EXPECT_EQ(ascii.solids[0].vertices, binary.solids[0].vertices);
     EXPECT_EQ(ascii.solids[0].faces, binary.solids[0].faces);
     EXPECT_THAT(reportOf([&] { readStl(fileOf(text)); }), HasSubstr("`endsolid` is expected"));
@@ -281,14 +281,32 @@ std::vector<std::string> compasSchemas()
     return {today, network, beside};
 }
 
+TEST(CompasJson, ANodeNamesTheZonesOfItsBlock)
+{
+    const auto zonesOf = [](std::string_view attributes)
+    {
+        return readCompasJson(fileOf(fmt::format(R"({{"node": {{"0": {{"block": {}{}}}}}, "edge": {{}}}})",
+                                                 meshOf(cube, "Mesh", "data"), attributes)))
+            .solids[0]
+            .zones;
+    };
+    EXPECT_THAT(zonesOf(R"(, "is_support": true, "zones": ["ground", "tuff"])"),
+                testing::ElementsAre("is_support", "ground", "tuff"));
+    EXPECT_THAT(zonesOf(R"(, "zones": [])"), testing::IsEmpty());
+    // What other programs keep under this name.
+    EXPECT_THAT(zonesOf(R"(, "zones": {"a": 1})"), testing::IsEmpty());
+    EXPECT_THAT(zonesOf(R"(, "zones": "tuff")"), testing::IsEmpty());
+    EXPECT_THAT(zonesOf(R"(, "zones": [3, null, "tuff"])"), testing::ElementsAre("tuff"));
+}
+
 TEST(CompasJson, SchemasOfTodayAndOfOldSayTheSame)
 {
     for (const std::string& text : compasSchemas())
     {
         const Solids solids = readCompasJson(fileOf(text));
         ASSERT_EQ(solids.solids.size(), 2u);
-        EXPECT_EQ(solids.solids[0].zone, "is_support");
-        EXPECT_EQ(solids.solids[1].zone, "");
+        EXPECT_THAT(solids.solids[0].zones, testing::ElementsAre("is_support"));
+        EXPECT_THAT(solids.solids[1].zones, testing::IsEmpty());
         EXPECT_EQ(solids.solids[0].vertices, cube.vertices);
         EXPECT_EQ(solids.solids[1].faces, above.faces);
         ASSERT_EQ(solids.interfaces.size(), 1u);

@@ -9,6 +9,7 @@
 #include "dictionary/Dictionary.h"
 #include "import/Drawing.h"
 #include "import/SolidBlocks.h"
+#include "import/export/Unwritten.h"
 #include "texture/Texture.h"
 
 #include <Eigen/Geometry>
@@ -212,9 +213,13 @@ TEST(CompasJsonText, ComesBackToTheLastBitWithSupportsAndJoints)
         {
             EXPECT_EQ(back.blocks[i].shape, solids[i].shape) << i;
         }
-        ASSERT_EQ(back.zones.size(), 1u);
+        ASSERT_EQ(back.zones.size(), 2u);
         EXPECT_EQ(back.zones[0].name, "is_support");
-        EXPECT_EQ(back.zones[0].blocks, std::vector<int>{static_cast<int>(solids.size()) - 1});
+        EXPECT_EQ(back.zones[1].name, "ground");
+        for (const Zone& zone : back.zones)
+        {
+            EXPECT_EQ(zone.blocks, std::vector<int>{static_cast<int>(solids.size()) - 1});
+        }
         ASSERT_EQ(back.statedJoints.size(), joints.size());
         std::stable_sort(joints.begin(), joints.end(),
                          [](const auto& a, const auto& b)
@@ -225,6 +230,79 @@ TEST(CompasJsonText, ComesBackToTheLastBitWithSupportsAndJoints)
             EXPECT_EQ(sorted(back.statedJoints[i].points), sorted(joints[i].points)) << i; // either way round
         }
     }
+}
+
+/// Three blocks on a ground: the lowest one is also of `wet`, the next is of `shaft` and `wet`.
+Assembly<3> column()
+{
+    Assembly<3> assembly =
+        structure<3>("type boxes; blocks (((0 0 0) (1 1 1)) ((0 0 1) (1 1 2)) ((0 0 2) (1 1 3)));", ground);
+    assembly.zones = {{"shaft", {1, 2}}, {"wet", {1, 3}}};
+    return assembly;
+}
+
+TEST(CompasJsonText, ZonesComeBackAllOfThem)
+{
+    const ImportedFile file = fileOf(compasJsonText(exportedSolids(column()), {}, {}));
+    std::map<std::string, std::vector<int>> zones;
+    for (const Zone& zone : solidBlocks(readCompasJson(file), {}, file).zones)
+    {
+        zones[zone.name] = zone.blocks;
+    }
+    const std::map<std::string, std::vector<int>> expected{
+        {"is_support", {3}}, {"ground", {3}}, {"shaft", {1, 2}}, {"wet", {1, 3}}};
+    EXPECT_EQ(zones, expected);
+}
+
+TEST(ObjText, HasTheFirstZoneOfABlockAndTheOthersAreSaidToBeLost)
+{
+    const ImportedFile file = fileOf(objText(exportedSolids(column()), {}));
+    std::map<std::string, std::vector<int>> zones;
+    for (const Zone& zone : solidBlocks(readObj(file), {}, file).zones)
+    {
+        zones[zone.name] = zone.blocks;
+    }
+    const std::map<std::string, std::vector<int>> expected{
+        {"blocks", {0}}, {"shaft", {1, 2}}, {"ground", {3}}};
+    EXPECT_EQ(zones, expected);
+    EXPECT_THAT(
+        unwritten(column(), "obj", {}),
+        testing::ElementsAre("2 blocks have more than one group, as block 1 (shaft wet): obj has one name "
+                             "for a block, and the file has the first, shaft. compasJson has all of them."));
+}
+
+TEST(Unwritten, NothingIsLostOfWhatAFormatHas)
+{
+    WrittenProperties all{WrittenZones::all, WrittenJoints::all};
+    Assembly<3> assembly = column();
+    assembly.statedJoints = {{0, 1, {0, 0, -1}, {{0, 0, 1}, {1, 0, 1}, {1, 1, 1}}}};
+    EXPECT_THAT(unwritten(assembly, "compasJson", all), testing::IsEmpty());
+    assembly.zones = {{"shaft", {1, 2}}, {"dry", {0}}}; // one each
+    EXPECT_THAT(unwritten(assembly, "obj", {}),
+                testing::ElementsAre(testing::HasSubstr("states its 1 joints")));
+    assembly.statedJoints.clear();
+    EXPECT_THAT(unwritten(assembly, "obj", {}), testing::IsEmpty());
+    assembly.jointTolerance = 1e-3;
+    EXPECT_THAT(unwritten(assembly, "compasJson", all),
+                testing::ElementsAre(testing::HasSubstr("`jointTolerance 0.001;`")));
+}
+
+TEST(Unwritten, ADrawingHasNoThickness)
+{
+    WrittenProperties drawing;
+    drawing.thickness = WrittenThickness::none;
+    Assembly<2> assembly = structure<2>(bond, ground);
+    EXPECT_THAT(unwritten(assembly, "dxf", drawing),
+                testing::ElementsAre(testing::HasSubstr("`thickness 0.5;`")));
+    EXPECT_THAT(unwritten(assembly, "obj", {}), testing::IsEmpty());
+    assembly.blocks[0].thickness = 1;
+    EXPECT_THAT(unwritten(assembly, "dxf", drawing),
+                testing::ElementsAre(testing::HasSubstr("from 0.5 to 1 m, is lost")));
+    for (Block<2>& block : assembly.blocks)
+    {
+        block.thickness = 1; // what an imported drawing has unless it is stated
+    }
+    EXPECT_THAT(unwritten(assembly, "dxf", drawing), testing::IsEmpty());
 }
 
 TEST(DxfText, DrawingsOfThePlaneComeBackToTheLastBit)

@@ -8,6 +8,7 @@
 #include "core/Log.h"
 #include "core/WholeFile.h"
 #include "effects/EffectList.h"
+#include "import/export/Unwritten.h"
 #include "import/export/Writers.h"
 #include "io/FrameReader.h"
 #include "io/TimeDirectory.h"
@@ -207,6 +208,23 @@ std::string dxfOf(const Assembly<3>&, const std::vector<Placement<3>>&,
     return dxfText(solids, numbers);
 }
 
+/// \param time empty: as built, when joints are where they were stated
+template<int Dim>
+WrittenProperties propertiesIn(std::string_view format, const std::string& time)
+{
+    WrittenProperties written;
+    if (format == "compasJson")
+    {
+        written.zones = WrittenZones::all;
+        written.joints = time.empty() && Dim == 3 ? WrittenJoints::all : WrittenJoints::none;
+    }
+    if (format == "dxf" && Dim == 2)
+    {
+        written.thickness = WrittenThickness::none;
+    }
+    return written;
+}
+
 template<int Dim>
 int runIn(const CommandLine& commandLine)
 {
@@ -244,10 +262,19 @@ int runIn(const CommandLine& commandLine)
     {
         const ContactProperties properties = readContactProperties(directory);
         text = lmgc90Text(solids, properties.friction ? properties.friction->mu : 0);
+        if (!properties.joints.empty())
+        {
+            printWarning("The script has one law for all joints: what `joints` of constant/contactProperties "
+                         "says of some is not in it.");
+        }
     }
     else
     {
         text = threeDecText(solids);
+    }
+    for (const std::string& lost : unwritten(assembly, format, propertiesIn<Dim>(format, time)))
+    {
+        printWarning(lost);
     }
     if (format == "lmgc90" || format == "3dec")
     {

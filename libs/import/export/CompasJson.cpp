@@ -1,6 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// COMPAS JSON in the schema of compas 2.
 #include "geometry/space/Frame.h"
+#include "import/Zones.h"
 #include "import/export/Number.h"
 
 #include <iterator>
@@ -32,6 +33,17 @@ void writeBlock(std::string& text, const Polyhedron& shape, const WrittenNumbers
     }
     fmt::format_to(out, R"(}}, "facedata": {{}}, "edgedata": {{}}, "max_vertex": {}, "max_face": {}}}}})",
                    shape.vertices.size() - 1, shape.faces.size() - 1);
+}
+
+/// The names as the reader would take them in any case, which have no characters that JSON escapes.
+std::string zoneNames(const std::vector<std::string>& zones)
+{
+    std::string text;
+    for (const std::string& zone : zones)
+    {
+        text += fmt::format("{}\"{}\"", text.empty() ? "" : ", ", zoneName(zone));
+    }
+    return text;
 }
 
 void writeInterface(std::string& text, const StatedJoint<3>& joint, const WrittenNumbers& numbers)
@@ -67,7 +79,8 @@ std::string compasJsonText(const std::vector<ExportedSolid>& solids,
     std::string text =
         R"({"dtype": "compas_assembly.datastructures/Assembly", "data": {"attributes": {"name": "Assembly"}, "graph": )"
         R"({"dtype": "compas.datastructures/Graph", "data": {"attributes": {}, "default_node_attributes": {"x": 0.0, )"
-        R"("y": 0.0, "z": 0.0, "block": null, "is_support": false}, "default_edge_attributes": {"interfaces": null}, )"
+        R"("y": 0.0, "z": 0.0, "block": null, "is_support": false, "zones": []}, "default_edge_attributes": )"
+        R"({"interfaces": null}, )"
         "\n\"node\": {";
     const auto out = std::back_inserter(text);
     for (std::size_t i = 0; i < solids.size(); ++i)
@@ -75,8 +88,8 @@ std::string compasJsonText(const std::vector<ExportedSolid>& solids,
         fmt::format_to(out, "{}\n\"{}\": {{\"block\": ", i > 0 ? "," : "", i);
         writeBlock(text, solids[i].shape, numbers);
         const Vector<3> centre = volumeProperties(solids[i].shape).centroid;
-        fmt::format_to(out, R"(, "x": {}, "y": {}, "z": {}, "is_support": {}}})", centre.x(), centre.y(),
-                       centre.z(), solids[i].isFixed);
+        fmt::format_to(out, R"(, "x": {}, "y": {}, "z": {}, "is_support": {}, "zones": [{}]}})", centre.x(),
+                       centre.y(), centre.z(), solids[i].isFixed, zoneNames(solids[i].zones));
     }
     text += "},\n\"edge\": {";
     std::vector<std::map<int, std::vector<const StatedJoint<3>*>>> rows(solids.size());

@@ -6,6 +6,7 @@
 #include "geometry/space/FacePolygon.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace drystone
 {
@@ -33,28 +34,37 @@ Polyhedron shapeOf(const Block<2>& block, const Placement<2>& placement)
 } // namespace
 
 template<int Dim>
-std::vector<std::string> layersOf(const Assembly<Dim>& assembly)
+std::vector<std::vector<std::string>> zonesOfBlocks(const Assembly<Dim>& assembly)
 {
-    std::vector<std::string> layers(assembly.blocks.size());
+    std::vector<std::vector<std::string>> names(assembly.blocks.size());
+    for (std::size_t i = 0; i < names.size(); ++i)
+    {
+        if (const int support = assembly.blocks[i].support; support >= 0)
+        {
+            names[i].push_back(assembly.supports[static_cast<std::size_t>(support)].name);
+        }
+    }
     for (const Zone& zone : assembly.zones)
     {
         for (const int block : zone.blocks)
         {
-            std::string& layer = layers[static_cast<std::size_t>(block)];
-            layer = layer.empty() ? zone.name : layer;
+            std::vector<std::string>& ofBlock = names[static_cast<std::size_t>(block)];
+            if (std::find(ofBlock.begin(), ofBlock.end(), zone.name) == ofBlock.end())
+            {
+                ofBlock.push_back(zone.name);
+            }
         }
     }
-    for (std::size_t i = 0; i < layers.size(); ++i)
+    return names;
+}
+
+template<int Dim>
+std::vector<std::string> layersOf(const Assembly<Dim>& assembly)
+{
+    std::vector<std::string> layers;
+    for (const std::vector<std::string>& zones : zonesOfBlocks(assembly))
     {
-        const int support = assembly.blocks[i].support;
-        if (support >= 0)
-        {
-            layers[i] = assembly.supports[static_cast<std::size_t>(support)].name;
-        }
-        else if (layers[i].empty())
-        {
-            layers[i] = "blocks";
-        }
+        layers.push_back(zones.empty() ? "blocks" : zones.front());
     }
     return layers;
 }
@@ -64,17 +74,20 @@ std::vector<ExportedSolid> exportedSolids(const Assembly<Dim>& assembly,
                                           const std::vector<Placement<Dim>>& placements,
                                           const std::vector<double>& densities)
 {
+    std::vector<std::vector<std::string>> zones = zonesOfBlocks(assembly);
     const std::vector<std::string> layers = layersOf(assembly);
     std::vector<ExportedSolid> solids;
     for (std::size_t i = 0; i < assembly.blocks.size(); ++i)
     {
         const Block<Dim>& block = assembly.blocks[i];
         solids.push_back({shapeOf(block, placements.empty() ? Placement<Dim>{} : placements[i]), layers[i],
-                          block.support >= 0, densities.empty() ? 0 : densities[i]});
+                          block.support >= 0, densities.empty() ? 0 : densities[i], std::move(zones[i])});
     }
     return solids;
 }
 
+template std::vector<std::vector<std::string>> zonesOfBlocks(const Assembly<2>& assembly);
+template std::vector<std::vector<std::string>> zonesOfBlocks(const Assembly<3>& assembly);
 template std::vector<std::string> layersOf(const Assembly<2>& assembly);
 template std::vector<std::string> layersOf(const Assembly<3>& assembly);
 template std::vector<ExportedSolid> exportedSolids(const Assembly<2>& assembly,

@@ -14,9 +14,10 @@ namespace drystone
 struct ExportedSolid
 {
     Polyhedron shape; ///< in space z is up; a block of the plane lies in x-z, from y = 0 to its thickness [m]
-    std::string layer; ///< name of its support, or of its first zone, or `blocks`
+    std::string layer; ///< the first of `zones`, or `blocks`
     bool isFixed = false;
-    double density = 0; ///< [kg/m3]
+    double density = 0;                  ///< [kg/m3]
+    std::vector<std::string> zones = {}; ///< names of its support and its zones
 };
 
 /// The blocks where they are, in their order. \param placements one a block, or none: as built \param
@@ -26,7 +27,11 @@ std::vector<ExportedSolid> exportedSolids(const Assembly<Dim>& assembly,
                                           const std::vector<Placement<Dim>>& placements = {},
                                           const std::vector<double>& densities = {});
 
-/// The layer of each block.
+/// The name of its support, if it has one, and those of its zones, for each block.
+template<int Dim>
+std::vector<std::vector<std::string>> zonesOfBlocks(const Assembly<Dim>& assembly);
+
+/// The layer of each block: the first of these names, or `blocks`.
 template<int Dim>
 std::vector<std::string> layersOf(const Assembly<Dim>& assembly);
 

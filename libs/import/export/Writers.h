@@ -22,8 +22,9 @@ struct WrittenNumbers
 /// faces are plane are the same to the last bit.
 std::string objText(const std::vector<ExportedSolid>& solids, const WrittenNumbers& numbers);
 
-/// COMPAS JSON, an assembly of compas_assembly: fixed blocks have `is_support`, joints are interfaces. \param
-/// joints with points in order round each
+/// COMPAS JSON, an assembly of compas_assembly: fixed blocks have `is_support`, joints are interfaces, and
+/// `zones` of a node names the support and the zones of its block. \param joints with points in order round
+/// each
 std::string compasJsonText(const std::vector<ExportedSolid>& solids,
                            const std::vector<StatedJoint<3>>& joints, const WrittenNumbers& numbers);
 
