@@ -30,6 +30,30 @@ void requireSchemesOfSpace(const Schemes& schemes, const std::filesystem::path& 
 } // namespace
 
 template<int Dim>
+void addLeftOut(DynamicCase<Dim>& scene)
+{
+    if (scene.schemes.effects.selection != EffectSelection::everything)
+    {
+        return;
+    }
+    if (scene.schemes.smallDisplacements)
+    {
+        scene.schemes.smallDisplacements = false;
+        scene.addedEffects.emplace_back("large displacements");
+    }
+    if (scene.contact.friction && scene.contact.friction->flowRule == FlowRule::associative)
+    {
+        scene.contact.friction->flowRule = FlowRule::nonAssociative;
+        scene.addedEffects.emplace_back("Coulomb's law");
+    }
+    if (scene.schemes.impacts == ImpactInstant::stepStart)
+    {
+        scene.schemes.impacts = ImpactInstant::located;
+        scene.addedEffects.emplace_back("impacts when blocks meet");
+    }
+}
+
+template<int Dim>
 DynamicCase<Dim> readDynamicCase(const std::filesystem::path& caseDirectory,
                                  const std::vector<EffectType<Dim>>& types)
 {
@@ -45,6 +69,7 @@ DynamicCase<Dim> readDynamicCase(const std::filesystem::path& caseDirectory,
     refuseAlmostJoints(assembly, caseDirectory);
     const CaseEffects<Dim> read = readCaseEffects(caseDirectory, types);
     scene.contact = read.contact;
+    addLeftOut(scene);
     scene.effectNames = effectNames(read);
     scene.gravity = readGravity<Dim>(caseDirectory);
     scene.jointFriction = frictionOfJoints(scene.contact, assembly);
@@ -67,10 +92,12 @@ std::vector<double> frictionAt(const DynamicCase<Dim>& scene, const std::vector<
 
 template std::vector<double> frictionAt(const DynamicCase<2>& scene,
                                         const std::vector<ContactPoint<2>>& points);
+template void addLeftOut(DynamicCase<2>& scene);
 template DynamicCase<2> readDynamicCase(const std::filesystem::path& caseDirectory,
                                         const std::vector<EffectType<2>>& types);
 template std::vector<double> frictionAt(const DynamicCase<3>& scene,
                                         const std::vector<ContactPoint<3>>& points);
+template void addLeftOut(DynamicCase<3>& scene);
 template DynamicCase<3> readDynamicCase(const std::filesystem::path& caseDirectory,
                                         const std::vector<EffectType<3>>& types);
 

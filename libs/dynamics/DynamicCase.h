@@ -8,6 +8,8 @@
 #include "runControl/Schemes.h"
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace drystone
 {
@@ -23,6 +25,7 @@ struct DynamicCase : Structure<Dim>
     FrictionOfJoints jointFriction; ///< mostly empty
     Schemes schemes;
     SolverChoice solution;
+    std::vector<std::string> addedEffects = {}; ///< see addLeftOut, in words
 
     FlowRule flowRule() const { return flowRuleOf(contact); }
     double restitution() const { return contact.restitution ? contact.restitution->normal : 0; }
@@ -31,6 +34,13 @@ struct DynamicCase : Structure<Dim>
         return schemes.smallDisplacements ? Displacements::small : Displacements::large;
     }
 };
+
+/// With `selection everything`: turns on what the case leaves out although it takes no data, which are large
+/// displacements, Coulomb's law where there is friction, and impacts when blocks meet where they are apart
+/// from the program of a step. All other effects have data, and are off where the case has none. What was
+/// turned on goes into addedEffects.
+template<int Dim>
+void addLeftOut(DynamicCase<Dim>& scene);
 
 /// Friction coefficient of each point: that of its joint as built where that has one of its own.
 template<int Dim>

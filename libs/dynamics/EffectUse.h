@@ -26,8 +26,8 @@ struct EffectUse
     std::vector<EffectCallSums> calls;  ///< one an effect of namesOfEffects
     double secondsAtRest = 0;           ///< that these have taken, their proofs included [s]
     double secondsOfOthers = 0;         ///< that the others have taken [s]
-    long verified = 0;                  ///< steps that were solved with everything on, too
-    double secondsOfVerified = 0;       ///< that they have taken with everything on [s]
+    long verified = 0;                  ///< steps that were solved with all effects, too
+    double secondsOfVerified = 0;       ///< that they have taken with all effects [s]
     double largestDifference = 0;       ///< of a displacement [m]
     double timeOfLargestDifference = 0; ///< [s]
 };

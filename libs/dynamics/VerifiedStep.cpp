@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// The comparison of a step with everything on.
+/// The comparison of a step with one that leaves nothing of the case out.
 #include "dynamics/VerifiedStep.h"
 
 #include "core/Error.h"
@@ -39,7 +39,7 @@ void verifyStep(const DynamicCase<Dim>& scene, Motion<Dim> before, double timeSt
     if (!isSolved)
     {
         printWarning(fmt::format("The step at time {:g} s could not be verified: it was not solved with "
-                                 "everything on.",
+                                 "all effects of the case.",
                                  after.state.time));
         return;
     }
@@ -55,9 +55,9 @@ void verifyStep(const DynamicCase<Dim>& scene, Motion<Dim> before, double timeSt
     if (difference > allowed)
     {
         printWarning(
-            fmt::format("The step at time {:g} s differs by {:.3g} m from the one with everything on; "
-                        "contactTolerance of system/schemes allows {:.3g} m. `selection asGiven;` in "
-                        "system/schemes/effects simulates everything.",
+            fmt::format("The step at time {:g} s differs by {:.3g} m from the one with all effects of the "
+                        "case; contactTolerance of system/schemes allows {:.3g} m. `selection asGiven;` in "
+                        "system/schemes/effects simulates them in every step.",
                         after.state.time, difference, allowed));
     }
 }

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Steps of `selection automatic` beside the same steps with everything on.
+/// Steps of `selection automatic` beside the same steps with all effects of the case, of all blocks.
 #pragma once
 
 #include "dynamics/Motion.h"
@@ -13,10 +13,10 @@ template<int Dim>
 double differenceOf(const DynamicCase<Dim>& scene, const DynamicState<Dim>& one,
                     const DynamicState<Dim>& other);
 
-/// By how much the end of a step that was just taken differs from what it is with everything on, which goes
-/// into `effectUse` of the motion. Warns where that is more than the error allowed in the gaps at the end of
-/// a step. Nothing else changes. \param before the motion at the start of the step \param timeStep its length
-/// [s]
+/// By how much the end of a step that was just taken differs from what it is with all effects of the case
+/// and all blocks, which goes into `effectUse` of the motion. Warns where that is more than the error allowed
+/// in the gaps at the end of a step. Nothing else changes. \param before the motion at the start of the step
+/// \param timeStep its length [s]
 template<int Dim>
 void verifyStep(const DynamicCase<Dim>& scene, Motion<Dim> before, double timeStep, Motion<Dim>& after);
 

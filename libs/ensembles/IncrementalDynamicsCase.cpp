@@ -179,6 +179,7 @@ void printStudy(const IncrementalDynamics<Dim>& study)
     auto [simulated, absent] = withSimulated(study.scene.effectNames, "groundMotion");
     (study.scene.schemes.smallDisplacements ? absent : simulated).emplace_back("largeDisplacements");
     printEffects(simulated, absent);
+    printAddedEffects(study.scene);
     for (const StudyMotion& motion : study.motions)
     {
         if (study.motions.size() > 1)

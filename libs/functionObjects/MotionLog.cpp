@@ -25,12 +25,25 @@ double worst(const StepResiduals& residuals)
 } // namespace
 
 template<int Dim>
+void printAddedEffects(const DynamicCase<Dim>& scene)
+{
+    if (scene.schemes.effects.selection == EffectSelection::everything)
+    {
+        info("Effects: everything on{}",
+             scene.addedEffects.empty()
+                 ? ""
+                 : fmt::format(", also what the case leaves out: {}", fmt::join(scene.addedEffects, ", ")));
+    }
+}
+
+template<int Dim>
 void printScene(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const Time& time,
                 const std::vector<std::string>& functions)
 {
     auto [simulated, absent] = scene.effectNames;
     (scene.schemes.smallDisplacements ? absent : simulated).emplace_back("largeDisplacements");
     printEffects(simulated, absent);
+    printAddedEffects(scene);
     info("Blocks: {} free, contact points: {}", scene.mass.size() / freedomCount<Dim>, motion.points.size());
     if (Dim == 3 && motion.contacts)
     {
@@ -193,7 +206,8 @@ void printEffectUse(const DynamicCase<Dim>& scene, const Motion<Dim>& motion)
     if (use.verified > 0)
     {
         const double full = use.secondsOfVerified / static_cast<double>(use.verified);
-        info("Verified with everything on: {} steps, largest difference {:.3g} m at {:g} s; {:.3g} s a step, "
+        info("Verified with all effects of the case: {} steps, largest difference {:.3g} m at {:g} s; {:.3g} "
+             "s a step, "
              "so "
              "that {:.3g} s are saved",
              use.verified, use.largestDifference, use.timeOfLargestDifference, full,
@@ -307,6 +321,7 @@ std::string unsolvedStep(const DynamicCase<Dim>& scene, const Motion<Dim>& motio
                                                          : "maximumIterations");
 }
 
+template void printAddedEffects(const DynamicCase<2>& scene);
 template void printScene(const DynamicCase<2>& scene, const Motion<2>& motion, const Time& time,
                          const std::vector<std::string>& functions);
 template void printStep(const DynamicCase<2>& scene, const Motion<2>& motion, const Time& time);
@@ -314,6 +329,7 @@ template void printSummary(const MotionSummary<2>& summary, const Motion<2>& mot
 template void printIntegrationError(const DynamicCase<2>& scene, const Motion<2>& motion);
 template void printEffectUse(const DynamicCase<2>& scene, const Motion<2>& motion);
 template std::string unsolvedStep(const DynamicCase<2>& scene, const Motion<2>& motion, const Time& time);
+template void printAddedEffects(const DynamicCase<3>& scene);
 template void printScene(const DynamicCase<3>& scene, const Motion<3>& motion, const Time& time,
                          const std::vector<std::string>& functions);
 template void printStep(const DynamicCase<3>& scene, const Motion<3>& motion, const Time& time);

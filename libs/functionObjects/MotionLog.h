@@ -16,6 +16,10 @@ template<int Dim>
 void printScene(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const Time& time,
                 const std::vector<std::string>& functions);
 
+/// With `selection everything`: what is on although the case leaves it out.
+template<int Dim>
+void printAddedEffects(const DynamicCase<Dim>& scene);
+
 /// After a step, where logFrequency has its turn:
 /// `interiorPoint:  Solving for contact, Initial residual = .., Final residual = .., No Iterations ..`,
 /// events (joints that break, a step that was shortened) and the CPU time. Of other steps the events only,

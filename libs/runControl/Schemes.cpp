@@ -42,24 +42,27 @@ void declare(Options& options, ChosenEffects& effects)
         "selection", effects.selection,
         "asGiven: every step simulates all effects that the case names, of all blocks, and limit analysis "
         "all blocks; automatic: those that it calls for, with a proof that the others would change nothing "
-        "beyond the tolerance of the solver");
+        "beyond the tolerance of the solver; everything: as asGiven, and with large displacements, Coulomb's "
+        "law and located impacts where the case leaves them out");
     options
         .optional("margin", effects.margin,
                   "share of what blocks at rest carry that a proof leaves unused, in motion with automatic")
         .atLeast(0)
         .atMost(0.9);
     options
-        .optional("verifyInterval", effects.verifyInterval,
-                  "every so many steps, or answers of limit analysis, one is solved with everything on, too, "
-                  "and the largest difference is reported, with automatic; 0: none")
+        .optional(
+            "verifyInterval", effects.verifyInterval,
+            "every so many steps, or answers of limit analysis, one is solved with all effects that the "
+            "case names, of all blocks, too, and the largest difference is reported, with automatic; 0: "
+            "none")
         .atLeast(0);
     options.check(
         "selection",
         [&effects]() -> std::string
         {
-            return effects.verifyInterval > 0 && effects.selection == EffectSelection::asGiven
-                       ? "verifyInterval needs `selection automatic;`: as given, everything is on in "
-                         "every step."
+            return effects.verifyInterval > 0 && effects.selection != EffectSelection::automatic
+                       ? "verifyInterval needs `selection automatic;`: with the others no step leaves out "
+                         "an effect of the case."
                        : "";
         });
 }
@@ -104,6 +107,11 @@ void declare(Options& options, Schemes& schemes)
     options.check("initialGaps",
                   [&schemes]() -> std::string
                   {
+                      if (schemes.initialGaps && schemes.effects.selection == EffectSelection::everything)
+                      {
+                          return "initialGaps needs small displacements, and `selection everything;` of "
+                                 "effects simulates large ones: remove one of the two.";
+                      }
                       return schemes.initialGaps && !schemes.smallDisplacements
                                  ? "initialGaps needs `smallDisplacements yes;`: where blocks move, their "
                                    "gaps follow from where they are. Displace blocks in 0/motion instead."

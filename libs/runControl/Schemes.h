@@ -48,16 +48,19 @@ struct InitialGaps
 };
 void declare(Options& options, InitialGaps& gaps);
 
-/// Whether each step simulates all effects that the case names.
+/// Which effects each step simulates.
 enum class EffectSelection
 {
-    asGiven,  ///< all of them, of all blocks, in every step
-    automatic ///< those that a step calls for: what is left out provably changes nothing
+    asGiven,   ///< all that the case names, of all blocks, in every step
+    automatic, ///< of these those that a step calls for: what is left out provably changes nothing
+    everything ///< all that the case names and those that it leaves out although they take no data, likewise
 };
 
-constexpr std::array<std::pair<std::string_view, EffectSelection>, 2> namesOf(EffectSelection)
+constexpr std::array<std::pair<std::string_view, EffectSelection>, 3> namesOf(EffectSelection)
 {
-    return {{{"asGiven", EffectSelection::asGiven}, {"automatic", EffectSelection::automatic}}};
+    return {{{"asGiven", EffectSelection::asGiven},
+             {"automatic", EffectSelection::automatic},
+             {"everything", EffectSelection::everything}}};
 }
 
 /// `effects { selection automatic; margin 0.05; verifyInterval 100; }`
@@ -65,7 +68,7 @@ struct ChosenEffects
 {
     EffectSelection selection = EffectSelection::asGiven;
     double margin = 0.05;   ///< share of what a part at rest carries that a proof leaves unused [-]
-    int verifyInterval = 0; ///< every so many steps one is solved with everything on, too; 0: none
+    int verifyInterval = 0; ///< every so many steps one is solved with all effects of the case, too; 0: none
 };
 void declare(Options& options, ChosenEffects& effects);
 

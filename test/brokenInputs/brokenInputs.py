@@ -251,6 +251,11 @@ def inMotionEffect(name, old, new, *says, **more):
                   files={"constant/contactProperties": springs} | more.pop("files", {}), **more)
 
 
+def inSchemes(name, content, *says, lines=(1,)):
+    return Broken("contactDynamics", name, "system/schemes", says=says, before=built, lines=lines,
+                  files={"system/schemes": content})
+
+
 def inSupportMotion(name, content, *says, **more):
     return Broken("contactDynamics", name, "constant/supportMotion", says=says, before=built,
                   files={"constant/supportMotion": content}, **more)
@@ -499,6 +504,10 @@ brokenInputs = [
     inMotionEffect("reboundOfSprings", "damping", "restitution { normal 0.5; }@@\ndamping", r"remove restitution"),
     inMotionEffect("trapezoidalSprings", "elasticity", "elasticity", r"theta 1",
                    files={"system/schemes": "timeIntegration { type theta; theta 0.5; }\n"}),
+    inSchemes("everthing", "effects { selection everthing; }\n", r"Did you mean everything\?"),
+    inSchemes("everythingWithGaps", "smallDisplacements yes; effects { selection everything; }\n"
+              "initialGaps { perturbation 1e-9; }\n", r"remove one of the two", lines=(2,)),
+    inSchemes("verifiedEverything", "effects { selection everything; verifyInterval 5; }\n", r"verifyInterval needs"),
     inMotionEffect("rigidSolver", "elasticity", "elasticity", r"solver automatic",
                    files={"system/solution": "contactDynamics { solver interiorPoint; }\n"}),
     inMotionEffect("gluedSprings", "damping { massProportional 1; }", "cohesion { strength 1e5; }",
