@@ -254,7 +254,28 @@ std::vector<PointPair> displacementPairs(const std::vector<AccuracyPoint>& point
 
 std::vector<PointPair> effectPairs(const std::vector<AccuracyPoint>& points)
 {
-    return pairsAgainst(points, &RunSetting::effects, EffectSelection::asGiven);
+    return pairsOf(
+        points,
+        [](RunSetting setting)
+        {
+            if (setting.effects == EffectSelection::automatic)
+            {
+                setting.effects = EffectSelection::asGiven;
+            }
+            return setting;
+        },
+        [](const RunSetting& setting) { return setting.effects == EffectSelection::asGiven; });
+}
+
+std::vector<PointPair> everythingPairs(const std::vector<AccuracyPoint>& points)
+{
+    const auto withEverything = [](RunSetting setting)
+    {
+        setting.effects = EffectSelection::everything;
+        return asComputed(setting);
+    };
+    return pairsOf(points, withEverything,
+                   [](const RunSetting& setting) { return setting.effects != EffectSelection::everything; });
 }
 
 std::vector<PointPair> formulationPairs(const std::vector<AccuracyPoint>& points)

@@ -102,6 +102,10 @@ std::vector<PointPair> formulationPairs(const std::vector<AccuracyPoint>& points
 /// All effects that the case names in every step compared with those that each step calls for.
 std::vector<PointPair> effectPairs(const std::vector<AccuracyPoint>& points);
 
+/// Effects that were chosen, by the case or by each step, whatever its flow rule and displacements, compared
+/// with everything on.
+std::vector<PointPair> everythingPairs(const std::vector<AccuracyPoint>& points);
+
 /// Few points per joint, or along each side of it in space, compared with the largest number available.
 std::vector<PointPair> jointPointsPairs(const std::vector<AccuracyPoint>& points);
 

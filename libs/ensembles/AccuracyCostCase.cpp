@@ -93,7 +93,8 @@ void requirePossible(const AccuracyCase<Dim>& study, QuantityKind kind, const Ru
         return;
     }
     const DynamicCase<Dim>& scene = *study.scene;
-    if (setting.flowRule == FlowRule::nonAssociative && !scene.contact.friction)
+    if (setting.flowRule == FlowRule::nonAssociative && !scene.contact.friction
+        && setting.effects != EffectSelection::everything)
     {
         throw FatalIOError("The case has no friction, so that there is no flow rule to choose: remove it.",
                            dictionary.locationOf("flowRule"));
@@ -140,7 +141,7 @@ double housnerValue(const Quantity& quantity, const SourceLocation& location)
 RunSetting finestSetting(const ReferencePlan& plan, RunSetting setting)
 {
     forEachKey([](auto& value, const auto& wanted) { value = wanted.value_or(value); }, setting, plan);
-    return setting;
+    return asComputed(setting);
 }
 
 std::string processorName()

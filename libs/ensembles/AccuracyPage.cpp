@@ -284,8 +284,10 @@ std::string accuracyPage(const AccuracyStudy& study, const AccuracyResults& resu
                             jointPointsPairs(sweep.points));
         text += pairSection(study, sweep, "Large against small displacements", "large", "small",
                             displacementPairs(sweep.points));
-        text += pairSection(study, sweep, "All effects in every step against those that it calls for", "all",
-                            "automatic", effectPairs(sweep.points));
+        text += pairSection(study, sweep, "Effects as given in every step against those that it calls for",
+                            "as given", "automatic", effectPairs(sweep.points));
+        text += pairSection(study, sweep, "Chosen effects against everything on", "chosen", "everything",
+                            everythingPairs(sweep.points));
     }
     text +=
         "Hover is the largest gap, over a run, at a point that carries force at the end of a step: with the "

@@ -57,6 +57,7 @@ DynamicCase<Dim> sceneWith(const AccuracyCase<Dim>& study, const RunSetting& set
     {
         scene.contact.friction->flowRule = setting.flowRule;
     }
+    addLeftOut(scene);
     return scene;
 }
 

@@ -194,6 +194,16 @@ RunSetting curveOf(RunSetting setting, SweepAxis axis)
     return setting;
 }
 
+RunSetting asComputed(RunSetting setting)
+{
+    if (setting.effects == EffectSelection::everything)
+    {
+        setting.displacements = Displacements::large;
+        setting.flowRule = FlowRule::nonAssociative;
+    }
+    return setting;
+}
+
 std::vector<RunSetting> settingsOf(const Sweep& sweep, const RunSetting& ofCase)
 {
     // The last key changes first.
@@ -208,7 +218,15 @@ std::vector<RunSetting> settingsOf(const Sweep& sweep, const RunSetting& ofCase)
     settings = combined(settings, sweep.pointsPerSide, &RunSetting::pointsPerSide);
     settings = combined(settings, sweep.tolerance, &RunSetting::tolerance);
     settings = combined(settings, sweep.deltaT, &RunSetting::deltaT);
-    return settings;
+    std::vector<RunSetting> computed;
+    for (const RunSetting& setting : settings)
+    {
+        if (std::find(computed.begin(), computed.end(), asComputed(setting)) == computed.end())
+        {
+            computed.push_back(asComputed(setting));
+        }
+    }
+    return computed;
 }
 
 } // namespace drystone

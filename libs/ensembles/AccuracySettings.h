@@ -56,7 +56,11 @@ struct AccuracySettings
 };
 void declare(Options& options, AccuracySettings& settings);
 
-/// All settings of a sweep. \param ofCase the setting of the case, for empty lists
+/// A setting as it is computed: with everything on displacements are large and sliding follows Coulomb's law.
+RunSetting asComputed(RunSetting setting);
+
+/// All settings of a sweep, each once, as they are computed. \param ofCase the setting of the case, for empty
+/// lists
 std::vector<RunSetting> settingsOf(const Sweep& sweep, const RunSetting& ofCase);
 
 /// What the points of a curve of this sweep differ by.

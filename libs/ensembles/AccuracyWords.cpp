@@ -49,7 +49,9 @@ std::vector<std::string> wordsOf(const RunSetting& setting, const ShownKeys& sho
     }
     if (shown.effects)
     {
-        parts.push_back(setting.effects == EffectSelection::automatic ? "automatic effects" : "all effects");
+        parts.emplace_back(setting.effects == EffectSelection::automatic    ? "automatic effects"
+                           : setting.effects == EffectSelection::everything ? "everything on"
+                                                                            : "effects as given");
     }
     return parts;
 }
@@ -73,7 +75,7 @@ ShownKeys keysOf(const RunSetting& setting, QuantityKind kind)
     shown.displacements = isMotion;
     shown.formulation = setting.formulation == ContactFormulation::surface;
     shown.contactOverlap = isMotion && setting.contactOverlap != Schemes().contactOverlap;
-    shown.effects = setting.effects == EffectSelection::automatic;
+    shown.effects = setting.effects != EffectSelection::asGiven;
     return shown;
 }
 

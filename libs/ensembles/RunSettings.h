@@ -119,9 +119,10 @@ void declareSettings(Options& options, RunSettingsOf<Held>& settings, const std:
         .example(example("(1e-6 1e-8 3e-10)", "3e-11"));
     options
         .optional("effects", settings.effects,
-                  "of a motion: asGiven, all that the case names in every step, or automatic, those that a "
-                  "step calls for")
-        .example(example("(asGiven automatic)", "asGiven"));
+                  "of a motion: asGiven, all that the case names in every step, automatic, those that a step "
+                  "calls for, or everything, also large displacements, Coulomb's law and located impacts, "
+                  "whatever displacements and flowRule are")
+        .example(example("(asGiven automatic everything)", "asGiven"));
 }
 
 } // namespace drystone

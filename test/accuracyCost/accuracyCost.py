@@ -203,14 +203,32 @@ class AccuracyCost(CaseTest):
         motion = self.case("motion", more="m { quantity first;\nformulation (points); }")
         self.assertIn("formulation is for multipliers", self.run_(motion, "-dry-run", status=1).stderr)
 
-    def testEffectsChosenByTheProgramGiveTheSameFigures(self):
-        case = self.case("chosen", more="chosen { quantity first; deltaT (0.02); effects (asGiven automatic); }")
+    def testEffectsAsGivenChosenByTheProgramAndAllOfThem(self):
+        case = self.case("chosen", more="""chosen
+{
+    quantity first; deltaT (0.02); flowRule (associative nonAssociative); displacements (large small);
+    effects (asGiven automatic everything);
+}""")
         self.run_(case)
         rows = [row for row in self.table(case) if row["sweep"] == "chosen"]
-        self.assertEqual([row["effects"] for row in rows], ["asGiven", "automatic"])
-        self.assertAlmostEqual(float(rows[0]["value"]), float(rows[1]["value"]), delta=1e-8)
+        def of(effects):
+            return {(row["flowRule"], row["displacements"]): float(row["value"]) for row in rows
+                    if row["effects"] == effects}
+        self.assertEqual(len(of("asGiven")), 4)
+        for setting, value in of("asGiven").items():
+            self.assertAlmostEqual(value, of("automatic")[setting], delta=1e-8)
+        # Everything on is by Coulomb's law with large displacements, once, whatever the sweep has.
+        self.assertEqual(of("everything"), {("nonAssociative", "large"): of("asGiven")["nonAssociative", "large"]})
+        self.assertEqual(len(rows), 9)
         page = self.read(case, results + "/accuracyCost.md")
-        self.assertIn("### All effects in every step against those that it calls for (sweep `chosen`)", page)
+        self.assertIn("### Effects as given in every step against those that it calls for (sweep `chosen`)", page)
+        chosen = page.split("### Chosen effects against everything on (sweep `chosen`)")[1].split("\n\n")[1]
+        self.assertEqual(len(chosen.splitlines()), 2 + 8)
+
+    def testATypingErrorAmongTheEffectsIsNamed(self):
+        case = self.case("typing", more="chosen { quantity first;\neffects (asGiven everthing); }")
+        self.assertRegex(self.run_(case, "-dry-run", status=1).stderr,
+                         r"(?s)everthing. Did you mean everything\?.*accuracyCostDict\S* at line 18")
 
     def testByHowMuchPointsGiveWayIsAnAxisOfItsOwn(self):
         case = self.case("overlap", more="overlap { quantity first; deltaT (0.02); flowRule (nonAssociative); "

@@ -409,6 +409,35 @@ TEST(AccuracyCost, PairsDifferInOneThingAlone)
     EXPECT_EQ(formulations[0].second, &both[0]);
 }
 
+TEST(AccuracyCost, EverythingOnIsOneSettingWhateverLawAndDisplacementsASweepHas)
+{
+    const AccuracySettings settings =
+        read(quantities
+             + "sweeps { s { quantity a; flowRule (associative nonAssociative); displacements (large small); "
+               "effects (asGiven automatic everything); } }");
+    const std::vector<RunSetting> all = settingsOf(settings.sweeps.at(0).second, settingWith(0.1, 1));
+    ASSERT_EQ(all.size(), 9u);
+    std::vector<AccuracyPoint> points;
+    for (const RunSetting& setting : all)
+    {
+        points.push_back(pointWith(setting, 0.1, 1));
+        if (setting.effects == EffectSelection::everything)
+        {
+            EXPECT_EQ(setting.flowRule, FlowRule::nonAssociative);
+            EXPECT_EQ(setting.displacements, Displacements::large);
+        }
+    }
+    EXPECT_EQ(effectPairs(points).size(), 4u);
+    const std::vector<PointPair> pairs = everythingPairs(points);
+    ASSERT_EQ(pairs.size(), 8u);
+    for (const PointPair& pair : pairs)
+    {
+        EXPECT_NE(pair.first->setting.effects, EffectSelection::everything);
+        EXPECT_EQ(pair.second->setting.effects, EffectSelection::everything);
+    }
+    EXPECT_TRUE(everythingPairs({points[0], points[1]}).empty());
+}
+
 TEST(AccuracyCost, FaultyEntriesAreRefusedWithTheirLine)
 {
     const auto lineOf = [](const std::string& text)
