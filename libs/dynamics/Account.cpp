@@ -108,6 +108,8 @@ void account(Step<Dim>& step)
     keepLedger(motion.energy, scene, energy, motion.state);
     motion.largestKinetic = std::max(motion.largestKinetic, motion.energy.kinetic);
     motion.restitutionShare = step.solved.restitutionShare;
+    motion.slides = step.solved.slides;
+    motion.effectUse.sticking += step.solved.sticks ? 1 : 0;
     motion.residuals = motion.attempt;
     keepContacts(step);
 }

@@ -29,7 +29,7 @@ double slidingPoints(const Step<Dim>& step)
 {
     const ThetaStep& result = step.solved.result;
     Share share;
-    for (Eigen::Index row = 0; row < result.contactForce.size(); row += Dim)
+    for (Eigen::Index row = 0; row < result.contactForce.size() && !step.solved.sticks; row += Dim)
     {
         const bool carries = result.contactForce[row] > 0;
         share.count(carries && result.closing.size() > 0

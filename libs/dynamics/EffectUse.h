@@ -20,6 +20,7 @@ struct EffectUse
 {
     long steps = 0;                     ///< all, parts of parted steps each
     long atRest = 0;                    ///< of them taken with a proof instead of a program
+    long sticking = 0;                  ///< by the associative law, see StickingStep.h
     double blocks = 0;                  ///< free ones, summed over the steps
     double awakeBlocks = 0;             ///< of them those that were simulated
     double bodies = 0;                  ///< that these were, blocks that moved as one being one

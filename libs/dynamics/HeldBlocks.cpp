@@ -127,7 +127,7 @@ void keepGroups(Step<Dim>& step, const BlockGroups<Dim>& groups)
 } // namespace
 
 template<int Dim>
-std::string_view whyAllBlocks(const DynamicCase<Dim>& scene)
+std::string_view whyAllBlocks(const DynamicCase<Dim>& scene, FlowRule flowRule)
 {
     if (traitsOf(scene.effects).isCompliant)
     {
@@ -139,7 +139,7 @@ std::string_view whyAllBlocks(const DynamicCase<Dim>& scene)
                "are not "
                "unique";
     }
-    if (scene.flowRule() == FlowRule::nonAssociative)
+    if (flowRule == FlowRule::nonAssociative)
     {
         if (Dim == 3)
         {
@@ -159,7 +159,7 @@ bool solveAwake(Step<Dim>& step)
 {
     const StepProgram<Dim>& program = step.program;
     if (step.scene.schemes.effects.selection != EffectSelection::automatic || program.bodies == 0
-        || !whyAllBlocks(step.scene).empty())
+        || !whyAllBlocks(step.scene, step.settings.flowRule).empty())
     {
         return false;
     }
@@ -194,9 +194,9 @@ bool solveAwake(Step<Dim>& step)
     return false;
 }
 
-template std::string_view whyAllBlocks(const DynamicCase<2>& scene);
+template std::string_view whyAllBlocks(const DynamicCase<2>& scene, FlowRule flowRule);
 template bool solveAwake(Step<2>& step);
-template std::string_view whyAllBlocks(const DynamicCase<3>& scene);
+template std::string_view whyAllBlocks(const DynamicCase<3>& scene, FlowRule flowRule);
 template bool solveAwake(Step<3>& step);
 
 } // namespace drystone

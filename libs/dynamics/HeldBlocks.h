@@ -42,8 +42,9 @@ bool solveAwake(Step<Dim>& step);
 /// which points take part in one follows from the forces of the step, of which there are many, and other ones
 /// come of fewer bodies (0.08 mm apart after a step, in one of a hundred random walls); by Coulomb's law the
 /// same goes for impacts with restitution and for bonds (0.03 mm). In space Coulomb's law is reached to a
-/// part of what the step does (0.15 mm).
+/// part of what the step does (0.15 mm); steps in which nothing slides are taken by the associative law there
+/// (StickingStep.h). \param flowRule that the steps are solved by
 template<int Dim>
-std::string_view whyAllBlocks(const DynamicCase<Dim>& scene);
+std::string_view whyAllBlocks(const DynamicCase<Dim>& scene, FlowRule flowRule);
 
 } // namespace drystone

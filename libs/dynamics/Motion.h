@@ -67,6 +67,7 @@ struct Motion
     /// were.
     std::vector<char> isAwake;
     std::vector<int> bodies; ///< in which body each block was simulated, -1: in none; empty: each was its own
+    bool slides = false;     ///< see Step.h, of the last step
     std::vector<double> effectCalls; ///< of the last step, see EffectCalls.h, with `automatic`; else empty
     EffectUse effectUse;             ///< of this run
 };

@@ -101,6 +101,7 @@ bool staysAtRest(Step<Dim>& step)
     motion.meanForces.clear();
     motion.interior = {};
     motion.restitutionShare = 1;
+    motion.slides = false;
     motion.attempt = {};
     motion.attempt.initialResidual = rest.certificate.worst();
     motion.attempt.primalResidual = rest.certificate.primalResidual;

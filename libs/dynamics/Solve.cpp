@@ -2,6 +2,7 @@
 /// The stage of a step that solves its program, and what the others ask of a solution.
 #include "dynamics/HeldBlocks.h"
 #include "dynamics/Step.h"
+#include "dynamics/StickingStep.h"
 
 #include <algorithm>
 
@@ -17,10 +18,13 @@ void beginAgain(Step<Dim>& step)
     step.guess.displacement = step.scheme.timeStep * step.solved.velocity;
 }
 
-template<int Dim>
-void solve(Step<Dim>& step)
+namespace
 {
-    const StageTimer timer(step.motion.stageTimes, Stage::solve);
+
+/// By the flow rule of the settings.
+template<int Dim>
+void solveByFlowRule(Step<Dim>& step)
+{
     StepSolution& solved = step.solved;
     if (solveAwake(step))
     {
@@ -31,6 +35,37 @@ void solve(Step<Dim>& step)
         solveThetaStep(step.program, step.settings, step.guess, step.relinearise, step.motion.symbolic.get());
     solved.isSolved = solved.result.status == SolveStatus::optimal;
     countWork(step, solved.result.iterations, solved.result.factorisations, solved.result.programs);
+}
+
+/// By the associative law, if that is what Coulomb's gives as well. \return whether it is
+template<int Dim>
+bool solveWithoutSliding(Step<Dim>& step)
+{
+    // Coulomb's law takes two programs at least, and so gaps come out far better than they are asked to be.
+    constexpr double partOfGap = 0.25;
+    const StepSettings settings = step.settings;
+    step.settings.flowRule = FlowRule::associative;
+    step.settings.contactTolerance *= partOfGap;
+    solveByFlowRule(step);
+    step.settings = settings;
+    return step.solved.isSolved && sticks(step);
+}
+
+} // namespace
+
+template<int Dim>
+void solve(Step<Dim>& step)
+{
+    const StageTimer timer(step.motion.stageTimes, Stage::solve);
+    StepSolution& solved = step.solved;
+    const bool mayBeStuck = mayStick(step.scene);
+    const bool isTried = mayBeStuck && !step.motion.slides;
+    solved.sticks = isTried && solveWithoutSliding(step);
+    if (!solved.sticks)
+    {
+        solveByFlowRule(step);
+        solved.slides = isTried || (mayBeStuck && solved.isSolved && !hardlySlides(step));
+    }
 }
 
 template<int Dim>

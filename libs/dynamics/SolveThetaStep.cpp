@@ -40,6 +40,24 @@ constexpr double largerShareOfStep = 5e-2;
 constexpr int programsToLargerShare = 15;
 constexpr double nearlySolved = 1000; // times the tolerance
 
+/// The largest |u_t| of a solution of a program, -z_t of z = g - A'y, at points that carry a force.
+template<int Dim>
+double largestSlip(const ThetaStep& step, const StepProgram<Dim>& program, double tolerance)
+{
+    const double least = tolerance * step.contactForce.lpNorm<Eigen::Infinity>();
+    double largest = 0;
+    for (Eigen::Index row = 0; row < step.contactForce.size(); row += Dim)
+    {
+        if (step.contactForce[row] > least)
+        {
+            largest = std::max(largest, (program.gap.template segment<Dim - 1>(row + 1)
+                                         - step.closing.segment<Dim - 1>(row + 1))
+                                            .norm());
+        }
+    }
+    return largest;
+}
+
 /// \return whether the displacements are those that the contact forces give the blocks
 template<int Dim>
 bool solveOnce(ThetaStep& step, const StepProgram<Dim>& program, const SolverChoice& solver,
@@ -73,6 +91,7 @@ bool solveOnce(ThetaStep& step, const StepProgram<Dim>& program, const SolverCho
     step.displacement = std::move(solution.displacement);
     step.contactForce = std::move(solution.contactForce);
     step.closing = applyTransposed(program, step.displacement);
+    step.slip = largestSlip(step, program, solver.tolerance);
     return isBalanced;
 }
 

@@ -31,7 +31,9 @@ struct StepSolution
     Eigen::VectorXd impulse;     ///< of all impacts, two a point [N s]; empty: there were none
     int impacts = 0;             ///< [-]
     std::vector<std::size_t> collided; ///< points of the last impact
-    double slowest = 0; ///< points that close more slowly do not collide [m/s], set by the first impact
+    bool sticks = false; ///< solved by the associative law in place of Coulomb's, as nothing slides
+    bool slides = false; ///< Coulomb's law has made a point slide that carries a force, see StickingStep.h
+    double slowest = 0;  ///< points that close more slowly do not collide [m/s], set by the first impact
 };
 
 /// One step that is not parted, from `motion` on. Members are filled by the stage under whose name they

@@ -8,6 +8,7 @@
 #include "dynamics/EffectCalls.h"
 #include "dynamics/HeldBlocks.h"
 #include "dynamics/Step.h"
+#include "dynamics/StickingStep.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -196,9 +197,14 @@ void printEffectUse(const DynamicCase<Dim>& scene, const Motion<Dim>& motion)
         info("Simulated: {:.2f}% of the blocks, in bodies whose number is {:.2f}% of theirs; the others rest",
              100 * use.awakeBlocks / use.blocks, 100 * use.bodies / use.blocks);
     }
-    if (const std::string_view why = whyAllBlocks(scene); !why.empty())
+    if (const std::string_view why = whyAllBlocks(scene, scene.flowRule()); !why.empty())
     {
-        info("Steps in which anything moves were taken with all blocks: {}", why);
+        info("Steps in which anything {} were taken with all blocks: {}",
+             mayStick(scene) ? "slides" : "moves", why);
+    }
+    if (mayStick(scene))
+    {
+        info("Coulomb's law left out of {} steps, in which nothing slides", use.sticking);
     }
     const long others = use.steps - use.atRest;
     info("Proved at rest: {} of {} steps, in {:.3g} s, proofs included; the others took {:.3g} s", use.atRest,

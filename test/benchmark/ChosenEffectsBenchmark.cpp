@@ -344,6 +344,23 @@ StepErrors stepErrors(DynamicCase<Dim> scene, double timeStep, int steps)
     return errors;
 }
 
+/// The house with two stones on its top that overhang by a little more than half of themselves, and turn.
+/// \param 1: by Coulomb's law
+void turningStonesOfHouse(benchmark::State& state)
+{
+    Assembly<3> assembly = house().assembly;
+    for (const double x : {-0.27, 3.7})
+    {
+        Block<3> block;
+        block.shape = makeBox({x, 0.0, 2.5}, {x + 0.5, 0.25, 2.75});
+        block.support = -1;
+        assembly.blocks.push_back(block);
+    }
+    const FlowRule flowRule = state.range(0) == 0 ? FlowRule::associative : FlowRule::nonAssociative;
+    compare(state, sceneOf<3>(std::move(assembly), 0.6, flowRule), 0.005, 60);
+}
+BENCHMARK(turningStonesOfHouse)->Arg(0)->Arg(1)->Iterations(1)->Unit(benchmark::kMillisecond);
+
 /// A square wall with a gap of two courses under its upper right corner, which falls. \param units and
 /// courses of the corner; of the wall
 void fallingCorner(benchmark::State& state)

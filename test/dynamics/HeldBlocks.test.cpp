@@ -163,9 +163,9 @@ TEST(HeldBlocks, BlocksRestWhileOthersRebound)
 TEST(HeldBlocks, NotWithThetaBelowOne)
 {
     DynamicCase<2> scene = wallWithStone(0.24);
-    EXPECT_EQ(whyAllBlocks(scene), "");
+    EXPECT_EQ(whyAllBlocks(scene, scene.flowRule()), "");
     scene.schemes.timeIntegration.theta = 0.9;
-    EXPECT_NE(whyAllBlocks(scene), "");
+    EXPECT_NE(whyAllBlocks(scene, scene.flowRule()), "");
     Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
     for (int step = 0; step < 10; ++step)
     {

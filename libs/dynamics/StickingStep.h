@@ -1,0 +1,30 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Steps by Coulomb's law in which nothing slides: they are the same by the associative law, which is cheaper
+/// and lets blocks be held, and be one; `selection automatic`.
+#pragma once
+
+#include "dynamics/Step.h"
+
+namespace drystone
+{
+
+/// Whether steps are solved by the associative law first where they may stick: in space. In the plane
+/// Coulomb's law costs no more; with theta below 1, elastic joints, bonds or impacts of their own the motion
+/// depends on forces that are not unique, which the two laws choose differently.
+template<int Dim>
+bool mayStick(const DynamicCase<Dim>& scene);
+
+/// Whether the solution of the step by the associative law is one by Coulomb's. They differ in the flow of
+/// points that carry a force and slide: those open by mu |u_t| with the associative law, and stay closed with
+/// Coulomb's. Where u_t = 0 at all of them, in the program that the step ends with, to a small part of the
+/// error allowed in gaps, forces in the cones, balance and closed points are the conditions of both. What the
+/// finite rotations of the blocks add to u_t is of second order, and the same with both.
+template<int Dim>
+bool sticks(const Step<Dim>& step);
+
+/// Whether points that carry a force hardly slide in a solution by Coulomb's law, so that the next step may
+/// stick.
+template<int Dim>
+bool hardlySlides(const Step<Dim>& step);
+
+} // namespace drystone
