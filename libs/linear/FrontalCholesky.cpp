@@ -4,8 +4,6 @@
 #include "core/Threads.h"
 #include "linear/DenseKernel.h"
 #include "linear/FrontKernel.h"
-#include "linear/Supernodes.h"
-#include "linear/UpdatePool.h"
 
 #include <algorithm>
 #include <array>
@@ -38,175 +36,11 @@ constexpr int rowsOfSlice = 192;
 
 template<int Rows>
 FrontalCholesky<Rows>::FrontalCholesky(const BlockPattern& matrix, const BlockPattern& factor)
+    : plan(planFronts<Rows>(matrix, factor))
 {
     static_assert(Rows % columnsAtOnce == 0);
-    findFronts(matrix, factor);
-    makeSchedule();
-    placeUpdates();
-}
-
-template<int Rows>
-void FrontalCholesky<Rows>::findFronts(const BlockPattern& matrix, const BlockPattern& factor)
-{
-    std::vector<int> frontOf(matrix.columns());
-    std::size_t size = 0;
-    for (const Supernode& supernode : supernodes(factor, Rows))
-    {
-        Front front;
-        front.firstBody = supernode.firstBody;
-        front.lastBody = supernode.lastBody;
-        // What the last column has below the diagonal, all columns of the front have or get.
-        front.firstRow = static_cast<int>(rows.size());
-        rows.insert(rows.end(), factor.row.begin() + factor.columnStart[front.lastBody - 1] + 1,
-                    factor.row.begin() + factor.columnStart[front.lastBody]);
-        front.lastRow = front.outerRow = static_cast<int>(rows.size());
-        front.columns = size;
-        // Tiles reach beyond its end, where another thread has its front.
-        size += static_cast<std::size_t>(front.width()) * front.height() + lanes;
-        highest = std::max(highest, front.height());
-        std::fill(frontOf.begin() + front.firstBody, frontOf.begin() + front.lastBody,
-                  static_cast<int>(fronts.size()));
-        fronts.push_back(std::move(front));
-    }
-    for (std::size_t index = 0; index < fronts.size(); ++index)
-    {
-        if (const Front& front = fronts[index]; front.lastRow > front.firstRow)
-        {
-            fronts[frontOf[rows[front.firstRow]]].children.push_back(static_cast<int>(index));
-        }
-    }
-    lower.assign(size + overhang, 0);
-    placeRows(matrix);
-}
-
-/// Where rows of the matrix and of the children are in each front.
-template<int Rows>
-void FrontalCholesky<Rows>::placeRows(const BlockPattern& matrix)
-{
-    std::vector<int> place(matrix.columns());
-    inParent.resize(rows.size());
-    inFront.resize(matrix.row.size());
-    for (const Front& front : fronts)
-    {
-        for (int body = front.firstBody; body < front.lastBody; ++body)
-        {
-            place[body] = body - front.firstBody;
-        }
-        for (int row = front.firstRow; row < front.lastRow; ++row)
-        {
-            place[rows[row]] = front.lastBody - front.firstBody + row - front.firstRow;
-        }
-        for (int entry = matrix.columnStart[front.firstBody]; entry < matrix.columnStart[front.lastBody];
-             ++entry)
-        {
-            inFront[entry] = place[matrix.row[entry]];
-        }
-        for (const int child : front.children)
-        {
-            for (int row = fronts[child].firstRow; row < fronts[child].lastRow; ++row)
-            {
-                inParent[row] = place[rows[row]];
-            }
-        }
-    }
-}
-
-template<int Rows>
-double FrontalCholesky<Rows>::Front::operations() const
-{
-    const double columnsOfFront = width();
-    const double rowsBelow = below();
-    return columnsOfFront
-           * (columnsOfFront * columnsOfFront / 6 + rowsBelow * columnsOfFront / 2
-              + rowsBelow * rowsBelow / 2);
-}
-
-template<int Rows>
-void FrontalCholesky<Rows>::makeSchedule()
-{
-    std::vector<int> parent(fronts.size(), -1);
-    std::vector<double> operations;
-    operations.reserve(fronts.size());
-    for (std::size_t index = 0; index < fronts.size(); ++index)
-    {
-        operations.push_back(fronts[index].operations());
-        for (const int child : fronts[index].children)
-        {
-            parent[child] = static_cast<int>(index);
-        }
-    }
-    schedule = scheduleFronts(parent, operations);
-
-    outerPlace.resize(rows.size());
-    std::vector<int> place(fronts.empty() ? 0 : fronts.back().lastBody, -1);
-    for (const std::vector<int>& subtree : schedule.subtrees)
-    {
-        const Front& root = fronts[subtree.back()];
-        for (int row = root.firstRow; row < root.lastRow; ++row)
-        {
-            place[rows[row]] = row - root.firstRow;
-        }
-        for (const int index : subtree)
-        {
-            // The rows of a front are on the way to the root of the tree: once outside, they stay there.
-            Front& front = fronts[index];
-            front.isOfTask = true;
-            front.outerRow = front.lastRow;
-            while (front.outerRow > front.firstRow && place[rows[front.outerRow - 1]] >= 0)
-            {
-                --front.outerRow;
-                outerPlace[front.outerRow] = place[rows[front.outerRow]];
-            }
-        }
-        for (int row = root.firstRow; row < root.lastRow; ++row)
-        {
-            place[rows[row]] = -1;
-        }
-    }
-}
-
-/// Each U gets its place until the parent has taken it: whatever the order, few wait at a time.
-template<int Rows>
-void FrontalCholesky<Rows>::placeUpdates()
-{
-    const auto sizeOf = [](const Front& front)
-    { return static_cast<std::size_t>(front.updateStride()) * front.below() + overhang; };
-    UpdatePool waiting;
-    const auto take = [&](Front& front, UpdatePool& pool)
-    {
-        if (front.below() > 0)
-        {
-            front.update = pool.take(sizeOf(front));
-        }
-    };
-    const auto giveBack = [&](const Front& front, UpdatePool& pool)
-    {
-        for (const int child : front.children)
-        {
-            pool.giveBack(fronts[child].update, sizeOf(fronts[child]));
-        }
-    };
-    for (const FrontSchedule::Step& step : schedule.steps)
-    {
-        for (int task = step.firstSubtree; task < step.lastSubtree; ++task)
-        {
-            const std::vector<int>& subtree = schedule.subtrees[task];
-            UpdatePool own;
-            for (const int index : subtree)
-            {
-                take(fronts[index], index == subtree.back() ? waiting : own);
-                giveBack(fronts[index], own);
-            }
-            updatesOfTask = std::max(updatesOfTask, own.size());
-            fronts[subtree.back()].isOfTask = false;
-        }
-        if (step.isFront())
-        {
-            take(fronts[step.front], waiting);
-            giveBack(fronts[step.front], waiting);
-        }
-    }
-    updates.assign(waiting.size(), 0);
+    lower.assign(plan.factorSize + overhang, 0);
+    updates.assign(plan.updatesWaiting, 0);
 }
 
 template<int Rows>
@@ -216,15 +50,15 @@ void FrontalCholesky<Rows>::provideWorkers()
 }
 
 template<int Rows>
-double* FrontalCholesky<Rows>::updateOf(const Front& front, Worker& worker)
+double* FrontalCholesky<Rows>::updateOf(const Front<Rows>& front, Worker& worker)
 {
     return (front.isOfTask ? worker.updates : updates).data() + front.update;
 }
 
 /// The columns of S that are these bodies' of the front.
 template<int Rows>
-void FrontalCholesky<Rows>::assembleColumns(const Front& front, Bodies bodies, const BlockPattern& matrix,
-                                            const Block* values)
+void FrontalCholesky<Rows>::assembleColumns(const Front<Rows>& front, Bodies bodies,
+                                            const BlockPattern& matrix, const Block* values)
 {
     double* columns = lower.data() + front.columns;
     const Index stride = front.height();
@@ -234,7 +68,7 @@ void FrontalCholesky<Rows>::assembleColumns(const Front& front, Bodies bodies, c
         const int column = front.firstBody + body;
         for (int entry = matrix.columnStart[column]; entry < matrix.columnStart[column + 1]; ++entry)
         {
-            double* to = columns + Rows * body * stride + Rows * inFront[entry];
+            double* to = columns + Rows * body * stride + Rows * plan.inFront[entry];
             Eigen::Map<Block, 0, Eigen::OuterStride<>>(to, Eigen::OuterStride<>(stride)) = values[entry];
         }
     }
@@ -243,7 +77,7 @@ void FrontalCholesky<Rows>::assembleColumns(const Front& front, Bodies bodies, c
 /// Adds those parts of the children's U that belong into the columns of these bodies of the front, which are
 /// all its own, or all below them.
 template<int Rows>
-void FrontalCholesky<Rows>::addUpdates(const Front& front, Bodies into, Worker& worker)
+void FrontalCholesky<Rows>::addUpdates(const Front<Rows>& front, Bodies into, Worker& worker)
 {
     const int ownBodies = front.lastBody - front.firstBody;
     const bool isIntoColumns = into.begin < ownBodies;
@@ -253,9 +87,9 @@ void FrontalCholesky<Rows>::addUpdates(const Front& front, Bodies into, Worker& 
     const Index corner = isIntoColumns ? 0 : -(stride + 1) * Rows * ownBodies;
     for (const int index : front.children)
     {
-        const Front& child = fronts[index];
+        const Front<Rows>& child = plan.fronts[index];
         const int bodies = child.lastRow - child.firstRow;
-        const int* place = inParent.data() + child.firstRow;
+        const int* place = plan.inParent.data() + child.firstRow;
         // Places ascend.
         const int begin = static_cast<int>(std::lower_bound(place, place + bodies, into.begin) - place);
         const int end = static_cast<int>(std::lower_bound(place + begin, place + bodies, into.end) - place);
@@ -309,7 +143,7 @@ void FrontalCholesky<Rows>::updateDensely(const DenseUpdate& task, Worker& worke
 /// before it by the dense kernel, then three at a time by the kernel. Diagonal blocks of three rows are kept
 /// inverted.
 template<int Rows>
-bool FrontalCholesky<Rows>::eliminateColumns(const Front& front, Worker& worker)
+bool FrontalCholesky<Rows>::eliminateColumns(const Front<Rows>& front, Worker& worker)
 {
     double* columns = lower.data() + front.columns;
     const int width = front.width();
@@ -341,7 +175,7 @@ bool FrontalCholesky<Rows>::eliminateColumns(const Front& front, Worker& worker)
 /// Likewise by several threads. The block on the diagonal of a panel is eliminated first, in a place of its
 /// own: tiles reach beyond the end of its columns, where there are rows here.
 template<int Rows>
-bool FrontalCholesky<Rows>::eliminateTogether(const Front& front)
+bool FrontalCholesky<Rows>::eliminateTogether(const Front<Rows>& front)
 {
     constexpr int stride = (panelWidth + lanes) / lanes * lanes;
     std::array<double, panelWidth* stride + overhang> own = {};
@@ -400,7 +234,7 @@ bool FrontalCholesky<Rows>::eliminateTogether(const Front& front)
 
 /// U = -L21 L21', its lower triangle.
 template<int Rows>
-void FrontalCholesky<Rows>::updateBelow(const Front& front, Worker& worker)
+void FrontalCholesky<Rows>::updateBelow(const Front<Rows>& front, Worker& worker)
 {
     const int below = front.below();
     if (below == 0)
@@ -435,7 +269,7 @@ void FrontalCholesky<Rows>::updateBelow(const Front& front, Worker& worker)
 /// number comes out the same whichever strip it is in, so that there may be one where there is one thread:
 /// each has the rows of B packed.
 template<int Rows>
-void FrontalCholesky<Rows>::updateTogether(const Front& front)
+void FrontalCholesky<Rows>::updateTogether(const Front<Rows>& front)
 {
     const int below = front.below();
     const int strips = threads() == 1 ? 1 : std::clamp(below / rowsOfSlice, 1, 3 * threads());
@@ -458,7 +292,7 @@ void FrontalCholesky<Rows>::updateTogether(const Front& front)
 }
 
 template<int Rows>
-bool FrontalCholesky<Rows>::factoriseFront(const Front& front, const BlockPattern& matrix,
+bool FrontalCholesky<Rows>::factoriseFront(const Front<Rows>& front, const BlockPattern& matrix,
                                            const Block* values, Worker& worker)
 {
     const int own = front.lastBody - front.firstBody;
@@ -475,7 +309,7 @@ bool FrontalCholesky<Rows>::factoriseFront(const Front& front, const BlockPatter
 
 /// A large front above the tasks, likewise by several threads.
 template<int Rows>
-bool FrontalCholesky<Rows>::factoriseTogether(const Front& front, const BlockPattern& matrix,
+bool FrontalCholesky<Rows>::factoriseTogether(const Front<Rows>& front, const BlockPattern& matrix,
                                               const Block* values)
 {
     const auto forBodies = [](int begin, int end, const auto& function)
@@ -513,22 +347,22 @@ bool FrontalCholesky<Rows>::factorise(const BlockPattern& matrix, const Block* v
     const auto subtree = [&](int task, int number)
     {
         Worker& worker = workers[number];
-        worker.updates.resize(std::max(worker.updates.size(), updatesOfTask));
-        for (const int front : schedule.subtrees[task])
+        worker.updates.resize(std::max(worker.updates.size(), plan.updatesOfTask));
+        for (const int front : plan.schedule.subtrees[task])
         {
-            if (!isDefinite || !factoriseFront(fronts[front], matrix, values, worker))
+            if (!isDefinite || !factoriseFront(plan.fronts[front], matrix, values, worker))
             {
                 isDefinite = false;
                 return;
             }
         }
     };
-    for (const FrontSchedule::Step& step : schedule.steps)
+    for (const FrontSchedule::Step& step : plan.schedule.steps)
     {
         const int tasks = step.lastSubtree - step.firstSubtree;
         if (step.isFront())
         {
-            const Front& front = fronts[step.front];
+            const Front<Rows>& front = plan.fronts[step.front];
             if (!(step.isShared ? factoriseTogether(front, matrix, values)
                                 : factoriseFront(front, matrix, values, workers[0])))
             {

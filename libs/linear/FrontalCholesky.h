@@ -2,8 +2,7 @@
 /// Sparse Cholesky factorisation of matrices made of small dense blocks: the factor for large systems.
 #pragma once
 
-#include "linear/BlockPattern.h"
-#include "linear/FrontSchedule.h"
+#include "linear/FrontPlan.h"
 
 #include <Eigen/Core>
 
@@ -50,28 +49,6 @@ public:
     void solveRoughly(Eigen::Ref<Eigen::VectorXd> x);
 
 private:
-    struct Front
-    {
-        int firstBody = 0;       ///< of its columns
-        int lastBody = 0;        ///< one past
-        int firstRow = 0;        ///< of its rows below the columns, in `rows`
-        int lastRow = 0;         ///< one past
-        int outerRow = 0;        ///< first of them that does not belong to a front of the same task
-        std::size_t columns = 0; ///< where L11 and L21 are in `lower`
-        std::size_t update = 0;  ///< where U is, until the parent has taken it
-        bool isOfTask = false;   ///< then U is among those of a worker, but that of the task's last front
-        std::vector<int> children;
-
-        int width() const { return Rows * (lastBody - firstBody); }
-        int below() const { return Rows * (lastRow - firstRow); }
-        /// Rows of the whole, with empty ones up to whole vector registers.
-        int height() const { return (width() + below() + 3) / 4 * 4; }
-        /// From one column of U to the next, in whole vector registers.
-        int updateStride() const { return (below() + 3) / 4 * 4; }
-        /// Multiplications, about.
-        double operations() const;
-    };
-
     /// Rows of a child that stand together in its parent's front, too.
     struct Run
     {
@@ -93,22 +70,20 @@ private:
         int end;
     };
 
-    void findFronts(const BlockPattern& matrix, const BlockPattern& factor);
-    void placeRows(const BlockPattern& matrix);
-    void makeSchedule();
-    void placeUpdates();
     void provideWorkers();
 
-    bool factoriseFront(const Front& front, const BlockPattern& matrix, const Block* values, Worker& worker);
-    bool factoriseTogether(const Front& front, const BlockPattern& matrix, const Block* values);
-    void assembleColumns(const Front& front, Bodies bodies, const BlockPattern& matrix, const Block* values);
-    void addUpdates(const Front& front, Bodies into, Worker& worker);
-    bool eliminateColumns(const Front& front, Worker& worker);
-    bool eliminateTogether(const Front& front);
-    void updateBelow(const Front& front, Worker& worker);
-    void updateTogether(const Front& front);
+    bool factoriseFront(const Front<Rows>& front, const BlockPattern& matrix, const Block* values,
+                        Worker& worker);
+    bool factoriseTogether(const Front<Rows>& front, const BlockPattern& matrix, const Block* values);
+    void assembleColumns(const Front<Rows>& front, Bodies bodies, const BlockPattern& matrix,
+                         const Block* values);
+    void addUpdates(const Front<Rows>& front, Bodies into, Worker& worker);
+    bool eliminateColumns(const Front<Rows>& front, Worker& worker);
+    bool eliminateTogether(const Front<Rows>& front);
+    void updateBelow(const Front<Rows>& front, Worker& worker);
+    void updateTogether(const Front<Rows>& front);
     static void updateDensely(const DenseUpdate& task, Worker& worker);
-    double* updateOf(const Front& front, Worker& worker);
+    double* updateOf(const Front<Rows>& front, Worker& worker);
 
     /// Right sides in hand, and what the tasks of a batch do to those rows of them that are above the tasks.
     template<int Sides>
@@ -123,31 +98,25 @@ private:
     void forwardBatch(const FrontSchedule::Step& step, const std::array<double*, Sides>& x,
                       const Scalar* factor);
     template<int Sides, class Scalar>
-    void forward(const Front& front, const RightSides<Sides>& to, const Scalar* factor, Worker& worker);
+    void forward(const Front<Rows>& front, const RightSides<Sides>& to, const Scalar* factor, Worker& worker);
     template<int Sides, class Scalar>
-    void backward(const Front& front, const std::array<double*, Sides>& x, const Scalar* factor,
+    void backward(const Front<Rows>& front, const std::array<double*, Sides>& x, const Scalar* factor,
                   Worker& worker);
     template<int Sides, class Scalar>
-    void forwardTogether(const Front& front, const Scalar* columns, const std::array<double*, Sides>& part);
+    void forwardTogether(const Front<Rows>& front, const Scalar* columns,
+                         const std::array<double*, Sides>& part);
     template<int Sides, class Scalar>
-    void backwardTogether(const Front& front, const Scalar* columns, const std::array<double*, Sides>& part);
+    void backwardTogether(const Front<Rows>& front, const Scalar* columns,
+                          const std::array<double*, Sides>& part);
     template<int Sides>
     std::array<double*, Sides> partsOf(Worker& worker) const;
 
-    std::vector<Front> fronts; ///< children before their parents
-    std::vector<int> rows;     ///< bodies
-    std::vector<int> inParent; ///< of each of `rows`: the place of that body in the parent's front
-    std::vector<int> inFront;  ///< of each block of the matrix: the place of its row in its column's front
-    FrontSchedule schedule;
-    std::vector<int>
-        outerPlace; ///< of each of `rows` that is not of its task: its place below the task's root
+    FrontPlan<Rows> plan;
     std::vector<double> lower;
     std::vector<float> rounded;  ///< L in single precision, once it was needed
     std::vector<double> updates; ///< that wait for fronts above the tasks
     std::vector<double> outer;   ///< of solves: what the tasks of a batch do to rows above them
     std::vector<Worker> workers;
-    std::size_t updatesOfTask = 0; ///< numbers, at most
-    int highest = 0;
 };
 
 extern template class FrontalCholesky<3>;

@@ -72,7 +72,7 @@ template<int Rows>
 template<int Sides>
 std::array<double*, Sides> FrontalCholesky<Rows>::partsOf(Worker& worker) const
 {
-    const std::size_t size = highest + overhang;
+    const std::size_t size = plan.highest + overhang;
     if (worker.parts.size() < Sides * size)
     {
         worker.parts.resize(Sides * size);
@@ -87,8 +87,8 @@ std::array<double*, Sides> FrontalCholesky<Rows>::partsOf(Worker& worker) const
 
 template<int Rows>
 template<int Sides, class Scalar>
-void FrontalCholesky<Rows>::forward(const Front& front, const RightSides<Sides>& to, const Scalar* factor,
-                                    Worker& worker)
+void FrontalCholesky<Rows>::forward(const Front<Rows>& front, const RightSides<Sides>& to,
+                                    const Scalar* factor, Worker& worker)
 {
     constexpr int atOnce = columnsOfSolve<Sides>;
     const std::array<double*, Sides> part = partsOf<Sides>(worker);
@@ -125,18 +125,18 @@ void FrontalCholesky<Rows>::forward(const Front& front, const RightSides<Sides>&
         next += width;
         for (int row = front.firstRow; row < front.outerRow; ++row, next += Rows)
         {
-            addRows<Rows>(next, to.x[side] + Rows * rows[row]);
+            addRows<Rows>(next, to.x[side] + Rows * plan.rows[row]);
         }
         for (int row = front.outerRow; row < front.lastRow; ++row, next += Rows)
         {
-            addRows<Rows>(next, to.outer[side] + Rows * outerPlace[row]);
+            addRows<Rows>(next, to.outer[side] + Rows * plan.outerPlace[row]);
         }
     }
 }
 
 template<int Rows>
 template<int Sides, class Scalar>
-void FrontalCholesky<Rows>::forwardTogether(const Front& front, const Scalar* columns,
+void FrontalCholesky<Rows>::forwardTogether(const Front<Rows>& front, const Scalar* columns,
                                             const std::array<double*, Sides>& part)
 {
     constexpr int atOnce = columnsOfSolve<Sides>;
@@ -185,7 +185,7 @@ void FrontalCholesky<Rows>::forwardTogether(const Front& front, const Scalar* co
 
 template<int Rows>
 template<int Sides, class Scalar>
-void FrontalCholesky<Rows>::backward(const Front& front, const std::array<double*, Sides>& x,
+void FrontalCholesky<Rows>::backward(const Front<Rows>& front, const std::array<double*, Sides>& x,
                                      const Scalar* factor, Worker& worker)
 {
     constexpr int atOnce = columnsOfSolve<Sides>;
@@ -200,7 +200,7 @@ void FrontalCholesky<Rows>::backward(const Front& front, const std::array<double
         to += width;
         for (int row = front.firstRow; row < front.lastRow; ++row, to += Rows)
         {
-            std::copy_n(x[side] + Rows * rows[row], Rows, to);
+            std::copy_n(x[side] + Rows * plan.rows[row], Rows, to);
         }
         std::fill(to, part[side] + height + overhang, 0.0);
     }
@@ -232,7 +232,7 @@ void FrontalCholesky<Rows>::backward(const Front& front, const std::array<double
 
 template<int Rows>
 template<int Sides, class Scalar>
-void FrontalCholesky<Rows>::backwardTogether(const Front& front, const Scalar* columns,
+void FrontalCholesky<Rows>::backwardTogether(const Front<Rows>& front, const Scalar* columns,
                                              const std::array<double*, Sides>& part)
 {
     constexpr int columnsOfTask = 4 * columnsAtOnce;
@@ -275,7 +275,7 @@ void FrontalCholesky<Rows>::forwardBatch(const FrontSchedule::Step& step, const 
     std::vector<std::size_t> begin{0};
     for (int task = step.firstSubtree; task < step.lastSubtree; ++task)
     {
-        begin.push_back(begin.back() + fronts[schedule.subtrees[task].back()].below());
+        begin.push_back(begin.back() + plan.fronts[plan.schedule.subtrees[task].back()].below());
     }
     const std::size_t size = begin.back();
     if (outer.size() < Sides * size)
@@ -290,9 +290,9 @@ void FrontalCholesky<Rows>::forwardBatch(const FrontSchedule::Step& step, const 
             to.outer[side] = outer.data() + side * size + begin[task];
             std::fill(to.outer[side], outer.data() + side * size + begin[task + 1], 0.0);
         }
-        for (const int front : schedule.subtrees[step.firstSubtree + task])
+        for (const int front : plan.schedule.subtrees[step.firstSubtree + task])
         {
-            forward<Sides>(fronts[front], to, factor, workers[worker]);
+            forward<Sides>(plan.fronts[front], to, factor, workers[worker]);
         }
     };
     const int tasks = step.lastSubtree - step.firstSubtree;
@@ -312,10 +312,10 @@ void FrontalCholesky<Rows>::forwardBatch(const FrontSchedule::Step& step, const 
         const double* from = outer.data() + side * size;
         for (int task = step.firstSubtree; task < step.lastSubtree; ++task)
         {
-            const Front& root = fronts[schedule.subtrees[task].back()];
+            const Front<Rows>& root = plan.fronts[plan.schedule.subtrees[task].back()];
             for (int row = root.firstRow; row < root.lastRow; ++row, from += Rows)
             {
-                addRows<Rows>(from, x[side] + Rows * rows[row]);
+                addRows<Rows>(from, x[side] + Rows * plan.rows[row]);
             }
         }
     }
@@ -326,30 +326,30 @@ template<int Sides, class Scalar>
 void FrontalCholesky<Rows>::solveFor(const std::array<double*, Sides>& x, const Scalar* factor)
 {
     provideWorkers();
-    for (const FrontSchedule::Step& step : schedule.steps)
+    for (const FrontSchedule::Step& step : plan.schedule.steps)
     {
         if (step.isFront())
         {
-            forward<Sides>(fronts[step.front], {x, {}}, factor, workers[0]);
+            forward<Sides>(plan.fronts[step.front], {x, {}}, factor, workers[0]);
         }
         else
         {
             forwardBatch<Sides>(step, x, factor);
         }
     }
-    for (auto step = schedule.steps.rbegin(); step != schedule.steps.rend(); ++step)
+    for (auto step = plan.schedule.steps.rbegin(); step != plan.schedule.steps.rend(); ++step)
     {
         if (step->isFront())
         {
-            backward<Sides>(fronts[step->front], x, factor, workers[0]);
+            backward<Sides>(plan.fronts[step->front], x, factor, workers[0]);
             continue;
         }
         const auto subtree = [&](int task, int worker)
         {
-            const std::vector<int>& ofTask = schedule.subtrees[step->firstSubtree + task];
+            const std::vector<int>& ofTask = plan.schedule.subtrees[step->firstSubtree + task];
             for (auto front = ofTask.rbegin(); front != ofTask.rend(); ++front)
             {
-                backward<Sides>(fronts[*front], x, factor, workers[worker]);
+                backward<Sides>(plan.fronts[*front], x, factor, workers[worker]);
             }
         };
         const int tasks = step->lastSubtree - step->firstSubtree;

@@ -78,7 +78,28 @@ private:
         scaled.change(point,
                       stiffnesses[point] * states[static_cast<std::size_t>(point)].derivative(at(point)));
     }
+    /// What one call of `follow` knows between two pieces of the path.
+    struct Walk
+    {
+        int begin;                                                ///< number of its first piece
+        double gone = 0;                                          ///< displacements so far
+        double longest = std::numeric_limits<double>::infinity(); ///< step, after one that was too long
+        int last = -1;                                            ///< point that ended the last piece
+        Boundary boundary = Boundary::none;                       ///< of its law at which it did
+        // In space, where the last step began:
+        double lastDistance = 0;
+        double lastGone = 0;
+        double lastAlpha = 0;
+        VectorXd lastStretch = {};
+        std::vector<Piece> lastStates = {};
+    };
+
+    bool push();
     bool correct();
+    bool goBack(Walk& walk);
+    void chooseSense(const Walk& walk, const VectorXd& before);
+    PathEnd endOfPath();
+    void take(Walk& walk, double distance, const typename Piece::Exit& first, int leaving);
     double refineDirection(double enough);
     void orient(double onwards);
     typename Piece::Exit firstExit(double ignored, int& leaving) const;
@@ -293,123 +314,156 @@ void CollapsePath<Rows, Forces>::changeDilatancy(double dilatancy)
     }
 }
 
+/// p of the piece in hand. \return whether there is one
+template<int Rows, int Forces>
+bool CollapsePath<Rows, Forces>::push()
+{
+    if (!scaled.factorise())
+    {
+        return false;
+    }
+    pushed = scaled.solve(scaled.liveLoad);
+    const double size = pushed.template lpNorm<Eigen::Infinity>();
+    return size > 0 && std::isfinite(size);
+}
+
+/// After a step that was too long: again from where it began, with a quarter of it. \return whether that is
+/// possible
+template<int Rows, int Forces>
+bool CollapsePath<Rows, Forces>::goBack(Walk& walk)
+{
+    if (Forces == 2 || pieceCount == walk.begin || !(walk.longest > shortestStep))
+    {
+        return false;
+    }
+    walk.longest = 0.25 * walk.lastDistance;
+    walk.gone = walk.lastGone;
+    walk.boundary = Boundary::none;
+    stretch = walk.lastStretch;
+    alphaNow = walk.lastAlpha;
+    states = walk.lastStates;
+    for (int point = 0; point < count(); ++point)
+    {
+        update(point);
+    }
+    return true;
+}
+
+/// Forwards or backwards along the direction. \param before the direction of the last piece
+template<int Rows, int Forces>
+void CollapsePath<Rows, Forces>::chooseSense(const Walk& walk, const VectorXd& before)
+{
+    if (pieceCount == walk.begin)
+    {
+        orient(scaled.liveLoad.dot(direction));
+    }
+    else if (walk.boundary == Boundary::none || walk.boundary == Boundary::turning)
+    {
+        orient(before.dot(direction)); // after a step that was shortened
+    }
+    else
+    {
+        orient(states[static_cast<std::size_t>(walk.last)].rateWithin(walk.boundary, at(walk.last),
+                                                                      rateAt(walk.last)));
+    }
+}
+
+/// What the path ends with where elasticity is negligible.
+template<int Rows, int Forces>
+PathEnd CollapsePath<Rows, Forces>::endOfPath()
+{
+    correct();
+    if (alphaRate > noGrowth)
+    {
+        return PathEnd::unfinished;
+    }
+    const double work = scaled.liveLoad.dot(direction);
+    return work > noWork ? PathEnd::collapse : work > -noWork ? PathEnd::fall : PathEnd::reversed;
+}
+
+/// Goes a step along the direction. \param first where a point leaves its piece of the law \param leaving
+/// that point
+template<int Rows, int Forces>
+void CollapsePath<Rows, Forces>::take(Walk& walk, double distance, const typename Piece::Exit& first,
+                                      int leaving)
+{
+    if constexpr (Forces == 3)
+    {
+        walk.lastDistance = distance;
+        walk.lastAlpha = alphaNow;
+        walk.lastGone = walk.gone;
+        walk.lastStretch = stretch;
+        walk.lastStates = states;
+        walk.longest *= 2;
+    }
+    walk.gone += distance;
+    stretch += distance * stretchRate;
+    alphaNow += distance * alphaRate;
+    walk.boundary = distance < first.distance ? Boundary::none : first.boundary;
+    if (walk.boundary != Boundary::none)
+    {
+        walk.last = leaving;
+        states[static_cast<std::size_t>(leaving)].cross(walk.boundary);
+        update(leaving);
+    }
+    if constexpr (Forces == 3)
+    {
+        for (int point = 0; point < count(); ++point)
+        {
+            Piece& piece = states[static_cast<std::size_t>(point)];
+            if (piece.isSliding || piece.returnToLaw(at(point), beyondLaw))
+            {
+                update(point);
+            }
+        }
+    }
+}
+
 template<int Rows, int Forces>
 PathEnd CollapsePath<Rows, Forces>::follow(int mostPieces)
 {
-    const int begin = pieceCount;
-    double gone = 0;
-    double longest = std::numeric_limits<double>::infinity(); // step, after one that was too long
-    struct
+    Walk walk{.begin = pieceCount};
+    for (; pieceCount < walk.begin + mostPieces; ++pieceCount)
     {
-        double distance = 0, alpha = 0, gone = 0;
-        VectorXd w;
-        std::vector<Piece> points;
-    } lastStep; // where it began, in space
-    int last = -1;
-    Boundary boundary = Boundary::none;
-    for (; pieceCount < begin + mostPieces; ++pieceCount)
-    {
-        if (!scaled.factorise())
-        {
-            return PathEnd::unfinished;
-        }
-        pushed = scaled.solve(scaled.liveLoad);
-        const double size = pushed.template lpNorm<Eigen::Infinity>();
-        if (!(size > 0) || !std::isfinite(size))
+        if (!push())
         {
             return PathEnd::unfinished;
         }
         if ((Forces == 3 || pieceCount % piecesToCorrection == 0) && !correct())
         {
-            if (Forces == 2 || pieceCount == begin || !(longest > shortestStep))
+            if (!goBack(walk))
             {
                 return PathEnd::unfinished;
-            }
-            // The step was too long: again with a quarter of it.
-            longest = 0.25 * lastStep.distance;
-            stretch = lastStep.w;
-            alphaNow = lastStep.alpha;
-            states = lastStep.points;
-            gone = lastStep.gone;
-            boundary = Boundary::none;
-            for (int point = 0; point < count(); ++point)
-            {
-                update(point);
             }
             continue;
         }
         const VectorXd before = direction;
+        const double size = pushed.template lpNorm<Eigen::Infinity>();
         direction = pushed / size;
         alphaRate = 1 / size;
         if (!(refineDirection(sufficient) < accepted))
         {
             return PathEnd::unfinished;
         }
-        const auto choose = [&]
-        {
-            if (pieceCount == begin)
-            {
-                orient(scaled.liveLoad.dot(direction));
-            }
-            else if (boundary == Boundary::none || boundary == Boundary::turning)
-            {
-                orient(before.dot(direction)); // after a step that was shortened
-            }
-            else
-            {
-                orient(states[static_cast<std::size_t>(last)].rateWithin(boundary, at(last), rateAt(last)));
-            }
-        };
-        choose();
+        chooseSense(walk, before);
         int leaving = -1;
         typename Piece::Exit first = firstExit(still * stretchRate.lpNorm<Eigen::Infinity>(), leaving);
-        double distance = std::min({first.distance, turningDistance(), stepLimit(gone), longest});
-        if (gone + distance > elasticReach)
+        double distance = std::min({first.distance, turningDistance(), stepLimit(walk.gone), walk.longest});
+        if (walk.gone + distance > elasticReach)
         {
             if (!(refineDirection(refined) < accepted))
             {
                 return PathEnd::unfinished;
             }
-            choose();
+            chooseSense(walk, before);
             first = firstExit(stillRefined * stretchRate.lpNorm<Eigen::Infinity>(), leaving);
-            distance = std::min({first.distance, turningDistance(), stepLimit(gone)});
-            if (gone + distance > elasticReach)
+            distance = std::min({first.distance, turningDistance(), stepLimit(walk.gone)});
+            if (walk.gone + distance > elasticReach)
             {
-                correct();
-                if (alphaRate > noGrowth)
-                {
-                    return PathEnd::unfinished;
-                }
-                const double work = scaled.liveLoad.dot(direction);
-                return work > noWork ? PathEnd::collapse : work > -noWork ? PathEnd::fall : PathEnd::reversed;
+                return endOfPath();
             }
         }
-        if constexpr (Forces == 3)
-        {
-            lastStep = {distance, alphaNow, gone, stretch, states};
-            longest *= 2;
-        }
-        gone += distance;
-        stretch += distance * stretchRate;
-        alphaNow += distance * alphaRate;
-        boundary = distance < first.distance ? Boundary::none : first.boundary;
-        if (boundary != Boundary::none)
-        {
-            last = leaving;
-            states[static_cast<std::size_t>(last)].cross(boundary);
-            update(last);
-        }
-        if constexpr (Forces == 3)
-        {
-            for (int point = 0; point < count(); ++point)
-            {
-                Piece& piece = states[static_cast<std::size_t>(point)];
-                if (piece.isSliding || piece.returnToLaw(at(point), beyondLaw))
-                {
-                    update(point);
-                }
-            }
-        }
+        take(walk, distance, first, leaving);
     }
     return PathEnd::unfinished;
 }
