@@ -78,6 +78,28 @@ Eigen::VectorXd forcesBeyondFriction(int count, double push)
 
 } // namespace
 
+TEST(ForceChanges, BalanceOneLoadAfterAnotherAsTheNearestForcesDo)
+{
+    PlaneConeProgram program = bodiesInARow(3, 0);
+    const Eigen::VectorXd near = evenForces().replicate(3, 1);
+    ForceChanges<3, 2> changes(program, near);
+    Eigen::VectorXd push = Eigen::VectorXd::Zero(9);
+    push.segment<3>(3) << 0.1, 0, 0.05;
+    const Eigen::VectorXd change = changes.under(push, 1e-12);
+    ASSERT_EQ(change.size(), near.size());
+    EXPECT_LE((applyEquilibrium(program, change) - push).lpNorm<Eigen::Infinity>(), 1e-12);
+    EXPECT_LE((changes.under(2 * push, 1e-12) - 2 * change).lpNorm<Eigen::Infinity>(), 1e-12);
+    program.load += push;
+    SymbolicAnalysis symbolic;
+    EXPECT_LE((nearestForces(program, near, 1e-12, symbolic) - near - change).lpNorm<Eigen::Infinity>(),
+              1e-11);
+    // Nothing presses a body down to the ground: a lift is not balanced.
+    PlaneConeProgram lifted = program;
+    lifted.contacts.clear();
+    lifted.friction.clear();
+    EXPECT_EQ((ForceChanges<3, 2>(lifted, Eigen::VectorXd()).under(push, 1e-12).size()), 0);
+}
+
 TEST(BalancedForces, TheyBalanceTheLoadInsideTheCones)
 {
     for (const double push : {0.0, 0.1, -0.2, 0.3})
