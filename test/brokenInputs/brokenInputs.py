@@ -352,6 +352,10 @@ brokenInputs = [
     Broken("limitAnalysis", "jointToleranceOfBlockSize", where="constant/assembly/blocks", lines=(0,),
            says=(r"jointTolerance 1 ", r"at most 0.1 m"), before=(("blockTexture",),),
            earlier={dictionary: "jointTolerance 1;\n" + polygons}),
+    Broken("limitAnalysis", "selectionMistyped", "system/schemes", says=(r"automatik", r"Did you mean automatic\?"),
+           before=built, lines=(1,), files={"system/schemes": "effects { selection automatik; }\n"}),
+    Broken("limitAnalysis", "verifiedAsGiven", "system/schemes", says=(r"verifyInterval needs `selection automatic;`",),
+           before=built, lines=(1,), files={"system/schemes": "effects { selection asGiven; verifyInterval 5; }\n"}),
     Broken("checkBlocks", "noAssembly", says=(r"constant/assembly", r"blockTexture"), where="-"),
     Broken("limitAnalysis", "noAssembly", says=(r"constant/assembly", r"blockTexture"), where="-"),
     # The input of an analysis.
