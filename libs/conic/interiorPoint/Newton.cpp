@@ -140,6 +140,7 @@ template<int Rows, class Scalar>
 void NewtonSystem<Rows, Scalar>::correct(Vector& weightedPull, Iterate<Scalar>& step)
 {
     weighted.swap(weightedPull);
+    weightedPull.resize(0); // its memory is wanted in large systems
     step.y.setConstant(state.load.size(), Scalar(0));
     addForces(state.form, weighted, step.y);
     step.y = -step.y;
@@ -165,9 +166,11 @@ void NewtonSystem<Rows, Scalar>::finishStep(double reduction, Iterate<Scalar>& s
         step.alpha = (Scalar(reduction) * state.residuals.work - state.liveLoad.dot(step.y)) / liveStiffness;
         step.y += step.alpha * liveSolution;
     }
-    applyTransposed(state.form, step.y, change);
-    step.s = weighted;
-    scaling.weights.addApplied(change, step.s);
+    // The openings by dy are built up where dz will be; what `weighted` held is in ds from now on.
+    Vector& opened = step.z;
+    applyTransposed(state.form, step.y, opened);
+    step.s.swap(weighted);
+    scaling.weights.addApplied(opened, step.s);
     const int refinements = state.mu > firmComplementarity ? 0 : mostRefinements;
     for (int refinement = 0; refinement < refinements; ++refinement)
     {
@@ -178,10 +181,11 @@ void NewtonSystem<Rows, Scalar>::finishStep(double reduction, Iterate<Scalar>& s
         {
             remainder += step.alpha * state.liveLoad;
         }
-        moreChange.setConstant(state.load.size(), Scalar(0));
-        addForces(state.form, step.s, moreChange);
-        addInertia(state.form, step.y, moreChange);
-        remainder -= moreChange;
+        Vector& balanced = rowWork;
+        balanced.setConstant(state.load.size(), Scalar(0));
+        addForces(state.form, step.s, balanced);
+        addInertia(state.form, step.y, balanced);
+        remainder -= balanced;
         if (largestOf(remainder)
             <= std::max(0.1 * state.settings.tolerance * state.forceSize(), 1e-2 * state.missing()))
         {
@@ -193,18 +197,18 @@ void NewtonSystem<Rows, Scalar>::finishStep(double reduction, Iterate<Scalar>& s
             step.alpha += takeLiveWork(remainder);
         }
         step.y += remainder;
-        applyTransposed(state.form, remainder, moreChange);
-        change += moreChange;
-        scaling.weights.addApplied(moreChange, step.s);
+        Vector& openedMore = weighted;
+        applyTransposed(state.form, remainder, openedMore);
+        opened += openedMore;
+        scaling.weights.addApplied(openedMore, step.s);
     }
-    step.z.resize(change.size());
-    forParts(change.size(),
+    forParts(opened.size(),
              [&](long begin, long end)
              {
                  const long count = end - begin;
-                 step.z.segment(begin, count) =
+                 opened.segment(begin, count) =
                      Scalar(reduction) * state.residuals.opening.segment(begin, count)
-                     - change.segment(begin, count);
+                     - opened.segment(begin, count);
              });
 }
 
@@ -235,8 +239,8 @@ void NewtonSystem<Rows, Scalar>::leastSquares(Iterate<Scalar>& at)
         solve(remainder);
         at.y += remainder;
     }
-    applyTransposed(state.form, at.y, change);
-    at.z = state.gap - change;
+    applyTransposed(state.form, at.y, at.z);
+    at.z = state.gap - at.z;
 }
 
 template<int Rows, class Scalar>
@@ -261,6 +265,7 @@ bool NewtonSystem<Rows, Scalar>::repairBalance()
     solve(liveSolution);
     liveStiffness = state.liveLoad.dot(liveSolution);
     const double enough = 0.1 * state.settings.tolerance * state.forceSize();
+    Vector change;
     for (int pass = 0; pass < passesOfRepair && state.missing() > enough; ++pass)
     {
         remainder = state.residuals.balance;
@@ -289,6 +294,7 @@ VectorOf<Scalar> NewtonSystem<Rows, Scalar>::forcesOfLoadAlone(int iteration)
     constexpr double reflection = 2;
     const double enough = 0.1 * state.settings.tolerance;
     Vector forces = state.at.s;
+    Vector change;
     for (int pass = 0; pass < passes; ++pass)
     {
         reflectInside(state.cones, reflection, forces);

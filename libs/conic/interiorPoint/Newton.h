@@ -107,7 +107,7 @@ private:
     double compliance = 0;
     double rounding = 0; ///< share that the diagonal of the Schur system is raised by
     int repairs = 0;
-    Vector weighted, change, moreChange, remainder;
+    Vector weighted, remainder, rowWork;
 };
 
 } // namespace drystone

@@ -5,6 +5,23 @@
 
 namespace drystone
 {
+namespace
+{
+
+template<class Scalar>
+Given<Scalar> inNumbers(const Eigen::VectorXd& given)
+{
+    if constexpr (std::is_same_v<Scalar, double>)
+    {
+        return given;
+    }
+    else
+    {
+        return given.template cast<Scalar>();
+    }
+}
+
+} // namespace
 
 template<int Rows, class Scalar>
 State<Rows, Scalar>::State(const Form<Rows>& ofForm, const InteriorPointSettings& toSettings, Sought ofSought)
@@ -12,9 +29,9 @@ State<Rows, Scalar>::State(const Form<Rows>& ofForm, const InteriorPointSettings
       cones(ofForm.cones()),
       settings(toSettings),
       sought(ofSought),
-      load(ofForm.load.template cast<Scalar>()),
-      liveLoad(ofForm.liveLoad.template cast<Scalar>()),
-      gap(ofForm.gap.template cast<Scalar>())
+      load(inNumbers<Scalar>(ofForm.load)),
+      liveLoad(inNumbers<Scalar>(ofForm.liveLoad)),
+      gap(inNumbers<Scalar>(ofForm.gap))
 {
 }
 
@@ -32,8 +49,8 @@ void State<Rows, Scalar>::measure()
     addForces(form, at.s, rowWork);
     addInertia(form, at.y, rowWork);
     balance -= rowWork;
-    applyTransposed(form, at.y, coneWork);
-    residuals.opening = gap - coneWork - at.z;
+    applyTransposed(form, at.y, residuals.opening);
+    residuals.opening = gap - residuals.opening - at.z;
     mu = complementarity();
 }
 

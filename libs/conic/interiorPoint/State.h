@@ -7,6 +7,8 @@
 #include "conic/form/Form.h"
 #include "conic/interiorPoint/Divergence.h"
 
+#include <type_traits>
+
 namespace drystone
 {
 
@@ -56,6 +58,11 @@ inline Eigen::VectorXd asDoubles(const VectorOf<DoubleDouble>& values)
     return values.cast<double>();
 }
 
+/// What a form gives, in numbers of either precision: doubles are not copied.
+template<class Scalar>
+using Given =
+    std::conditional_t<std::is_same_v<Scalar, double>, const Eigen::VectorXd&, const VectorOf<Scalar>>;
+
 /// Tolerance of the scaled residuals, of that of the certificate.
 constexpr double ofResiduals = 0.7;
 
@@ -69,9 +76,9 @@ public:
     const ConeRanges cones;
     const InteriorPointSettings settings;
     const Sought sought;
-    const VectorOf<Scalar> load;
-    const VectorOf<Scalar> liveLoad;
-    const VectorOf<Scalar> gap;
+    const Given<Scalar> load; ///< of the form, as the next two
+    const Given<Scalar> liveLoad;
+    const Given<Scalar> gap;
 
     Iterate<Scalar> at;
     Residuals<Scalar> residuals;
@@ -113,7 +120,6 @@ private:
     bool isObjectiveReached();
 
     VectorOf<Scalar> rowWork;
-    VectorOf<Scalar> coneWork;
 };
 
 } // namespace drystone

@@ -41,6 +41,6 @@ blocks += [stone for number in range(1, SPANS) for stone in pier(number)]
 end = PITCH * (SPANS - 1) + OUTSIDE
 blocks += [box(-OUTSIDE - 2, -OUTSIDE + RING, 0, SPRINGING), box(end - RING, end + 2, 0, SPRINGING)]
 
-lines = ["    (" + " ".join(f"({x:.15g} {y:.15g})" for x, y in block) + ")" for block in blocks]
+lines = ["    (" + " ".join(f"({x:.12g} {y:.12g})" for x, y in block) + ")" for block in blocks]
 pathlib.Path("twentySpans/system/blocks").write_text("\n".join(["blocks", "(", *lines, ");", ""]), encoding="utf-8")
 print(f"{len(blocks)} blocks")
