@@ -223,7 +223,7 @@ analyseReachedPart(const ConeProgram<Rows, Forces>& program, const InteriorPoint
     const std::vector<char> isLoaded = loadedBodies(program);
     const auto loaded = static_cast<double>(std::count(isLoaded.begin(), isLoaded.end(), true));
     const double most = largestShare * program.bodies;
-    if (program.bodies < fewBodies || program.gap.size() > 0 || loaded > most)
+    if (program.bodies < fewBodies || program.gap.size() > 0 || loaded == 0 || loaded > most)
     {
         return std::nullopt;
     }

@@ -127,6 +127,8 @@ TEST(ReachedPart, NothingWhereTheWholeIsToBeSolved)
         program.liveLoad[row] = 1000; // everywhere
     }
     EXPECT_FALSE(byPart(program));
+    program.liveLoad.setZero();
+    EXPECT_FALSE(byPart(program));
     // Pressed upon it carries any load.
     EXPECT_FALSE(byPart(underForce<2>(assembly, 0.65, last, {0, -1})));
     // Small.
