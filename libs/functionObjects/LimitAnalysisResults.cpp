@@ -178,6 +178,23 @@ PolyData<Dim> thrustFrame(const std::vector<JointForce<Dim>>& joints)
     return data;
 }
 
+/// Whether each block was simulated, with `selection automatic`; else no field.
+template<int Dim>
+std::vector<Field> simulatedBlocks(const LimitAnalysisCase<Dim>& structure, const LimitAnalysis& result)
+{
+    if (structure.effects.selection != EffectSelection::automatic)
+    {
+        return {};
+    }
+    Field isAwake{"awake", 1, {}, FieldType::integer};
+    for (const int body : freeIndices(structure.assembly))
+    {
+        isAwake.values.push_back(
+            body >= 0 && (result.isSimulated.empty() || result.isSimulated[static_cast<std::size_t>(body)]));
+    }
+    return {std::move(isAwake)};
+}
+
 /// Writes mechanism, forces and thrust of one answer. \param suffix of the file names
 template<int Dim>
 void writeAnswer(const std::filesystem::path& caseDirectory, const LimitAnalysisCase<Dim>& structure,
@@ -200,7 +217,7 @@ void writeAnswer(const std::filesystem::path& caseDirectory, const LimitAnalysis
         }
     }
     VtkSeries blocks(caseDirectory / "VTK", "blocks" + suffix, 0);
-    writeMechanism(blocks, assembly, rates);
+    writeMechanism(blocks, assembly, rates, simulatedBlocks(structure, result));
 
     const std::vector<Vector<Dim>> forces = pointForces<Dim>(result.contactForce);
     VtkSeries contacts(caseDirectory / "VTK", "contacts" + suffix, 0);

@@ -112,7 +112,7 @@ std::vector<Placement<Dim>> mechanismPlacements(const Assembly<Dim>& assembly,
 
 template<int Dim>
 void writeMechanism(VtkSeries& series, const Assembly<Dim>& assembly,
-                    const std::type_identity_t<Rates<Dim>>& rates, int frames)
+                    const std::type_identity_t<Rates<Dim>>& rates, const std::vector<Field>& more, int frames)
 {
     const double largest = largestDisplacement(assembly, rates);
     const double factor = largest > 0 ? 1 / largest : 0;
@@ -125,13 +125,15 @@ void writeMechanism(VtkSeries& series, const Assembly<Dim>& assembly,
             (row < Dim ? displacementRate : rotationRate).values.push_back(factor * rates(row, i));
         }
     }
+    std::vector<Field> fields{std::move(displacementRate), std::move(rotationRate)};
+    fields.insert(fields.end(), more.begin(), more.end());
     const double amplitude = 0.5 * meanBlockSize(assembly);
     const int last = largest > 0 ? std::max(1, frames - 1) : 0;
     for (int frame = 0; frame <= last; ++frame)
     {
         const double time = last == 0 ? 0 : static_cast<double>(frame) / last;
-        series.write(time, blockFrame(assembly, mechanismPlacements(assembly, rates, time * amplitude),
-                                      {displacementRate, rotationRate}));
+        series.write(time,
+                     blockFrame(assembly, mechanismPlacements(assembly, rates, time * amplitude), fields));
     }
 }
 
@@ -140,12 +142,12 @@ template double largestDisplacement(const Assembly<2>& assembly, const Rates<2>&
 template std::vector<Placement<2>> mechanismPlacements(const Assembly<2>& assembly, const Rates<2>& rates,
                                                        double amplitude);
 template void writeMechanism(VtkSeries& series, const Assembly<2>& assembly, const Rates<2>& rates,
-                             int frames);
+                             const std::vector<Field>& more, int frames);
 template Rates<3> ratesOfAllBlocks(const Assembly<3>& assembly, const Eigen::VectorXd& freeRates);
 template double largestDisplacement(const Assembly<3>& assembly, const Rates<3>& rates);
 template std::vector<Placement<3>> mechanismPlacements(const Assembly<3>& assembly, const Rates<3>& rates,
                                                        double amplitude);
 template void writeMechanism(VtkSeries& series, const Assembly<3>& assembly, const Rates<3>& rates,
-                             int frames);
+                             const std::vector<Field>& more, int frames);
 
 } // namespace drystone

@@ -39,9 +39,10 @@ std::vector<Placement<Dim>> mechanismPlacements(const Assembly<Dim>& assembly,
 /// Writes the mechanism as an animation: `frames` frames at the times 0 to 1, from the structure as built to
 /// a largest displacement of half a mean block, growing linearly; fields `displacementRate[-]` and
 /// `rotationRate[rad/m]`, scaled so that the largest corner displacement rate is 1, in addition to those of
-/// blockFrame. Where nothing moves there is one frame, at time 0.
+/// blockFrame. Where nothing moves there is one frame, at time 0. \param more fields, one value a block
 template<int Dim>
 void writeMechanism(VtkSeries& series, const Assembly<Dim>& assembly,
-                    const std::type_identity_t<Rates<Dim>>& rates, int frames = 21);
+                    const std::type_identity_t<Rates<Dim>>& rates, const std::vector<Field>& more = {},
+                    int frames = 21);
 
 } // namespace drystone

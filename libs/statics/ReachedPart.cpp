@@ -269,6 +269,7 @@ analyseReachedPart(const ConeProgram<Rows, Forces>& program, const InteriorPoint
         if (result.status == CollapseStatus::optimal && result.certificate.worst() <= settings.tolerance)
         {
             result.simulatedBlocks = part.program.bodies;
+            result.isSimulated = isPart;
             return result;
         }
     }

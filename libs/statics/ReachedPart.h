@@ -36,7 +36,7 @@ struct CarriedDeadLoad
 /// and the whole is to be solved.
 /// \param program of the whole \param carried is brought up to date \param kept of programs of the whole,
 /// see solveLimitAnalysis
-/// \return the answer, its simulatedBlocks those of 2; or nothing
+/// \return the answer, its simulated blocks those of 2; or nothing
 template<int Rows, int Forces>
 std::optional<LimitAnalysis>
 analyseReachedPart(const ConeProgram<Rows, Forces>& program, const InteriorPointSettings& settings,

@@ -544,7 +544,7 @@ TEST(Mechanism, GrowsFromAsBuiltToHalfAMeanBlock)
     const Assembly<2> wall = test::wall(5, 6);
     const Eigen::Matrix3Xd rates = 1e-7 * test::turningRates(wall, 2); // of any size
     VtkSeries series(folder.path(), "blocks", 0);
-    writeMechanism(series, wall, rates, 5);
+    writeMechanism(series, wall, rates, {}, 5);
     EXPECT_THAT(series.times(), ElementsAre(0, 0.25, 0.5, 0.75, 1));
 
     const auto first = readBack(folder / "blocks_000000.vtp");
