@@ -37,51 +37,10 @@ int numberOf(const std::vector<int>& number, int body)
     return body < 0 ? -1 : number[static_cast<std::size_t>(body)];
 }
 
+/// \param forces F k at which points between the part and another body are known, or null: these are held
 template<int Rows, int Forces>
-void addPoint(const ConeProgram<Rows, Forces>& whole, std::size_t point,
-              const ConeColumns<Rows, Forces>& columns, ProgramPart<Rows, Forces>& part)
-{
-    part.points.push_back(point);
-    part.program.contacts.push_back(columns);
-    part.program.friction.push_back(whole.friction[point]);
-    if (whole.hasStrength())
-    {
-        part.program.strength.push_back(whole.strength[point]);
-    }
-}
-
-template<int Rows, int Forces>
-void takeFromPoints(const ConeProgram<Rows, Forces>& whole, ProgramPart<Rows, Forces>& part)
-{
-    part.program.gap = takenFrom<Forces>(part.points, whole.gap);
-    part.program.compliance = takenFrom<Forces>(part.points, whole.compliance);
-}
-
-} // namespace
-
-template<int Rows, int Forces>
-ProgramPart<Rows, Forces> partWithOthersHeld(const ConeProgram<Rows, Forces>& whole,
-                                             const std::vector<char>& isPart)
-{
-    std::vector<int> number;
-    ProgramPart<Rows, Forces> part = bodiesOf(whole, isPart, number);
-    for (std::size_t point = 0; point < whole.contacts.size(); ++point)
-    {
-        ConeColumns<Rows, Forces> columns = whole.contacts[point];
-        columns.first = numberOf(number, columns.first);
-        columns.second = numberOf(number, columns.second);
-        if (columns.first >= 0 || columns.second >= 0)
-        {
-            addPoint(whole, point, columns, part);
-        }
-    }
-    takeFromPoints(whole, part);
-    return part;
-}
-
-template<int Rows, int Forces>
-ProgramPart<Rows, Forces> partUnderForces(const ConeProgram<Rows, Forces>& whole,
-                                          const Eigen::VectorXd& forces, const std::vector<char>& isPart)
+ProgramPart<Rows, Forces> partOf(const ConeProgram<Rows, Forces>& whole, const std::vector<char>& isPart,
+                                 const Eigen::VectorXd* forces)
 {
     std::vector<int> number;
     ProgramPart<Rows, Forces> part = bodiesOf(whole, isPart, number);
@@ -97,12 +56,18 @@ ProgramPart<Rows, Forces> partUnderForces(const ConeProgram<Rows, Forces>& whole
         const bool isAtOther = (columns.first >= 0 && first < 0) || (columns.second >= 0 && second < 0);
         columns.first = first;
         columns.second = second;
-        if (!isAtOther)
+        if (!forces || !isAtOther)
         {
-            addPoint(whole, point, columns, part);
+            part.points.push_back(point);
+            part.program.contacts.push_back(columns);
+            part.program.friction.push_back(whole.friction[point]);
+            if (whole.hasStrength())
+            {
+                part.program.strength.push_back(whole.strength[point]);
+            }
             continue;
         }
-        const auto force = forces.segment<Forces>(Forces * static_cast<Eigen::Index>(point));
+        const auto force = forces->segment<Forces>(Forces * static_cast<Eigen::Index>(point));
         if (first >= 0)
         {
             part.program.load.template segment<Rows>(Rows * first) -= columns.onFirst * force;
@@ -112,8 +77,25 @@ ProgramPart<Rows, Forces> partUnderForces(const ConeProgram<Rows, Forces>& whole
             part.program.load.template segment<Rows>(Rows * second) -= columns.onSecond * force;
         }
     }
-    takeFromPoints(whole, part);
+    part.program.gap = takenFrom<Forces>(part.points, whole.gap);
+    part.program.compliance = takenFrom<Forces>(part.points, whole.compliance);
     return part;
+}
+
+} // namespace
+
+template<int Rows, int Forces>
+ProgramPart<Rows, Forces> partWithOthersHeld(const ConeProgram<Rows, Forces>& whole,
+                                             const std::vector<char>& isPart)
+{
+    return partOf(whole, isPart, nullptr);
+}
+
+template<int Rows, int Forces>
+ProgramPart<Rows, Forces> partUnderForces(const ConeProgram<Rows, Forces>& whole,
+                                          const Eigen::VectorXd& forces, const std::vector<char>& isPart)
+{
+    return partOf(whole, isPart, &forces);
 }
 
 template<int Rows, int Forces>

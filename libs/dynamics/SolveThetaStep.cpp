@@ -40,9 +40,9 @@ constexpr double largerShareOfStep = 5e-2;
 constexpr int programsToLargerShare = 15;
 constexpr double nearlySolved = 1000; // times the tolerance
 
-/// The largest |u_t| of a solution of a program, -z_t of z = g - A'y, at points that carry a force.
+/// The largest |u_t| of the solution of the last program, -z_t of z = g - A'y, at points that carry a force.
 template<int Dim>
-double largestSlip(const ThetaStep& step, const StepProgram<Dim>& program, double tolerance)
+double largestSlip(const ThetaStep& step, double tolerance)
 {
     const double least = tolerance * step.contactForce.lpNorm<Eigen::Infinity>();
     double largest = 0;
@@ -50,9 +50,9 @@ double largestSlip(const ThetaStep& step, const StepProgram<Dim>& program, doubl
     {
         if (step.contactForce[row] > least)
         {
-            largest = std::max(largest, (program.gap.template segment<Dim - 1>(row + 1)
-                                         - step.closing.segment<Dim - 1>(row + 1))
-                                            .norm());
+            largest = std::max(
+                largest,
+                (step.gap.segment<Dim - 1>(row + 1) - step.closing.segment<Dim - 1>(row + 1)).norm());
         }
     }
     return largest;
@@ -91,7 +91,6 @@ bool solveOnce(ThetaStep& step, const StepProgram<Dim>& program, const SolverCho
     step.displacement = std::move(solution.displacement);
     step.contactForce = std::move(solution.contactForce);
     step.closing = applyTransposed(program, step.displacement);
-    step.slip = largestSlip(step, program, solver.tolerance);
     return isBalanced;
 }
 
@@ -363,6 +362,7 @@ ThetaStep StepSearch<Dim>::solve()
         }
         if (stands)
         {
+            step.slip = largestSlip<Dim>(step, settings.solver.tolerance);
             if (relinearise && isBalanced)
             {
                 keepMomenta(step, program, relinearise);

@@ -107,7 +107,7 @@ struct ThetaStep
     double initialResidual =
         0;                  ///< worst figure of the certificate of the guess "no motion, forces as before"
     double flowError = 0;   ///< by how much mu |u_t| is missed, at the worst of the points that touch [m]
-    double slip = 0;        ///< of the last program, the largest at points that carry a force [m]
+    double slip = 0;        ///< largest at points that carry a force, of a step that programs alone solve [m]
     int iterations = 0;     ///< of all programs together
     int factorisations = 0; ///< likewise; 0 when the guess was the solution
     int programs = 0;       ///< solved

@@ -180,7 +180,7 @@ PolyData<Dim> thrustFrame(const std::vector<JointForce<Dim>>& joints)
 
 /// Whether each block was simulated, with `selection automatic`; else no field.
 template<int Dim>
-std::vector<Field> simulatedBlocks(const LimitAnalysisCase<Dim>& structure, const LimitAnalysis& result)
+std::vector<Field> awakeBlocks(const LimitAnalysisCase<Dim>& structure, const LimitAnalysis& result)
 {
     if (structure.effects.selection != EffectSelection::automatic)
     {
@@ -217,7 +217,7 @@ void writeAnswer(const std::filesystem::path& caseDirectory, const LimitAnalysis
         }
     }
     VtkSeries blocks(caseDirectory / "VTK", "blocks" + suffix, 0);
-    writeMechanism(blocks, assembly, rates, simulatedBlocks(structure, result));
+    writeMechanism(blocks, assembly, rates, awakeBlocks(structure, result));
 
     const std::vector<Vector<Dim>> forces = pointForces<Dim>(result.contactForce);
     VtkSeries contacts(caseDirectory / "VTK", "contacts" + suffix, 0);

@@ -7,6 +7,7 @@
 #include "contact/Equilibrium.h"
 #include "statics/StaticProgram.h"
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <string>
@@ -56,23 +57,28 @@ struct LimitAnalysis
     CollapseStatus status = CollapseStatus::notConverged;
     double alpha = 0; ///< collapse load multiplier, for `optimal`, or a bound on it, for `upperBound`; of a
                       ///< settlement the base reaction [N]
-    Eigen::VectorXd contactForce;  ///< (n, t), in space (n, t1, t2), of each contact point at collapse [N];
-                                   ///< zero for `unstable`
-    Eigen::VectorXd mechanism;     ///< (ux uy rz), in space (ux uy uz rx ry rz), of each free block, largest
-                                   ///< entry 1, but of a settlement for a unit movement; zero for `unbounded`
-    Certificate certificate;       ///< of what the status claims
-    int iterations = 0;            ///< of the solver, all programs together
-    int factorisations = 0;        ///< likewise, of Schur matrices
-    int solves = 0;                ///< likewise, with those factors
-    int variables = 0;             ///< forces and the multiplier
-    int simulatedBlocks = -1;      ///< where the others provably stay at rest (ReachedPart.h); -1: all
-    std::vector<char> isSimulated; ///< of each free block likewise; empty: all
-    std::optional<double> differenceFromAll; ///< of alpha, where all blocks were solved too
+    Eigen::VectorXd contactForce; ///< (n, t), in space (n, t1, t2), of each contact point at collapse [N];
+                                  ///< zero for `unstable`
+    Eigen::VectorXd mechanism;    ///< (ux uy rz), in space (ux uy uz rx ry rz), of each free block, largest
+                                  ///< entry 1, but of a settlement for a unit movement; zero for `unbounded`
+    Certificate certificate;      ///< of what the status claims
+    int iterations = 0;           ///< of the solver, all programs together
+    int factorisations = 0;       ///< likewise, of Schur matrices
+    int solves = 0;               ///< likewise, with those factors
+    int variables = 0;            ///< forces and the multiplier
+    /// Of each free block, where those that were not provably stay at rest (ReachedPart.h); empty: all were.
+    std::vector<char> isSimulated;
     std::string combination; ///< of loads that this is the answer for; empty where there is one only
     int position = -1;       ///< of a moving load, index into CaseLoads::positions; -1: it does not move
     std::optional<CoulombRange>
         coulomb; ///< for the non-associative flow rule; the rest is of its lowest collapse
 };
+
+/// How many blocks were simulated where not all were.
+inline int simulatedBlocks(const LimitAnalysis& result)
+{
+    return static_cast<int>(std::count(result.isSimulated.begin(), result.isSimulated.end(), true));
+}
 
 /// Solves the program and checks the dead load by itself: the multipliers that a structure can carry are an
 /// interval, and `optimal` means that 0 lies in it and alpha is its upper end. `unstable` carries a mechanism

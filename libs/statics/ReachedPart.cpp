@@ -7,6 +7,7 @@
 #include "statics/CompletedAnalysis.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <queue>
 
@@ -47,31 +48,26 @@ std::vector<char> loadedBodies(const ConeProgram<Rows, Forces>& program)
     return isLoaded;
 }
 
-/// Bodies in the order in which a live load probably reaches them, those first that it acts on: from body to
-/// body it has to overcome the forces that press them together, and so the way to a body is as long as the
-/// sum of these, along a row of a wall short, through its bed joints long. \param carried forces of the dead
-/// load \param most bodies that are asked for
-template<int Rows, int Forces>
-std::vector<int> bodiesByDistance(const ConeProgram<Rows, Forces>& program, const Eigen::VectorXd& carried,
-                                  std::size_t most)
+struct Neighbour
 {
-    constexpr double ofFarther = 0.1; // of the mean force between bodies, for each that is on the way
-    struct Neighbour
-    {
-        int body;
-        double force;
-    };
+    int body;
+    double force; ///< that presses the two together [N]
+};
+
+/// Of each body. \param forces F k
+template<int Rows, int Forces>
+std::vector<std::vector<Neighbour>> neighboursOf(const ConeProgram<Rows, Forces>& program,
+                                                 const Eigen::VectorXd& forces)
+{
     std::vector<std::vector<Neighbour>> neighbours(static_cast<std::size_t>(program.bodies));
-    double sum = 0;
     for (std::size_t point = 0; point < program.contacts.size(); ++point)
     {
         const auto& contact = program.contacts[point];
-        const double normal = carried[Forces * static_cast<Eigen::Index>(point)];
         if (contact.first < 0 || contact.second < 0)
         {
             continue;
         }
-        sum += std::abs(normal);
+        const double normal = std::abs(forces[Forces * static_cast<Eigen::Index>(point)]);
         for (const auto& [from, to] :
              {std::pair(contact.first, contact.second), std::pair(contact.second, contact.first)})
         {
@@ -80,21 +76,39 @@ std::vector<int> bodiesByDistance(const ConeProgram<Rows, Forces>& program, cons
             {
                 own.push_back({to, 0});
             }
-            own.back().force += std::abs(normal);
+            own.back().force += normal;
         }
     }
-    const double step = ofFarther * sum / std::max(1, program.bodies);
+    return neighbours;
+}
+
+/// Bodies in the order in which a live load probably reaches them, those first that it acts on: from body to
+/// body it has to overcome the forces that press them together, and so the way to a body is as long as the
+/// sum of these, along a row of a wall short, through its bed joints long.
+/// \param most bodies that are asked for
+std::vector<int> bodiesByDistance(const std::vector<std::vector<Neighbour>>& neighbours,
+                                  const std::vector<char>& isLoaded, std::size_t most)
+{
+    constexpr double ofFarther = 0.1; // of the mean force at a body, for each that is on the way
+    double sum = 0;
+    for (const std::vector<Neighbour>& ofBody : neighbours)
+    {
+        for (const Neighbour& neighbour : ofBody)
+        {
+            sum += neighbour.force / 2; // which both of a pair have
+        }
+    }
+    const double step = ofFarther * sum / static_cast<double>(neighbours.size());
     using Place = std::pair<double, int>; // distance, body
     std::priority_queue<Place, std::vector<Place>, std::greater<>> next;
-    std::vector<char> isFound(neighbours.size(), false);
-    const std::vector<char> isLoaded = loadedBodies(program);
-    for (int body = 0; body < program.bodies; ++body)
+    for (std::size_t body = 0; body < isLoaded.size(); ++body)
     {
-        if (isLoaded[static_cast<std::size_t>(body)])
+        if (isLoaded[body])
         {
-            next.emplace(0, body);
+            next.emplace(0, static_cast<int>(body));
         }
     }
+    std::vector<char> isFound(neighbours.size(), false);
     std::vector<int> order;
     while (!next.empty() && order.size() < most)
     {
@@ -109,10 +123,7 @@ std::vector<int> bodiesByDistance(const ConeProgram<Rows, Forces>& program, cons
         order.push_back(body);
         for (const Neighbour& neighbour : neighbours[at])
         {
-            if (!isFound[static_cast<std::size_t>(neighbour.body)])
-            {
-                next.emplace(distance + neighbour.force + step, neighbour.body);
-            }
+            next.emplace(distance + neighbour.force + step, neighbour.body);
         }
     }
     return order;
@@ -233,8 +244,8 @@ analyseReachedPart(const ConeProgram<Rows, Forces>& program, const InteriorPoint
     {
         return std::nullopt;
     }
-    const std::vector<int> order =
-        bodiesByDistance(program, carried.contactForce, static_cast<std::size_t>(growth * most));
+    const std::vector<int> order = bodiesByDistance(neighboursOf(program, carried.contactForce), isLoaded,
+                                                    static_cast<std::size_t>(growth * most));
     int unlimited = 0;
     for (double bodies = std::max<double>(firstPart, loaded); bodies <= most; bodies *= growth)
     {
@@ -268,7 +279,6 @@ analyseReachedPart(const ConeProgram<Rows, Forces>& program, const InteriorPoint
         LimitAnalysis result = completedAnalysis(program, whole, settings, kept);
         if (result.status == CollapseStatus::optimal && result.certificate.worst() <= settings.tolerance)
         {
-            result.simulatedBlocks = part.program.bodies;
             result.isSimulated = isPart;
             return result;
         }

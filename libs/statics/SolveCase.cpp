@@ -72,7 +72,7 @@ void verifyAnswer(const LimitAnalysisCase<Dim>& structure, const InteriorPointSe
         printWarning(fmt::format("The multiplier {:.9g}, found with {} of {} blocks, differs by {:.3g} from "
                                  "that of all; tolerance of system/solution/limitAnalysis allows {:.3g}. "
                                  "`selection asGiven;` in system/schemes/effects solves with all blocks.",
-                                 answer.alpha, answer.simulatedBlocks, structure.freeBlocks, difference,
+                                 answer.alpha, simulatedBlocks(answer), structure.freeBlocks, difference,
                                  allowed));
     }
 }
@@ -88,7 +88,7 @@ LimitAnalysis solveByAssociativeLaw(const LimitAnalysisCase<Dim>& structure, Kep
                 analyseReachedPart(structure.program, solver, kept.carried, kept.symbolic))
         {
             ++kept.use.ofParts;
-            kept.use.blocks += answer->simulatedBlocks;
+            kept.use.blocks += simulatedBlocks(*answer);
             const int interval = structure.effects.verifyInterval;
             if (interval > 0 && kept.use.answers % interval == 0)
             {

@@ -11,6 +11,7 @@
 ///
 ///     build/test/ChosenEffectsBenchmark --benchmark_out=chosenEffects.csv --benchmark_out_format=csv
 #include "../dynamics/SceneGravity.h"
+#include "../statics/LocalLoads.h"
 #include "contact/Equilibrium.h"
 #include "core/Log.h"
 #include "dynamics/Advance.h"
@@ -129,14 +130,6 @@ Assembly<2> paperWall(int number)
         DRYSTONE_TUTORIALS "/limitAnalysis/masonryPanels/wall{}/system/blockTextureDict", number)));
 }
 
-Assembly<2> squareWall(int size)
-{
-    return makeStructure(Dictionary::readString(fmt::format(
-        "texture {{ type runningBond; unit (0.4 0.175); length {0}; courses {0}; firstCourse full; }}\n"
-        "supports {{ ground {{ type ground; segment 0.5; }} }}\n",
-        size)));
-}
-
 void standingWall(benchmark::State& state)
 {
     constexpr std::array<double, 6> multipliers{0.642859, 0.579999, 0.403694, 0.331948, 0.239643, 0.347825};
@@ -158,13 +151,7 @@ BENCHMARK(standingSquareWall)->Arg(20)->Arg(40)->Iterations(1)->Unit(benchmark::
 /// Two walls toothed into each other, in space.
 DynamicCase<3> house()
 {
-    return sceneOf<3>(makeStructure<3>(Dictionary::readString(
-                          "dimensions 3;\n"
-                          "texture { type walls; unit (0.5 0.25 0.25); bond running; courses 10; walls {\n"
-                          "front { from (0 0); direction (1 0); length 8; thickness left; }\n"
-                          "side { from (0 0); direction (0 1); length 6; thickness right; } } }\n"
-                          "supports { ground { type ground; } }\n")),
-                      0.6, FlowRule::associative);
+    return sceneOf<3>(cornerOfHouse(), 0.6, FlowRule::associative);
 }
 
 void standingHouse(benchmark::State& state)

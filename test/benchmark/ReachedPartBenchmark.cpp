@@ -65,7 +65,7 @@ void compare(benchmark::State& state, const Programs<Dim>& programs)
             if (answer)
             {
                 ++answered;
-                blocks += answer->simulatedBlocks;
+                blocks += simulatedBlocks(*answer);
             }
             else
             {
@@ -99,7 +99,7 @@ BENCHMARK(viaductUnderALoad)->Arg(10)->Arg(40)->Arg(160)->Iterations(1)->Unit(be
 /// A stone of the top course pulled along and up, one after another. \param units and courses
 void stonesOfAWall(benchmark::State& state)
 {
-    const Assembly<2> assembly = squareWallOf(static_cast<int>(state.range(0)));
+    const Assembly<2> assembly = squareWall(static_cast<int>(state.range(0)));
     const int last = freeBlocksOf(assembly) - 1;
     compare<2>(state, forcesOn<2>(assembly, 0.65, last - 9, last, 10, {1, 0.2}));
 }
@@ -108,7 +108,7 @@ BENCHMARK(stonesOfAWall)->Arg(20)->Arg(40)->Arg(100)->Iterations(1)->Unit(benchm
 /// A load that pushes a stone in the middle of the height of a wall along, which no part stands for.
 void stonesWithinAWall(benchmark::State& state)
 {
-    const Assembly<2> assembly = squareWallOf(static_cast<int>(state.range(0)));
+    const Assembly<2> assembly = squareWall(static_cast<int>(state.range(0)));
     const int middle = freeBlocksOf(assembly) / 2;
     compare<2>(state, forcesOn<2>(assembly, 0.65, middle, middle + 4, 5, {1, 0}));
 }

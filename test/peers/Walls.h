@@ -10,6 +10,8 @@
 #include "statics/LimitAnalysis.h"
 #include "texture/Texture.h"
 
+#include "../SquareWall.h"
+
 #include <fmt/format.h>
 
 namespace drystone
@@ -20,15 +22,6 @@ inline Assembly<2> paperWall(int number)
 {
     return makeStructure(Dictionary::readFile(fmt::format(
         DRYSTONE_TUTORIALS "/limitAnalysis/masonryPanels/wall{}/system/blockTextureDict", number)));
-}
-
-/// Blocks of a square running-bond wall: as many courses as it is units long.
-inline Assembly<2> squareWall(int size)
-{
-    return makeStructure(Dictionary::readString(fmt::format(
-        "texture {{ type runningBond; unit (0.4 0.175); length {0}; courses {0}; firstCourse full; }}\n"
-        "supports {{ ground {{ type ground; segment 0.5; }} }}\n",
-        size)));
 }
 
 /// Dead and horizontal live load on blocks of 1 kN/m3, mu 0.65.

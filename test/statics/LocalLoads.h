@@ -7,7 +7,7 @@
 #include "statics/LimitAnalysis.h"
 #include "texture/Texture.h"
 
-#include <fmt/format.h>
+#include "../SquareWall.h"
 
 #include <algorithm>
 #include <numbers>
@@ -72,14 +72,6 @@ inline Assembly<2> viaduct(int spans)
     addBox(end - ring, end + 1, springing - 1, springing, 0);
     addBox(-outside - 1, end + 1, -1, 0, 0);
     return assembly;
-}
-
-inline Assembly<2> squareWallOf(int size)
-{
-    return makeStructure(Dictionary::readString(fmt::format(
-        "texture {{ type runningBond; unit (0.4 0.175); length {0}; courses {0}; firstCourse full; }}\n"
-        "supports {{ ground {{ type ground; segment 0.5; }} }}\n",
-        size)));
 }
 
 /// Two walls of space, toothed into each other.
