@@ -197,27 +197,55 @@ void MovingContacts<2>::findNeighbours(double margin)
     }
 }
 
+namespace
+{
+
+Eigen::Matrix2d rotationOf(const Placement<2>& placement)
+{
+    return Eigen::Rotation2Dd(placement.rotation).toRotationMatrix();
+}
+
+/// The blocks of the corner and of the edge that meet at a point.
+std::pair<int, int> blocksOf(const ContactPoint<2>& point)
+{
+    return point.feature.vertexBlock == point.block ? std::pair{point.block, point.neighbour}
+                                                    : std::pair{point.neighbour, point.block};
+}
+
+} // namespace
+
 void MovingContacts<2>::measure(const std::vector<Placement<2>>& placements,
                                 std::vector<ContactPoint<2>>& points) const
 {
     assert(placements.size() == centroids.size());
     points.resize(found.size());
+    std::vector<Eigen::Matrix2d> rotations;
+    rotations.reserve(placements.size());
+    for (const Placement<2>& placement : placements)
+    {
+        rotations.push_back(rotationOf(placement));
+    }
     for (std::size_t i = 0; i < points.size(); ++i)
     {
-        points[i] = pointAt(placements, i);
+        const auto [cornerBlock, edgeBlock] = blocksOf(found[i]);
+        points[i] = pointAt(placements, rotations[cornerBlock], rotations[edgeBlock], i);
     }
 }
 
 ContactPoint<2> MovingContacts<2>::pointAt(const std::vector<Placement<2>>& placements,
                                            std::size_t index) const
 {
+    const auto [cornerBlock, edgeBlock] = blocksOf(found[index]);
+    return pointAt(placements, rotationOf(placements[cornerBlock]), rotationOf(placements[edgeBlock]), index);
+}
+
+ContactPoint<2> MovingContacts<2>::pointAt(const std::vector<Placement<2>>& placements,
+                                           const Eigen::Matrix2d& turned, const Eigen::Matrix2d& turnedEdge,
+                                           std::size_t index) const
+{
     const auto [corner, edge] = cornerAndEdge[index];
     ContactPoint<2> point = found[index];
-    const bool cornerIsTheBlocks = point.feature.vertexBlock == point.block;
-    const int cornerBlock = cornerIsTheBlocks ? point.block : point.neighbour;
-    const int edgeBlock = cornerIsTheBlocks ? point.neighbour : point.block;
-    const Eigen::Rotation2Dd turned(placements[cornerBlock].rotation);
-    const Eigen::Rotation2Dd turnedEdge(placements[edgeBlock].rotation);
+    const auto [cornerBlock, edgeBlock] = blocksOf(point);
     const Vector<2> cornerArm = turned * localCorner[corner];
     const Vector<2> normal = outwardNormal(turnedEdge * localTangent[edge]);
     // Differences of places first, so that a structure far from the origin keeps its digits.
@@ -225,7 +253,7 @@ ContactPoint<2> MovingContacts<2>::pointAt(const std::vector<Placement<2>>& plac
                               + (placements[cornerBlock].translation - placements[edgeBlock].translation);
     point.gap = (centres + cornerArm - turnedEdge * localCorner[edge]).dot(normal);
     point.position = centroids[cornerBlock] + placements[cornerBlock].translation + cornerArm;
-    point.normal = cornerIsTheBlocks ? normal : Vector<2>(-normal);
+    point.normal = cornerBlock == point.block ? normal : Vector<2>(-normal);
     return point;
 }
 

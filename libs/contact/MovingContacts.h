@@ -134,6 +134,9 @@ private:
     };
 
     void place(Outlines& outlines, const std::vector<Placement<2>>& placements) const;
+    /// \param turned, turnedEdge rotations of the blocks of its corner and of its edge
+    ContactPoint<2> pointAt(const std::vector<Placement<2>>& placements, const Eigen::Matrix2d& turned,
+                            const Eigen::Matrix2d& turnedEdge, std::size_t index) const;
     void findNeighbours(double margin);
     void findPoints(int block, int neighbour, double margin);
     // The choice of features.

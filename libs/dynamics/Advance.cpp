@@ -3,6 +3,7 @@
 #include "dynamics/Advance.h"
 
 #include "core/Log.h"
+#include "dynamics/HeldBlocks.h"
 #include "dynamics/PartedStep.h"
 #include "dynamics/ProvedRest.h"
 #include "dynamics/VerifiedStep.h"
@@ -73,8 +74,7 @@ double advanceUnparted(const DynamicCase<Dim>& scene, Motion<Dim>& motion, doubl
     {
         return 1;
     }
-    motion.isAwake.clear();
-    motion.bodies.clear();
+    forgetBodies(step);
     findContacts(step);
     assemble(step);
     contribute(step);
@@ -146,7 +146,7 @@ bool advance(const DynamicCase<Dim>& scene, Motion<Dim>& motion, Time& time)
     countUse(motion, proved, start);
     if (before)
     {
-        verifyStep(scene, std::move(*before), taken.timeStep, motion);
+        verifyStep(scene, *before, taken.timeStep, motion);
     }
     if (taken.timeStep < time.deltaT())
     {

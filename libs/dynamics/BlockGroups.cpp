@@ -14,16 +14,6 @@ namespace drystone
 namespace
 {
 
-/// a x f, as the rows of a moment.
-Eigen::Matrix<double, 1, 1> momentOf(const Vector<2>& arm, const Vector<2>& force)
-{
-    return Eigen::Matrix<double, 1, 1>(cross(arm, force));
-}
-Vector<3> momentOf(const Vector<3>& arm, const Vector<3>& force)
-{
-    return arm.cross(force);
-}
-
 /// T' of the rows of one block.
 template<int Dim>
 BlockVector<Dim> atGroup(const Vector<Dim>& arm, BlockVector<Dim> rows)
@@ -85,6 +75,7 @@ template<int Dim>
 void setContacts(const BlockGroups<Dim>& groups, const StepProgram<Dim>& whole, StepProgram<Dim>& program)
 {
     program.contacts.clear();
+    program.contacts.reserve(groups.outer.size());
     for (const std::size_t point : groups.outer)
     {
         program.contacts.push_back(columnsOfGroups<Dim>(groups, whole.contacts[point]));
@@ -92,6 +83,21 @@ void setContacts(const BlockGroups<Dim>& groups, const StepProgram<Dim>& whole, 
 }
 
 } // namespace
+
+template<int Dim>
+std::vector<Vector<Dim>> centresOfBodies(const Step<Dim>& step)
+{
+    std::vector<Vector<Dim>> centre(static_cast<std::size_t>(step.program.bodies));
+    for (std::size_t block = 0; block < step.scene.free.size(); ++block)
+    {
+        if (const int body = step.scene.free[block]; body >= 0)
+        {
+            centre[static_cast<std::size_t>(body)] =
+                step.scene.blocks[block].centroid + step.motion.state.placements[block].translation;
+        }
+    }
+    return centre;
+}
 
 template<int Dim>
 BlockGroups<Dim> blockGroups(const Step<Dim>& step, std::vector<int> group)
@@ -111,17 +117,8 @@ BlockGroups<Dim> blockGroups(const Step<Dim>& step, std::vector<int> group)
             groups.blocks[static_cast<std::size_t>(groups.group[body])].push_back(static_cast<int>(body));
         }
     }
-    const auto bodies = groups.group.size();
-    std::vector<Vector<Dim>> centre(bodies);
-    for (std::size_t block = 0; block < step.scene.free.size(); ++block)
-    {
-        if (const int body = step.scene.free[block]; body >= 0)
-        {
-            centre[static_cast<std::size_t>(body)] =
-                step.scene.blocks[block].centroid + step.motion.state.placements[block].translation;
-        }
-    }
-    groups.arm.assign(bodies, Vector<Dim>::Zero());
+    const std::vector<Vector<Dim>> centre = centresOfBodies(step);
+    groups.arm.assign(centre.size(), Vector<Dim>::Zero());
     for (const std::vector<int>& blocks : groups.blocks)
     {
         if (blocks.size() == 1)
@@ -192,14 +189,21 @@ Eigen::VectorXd displacementOfBlocks(const BlockGroups<Dim>& groups, const Eigen
 {
     constexpr int size = freedomCount<Dim>;
     Eigen::VectorXd y = Eigen::VectorXd::Zero(size * static_cast<Eigen::Index>(groups.group.size()));
-    for (std::size_t body = 0; body < groups.group.size(); ++body)
+    for (std::size_t group = 0; group < groups.blocks.size(); ++group)
     {
-        if (groups.group[body] >= 0)
+        const BlockVector<Dim> own = ofGroups.segment<size>(size * static_cast<Eigen::Index>(group));
+        const std::vector<int>& blocks = groups.blocks[group];
+        if (blocks.size() == 1)
         {
-            auto own = y.segment<size>(size * static_cast<Eigen::Index>(body));
-            own = ofGroups.segment<size>(size * groups.group[body]);
-            own.template head<Dim>() +=
-                swing(turnOf<Dim>(own.template tail<rotationCount<Dim>>()), groups.arm[body]);
+            y.segment<size>(size * blocks.front()) = own;
+            continue;
+        }
+        const Swing<Dim> swing(turnOf<Dim>(own.template tail<rotationCount<Dim>>()));
+        for (const int body : blocks)
+        {
+            auto rows = y.segment<size>(size * body);
+            rows = own;
+            rows.template head<Dim>() += swing(groups.arm[static_cast<std::size_t>(body)]);
         }
     }
     return y;
@@ -208,11 +212,12 @@ Eigen::VectorXd displacementOfBlocks(const BlockGroups<Dim>& groups, const Eigen
 namespace
 {
 
-/// h.
+/// h. \param y displacementOfBlocks(groups, ofGroups)
 template<int Dim>
-Eigen::VectorXd bending(const BlockGroups<Dim>& groups, const Eigen::VectorXd& ofGroups)
+Eigen::VectorXd bending(const BlockGroups<Dim>& groups, const Eigen::VectorXd& ofGroups,
+                        const Eigen::VectorXd& y)
 {
-    return displacementOfBlocks(groups, ofGroups) - linearDisplacement(groups, ofGroups);
+    return y - linearDisplacement(groups, ofGroups);
 }
 
 } // namespace
@@ -280,7 +285,7 @@ Relinearisation<Dim> relinearisationOfGroups(const Step<Dim>& step, const BlockG
     {
         const bool isBent = !groups.areSingle();
         const Eigen::VectorXd y = displacementOfBlocks(groups, displacement);
-        const Eigen::VectorXd bent = isBent ? bending(groups, displacement) : Eigen::VectorXd();
+        const Eigen::VectorXd bent = isBent ? bending(groups, displacement, y) : Eigen::VectorXd();
         // The gaps at the end that the groups have predicted: g - A'y of the blocks, A'h of it by bending.
         Eigen::VectorXd c = Eigen::VectorXd::Zero(whole.gap.size());
         for (std::size_t k = 0; k < groups.outer.size(); ++k)
@@ -328,7 +333,7 @@ Eigen::VectorXd balancedDisplacement(const BlockGroups<Dim>& groups, const StepP
     const Eigen::VectorXd byContacts = applyEquilibrium(program, contactForce);
     for (int round = 0; round < mostRounds; ++round)
     {
-        const Eigen::VectorXd bent = bending(groups, ofGroups);
+        const Eigen::VectorXd bent = bending(groups, ofGroups, displacementOfBlocks(groups, ofGroups));
         const Eigen::VectorXd next = displacementUnder(
             program, rowsOfGroups(groups, whole.load - applyInertia(whole, bent)) - byContacts);
         const double change = (next - ofGroups).template lpNorm<Eigen::Infinity>();
@@ -342,6 +347,7 @@ Eigen::VectorXd balancedDisplacement(const BlockGroups<Dim>& groups, const StepP
 }
 
 template struct BlockGroups<2>;
+template std::vector<Vector<2>> centresOfBodies(const Step<2>& step);
 template BlockGroups<2> blockGroups(const Step<2>& step, std::vector<int> group);
 template Eigen::VectorXd rowsOfGroups(const BlockGroups<2>& groups, const Eigen::VectorXd& rows);
 template Eigen::VectorXd linearDisplacement(const BlockGroups<2>& groups, const Eigen::VectorXd& ofGroups);
@@ -355,6 +361,7 @@ template Eigen::VectorXd balancedDisplacement(const BlockGroups<2>& groups, cons
                                               const StepProgram<2>& program,
                                               const Eigen::VectorXd& contactForce, Eigen::VectorXd ofGroups);
 template struct BlockGroups<3>;
+template std::vector<Vector<3>> centresOfBodies(const Step<3>& step);
 template BlockGroups<3> blockGroups(const Step<3>& step, std::vector<int> group);
 template Eigen::VectorXd rowsOfGroups(const BlockGroups<3>& groups, const Eigen::VectorXd& rows);
 template Eigen::VectorXd linearDisplacement(const BlockGroups<3>& groups, const Eigen::VectorXd& ofGroups);

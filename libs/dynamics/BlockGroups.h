@@ -44,6 +44,10 @@ struct BlockGroups
     }
 };
 
+/// Mass centre of each free block at the start of the step [m].
+template<int Dim>
+std::vector<Vector<Dim>> centresOfBodies(const Step<Dim>& step);
+
 /// \param group of each free block: any numbers from 0 on, or -1. They become consecutive
 template<int Dim>
 BlockGroups<Dim> blockGroups(const Step<Dim>& step, std::vector<int> group);

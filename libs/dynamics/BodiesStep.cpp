@@ -97,6 +97,7 @@ BodiesStep<Dim> solveBodies(Step<Dim>& step, BlockGroups<Dim> groups, const Grou
         };
     }
     StepSettings settings = step.settings;
+    settings.contactTolerance *= partOfGapWithLess;
     if (choice.hasBuffer())
     {
         settings.solver.maximumIterations = std::min(settings.solver.maximumIterations, mostIterations);

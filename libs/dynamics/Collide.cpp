@@ -2,6 +2,7 @@
 /// The stage of a step in which blocks collide: which points, and when. What they do then is Impact.cpp's.
 #include "dynamics/FirstMeeting.h"
 #include "dynamics/FreeFlight.h"
+#include "dynamics/HeldBlocks.h"
 #include "dynamics/Impact.h"
 #include "dynamics/Step.h"
 
@@ -193,7 +194,7 @@ bool takeImpact(Step<Dim>& step, std::vector<std::size_t> meeting)
     return true;
 }
 
-/// \return whether blocks collided, and the step is to be solved again
+/// \return whether blocks collided, or may do so, and the step is to be solved again
 template<int Dim>
 bool collideOnce(Step<Dim>& step)
 {
@@ -206,6 +207,13 @@ bool collideOnce(Step<Dim>& step)
         solved.slowest = std::max(solved.slowest, closing[Dim * static_cast<Eigen::Index>(point)]);
     }
     Colliding colliding = collidingPoints(step, closing);
+    if (!colliding.all.empty() && !step.motion.isAwake.empty())
+    {
+        // Which points take part follows from the forces, of which those of bodies are one choice of many.
+        forgetBodies(step);
+        step.isOfAllBlocks = true;
+        return true;
+    }
     if (!colliding.later.empty() && colliding.now.empty())
     {
         Meeting meeting = firstMeeting(step, closing, colliding.later);

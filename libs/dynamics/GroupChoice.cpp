@@ -3,6 +3,9 @@
 #include "dynamics/GroupChoice.h"
 
 #include "conic/ProgramPart.h"
+#include "dynamics/BlockGroups.h"
+#include "dynamics/MovingGeometry.h"
+#include "geometry/Rotation.h"
 
 #include <algorithm>
 #include <numeric>
@@ -14,10 +17,8 @@ namespace
 {
 
 /// A block that is slower than this part of the fastest is held, if that is proved: the motion of a wall that
-/// breaks dies out into it by powers of ten, and ends where the solver's error begins. By Coulomb's law the
-/// forces beyond decide the motion.
+/// breaks dies out into it by powers of ten, and ends where the solver's error begins.
 constexpr double slow = 1e-9;
-constexpr double slowByCoulombsLaw = 1e-6;
 
 /// See isCreeping.
 constexpr double creeping = 1e-5;
@@ -31,6 +32,9 @@ constexpr long many = 100;
 /// Of the error allowed in gaps: on the length of a joint, and many joints on each other, a gap adds up to
 /// more.
 constexpr double partOfGap = 0.1;
+
+/// And of that what blocks that are one may keep, or move against each other.
+constexpr double partOfKept = 0.5;
 
 /// Of more failing points than these it is not where bodies have to be parted that is to be learned.
 constexpr std::size_t fewFailing = 20;
@@ -48,6 +52,14 @@ int rootOf(std::vector<int>& parent, int body)
         body = above;
     }
     return body;
+}
+
+/// How a point moves that is at an arm from the centre of a block which has turned until now, but for the
+/// linear part of it: it was at R(-t) arm, and so has moved by arm - R(-t) arm, not by t x arm.
+template<int Dim>
+Vector<Dim> bentMotion(const Eigen::Matrix<double, rotationCount<Dim>, 1>& turn, const Vector<Dim>& arm)
+{
+    return -swing(turnOf<Dim>(-turn), arm) - velocityOfArm(turnOf<Dim>(turn), arm);
 }
 
 } // namespace
@@ -79,7 +91,7 @@ GroupChoice<Dim>::GroupChoice(const Step<Dim>& step) : current(step)
     number();
     const auto moving = std::count(isHeld.begin(), isHeld.end(), false);
     const double worth = moving > many ? worthJoiningMany : worthJoining;
-    if (current.settings.flowRule == FlowRule::associative && bodies() > worth * static_cast<double>(moving))
+    if (bodies() > worth * static_cast<double>(moving))
     {
         wakeBuffer();
     }
@@ -101,8 +113,7 @@ void GroupChoice<Dim>::holdSlowBlocks()
 {
     const std::vector<double> speeds = motionsOfBlocks<Dim>(current.solved.velocity, current.scene.blockSize);
     const double fastest = speeds.empty() ? 0 : *std::max_element(speeds.begin(), speeds.end());
-    const double held =
-        fastest * (current.settings.flowRule == FlowRule::associative ? slow : slowByCoulombsLaw);
+    const double held = slow * fastest;
     isSlow.resize(speeds.size());
     creeps.resize(speeds.size());
     for (std::size_t body = 0; body < speeds.size(); ++body)
@@ -118,24 +129,38 @@ void GroupChoice<Dim>::joinBlocks()
 {
     const StepProgram<Dim>& program = current.program;
     isJoined.assign(program.contacts.size(), false);
-    if (current.settings.flowRule == FlowRule::nonAssociative)
-    {
-        return; // whose motion follows from the forces within, too
-    }
-    const double kept = keptGap(current);
+    const double kept = partOfKept * keptGap(current);
+    const std::vector<Vector<Dim>> centre = centresOfBodies(current);
     const Eigen::VectorXd moved = current.scheme.timeStep * current.solved.velocity;
-    const Eigen::VectorXd closing = applyTransposed(program, moved);
     const auto turn = [&moved](int body)
     { return moved.segment<rotationCount<Dim>>(freedomCount<Dim> * body + Dim); };
+    std::pair<int, int> pair{-1, -1};
+    bool turnsAsOne = false;
+    Vector<Dim> bent = Vector<Dim>::Zero(); // of the second block against the first
     for (std::size_t point = 0; point < isJoined.size(); ++point)
     {
         const auto& contact = program.contacts[point];
         const Eigen::Index row = Dim * static_cast<Eigen::Index>(point);
-        isJoined[point] =
-            contact.first >= 0 && contact.second >= 0 && !isHeld[static_cast<std::size_t>(contact.first)]
-            && !isHeld[static_cast<std::size_t>(contact.second)] && current.guess.contactForce[row] > 0
-            && std::abs(program.gap[row]) <= kept && closing.segment<Dim>(row).norm() <= kept
-            && current.scene.blockSize * (turn(contact.first) - turn(contact.second)).norm() <= kept;
+        if (contact.first < 0 || contact.second < 0 || !(current.guess.contactForce[row] > 0)
+            || std::abs(program.gap[row]) > kept)
+        {
+            continue;
+        }
+        const auto first = static_cast<std::size_t>(contact.first);
+        const auto second = static_cast<std::size_t>(contact.second);
+        if (pair != std::pair{contact.first, contact.second})
+        {
+            pair = {contact.first, contact.second};
+            turnsAsOne =
+                !isHeld[first] && !isHeld[second]
+                && current.scene.blockSize * (turn(contact.first) - turn(contact.second)).norm() <= kept;
+            // Blocks that turn alike differ by their arms to the point only, and these by the centres.
+            bent = turnsAsOne ? bentMotion<Dim>(turn(contact.second), centre[first] - centre[second])
+                              : Vector<Dim>(Vector<Dim>::Zero());
+        }
+        const Vector<Dim> closing =
+            closingOf(contact, moved) + contact.onSecond.template topRows<Dim>().transpose() * bent;
+        isJoined[point] = turnsAsOne && closing.norm() <= kept;
     }
 }
 

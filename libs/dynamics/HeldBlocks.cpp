@@ -37,6 +37,21 @@ std::vector<char> sharedBlocks(const BlockGroups<Dim>& groups)
     return isShared;
 }
 
+template<int Dim>
+MeasuredPoints measuredPoints(const Step<Dim>& step, const std::vector<std::size_t>& points)
+{
+    MeasuredPoints measured{points, std::vector<int>(step.scene.free.size(), -1)};
+    for (const std::size_t index : points)
+    {
+        const ContactPoint<Dim>& point = step.points[index];
+        for (const int block : {point.block, point.neighbour})
+        {
+            measured.free[static_cast<std::size_t>(block)] = step.scene.free[static_cast<std::size_t>(block)];
+        }
+    }
+    return measured;
+}
+
 Certificate larger(const Certificate& one, const Certificate& other)
 {
     return {std::max(one.primalResidual, other.primalResidual),
@@ -127,6 +142,13 @@ void keepGroups(Step<Dim>& step, const BlockGroups<Dim>& groups)
 } // namespace
 
 template<int Dim>
+void forgetBodies(Step<Dim>& step)
+{
+    step.motion.isAwake.clear();
+    step.motion.bodies.clear();
+}
+
+template<int Dim>
 std::string_view whyAllBlocks(const DynamicCase<Dim>& scene, FlowRule flowRule)
 {
     if (traitsOf(scene.effects).isCompliant)
@@ -141,15 +163,7 @@ std::string_view whyAllBlocks(const DynamicCase<Dim>& scene, FlowRule flowRule)
     }
     if (flowRule == FlowRule::nonAssociative)
     {
-        if (Dim == 3)
-        {
-            return "in space Coulomb's law is reached to a part of what a step does, so that two ways to it "
-                   "differ";
-        }
-        if (hasImpacts(scene) || traitsOf(scene.effects).holdsJoints)
-        {
-            return "by Coulomb's law impacts and bonds depend on forces that are not unique";
-        }
+        return "by Coulomb's law forces that are not unique decide what moves";
     }
     return "";
 }
@@ -159,7 +173,7 @@ bool solveAwake(Step<Dim>& step)
 {
     const StepProgram<Dim>& program = step.program;
     if (step.scene.schemes.effects.selection != EffectSelection::automatic || program.bodies == 0
-        || !whyAllBlocks(step.scene, step.settings.flowRule).empty())
+        || step.isOfAllBlocks || !whyAllBlocks(step.scene, step.settings.flowRule).empty())
     {
         return false;
     }
@@ -178,7 +192,7 @@ bool solveAwake(Step<Dim>& step)
         bodiesBefore = bodies;
         BlockGroups<Dim> groups = blockGroups(step, choice.groups());
         step.isShared = sharedBlocks(groups);
-        const std::vector<std::size_t> measured = groups.outer;
+        const MeasuredPoints measured = measuredPoints(step, groups.outer);
         step.measuredPoints = &measured;
         const Outcome outcome = solveGroups(step, groups, choice);
         step.measuredPoints = nullptr;
@@ -194,8 +208,10 @@ bool solveAwake(Step<Dim>& step)
     return false;
 }
 
+template void forgetBodies(Step<2>& step);
 template std::string_view whyAllBlocks(const DynamicCase<2>& scene, FlowRule flowRule);
 template bool solveAwake(Step<2>& step);
+template void forgetBodies(Step<3>& step);
 template std::string_view whyAllBlocks(const DynamicCase<3>& scene, FlowRule flowRule);
 template bool solveAwake(Step<3>& step);
 

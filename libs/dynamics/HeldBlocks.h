@@ -18,8 +18,8 @@ namespace drystone
 /// is left to the points within the bodies. These are closed and neither open nor slide, as bodies are rigid:
 /// z = g - A'y = 0, or g > 0 where they carry nothing. Together with forces c_I in their cones that balance
 /// what is lacking, A_I c_I = f - Mbar y - A_O c_O, it is a solution of the program of all blocks: each of
-/// the conditions of optimality belongs to a point of one kind or the other, and y is unique. By Coulomb's
-/// law it is one, too, as nothing slides within. Its certificate is the larger of those of the two parts,
+/// the conditions of optimality belongs to a point of one kind or the other, and y is unique: by the
+/// associative law. Its certificate is the larger of those of the two parts,
 /// with the tolerance of every step. For what is held this says that forces at rest exist; for what moves,
 /// that they exist in axes that move along with the body, with its inertial forces among the loads. c_I is
 /// found from the forces of the last step (HoldingForces.h). Points of bodies, and of what is held, keep the
@@ -31,19 +31,23 @@ namespace drystone
 /// them that the solution leaves at rest are held after it (BodiesStep.h): c_O is then what moves and its
 /// surroundings have agreed upon. Where it is not proved at some points it is tried again with bodies parted
 /// there and blocks about them awake. Bonds between blocks that are held or one do not matter where friction
-/// alone carries c_I. With restitution points of the bodies collide as they do with everything on, and the
-/// step is solved again from the velocities after the impact. \return whether `solved.result` is the step;
+/// alone carries c_I. Where points may collide, with restitution, the step is solved with all blocks: which
+/// of them take part in an impact follows from forces, too. \return whether `solved.result` is the step;
 /// otherwise it is to be solved with all blocks
 template<int Dim>
 bool solveAwake(Step<Dim>& step);
 
+/// Has the motion say that all blocks were simulated, each as a body: a solution with fewer is not taken.
+template<int Dim>
+void forgetBodies(Step<Dim>& step);
+
 /// Why steps in which anything moves are taken with all blocks as bodies of their own; empty: they need not
 /// be. Points that give way do so at rest too. With theta below 1 plastic impacts are instants of their own:
 /// which points take part in one follows from the forces of the step, of which there are many, and other ones
-/// come of fewer bodies (0.08 mm apart after a step, in one of a hundred random walls); by Coulomb's law the
-/// same goes for impacts with restitution and for bonds (0.03 mm). In space Coulomb's law is reached to a
-/// part of what the step does (0.15 mm); steps in which nothing slides are taken by the associative law there
-/// (StickingStep.h). \param flowRule that the steps are solved by
+/// come of fewer bodies (0.08 mm apart after a step, in one of a hundred random walls). By Coulomb's law, for
+/// which c_I and y are a solution, too, it is not the only one: a block that the pressure of a head joint
+/// could hold rests or moves (1 um to 0.1 mm apart in one of sixty random walls); steps in which nothing
+/// slides are taken by the associative law (StickingStep.h). \param flowRule that the steps are solved by
 template<int Dim>
 std::string_view whyAllBlocks(const DynamicCase<Dim>& scene, FlowRule flowRule);
 

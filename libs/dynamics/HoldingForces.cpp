@@ -45,6 +45,9 @@ InnerBalance<Dim> innerBalance(const Step<Dim>& step, const BlockGroups<Dim>& gr
     const std::vector<char> isClosed = closedPoints<Dim>(whole, step.settings.solver.tolerance);
     const double kept = keptGap(step);
     std::vector<double> gaps;
+    inner.points.reserve(groups.inner.size());
+    inner.program.contacts.reserve(groups.inner.size());
+    inner.program.friction.reserve(groups.inner.size());
     for (const std::size_t point : groups.inner)
     {
         const auto& contact = whole.contacts[point];
@@ -115,7 +118,7 @@ HoldingForces findHoldingForces(Step<Dim>& step, const BlockGroups<Dim>& groups,
     {
         return {};
     }
-    if (!failing.empty() && step.settings.flowRule == FlowRule::associative)
+    if (!failing.empty())
     {
         const Eigen::VectorXd repaired = repairedForces(balance, holding, failing, closer, factorisations);
         if (repaired.size() > 0)

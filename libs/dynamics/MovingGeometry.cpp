@@ -14,8 +14,8 @@ template<int Dim>
 std::vector<Placement<Dim>> placementsAfter(const Step<Dim>& step, const Eigen::VectorXd& displacement,
                                             double share)
 {
-    std::vector<Placement<Dim>> placements =
-        moved(step.motion.state.placements, step.scene.free, displacement, share);
+    const std::vector<int>& free = step.measuredPoints ? step.measuredPoints->free : step.scene.free;
+    std::vector<Placement<Dim>> placements = moved(step.motion.state.placements, free, displacement, share);
     moveWithSupports(placements, step.supports, share);
     return placements;
 }
@@ -47,7 +47,7 @@ Relinearisation<Dim> movingContactGeometry(const Step<Dim>& step)
         const Motion<Dim>& motion = step.motion;
         std::vector<ContactPoint<Dim>> points;
         const double early = 1 - step.scheme.theta;
-        const std::vector<std::size_t>* some = step.measuredPoints; // with theta 1
+        const std::vector<std::size_t>* some = step.measuredPoints ? &step.measuredPoints->points : nullptr;
         const Eigen::VectorXd linear = some ? Eigen::VectorXd() : applyTransposed(program, displacement);
         if (early > 0)
         {
@@ -74,6 +74,7 @@ Relinearisation<Dim> movingContactGeometry(const Step<Dim>& step)
         }
         const Eigen::VectorXd closing =
             early > 0 ? applyTransposed(program, displacement) : Eigen::VectorXd(linear);
+        BlockMotions<Dim> motions(motion.state.placements, after);
         double error = turnMomenta(step, displacement, contactForce, program);
         for (std::size_t k = 0; k < points.size(); ++k)
         {
@@ -90,7 +91,7 @@ Relinearisation<Dim> movingContactGeometry(const Step<Dim>& step)
             {
                 error = std::max(error, std::abs(points[k].gap - predicted));
             }
-            const Shear<Dim> slid = slip(step, after, i, program.contacts[i]);
+            const Shear<Dim> slid = slip(step, motions, i, program.contacts[i]);
             auto shear = program.gap.template segment<Dim - 1>(row + 1);
             if (program.hasStrength() && program.strength[i].cohesion > 0) // where slip decides what holds
             {

@@ -6,10 +6,13 @@
 #include "dynamics/Step.h"
 #include "geometry/Rotation.h"
 
+#include <optional>
+
 namespace drystone
 {
 
-/// The placements that a step leads to, or a share of the way there.
+/// The placements that a step leads to, or a share of the way there; where only some points are measured
+/// those of blocks at other points are as at the start.
 template<int Dim>
 std::vector<Placement<Dim>> placementsAfter(const Step<Dim>& step, const Eigen::VectorXd& displacement,
                                             double share = 1);
@@ -30,11 +33,48 @@ void forgetRounding(const DynamicCase<Dim>& scene, std::vector<ContactPoint<Dim>
 template<int Dim>
 using Shear = Eigen::Matrix<double, Dim - 1, 1>;
 
+/// How blocks are displaced between two placements, each found when it is first asked for. Neither is owned.
+template<int Dim>
+class BlockMotions
+{
+public:
+    struct Motion
+    {
+        Vector<Dim> translation; ///< of the mass centre [m]
+        Turn<Dim> turn;
+        Swing<Dim> swing;
+    };
+
+    BlockMotions(const std::vector<Placement<Dim>>& placementsBefore,
+                 const std::vector<Placement<Dim>>& placementsAfter)
+        : from(placementsBefore), to(placementsAfter), motions(from.size())
+    {
+    }
+
+    const Motion& of(int block)
+    {
+        const auto index = static_cast<std::size_t>(block);
+        if (!motions[index])
+        {
+            const Turn<Dim> turn = turnBetween(from[index].rotation, to[index].rotation);
+            motions[index].emplace(
+                Motion{to[index].translation - from[index].translation, turn, Swing<Dim>(turn)});
+        }
+        return *motions[index];
+    }
+
+private:
+    const std::vector<Placement<Dim>>& from;
+    const std::vector<Placement<Dim>>& to;
+    std::vector<std::optional<Motion>> motions;
+};
+
 /// By how far the neighbour has slid past the block at a contact point of the step, along the edge or face
-/// there [m]. \param to where the step leads \param columns of the point, whose directions the shear has
-Shear<2> slip(const Step<2>& step, const std::vector<Placement<2>>& to, std::size_t point,
+/// there [m]. \param motions from the start of the step to where it leads \param columns of the point, whose
+/// directions the shear has
+Shear<2> slip(const Step<2>& step, BlockMotions<2>& motions, std::size_t point,
               const ConeColumns<3, 2>& columns);
-Shear<3> slip(const Step<3>& step, const std::vector<Placement<3>>& to, std::size_t point,
+Shear<3> slip(const Step<3>& step, BlockMotions<3>& motions, std::size_t point,
               const ConeColumns<6, 3>& columns);
 
 /// By how much displacements close a point, and make it slide: its entries of A'y.

@@ -41,14 +41,19 @@ void solveByFlowRule(Step<Dim>& step)
 template<int Dim>
 bool solveWithoutSliding(Step<Dim>& step)
 {
-    // Coulomb's law takes two programs at least, and so gaps come out far better than they are asked to be.
-    constexpr double partOfGap = 0.25;
     const StepSettings settings = step.settings;
+    const double done = step.motion.work.done;
     step.settings.flowRule = FlowRule::associative;
-    step.settings.contactTolerance *= partOfGap;
+    step.settings.contactTolerance *= partOfGapWithLess;
     solveByFlowRule(step);
     step.settings = settings;
-    return step.solved.isSolved && sticks(step);
+    if (step.solved.isSolved && sticks(step))
+    {
+        return true;
+    }
+    forgetBodies(step);
+    step.motion.work.done = done; // work in vain takes nothing from the step
+    return false;
 }
 
 } // namespace

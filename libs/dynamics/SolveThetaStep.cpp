@@ -148,6 +148,8 @@ private:
     void flyFreely();
     bool rests();
     void chooseStart();
+    bool beginsAtRest() const;
+    bool staysAtRest();
     bool isNewtonsTurn() const;
     bool reachesFlow();
     bool solveProgram();
@@ -224,6 +226,30 @@ void StepSearch<Dim>::chooseStart()
         relinearise(guess.displacement, start.contactForce, program);
     }
     expected = isGuessed ? guess.displacement : Eigen::VectorXd(Eigen::VectorXd::Zero(program.load.size()));
+}
+
+template<int Dim>
+bool StepSearch<Dim>::beginsAtRest() const
+{
+    return !isImpact && !program.hasCompliance() && isGuessed && guess.displacement.isZero(0)
+           && !start.contactForce.isZero(0);
+}
+
+/// Whether there are forces that hold the blocks where they are, by a program of the associative law, which
+/// has no other solution then. By Coulomb's law it may: what is at rest stays at rest if it can.
+template<int Dim>
+bool StepSearch<Dim>::staysAtRest()
+{
+    ThetaStep trial = step;
+    solveOnce(trial, program, withinWork(settings, step, program), start, symbolic);
+    step.iterations = trial.iterations;
+    step.factorisations = trial.factorisations;
+    const bool isAtRest = trial.status == SolveStatus::optimal && trial.displacement.isZero(0);
+    if (isAtRest)
+    {
+        step = std::move(trial);
+    }
+    return isAtRest;
 }
 
 template<int Dim>
@@ -332,6 +358,10 @@ ThetaStep StepSearch<Dim>::solve()
         return std::move(step);
     }
     chooseStart();
+    if (isCoulomb && beginsAtRest() && staysAtRest())
+    {
+        return std::move(step);
+    }
     if (isCoulomb && goesOnFromLastStep(step, program, start, expected, settings, relinearise, analysis()))
     {
         return std::move(step);

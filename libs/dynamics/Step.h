@@ -36,6 +36,18 @@ struct StepSolution
     double slowest = 0;  ///< points that close more slowly do not collide [m/s], set by the first impact
 };
 
+/// Steps with less than everything are solved with errors in their gaps of this part of those allowed. With
+/// everything they take a second program more often, after which gaps are far better than they are asked to
+/// be; and an error in a gap is several times as much at the far end of a body.
+constexpr double partOfGapWithLess = 0.1;
+
+/// Some of the points of a step.
+struct MeasuredPoints
+{
+    std::vector<std::size_t> points;
+    std::vector<int> free; ///< as of the structure, with -1 for blocks at which none of the points is
+};
+
 /// One step that is not parted, from `motion` on. Members are filled by the stage under whose name they
 /// stand. Its own lists refer to each other, and so it stays where it was made.
 template<int Dim>
@@ -78,9 +90,11 @@ struct Step
     /// Of each free block, whether it is taken as one body with others, so that forces between them are not
     /// known yet and its moments follow from its motion; empty: none is.
     std::vector<char> isShared;
-    /// Points of which the relinearisation measures the gaps while the others are within bodies, with theta
-    /// 1; null: all. Not owned.
-    const std::vector<std::size_t>* measuredPoints = nullptr;
+    /// What the relinearisation measures while the other points are within bodies, with theta 1; null: all.
+    /// Not owned.
+    const MeasuredPoints* measuredPoints = nullptr;
+
+    bool isOfAllBlocks = false; ///< since points collide: none is held, or one with others
 
     // move
     Eigen::VectorXd velocityAtEnd; ///< in space angular velocities in axes that have not turned in the step

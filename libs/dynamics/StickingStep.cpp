@@ -14,6 +14,27 @@ namespace
 /// lever moves the other by more.
 constexpr double partOfKept = 0.1;
 
+/// Whether forces are inside their cones by the margin. Near the surface Coulomb's law has other solutions,
+/// where points slide, and the program with everything may find one of these.
+template<int Dim>
+bool isInsideByMargin(const Step<Dim>& step)
+{
+    constexpr double pressing = 1e-6; // of the largest force
+    const Eigen::VectorXd& force = step.solved.result.contactForce;
+    const double least = pressing * force.lpNorm<Eigen::Infinity>();
+    const double share = 1 - step.scene.schemes.effects.margin;
+    for (int point = 0; point < step.program.points(); ++point)
+    {
+        const auto own = force.segment<Dim>(Dim * point);
+        const double mu = step.program.friction[static_cast<std::size_t>(point)];
+        if (own[0] > least && own.template tail<Dim - 1>().norm() > share * mu * own[0])
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
 } // namespace
 
 template<int Dim>
@@ -27,7 +48,7 @@ bool mayStick(const DynamicCase<Dim>& scene)
 template<int Dim>
 bool sticks(const Step<Dim>& step)
 {
-    return step.solved.result.slip <= partOfKept * keptGap(step);
+    return step.solved.result.slip <= partOfKept * keptGap(step) && isInsideByMargin(step);
 }
 
 template<int Dim>

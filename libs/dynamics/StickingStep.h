@@ -9,8 +9,9 @@ namespace drystone
 {
 
 /// Whether steps are solved by the associative law first where they may stick: in space. In the plane
-/// Coulomb's law costs no more; with theta below 1, elastic joints, bonds or impacts of their own the motion
-/// depends on forces that are not unique, which the two laws choose differently.
+/// Coulomb's law costs no more for all blocks, and with fewer the two find different motions more often: one
+/// wall of a thousand is off by some micrometres. With theta below 1, elastic joints, bonds or impacts of
+/// their own the motion depends on forces that are not unique, which the two laws choose differently.
 template<int Dim>
 bool mayStick(const DynamicCase<Dim>& scene);
 
@@ -18,7 +19,9 @@ bool mayStick(const DynamicCase<Dim>& scene);
 /// points that carry a force and slide: those open by mu |u_t| with the associative law, and stay closed with
 /// Coulomb's. Where u_t = 0 at all of them, in the program that the step ends with, to a small part of the
 /// error allowed in gaps, forces in the cones, balance and closed points are the conditions of both. What the
-/// finite rotations of the blocks add to u_t is of second order, and the same with both.
+/// finite rotations of the blocks add to u_t is of second order, and the same with both. Coulomb's law may
+/// have other solutions, though, where forces are near the surface of their cones: these are to be inside by
+/// the margin of system/schemes/effects.
 template<int Dim>
 bool sticks(const Step<Dim>& step);
 

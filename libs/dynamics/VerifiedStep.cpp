@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
 
 namespace drystone
 {
@@ -28,45 +29,113 @@ double differenceOf(const DynamicCase<Dim>& scene, const DynamicState<Dim>& one,
     return largest;
 }
 
+namespace
+{
+
+/// The same step with all effects.
 template<int Dim>
-void verifyStep(const DynamicCase<Dim>& scene, Motion<Dim> before, double timeStep, Motion<Dim>& after)
+struct Reference
+{
+    bool isSolved = false;
+    DynamicState<Dim> state;
+    double difference = 0; ///< of the step from it [m]
+    double flowError = 0;  ///< see StepResiduals [m]
+};
+
+/// \param closer how many times smaller the errors in its gaps are
+template<int Dim>
+Reference<Dim> referenceOf(const DynamicCase<Dim>& scene, Motion<Dim> before, double timeStep,
+                           const Motion<Dim>& after, double closer)
 {
     DynamicCase<Dim> everything = scene;
     everything.schemes.effects.selection = EffectSelection::asGiven;
-    const double start = cpuTime();
-    const bool isSolved = advance(everything, before, timeStep);
-    EffectUse& use = after.effectUse;
-    if (!isSolved)
+    everything.schemes.contactTolerance /= closer;
+    if (!advance(everything, before, timeStep))
     {
-        printWarning(fmt::format("The step at time {:g} s could not be verified: it was not solved with "
-                                 "all effects of the case.",
-                                 after.state.time));
+        return {};
+    }
+    const double difference = differenceOf(scene, before.state, after.state);
+    return {true, std::move(before.state), difference, before.residuals.flowError};
+}
+
+/// Why a step that differs by more than is allowed may be as right as its reference; empty: it is not.
+/// \param change of the reference where its gaps are closer [m]
+std::string doubtOf(double flowError, double change, double allowed)
+{
+    if (flowError > allowed)
+    {
+        return fmt::format("with all effects of the case Coulomb's law is met to {:.3g} m only", flowError);
+    }
+    if (change > allowed) // many impacts in one step
+    {
+        return fmt::format("with all effects of the case it ends {:.3g} m farther where its gaps are closer",
+                           change);
+    }
+    return "";
+}
+
+void printNotVerified(double time, const std::string& reason)
+{
+    printWarning(fmt::format("The step at time {:g} s could not be verified: {}.", time, reason));
+}
+
+} // namespace
+
+template<int Dim>
+void verifyStep(const DynamicCase<Dim>& scene, const Motion<Dim>& before, double timeStep, Motion<Dim>& after)
+{
+    // A gap at the foot of a tall column is many times as much at its head: the step with all effects is off
+    // by that, too. Where the two differ by more than is allowed a closer one says which of them is off.
+    constexpr double closer = 100;
+    const double time = after.state.time;
+    const double allowed = scene.schemes.contactTolerance * scene.blockSize;
+    const double start = cpuTime();
+    const Reference<Dim> reference = referenceOf(scene, before, timeStep, after, 1);
+    const double seconds = cpuTime() - start;
+    if (!reference.isSolved)
+    {
+        printNotVerified(time, "it was not solved with all effects of the case");
         return;
     }
-    use.secondsOfVerified += cpuTime() - start;
+    double difference = reference.difference;
+    double change = 0;
+    if (difference > allowed)
+    {
+        const Reference<Dim> near = referenceOf(scene, before, timeStep, after, closer);
+        difference = near.isSolved ? std::min(difference, near.difference) : difference;
+        change = near.isSolved ? differenceOf(scene, reference.state, near.state) : 0;
+    }
+    if (const std::string doubt = doubtOf(reference.flowError, change, allowed);
+        difference > allowed && !doubt.empty())
+    {
+        printNotVerified(time, doubt);
+        return;
+    }
+    EffectUse& use = after.effectUse;
+    use.secondsOfVerified += seconds;
     ++use.verified;
-    const double difference = differenceOf(scene, before.state, after.state);
     if (difference > use.largestDifference)
     {
         use.largestDifference = difference;
-        use.timeOfLargestDifference = after.state.time;
+        use.timeOfLargestDifference = time;
     }
-    const double allowed = scene.schemes.contactTolerance * scene.blockSize;
     if (difference > allowed)
     {
         printWarning(
             fmt::format("The step at time {:g} s differs by {:.3g} m from the one with all effects of the "
                         "case; contactTolerance of system/schemes allows {:.3g} m. `selection asGiven;` in "
                         "system/schemes/effects simulates them in every step.",
-                        after.state.time, difference, allowed));
+                        time, difference, allowed));
     }
 }
 
 template double differenceOf(const DynamicCase<2>& scene, const DynamicState<2>& one,
                              const DynamicState<2>& other);
-template void verifyStep(const DynamicCase<2>& scene, Motion<2> before, double timeStep, Motion<2>& after);
+template void verifyStep(const DynamicCase<2>& scene, const Motion<2>& before, double timeStep,
+                         Motion<2>& after);
 template double differenceOf(const DynamicCase<3>& scene, const DynamicState<3>& one,
                              const DynamicState<3>& other);
-template void verifyStep(const DynamicCase<3>& scene, Motion<3> before, double timeStep, Motion<3>& after);
+template void verifyStep(const DynamicCase<3>& scene, const Motion<3>& before, double timeStep,
+                         Motion<3>& after);
 
 } // namespace drystone

@@ -44,9 +44,53 @@ Turn<Dim> unitTurn()
 Vector<2> turned(double turn, const Vector<2>& arm);
 Vector<3> turned(const Vector<3>& turn, const Vector<3>& arm);
 
-/// By how much the end of an arm moves in a turn: (R - 1) arm, to the last digits however small the turn is.
-Vector<2> swing(double turn, const Vector<2>& arm);
-Vector<3> swing(const Vector<3>& turn, const Vector<3>& arm);
+/// By how much the ends of arms move in a turn: (R - 1) arm, to the last digits however small the turn is.
+template<int Dim>
+class Swing;
+
+template<>
+class Swing<2>
+{
+public:
+    explicit Swing(double turn);
+    Vector<2> operator()(const Vector<2>& arm) const { return across(arm) - along(arm); }
+
+    // Its two parts, for sums to the last digit.
+    Vector<2> across(const Vector<2>& arm) const { return sine * perpendicular(arm); }
+    Vector<2> along(const Vector<2>& arm) const { return versine * arm; } ///< against the arm
+
+private:
+    double sine;
+    double versine; ///< 1 - cos
+};
+
+/// By Rodrigues' formula.
+template<>
+class Swing<3>
+{
+public:
+    explicit Swing(const Vector<3>& turn);
+    Vector<3> operator()(const Vector<3>& arm) const
+    {
+        const Vector<3> across = momentOf(axis, arm);
+        return once * across + twice * momentOf(axis, across);
+    }
+
+private:
+    Vector<3> axis; ///< times the angle
+    double once;
+    double twice;
+};
+
+/// The same for one arm.
+inline Vector<2> swing(double turn, const Vector<2>& arm)
+{
+    return Swing<2>(turn)(arm);
+}
+inline Vector<3> swing(const Vector<3>& turn, const Vector<3>& arm)
+{
+    return Swing<3>(turn)(arm);
+}
 
 /// The velocity of the end of an arm that turns with an angular velocity [rad/s].
 Vector<2> velocityOfArm(double angularVelocity, const Vector<2>& arm);

@@ -411,8 +411,11 @@ void rockingColumn(benchmark::State& state)
     shake<Dim>(scene, std::make_shared<SinePulse>(PulseShape{0.25 * weight, 0.6, 0.2}, 1));
     compare(state, std::move(scene), 0.002, Dim == 2 ? 2000 : 500, 3);
 }
-BENCHMARK(rockingColumn<2>)->ArgsProduct({{6, 12, 24}, {0, 1}})->Iterations(1)->Unit(benchmark::kMillisecond);
-BENCHMARK(rockingColumn<3>)->ArgsProduct({{6, 12}, {0, 1}})->Iterations(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(rockingColumn<2>)
+    ->ArgsProduct({{6, 12, 24, 48}, {0, 1}})
+    ->Iterations(1)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(rockingColumn<3>)->ArgsProduct({{6, 12, 24}, {0, 1}})->Iterations(1)->Unit(benchmark::kMillisecond);
 
 DynamicCase<2> collapsingWall(FlowRule flowRule)
 {

@@ -41,29 +41,40 @@ long awakeOf(const Motion<2>& motion)
 
 TEST(HeldBlocks, OnlyTheStoneThatFallsIsSimulatedAndItFallsAsWithEverythingOn)
 {
-    for (const FlowRule flowRule : {FlowRule::associative, FlowRule::nonAssociative})
+    const DynamicCase<2> scene = wallWithStone(0.24);
+    DynamicCase<2> everything = scene;
+    everything.schemes.effects.selection = EffectSelection::asGiven;
+    everything.schemes.contactTolerance /= 100; // 40 steps add up
+    Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
+    Motion<2> reference = motion;
+    int held = 0;
+    for (int step = 0; step < 40; ++step)
     {
-        const DynamicCase<2> scene = wallWithStone(0.24, flowRule);
-        DynamicCase<2> everything = scene;
-        everything.schemes.effects.selection = EffectSelection::asGiven;
-        Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
-        Motion<2> reference = motion;
-        int held = 0;
-        for (int step = 0; step < 40; ++step)
-        {
-            const Motion<2> before = motion;
-            ASSERT_TRUE(advance(scene, motion, timeStep)) << step;
-            verifyStep(scene, before, timeStep, motion);
-            ASSERT_TRUE(advance(everything, reference, timeStep)) << step;
-            held += !motion.isAwake.empty() ? 1 : 0;
-            EXPECT_LE(awakeOf(motion), 40) << step;
-        }
-        EXPECT_GE(held, 30);
-        EXPECT_LT(motion.state.placements.back().translation.y(), -0.01);
-        EXPECT_LT(motion.effectUse.largestDifference, 1e-7 * scene.blockSize);
-        EXPECT_LT(differenceOf(scene, motion.state, reference.state), 1e-7);
-        EXPECT_LT(relativeImbalance(motion.energy), 1e-7);
+        const Motion<2> before = motion;
+        ASSERT_TRUE(advance(scene, motion, timeStep)) << step;
+        verifyStep(scene, before, timeStep, motion);
+        ASSERT_TRUE(advance(everything, reference, timeStep)) << step;
+        held += !motion.isAwake.empty() ? 1 : 0;
+        EXPECT_LE(awakeOf(motion), 40) << step;
     }
+    EXPECT_GE(held, 30);
+    EXPECT_LT(motion.state.placements.back().translation.y(), -0.01);
+    EXPECT_LT(motion.effectUse.largestDifference, 1e-7 * scene.blockSize);
+    EXPECT_LT(differenceOf(scene, motion.state, reference.state), 1e-7);
+    EXPECT_LT(relativeImbalance(motion.energy), 1e-7);
+}
+
+TEST(HeldBlocks, ByCoulombsLawAllBlocksAreSimulatedWhereAnythingMoves)
+{
+    const DynamicCase<2> scene = wallWithStone(0.24, FlowRule::nonAssociative);
+    EXPECT_NE(whyAllBlocks(scene, scene.flowRule()), "");
+    Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
+    for (int step = 0; step < 10; ++step)
+    {
+        ASSERT_TRUE(advance(scene, motion, timeStep));
+        EXPECT_TRUE(motion.isAwake.empty());
+    }
+    EXPECT_LT(motion.state.placements.back().translation.y(), -5e-4);
 }
 
 // Its motion dies out into the wall, block by block, and the forces beside it are near what friction allows:
@@ -142,21 +153,27 @@ TEST(HeldBlocks, BlocksThatArePushedWakeUp)
     EXPECT_LT(motion.effectUse.largestDifference, 1e-7 * scene.blockSize);
 }
 
-// Impacts are instants of their own, after which the step is solved again from other velocities.
-TEST(HeldBlocks, BlocksRestWhileOthersRebound)
+// Which points take part in an impact follows from forces, of which those of held blocks are one choice of
+// many.
+TEST(HeldBlocks, BlocksRestWhileAStoneFliesAndAreSimulatedWhereItHits)
 {
-    DynamicCase<2> scene = wallWithStone(0.24);
+    DynamicCase<2> scene = wallWithStone(-0.1);
     scene.contact.restitution = Restitution{0.2};
-    Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
+    DynamicState<2> state = stateAtRest(scene.assembly);
+    state.placements.back().translation.y() = 0.05;
+    Motion<2> motion = startMotion(scene, state);
     int held = 0;
+    int all = 0;
     for (int step = 0; step < 30; ++step)
     {
         const Motion<2> before = motion;
         ASSERT_TRUE(advance(scene, motion, timeStep)) << step;
         verifyStep(scene, before, timeStep, motion);
-        held += !motion.isAwake.empty() ? 1 : 0;
+        held += !motion.isAwake.empty() && awakeOf(motion) == 1 ? 1 : 0;
+        all += motion.isAwake.empty() ? 1 : 0;
     }
-    EXPECT_GE(held, 5);
+    EXPECT_GE(held, 15);
+    EXPECT_GE(all, 1);
     EXPECT_LT(motion.effectUse.largestDifference, 1e-7 * scene.blockSize);
 }
 

@@ -260,15 +260,16 @@ namespace
 struct StepCounts
 {
     int steps = 0;
-    int atRest = 0;   ///< taken with a proof for all blocks
-    int inPart = 0;   ///< with one for some
-    int unsolved = 0; ///< scenes that were not, with everything on neither
+    int atRest = 0;      ///< taken with a proof for all blocks
+    int inPart = 0;      ///< with one for some
+    int unsolved = 0;    ///< scenes that were not, with everything on neither
+    long unverified = 0; ///< steps of which nothing can be said, as with everything on they are uncertain
 };
 
 /// Random walls with random effects under random motions of the ground: each step is taken with everything
-/// on, too.
+/// on, too. \param flowRule of all walls; none: random as well
 template<int Dim>
-StepCounts verifyRandomWalls(int scenes, unsigned seed)
+StepCounts verifyRandomWalls(int scenes, unsigned seed, std::optional<FlowRule> flowRule = {})
 {
     constexpr double timeStepOfScenes = 0.005;
     StepCounts count;
@@ -277,6 +278,11 @@ StepCounts verifyRandomWalls(int scenes, unsigned seed)
         std::mt19937 random(seed + static_cast<unsigned>(index));
         DynamicCase<Dim> scene = randomWalls::scene<Dim>(random);
         scene.schemes.effects.selection = EffectSelection::automatic;
+        if (flowRule)
+        {
+            scene.contact.friction->flowRule = *flowRule;
+            scene.contact.restitution.reset(); // by Coulomb's law nothing is held with it
+        }
         Motion<Dim> motion = startMotion(scene, stateAtRest(scene.assembly));
         long steps = 0;
         for (int step = 0; step < 40; ++step)
@@ -300,9 +306,10 @@ StepCounts verifyRandomWalls(int scenes, unsigned seed)
             count.atRest += awake == 0 ? 1 : 0;
             count.inPart += awake > 0 ? 1 : 0;
         }
-        EXPECT_EQ(motion.effectUse.verified, steps);
+        count.unverified += steps - motion.effectUse.verified;
         EXPECT_LE(motion.effectUse.largestDifference, scene.schemes.contactTolerance * scene.blockSize)
-            << "scene " << index << " at " << motion.effectUse.timeOfLargestDifference;
+            << "seed " << seed + static_cast<unsigned>(index) << " at "
+            << motion.effectUse.timeOfLargestDifference;
     }
     return count;
 }
@@ -316,6 +323,7 @@ TEST(ProvedRest, AHundredRandomWallsOfThePlaneMoveAsWithEverythingOn)
     EXPECT_LT(count.atRest, 0.8 * count.steps);
     EXPECT_GT(count.inPart, 0.02 * count.steps);
     EXPECT_EQ(count.unsolved, 0);
+    EXPECT_EQ(count.unverified, 0);
 }
 
 TEST(ProvedRest, AHundredRandomWallsOfSpaceMoveAsWithEverythingOn)
@@ -325,4 +333,55 @@ TEST(ProvedRest, AHundredRandomWallsOfSpaceMoveAsWithEverythingOn)
     EXPECT_LT(count.atRest, 0.8 * count.steps);
     EXPECT_GT(count.inPart, 0.01 * count.steps);
     EXPECT_LE(count.unsolved, 5);
+    EXPECT_EQ(count.unverified, 0);
+}
+
+// By Coulomb's law a motion is not unique where forces are not: blocks that other forces could hold may move.
+TEST(ProvedRest, AHundredRandomWallsMoveAsWithEverythingOnByCoulombsLaw)
+{
+    const StepCounts plane = verifyRandomWalls<2>(100, 2001, FlowRule::nonAssociative);
+    EXPECT_GT(plane.atRest, 0.3 * plane.steps);
+    EXPECT_EQ(plane.inPart, 0);
+    EXPECT_EQ(plane.unsolved, 0);
+    EXPECT_EQ(plane.unverified, 0);
+    const StepCounts space = verifyRandomWalls<3>(40, 3001, FlowRule::nonAssociative);
+    EXPECT_GT(space.atRest, 0.3 * space.steps);
+    EXPECT_GT(space.inPart, 0.02 * space.steps);
+    EXPECT_LE(space.unsolved, 3);
+    EXPECT_EQ(space.unverified, 0);
+}
+
+// What once differed from everything on: by Coulomb's law blocks held by forces that nearly rigid points do
+// not carry, a block that slides on more points than its balance tells apart, steps that stick by forces at
+// the surface of their cones, and a structure at rest that need not be; by the associative law impacts of
+// which held blocks chose the points; and bodies at whose ends the error allowed in a gap is several times as
+// much.
+TEST(ProvedRest, WallsThatMovedOtherwiseMoveAsWithEverythingOn)
+{
+    for (const unsigned seed : {5183u, 5209u, 5235u, 5260u, 50030u, 50682u})
+    {
+        verifyRandomWalls<2>(1, seed);
+    }
+    for (const unsigned seed :
+         {5039u, 5107u, 5197u, 5295u, 5350u, 5414u, 5438u, 20940u, 21688u, 21926u, 21985u, 200374u, 200473u})
+    {
+        verifyRandomWalls<2>(1, seed, FlowRule::nonAssociative);
+    }
+    for (const unsigned seed : {60174u, 60201u, 60361u, 60379u})
+    {
+        verifyRandomWalls<3>(1, seed);
+    }
+    for (const unsigned seed : {70286u, 70291u, 70484u})
+    {
+        verifyRandomWalls<3>(1, seed, FlowRule::nonAssociative);
+    }
+}
+
+TEST(NightlyProvedRest, ThousandsOfRandomWallsMoveAsWithEverythingOn)
+{
+    const long unverified = verifyRandomWalls<2>(1000, 500001).unverified
+                            + verifyRandomWalls<2>(1000, 600001, FlowRule::nonAssociative).unverified
+                            + verifyRandomWalls<3>(400, 700001).unverified
+                            + verifyRandomWalls<3>(400, 800001, FlowRule::nonAssociative).unverified;
+    EXPECT_LE(unverified, 10); // of 112,000 steps
 }

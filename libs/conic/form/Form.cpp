@@ -284,6 +284,17 @@ Form<Rows> makeForm(const ConeProgram<Rows, Forces>& program, SymbolicAnalysis& 
 
     form.firstRay.reserve(program.contacts.size() + 1);
     form.firstRound.reserve(program.contacts.size() + 1);
+    form.groups.reserve(form.couplings.size());
+    if constexpr (Forces == 2) // friction alone gives each point two rays, in space a round cone
+    {
+        form.rays.reserve(2 * program.contacts.size());
+        form.directions.reserve(2 * program.contacts.size());
+    }
+    else
+    {
+        form.rounds.reserve(program.contacts.size());
+        form.roundScales.reserve(program.contacts.size());
+    }
     PointCones<Forces> cones;
     for (int point = 0; point < program.points(); ++point)
     {

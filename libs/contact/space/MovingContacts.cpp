@@ -25,6 +25,18 @@ constexpr double mayEnter = 1e-3;
 
 constexpr double sameVertex = 1e-6; // in mean block sizes
 
+/// \param sense 1: by which the blocks have turned; -1: back to where they were built
+std::vector<Swing<3>> swingsOf(const std::vector<Placement<3>>& placements, double sense)
+{
+    std::vector<Swing<3>> swings;
+    swings.reserve(placements.size());
+    for (const Placement<3>& placement : placements)
+    {
+        swings.emplace_back(sense * placement.rotation);
+    }
+    return swings;
+}
+
 bool isVertex(const Polyhedron& shape, const Vector<3>& point, double reach)
 {
     return std::any_of(shape.vertices.begin(), shape.vertices.end(),
@@ -120,37 +132,41 @@ MovingContacts<3>::MovingContacts(const Assembly<3>& structure, const MovingCont
     points = asBuilt;
 }
 
-Vector<3> MovingContacts<3>::placed(int block, const Vector<3>& point, const Placement<3>& placement) const
-{
-    const Vector<3> arm = point - centroids[static_cast<std::size_t>(block)];
-    return point + placement.translation + swing(placement.rotation, arm);
-}
-
 void MovingContacts<3>::measure(const std::vector<Placement<3>>& placements,
                                 std::vector<ContactPoint<3>>& measured) const
 {
+    const std::vector<Swing<3>> swings = swingsOf(placements, 1);
     measured.resize(points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
     {
-        measured[i] = pointAt(placements, i);
+        const Pair& pair = pairOf(i);
+        measured[i] = pointAt(placements, swings[static_cast<std::size_t>(pair.cornerBlock)],
+                              swings[static_cast<std::size_t>(pair.faceBlock)], i);
     }
 }
 
 ContactPoint<3> MovingContacts<3>::pointAt(const std::vector<Placement<3>>& placements,
                                            std::size_t index) const
 {
+    const Pair& pair = pairOf(index);
+    return pointAt(placements, Swing<3>(placements[static_cast<std::size_t>(pair.cornerBlock)].rotation),
+                   Swing<3>(placements[static_cast<std::size_t>(pair.faceBlock)].rotation), index);
+}
+
+ContactPoint<3> MovingContacts<3>::pointAt(const std::vector<Placement<3>>& placements,
+                                           const Swing<3>& swingOfCorner, const Swing<3>& swingOfFace,
+                                           std::size_t index) const
+{
     ContactPoint<3> point = points[index];
-    const Pair& pair = pairs[static_cast<std::size_t>(point.feature.vertex)];
-    const Placement<3>& ofCorner = placements[static_cast<std::size_t>(pair.cornerBlock)];
-    const Placement<3>& ofFace = placements[static_cast<std::size_t>(pair.faceBlock)];
-    const Vector<3> outward = turned(ofFace.rotation, pair.outward);
+    const Pair& pair = pairOf(index);
+    const auto cornerBlock = static_cast<std::size_t>(pair.cornerBlock);
+    const auto faceBlock = static_cast<std::size_t>(pair.faceBlock);
+    const Vector<3> outward = pair.outward + swingOfFace(pair.outward);
     // Corner and face coincide as built: the gap is what they have moved by, to the last digits.
     const Vector<3> cornerMoves =
-        ofCorner.translation
-        + swing(ofCorner.rotation, pair.corner - centroids[static_cast<std::size_t>(pair.cornerBlock)]);
+        placements[cornerBlock].translation + swingOfCorner(pair.corner - centroids[cornerBlock]);
     const Vector<3> faceMoves =
-        ofFace.translation
-        + swing(ofFace.rotation, pair.corner - centroids[static_cast<std::size_t>(pair.faceBlock)]);
+        placements[faceBlock].translation + swingOfFace(pair.corner - centroids[faceBlock]);
     point.position = pair.corner + cornerMoves;
     point.gap = outward.dot(cornerMoves - faceMoves);
     point.normal = pair.cornerBlock == point.block ? outward : Vector<3>(-outward);
@@ -182,21 +198,19 @@ const std::vector<ContactPoint<3>>& MovingContacts<3>::update(const std::vector<
 
 void MovingContacts<3>::refuseLostPoints(const std::vector<Placement<3>>& now) const
 {
+    const std::vector<Swing<3>> back = swingsOf(now, -1);
     for (const ContactPoint<3>& point : points)
     {
         if (point.gap > mayEnter * blockSize)
         {
             continue; // apart
         }
+        // Where the face was built.
         const Pair& pair = pairs[static_cast<std::size_t>(point.feature.vertex)];
-        const Placement<3>& ofFace = now[static_cast<std::size_t>(pair.faceBlock)];
-        std::vector<Vector<3>> outline;
-        for (const Vector<3>& vertex : pair.outline)
-        {
-            outline.push_back(placed(pair.faceBlock, vertex, ofFace));
-        }
-        const double outside =
-            distanceOutside(outline, turned(ofFace.rotation, pair.outward), point.position);
+        const auto face = static_cast<std::size_t>(pair.faceBlock);
+        const Vector<3> arm = point.position - centroids[face] - now[face].translation;
+        const Vector<3> corner = centroids[face] + arm + back[face](arm);
+        const double outside = distanceOutside(pair.outline, pair.outward, corner);
         if (outside > mayLeave * blockSize)
         {
             throw FatalError(fmt::format(
@@ -212,10 +226,11 @@ void MovingContacts<3>::refuseNewContacts(const std::vector<Placement<3>>& now) 
     std::vector<Box<3>> boxes;
     for (std::size_t block = 0; block < now.size(); ++block)
     {
+        const Swing<3> swing(now[block].rotation);
         Box<3> box;
         for (const Vector<3>& vertex : assembly.blocks[block].shape.vertices)
         {
-            extend(box, placed(static_cast<int>(block), vertex, now[block]));
+            extend(box, Vector<3>(vertex + now[block].translation + swing(vertex - centroids[block])));
         }
         boxes.push_back(isLeftOut[block] ? Box<3>() : enlarged(box, -mayEnter * blockSize));
     }

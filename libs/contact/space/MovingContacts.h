@@ -3,6 +3,7 @@
 #pragma once
 
 #include "contact/MovingContacts.h"
+#include "geometry/Rotation.h"
 
 namespace drystone
 {
@@ -48,9 +49,15 @@ private:
         Vector<3> outward;              ///< normal of the face
         std::vector<Vector<3>> outline; ///< of the face [m]
     };
+    const Pair& pairOf(std::size_t point) const
+    {
+        return pairs[static_cast<std::size_t>(points[point].feature.vertex)];
+    }
+    /// \param swingOfCorner, swingOfFace of the blocks of its corner and of its face
+    ContactPoint<3> pointAt(const std::vector<Placement<3>>& placements, const Swing<3>& swingOfCorner,
+                            const Swing<3>& swingOfFace, std::size_t index) const;
     void refuseLostPoints(const std::vector<Placement<3>>& now) const;
     void refuseNewContacts(const std::vector<Placement<3>>& now) const;
-    Vector<3> placed(int block, const Vector<3>& point, const Placement<3>& placement) const;
 
     Assembly<3> assembly;
     std::vector<Vector<3>> centroids;

@@ -12,31 +12,25 @@ namespace
 {
 
 /// How a point of a block, now at `position`, is displaced; to the last digits, however little that is [m].
-Vector<2> displacementOf(const DynamicCase<2>& scene, int block, const Vector<2>& position,
-                         const std::vector<Placement<2>>& from, const std::vector<Placement<2>>& to)
+Vector<2> displacementOf(const Step<2>& step, int block, const Vector<2>& position,
+                         const BlockMotions<2>::Motion& motion)
 {
     const auto index = static_cast<std::size_t>(block);
-    const Vector<2> arm = position - scene.blocks[index].centroid - from[index].translation;
-    const double turn = to[index].rotation - from[index].rotation;
-    const double half = std::sin(turn / 2);
-    return to[index].translation - from[index].translation + std::sin(turn) * Vector<2>(-arm.y(), arm.x())
-           - 2 * half * half * arm;
+    const Vector<2> arm =
+        position - step.scene.blocks[index].centroid - step.motion.state.placements[index].translation;
+    return motion.translation + motion.swing.across(arm) - motion.swing.along(arm);
 }
 
 } // namespace
 
-Shear<2> slip(const Step<2>& step, const std::vector<Placement<2>>& to, std::size_t index,
-              const ConeColumns<3, 2>&)
+Shear<2> slip(const Step<2>& step, BlockMotions<2>& motions, std::size_t index, const ConeColumns<3, 2>&)
 {
-    const DynamicCase<2>& scene = step.scene;
-    const std::vector<Placement<2>>& from = step.motion.state.placements;
     const ContactPoint<2>& point = step.points[index];
-    const auto edgeBlock =
-        static_cast<std::size_t>(point.feature.vertexBlock == point.block ? point.neighbour : point.block);
-    const Eigen::Rotation2Dd turn(to[edgeBlock].rotation - from[edgeBlock].rotation);
-    return Shear<2>((turn * tangent(point))
-                        .dot(displacementOf(scene, point.neighbour, point.position, from, to)
-                             - displacementOf(scene, point.block, point.position, from, to)));
+    const int edgeBlock = point.feature.vertexBlock == point.block ? point.neighbour : point.block;
+    const Vector<2> along = Eigen::Rotation2Dd(motions.of(edgeBlock).turn) * tangent(point);
+    return Shear<2>(
+        along.dot(displacementOf(step, point.neighbour, point.position, motions.of(point.neighbour))
+                  - displacementOf(step, point.block, point.position, motions.of(point.block))));
 }
 
 } // namespace drystone

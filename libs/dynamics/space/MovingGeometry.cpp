@@ -8,33 +8,31 @@ namespace
 {
 
 /// How a point of a block, now at `position`, is displaced; to the last digits, however little that is [m].
-Vector<3> displacementOf(const DynamicCase<3>& scene, int block, const Vector<3>& position,
-                         const std::vector<Placement<3>>& from, const std::vector<Placement<3>>& to)
+Vector<3> displacementOf(const Step<3>& step, int block, const Vector<3>& position,
+                         const BlockMotions<3>::Motion& motion)
 {
     const auto index = static_cast<std::size_t>(block);
-    const Vector<3> arm = position - scene.blocks[index].centroid - from[index].translation;
-    return to[index].translation - from[index].translation
-           + swing(turnBetween(from[index].rotation, to[index].rotation), arm);
+    const Vector<3> arm =
+        position - step.scene.blocks[index].centroid - step.motion.state.placements[index].translation;
+    return motion.translation + motion.swing(arm);
 }
 
 } // namespace
 
-Shear<3> slip(const Step<3>& step, const std::vector<Placement<3>>& to, std::size_t index,
+Shear<3> slip(const Step<3>& step, BlockMotions<3>& motions, std::size_t index,
               const ConeColumns<6, 3>& columns)
 {
     const ContactPoint<3>& point = step.points[index];
-    const std::vector<Placement<3>>& from = step.motion.state.placements;
-    const auto faceBlock =
-        static_cast<std::size_t>(point.feature.vertexBlock == point.block ? point.neighbour : point.block);
+    const int faceBlock = point.feature.vertexBlock == point.block ? point.neighbour : point.block;
     // The columns have the directions of shear where they were taken, 1 - theta of the way.
-    const Vector<3> turn = step.scheme.theta * turnBetween(from[faceBlock].rotation, to[faceBlock].rotation);
-    const Vector<3> slid = displacementOf(step.scene, point.neighbour, point.position, from, to)
-                           - displacementOf(step.scene, point.block, point.position, from, to);
+    const Swing<3> swing(step.scheme.theta * motions.of(faceBlock).turn);
+    const Vector<3> slid = displacementOf(step, point.neighbour, point.position, motions.of(point.neighbour))
+                           - displacementOf(step, point.block, point.position, motions.of(point.block));
     Shear<3> along;
     for (int component = 0; component < 2; ++component)
     {
         const Vector<3> direction = columns.onSecond.col(1 + component).head<3>();
-        along[component] = turned(turn, direction).dot(slid);
+        along[component] = (direction + swing(direction)).dot(slid);
     }
     return along;
 }

@@ -14,10 +14,10 @@ Vector<2> turned(double turn, const Vector<2>& arm)
     return {cosine * arm.x() - sine * arm.y(), sine * arm.x() + cosine * arm.y()};
 }
 
-Vector<2> swing(double turn, const Vector<2>& arm)
+Swing<2>::Swing(double turn) : sine(std::sin(turn))
 {
     const double half = std::sin(turn / 2);
-    return std::sin(turn) * perpendicular(arm) - 2 * half * half * arm;
+    versine = 2 * half * half;
 }
 
 Vector<2> velocityOfArm(double angularVelocity, const Vector<2>& arm)

@@ -42,13 +42,12 @@ Vector<3> turned(const Vector<3>& turn, const Vector<3>& arm)
     return arm + swing(turn, arm);
 }
 
-// Rodrigues' formula.
-Vector<3> swing(const Vector<3>& turn, const Vector<3>& arm)
+Swing<3>::Swing(const Vector<3>& turn) : axis(turn)
 {
     const double angle = turn.norm();
     const double half = sinc(angle / 2);
-    const Vector<3> across = momentOf(turn, arm);
-    return sinc(angle) * across + 0.5 * half * half * momentOf(turn, across);
+    once = sinc(angle);
+    twice = 0.5 * half * half;
 }
 
 Vector<3> velocityOfArm(const Vector<3>& angularVelocity, const Vector<3>& arm)
