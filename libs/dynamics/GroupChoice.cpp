@@ -34,7 +34,7 @@ constexpr long many = 100;
 constexpr double partOfGap = 0.1;
 
 /// And of that what blocks that are one may keep, or move against each other.
-constexpr double partOfKept = 0.5;
+constexpr double partKeptByBodies = 0.5;
 
 /// Of more failing points than these it is not where bodies have to be parted that is to be learned.
 constexpr std::size_t fewFailing = 20;
@@ -129,7 +129,7 @@ void GroupChoice<Dim>::joinBlocks()
 {
     const StepProgram<Dim>& program = current.program;
     isJoined.assign(program.contacts.size(), false);
-    const double kept = partOfKept * keptGap(current);
+    const double kept = partKeptByBodies * keptGap(current);
     const std::vector<Vector<Dim>> centre = centresOfBodies(current);
     const Eigen::VectorXd moved = current.scheme.timeStep * current.solved.velocity;
     const auto turn = [&moved](int body)

@@ -42,7 +42,7 @@ struct Reference
     double flowError = 0;  ///< see StepResiduals [m]
 };
 
-/// \param closer how many times smaller the errors in its gaps are
+/// \param closer how many times smaller its errors are, those in gaps and those of the solver
 template<int Dim>
 Reference<Dim> referenceOf(const DynamicCase<Dim>& scene, Motion<Dim> before, double timeStep,
                            const Motion<Dim>& after, double closer)
@@ -50,6 +50,7 @@ Reference<Dim> referenceOf(const DynamicCase<Dim>& scene, Motion<Dim> before, do
     DynamicCase<Dim> everything = scene;
     everything.schemes.effects.selection = EffectSelection::asGiven;
     everything.schemes.contactTolerance /= closer;
+    everything.solution.tolerance /= closer;
     if (!advance(everything, before, timeStep))
     {
         return {};
@@ -68,7 +69,7 @@ std::string doubtOf(double flowError, double change, double allowed)
     }
     if (change > allowed) // many impacts in one step
     {
-        return fmt::format("with all effects of the case it ends {:.3g} m farther where its gaps are closer",
+        return fmt::format("with all effects of the case it ends {:.3g} m farther where it is solved closer",
                            change);
     }
     return "";

@@ -19,7 +19,7 @@ double differenceOf(const DynamicCase<Dim>& scene, const DynamicState<Dim>& one,
 /// and the smaller difference counts: what is left is not the error of the step that verifies. Warns where it
 /// is still more than allowed, or where the step could not be verified: because it is not solved with all
 /// effects, or differs while what it is compared with is no more certain: Coulomb's law is not met there to
-/// what is allowed, or closer gaps change it by more. Nothing else changes. \param
+/// what is allowed, or it changes by more where it is solved closer. Nothing else changes. \param
 /// before the motion at the start of the step \param timeStep its length [s]
 template<int Dim>
 void verifyStep(const DynamicCase<Dim>& scene, const Motion<Dim>& before, double timeStep,

@@ -202,6 +202,11 @@ void printEffectUse(const DynamicCase<Dim>& scene, const Motion<Dim>& motion)
         info("Steps in which anything {} were taken with all blocks: {}",
              mayStick(scene) ? "slides" : "moves", why);
     }
+    else if (scene.restitution() > 0)
+    {
+        info("Steps in which points collide were taken with all blocks: which of them take part follows from "
+             "forces that are not unique");
+    }
     if (mayStick(scene))
     {
         info("Coulomb's law left out of {} steps, in which nothing slides", use.sticking);
