@@ -117,6 +117,16 @@ Course verify(const DynamicCase<Dim>& scene, double timeStep, int steps)
     return course;
 }
 
+/// Columns pushed for a share of g and a time [s]. \param steps of 0.002 s
+template<int Dim>
+Course pushed(int drums, const std::vector<double>& widths, FlowRule flowRule, double share, double duration,
+              int steps)
+{
+    DynamicCase<Dim> scene = columns<Dim>(drums, widths, flowRule);
+    push(scene, share, duration);
+    return verify(scene, 0.002, steps);
+}
+
 } // namespace
 
 TEST(BlockGroups, SumsAndMotionsOfGroupsDoTheSameWork)
@@ -158,9 +168,7 @@ TEST(BlockGroups, SumsAndMotionsOfGroupsDoTheSameWork)
 
 TEST(BlockGroups, AColumnThatRocksIsOneBodyAndMovesAsWithEverythingOn)
 {
-    auto scene = columns<2>(8, {0.8}, FlowRule::associative);
-    push(scene, 0.35, 0.5);
-    const Course course = verify(scene, 0.002, 500);
+    const Course course = pushed<2>(8, {0.8}, FlowRule::associative, 0.35, 0.5, 500);
     EXPECT_GT(course.top, 0.02);
     EXPECT_GT(course.moving, 0.8 * course.steps);
     // However fast it turns: within a step points then leave the straight lines of the program by far more
@@ -170,9 +178,7 @@ TEST(BlockGroups, AColumnThatRocksIsOneBodyAndMovesAsWithEverythingOn)
 
 TEST(BlockGroups, AColumnOfSpaceThatRocksIsOneBodyAndMovesAsWithEverythingOn)
 {
-    auto scene = columns<3>(6, {0.8}, FlowRule::associative);
-    push(scene, 0.45, 0.5);
-    const Course course = verify(scene, 0.002, 300);
+    const Course course = pushed<3>(6, {0.8}, FlowRule::associative, 0.45, 0.5, 300);
     EXPECT_GT(course.top, 0.02);
     EXPECT_GT(course.moving, 0.75 * course.steps);
     EXPECT_GT(course.asOne, 0.95 * course.moving);
@@ -180,9 +186,7 @@ TEST(BlockGroups, AColumnOfSpaceThatRocksIsOneBodyAndMovesAsWithEverythingOn)
 
 TEST(BlockGroups, ColumnsThatRockApartAreABodyEach)
 {
-    auto scene = columns<2>(6, {0.8, 0.6, 0.7}, FlowRule::associative);
-    push(scene, 0.4, 0.5);
-    const Course course = verify(scene, 0.002, 300);
+    const Course course = pushed<2>(6, {0.8, 0.6, 0.7}, FlowRule::associative, 0.4, 0.5, 300);
     EXPECT_GT(course.top, 0.02);
     EXPECT_GT(course.fewer, 0.1 * course.steps);
 }
@@ -192,9 +196,7 @@ TEST(BlockGroups, ColumnsThatRockApartAreABodyEach)
 // everything on, too.
 TEST(BlockGroups, DrumsThatPartAreBodiesOfTheirOwn)
 {
-    auto scene = columns<2>(8, {0.8}, FlowRule::associative);
-    push(scene, 5, 0.1);
-    const Course course = verify(scene, 0.002, 300);
+    const Course course = pushed<2>(8, {0.8}, FlowRule::associative, 5, 0.1, 300);
     EXPECT_GT(course.top, 1);
     EXPECT_GT(course.fewer, 10);
     EXPECT_GT(course.apart, 0.5 * course.moving);
@@ -203,9 +205,7 @@ TEST(BlockGroups, DrumsThatPartAreBodiesOfTheirOwn)
 
 TEST(BlockGroups, DrumsThatSlideByCoulombsLawAreBodiesOfTheirOwn)
 {
-    auto scene = columns<2>(8, {0.8}, FlowRule::nonAssociative);
-    push(scene, 1.2, 0.1);
-    const Course course = verify(scene, 0.002, 300);
+    const Course course = pushed<2>(8, {0.8}, FlowRule::nonAssociative, 1.2, 0.1, 300);
     EXPECT_GT(course.top, 0.01);
     EXPECT_EQ(course.apart, course.moving);
 }

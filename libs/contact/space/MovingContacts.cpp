@@ -139,7 +139,7 @@ void MovingContacts<3>::measure(const std::vector<Placement<3>>& placements,
     measured.resize(points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
     {
-        const Pair& pair = pairOf(i);
+        const Pair& pair = pairOf(points[i]);
         measured[i] = pointAt(placements, swings[static_cast<std::size_t>(pair.cornerBlock)],
                               swings[static_cast<std::size_t>(pair.faceBlock)], i);
     }
@@ -148,7 +148,7 @@ void MovingContacts<3>::measure(const std::vector<Placement<3>>& placements,
 ContactPoint<3> MovingContacts<3>::pointAt(const std::vector<Placement<3>>& placements,
                                            std::size_t index) const
 {
-    const Pair& pair = pairOf(index);
+    const Pair& pair = pairOf(points[index]);
     return pointAt(placements, Swing<3>(placements[static_cast<std::size_t>(pair.cornerBlock)].rotation),
                    Swing<3>(placements[static_cast<std::size_t>(pair.faceBlock)].rotation), index);
 }
@@ -158,7 +158,7 @@ ContactPoint<3> MovingContacts<3>::pointAt(const std::vector<Placement<3>>& plac
                                            std::size_t index) const
 {
     ContactPoint<3> point = points[index];
-    const Pair& pair = pairOf(index);
+    const Pair& pair = pairOf(point);
     const auto cornerBlock = static_cast<std::size_t>(pair.cornerBlock);
     const auto faceBlock = static_cast<std::size_t>(pair.faceBlock);
     const Vector<3> outward = pair.outward + swingOfFace(pair.outward);
@@ -206,7 +206,7 @@ void MovingContacts<3>::refuseLostPoints(const std::vector<Placement<3>>& now) c
             continue; // apart
         }
         // Where the face was built.
-        const Pair& pair = pairs[static_cast<std::size_t>(point.feature.vertex)];
+        const Pair& pair = pairOf(point);
         const auto face = static_cast<std::size_t>(pair.faceBlock);
         const Vector<3> arm = point.position - centroids[face] - now[face].translation;
         const Vector<3> corner = centroids[face] + arm + back[face](arm);

@@ -49,9 +49,9 @@ private:
         Vector<3> outward;              ///< normal of the face
         std::vector<Vector<3>> outline; ///< of the face [m]
     };
-    const Pair& pairOf(std::size_t point) const
+    const Pair& pairOf(const ContactPoint<3>& point) const
     {
-        return pairs[static_cast<std::size_t>(points[point].feature.vertex)];
+        return pairs[static_cast<std::size_t>(point.feature.vertex)];
     }
     /// \param swingOfCorner, swingOfFace of the blocks of its corner and of its face
     ContactPoint<3> pointAt(const std::vector<Placement<3>>& placements, const Swing<3>& swingOfCorner,
