@@ -47,8 +47,8 @@ void forgetBodies(Step<Dim>& step);
 /// come of fewer bodies (0.08 mm apart after a step, in one of a hundred random walls). By Coulomb's law, for
 /// which c_I and y are a solution, too, it is not the only one: a block that the pressure of a head joint
 /// could hold rests or moves (1 um to 0.1 mm apart in one of sixty random walls); steps in which nothing
-/// slides are taken by the associative law in space (StickingStep.h). \param flowRule that the steps are
-/// solved by
+/// slides are taken by the associative law in space and in columns (StickingStep.h). \param flowRule that the
+/// steps are solved by
 template<int Dim>
 std::string_view whyAllBlocks(const DynamicCase<Dim>& scene, FlowRule flowRule);
 

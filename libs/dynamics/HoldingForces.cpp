@@ -3,6 +3,7 @@
 #include "dynamics/HoldingForces.h"
 
 #include "conic/BalancedForces.h"
+#include "conic/TreeBalance.h"
 #include "conic/form/Form.h"
 #include "dynamics/ClosedPoints.h"
 #include "dynamics/GroupChoice.h"
@@ -103,11 +104,19 @@ HoldingForces findHoldingForces(Step<Dim>& step, const BlockGroups<Dim>& groups,
     const double tolerance = step.settings.solver.tolerance;
     const double closer = partOfTolerance * tolerance;
     const InnerBalance<Dim> inner = innerBalance(step, groups, std::move(missing));
-    const StepProgram<Dim> balance = withGroundInBodies(groups, inner.program);
+    const auto grounded = [&] { return withGroundInBodies(groups, inner.program); };
     const Eigen::VectorXd near = takenFrom<Dim>(inner.points, step.guess.contactForce);
     int& factorisations = step.motion.attempt.factorisations;
-    Eigen::VectorXd holding = nearestForces(balance, near, closer, *step.motion.symbolicOfHeld.get());
-    ++factorisations;
+    Eigen::VectorXd holding;
+    if (const auto branches = branchesOfTree(inner.program)) // as of columns
+    {
+        holding = nearestForcesInTree(inner.program, *branches, near, closer);
+    }
+    else
+    {
+        holding = nearestForces(grounded(), near, closer, *step.motion.symbolicOfHeld.get());
+        ++factorisations;
+    }
     if (holding.size() != inner.program.gap.size())
     {
         return {};
@@ -120,7 +129,7 @@ HoldingForces findHoldingForces(Step<Dim>& step, const BlockGroups<Dim>& groups,
     }
     if (!failing.empty())
     {
-        const Eigen::VectorXd repaired = repairedForces(balance, holding, failing, closer, factorisations);
+        const Eigen::VectorXd repaired = repairedForces(grounded(), holding, failing, closer, factorisations);
         if (repaired.size() > 0)
         {
             holding = repaired;

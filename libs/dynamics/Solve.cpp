@@ -63,7 +63,7 @@ void solve(Step<Dim>& step)
 {
     const StageTimer timer(step.motion.stageTimes, Stage::solve);
     StepSolution& solved = step.solved;
-    const bool mayBeStuck = mayStick(step.scene);
+    const bool mayBeStuck = mayStick(step);
     const bool isTried = mayBeStuck && !step.motion.slides;
     solved.sticks = isTried && solveWithoutSliding(step);
     if (!solved.sticks)

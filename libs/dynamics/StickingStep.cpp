@@ -2,8 +2,11 @@
 /// Whether points that carry a force slide.
 #include "dynamics/StickingStep.h"
 
+#include "conic/TreeBalance.h"
 #include "dynamics/GroupChoice.h"
 #include "dynamics/HeldBlocks.h"
+
+#include <algorithm>
 
 namespace drystone
 {
@@ -35,14 +38,55 @@ bool isInsideByMargin(const Step<Dim>& step)
     return true;
 }
 
+/// Whether all points of each pair of bodies press in about the same direction: forces at points that press
+/// against each other could wedge them.
+template<int Dim>
+bool pressAlike(const StepProgram<Dim>& program, const std::vector<TreeBranch>& branches)
+{
+    constexpr double alike = 0.9; // cosine: no friction below 4 wedges between such points
+    return std::all_of(branches.begin(), branches.end(),
+                       [&program](const TreeBranch& branch)
+                       {
+                           const auto normal = [&](int point) -> Vector<Dim>
+                           {
+                               const auto& columns = program.contacts[static_cast<std::size_t>(point)];
+                               return (columns.first == branch.body ? columns.onFirst : columns.onSecond)
+                                   .template topLeftCorner<Dim, 1>();
+                           };
+                           for (int point = branch.begin + 1; point < branch.end; ++point)
+                           {
+                               if (normal(point).dot(normal(branch.begin)) < alike)
+                               {
+                                   return false;
+                               }
+                           }
+                           return true;
+                       });
+}
+
 } // namespace
 
 template<int Dim>
 bool mayStick(const DynamicCase<Dim>& scene)
 {
-    return Dim == 3 && scene.schemes.effects.selection == EffectSelection::automatic
+    return scene.schemes.effects.selection == EffectSelection::automatic
            && scene.flowRule() == FlowRule::nonAssociative && !hasImpacts(scene)
            && !traitsOf(scene.effects).holdsJoints && whyAllBlocks(scene, FlowRule::associative).empty();
+}
+
+template<int Dim>
+bool mayStick(const Step<Dim>& step)
+{
+    if (!mayStick(step.scene))
+    {
+        return false;
+    }
+    if constexpr (Dim == 3)
+    {
+        return true;
+    }
+    const auto branches = branchesOfTree(step.program);
+    return branches && pressAlike<Dim>(step.program, *branches);
 }
 
 template<int Dim>
@@ -71,8 +115,10 @@ bool hardlySlides(const Step<Dim>& step)
 }
 
 template bool mayStick(const DynamicCase<2>& scene);
+template bool mayStick(const Step<2>& step);
 template bool sticks(const Step<2>& step);
 template bool mayStick(const DynamicCase<3>& scene);
+template bool mayStick(const Step<3>& step);
 template bool sticks(const Step<3>& step);
 template bool hardlySlides(const Step<2>& step);
 template bool hardlySlides(const Step<3>& step);

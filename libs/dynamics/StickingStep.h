@@ -8,12 +8,19 @@
 namespace drystone
 {
 
-/// Whether steps are solved by the associative law first where they may stick: in space. In the plane
-/// Coulomb's law costs no more for all blocks, and with fewer the two find different motions more often: one
-/// wall of a thousand is off by some micrometres. With theta below 1, elastic joints, bonds or impacts of
-/// their own the motion depends on forces that are not unique, which the two laws choose differently.
+/// Whether steps of the case may be solved by the associative law first. With theta below 1, elastic joints,
+/// bonds or impacts of their own the motion depends on forces that are not unique, which the two laws choose
+/// differently.
 template<int Dim>
 bool mayStick(const DynamicCase<Dim>& scene);
+
+/// Likewise of one step, whose program is assembled. In space all; in the plane Coulomb's law costs no more
+/// for all blocks, and with fewer the two find different motions more often, where friction wedges a block
+/// between others: one wall of a thousand is off by some micrometres. So there, what blocks give each other
+/// has to follow from their motion alone, as in columns and towers: their pairs close no ring, through the
+/// ground neither, and points of a pair press in about the same direction.
+template<int Dim>
+bool mayStick(const Step<Dim>& step);
 
 /// Whether the solution of the step by the associative law is one by Coulomb's. They differ in the flow of
 /// points that carry a force and slide: those open by mu |u_t| with the associative law, and stay closed with

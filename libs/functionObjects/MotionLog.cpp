@@ -199,8 +199,9 @@ void printEffectUse(const DynamicCase<Dim>& scene, const Motion<Dim>& motion)
     }
     if (const std::string_view why = whyAllBlocks(scene, scene.flowRule()); !why.empty())
     {
+        const std::string_view ofSticking = Dim == 3 ? "slides" : "slides, or moves in rings of blocks,";
         info("Steps in which anything {} were taken with all blocks: {}",
-             mayStick(scene) ? "slides" : "moves", why);
+             mayStick(scene) ? ofSticking : "moves", why);
     }
     else if (scene.restitution() > 0)
     {

@@ -203,10 +203,19 @@ TEST(BlockGroups, DrumsThatPartAreBodiesOfTheirOwn)
     EXPECT_GT(course.asOne, 0.1 * course.moving);
 }
 
+TEST(BlockGroups, AColumnThatRocksIsOneBodyByCoulombsLawToo)
+{
+    const Course course = pushed<2>(8, {0.8}, FlowRule::nonAssociative, 0.35, 0.5, 500);
+    EXPECT_GT(course.top, 0.02);
+    EXPECT_GT(course.moving, 0.8 * course.steps);
+    EXPECT_GT(course.asOne, 0.95 * course.moving);
+}
+
 TEST(BlockGroups, DrumsThatSlideByCoulombsLawAreBodiesOfTheirOwn)
 {
-    const Course course = pushed<2>(8, {0.8}, FlowRule::nonAssociative, 1.2, 0.1, 300);
-    EXPECT_GT(course.top, 0.01);
+    const Course course = pushed<2>(2, {3}, FlowRule::nonAssociative, 1.2, 0.1, 60);
+    EXPECT_GT(course.top, 0.001);
+    EXPECT_GT(course.moving, 20);
     EXPECT_EQ(course.apart, course.moving);
 }
 

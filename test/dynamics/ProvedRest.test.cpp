@@ -266,17 +266,18 @@ struct StepCounts
     long unverified = 0; ///< steps of which nothing can be said, as with everything on they are uncertain
 };
 
-/// Random walls with random effects under random motions of the ground: each step is taken with everything
-/// on, too. \param flowRule of all walls; none: random as well
+/// Random walls, or other structures, with random effects under random motions of the ground: each step is
+/// taken with everything on, too. \param flowRule of all of them; none: random as well
 template<int Dim>
-StepCounts verifyRandomWalls(int scenes, unsigned seed, std::optional<FlowRule> flowRule = {})
+StepCounts verifyRandomWalls(int scenes, unsigned seed, std::optional<FlowRule> flowRule = {},
+                             Assembly<Dim> (*structure)(std::mt19937&) = randomWalls::wall<Dim>)
 {
     constexpr double timeStepOfScenes = 0.005;
     StepCounts count;
     for (int index = 0; index < scenes; ++index)
     {
         std::mt19937 random(seed + static_cast<unsigned>(index));
-        DynamicCase<Dim> scene = randomWalls::scene<Dim>(random);
+        DynamicCase<Dim> scene = randomWalls::scene<Dim>(random, structure);
         scene.schemes.effects.selection = EffectSelection::automatic;
         if (flowRule)
         {
@@ -351,6 +352,19 @@ TEST(ProvedRest, AHundredRandomWallsMoveAsWithEverythingOnByCoulombsLaw)
     EXPECT_EQ(space.unverified, 0);
 }
 
+// By Coulomb's law blocks of the plane are held and joined in towers only.
+TEST(ProvedRest, AHundredRandomTowersMoveAsWithEverythingOnByCoulombsLaw)
+{
+    const StepCounts plane = verifyRandomWalls<2>(80, 4001, FlowRule::nonAssociative, randomWalls::towers<2>);
+    EXPECT_GT(plane.inPart, 0.1 * plane.steps);
+    EXPECT_LE(plane.unsolved, 1); // an impact with theta below 1; runs halve the step
+    EXPECT_EQ(plane.unverified, 0);
+    const StepCounts space = verifyRandomWalls<3>(20, 4501, FlowRule::nonAssociative, randomWalls::towers<3>);
+    EXPECT_GT(space.inPart, 0.1 * space.steps);
+    EXPECT_EQ(space.unsolved, 0);
+    EXPECT_EQ(space.unverified, 0);
+}
+
 // What once differed from everything on: by Coulomb's law blocks held by forces that nearly rigid points do
 // not carry, a block that slides on more points than its balance tells apart, steps that stick by forces at
 // the surface of their cones, and a structure at rest that need not be; by the associative law impacts of
@@ -386,4 +400,14 @@ TEST(NightlyProvedRest, ThousandsOfRandomWallsMoveAsWithEverythingOn)
                             + verifyRandomWalls<3>(400, 700001).unverified
                             + verifyRandomWalls<3>(400, 800001, FlowRule::nonAssociative).unverified;
     EXPECT_LE(unverified, 10); // of 112,000 steps
+}
+
+TEST(NightlyProvedRest, MoreThanAThousandRandomTowersMoveAsWithEverythingOn)
+{
+    const auto inPlane = randomWalls::towers<2>;
+    const auto inSpace = randomWalls::towers<3>;
+    const long unverified = verifyRandomWalls<2>(800, 900001, FlowRule::nonAssociative, inPlane).unverified
+                            + verifyRandomWalls<2>(300, 910001, {}, inPlane).unverified
+                            + verifyRandomWalls<3>(150, 920001, FlowRule::nonAssociative, inSpace).unverified;
+    EXPECT_LE(unverified, 5); // of 50,000 steps
 }

@@ -1,5 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Random walls of the plane and of space, with random sets of effects, for tests of what steps leave out.
+/// Random walls and towers of the plane and of space, with random sets of effects, for tests of what steps
+/// leave out.
 #pragma once
 
 #include "SceneGravity.h"
@@ -91,15 +92,48 @@ Assembly<Dim> wall(std::mt19937& random)
     return assembly;
 }
 
-/// A wall of the above under its weight, with friction of either flow rule and perhaps damping, a sine of the
-/// ground along x, in part vertical, too, and in the plane perhaps restitution, bonds or the trapezoidal
-/// rule.
+/// One tower or two apart, of one to fourteen blocks each, each block wider or narrower than the one below
+/// and perhaps beside its middle.
 template<int Dim>
-DynamicCase<Dim> scene(std::mt19937& random)
+Assembly<Dim> towers(std::mt19937& random)
+{
+    Assembly<Dim> assembly;
+    assembly.supports.push_back({"ground", "ground"});
+    const double depth = between(random, 0.2, 0.6);
+    assembly.blocks.push_back(box<Dim>(-5, 10, -1, 0, depth));
+    assembly.blocks.back().support = 0;
+    const int count = chance(random, 0.3) ? 2 : 1;
+    for (int tower = 0; tower < count; ++tower)
+    {
+        double left = 4.0 * tower;
+        double width = between(random, 0.2, 0.6);
+        double bottom = 0;
+        const int stones = std::uniform_int_distribution<int>(1, 14)(random);
+        for (int stone = 0; stone < stones; ++stone)
+        {
+            const double top = bottom + between(random, 0.1, 0.4);
+            assembly.blocks.push_back(box<Dim>(left, left + width, bottom, top, depth));
+            bottom = top;
+            if (chance(random, 0.4))
+            {
+                const double next = width * between(random, 0.75, 1.15);
+                left += (width - next) * between(random, 0.2, 0.8);
+                width = next;
+            }
+        }
+    }
+    return assembly;
+}
+
+/// A structure of the above under its weight, with friction of either flow rule and perhaps damping, a sine
+/// of the ground along x, in part vertical, too, and in the plane perhaps restitution, bonds or the
+/// trapezoidal rule.
+template<int Dim>
+DynamicCase<Dim> scene(std::mt19937& random, Assembly<Dim> (*structure)(std::mt19937&) = wall<Dim>)
 {
     constexpr double g = 9.81;
     DynamicCase<Dim> scene;
-    Assembly<Dim> assembly = wall<Dim>(random);
+    Assembly<Dim> assembly = structure(random);
     const std::vector<double> densities(assembly.blocks.size(), 2000);
     setStructure(scene, std::move(assembly), densities);
     setGravity(scene, -g * Vector<Dim>::Unit(Dim - 1));

@@ -3,6 +3,7 @@
 /// something does are not.
 #include "dynamics/StickingStep.h"
 
+#include "RandomWalls.h"
 #include "SpaceScenes.h"
 #include "dynamics/Advance.h"
 #include "dynamics/VerifiedStep.h"
@@ -119,6 +120,78 @@ TEST(StickingStep, OnlyWhereForcesThatAreNotUniqueDoNotDecide)
     other = scene;
     other.contact.friction = CoulombFriction{0.7, FlowRule::associative};
     EXPECT_FALSE(mayStick(other));
+}
+
+/// By Coulomb's law in the plane, on the ground. \param boxes left, right, bottom, top of each
+DynamicCase<2> boxesOnGround(const std::vector<std::array<double, 4>>& boxes)
+{
+    Assembly<2> assembly;
+    assembly.supports.push_back({"ground", "ground"});
+    assembly.blocks.push_back(randomWalls::box<2>(-3, 3, -1, 0, 1));
+    assembly.blocks.back().support = 0;
+    for (const auto& [left, right, bottom, top] : boxes)
+    {
+        assembly.blocks.push_back(randomWalls::box<2>(left, right, bottom, top, 1));
+    }
+    DynamicCase<2> scene;
+    const std::vector<double> densities(assembly.blocks.size(), 2000);
+    setStructure(scene, std::move(assembly), densities);
+    setGravity<2>(scene, {0, -9.81});
+    scene.contact.friction = CoulombFriction{0.7, FlowRule::nonAssociative};
+    scene.schemes.effects.selection = EffectSelection::automatic;
+    return scene;
+}
+
+bool firstStepMayStick(const DynamicCase<2>& scene)
+{
+    Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
+    Step<2> step(scene, motion, 0.002, {});
+    findContacts(step);
+    assemble(step);
+    return mayStick(step);
+}
+
+TEST(StickingStep, InThePlaneOnlyWhereForcesFollowFromTheMotion)
+{
+    EXPECT_TRUE(firstStepMayStick(boxesOnGround({{0, 1, 0, 1}, {0, 1, 1, 2}, {0.2, 0.9, 2, 3}})));
+    EXPECT_TRUE(firstStepMayStick(boxesOnGround({{0, 1, 0, 1}, {2, 3, 0, 1}})));
+    EXPECT_FALSE(firstStepMayStick(boxesOnGround({{0, 1, 0, 1}, {1, 2, 0, 1}}))); // a joint beside another
+    EXPECT_FALSE(firstStepMayStick(boxesOnGround({{0, 1, 0, 1}, {2, 3, 0, 1}, {0, 3, 1, 2}})));
+    // Against a fixed step, whose points press across those of the ground.
+    DynamicCase<2> wedged = boxesOnGround({{0, 1, 0, 1}, {1, 2, 0, 0.5}});
+    Assembly<2> assembly = wedged.assembly;
+    assembly.blocks.back().support = 0;
+    setStructure(wedged, std::move(assembly), std::vector<double>(3, 2000));
+    setGravity<2>(wedged, {0, -9.81});
+    EXPECT_FALSE(firstStepMayStick(wedged));
+}
+
+TEST(StickingStep, ATowerOfThePlaneThatRocksIsOneBody)
+{
+    DynamicCase<2> scene = boxesOnGround(
+        {{0, 0.4, 0, 0.3}, {0, 0.4, 0.3, 0.6}, {0, 0.4, 0.6, 0.9}, {0, 0.4, 0.9, 1.2}, {0, 0.4, 1.2, 1.5}});
+    DynamicState<2> state = stateAtRest(scene.assembly);
+    for (std::size_t block = 0; block < scene.free.size(); ++block)
+    {
+        if (const int body = scene.free[block]; body >= 0)
+        {
+            const Vector<2> arm = scene.blocks[block].centroid - Vector<2>(0.4, 0);
+            state.velocity.segment<3>(3 * body) << 0.2 * arm.y(), -0.2 * arm.x(), -0.2;
+        }
+    }
+    Motion<2> motion = startMotion(scene, std::move(state));
+    int asOne = 0; // once what the first step leaves of its gaps has become small
+    for (int step = 0; step < 100; ++step)
+    {
+        const Motion<2> before = motion;
+        ASSERT_TRUE(advance(scene, motion, 0.002));
+        verifyStep(scene, before, 0.002, motion);
+        asOne += !motion.bodies.empty() && simulatedBodies(motion) == 1 ? 1 : 0;
+    }
+    EXPECT_GE(asOne, 40);
+    EXPECT_EQ(motion.effectUse.sticking, 100);
+    EXPECT_EQ(motion.effectUse.verified, 100);
+    EXPECT_LE(motion.effectUse.largestDifference, scene.schemes.contactTolerance * scene.blockSize);
 }
 
 } // namespace
