@@ -28,6 +28,9 @@ constexpr double penaltyFromNearby = 1e4;
 constexpr double attainable = 1e-10;
 constexpr std::array penaltiesOfLastDigits{1e7, 1e5, 1e3, 1e9};
 
+/// A certificate beyond this, or none that is a number, is of no start.
+constexpr double astray = 1;
+
 /// Down to here the interior point is tried once more where the active set does not settle, with all digits
 /// requested: wall 6 under a record, to 1e-12.
 constexpr double lastDigits = 1e-13;
@@ -157,13 +160,15 @@ ConeSolution solveAsChosen(const ConeProgram<Rows, Forces>& program, const Solve
     }
     solution.status = SolveStatus::notConverged; // at the tolerance of the choice
     error = certifyOptimal(program, solution).worst();
+    // Where the interior point has come to nothing, from where the step begins.
+    const ConeSolution& from = certifyOptimal(program, rough).worst() <= astray ? rough : start;
     // Which penalty keeps the most digits depends on how stiff the contacts are beside the inertia.
     multipliers.maximumIterations = choice.maximumIterations;
     multipliers.stop = StopWhen::settled;
     for (const double penalty : penaltiesOfLastDigits)
     {
         multipliers.penalty = penalty;
-        if (finished(solveAugmentedLagrangian(program, rough, multipliers, kept)))
+        if (finished(solveAugmentedLagrangian(program, from, multipliers, kept)))
         {
             return solution;
         }

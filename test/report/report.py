@@ -138,7 +138,7 @@ class Report(CaseTest):
         for part in ("After 3.5 s the largest displacement of a block is", "motion_3.5.svg", "groundMotion_m_s2.svg",
                      "<td>acceleration/peakAcceleration</td>"):
             self.assertIn(part, page)
-        self.assertRegex(page, r"in these frames is 0\.\d+ m, of block \d+ at 3\.5 s")
+        self.assertRegex(page, r"in these frames is [01]\.\d+ m, of block \d+ at 3\.5 s")
         self.assertRegex(page, r"[1-9]\d* of 146 blocks are farther from their places")
         # Moments in their order.
         self.assertEqual(re.findall(r"collapse/0/motion_([\d.]+)\.svg", page), ["2.5", "3", "3.5"])

@@ -25,6 +25,9 @@ constexpr double margin = 1e-6;
 /// less, and each change adds a product to it.
 constexpr std::size_t mostChanges = 24;
 
+/// Ends of a path at which it goes on from their pieces, at most: nearly all are right then.
+constexpr int mostEnds = 4;
+
 /// Where corrections gain nothing any more, the error that may be left in overlaps, as a share of the
 /// largest.
 constexpr double asGoodAsItGets = 0.5;
@@ -140,6 +143,18 @@ void ContactPath::findForces()
         const Eigen::Vector2d trial = w.segment<2>(row);
         force.segment<2>(row) = forceOn<2>(laws[point], stateOf<2>(laws[point], trial), trial).force;
     }
+}
+
+/// The states of w.
+void ContactPath::findPieces()
+{
+    for (std::size_t point = 0; point < laws.size(); ++point)
+    {
+        const Eigen::Vector2d trial = w.segment<2>(2 * static_cast<Eigen::Index>(point));
+        states[point] = stateOf<2>(laws[point], trial);
+    }
+    findForces();
+    isFactorised = false;
 }
 
 Eigen::VectorXd ContactPath::residual() const
@@ -422,10 +437,27 @@ bool ContactPath::follow(const PlaneConeProgram& program)
     }
     gap = (program.gap.size() > 0 ? program.gap : VectorXd::Zero(2 * program.points()))
           - applyTransposed(program, start);
-    const VectorXd change = settings.stiffness * (system.closings(x) - gap) - w;
-    const VectorXd residualOfStart = residual();
-    return (isFactorised || factorise()) && walk(residualOfStart, change)
-           && (polish() || (!changes.empty() && factorise() && polish()));
+    // Where points have been far open, or have slid far, w has lost digits, and the piece that the path ends
+    // on may not be that of its solution: then the path goes on from the pieces of its end.
+    for (int round = 0; round < mostEnds; ++round)
+    {
+        const VectorXd change = settings.stiffness * (system.closings(x) - gap) - w;
+        const VectorXd residualOfStart = residual();
+        if (!(isFactorised || factorise()) || !walk(residualOfStart, change))
+        {
+            return false;
+        }
+        const VectorXd end = x;
+        const VectorXd trialAtEnd = w;
+        if (polish() || (!changes.empty() && factorise() && polish()))
+        {
+            return true;
+        }
+        x = end;
+        w = trialAtEnd;
+        findPieces();
+    }
+    return false;
 }
 
 Eigen::VectorXd ContactPath::displacement() const

@@ -78,6 +78,7 @@ private:
     SlidingLaw lawOf(int point) const;
     void begin(const VectorXd& startForce);
     void findForces();
+    void findPieces();
     VectorXd residual() const;
     bool factorise();
     VectorXd solve(const VectorXd& rows);

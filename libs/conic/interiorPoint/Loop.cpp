@@ -22,11 +22,21 @@ constexpr int mostFromInterior = 60;
 constexpr int mostShortStepsFromInterior = 6;
 constexpr double shortStep = 0.2;
 
+/// Steps shorter than so much, so many in a row, are not followed by longer ones: a force or an opening has
+/// come too near zero.
+constexpr double standstill = 1e-3;
+constexpr int mostStandstills = 4;
+
 /// Newton's step removes as much of what is missing from the balance as it is long. Steps that are nearly
 /// whole and leave more than this share of it show that the Schur system is not solved to any digit.
 constexpr double wholeStep = 0.9;
 constexpr double shareLeft = 0.5;
 constexpr int mostStalls = 5;
+
+/// Complementarity from which on iterates of steps in time are kept, and how many times more than in the last
+/// of them, and than is allowed, is missing from a balance that is lost.
+constexpr double firmUntil = 1e-9;
+constexpr double lostBalance = 30;
 
 constexpr double fullCorrection = 0.9; ///< a correction gets at least this weight when steps are long
 
@@ -148,13 +158,16 @@ bool InteriorPointLoop<Rows, Scalar>::iterate(const Centring& centring, Passed w
                                               int mostIterations, int shortStepsAllowed)
 {
     passed = {};
+    firm = {};
     stalls = 0;
+    standstills = 0;
     expected = std::numeric_limits<double>::infinity();
     primal = dual = 0;
     LongSolution longSolution;
     std::optional<Ending> ended;
     for (iteration = 0; !(ended = findEnd(whatIsPassed, mostIterations)); ++iteration)
     {
+        keepBalance();
         {
             const PhaseTimer timer(trace, Phase::factorise);
             if (!newton.factorise())
@@ -167,6 +180,12 @@ bool InteriorPointLoop<Rows, Scalar>::iterate(const Centring& centring, Passed w
         const double sigma = centre(centring);
         correctTowards(centring, sigma);
         if (std::min(primal, dual) < shortStep && --shortStepsAllowed < 0)
+        {
+            ended = Ending::shortSteps;
+            break;
+        }
+        standstills = std::max(primal, dual) < standstill ? standstills + 1 : 0;
+        if (standstills == mostStandstills)
         {
             ended = Ending::shortSteps;
             break;
@@ -227,6 +246,28 @@ std::optional<Ending> InteriorPointLoop<Rows, Scalar>::findEnd(Passed whatIsPass
         return Ending::stalled;
     }
     return iteration == mostIterations ? std::optional(Ending::tooManyIterations) : std::nullopt;
+}
+
+/// Steps in time end where D = s^2/mu of forces that press leaves no digit to the inertia beside it in the
+/// Schur system. From the last iterate that was balanced a compliance of the cones bounds D.
+template<int Rows, class Scalar>
+void InteriorPointLoop<Rows, Scalar>::keepBalance()
+{
+    if (!state.form.hasInertia() || newton.isCompliant() || state.mu > firmUntil)
+    {
+        return;
+    }
+    const double missing = state.missing();
+    if (firm.s.size() > 0 && missing > lostBalance * std::max(firmMissing, state.tolerance()))
+    {
+        state.at = std::move(firm);
+        firm = {};
+        state.measure();
+        newton.begin(regularisation<Scalar>.compliance);
+        return;
+    }
+    firm = state.at;
+    firmMissing = missing;
 }
 
 /// Forces of later iterates are too near the surface of their cones.

@@ -53,6 +53,7 @@ private:
     };
     bool iterate(const Centring& centring, Passed whatIsPassed, int mostIterations, int shortStepsAllowed);
     std::optional<Ending> findEnd(Passed whatIsPassed, int mostIterations);
+    void keepBalance();
     void measureSteps();
     bool addCorrection(double least, double largestLoss);
     double centre(const Centring& centring);
@@ -68,12 +69,15 @@ private:
     ScaledStep<Scalar> scaledCorrection;
     Vector pull;
     Iterate<Scalar> passed;
+    Iterate<Scalar> firm; ///< the last one that was balanced, while there is no compliance
+    double firmMissing = 0;
     Vector forcesOfLoad;
     Blocking blocking;
     double primal = 0;   ///< how far the forces of the step in hand may go, at most `farthestStep`
     double dual = 0;     ///< likewise its openings
     double expected = 0; ///< to be missing from the balance at most
     int stalls = 0;      ///< full steps that left the balance as it was
+    int standstills = 0; ///< steps in a row that hardly moved
     int iteration = 0;
     Ending end = Ending::tooManyIterations;
     IterationTrace* trace;

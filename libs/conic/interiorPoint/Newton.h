@@ -55,6 +55,7 @@ public:
 
     /// Forgets what pivots were raised by. \param coneCompliance as Regularisation has it
     void begin(double coneCompliance);
+    bool isCompliant() const { return compliance > 0; }
 
     /// Factorises the Schur system of the iterate. \return false where it is not definite
     bool factorise();

@@ -68,8 +68,11 @@ bool startFrom(Start from, State<Rows, Scalar>& state, NewtonSystem<Rows, Scalar
     const double zSum = sumAlongUnit(cones, at.z);
     const double sLargest = leading(Scalar(at.s.maxCoeff()));
     const double zLargest = leading(Scalar(at.z.maxCoeff()));
+    // Openings of a step in time are of order one: smaller ones, of gaps that rounding leaves, say nothing.
+    const double zLeast = state.form.hasInertia() ? 1e-2 : 0;
     addUnits(cones, std::max(zSum > 0 ? 0.5 * product / zSum : 0, 1e-2 * sLargest + 1e-2), at.s);
-    addUnits(cones, std::max(sSum > 0 ? 0.5 * product / sSum : 0, zSum > 0 ? 1e-2 * zLargest : 1.0), at.z);
+    addUnits(cones, std::max(sSum > 0 ? 0.5 * product / sSum : 0, zSum > 0 ? 1e-2 * zLargest + zLeast : 1.0),
+             at.z);
     return true;
 }
 

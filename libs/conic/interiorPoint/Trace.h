@@ -19,7 +19,7 @@ enum class Ending
     grows,       ///< the multiplier is so large that there may be no largest one
     runsOff,     ///< along a ray, or to what is no number
     stalled,     ///< full steps no longer balance the loads: for rounding, or as nothing does
-    shortSteps,  ///< from a start that was not near enough
+    shortSteps,  ///< from a start that was not near enough, or too short to go on at all
     notDefinite, ///< the Schur system, for rounding
     noStart,
     tooManyIterations
