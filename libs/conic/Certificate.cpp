@@ -167,8 +167,11 @@ Certificate certifyOptimal(const ConeProgram<Rows, Forces>& program, const ConeS
     const double lever = meanLeverArm(program);
     const Eigen::VectorXd& c = solution.contactForce;
     const Eigen::VectorXd& y = solution.displacement;
-    const Eigen::VectorXd inertial = applyInertia(program, y);
-    const Eigen::VectorXd closing = applyTransposed(program, y);
+    const bool isAtRest = y.isZero(0);
+    const Eigen::VectorXd inertial =
+        isAtRest ? Eigen::VectorXd(Eigen::VectorXd::Zero(y.size())) : applyInertia(program, y);
+    const Eigen::VectorXd closing =
+        isAtRest ? Eigen::VectorXd(Eigen::VectorXd::Zero(c.size())) : applyTransposed(program, y);
 
     Eigen::VectorXd imbalance = inertial + applyEquilibrium(program, c) - program.load;
     double forceScale = largest<Rows, Forces>(program.load, 1 / lever);

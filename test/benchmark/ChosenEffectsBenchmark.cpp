@@ -18,6 +18,7 @@
 #include "dynamics/VerifiedStep.h"
 #include "effects/GroundMotion.h"
 #include "effects/MassDamping.h"
+#include "runControl/Application.h"
 #include "statics/LimitAnalysis.h"
 #include "texture/Texture.h"
 #include "timeSeries/GroundAcceleration.h"
@@ -95,6 +96,7 @@ Run<Dim> run(const DynamicCase<Dim>& scene, double timeStep, int steps)
 template<int Dim>
 void compare(benchmark::State& state, DynamicCase<Dim> scene, double timeStep, int steps, int turns = 1)
 {
+    keepFreedMemory(); // as applications do
     for (auto _ : state)
     {
         std::array<Run<Dim>, 2> runs;
