@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace drystone
 {
@@ -27,8 +28,11 @@ constexpr int pointsToAPivot = 10;
 constexpr int manyPivots = 4;
 
 /// From forces of another kind, such as those of the interior point, the way to nearly rigid points is long
-/// and winding; by way of points that are softer by these factors it is short.
-constexpr std::array<double, 3> softening{65536, 256, 1};
+/// and winding; by way of points that are softer by these factors it is short. Where one such way does not
+/// end the other often does.
+constexpr std::array<double, 5> gentle{65536, 4096, 256, 16, 1};
+constexpr std::array<double, 4> fromFarSofter{16777216, 65536, 256, 1};
+constexpr std::array<std::span<const double>, 2> softenings{gentle, fromFarSofter};
 
 /// In powers of 4 times what stops all of a structure in one whole step, so that it stays from step to step,
 /// and from part to part, and is the same in any units. \return the stiffness with which points overlap by no
@@ -134,15 +138,15 @@ bool followFlow<2>(ThetaStep& step, const StepProgram<2>& program, const ConeSol
     ConeSolution solution = start;
     bool isReached =
         followTo(flow, solution, stiffness, few, relinearise, partOfOverlap * overlap, settings.overlaps);
-    if (!isReached)
+    for (std::size_t way = 0; !isReached && way < softenings.size(); ++way)
     {
         flow.program = program;
         solution = start;
         isReached = true;
-        for (std::size_t stage = 0; isReached && stage < softening.size(); ++stage)
+        for (std::size_t stage = 0; isReached && stage < softenings[way].size(); ++stage)
         {
-            const bool isLast = stage + 1 == softening.size();
-            isReached = followTo(flow, solution, stiffness / softening[stage], many,
+            const bool isLast = stage + 1 == softenings[way].size();
+            isReached = followTo(flow, solution, stiffness / softenings[way][stage], many,
                                  isLast ? relinearise : Relinearisation<2>{}, partOfOverlap * overlap,
                                  isLast ? settings.overlaps : Overlaps::damped);
         }
