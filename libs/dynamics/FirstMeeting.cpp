@@ -2,6 +2,7 @@
 /// The instant at which blocks meet within a step.
 #include "dynamics/FirstMeeting.h"
 
+#include "dynamics/FollowedFlow.h"
 #include "dynamics/FreeFlight.h"
 
 #include <algorithm>
@@ -47,8 +48,14 @@ Meeting firstMeeting(Step<Dim>& step, const Eigen::VectorXd& closing,
     }
             : Relinearisation<Dim>();
     Meeting meeting;
-    meeting.result = solveThetaStep(std::move(lifting), step.settings, step.guess, relinearise,
-                                    step.motion.symbolic.get());
+    StepGuess guess = step.guess;
+    if (followsFlow<Dim>(step.settings))
+    {
+        // Those without the points are followed from those with them.
+        guess.contactForce = step.solved.result.contactForce;
+    }
+    meeting.result =
+        solveThetaStep(std::move(lifting), step.settings, guess, relinearise, step.motion.symbolic.get());
     countWork(step, meeting.result.iterations, meeting.result.factorisations, meeting.result.programs);
     meeting.isSolved = meeting.result.status == SolveStatus::optimal;
     if (!meeting.isSolved)
