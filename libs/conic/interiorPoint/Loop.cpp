@@ -38,6 +38,9 @@ constexpr int mostStalls = 5;
 constexpr double firmUntil = 1e-9;
 constexpr double lostBalance = 30;
 
+/// A compliance bends the path of complementarities below this share of it.
+constexpr double bentBelow = 1e-2;
+
 constexpr double fullCorrection = 0.9; ///< a correction gets at least this weight when steps are long
 
 /// Part of the way to the boundary that is gone at least; with rays the more, the nearer the end. A round
@@ -253,7 +256,10 @@ std::optional<Ending> InteriorPointLoop<Rows, Scalar>::findEnd(Passed whatIsPass
 template<int Rows, class Scalar>
 void InteriorPointLoop<Rows, Scalar>::keepBalance()
 {
-    if (!state.form.hasInertia() || newton.isCompliant() || state.mu > firmUntil)
+    constexpr double compliance = regularisation<Scalar>.compliance;
+    const double aim = state.tolerance() * state.objectiveSize() / static_cast<double>(state.cones.degree());
+    if (!state.form.hasInertia() || newton.isCompliant() || state.mu > firmUntil
+        || !(aim > bentBelow * compliance))
     {
         return;
     }
@@ -263,7 +269,7 @@ void InteriorPointLoop<Rows, Scalar>::keepBalance()
         state.at = std::move(firm);
         firm = {};
         state.measure();
-        newton.begin(regularisation<Scalar>.compliance);
+        newton.begin(compliance);
         return;
     }
     firm = state.at;
