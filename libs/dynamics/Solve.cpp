@@ -21,9 +21,10 @@ void beginAgain(Step<Dim>& step)
 namespace
 {
 
-/// By the flow rule of the settings.
+/// By the flow rule of the settings. \param partOfGaps of the error allowed in gaps, where all blocks are
+/// solved for
 template<int Dim>
-void solveByFlowRule(Step<Dim>& step)
+void solveByFlowRule(Step<Dim>& step, double partOfGaps = 1)
 {
     StepSolution& solved = step.solved;
     if (solveAwake(step))
@@ -31,8 +32,10 @@ void solveByFlowRule(Step<Dim>& step)
         solved.isSolved = true;
         return;
     }
+    StepSettings settings = step.settings;
+    settings.contactTolerance *= partOfGaps;
     solved.result =
-        solveThetaStep(step.program, step.settings, step.guess, step.relinearise, step.motion.symbolic.get());
+        solveThetaStep(step.program, settings, step.guess, step.relinearise, step.motion.symbolic.get());
     solved.isSolved = solved.result.status == SolveStatus::optimal;
     countWork(step, solved.result.iterations, solved.result.factorisations, solved.result.programs);
 }
@@ -45,7 +48,9 @@ bool solveWithoutSliding(Step<Dim>& step)
     const double done = step.motion.work.done;
     step.settings.flowRule = FlowRule::associative;
     step.settings.contactTolerance *= partOfGapWithLess;
-    solveByFlowRule(step);
+    // Drums that a blow has parted are one body again as soon as their gaps are less than bodies may keep.
+    constexpr double partWhereBlocksMayJoin = Dim == 2 ? 0.03 : 1;
+    solveByFlowRule(step, partWhereBlocksMayJoin);
     step.settings = settings;
     if (step.solved.isSolved && sticks(step))
     {
