@@ -11,13 +11,6 @@ namespace drystone
 namespace
 {
 
-/// The columns of a point that are one body's.
-template<int Rows, int Forces>
-const Eigen::Matrix<double, Rows, Forces>& columnsOn(const ConeColumns<Rows, Forces>& columns, int body)
-{
-    return columns.first == body ? columns.onFirst : columns.onSecond;
-}
-
 /// The metric of the barrier at a force: its quadratic representation in the cone of friction, with the
 /// eigenvectors (1, mu d) and (1, -mu d), d the direction of its shear, and that across them. \param least
 /// that eigenvalues count as

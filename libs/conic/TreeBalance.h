@@ -22,6 +22,13 @@ struct TreeBranch
     int other; ///< -1: it is fixed
 };
 
+/// The columns of a point that are one body's, which is at it.
+template<int Rows, int Forces>
+const Eigen::Matrix<double, Rows, Forces>& columnsOn(const ConeColumns<Rows, Forces>& columns, int body)
+{
+    return columns.first == body ? columns.onFirst : columns.onSecond;
+}
+
 /// The pairs of bodies, from the leaves inwards. \return nothing where they close a ring, through what is
 /// fixed too, so that forces in it are not known from the loads alone
 template<int Rows, int Forces>

@@ -9,6 +9,8 @@
 #include "dynamics/GroupChoice.h"
 #include "dynamics/RestingStep.h"
 
+#include <optional>
+
 namespace drystone
 {
 namespace
@@ -104,7 +106,9 @@ HoldingForces findHoldingForces(Step<Dim>& step, const BlockGroups<Dim>& groups,
     const double tolerance = step.settings.solver.tolerance;
     const double closer = partOfTolerance * tolerance;
     const InnerBalance<Dim> inner = innerBalance(step, groups, std::move(missing));
-    const auto grounded = [&] { return withGroundInBodies(groups, inner.program); };
+    std::optional<StepProgram<Dim>> balance; // made once it is asked for
+    const auto grounded = [&]() -> const StepProgram<Dim>&
+    { return balance ? *balance : balance.emplace(withGroundInBodies(groups, inner.program)); };
     const Eigen::VectorXd near = takenFrom<Dim>(inner.points, step.guess.contactForce);
     int& factorisations = step.motion.attempt.factorisations;
     Eigen::VectorXd holding;

@@ -22,7 +22,7 @@ namespace
 {
 
 /// By the flow rule of the settings. \param partOfGaps of the error allowed in gaps, where all blocks are
-/// solved for
+/// solved for: the settings then have it, and the caller restores them
 template<int Dim>
 void solveByFlowRule(Step<Dim>& step, double partOfGaps = 1)
 {
@@ -32,10 +32,9 @@ void solveByFlowRule(Step<Dim>& step, double partOfGaps = 1)
         solved.isSolved = true;
         return;
     }
-    StepSettings settings = step.settings;
-    settings.contactTolerance *= partOfGaps;
+    step.settings.contactTolerance *= partOfGaps;
     solved.result =
-        solveThetaStep(step.program, settings, step.guess, step.relinearise, step.motion.symbolic.get());
+        solveThetaStep(step.program, step.settings, step.guess, step.relinearise, step.motion.symbolic.get());
     solved.isSolved = solved.result.status == SolveStatus::optimal;
     countWork(step, solved.result.iterations, solved.result.factorisations, solved.result.programs);
 }

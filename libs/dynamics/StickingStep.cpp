@@ -50,8 +50,7 @@ bool pressAlike(const StepProgram<Dim>& program, const std::vector<TreeBranch>& 
                            const auto normal = [&](int point) -> Vector<Dim>
                            {
                                const auto& columns = program.contacts[static_cast<std::size_t>(point)];
-                               return (columns.first == branch.body ? columns.onFirst : columns.onSecond)
-                                   .template topLeftCorner<Dim, 1>();
+                               return columnsOn(columns, branch.body).template topLeftCorner<Dim, 1>();
                            };
                            for (int point = branch.begin + 1; point < branch.end; ++point)
                            {

@@ -44,16 +44,24 @@ Block<Dim> box(double left, double right, double bottom, double top, double dept
     return block;
 }
 
+/// Nothing but the ground, below z = 0.
+template<int Dim>
+Assembly<Dim> ground(double depth)
+{
+    Assembly<Dim> assembly;
+    assembly.supports.push_back({"ground", "ground"});
+    assembly.blocks.push_back(box<Dim>(-5, 10, -1, 0, depth));
+    assembly.blocks.back().support = 0;
+    return assembly;
+}
+
 /// Two to five courses of one to four blocks each, some of them a little shorter than the one below, and
 /// perhaps a slender stack on top.
 template<int Dim>
 Assembly<Dim> wall(std::mt19937& random)
 {
-    Assembly<Dim> assembly;
-    assembly.supports.push_back({"ground", "ground"});
     const double depth = between(random, 0.2, 0.6);
-    assembly.blocks.push_back(box<Dim>(-5, 10, -1, 0, depth));
-    assembly.blocks.back().support = 0;
+    Assembly<Dim> assembly = ground<Dim>(depth);
     double left = 0;
     double right = between(random, 0.6, 2);
     double bottom = 0;
@@ -97,11 +105,8 @@ Assembly<Dim> wall(std::mt19937& random)
 template<int Dim>
 Assembly<Dim> towers(std::mt19937& random)
 {
-    Assembly<Dim> assembly;
-    assembly.supports.push_back({"ground", "ground"});
     const double depth = between(random, 0.2, 0.6);
-    assembly.blocks.push_back(box<Dim>(-5, 10, -1, 0, depth));
-    assembly.blocks.back().support = 0;
+    Assembly<Dim> assembly = ground<Dim>(depth);
     const int count = chance(random, 0.3) ? 2 : 1;
     for (int tower = 0; tower < count; ++tower)
     {

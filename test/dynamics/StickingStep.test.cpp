@@ -17,6 +17,19 @@ using namespace drystone;
 namespace
 {
 
+/// With the effects that steps call for. \param mu friction
+template<int Dim>
+DynamicCase<Dim> byCoulombsLaw(Assembly<Dim> assembly, double mu)
+{
+    DynamicCase<Dim> scene;
+    const std::vector<double> densities(assembly.blocks.size(), 2000);
+    setStructure(scene, std::move(assembly), densities);
+    setGravity<Dim>(scene, -9.81 * Vector<Dim>::Unit(Dim - 1));
+    scene.contact.friction = CoulombFriction{mu, FlowRule::nonAssociative};
+    scene.schemes.effects.selection = EffectSelection::automatic;
+    return scene;
+}
+
 /// Square drums on top of each other, on the ground. \param mu friction
 DynamicCase<3> columnOfDrums(int drums, double mu)
 {
@@ -28,13 +41,7 @@ DynamicCase<3> columnOfDrums(int drums, double mu)
         assembly.blocks.push_back(spaceScenes::boxBlock({-half, -half, 0.3 * drum},
                                                         {half, half, 0.3 * drum + 0.3}, drum < 0 ? 0 : -1));
     }
-    DynamicCase<3> scene;
-    const std::vector<double> densities(assembly.blocks.size(), 2000);
-    setStructure(scene, std::move(assembly), densities);
-    setGravity<3>(scene, {0, 0, -9.81});
-    scene.contact.friction = CoulombFriction{mu, FlowRule::nonAssociative};
-    scene.schemes.effects.selection = EffectSelection::automatic;
-    return scene;
+    return byCoulombsLaw(std::move(assembly), mu);
 }
 
 /// Velocities as of a rigid column that begins to turn about the edge of its base at x = 0.2. \param speed
@@ -125,21 +132,12 @@ TEST(StickingStep, OnlyWhereForcesThatAreNotUniqueDoNotDecide)
 /// By Coulomb's law in the plane, on the ground. \param boxes left, right, bottom, top of each
 DynamicCase<2> boxesOnGround(const std::vector<std::array<double, 4>>& boxes)
 {
-    Assembly<2> assembly;
-    assembly.supports.push_back({"ground", "ground"});
-    assembly.blocks.push_back(randomWalls::box<2>(-3, 3, -1, 0, 1));
-    assembly.blocks.back().support = 0;
+    Assembly<2> assembly = randomWalls::ground<2>(1);
     for (const auto& [left, right, bottom, top] : boxes)
     {
         assembly.blocks.push_back(randomWalls::box<2>(left, right, bottom, top, 1));
     }
-    DynamicCase<2> scene;
-    const std::vector<double> densities(assembly.blocks.size(), 2000);
-    setStructure(scene, std::move(assembly), densities);
-    setGravity<2>(scene, {0, -9.81});
-    scene.contact.friction = CoulombFriction{0.7, FlowRule::nonAssociative};
-    scene.schemes.effects.selection = EffectSelection::automatic;
-    return scene;
+    return byCoulombsLaw(std::move(assembly), 0.7);
 }
 
 bool firstStepMayStick(const DynamicCase<2>& scene)

@@ -257,9 +257,12 @@ template<int Rows, class Scalar>
 void InteriorPointLoop<Rows, Scalar>::keepBalance()
 {
     constexpr double compliance = regularisation<Scalar>.compliance;
+    if (!state.form.hasInertia() || newton.isCompliant() || state.mu > firmUntil)
+    {
+        return;
+    }
     const double aim = state.tolerance() * state.objectiveSize() / static_cast<double>(state.cones.degree());
-    if (!state.form.hasInertia() || newton.isCompliant() || state.mu > firmUntil
-        || !(aim > bentBelow * compliance))
+    if (!(aim > bentBelow * compliance))
     {
         return;
     }
