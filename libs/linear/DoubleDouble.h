@@ -156,6 +156,16 @@ inline DoubleDouble sqrt(const DoubleDouble& value)
     return doubleDouble::sum(root, rest.high * inverse / 2);
 }
 
+/// The leading double of a number of either precision.
+inline double leading(double value)
+{
+    return value;
+}
+inline double leading(const DoubleDouble& value)
+{
+    return value.high;
+}
+
 } // namespace drystone
 
 namespace Eigen

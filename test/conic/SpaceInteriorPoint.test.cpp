@@ -64,7 +64,7 @@ TEST(SecondOrderCone, ScalingTakesOpeningsToForces)
         Eigen::Vector3d z(0, normal(random), normal(random));
         s[0] = s.norm() * (1 + depth);
         z[0] = z.norm() * (1 + depth);
-        const NesterovToddScaling W = nesterovToddScaling(s, z);
+        const NesterovToddScaling<double> W = nesterovToddScaling(s, z);
         EXPECT_LE((W.W.apply(W.W.apply(z)) - s).norm(), 1e-13 / depth * s.norm());
         EXPECT_LE((W.squared(0).apply(z) - s).norm(), 1e-13 / depth * s.norm());
         EXPECT_LE((W.inverse.apply(s) - W.lambda).norm(), 1e-13 / depth * W.lambda.norm());
@@ -72,6 +72,73 @@ TEST(SecondOrderCone, ScalingTakesOpeningsToForces)
         EXPECT_NEAR(s.dot(z), W.lambda.squaredNorm(), 1e-13 / depth * s.dot(z));
         EXPECT_LE((jordanProduct(s, jordanDivide(s, determinant(s), z)) - z).norm(),
                   1e-13 / depth * z.norm());
+    }
+}
+
+/// A number of one that FourDoubles.h takes together, in the pack of a round cone.
+template<class Number>
+double ofRound(const Number& numbers, Eigen::Index round)
+{
+    return oneOf(numbers, static_cast<int>(round % countOf<Number>));
+}
+
+TEST(ConeProduct, RoundConesTakenFourAtATimeAreThoseTakenOneByOne)
+{
+    std::mt19937 random(6);
+    std::normal_distribution<double> normal;
+    for (Eigen::Index rounds = 1; rounds <= 11; ++rounds)
+    {
+        const ConeRanges cones{rounds % 3, rounds};
+        const auto vectors = [&](double depth)
+        {
+            Eigen::VectorXd x = unitOf<double>(cones);
+            for (Eigen::Index round = 0; round < rounds; ++round)
+            {
+                Eigen::Vector3d part(0, normal(random), normal(random));
+                part.tail<2>() *= round == 3 ? 0 : 1; // one along its axis
+                part[0] = part.norm() * (1 + depth) + (round == 3 ? 1 : 0);
+                x.segment<3>(cones.at(round)) = part;
+            }
+            return x;
+        };
+        const Eigen::VectorXd s = vectors(1e-6);
+        const Eigen::VectorXd z = vectors(0.5);
+        const Eigen::VectorXd ds = vectors(-2);
+        const Eigen::VectorXd dz = vectors(-0.9);
+        ConeScaling<double> scaling;
+        ASSERT_TRUE(scaling.update(cones, s, z, 1e-9));
+        ScaledStep<double> scaled;
+        scaling.scale(cones, ds, dz, scaled);
+        Eigen::VectorXd weighted = ds;
+        scaling.weights.apply(weighted);
+        Eigen::VectorXd added = z;
+        scaling.weights.addApplied(ds, added);
+        double steepest = cones.rays > 0 ? -1 : 0; // of rays from 1 by 1
+        double smallest = cones.rays > 0 ? 1 : std::numeric_limits<double>::infinity();
+        for (Eigen::Index round = 0; round < rounds; ++round)
+        {
+            const Eigen::Index at = cones.at(round);
+            const auto pack = static_cast<std::size_t>(round / countOf<FourDoubles>);
+            const ConeVector<double> force = s.segment<3>(at);
+            const ConeVector<double> opening = z.segment<3>(at);
+            const NesterovToddScaling<double> alone = nesterovToddScaling(force, opening);
+            const ConeVector<double> step = alone.inverse.apply(ds.segment<3>(at));
+            const FramedMatrix<double> D = alone.squared(1e-9);
+            const auto i = static_cast<std::size_t>(round);
+            for (int axis = 0; axis < 3; ++axis)
+            {
+                EXPECT_EQ(ofRound(scaling.rounds[pack].lambda[axis], round), alone.lambda[axis]);
+                EXPECT_EQ(ofRound(scaled.forces[pack][axis], round), step[axis]);
+                EXPECT_EQ(scaling.weights.rounds[i].eigenvalues[axis], D.eigenvalues[axis]);
+            }
+            EXPECT_EQ(weighted.segment<3>(at), D.apply(ds.segment<3>(at)));
+            EXPECT_EQ(added.segment<3>(at), opening + D.apply(ds.segment<3>(at)));
+            steepest =
+                std::max(steepest, steepness(coneFrameOf(alone.lambda, alone.determinant), step).steepest());
+            smallest = std::min(smallest, smallerEigenvalue(force));
+        }
+        EXPECT_EQ(steepestOf(cones, unitOf<double>(cones), ds, scaling.frames, scaled.forces), steepest);
+        EXPECT_EQ(smallestEigenvalue(cones, s), smallest);
     }
 }
 

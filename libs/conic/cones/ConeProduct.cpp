@@ -1,27 +1,25 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "conic/cones/ConeProduct.h"
 
-#include "linear/DoubleDouble.h"
-
 namespace drystone
 {
 namespace
 {
 
-double asDouble(double value)
-{
-    return value;
-}
-double asDouble(const DoubleDouble& value)
-{
-    return value.high;
-}
-
 template<class Scalar>
 bool isFinite(const FramedMatrix<Scalar>& matrix)
 {
-    return std::isfinite(asDouble(matrix.eigenvalues[0])) && std::isfinite(asDouble(matrix.eigenvalues[1]))
-           && std::isfinite(asDouble(matrix.eigenvalues[2]));
+    return std::isfinite(leading(matrix.eigenvalues[0])) && std::isfinite(leading(matrix.eigenvalues[1]))
+           && std::isfinite(leading(matrix.eigenvalues[2]));
+}
+
+/// One of the matrices of a pack.
+template<class Scalar, class Number>
+FramedMatrix<Scalar> oneOf(const FramedMatrix<Number>& pack, int one)
+{
+    return {
+        {oneOf(pack.direction[0], one), oneOf(pack.direction[1], one)},
+        {oneOf(pack.eigenvalues[0], one), oneOf(pack.eigenvalues[1], one), oneOf(pack.eigenvalues[2], one)}};
 }
 
 } // namespace
@@ -38,11 +36,16 @@ template<class Scalar>
 double smallestEigenvalue(const ConeRanges& cones, const VectorOf<Scalar>& x)
 {
     double smallest =
-        cones.rays > 0 ? asDouble(x.head(cones.rays).minCoeff()) : std::numeric_limits<double>::infinity();
-    for (Eigen::Index round = 0; round < cones.rounds; ++round)
+        cones.rays > 0 ? leading(x.head(cones.rays).minCoeff()) : std::numeric_limits<double>::infinity();
+    using Number = Abreast<Scalar>;
+    for (Eigen::Index round = 0; round < cones.rounds; round += countOf<Number>)
     {
-        const ConeVector<Scalar> part = x.template segment<3>(cones.at(round));
-        smallest = std::min(smallest, asDouble(smallerEigenvalue(part)));
+        const int count = static_cast<int>(std::min<Eigen::Index>(countOf<Number>, cones.rounds - round));
+        const Number ofPack = smallerEigenvalue(taken(x, cones.at(round), count));
+        for (int one = 0; one < count; ++one)
+        {
+            smallest = std::min(smallest, leading(oneOf(ofPack, one)));
+        }
     }
     return cones.degree() > 0 ? smallest : 0;
 }
@@ -65,7 +68,7 @@ double sumAlongUnit(const ConeRanges& cones, const VectorOf<Scalar>& x)
     {
         sum += x[cones.at(round)];
     }
-    return asDouble(sum);
+    return leading(sum);
 }
 
 template<class Scalar>
@@ -93,9 +96,8 @@ void addWithin(const ConeRanges& cones, const VectorOf<Scalar>& change, VectorOf
     {
         const Eigen::Index at = cones.at(round);
         const Eigen::Vector3d from = x.template segment<3>(at).template cast<double>();
-        const double steepest = steepness(coneFrameOf(from, determinant(from)),
-                                          change.template segment<3>(at).template cast<double>())
-                                    .steepest();
+        const Eigen::Vector3d by = change.template segment<3>(at).template cast<double>();
+        const double steepest = steepness(coneFrameOf(from, determinant(from)), by).steepest();
         x.template segment<3>(at) +=
             Scalar(1 / std::max(1.0, steepest / (1 - part))) * change.template segment<3>(at);
     }
@@ -120,16 +122,21 @@ void reflectInside(const ConeRanges& cones, double reflection, VectorOf<Scalar>&
     }
 }
 
+template<class Number>
 double steepestOf(const ConeRanges& cones, const Eigen::VectorXd& x, const Eigen::VectorXd& dx,
-                  const std::vector<ConeFrame>& frames, const Eigen::VectorXd& scaled)
+                  const std::vector<ConeFrame<Number>>& frames, const std::vector<ConeVector<Number>>& scaled)
 {
     // Largest -dx/x of the rays, found without a branch so that it vectorises.
     double steepest =
         cones.rays > 0 ? (-dx.head(cones.rays).array() / x.head(cones.rays).array()).maxCoeff() : 0;
-    for (std::size_t round = 0; round < frames.size(); ++round)
+    Number ofRounds = steepest;
+    for (std::size_t pack = 0; pack < frames.size(); ++pack)
     {
-        const auto at = static_cast<Eigen::Index>(3 * round);
-        steepest = std::max(steepest, steepness(frames[round], scaled.segment<3>(at)).steepest());
+        ofRounds = larger(ofRounds, steepness(frames[pack], scaled[pack]).steepest());
+    }
+    for (int one = 0; one < countOf<Number>; ++one)
+    {
+        steepest = std::max(steepest, oneOf(ofRounds, one));
     }
     return steepest;
 }
@@ -142,44 +149,70 @@ bool ConeScaling<Scalar>::update(const ConeRanges& cones, const VectorOf<Scalar>
     const auto rayOpenings = z.head(cones.rays);
     flexibility = (rayOpenings + Scalar(rho) * rayForces).cwiseInverse();
     weights.rays = rayForces.cwiseProduct(flexibility);
-    rounds.resize(static_cast<std::size_t>(cones.rounds));
-    weights.rounds.resize(rounds.size());
-    pulls.resize(rounds.size());
-    frames.resize(rounds.size());
-    bool finite = true;
-    for (std::size_t round = 0; round < rounds.size(); ++round)
-    {
-        const Eigen::Index at = cones.at(static_cast<Eigen::Index>(round));
-        const ConeVector<Scalar> force = s.template segment<3>(at);
-        const ConeVector<Scalar> opening = z.template segment<3>(at);
-        rounds[round] = nesterovToddScaling(force, opening);
-        weights.rounds[round] = rounds[round].squared(Scalar(rho));
-        pulls[round] = weights.rounds[round];
-        pulls[round].eigenvalues.array() *= rounds[round].inverse.eigenvalues.array();
-        frames[round] =
-            coneFrameOf(rounds[round].lambda.template cast<double>(), asDouble(rounds[round].determinant));
-        finite = finite && isFinite(weights.rounds[round]);
-    }
-    return finite;
+    using Number = Abreast<Scalar>;
+    const auto packs = static_cast<std::size_t>((cones.rounds + countOf<Number> - 1) / countOf<Number>);
+    rounds.resize(packs);
+    pulls.resize(packs);
+    frames.resize(packs);
+    weights.rounds.resize(static_cast<std::size_t>(cones.rounds));
+    forPacks<Number>(
+        cones.rounds,
+        [&](const Pack& pack)
+        {
+            const Eigen::Index at = cones.at(pack.round);
+            NesterovToddScaling<Number>& scaling = rounds[pack.number];
+            scaling = nesterovToddScaling(taken(s, at, pack.count), taken(z, at, pack.count));
+            pulls[pack.number] = scaling.squared(Number(rho));
+            for (int one = 0; one < pack.count; ++one)
+            {
+                weights.rounds[static_cast<std::size_t>(pack.round + one)] =
+                    oneOf<Scalar>(pulls[pack.number], one);
+            }
+            pulls[pack.number].eigenvalues.array() *= scaling.inverse.eigenvalues.array();
+            frames[pack.number] = coneFrameOf<AbreastInDoubles<Scalar>>(
+                {leading(scaling.lambda[0]), leading(scaling.lambda[1]), leading(scaling.lambda[2])},
+                leading(scaling.determinant));
+        });
+    return std::all_of(weights.rounds.begin(), weights.rounds.end(), isFinite<Scalar>);
 }
 
 template<class Scalar>
 void ConeScaling<Scalar>::scale(const ConeRanges& cones, const VectorOf<Scalar>& ds,
                                 const VectorOf<Scalar>& dz, ScaledStep<Scalar>& scaled) const
 {
-    scaled.forces.resize(3 * cones.rounds);
-    scaled.openings.resize(3 * cones.rounds);
-    for (std::size_t round = 0; round < rounds.size(); ++round)
+    scaled.forces.resize(rounds.size());
+    scaled.openings.resize(rounds.size());
+    forPacks<Abreast<Scalar>>(cones.rounds,
+                              [&](const Pack& pack)
+                              {
+                                  const Eigen::Index at = cones.at(pack.round);
+                                  scaled.forces[pack.number] =
+                                      rounds[pack.number].inverse.apply(taken(ds, at, pack.count));
+                                  scaled.openings[pack.number] =
+                                      rounds[pack.number].W.apply(taken(dz, at, pack.count));
+                              });
+}
+
+template<class Scalar>
+void ScaledStep<Scalar>::add(const ScaledStep& correction, double ofForces, double ofOpenings)
+{
+    using Number = Abreast<Scalar>;
+    for (std::size_t pack = 0; pack < forces.size(); ++pack)
     {
-        const auto to = static_cast<Eigen::Index>(3 * round);
-        const Eigen::Index from = cones.rays + to;
-        scaled.forces.template segment<3>(to) = rounds[round].inverse.apply(ds.template segment<3>(from));
-        scaled.openings.template segment<3>(to) = rounds[round].W.apply(dz.template segment<3>(from));
+        forces[pack] += Number(ofForces) * correction.forces[pack];
+        openings[pack] += Number(ofOpenings) * correction.openings[pack];
     }
 }
 
 template struct ConeScaling<double>;
 template struct ConeScaling<DoubleDouble>;
+template struct ScaledStep<double>;
+template struct ScaledStep<DoubleDouble>;
+template double steepestOf(const ConeRanges&, const Eigen::VectorXd&, const Eigen::VectorXd&,
+                           const std::vector<ConeFrame<FourDoubles>>&,
+                           const std::vector<ConeVector<FourDoubles>>&);
+template double steepestOf(const ConeRanges&, const Eigen::VectorXd&, const Eigen::VectorXd&,
+                           const std::vector<ConeFrame<double>>&, const std::vector<ConeVector<double>>&);
 template VectorOf<double> unitOf<double>(const ConeRanges&);
 template VectorOf<DoubleDouble> unitOf<DoubleDouble>(const ConeRanges&);
 template double smallestEigenvalue(const ConeRanges&, const VectorOf<double>&);

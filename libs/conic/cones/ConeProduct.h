@@ -16,6 +16,13 @@ namespace drystone
 template<class Scalar>
 using VectorOf = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
 
+/// What round cones of a vector of such numbers are reckoned with in: four at once where they are doubles.
+template<class Scalar>
+using Abreast = std::conditional_t<std::is_same_v<Scalar, double>, FourDoubles, Scalar>;
+/// Likewise where the leading doubles do.
+template<class Scalar>
+using AbreastInDoubles = std::decay_t<decltype(leading(std::declval<Abreast<Scalar>>()))>;
+
 struct ConeRanges
 {
     Eigen::Index rays = 0;
@@ -25,6 +32,86 @@ struct ConeRanges
     Eigen::Index degree() const { return rays + rounds; }   ///< e'e: what complementarity is the mean of
     Eigen::Index at(Eigen::Index round) const { return rays + 3 * round; } ///< first entry of a round cone
 };
+
+/// Round cones that are reckoned with at once.
+struct Pack
+{
+    std::size_t number;
+    Eigen::Index round; ///< the first
+    int count;
+};
+
+/// Carries out `function(pack)` for each, on several threads where there are many.
+template<class Number, class Function>
+void forPacks(Eigen::Index rounds, const Function& function)
+{
+    constexpr int most = countOf<Number>;
+    forParts((rounds + most - 1) / most,
+             [&](long begin, long end)
+             {
+                 for (long pack = begin; pack < end; ++pack)
+                 {
+                     function(Pack{static_cast<std::size_t>(pack), most * pack,
+                                   static_cast<int>(std::min<Eigen::Index>(most, rounds - most * pack))});
+                 }
+             });
+}
+
+/// The numbers of a pack in x, which begin at `first`; e for cones that it is short of.
+template<class Scalar>
+ConeVector<Abreast<Scalar>> taken(const VectorOf<Scalar>& x, Eigen::Index first, int count)
+{
+    using Number = Abreast<Scalar>;
+    const auto from = [](const Scalar* at) -> ConeVector<Number>
+    {
+        return {Gathered<Number>::from(at, 3), Gathered<Number>::from(at + 1, 3),
+                Gathered<Number>::from(at + 2, 3)};
+    };
+    if (count == countOf<Number>)
+    {
+        return from(x.data() + first);
+    }
+    Eigen::Matrix<Scalar, 3, countOf<Number>> filled;
+    filled.colwise() = ConeVector<Scalar>(Scalar(1), Scalar(0), Scalar(0));
+    filled.leftCols(count).reshaped() = x.segment(first, 3 * count);
+    return from(filled.data());
+}
+
+/// Likewise matrices; that of e for cones that the pack is short of.
+template<class Scalar>
+FramedMatrix<Abreast<Scalar>> taken(const std::vector<FramedMatrix<Scalar>>& all, const Pack& pack)
+{
+    using Number = Abreast<Scalar>;
+    const auto from = [](const FramedMatrix<Scalar>* first) -> FramedMatrix<Number>
+    {
+        constexpr int apart = sizeof(FramedMatrix<Scalar>) / sizeof(Scalar);
+        const auto number = [](const Scalar& ofFirst)
+        { return Number(Gathered<Number>::from(&ofFirst, apart)); };
+        return {
+            {number(first->direction[0]), number(first->direction[1])},
+            {number(first->eigenvalues[0]), number(first->eigenvalues[1]), number(first->eigenvalues[2])}};
+    };
+    const FramedMatrix<Scalar>* first = all.data() + pack.round;
+    if (pack.count == countOf<Number>)
+    {
+        return from(first);
+    }
+    std::array<FramedMatrix<Scalar>, countOf<Number>> filled;
+    std::copy_n(first, pack.count, filled.begin());
+    return from(filled.data());
+}
+
+template<class Scalar>
+void put(const ConeVector<Abreast<Scalar>>& pack, Eigen::Index first, int count, VectorOf<Scalar>& x)
+{
+    Scalar* to = x.data() + first;
+    for (int one = 0; one < countOf<Abreast<Scalar>> && one < count; ++one, to += 3)
+    {
+        to[0] = oneOf(pack[0], one);
+        to[1] = oneOf(pack[1], one);
+        to[2] = oneOf(pack[2], one);
+    }
+}
 
 /// D of the Schur system: one weight a ray, one symmetric matrix a round cone.
 template<class Scalar>
@@ -38,12 +125,8 @@ struct ConeWeights
     {
         forParts(rays.size(), [&](long begin, long end)
                  { x.segment(begin, end - begin).array() *= rays.segment(begin, end - begin).array(); });
-        forRounds(
-            [&](std::size_t round, Eigen::Index at)
-            {
-                auto part = x.template segment<3>(at);
-                part = rounds[round].apply(part);
-            });
+        forRounds([&](const FramedMatrix<Abreast<Scalar>>& D, Eigen::Index at, int count)
+                  { put(D.apply(taken(x, at, count)), at, count, x); });
     }
 
     /// x += D v.
@@ -56,24 +139,19 @@ struct ConeWeights
                      x.segment(begin, count) +=
                          rays.segment(begin, count).cwiseProduct(v.segment(begin, count));
                  });
-        forRounds([&](std::size_t round, Eigen::Index at)
-                  { x.template segment<3>(at) += rounds[round].apply(v.template segment<3>(at)); });
+        forRounds([&](const FramedMatrix<Abreast<Scalar>>& D, Eigen::Index at, int count)
+                  { put<Scalar>(taken(x, at, count) + D.apply(taken(v, at, count)), at, count, x); });
     }
 
 private:
-    /// \param function of the number of a round cone and where its numbers begin
+    /// \param function of the matrices of a pack, where its numbers begin, and how many cones it has
     template<class Function>
     void forRounds(const Function& function) const
     {
-        const Eigen::Index first = rays.size();
-        forParts(static_cast<long>(rounds.size()),
-                 [&](long begin, long end)
-                 {
-                     for (long round = begin; round < end; ++round)
-                     {
-                         function(static_cast<std::size_t>(round), first + 3 * round);
-                     }
-                 });
+        forPacks<Abreast<Scalar>>(static_cast<Eigen::Index>(rounds.size()),
+                                  [&](const Pack& pack) {
+                                      function(taken(rounds, pack), rays.size() + 3 * pack.round, pack.count);
+                                  });
     }
 };
 
@@ -113,8 +191,11 @@ void reflectInside(const ConeRanges& cones, double reflection, VectorOf<Scalar>&
 template<class Scalar>
 struct ScaledStep
 {
-    VectorOf<Scalar> forces; ///< three a round cone
-    VectorOf<Scalar> openings;
+    std::vector<ConeVector<Abreast<Scalar>>> forces; ///< one a pack
+    std::vector<ConeVector<Abreast<Scalar>>> openings;
+
+    /// Adds a correction, with a weight for either.
+    void add(const ScaledStep& correction, double ofForces, double ofOpenings);
 };
 
 /// The weights at an iterate, D = (W^-2 + rho)^-1 with W z = W^-1 s, and what products are answered with.
@@ -122,10 +203,10 @@ template<class Scalar>
 struct ConeScaling
 {
     ConeWeights<Scalar> weights;
-    VectorOf<Scalar> flexibility; ///< of rays, 1 / (z + rho s): D = s times that
-    std::vector<NesterovToddScaling<Scalar>> rounds;
-    std::vector<FramedMatrix<Scalar>> pulls; ///< D W^-1 of the round cones
-    std::vector<ConeFrame> frames;           ///< of their lambda
+    VectorOf<Scalar> flexibility;                             ///< of rays, 1 / (z + rho s): D = s times that
+    std::vector<NesterovToddScaling<Abreast<Scalar>>> rounds; ///< one a pack
+    std::vector<FramedMatrix<Abreast<Scalar>>> pulls;         ///< D W^-1 of these
+    std::vector<ConeFrame<AbreastInDoubles<Scalar>>> frames;  ///< of their lambda
 
     /// \return whether all of it is finite
     bool update(const ConeRanges& cones, const VectorOf<Scalar>& s, const VectorOf<Scalar>& z, double rho);
@@ -136,7 +217,9 @@ struct ConeScaling
 
 /// How the cones limit steps: the largest, over all of them, of the inverse of the longest step, which is 0
 /// where none limits it. \param x, dx of which the rays are looked at \param scaled of the round cones
+template<class Number>
 double steepestOf(const ConeRanges& cones, const Eigen::VectorXd& x, const Eigen::VectorXd& dx,
-                  const std::vector<ConeFrame>& frames, const Eigen::VectorXd& scaled);
+                  const std::vector<ConeFrame<Number>>& frames,
+                  const std::vector<ConeVector<Number>>& scaled);
 
 } // namespace drystone

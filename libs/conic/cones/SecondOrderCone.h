@@ -1,12 +1,14 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// The second-order cone K = {x : x0 >= |(x1 x2)|} of three dimensions: its Jordan algebra, the scaling of
 /// Nesterov and Todd, and the projection onto it, in numbers of either precision. Round friction cones are
-/// scaled to it; nothing here knows of friction.
+/// scaled to it; nothing here knows of friction. Numbers may be four (FourDoubles.h), of as many cones.
 ///
 /// Every x has a frame, the eigenvectors (1, d)/2 and (1, -d)/2 with the unit vector d along (x1 x2), and
 /// the eigenvalues x0 + |(x1 x2)| and x0 - |(x1 x2)|, both >= 0 in the cone. Products are x o y =
 /// (x'y, x0 (y1 y2) + y0 (x1 x2)) with the unit e = (1 0 0) (Alizadeh & Goldfarb 2003).
 #pragma once
+
+#include "linear/FourDoubles.h"
 
 #include <Eigen/Core>
 
@@ -24,8 +26,9 @@ using ConeVector = Eigen::Matrix<Scalar, 3, 1>;
 template<class Scalar>
 Eigen::Matrix<Scalar, 2, 1> directionOf(const ConeVector<Scalar>& x, const Scalar& radius)
 {
-    return radius > Scalar(0) ? Eigen::Matrix<Scalar, 2, 1>(x.template tail<2>() / radius)
-                              : Eigen::Matrix<Scalar, 2, 1>(Scalar(1), Scalar(0));
+    const auto isLong = radius > Scalar(0);
+    return {choose(isLong, Scalar(x[1] / radius), Scalar(1)),
+            choose(isLong, Scalar(x[2] / radius), Scalar(0))};
 }
 
 /// The smaller eigenvalue: how far x is inside (or, negative, outside) the cone.
@@ -177,8 +180,7 @@ NesterovToddScaling<Scalar> nesterovToddScaling(const ConeVector<Scalar>& s, con
     const Scalar gamma = sqrt(Scalar(0.5) * (1 + product / (rootS * rootZ)));
     const Scalar length = tail.norm();
     const Scalar radius = length / (2 * gamma);
-    scaling.W.direction = length > Scalar(0) ? Eigen::Matrix<Scalar, 2, 1>(tail / length)
-                                             : Eigen::Matrix<Scalar, 2, 1>(Scalar(1), Scalar(0));
+    scaling.W.direction = directionOf(ConeVector<Scalar>(Scalar(0), tail[0], tail[1]), length);
     const Scalar spread = sqrt(1 + radius * radius) + radius;
     const Scalar eta = sqrt(rootS / rootZ);
     scaling.W.eigenvalues = {eta * spread, eta / spread, eta};
@@ -190,41 +192,47 @@ NesterovToddScaling<Scalar> nesterovToddScaling(const ConeVector<Scalar>& s, con
 
 /// The frame of a vector x inside the cone, for steps from it: along it P, the automorphism that takes x to
 /// e, divides by the eigenvalues of x, and across it by the root of their product.
+template<class Number>
 struct ConeFrame
 {
-    Eigen::Vector2d direction;
-    double inverseLarger;
-    double inverseSmaller;
-    double inverseRoot;
+    Eigen::Matrix<Number, 2, 1> direction;
+    Number inverseLarger;
+    Number inverseSmaller;
+    Number inverseRoot;
 };
 
-inline ConeFrame coneFrameOf(const Eigen::Vector3d& x, double determinantOfX)
+template<class Number>
+ConeFrame<Number> coneFrameOf(const ConeVector<Number>& x, const Number& determinantOfX)
 {
-    const double radius = x.tail<2>().norm();
-    const double larger = x[0] + radius;
-    return {directionOf(x, radius), 1 / larger, larger / determinantOfX, 1 / std::sqrt(determinantOfX)};
+    using std::sqrt;
+    const Number radius = x.template tail<2>().norm();
+    const Number larger = x[0] + radius;
+    return {directionOf(x, radius), 1 / larger, larger / determinantOfX, 1 / sqrt(determinantOfX)};
 }
 
 /// P dx in coordinates along the eigenvectors and across them. Linear in dx.
+template<class Number>
 struct ConeSteepness
 {
-    double plus;
-    double minus;
-    double across;
+    Number plus;
+    Number minus;
+    Number across;
 
     /// The inverse of the longest step from x along dx: the largest eigenvalue of -P dx, so that it is
     /// negative where nothing limits the step.
-    double steepest() const
+    Number steepest() const
     {
-        const double half = 0.5 * (plus - minus);
-        return std::sqrt(half * half + across * across) - 0.5 * (plus + minus);
+        using std::sqrt;
+        const Number half = 0.5 * (plus - minus);
+        return sqrt(half * half + across * across) - 0.5 * (plus + minus);
     }
 };
 
-inline ConeSteepness steepness(const ConeFrame& frame, const Eigen::Vector3d& dx)
+template<class Number>
+ConeSteepness<Number> steepness(const ConeFrame<Number>& frame, const ConeVector<Number>& dx)
 {
-    const double along = frame.direction[0] * dx[1] + frame.direction[1] * dx[2];
-    const double across = frame.direction[0] * dx[2] - frame.direction[1] * dx[1];
+    const Number along = frame.direction[0] * dx[1] + frame.direction[1] * dx[2];
+    const Number across = frame.direction[0] * dx[2] - frame.direction[1] * dx[1];
     return {(dx[0] + along) * frame.inverseLarger, (dx[0] - along) * frame.inverseSmaller,
             across * frame.inverseRoot};
 }

@@ -39,15 +39,14 @@ RowsOf<Rows, Scalar> onFirst(const ColumnOf<Rows, Scalar>& column)
 template<int Rows, class Scalar>
 RowsOf<Rows, Scalar> onSecond(const ColumnOf<Rows, Scalar>& column)
 {
-    if constexpr (Rows == 3) // at once: parts written one by one are slow to read back as a whole
+    // At once: parts written one by one are slow to read back as a whole.
+    if constexpr (Rows == 3)
     {
         return {-column[0], -column[1], column[3]};
     }
     else
     {
-        RowsOf<Rows, Scalar> rows;
-        rows << -column.template head<Form<Rows>::forces>(), column.template tail<Form<Rows>::moments>();
-        return rows;
+        return {-column[0], -column[1], -column[2], column[6], column[7], column[8]};
     }
 }
 
@@ -63,12 +62,15 @@ ColumnOf<Rows, Scalar> closingOf(const typename Form<Rows>::Group& group, const 
     }
     else
     {
-        constexpr int forces = Form<Rows>::forces;
-        constexpr int moments = Form<Rows>::moments;
-        ColumnOf<Rows, Scalar> closing;
-        closing << first.template head<forces>() - second.template head<forces>(),
-            first.template tail<moments>(), second.template tail<moments>();
-        return closing;
+        return {first[0] - second[0],
+                first[1] - second[1],
+                first[2] - second[2],
+                first[3],
+                first[4],
+                first[5],
+                second[3],
+                second[4],
+                second[5]};
     }
 }
 

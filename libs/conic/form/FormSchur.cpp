@@ -109,11 +109,9 @@ ProductsOf<Rows, Scalar> productsOf(const Form<Rows>& form, const typename Form<
         const FramedMatrix<Scalar>& framed = d.rounds[static_cast<std::size_t>(round)];
         const Eigen::Matrix<Scalar, Form<Rows>::columnSize, 3> columns =
             form.rounds[static_cast<std::size_t>(round)].template cast<Scalar>().lazyProduct(framed.frame());
-        for (int axis = 0; axis < 3; ++axis)
-        {
-            products.noalias() +=
-                (framed.eigenvalues[axis] * columns.col(axis)).lazyProduct(columns.col(axis).transpose());
-        }
+        const Eigen::Matrix<Scalar, Form<Rows>::columnSize, 3> weighted =
+            columns * framed.eigenvalues.asDiagonal();
+        products.noalias() += weighted.lazyProduct(columns.transpose());
     }
     return products;
 }

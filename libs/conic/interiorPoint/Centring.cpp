@@ -32,29 +32,31 @@ auto answerOfProducts(const Part& s, const Part& z, const Part& ds, const Part& 
 /// Likewise for a round cone, by the eigenvectors of its scaling: with ds and dz scaled, both from lambda, of
 /// which the first component stands for all, and with p = D / (2 (D + 1)), which is s / (2 (s + z)) on a ray.
 /// \return c divided by what products answer
-template<class Scalar>
-ConeVector<Scalar> dividedByAnswer(const NesterovToddScaling<Scalar>& scaling, const ConeVector<Scalar>& ds,
-                                   const ConeVector<Scalar>& dz, double primal, double dual,
-                                   const ConeVector<Scalar>& c)
+template<class Number>
+ConeVector<Number> dividedByAnswer(const NesterovToddScaling<Number>& scaling, const ConeVector<Number>& ds,
+                                   const ConeVector<Number>& dz, double primal, double dual,
+                                   const ConeVector<Number>& c)
 {
+    using std::sqrt;
+    using Real = std::decay_t<decltype(leading(c[0]))>;
     constexpr double least = 0.2;
     const auto& direction = scaling.W.direction;
-    const double lambda = leading(scaling.lambda[0]);
-    const double force = leading(ds[0]);
-    const double opening = leading(dz[0]);
-    const double forceAlong = leading(Scalar(direction[0] * ds[1] + direction[1] * ds[2]));
-    const double openingAlong = leading(Scalar(direction[0] * dz[1] + direction[1] * dz[2]));
-    FramedMatrix<Scalar> divided;
+    const Real lambda = leading(scaling.lambda[0]);
+    const Real force = leading(ds[0]);
+    const Real opening = leading(dz[0]);
+    const Real forceAlong = leading(Number(direction[0] * ds[1] + direction[1] * ds[2]));
+    const Real openingAlong = leading(Number(direction[0] * dz[1] + direction[1] * dz[2]));
+    FramedMatrix<Number> divided;
     divided.direction = direction;
     for (int axis = 0; axis < 3; ++axis)
     {
         const double side = axis == 0 ? 1 : axis == 1 ? -1 : 0;
-        const double root = leading(scaling.W.eigenvalues[axis]);
-        const double leverage = 0.5 * root * root / (root * root + 1);
-        const double atForce = std::max(0.0, 1 + primal * (force + side * forceAlong) / lambda);
-        const double atOpening = std::max(0.0, 1 + dual * (opening + side * openingAlong) / lambda);
-        const double answer = (1 - leverage) * atOpening + leverage * atForce;
-        divided.eigenvalues[axis] = Scalar(1 / std::sqrt(std::max(least, answer)));
+        const Real root = leading(scaling.W.eigenvalues[axis]);
+        const Real leverage = 0.5 * root * root / (root * root + 1);
+        const Real atForce = larger<Real>(1 + primal * (force + side * forceAlong) / lambda, 0);
+        const Real atOpening = larger<Real>(1 + dual * (opening + side * openingAlong) / lambda, 0);
+        const Real answer = (1 - leverage) * atOpening + leverage * atForce;
+        divided.eigenvalues[axis] = Number(1 / sqrt(larger<Real>(answer, least)));
     }
     return divided.apply(c);
 }
@@ -79,9 +81,10 @@ void pullRays(const State<Rows, double>& state, const ConeScaling<double>& scali
 }
 
 /// The change that brings a product into the box, no further down than the largest aim.
-double intoBox(double product, double least, double largest)
+template<class Number>
+Number intoBox(const Number& product, double least, double largest)
 {
-    return std::max(least - product, std::max(std::min(largest - product, 0.0), -largest));
+    return larger<Number>(least - product, larger<Number>(smaller<Number>(largest - product, 0), -largest));
 }
 
 } // namespace
@@ -105,17 +108,19 @@ VectorOf<Scalar> mehrotraPull(const State<Rows, Scalar>& state, const ConeScalin
         pull.head(rays).array() = (Scalar(aim) - step.s.head(rays).array() * step.z.head(rays).array())
                                   * scaling.flexibility.array();
     }
-    for (std::size_t round = 0; round < scaling.rounds.size(); ++round)
-    {
-        const auto at = static_cast<Eigen::Index>(3 * round);
-        ConeVector<Scalar> c = -jordanProduct<Scalar>(scaled.forces.template segment<3>(at),
-                                                      scaled.openings.template segment<3>(at));
-        c[0] += Scalar(aim);
-        c = dividedByAnswer<Scalar>(scaling.rounds[round], scaled.forces.template segment<3>(at),
-                                    scaled.openings.template segment<3>(at), 1, 1, c);
-        pull.template segment<3>(rays + at) = scaling.pulls[round].apply(
-            jordanDivide(scaling.rounds[round].lambda, scaling.rounds[round].determinant, c));
-    }
+    using Number = Abreast<Scalar>;
+    forPacks<Number>(cones.rounds,
+                     [&](const Pack& pack)
+                     {
+                         const NesterovToddScaling<Number>& of = scaling.rounds[pack.number];
+                         const ConeVector<Number>& ds = scaled.forces[pack.number];
+                         const ConeVector<Number>& dz = scaled.openings[pack.number];
+                         ConeVector<Number> c = -jordanProduct<Number>(ds, dz);
+                         c[0] += Number(aim);
+                         c = dividedByAnswer<Number>(of, ds, dz, 1, 1, c);
+                         put(scaling.pulls[pack.number].apply(jordanDivide(of.lambda, of.determinant, c)),
+                             cones.at(pack.round), pack.count, pull);
+                     });
     return pull;
 }
 
@@ -148,21 +153,23 @@ VectorOf<Scalar> gondzioPull(const State<Rows, Scalar>& state, const ConeScaling
             pull[ray] = Scalar(intoBox(leading(product), least, largest)) * scaling.flexibility[ray];
         }
     }
-    for (std::size_t round = 0; round < scaling.rounds.size(); ++round)
-    {
-        const auto at = static_cast<Eigen::Index>(3 * round);
-        const ConeVector<Scalar>& lambda = scaling.rounds[round].lambda;
-        const ConeVector<Scalar> product =
-            jordanProduct<Scalar>(lambda + Scalar(primal) * scaled.forces.template segment<3>(at),
-                                  lambda + Scalar(dual) * scaled.openings.template segment<3>(at));
-        const ConeVector<Scalar> asked = onEigenvalues(
-            product, [&](const Scalar& value) { return Scalar(intoBox(leading(value), least, largest)); });
-        const ConeVector<Scalar> c =
-            dividedByAnswer<Scalar>(scaling.rounds[round], scaled.forces.template segment<3>(at),
-                                    scaled.openings.template segment<3>(at), primal, dual, asked);
-        pull.template segment<3>(rays + at) =
-            scaling.pulls[round].apply(jordanDivide(lambda, scaling.rounds[round].determinant, c));
-    }
+    using Number = Abreast<Scalar>;
+    forPacks<Number>(cones.rounds,
+                     [&](const Pack& pack)
+                     {
+                         const NesterovToddScaling<Number>& of = scaling.rounds[pack.number];
+                         const ConeVector<Number>& ds = scaled.forces[pack.number];
+                         const ConeVector<Number>& dz = scaled.openings[pack.number];
+                         const ConeVector<Number> product = jordanProduct<Number>(
+                             of.lambda + Number(primal) * ds, of.lambda + Number(dual) * dz);
+                         const ConeVector<Number> asked =
+                             onEigenvalues(product, [&](const Number& value)
+                                           { return Number(intoBox(leading(value), least, largest)); });
+                         const ConeVector<Number> c =
+                             dividedByAnswer<Number>(of, ds, dz, primal, dual, asked);
+                         put(scaling.pulls[pack.number].apply(jordanDivide(of.lambda, of.determinant, c)),
+                             cones.at(pack.round), pack.count, pull);
+                     });
     return pull;
 }
 

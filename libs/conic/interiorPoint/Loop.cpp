@@ -294,11 +294,12 @@ template<int Rows, class Scalar>
 void InteriorPointLoop<Rows, Scalar>::measureSteps()
 {
     newton.scaling.scale(state.cones, step.s, step.z, scaledStep);
-    const std::vector<ConeFrame>& frames = newton.scaling.frames;
+    using Step = StepOfCones<AbreastInDoubles<Scalar>>;
+    const auto& frames = newton.scaling.frames;
     primal = stepToBoundary(state.cones, frames,
-                            {asDoubles(state.at.s), asDoubles(step.s), asDoubles(scaledStep.forces)});
+                            Step{asDoubles(state.at.s), asDoubles(step.s), asDoubles(scaledStep.forces)});
     dual = stepToBoundary(state.cones, frames,
-                          {asDoubles(state.at.z), asDoubles(step.z), asDoubles(scaledStep.openings)});
+                          Step{asDoubles(state.at.z), asDoubles(step.z), asDoubles(scaledStep.openings)});
     if (state.form.hasInertia())
     {
         primal = dual = std::min(primal, dual); // y stands in the balance too
@@ -356,12 +357,13 @@ template<int Rows, class Scalar>
 bool InteriorPointLoop<Rows, Scalar>::addCorrection(double least, double largestLoss)
 {
     newton.scaling.scale(state.cones, correction.s, correction.z, scaledCorrection);
+    using Step = StepOfCones<AbreastInDoubles<Scalar>>;
     const auto collect =
-        [&](const Vector& x, const Vector& dx, const Vector& scaled, const Vector& c, const Vector& scaledC)
+        [&](const Vector& x, const Vector& dx, const auto& scaled, const Vector& c, const auto& scaledC)
     {
         const auto& from = asDoubles(x);
-        blocking.collect(state.cones, newton.scaling.frames, {from, asDoubles(dx), asDoubles(scaled)},
-                         {from, asDoubles(c), asDoubles(scaledC)}, least);
+        blocking.collect(state.cones, newton.scaling.frames, Step{from, asDoubles(dx), asDoubles(scaled)},
+                         Step{from, asDoubles(c), asDoubles(scaledC)}, least);
     };
     blocking.clear();
     collect(state.at.s, step.s, scaledStep.forces, correction.s, scaledCorrection.forces);
@@ -392,8 +394,7 @@ bool InteriorPointLoop<Rows, Scalar>::addCorrection(double least, double largest
              });
     step.alpha += Scalar(forces.weight) * correction.alpha;
     step.y += Scalar(openings.weight) * correction.y;
-    scaledStep.forces += Scalar(forces.weight) * scaledCorrection.forces;
-    scaledStep.openings += Scalar(openings.weight) * scaledCorrection.openings;
+    scaledStep.add(scaledCorrection, forces.weight, openings.weight);
     primal = forces.step;
     dual = openings.step;
     return true;

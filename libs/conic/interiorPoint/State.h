@@ -31,16 +31,6 @@ struct Residuals
     Scalar work = 0;          ///< w - L'y
 };
 
-/// The leading double of a number of either precision.
-inline double leading(double value)
-{
-    return value;
-}
-inline double leading(const DoubleDouble& value)
-{
-    return value.high;
-}
-
 /// Largest |entry|.
 template<class Scalar>
 double largestOf(const VectorOf<Scalar>& values)
@@ -56,6 +46,20 @@ inline const Eigen::VectorXd& asDoubles(const Eigen::VectorXd& values)
 inline Eigen::VectorXd asDoubles(const VectorOf<DoubleDouble>& values)
 {
     return values.cast<double>();
+}
+inline const std::vector<ConeVector<FourDoubles>>& asDoubles(const std::vector<ConeVector<FourDoubles>>& of)
+{
+    return of;
+}
+inline std::vector<ConeVector<double>> asDoubles(const std::vector<ConeVector<DoubleDouble>>& of)
+{
+    std::vector<ConeVector<double>> doubles;
+    doubles.reserve(of.size());
+    for (const ConeVector<DoubleDouble>& one : of)
+    {
+        doubles.push_back(one.cast<double>());
+    }
+    return doubles;
 }
 
 /// What a form gives, in numbers of either precision: doubles are not copied.

@@ -3,18 +3,16 @@
 
 #include "core/Threads.h"
 
+#include <array>
+
 namespace drystone
 {
 
-double stepToBoundary(const ConeRanges& cones, const std::vector<ConeFrame>& frames, const StepOfCones& step)
+template<class Number>
+Number Blocking::Round<Number>::at(const Number& weight) const
 {
-    return 1 / std::max(steepestOf(cones, step.x, step.dx, frames, step.scaled), 1 / farthestStep);
-}
-
-double Blocking::Round::at(double weight) const
-{
-    return ConeSteepness{offset.plus + weight * slope.plus, offset.minus + weight * slope.minus,
-                         offset.across + weight * slope.across}
+    return ConeSteepness<Number>{offset.plus + weight * slope.plus, offset.minus + weight * slope.minus,
+                                 offset.across + weight * slope.across}
         .steepest();
 }
 
@@ -25,12 +23,9 @@ void Blocking::clear()
     rounds.clear();
 }
 
-void Blocking::collectRays(const StepOfCones& step, const StepOfCones& correction, double least,
-                           Eigen::Index begin, Eigen::Index end, Found& found)
+void Blocking::collectRays(const Eigen::VectorXd& x, const Eigen::VectorXd& dx, const Eigen::VectorXd& c,
+                           double least, Eigen::Index begin, Eigen::Index end, Found& found)
 {
-    const Eigen::VectorXd& x = step.x;
-    const Eigen::VectorXd& dx = step.dx;
-    const Eigen::VectorXd& c = correction.dx;
     const auto add = [&](double offset, double slope)
     {
         const double one = offset + slope;
@@ -63,12 +58,13 @@ void Blocking::collectRays(const StepOfCones& step, const StepOfCones& correctio
     }
 }
 
-void Blocking::collect(const ConeRanges& cones, const std::vector<ConeFrame>& frames, const StepOfCones& step,
-                       const StepOfCones& correction, double least)
+template<class Number>
+void Blocking::collect(const ConeRanges& cones, const std::vector<ConeFrame<Number>>& frames,
+                       const StepOfCones<Number>& step, const StepOfCones<Number>& correction, double least)
 {
     if (partsOf(cones.rays) == 1)
     {
-        collectRays(step, correction, least, 0, cones.rays, found);
+        collectRays(step.x, step.dx, correction.dx, least, 0, cones.rays, found);
     }
     else
     {
@@ -80,7 +76,7 @@ void Blocking::collect(const ConeRanges& cones, const std::vector<ConeFrame>& fr
                      Found& part = parts[static_cast<std::size_t>(begin / entriesOfTask)];
                      part.lines.clear();
                      part.floor = found.floor;
-                     collectRays(step, correction, least, begin, end, part);
+                     collectRays(step.x, step.dx, correction.dx, least, begin, end, part);
                  });
         for (const Found& part : parts)
         {
@@ -88,38 +84,71 @@ void Blocking::collect(const ConeRanges& cones, const std::vector<ConeFrame>& fr
             found.floor = std::max(found.floor, part.floor);
         }
     }
-    for (std::size_t round = 0; round < frames.size(); ++round)
+    for (std::size_t pack = 0; pack < frames.size(); ++pack)
     {
-        const auto at = static_cast<Eigen::Index>(3 * round);
-        const Round line{steepness(frames[round], step.scaled.segment<3>(at)),
-                         steepness(frames[round], correction.scaled.segment<3>(at))};
+        const Round<Number> of{steepness(frames[pack], step.scaled[pack]),
+                               steepness(frames[pack], correction.scaled[pack])};
         // Convex: nowhere between above both ends.
-        if (std::max(line.at(1), line.at(least)) > found.floor)
+        const Number most = larger(of.at(1), of.at(least));
+        for (int one = 0; one < countOf<Number>; ++one)
         {
-            rounds.push_back(line);
+            if (oneOf(most, one) > found.floor)
+            {
+                const auto here = [one](const ConeSteepness<Number>& all) -> ConeSteepness<double> {
+                    return {oneOf(all.plus, one), oneOf(all.minus, one), oneOf(all.across, one)};
+                };
+                rounds.push_back({here(of.offset), here(of.slope)});
+            }
         }
     }
 }
 
+template void Blocking::collect(const ConeRanges&, const std::vector<ConeFrame<FourDoubles>>&,
+                                const StepOfCones<FourDoubles>&, const StepOfCones<FourDoubles>&, double);
+template void Blocking::collect(const ConeRanges&, const std::vector<ConeFrame<double>>&,
+                                const StepOfCones<double>&, const StepOfCones<double>&, double);
+
 Weight Blocking::best(double least) const
 {
+    // Four weights at a time, from 1 down.
     constexpr int intervals = 12;
+    constexpr int packs = intervals / countOf<FourDoubles> + 1;
+    std::array<FourDoubles, packs> weights;
+    std::array<FourDoubles, packs> steepest;
+    for (int pack = 0; pack < packs; ++pack)
+    {
+        const FourDoubles interval = FourDoubles(0, 1, 2, 3) + countOf<FourDoubles> * pack;
+        weights[pack] = 1 - (1 - least) * interval / intervals;
+        steepest[pack] = 1 / farthestStep;
+    }
+    const auto limit = [&](const auto& steepnessAt)
+    {
+        for (int pack = 0; pack < packs; ++pack)
+        {
+            steepest[pack] = larger(steepest[pack], steepnessAt(weights[pack]));
+        }
+    };
+    for (const Line& line : found.lines)
+    {
+        limit([&line](const FourDoubles& weight) { return line.offset + weight * line.slope; });
+    }
+    for (const Round<double>& round : rounds)
+    {
+        const auto all = [](const ConeSteepness<double>& one) -> ConeSteepness<FourDoubles> {
+            return {one.plus, one.minus, one.across};
+        };
+        const Round<FourDoubles> copies{all(round.offset), all(round.slope)};
+        limit([&copies](const FourDoubles& weight) { return copies.at(weight); });
+    }
     Weight best;
     for (int interval = 0; interval <= intervals; ++interval)
     {
-        const double weight = 1 - (1 - least) * interval / intervals;
-        double steepest = 1 / farthestStep;
-        for (const Line& line : found.lines)
+        const int pack = interval / countOf<FourDoubles>;
+        const int one = interval % countOf<FourDoubles>;
+        const double step = 1 / steepest[pack][one];
+        if (step > best.step * (1 + 1e-9))
         {
-            steepest = std::max(steepest, line.offset + weight * line.slope);
-        }
-        for (const Round& round : rounds)
-        {
-            steepest = std::max(steepest, round.at(weight));
-        }
-        if (1 / steepest > best.step * (1 + 1e-9))
-        {
-            best = {weight, 1 / steepest};
+            best = {weights[pack][one], step};
         }
     }
     return best;

@@ -13,15 +13,21 @@ namespace drystone
 constexpr double farthestStep = 1.02;
 
 /// A step from x as the cones see it: dx of the rays, and of the round cones from lambda, scaled.
+template<class Number>
 struct StepOfCones
 {
     const Eigen::VectorXd& x;
     const Eigen::VectorXd& dx;
-    const Eigen::VectorXd& scaled;
+    const std::vector<ConeVector<Number>>& scaled;
 };
 
 /// Largest step, at most `farthestStep`, that stays in the cones. \param frames of the round cones' lambda
-double stepToBoundary(const ConeRanges& cones, const std::vector<ConeFrame>& frames, const StepOfCones& step);
+template<class Number>
+double stepToBoundary(const ConeRanges& cones, const std::vector<ConeFrame<Number>>& frames,
+                      const StepOfCones<Number>& step)
+{
+    return 1 / std::max(steepestOf(cones, step.x, step.dx, frames, step.scaled), 1 / farthestStep);
+}
 
 /// How much of a correction is added to a step, and how far the sum may go.
 struct Weight
@@ -38,8 +44,9 @@ public:
     void clear();
 
     /// Adds those of one vector, forces or openings. \param correction c, likewise from x
-    void collect(const ConeRanges& cones, const std::vector<ConeFrame>& frames, const StepOfCones& step,
-                 const StepOfCones& correction, double least);
+    template<class Number>
+    void collect(const ConeRanges& cones, const std::vector<ConeFrame<Number>>& frames,
+                 const StepOfCones<Number>& step, const StepOfCones<Number>& correction, double least);
 
     /// The weight from `least` to 1 that allows the longest step, and the largest of those that do. It is
     /// looked for among a few: to the last digit it is not worth more.
@@ -53,11 +60,12 @@ private:
         double slope;
     };
     /// Likewise of a round cone, which allows the inverse of a convex function of w.
+    template<class Number>
     struct Round
     {
-        ConeSteepness offset;
-        ConeSteepness slope;
-        double at(double weight) const;
+        ConeSteepness<Number> offset;
+        ConeSteepness<Number> slope;
+        Number at(const Number& weight) const;
     };
 
     /// Those found among some rays, and the floor below which the steepest of all is nowhere.
@@ -66,12 +74,12 @@ private:
         std::vector<Line> lines;
         double floor;
     };
-    static void collectRays(const StepOfCones& step, const StepOfCones& correction, double least,
-                            Eigen::Index begin, Eigen::Index end, Found& found);
+    static void collectRays(const Eigen::VectorXd& x, const Eigen::VectorXd& dx, const Eigen::VectorXd& c,
+                            double least, Eigen::Index begin, Eigen::Index end, Found& found);
 
     Found found;
     std::vector<Found> parts; ///< of `found`, where there are many rays
-    std::vector<Round> rounds;
+    std::vector<Round<double>> rounds;
 };
 
 } // namespace drystone
