@@ -5,6 +5,8 @@
 #include "assembly/Assembly.h"
 #include "geometry/space/Frame.h"
 
+#include <Eigen/Geometry>
+
 namespace drystone
 {
 
@@ -34,6 +36,7 @@ struct ContactPoint
     Vector<Dim> normal = Vector<Dim>::Zero();   ///< unit vector from `neighbour` into `block`
     double gap = 0;                             ///< distance along the normal, negative when overlapping [m]
     ContactFeature feature;                     ///< filled in by MovingContacts
+    Vector<Dim> tangent1 = Vector<Dim>::Zero(); ///< in space, filled in by MovingContacts
 };
 
 /// Direction of positive shear on `block`: the normal turned by -90 degrees.
@@ -50,11 +53,19 @@ inline Eigen::Matrix2d contactFrame(const ContactPoint<2>& point)
     return frame;
 }
 
-/// Directions of a contact force in space, columns normal, tangent1, tangent2, by the normal alone (see
-/// frameOf): tangent1 is horizontal, and x where the normal is vertical.
+/// Directions of a contact force in space, columns normal, tangent1, tangent2. Of a structure as built by the
+/// normal alone (see frameOf): tangent1 is horizontal, and x where the normal is vertical. From there on they
+/// turn with the block of the face: found from the normal again they would jump where it leaves the vertical,
+/// and with them the force that a point keeps from step to step, and within one.
 inline Eigen::Matrix3d contactFrame(const ContactPoint<3>& point)
 {
-    return frameOf(point.normal);
+    if (point.tangent1.isZero(0))
+    {
+        return frameOf(point.normal);
+    }
+    Eigen::Matrix3d frame;
+    frame << point.normal, point.tangent1, point.normal.cross(point.tangent1);
+    return frame;
 }
 
 /// Contact points of the structure as built. In the plane: for each pair of blocks whose outlines share a

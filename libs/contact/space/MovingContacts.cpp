@@ -118,6 +118,7 @@ MovingContacts<3>::MovingContacts(const Assembly<3>& structure, const MovingCont
         pair.faceBlock = isOfNeighbour ? point.block : point.neighbour;
         pair.corner = point.position;
         pair.outward = isOfNeighbour ? Vector<3>(-point.normal) : point.normal;
+        pair.shear = contactFrame(point).col(1);
         const Polyhedron& shape = shapeOf(pair.faceBlock);
         for (const int vertex : faceUnder(shape, point.position, pair.outward))
         {
@@ -170,6 +171,7 @@ ContactPoint<3> MovingContacts<3>::pointAt(const std::vector<Placement<3>>& plac
     point.position = pair.corner + cornerMoves;
     point.gap = outward.dot(cornerMoves - faceMoves);
     point.normal = pair.cornerBlock == point.block ? outward : Vector<3>(-outward);
+    point.tangent1 = pair.shear + swingOfFace(pair.shear);
     return point;
 }
 

@@ -47,6 +47,7 @@ private:
         int faceBlock = -1;
         Vector<3> corner;               ///< [m]
         Vector<3> outward;              ///< normal of the face
+        Vector<3> shear;                ///< tangent1 of the point
         std::vector<Vector<3>> outline; ///< of the face [m]
     };
     const Pair& pairOf(const ContactPoint<3>& point) const
