@@ -5,7 +5,6 @@
 
 #include "core/Log.h"
 #include "core/Signals.h"
-#include "runControl/Case.h"
 
 #include <algorithm>
 #include <cmath>
@@ -127,20 +126,38 @@ Time::Time(const fs::path& caseDirectory, ControlDict presence)
     dictionary = Dictionary::readFileIfPresent(file);
     settings = readControls(dictionary, presence);
 
-    begin = settings.startTime;
-    const std::vector<TimeDirectory> times = timeDirectories(caseDirectory);
-    if (!times.empty() && settings.startFrom == StartFrom::firstTime)
-    {
-        begin = times.front().time;
-    }
-    if (!times.empty() && settings.startFrom == StartFrom::latestTime)
-    {
-        begin = times.back().time;
-    }
+    findStart(timeDirectories(caseDirectory));
     now = origin = beginning = begin;
     step = settings.deltaT;
     namePrecision = settings.timePrecision;
     startOutput();
+}
+
+void Time::findStart(const std::vector<TimeDirectory>& times)
+{
+    begin = settings.startTime;
+    startDirectory = timeName(begin, settings.timeFormat, settings.timePrecision);
+    if (times.empty())
+    {
+        return;
+    }
+    // A time is given with as many digits as one likes; more than one directory may have a name that begins
+    // so.
+    const auto named = [this](const TimeDirectory& one)
+    { return timeName(one.time, settings.timeFormat, settings.timePrecision) == startDirectory; };
+    const auto nearest =
+        std::min_element(times.begin(), times.end(),
+                         [this](const TimeDirectory& one, const TimeDirectory& other)
+                         { return std::abs(one.time - begin) < std::abs(other.time - begin); });
+    const TimeDirectory* const start = settings.startFrom == StartFrom::firstTime    ? &times.front()
+                                       : settings.startFrom == StartFrom::latestTime ? &times.back()
+                                       : named(*nearest)                             ? &*nearest
+                                                                                     : nullptr;
+    if (start)
+    {
+        begin = start->time;
+        startDirectory = start->name;
+    }
 }
 
 Time::Time(const TimeControls& controls, const TimeState& from)
@@ -149,6 +166,7 @@ Time::Time(const TimeControls& controls, const TimeState& from)
     settings.runTimeModifiable = false;
     namePrecision = largestPrecision; // no name is too short, so that there is nothing to tell
     resume(from);
+    startDirectory = timeName(begin, settings.timeFormat, namePrecision);
 }
 
 void Time::startOutput()

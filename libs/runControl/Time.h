@@ -12,6 +12,7 @@
 ///     return time.exitStatus();
 #pragma once
 
+#include "runControl/Case.h"
 #include "runControl/OutputControl.h"
 #include "runControl/PictureFormats.h"
 
@@ -146,7 +147,8 @@ public:
     /// Name of the current time's directory. Its digits are increased where the precision requested would
     /// give two steps the same name.
     std::string name() const { return timeName(now, settings.timeFormat, namePrecision); }
-    std::string startName() const { return timeName(begin, settings.timeFormat, namePrecision); }
+    /// Name of the directory that the run starts from, which a run before may have given more digits.
+    std::string startName() const { return startDirectory; }
 
     /// Continue as a run that was never interrupted. To be called before the first step with what `state`
     /// was when the state was written; a deltaT that controlDict has changed since is taken from there.
@@ -190,6 +192,7 @@ public:
     double progress() const;
 
 private:
+    void findStart(const std::vector<TimeDirectory>& times);
     bool reread();
     void startOutput();
     void sharpenName();
@@ -204,6 +207,7 @@ private:
     OutputControl output;
 
     double begin = 0;
+    std::string startDirectory;
     double beginning = 0; ///< see TimeState
     double now = 0;
     double step = 0;     ///< of the steps to come

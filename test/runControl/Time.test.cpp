@@ -175,6 +175,25 @@ TEST_F(TimeCase, StartsWhereItIsTold)
     EXPECT_EQ(Time(directory, ControlDict::required).startName(), "0.5");
 }
 
+// A run that tells its steps apart with more digits than timePrecision leaves such directories.
+TEST_F(TimeCase, StartsFromADirectoryWithMoreDigitsThanTimePrecision)
+{
+    for (const char* name : {"0", "1.201", "1.208571"})
+    {
+        fs::create_directories(directory / name);
+    }
+    const std::string rest = "endTime 2; deltaT 0.1;";
+    control("startFrom latestTime;" + rest);
+    EXPECT_EQ(Time(directory, ControlDict::required).startName(), "1.208571");
+    EXPECT_EQ(Time(directory, ControlDict::required).startValue(), 1.208571);
+    control("startFrom startTime; startTime 1.20857;" + rest); // timePrecision 6
+    EXPECT_EQ(Time(directory, ControlDict::required).startName(), "1.208571");
+    control("startFrom startTime; startTime 1.2086;" + rest);
+    EXPECT_EQ(Time(directory, ControlDict::required).startName(), "1.2086");
+    control("startFrom startTime; startTime 1.2; timePrecision 2;" + rest);
+    EXPECT_EQ(Time(directory, ControlDict::required).startName(), "1.201"); // the nearest of two
+}
+
 TEST_F(TimeCase, ContinuesBitForBit)
 {
     // 0.1 has no end in binary: a clock that is set anew at a restart would round otherwise.
