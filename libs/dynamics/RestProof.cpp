@@ -267,8 +267,8 @@ Eigen::VectorXd forcesAtRest(RestProof<Dim>& proof, const Eigen::VectorXd& load,
         }
         const int direction = static_cast<int>(factors[k] > 0 ? k + 1 : -k - 1);
         const double most = carriedOf(proof, {direction}).factor;
-        const double share = most > 0 ? std::abs(factors[k]) / most : 1;
-        if (share > 1 - margin)
+        const double share = std::abs(factors[k]) / most;
+        if (!(share <= 1 - margin)) // nothing is carried: not a number, or infinite
         {
             return {};
         }
@@ -292,9 +292,9 @@ Eigen::VectorXd forcesAtRest(RestProof<Dim>& proof, const Eigen::VectorXd& load,
         std::sort(sorted.begin(), sorted.end(), [](int a, int b) { return std::abs(a) < std::abs(b); });
         const auto& carried = carriedOf(proof, sorted);
         // Of one direction the multiplier is s_k itself; of several it is that of the sum of s_k L_k.
-        const double share = key.size() == 1 ? weight : (carried.factor > 0 ? weight / carried.factor : 1);
+        const double share = key.size() == 1 ? weight : weight / carried.factor;
         used += share;
-        if (used > 1 - margin)
+        if (!(used <= 1 - margin))
         {
             return {};
         }

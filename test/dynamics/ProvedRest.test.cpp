@@ -135,6 +135,23 @@ TEST(ProvedRest, AboveTheMultiplierTheWallMovesAsWithEverythingOn)
     }
 }
 
+// Nothing is carried in a direction in which a block without friction is free, with no margin either.
+TEST(ProvedRest, WithoutFrictionAPushedBlockSlidesWhateverTheMargin)
+{
+    for (const double margin : {0.0, 0.05})
+    {
+        Assembly<2> assembly = ground(-1, 2);
+        assembly.blocks.push_back(rectangle(0, 0, 1, 1));
+        DynamicCase<2> scene = sceneOf(assembly, {.mu = 0, .flowRule = FlowRule::associative});
+        scene.schemes.effects.selection = EffectSelection::automatic;
+        scene.schemes.effects.margin = margin;
+        shake(scene, std::make_shared<ConstantAcceleration>(3));
+        Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
+        ASSERT_TRUE(advance(scene, motion, timeStep));
+        EXPECT_NEAR(motion.state.velocity[0], -3 * timeStep, 1e-9);
+    }
+}
+
 TEST(ProvedRest, AsGivenKnowsNoProofs)
 {
     DynamicCase<2> scene = paperWall();
