@@ -10,7 +10,7 @@ namespace
 {
 
 /// A block is in free flight when its contacts carry no more than this part of its loads.
-constexpr double flightForce = 1e-9;
+constexpr double flightForce = 1e-3;
 
 } // namespace
 

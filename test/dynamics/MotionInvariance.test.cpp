@@ -63,6 +63,31 @@ TEST(FreeFlight, AnAssemblyThatCollidesKeepsItsMomentum)
     }
 }
 
+// Between blocks that fly side by side a joint carries what the tolerance of the solver leaves: no contact.
+TEST(FreeFlight, BlocksThatFlyBesideEachOtherFlyAsOneAlone)
+{
+    for (const SolverType solver : {SolverType::automatic, SolverType::interiorPoint})
+    {
+        Assembly<2> assembly = scenes::ground(-1, 2);
+        assembly.blocks.push_back(scenes::rectangle(0, 0, 0.4, 0.2));
+        assembly.blocks.push_back(scenes::rectangle(0.4, 0, 0.4, 0.2));
+        const DynamicCase<2> scene = scenes::sceneOf(
+            assembly, {.mu = 0.4, .restitution = 0.6, .tolerance = 1e-9, .solver = solver, .density = 2000});
+        DynamicState<2> start = stateAtRest(scene.assembly);
+        start.velocity << 0, 0.8, 0, 0, 0.8, 0;
+        Motion<2> motion = startMotion(scene, start);
+        for (int step = 0; step < 24; ++step)
+        {
+            ASSERT_TRUE(advance(scene, motion, 0.005));
+        }
+        for (const std::size_t block : {1u, 2u})
+        {
+            EXPECT_NEAR(motion.state.placements[block].translation.y(), 0.8 * 0.12 - 0.5 * g * 0.12 * 0.12,
+                        1e-9);
+        }
+    }
+}
+
 /// A leaning tower that falls on the ground and its blocks on each other. \param scale of lengths
 Assembly<2> tower(double scale, double side)
 {
