@@ -103,6 +103,7 @@ public:
 private:
     void addUpEnergy();
     void takeStart();
+    bool followInstead();
     bool solve(const Eigen::VectorXd& share, FlowRule flowRule, ImpactOutcome& outcome);
     std::vector<char> whichGain(const ImpactOutcome& outcome) const;
     ImpactOutcome withoutGain(std::vector<char> missing);
@@ -147,6 +148,17 @@ void ImpactSearch<Dim>::takeStart()
                 problem.stepForce->template segment<Dim>(Dim * static_cast<Eigen::Index>(problem.meeting[i]));
         }
     }
+}
+
+/// Where programs do not lead to Coulomb's law the law of points that give way often does. \return whether it
+/// is another way
+template<int Dim>
+bool ImpactSearch<Dim>::followInstead()
+{
+    const bool isOther = !isFollowed;
+    isFollowed = true;
+    instant.overlaps = Overlaps::closed;
+    return isOther;
 }
 
 /// The impact with a share of the restitution for each group. \return whether it is solved
@@ -251,7 +263,9 @@ ImpactOutcome ImpactSearch<Dim>::refined(const std::vector<char>& gains, ImpactO
 template<int Dim>
 bool ImpactSearch<Dim>::find(ImpactOutcome& chosen)
 {
-    if (!solve(Eigen::VectorXd::Ones(groups.count), FlowRule::nonAssociative, chosen))
+    const Eigen::VectorXd all = Eigen::VectorXd::Ones(groups.count);
+    if (!solve(all, FlowRule::nonAssociative, chosen)
+        && !(followInstead() && solve(all, FlowRule::nonAssociative, chosen)))
     {
         return false;
     }

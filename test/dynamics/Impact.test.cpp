@@ -3,6 +3,7 @@
 #include "Scenes.h"
 
 #include "dynamics/Impact.h"
+#include "texture/Texture.h"
 
 #include <gtest/gtest.h>
 
@@ -66,6 +67,22 @@ TEST(Impact, ABlockThatStrikesObliquelyWithFullRestitutionGainsNoEnergy)
         start.velocity << -2, -1, 6;
         EXPECT_LT(largestGain(scene, start, timeStep, 1), 1e-10) << "step " << timeStep << " s";
     }
+}
+
+// Programs in turn do not lead to Coulomb's law here; the forces of points that give way do.
+TEST(Impact, TheLowestCourseThrownFromUnderAWallIsSolved)
+{
+    const DynamicCase<2> scene = scenes::sceneOf(
+        makeStructure(Dictionary::readString(
+            "dimensions 2; texture { type courses; unit (0.4 0.2); thickness 0.3;"
+            " rows ((0.5 1 0.5) (1 -0.5 1) (-0.75 1 1)); } supports { ground { type ground; } }")),
+        {.theta = 0.5, .mu = 1.2, .flowRule = FlowRule::associative, .tolerance = 1e-9, .density = 2000});
+    DynamicState<2> start = stateAtRest(scene.assembly);
+    for (int block = 0; block < 3; ++block)
+    {
+        start.velocity.segment<3>(3 * block) << 0.603653, 0.0911534, -1.59109;
+    }
+    EXPECT_LT(largestGain(scene, start, 0.005, 0.05), 1e-3);
 }
 
 TEST(Impact, FortyThrowsGainNoEnergy)
