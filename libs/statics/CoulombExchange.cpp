@@ -23,6 +23,64 @@ constexpr double smallestChange = 1e-3;
 /// Of the forces that keep points from moving, whose weights in the objective are at most 1.
 constexpr double widestBound = 1e4;
 
+/// The mechanisms that forces allow by Coulomb's law, L'y = 1, as the multipliers of a program; its load, the
+/// objective, is for others to say. Every component of A'y that is restricted is a point with a normal force
+/// alone: one that must not close, or one that must not move, which a force between wide bounds prevents.
+template<int Rows, int Forces>
+ConeProgram<Rows, Forces> ratesProgram(const ConeProgram<Rows, Forces>& given, const VectorXd& forces)
+{
+    const double none = atLimit * forces.template lpNorm<Eigen::Infinity>();
+    ConeProgram<Rows, Forces> rates;
+    rates.bodies = given.bodies;
+    rates.liveLoad = given.liveLoad;
+    const auto restrict = [&](int point, const Eigen::Matrix<double, Forces, 1>& component, bool isOneSided)
+    {
+        ConeColumns<Rows, Forces> columns = given.contacts[static_cast<std::size_t>(point)];
+        for (auto* side : {&columns.onFirst, &columns.onSecond})
+        {
+            side->col(0) = (*side * component).eval();
+            side->template rightCols<Forces - 1>().setZero();
+        }
+        rates.contacts.push_back(columns);
+        rates.friction.push_back(0);
+        rates.strength.push_back(isOneSided ? Strength{}
+                                            : Strength{.tension = widestBound, .crushing = widestBound});
+    };
+    using Force = Eigen::Matrix<double, Forces, 1>;
+    for (int point = 0; point < given.points(); ++point)
+    {
+        const Strength strength =
+            given.hasStrength() ? given.strength[static_cast<std::size_t>(point)] : Strength{};
+        const Force force = forces.template segment<Forces>(Forces * point);
+        const double limit = strength.cohesion + given.friction[static_cast<std::size_t>(point)] * force[0];
+        const auto shear = force.template tail<Forces - 1>();
+        Force component = Force::Unit(0);
+        const bool opens = force[0] <= -strength.tension + none;
+        const bool closes = force[0] >= strength.crushing - none;
+        restrict(point, closes ? Force(-component) : component, opens || closes);
+        if (limit <= none)
+        {
+            continue;
+        }
+        if (shear.norm() < limit - none)
+        {
+            for (int i = 1; i < Forces; ++i)
+            {
+                restrict(point, Force::Unit(i), false);
+            }
+            continue;
+        }
+        component << 0, -shear / shear.norm();
+        restrict(point, component, true);
+        if constexpr (Forces == 3)
+        {
+            component << 0, -shear[1] / shear.norm(), shear[0] / shear.norm();
+            restrict(point, component, false);
+        }
+    }
+    return rates;
+}
+
 } // namespace
 
 template<int Rows, int Forces>
@@ -119,7 +177,6 @@ std::optional<Eigen::VectorXd> otherMechanism(const ConeProgram<Rows, Forces>& g
     const double still = stillRate * closing.template lpNorm<Eigen::Infinity>();
     const VectorXd price = applyTransposed(given, least.balance);
     const VectorXd& forces = least.pair.contactForce;
-    const double none = atLimit * forces.template lpNorm<Eigen::Infinity>();
     VectorXd against = VectorXd::Zero(forces.size()); // w and v, as forces of the points
     for (int point = 0; point < given.points(); ++point)
     {
@@ -144,63 +201,36 @@ std::optional<Eigen::VectorXd> otherMechanism(const ConeProgram<Rows, Forces>& g
     }
     against /= largest;
 
-    // Every component of A'y that is restricted, as a point with a normal force alone: one that must not
-    // close, or one that must not move, which a force between wide bounds prevents.
-    ConeProgram<Rows, Forces> rates;
-    rates.bodies = given.bodies;
-    rates.liveLoad = given.liveLoad;
+    ConeProgram<Rows, Forces> rates = ratesProgram(given, forces);
     rates.load = applyEquilibrium(given, against);
-    const auto restrict = [&](int point, const Eigen::Matrix<double, Forces, 1>& component, bool isOneSided)
-    {
-        ConeColumns<Rows, Forces> columns = given.contacts[static_cast<std::size_t>(point)];
-        for (auto* side : {&columns.onFirst, &columns.onSecond})
-        {
-            side->col(0) = (*side * component).eval();
-            side->template rightCols<Forces - 1>().setZero();
-        }
-        rates.contacts.push_back(columns);
-        rates.friction.push_back(0);
-        rates.strength.push_back(isOneSided ? Strength{}
-                                            : Strength{.tension = widestBound, .crushing = widestBound});
-    };
-    using Force = Eigen::Matrix<double, Forces, 1>;
-    for (int point = 0; point < given.points(); ++point)
-    {
-        const Strength strength =
-            given.hasStrength() ? given.strength[static_cast<std::size_t>(point)] : Strength{};
-        const Force force = forces.template segment<Forces>(Forces * point);
-        const double limit = strength.cohesion + given.friction[static_cast<std::size_t>(point)] * force[0];
-        const auto shear = force.template tail<Forces - 1>();
-        Force component = Force::Unit(0);
-        const bool opens = force[0] <= -strength.tension + none;
-        const bool closes = force[0] >= strength.crushing - none;
-        restrict(point, closes ? Force(-component) : component, opens || closes);
-        if (limit <= none)
-        {
-            continue;
-        }
-        if (shear.norm() < limit - none)
-        {
-            for (int i = 1; i < Forces; ++i)
-            {
-                restrict(point, Force::Unit(i), false);
-            }
-            continue;
-        }
-        component << 0, -shear / shear.norm();
-        restrict(point, component, true);
-        if constexpr (Forces == 3)
-        {
-            component << 0, -shear[1] / shear.norm(), shear[0] / shear.norm();
-            restrict(point, component, false);
-        }
-    }
     const ConeSolution solved = solve(rates);
     const double inTheWay = -rates.load.dot(least.pair.mechanism);
     return solved.status == SolveStatus::optimal
                    && -rates.load.dot(solved.displacement) < (1 - smallestChange) * inTheWay
                ? std::optional(solved.displacement)
                : std::nullopt;
+}
+
+template<int Rows, int Forces>
+std::optional<Eigen::VectorXd> mechanismOf(const ConeProgram<Rows, Forces>& given,
+                                           const Eigen::VectorXd& forces,
+                                           const ProgramSolver<Rows, Forces>& solve)
+{
+    VectorXd against = VectorXd::Zero(forces.size());
+    for (Eigen::Index row = 0; row < forces.size(); row += Forces)
+    {
+        const auto shear = forces.template segment<Forces - 1>(row + 1);
+        const double size = shear.norm();
+        against[row] = 1;
+        if (size > 0)
+        {
+            against.template segment<Forces - 1>(row + 1) = -shear / size;
+        }
+    }
+    ConeProgram<Rows, Forces> rates = ratesProgram(given, forces);
+    rates.load = applyEquilibrium(given, against);
+    const ConeSolution solved = solve(rates);
+    return solved.status == SolveStatus::optimal ? std::optional(solved.displacement) : std::nullopt;
 }
 
 template std::optional<LeastPair> leastPair(const PlaneConeProgram& given, const CoulombPair& pair,
@@ -211,5 +241,10 @@ template std::optional<Eigen::VectorXd> otherMechanism(const PlaneConeProgram& g
                                                        const ProgramSolver<3, 2>& solve);
 template std::optional<Eigen::VectorXd> otherMechanism(const SpaceConeProgram& given, const LeastPair& least,
                                                        const ProgramSolver<6, 3>& solve);
+
+template std::optional<Eigen::VectorXd>
+mechanismOf(const PlaneConeProgram& given, const Eigen::VectorXd& forces, const ProgramSolver<3, 2>& solve);
+template std::optional<Eigen::VectorXd>
+mechanismOf(const SpaceConeProgram& given, const Eigen::VectorXd& forces, const ProgramSolver<6, 3>& solve);
 
 } // namespace drystone

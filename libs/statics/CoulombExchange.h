@@ -58,4 +58,11 @@ template<int Rows, int Forces>
 std::optional<Eigen::VectorXd> otherMechanism(const ConeProgram<Rows, Forces>& given, const LeastPair& least,
                                               const ProgramSolver<Rows, Forces>& solve);
 
+/// A mechanism that forces allow by Coulomb's law, L'y = 1: of all those the one whose slips, and openings
+/// where nothing presses, have the least sum. \return none where they allow none
+template<int Rows, int Forces>
+std::optional<Eigen::VectorXd> mechanismOf(const ConeProgram<Rows, Forces>& given,
+                                           const Eigen::VectorXd& forces,
+                                           const ProgramSolver<Rows, Forces>& solve);
+
 } // namespace drystone

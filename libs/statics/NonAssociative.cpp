@@ -119,6 +119,29 @@ public:
         range.converged += follow(from, settings) || (!lowest.exists() && followWedged(from, settings));
     }
 
+    /// With the forces of the associative collapse a mechanism that does not open where it slides, and what
+    /// follows from it: blocks that slide on level joints at alpha = mu.
+    void takeAssociativeForces()
+    {
+        if (!associativePair.exists())
+        {
+            return;
+        }
+        ++range.starts;
+        std::optional<VectorXd> mechanism = mechanismOf<Rows, Forces>(
+            given, associativePair.contactForce,
+            [this](const Program& program) { return solve(program, solverSettings); });
+        if (mechanism)
+        {
+            CoulombPair pair{associativePair.alpha, associativePair.contactForce, std::move(*mechanism), {}};
+            if (consider(pair))
+            {
+                ++range.converged;
+                descend(std::move(pair));
+            }
+        }
+    }
+
     CoulombRange range;
     CoulombPair lowest;
     CoulombPair fall;  ///< the lowest, on whose mechanism the live load does no work
@@ -369,6 +392,10 @@ LimitAnalysis solveNonAssociative(const ConeProgram<Rows, Forces>& program,
         for (int start = 0; goesOn(start); ++start)
         {
             search.go(start);
+        }
+        if (!search.lowest.exists() && !search.fall.exists())
+        {
+            search.takeAssociativeForces();
         }
     }
     const CoulombPair& found = search.lowest.exists() ? search.lowest

@@ -64,6 +64,35 @@ TEST(CoulombInSpace, APrismInAGrooveSlidesAtMuOverCosine)
     }
 }
 
+// In the first of these rows, as in some small walls that slide as a whole, every path ends without a
+// collapse.
+TEST(CoulombInSpace, BoxesInARowSlideAtMu)
+{
+    test::Chance chance(18);
+    for (int i = 0; i < test::instances; ++i)
+    {
+        SCOPED_TRACE(testing::Message() << "instance " << i);
+        const double mu = i == 0 ? 0.5 : chance(0.2, 0.6);
+        const double height = i == 0 ? 0.3 : chance(0.1, 0.3);
+        Assembly<3> assembly;
+        assembly.supports = {{"ground", "ground"}};
+        assembly.blocks = {{makeBox({-9, -9, -1}, {9, 9, 0}), 0}};
+        double left = 0.034;
+        for (int box = 0; box < 2 + i % 2; ++box)
+        {
+            const double right = left + (i == 0 ? 0.37 - 0.001 * box : chance(0.35, 0.5));
+            assembly.blocks.push_back({makeBox({left, 0, 0}, {right, 0.7, height}), -1});
+            left = right;
+        }
+        const SpaceConeProgram program =
+            test::programOf(assembly, findContactPoints(assembly), mu, test::pushed(assembly, {1, 0, 0}));
+        const LimitAnalysis result = solveNonAssociative(program);
+        expectCoulomb(program, result);
+        EXPECT_NEAR(result.alpha, mu, 1e-6);
+        EXPECT_GE(result.coulomb->converged, 1);
+    }
+}
+
 TEST(CoulombInSpace, TheLWallIsNoHigherThanTheLowestKnown)
 {
     const SpaceConeProgram program = reference("wallL316", 0.65, {0, -1, 0});
