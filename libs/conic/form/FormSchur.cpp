@@ -98,11 +98,24 @@ template<int Rows, class Scalar>
 ProductsOf<Rows, Scalar> productsOf(const Form<Rows>& form, const typename Form<Rows>::Group& group,
                                     const ConeWeights<Scalar>& d)
 {
-    ProductsOf<Rows, Scalar> products = ProductsOf<Rows, Scalar>::Zero();
+    ProductsOf<Rows, Scalar> products;
+    bool isBegun = false; // with the first product: to set zeros takes as long as one
+    const auto add = [&](const auto& product)
+    {
+        if (isBegun)
+        {
+            products.noalias() += product;
+        }
+        else
+        {
+            products.noalias() = product;
+        }
+        isBegun = true;
+    };
     for (int ray = group.begin; ray < group.end; ++ray)
     {
         const ColumnOf<Rows, Scalar>& column = rayOf<Rows, Scalar>(form, ray);
-        products.noalias() += (d.rays[ray] * column).lazyProduct(column.transpose());
+        add((d.rays[ray] * column).lazyProduct(column.transpose()));
     }
     for (int round = group.beginRound; round < group.endRound; ++round)
     {
@@ -111,9 +124,9 @@ ProductsOf<Rows, Scalar> productsOf(const Form<Rows>& form, const typename Form<
             form.rounds[static_cast<std::size_t>(round)].template cast<Scalar>().lazyProduct(framed.frame());
         const Eigen::Matrix<Scalar, Form<Rows>::columnSize, 3> weighted =
             columns * framed.eigenvalues.asDiagonal();
-        products.noalias() += weighted.lazyProduct(columns.transpose());
+        add(weighted.lazyProduct(columns.transpose()));
     }
-    return products;
+    return isBegun ? products : ProductsOf<Rows, Scalar>::Zero();
 }
 
 template<int Rows, class Scalar>
