@@ -96,30 +96,49 @@ void declare(Options& options, BisectionSettings& settings)
         .above(0)
         .example("0.001");
     options.check(
-        "tolerance", [&settings]
-        { return faultOfRange(settings.low, settings.high, settings.tolerance, "low, high and tolerance"); });
+        "tolerance",
+        [&settings]
+        {
+            const std::string fault =
+                faultOfRange(settings.low, settings.high, settings.tolerance, "low, high and tolerance");
+            const double width = settings.high - settings.low;
+            return !fault.empty() || settings.tolerance <= width * (1 + 1e-6) // 0.35 - 0.3 is below 0.05
+                       ? fault
+                       : fmt::format(
+                           "The tolerance {:g} is wider than the bracket from low {:g} to high {:g}: "
+                           "there is nothing to halve.\n\nGive a tolerance below {:g}.",
+                           settings.tolerance, settings.low, settings.high, width);
+        });
 }
 
-/// Halves the bracket on the grid low + i tolerance: the answer is the one that `step` finds if the verdict
-/// changes only once.
+/// Halves the bracket on the grid low + i tolerance, whose last interval is shorter where high is no point of
+/// it: the answer is the one that `step` finds if the verdict changes only once.
 IntensityPlan planBisection(const BisectionSettings& settings)
 {
-    const auto at = [settings](long i) { return settings.low + static_cast<double>(i) * settings.tolerance; };
+    const long last = stepsBetween(settings.low, settings.high, settings.tolerance);
+    const auto at = [settings, last](long i)
+    { return i == last ? settings.high : settings.low + static_cast<double>(i) * settings.tolerance; };
+    // Of the two ends of the short interval the nearer one is meant.
+    const auto indexOf = [settings, last, at](double intensity)
+    {
+        return intensity > 0.5 * (at(last - 1) + at(last))
+                   ? last
+                   : std::lround((intensity - settings.low) / settings.tolerance);
+    };
     return {settings.unit,
-            [settings, at](const std::vector<Trial>& trials) -> std::vector<double>
+            [at, indexOf, last](const std::vector<Trial>& trials) -> std::vector<double>
             {
                 long below = 0;
-                long above = stepsBetween(settings.low, settings.high, settings.tolerance);
+                long above = last;
                 if (trials.empty())
                 {
                     return {at(below), at(above)};
                 }
                 bool lowestMeets = false;
                 bool highestMeets = false;
-                const long last = above;
                 for (const Trial& trial : trials)
                 {
-                    const long i = std::lround((trial.intensity - settings.low) / settings.tolerance);
+                    const long i = indexOf(trial.intensity);
                     if (trial.verdict == Verdict::meets)
                     {
                         above = std::min(above, i);
@@ -142,9 +161,7 @@ IntensityPlan planBisection(const BisectionSettings& settings)
                 return {at(below + (above - below) / 2)};
             },
             // Both ends, then halves until one step is left.
-            2
-                + static_cast<long>(std::ceil(std::log2(
-                    static_cast<double>(stepsBetween(settings.low, settings.high, settings.tolerance)))))};
+            2 + static_cast<long>(std::ceil(std::log2(static_cast<double>(last))))};
 }
 
 struct IntensityList

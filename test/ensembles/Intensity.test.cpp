@@ -93,6 +93,37 @@ TEST(Intensity, BisectionFindsWhatStepFindsForEveryThreshold)
     }
 }
 
+TEST(Intensity, BisectionStaysInItsBracket)
+{
+    // 0.1, 0.4, 0.7 and 0.8: the last interval is shorter than the tolerance.
+    const IntensityPlan plan = planOf("type bisection; low 0.1; high 0.8; tolerance 0.3;");
+    for (const double threshold : {0.05, 0.2, 0.5, 0.75, 0.8, 0.9})
+    {
+        const std::vector<Trial> trials = triedWith(plan, movesFrom(threshold));
+        for (const Trial& trial : trials)
+        {
+            EXPECT_GE(trial.intensity, 0.1);
+            EXPECT_LE(trial.intensity, 0.8);
+        }
+        EXPECT_EQ(trials[1].intensity, 0.8);
+        EXPECT_LE(static_cast<long>(trials.size()), plan.mostRuns);
+        const LeastIntensity least = leastIntensity(trials);
+        if (threshold > 0.1 && threshold <= 0.8)
+        {
+            EXPECT_EQ(least.kind, LeastIntensity::Kind::found) << threshold;
+            EXPECT_GE(least.value, threshold);
+            EXPECT_LT(least.below, threshold);
+            EXPECT_LE(least.value - least.below, 0.3 + 1e-15);
+        }
+    }
+    EXPECT_EQ(leastIntensity(triedWith(plan, movesFrom(0.75))).below, 0.7);
+    EXPECT_EQ(planOf("type bisection; low 0.3; high 0.35; tolerance 0.05;").next({}),
+              (std::vector{0.3, 0.35}));
+    EXPECT_THAT(faultOf("type bisection; low 0.1;\nhigh 0.8;\ntolerance 5;"),
+                testing::AllOf(HasSubstr("tolerance 5 is wider than the bracket from low 0.1 to high 0.8"),
+                               HasSubstr("below 0.7"), HasSubstr("line 3")));
+}
+
 TEST(Intensity, BisectionGoesNoFurtherThanARunThatDidNotConverge)
 {
     const IntensityPlan plan = planOf("type bisection; low 1; high 2; tolerance 0.01;");
