@@ -269,11 +269,69 @@ std::size_t quantityOfSweep(const AccuracyStudy& study, const std::string& wante
     return static_cast<std::size_t>(quantity - study.quantities.begin());
 }
 
+/// Where a reference has a key; its dictionary where it takes the value of the case.
+SourceLocation locationIn(const Dictionary& dictionary, const std::string& key)
+{
+    return dictionary.found(key) ? dictionary.locationOf(key) : dictionary.location();
+}
+
+/// Rejects a finest run that is coarser than the settings that it judges, whose errors would be its own.
+void requireFinerReference(const StudyQuantity& quantity, const Dictionary& reference,
+                           const std::string& sweep, const std::vector<RunSetting>& settings)
+{
+    if (quantity.reference.kind != ReferencePlan::Kind::finest)
+    {
+        return;
+    }
+    const RunSetting finest = finestSetting(quantity.reference, quantity.ofCase);
+    RunSetting wanted = finest;
+    for (const RunSetting& setting : settings)
+    {
+        wanted.deltaT = std::min(wanted.deltaT, setting.deltaT);
+        wanted.tolerance = std::min(wanted.tolerance, setting.tolerance);
+        wanted.pointsPerJoint = std::max(wanted.pointsPerJoint, setting.pointsPerJoint);
+        wanted.pointsPerSide = std::max(wanted.pointsPerSide, setting.pointsPerSide);
+    }
+    const auto message = [&](const char* key, double has, double needs, const char* bound)
+    {
+        return fmt::format("The finest run that {} is compared with has {} {:g}, and the sweep {} goes to "
+                           "{:g}: the errors of the finer settings would be those of the reference.\n\n"
+                           "Give the reference a {} of at {} {:g}.",
+                           quantity.name, key, has, sweep, needs, key, bound, needs);
+    };
+    if (wanted.deltaT < finest.deltaT)
+    {
+        throw FatalIOError(message("deltaT", finest.deltaT, wanted.deltaT, "most"),
+                           locationIn(reference, "deltaT"));
+    }
+    // Without a number of its own a structure has its points where the mechanism needs them.
+    if (quantity.reference.pointsPerJoint && wanted.pointsPerJoint > finest.pointsPerJoint)
+    {
+        throw FatalIOError(message("pointsPerJoint", finest.pointsPerJoint, wanted.pointsPerJoint, "least"),
+                           locationIn(reference, "pointsPerJoint"));
+    }
+    if (quantity.reference.pointsPerSide && wanted.pointsPerSide > finest.pointsPerSide)
+    {
+        throw FatalIOError(message("pointsPerSide", finest.pointsPerSide, wanted.pointsPerSide, "least"),
+                           locationIn(reference, "pointsPerSide"));
+    }
+    // Two decades more show from where on a smaller tolerance gains nothing.
+    if (100.1 * wanted.tolerance < finest.tolerance)
+    {
+        printWarning(message("tolerance", finest.tolerance, wanted.tolerance, "most"),
+                     locationIn(reference, "tolerance"));
+    }
+}
+
 /// Rejects a sweep without meaning for its quantity, or that the case cannot be computed with.
+/// \param plan the sweep and its name \param duration of a motion [s]
+/// \param own the dictionary of the sweep \param reference that of what its quantity is compared with
 template<int Dim>
 void requireSweep(AccuracyCase<Dim>& ofCase, const fs::path& caseDirectory, const StudyQuantity& quantity,
-                  const Sweep& sweep, const Dictionary& own)
+                  const Named<Sweep>& plan, double duration, const Dictionary& own,
+                  const Dictionary& reference)
 {
+    const auto& [name, sweep] = plan;
     rejectKeys<Dim>(own, quantity.kind);
     const bool isMotion = quantity.kind == QuantityKind::motion;
     if (sweep.along && *sweep.along != SweepAxis::tolerance
@@ -285,14 +343,24 @@ void requireSweep(AccuracyCase<Dim>& ofCase, const fs::path& caseDirectory, cons
                        "pointsPerSide.",
             own.locationOf("along"));
     }
-    for (const RunSetting& setting : settingsOf(sweep, quantity.ofCase))
+    const std::vector<RunSetting> settings = settingsOf(sweep, quantity.ofCase);
+    for (const RunSetting& setting : settings)
     {
+        if (isMotion && setting.deltaT > duration * (1 + 1e-9))
+        {
+            throw FatalIOError(
+                fmt::format("A step of {:g} s is longer than the motion, which lasts {:g} s.\n\n"
+                            "Give shorter steps, or a later endTime in system/controlDict.",
+                            setting.deltaT, duration),
+                locationIn(own, "deltaT"));
+        }
         if (!isMotion)
         {
             requireStructure(ofCase, caseDirectory, setting);
         }
         requirePossible(ofCase, quantity.kind, setting, own);
     }
+    requireFinerReference(quantity, reference, name, settings);
 }
 
 } // namespace
@@ -332,7 +400,9 @@ AccuracyStudy readAccuracyStudy(const fs::path& caseDirectory)
     {
         const Dictionary& own = sweeps.subDict(name);
         study.quantityOfSweep.push_back(quantityOfSweep(study, sweep.quantity, own));
-        requireSweep(*shared, caseDirectory, study.quantities[study.quantityOfSweep.back()], sweep, own);
+        const StudyQuantity& quantity = study.quantities[study.quantityOfSweep.back()];
+        requireSweep(*shared, caseDirectory, quantity, {name, sweep}, study.duration, own,
+                     quantities.subDict(quantity.name).subDict("reference"));
     }
     study.heading = historyHeading(caseDirectory, dictionary);
     return study;

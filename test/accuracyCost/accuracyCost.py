@@ -181,6 +181,16 @@ class AccuracyCost(CaseTest):
                        "sweeps { surface { quantity alpha; %s } }" % sweep)
         return case
 
+    def testAReferenceOfALargerToleranceThanItsSweepIsWarnedOf(self):
+        case = self.multiplierCase("tolerance", "tolerance (1e-6 1e-10);")
+        reference = r"type value; value 0.25; source slenderness;"
+        self.replace(case, "system/accuracyCostDict", reference, "type finest; tolerance 1e-9;")
+        self.assertNotIn("Warning", self.run_(case, "-dry-run").stderr)
+        self.replace(case, "system/accuracyCostDict", "tolerance 1e-9", "tolerance 1e-6")
+        warned = self.run_(case, "-dry-run")
+        self.assertRegex(warned.stdout + warned.stderr, r"(?s)Warning.*tolerance of at most 1e-10.*accuracyCostDict"
+                                                        r"/quantities/alpha/reference/tolerance at line 1")
+
     def testContactByPointsIsSetAgainstThatBySurfaces(self):
         case = self.multiplierCase("surface", "formulation (points surface); flowRule (associative); "
                                               "tolerance (1e-6 1e-9);")
