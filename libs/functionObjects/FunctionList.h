@@ -48,7 +48,7 @@ const Registry<FunctionPlan<Dim>>& functionTypes();
 /// function objects the other.
 struct ControlDictSettings
 {
-    TimeControls controls;
+    SteppedTimeControls controls;
     ThreadControls threads;
     std::vector<Named<FunctionPlan<2>>> functions;
 };

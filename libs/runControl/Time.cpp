@@ -28,28 +28,29 @@ fs::file_time_type modificationTime(const fs::path& file)
 
 TimeControls readControls(const Dictionary& dictionary, ControlDict needed)
 {
-    // These have defaults for the applications that do not step through time.
-    if (needed == ControlDict::required)
+    if (needed == ControlDict::optional)
     {
-        dictionary.lookup("deltaT");
-        if (dictionary.getOrDefault<std::string>("stopAt", "endTime") == "endTime")
-        {
-            dictionary.lookup("endTime");
-        }
+        return readOptions<TimeControls>(dictionary);
     }
-    return readOptions<TimeControls>(dictionary);
+    auto controls = readOptions<SteppedTimeControls>(dictionary);
+    controls.endTime = controls.givenEndTime.value_or(controls.endTime);
+    return controls;
 }
 
-} // namespace
+constexpr const char* docOfStep = "length of a time step";
+constexpr const char* docOfEnd = "for `stopAt endTime`";
 
-void declare(Options& options, TimeControls& controls)
+void declareStartAndStop(Options& options, TimeControls& controls)
 {
     options.optional("application", controls.application, "the application that this case is made for");
     options.optional("startFrom", controls.startFrom, "where a run starts or continues");
     options.optional("startTime", controls.startTime, "for `startFrom startTime`").unit("s");
     options.optional("stopAt", controls.stopAt, "when a run ends");
-    options.optional("endTime", controls.endTime, "for `stopAt endTime`").unit("s");
-    options.optional("deltaT", controls.deltaT, "length of a time step").unit("s").above(0);
+}
+
+/// All but the times of its start, its end and its steps.
+void declareOutput(Options& options, TimeControls& controls)
+{
     declare(options, controls.output);
     options
         .optional("logFrequency", controls.logFrequency,
@@ -80,16 +81,48 @@ void declare(Options& options, TimeControls& controls)
                       }
                       return "writeControl writeTime is for function objects.\n\nChoose timeStep or runTime.";
                   });
-    options.check(
-        "endTime",
-        [&controls]() -> std::string
-        {
-            if (controls.stopAt != StopAt::endTime || controls.endTime >= controls.startTime)
-            {
-                return {};
-            }
-            return "endTime lies before startTime.\n\nA run goes forward in time: give a later endTime.";
-        });
+}
+
+std::string faultOfEnd(const TimeControls& controls, double endTime)
+{
+    return controls.stopAt != StopAt::endTime || endTime >= controls.startTime
+               ? ""
+               : "endTime lies before startTime.\n\nA run goes forward in time: give a later endTime.";
+}
+
+} // namespace
+
+void declare(Options& options, TimeControls& controls)
+{
+    declareStartAndStop(options, controls);
+    options.optional("endTime", controls.endTime, docOfEnd).unit("s");
+    options.optional("deltaT", controls.deltaT, docOfStep).unit("s").above(0);
+    declareOutput(options, controls);
+    options.check("endTime", [&controls] { return faultOfEnd(controls, controls.endTime); });
+}
+
+void declare(Options& options, SteppedTimeControls& controls)
+{
+    declareStartAndStop(options, controls);
+    options
+        .optional("endTime", controls.givenEndTime,
+                  std::string(docOfEnd) + ", which is the default, and then required")
+        .unit("s")
+        .example("1");
+    options.required("deltaT", controls.deltaT, docOfStep).unit("s").above(0).example("0.01");
+    declareOutput(options, controls);
+    options.check("endTime",
+                  [&controls]() -> std::string
+                  {
+                      if (controls.givenEndTime)
+                      {
+                          return faultOfEnd(controls, *controls.givenEndTime);
+                      }
+                      return controls.stopAt == StopAt::endTime
+                                 ? "The entry endTime is missing: when the run ends [s]. Write for example "
+                                   "`endTime 1;`."
+                                 : "";
+                  });
 }
 
 std::string timeName(double value, TimeFormat format, int precision)

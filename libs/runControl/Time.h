@@ -18,6 +18,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace drystone
@@ -100,6 +101,14 @@ struct TimeControls
 };
 
 void declare(Options& options, TimeControls& controls);
+
+/// The same for applications that step through time: they require deltaT, and endTime unless stopAt says
+/// otherwise, for which the others have defaults.
+struct SteppedTimeControls : TimeControls
+{
+    std::optional<double> givenEndTime; ///< [s]
+};
+void declare(Options& options, SteppedTimeControls& controls);
 
 /// Whether an application can do without system/controlDict, or without deltaT and endTime in it.
 enum class ControlDict

@@ -76,7 +76,7 @@ std::vector<Example> examples()
                                  "What blockTexture makes in space: a structure of blocks. z is up.",
                                  {"dimensions", "supports"}),
         example<ControlDictSettings>("system/controlDict", "Where a run starts and ends, and when it writes.",
-                                     {"functions"}),
+                                     {"endTime", "functions"}),
         example<SolutionSettings>("system/solution",
                                   "How the applications solve: a sub-dictionary for each of them, which may "
                                   "be absent.",

@@ -87,6 +87,33 @@ TEST_F(TimeCase, HasDefaultsWithoutAControlDict)
     EXPECT_THROW(Time(directory, ControlDict::required), FatalIOError);
 }
 
+TEST_F(TimeCase, WhatAStepNeedsIsRequiredWithAnExample)
+{
+    EXPECT_THAT(failure("endTime 1;"),
+                testing::AllOf(HasSubstr("The entry deltaT is missing: length of a time step [s]. "
+                                         "Write for example `deltaT 0.01;`."),
+                               HasSubstr("controlDict")));
+    EXPECT_THAT(failure("deltaT 0.1;"),
+                testing::AllOf(HasSubstr("The entry endTime is missing"),
+                               HasSubstr("Write for example `endTime 1;`"), HasSubstr("controlDict")));
+    EXPECT_EQ(failure("deltaT 0.1; stopAt writeNow;"), "no failure");
+    EXPECT_THAT(failure("deltaT 0.1; endTime 1; startTime 2;"), HasSubstr("endTime lies before startTime"));
+    for (const OptionDescription& about : describeOptions<SteppedTimeControls>())
+    {
+        if (about.key == "deltaT")
+        {
+            EXPECT_EQ(about.presence, OptionDescription::Presence::required);
+        }
+        if (about.key == "endTime")
+        {
+            EXPECT_EQ(about.presence, OptionDescription::Presence::mayBeAbsent);
+            EXPECT_THAT(about.doc, HasSubstr("required"));
+        }
+    }
+    control("application limitAnalysis;");
+    EXPECT_EQ(Time(directory).controls().endTime, 1);
+}
+
 TEST_F(TimeCase, ReachesTheEndAndWritesEachInterval)
 {
     control("deltaT 0.1; endTime 1; writeControl timeStep; writeInterval 4;");
