@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace drystone
 {
@@ -44,7 +45,7 @@ std::vector<Doubt> doubtsAboutTimes(const GroundMotion& motion, const Schemes& s
     const double longestStep = controls.adjustTimeStep ? schemes.maxDeltaT : controls.deltaT;
     std::vector<Doubt> doubts;
     double interval = 0;
-    double end = 0;
+    double end = -std::numeric_limits<double>::infinity(); // of a ground at rest there is none
     for (const GroundMotion::Component& component : motion.components)
     {
         const double samples = sampleInterval(*component.acceleration);
@@ -69,7 +70,7 @@ std::vector<Doubt> doubtsAboutTimes(const GroundMotion& motion, const Schemes& s
                          interval, isChosen ? "a maxDeltaT (system/schemes)" : "a deltaT"),
              controlDict.locationOf(isChosen ? "adjustTimeStep" : "deltaT")});
     }
-    if (controls.stopAt == StopAt::endTime && end > controls.endTime * (1 + 1e-9))
+    if (controls.stopAt == StopAt::endTime && end > controls.endTime + 1e-9 * std::abs(controls.endTime))
     {
         doubts.push_back(
             {fmt::format("endTime {:g} s lies within the motion of the ground, which lasts until "

@@ -2,6 +2,7 @@
 /// Motions of the ground: their dictionaries, histories and plausibility.
 #include "effects/GroundMotion.h"
 #include "core/Error.h"
+#include "dynamics/GroundMotionPlausibility.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -59,6 +60,27 @@ TEST(GroundMotion, SummaryNamesDirectionPeakAndDuration)
     motion.components = {{{std::make_shared<ConstantAcceleration>(3), ""}, {1, 0, 0}}};
     EXPECT_THAT(summary(motion, 9.81), HasSubstr("unlimited"));
     EXPECT_THAT(summary(motion, 0), HasSubstr("PGA         3 m/s2\n"));
+}
+
+TEST(GroundMotion, AnEndBeforeThatOfTheMotionIsQuestionedWhereThereIsAMotion)
+{
+    const auto doubts = [](const GroundMotion& motion, double startTime, double endTime)
+    {
+        TimeControls controls;
+        controls.startTime = startTime;
+        controls.endTime = endTime;
+        return doubtsAboutTimes(motion, {}, controls, {});
+    };
+    GroundMotion still;
+    EXPECT_TRUE(doubts(still, -1, -0.95).empty());
+    GroundMotion constant;
+    constant.components.push_back({{std::make_shared<ConstantAcceleration>(3), ""}, {1, 0, 0}});
+    EXPECT_TRUE(doubts(constant, -1, -0.95).empty());
+    GroundMotion pulse;
+    pulse.components.push_back({{std::make_shared<RectangularPulse>(PulseShape{2, 0.5, -1}), ""}, {0, 1, 0}});
+    EXPECT_TRUE(doubts(pulse, -1, -0.5).empty());
+    ASSERT_EQ(doubts(pulse, -1, -0.6).size(), 1u);
+    EXPECT_THAT(doubts(pulse, -1, -0.6).front().text, HasSubstr("lasts until -0.5 s"));
 }
 
 TEST_F(GroundMotionTest, RecordIsScaledPaddedAndMoved)
