@@ -13,7 +13,7 @@ namespace drystone
 enum class CheckExtent
 {
     standard,
-    all ///< also short joints and corners that touch an edge without a joint
+    all ///< also short joints, and corners and edges that bear on another block without a joint
 };
 
 /// The limits of the checks. Sizes are relative to meanBlockSize.

@@ -13,6 +13,7 @@
 #include <numeric>
 
 using namespace drystone;
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -97,6 +98,29 @@ TEST(SpaceAssemblyChecks, BlocksThatTouchAlongAnEdgeAreNotHeld)
     EXPECT_THAT(blocksWithoutSupport(assembly, findContactPoints(assembly)), ElementsAre(1));
     EXPECT_THAT(instabilityCause(assembly, findContactPoints(assembly)),
                 HasSubstr("block 1 touches block 0 along an edge or at a corner only"));
+}
+
+TEST(SpaceAssemblyChecks, BlocksWhoseEdgesMeetAsInABondPassEdgeTouches)
+{
+    // A brick on one of three that meets the other two along edges, as these meet each other.
+    const Assembly<3> assembly = onGround({cube, makeBox({1, 0, 0}, {2, 1, 1}), makeBox({0, 1, 0}, {1, 2, 1}),
+                                           makeBox({0.5, 1, 1}, {1.5, 2, 2})});
+    const AssemblyReport<3> report = checkAssembly(assembly, CheckExtent::all);
+    EXPECT_EQ(failedChecks(report), 0);
+    EXPECT_THAT(printedReport(assembly, report),
+                AllOf(HasSubstr("without a joint: 3, all of them where edges of both meet, as in a bond OK."),
+                      HasSubstr("Assembly OK.")));
+}
+
+TEST(SpaceAssemblyChecks, ABlockOnItsEdgeFailsEdgeTouchesWhateverElseHoldsIt)
+{
+    // A prism on its edge beside a cube that holds it.
+    const Polyhedron prism = makePrism({{1, 0, 1}, {2, 0, 1}, {1, 0, 0}}, {{1, 1, 1}, {2, 1, 1}, {1, 1, 0}});
+    const Assembly<3> beside = onGround({cube, prism});
+    EXPECT_THAT(failed(beside, CheckExtent::all), ElementsAre("edgeTouches"));
+    EXPECT_THAT(printedReport(beside, checkAssembly(beside, CheckExtent::all)),
+                AllOf(HasSubstr("without a joint: 1, edgeTouches failed"),
+                      HasSubstr("block 1 touches block 2 (support ground)")));
 }
 
 TEST(SpaceAssemblyChecks, SmallJointsAreFound)

@@ -37,7 +37,8 @@ int main(int argc, char* argv[])
     description.summary =
         "Checks the blocks in constant/assembly/: volumes, inertia, duplicates, overlaps, gaps, "
         "slivers, and blocks with no path to a support. The exit status is 1 when a check fails.";
-    description.options = {{"allChecks", "", "also short joints, and corners that touch without a joint"}};
+    description.options = {
+        {"allChecks", "", "also short joints, and blocks that stand on a corner or an edge without a joint"}};
     description.examples = {"checkBlocks -case wall -allChecks"};
     return runApplication(argc, argv, description, run);
 }

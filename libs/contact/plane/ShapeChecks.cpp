@@ -104,4 +104,9 @@ std::vector<Vector<2>> loneTouches(const Block<2>& one, const Block<2>& other, d
     return places;
 }
 
+bool meetAtEdges(const Block<2>&, const Block<2>&, double)
+{
+    return false;
+}
+
 } // namespace drystone

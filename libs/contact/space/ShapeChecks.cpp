@@ -8,7 +8,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace drystone
 {
@@ -105,6 +108,49 @@ std::vector<Vector<3>> loneTouches(const Block<3>& one, const Block<3>& other, d
         return {};
     }
     return {(volumeProperties(one.shape).centroid + volumeProperties(other.shape).centroid) / 2};
+}
+
+namespace
+{
+
+/// Distance of a point to the nearest edge [m].
+double distanceToEdges(const Polyhedron& shape, const Vector<3>& point)
+{
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::vector<int>& face : shape.faces)
+    {
+        for (std::size_t i = 0; i < face.size(); ++i)
+        {
+            const Vector<3>& start = shape.vertices[face[i]];
+            const Vector<3> edge = shape.vertices[face[(i + 1) % face.size()]] - start;
+            const double along = std::clamp((point - start).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
+            least = std::min(least, (start + along * edge - point).norm());
+        }
+    }
+    return least;
+}
+
+} // namespace
+
+bool meetAtEdges(const Block<3>& one, const Block<3>& other, double tolerance)
+{
+    bool touches = false;
+    for (const auto& [block, neighbour] : {std::pair(&one, &other), std::pair(&other, &one)})
+    {
+        for (const Vector<3>& corner : block->shape.vertices)
+        {
+            if (distance(neighbour->shape, corner) <= tolerance)
+            {
+                touches = true;
+                if (distanceToEdges(neighbour->shape, corner) > tolerance)
+                {
+                    return false;
+                }
+            }
+        }
+    }
+    // Edges that lie along each other have an end of one on the other; without one they cross, as in no bond.
+    return touches;
 }
 
 } // namespace drystone
