@@ -11,6 +11,8 @@
 #include "contact/Facing.h"
 #include "runControl/Solution.h"
 
+#include <fmt/format.h>
+
 namespace drystone
 {
 namespace
@@ -23,6 +25,24 @@ void requireSchemesOfSpace(const Schemes& schemes, const std::filesystem::path& 
     {
         throw FatalIOError(
             "In space contact points do not give way: remove contactOverlap.",
+            Dictionary::readFile(caseDirectory / "system/schemes").locationOf("contactOverlap"));
+    }
+}
+
+/// Warns of a contactOverlap that no step looks at: points give way by Coulomb's law and with theta 1 only.
+template<int Dim>
+void warnOfUnusedOverlap(const DynamicCase<Dim>& scene, const std::filesystem::path& caseDirectory)
+{
+    const bool isAssociative = scene.flowRule() == FlowRule::associative;
+    if (scene.schemes.contactOverlap != Schemes().contactOverlap
+        && (isAssociative || scene.schemes.timeIntegration.theta < 1))
+    {
+        printWarningOnce(
+            fmt::format("contactOverlap is not used: with {} contact points do not give way. Remove it, or "
+                        "choose {}.",
+                        isAssociative ? "the associative flow rule" : "theta below 1",
+                        isAssociative ? "`flowRule nonAssociative;` in constant/contactProperties"
+                                      : "theta 1"),
             Dictionary::readFile(caseDirectory / "system/schemes").locationOf("contactOverlap"));
     }
 }
@@ -70,6 +90,7 @@ DynamicCase<Dim> readDynamicCase(const std::filesystem::path& caseDirectory,
     const CaseEffects<Dim> read = readCaseEffects(caseDirectory, types);
     scene.contact = read.contact;
     addLeftOut(scene);
+    warnOfUnusedOverlap(scene, caseDirectory);
     scene.effectNames = effectNames(read);
     scene.gravity = readGravity<Dim>(caseDirectory);
     scene.jointFriction = frictionOfJoints(scene.contact, assembly);

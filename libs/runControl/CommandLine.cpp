@@ -88,6 +88,34 @@ struct GivenArguments
     std::vector<std::string> positional;
 };
 
+/// The option that an argument names. \throws FatalError when there is none
+const CommandLineOption& optionOf(const std::string& argument, const ApplicationDescription& description,
+                                  const std::vector<CommandLineOption>& options)
+{
+    const auto option = std::find_if(options.begin(), options.end(),
+                                     [name = withoutDashes(argument)](const CommandLineOption& known)
+                                     { return known.name == name; });
+    if (option == options.end())
+    {
+        failUnknownOption(argument, description, options);
+    }
+    return *option;
+}
+
+/// Beside -help and -version options are not carried out, and a wrong one is named all the same.
+void refuseUnknownOptions(const std::vector<std::string>& given, const ApplicationDescription& description,
+                          const std::vector<CommandLineOption>& options)
+{
+    for (auto argument = given.begin(); argument != given.end(); ++argument)
+    {
+        if (looksLikeOption(*argument) && withoutDashes(*argument) != "h"
+            && !optionOf(*argument, description, options).argument.empty() && argument + 1 != given.end())
+        {
+            ++argument; // its value
+        }
+    }
+}
+
 GivenArguments sortArguments(const std::vector<std::string>& given, const ApplicationDescription& description,
                              const std::vector<CommandLineOption>& options)
 {
@@ -100,14 +128,9 @@ GivenArguments sortArguments(const std::vector<std::string>& given, const Applic
             continue;
         }
         const std::string name = withoutDashes(*argument);
-        const auto option = std::find_if(options.begin(), options.end(),
-                                         [&](const CommandLineOption& known) { return known.name == name; });
-        if (option == options.end())
-        {
-            failUnknownOption(*argument, description, options);
-        }
+        const CommandLineOption& option = optionOf(*argument, description, options);
         const bool isRepeated = sorted.options.contains(name);
-        if (option->argument.empty())
+        if (option.argument.empty())
         {
             sorted.options[name] = "";
             continue;
@@ -115,12 +138,12 @@ GivenArguments sortArguments(const std::vector<std::string>& given, const Applic
         if (argument + 1 == given.end() || (argument + 1)->empty())
         {
             throw FatalError(fmt::format("Option -{0} lacks its value.\n\nWrite -{0} {1}: {2}.", name,
-                                         option->argument, option->summary));
+                                         option.argument, option.summary));
         }
         if (isRepeated)
         {
             throw FatalError(
-                fmt::format("Option -{0} is given more than once.\n\nGive -{0} once.", option->name));
+                fmt::format("Option -{0} is given more than once.\n\nGive -{0} once.", option.name));
         }
         ++argument;
         sorted.options[name] = *argument;
@@ -231,6 +254,7 @@ CommandLine readCommandLine(int argc, const char* const* argv, const Application
     result.version = asksFor(given, "version");
     if (result.help || result.version)
     {
+        refuseUnknownOptions(given, description, options);
         return result;
     }
 

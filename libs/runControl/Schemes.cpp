@@ -65,6 +65,15 @@ void declare(Options& options, ChosenEffects& effects)
                          "an effect of the case."
                        : "";
         });
+    options.check("margin",
+                  [&effects]() -> std::string
+                  {
+                      return effects.margin != ChosenEffects().margin
+                                     && effects.selection != EffectSelection::automatic
+                                 ? "margin needs `selection automatic;`: with the others there is no proof "
+                                   "that could leave any of it unused. Remove it, or choose automatic."
+                                 : "";
+                  });
 }
 
 void declare(Options& options, Schemes& schemes)

@@ -37,12 +37,38 @@ TimeControls readControls(const Dictionary& dictionary, ControlDict needed)
     return controls;
 }
 
+/// What a case may be made for.
+const std::vector<std::string>& applicationNames()
+{
+    static const std::vector<std::string> names{
+        "accuracyCost",    "blockTexture",    "caseDictionary", "checkBlocks",
+        "contactDynamics", "ensemble",        "exportBlocks",   "incrementalDynamics",
+        "limitAnalysis",   "parameterSearch", "report",         "solveProgram"};
+    return names;
+}
+
+/// Any application of this suite may be run in a case, and another's name says that the case is not one.
+std::string doubtOfApplication(const std::string& application)
+{
+    const std::vector<std::string>& names = applicationNames();
+    if (application.empty() || std::find(names.begin(), names.end(), application) != names.end())
+    {
+        return {};
+    }
+    const std::string nearest = nearestWord(application, names);
+    return fmt::format("application {} is none of Drystone's: is this another program's case?{} Usual is one "
+                       "of {}.",
+                       application, nearest.empty() ? "" : fmt::format(" Did you mean {}?", nearest),
+                       fmt::join(names, " "));
+}
+
 constexpr const char* docOfStep = "length of a time step";
 constexpr const char* docOfEnd = "for `stopAt endTime`";
 
 void declareStartAndStop(Options& options, TimeControls& controls)
 {
     options.optional("application", controls.application, "the application that this case is made for");
+    options.question("application", [&controls] { return doubtOfApplication(controls.application); });
     options.optional("startFrom", controls.startFrom, "where a run starts or continues");
     options.optional("startTime", controls.startTime, "for `startFrom startTime`").unit("s");
     options.optional("stopAt", controls.stopAt, "when a run ends");

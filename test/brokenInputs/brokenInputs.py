@@ -519,6 +519,7 @@ brokenInputs = [
     inSchemes("everythingWithGaps", "smallDisplacements yes; effects { selection everything; }\n"
               "initialGaps { perturbation 1e-9; }\n", r"remove one of the two", lines=(2,)),
     inSchemes("verifiedEverything", "effects { selection everything; verifyInterval 5; }\n", r"verifyInterval needs"),
+    inSchemes("marginOfAllEffects", "effects { margin 0.3; }\n", r"margin needs `selection automatic;`"),
     inMotionEffect("rigidSolver", "elasticity", "elasticity", r"solver automatic",
                    files={"system/solution": "contactDynamics { solver interiorPoint; }\n"}),
     inMotionEffect("gluedSprings", "damping { massProportional 1; }", "cohesion { strength 1e5; }",

@@ -129,11 +129,15 @@ TEST(CommandLine, RefusesParallelMode)
                 HasSubstr("dryApplication has no parallel mode."));
 }
 
-TEST(CommandLine, PutsHelpBeforeEverythingElse)
+TEST(CommandLine, PutsHelpBeforeEverythingElseButUnknownOptions)
 {
     const ApplicationDescription description = describe(ApplicationKind::solver);
     EXPECT_TRUE(readLine({"-help"}, description).help);
-    EXPECT_TRUE(readLine({"-nonsense", "-help", "-case"}, description).help);
+    EXPECT_TRUE(readLine({"-h"}, description).help);
+    EXPECT_TRUE(readLine({"-set", "-nonsense", "-help", "-case"}, description).help);
+    EXPECT_TRUE(readLine({"-case", "--help"}, description).help);
+    EXPECT_THAT(failureOf({"-help", "-nonsense"}, description), HasSubstr("Unknown option -nonsense"));
+    EXPECT_THAT(failureOf({"-nonsense", "-version"}, description), HasSubstr("Unknown option -nonsense"));
     const std::string text = helpText(description);
     for (const char* part : {"Usage: dryApplication [options]", "Does it dryly.", "-case DIR", "-set VALUE",
                              "-allChecks", "-postProcess", "-dry-run", "-noFunctionObjects"})
@@ -163,7 +167,7 @@ TEST(CommandLine, ReadsVersionBeforeEverythingElse)
 {
     const ApplicationDescription description = describe(ApplicationKind::solver);
     EXPECT_TRUE(readLine({"-version"}, description).version);
-    EXPECT_TRUE(readLine({"-nonsense", "--version"}, description).version);
+    EXPECT_TRUE(readLine({"-case", "nowhere", "--version", "stray"}, description).version);
     EXPECT_FALSE(readLine({}, description).version);
 }
 

@@ -114,6 +114,25 @@ TEST_F(TimeCase, WhatAStepNeedsIsRequiredWithAnExample)
     EXPECT_EQ(Time(directory).controls().endTime, 1);
 }
 
+TEST_F(TimeCase, AnApplicationOfAnotherProgramIsQuestioned)
+{
+    const auto warnings = [this](const std::string& application)
+    {
+        control("application " + application + "; deltaT 0.1; endTime 1;");
+        testing::internal::CaptureStderr();
+        testing::internal::CaptureStdout();
+        Time time(directory, ControlDict::required);
+        return testing::internal::GetCapturedStdout() + testing::internal::GetCapturedStderr();
+    };
+    EXPECT_EQ(warnings("contactDynamics"), "");
+    EXPECT_EQ(warnings("limitAnalysis"), "");
+    EXPECT_EQ(warnings("\"\""), "");
+    EXPECT_THAT(warnings("simpleFoam"),
+                testing::AllOf(HasSubstr("application simpleFoam is none of Drystone's"),
+                               HasSubstr("limitAnalysis"), HasSubstr("line 1")));
+    EXPECT_THAT(warnings("contactDynamic"), HasSubstr("Did you mean contactDynamics?"));
+}
+
 TEST_F(TimeCase, ReachesTheEndAndWritesEachInterval)
 {
     control("deltaT 0.1; endTime 1; writeControl timeStep; writeInterval 4;");

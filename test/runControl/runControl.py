@@ -345,6 +345,27 @@ class RunControl(CaseTest):
         self.write(case, "system/schemes", header % "schemes" + "timeIntegraton { type theta; }\n")
         self.assertIn("timeIntegraton", self.run_(case, "-dry-run", status=1).stderr)
 
+    def testEveryApplicationMayBeThatOfACase(self):
+        case = self.copy("applications")
+        for name in os.listdir(applications):
+            if name.isalpha() and name != "drystoneRunFunctions":
+                self.control(case, application=name)
+                done = self.run_(case, "-dry-run")
+                self.assertNotIn("none of Drystone", done.stdout + done.stderr)
+
+    def testAnOverlapThatNoStepLooksAtIsWarnedOf(self):
+        case = self.copy("overlap")
+        for law, theta, says in (("nonAssociative", 1, ""), ("associative", 1, "with the associative flow rule"),
+                                 ("nonAssociative", 0.5, "with theta below 1")):
+            self.write(case, "constant/contactProperties", header % "contactProperties"
+                       + "friction { type Coulomb; mu 0.2; flowRule %s; }\n" % law)
+            self.write(case, "system/schemes", header % "schemes"
+                       + "contactOverlap 1e-9; timeIntegration { type theta; theta %s; }\n" % theta)
+            done = self.run_(case, "-dry-run")
+            warned = re.search(r"contactOverlap is not used: (.*) contact points(?s:.*)schemes\S* at line 2",
+                               done.stdout + done.stderr)
+            self.assertEqual(warned.group(1) if warned else "", says)
+
     def testPostProcessGivesTheRowsOfTheRunAtTheTimesThatWereWritten(self):
         functions = "{ energy {} blockMotion { blocks (1 2); } contactForces {} residuals {} }"
         case = self.copy("post", startFrom="startTime", functions=functions)
