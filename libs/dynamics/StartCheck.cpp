@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace drystone
@@ -63,6 +64,50 @@ void questionRotation(const BlockStart<Dim>& start, const SourceLocation& place)
     }
 }
 
+template<int Dim>
+void questionSpeeds(const Assembly<Dim>& assembly, const InitialState<Dim>& start, double deltaT)
+{
+    if (start.places.empty())
+    {
+        return;
+    }
+    const double size = meanBlockSize(assembly);
+    const std::vector<int> free = freeIndices(assembly);
+    std::string fastest;
+    double worst = 1; // radians or block sizes
+    SourceLocation place;
+    for (std::size_t block = 0; block < free.size(); ++block)
+    {
+        if (free[block] < 0)
+        {
+            continue;
+        }
+        const auto velocity =
+            start.state.velocity.template segment<freedomCount<Dim>>(freedomCount<Dim> * free[block]);
+        const double way = velocity.template head<Dim>().norm() * deltaT;
+        const double turn = velocity.template tail<freedomCount<Dim> - Dim>().norm() * deltaT;
+        if (std::max(turn, way / size) > worst)
+        {
+            worst = std::max(turn, way / size);
+            fastest = turn > way / size
+                          ? fmt::format("turns by {:.3g} rad", turn)
+                          : fmt::format("moves by {:.3g} m, {:.3g} mean block sizes,", way, way / size);
+            fastest = fmt::format("Block {} {}", block, fastest);
+            place = start.places[block];
+        }
+    }
+    if (!fastest.empty())
+    {
+        printWarning(
+            fmt::format("{} in a step of deltaT {:g} s: what it meets within a step is not seen. Usual "
+                        "is a small part of a radian and of a block: give a deltaT of at most {:.1g} s.",
+                        fastest, deltaT, 0.1 * deltaT / worst),
+            place);
+    }
+}
+
+template void questionSpeeds(const Assembly<2>& assembly, const InitialState<2>& start, double deltaT);
+template void questionSpeeds(const Assembly<3>& assembly, const InitialState<3>& start, double deltaT);
 template void refuseStartOverlaps(const Assembly<2>& assembly, const std::vector<Placement<2>>& placements,
                                   const std::vector<SourceLocation>& places);
 template void refuseStartOverlaps(const Assembly<3>& assembly, const std::vector<Placement<3>>& placements,

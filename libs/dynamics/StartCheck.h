@@ -20,4 +20,9 @@ void refuseStartOverlaps(const Assembly<Dim>& assembly, const std::vector<Placem
 template<int Dim>
 void questionRotation(const BlockStart<Dim>& start, const SourceLocation& place);
 
+/// Warns of the block that turns by more than a radian, or moves by more than a mean block size, in a step:
+/// whatever it meets in between is not seen. \param deltaT of a step [s]
+template<int Dim>
+void questionSpeeds(const Assembly<Dim>& assembly, const InitialState<Dim>& start, double deltaT);
+
 } // namespace drystone

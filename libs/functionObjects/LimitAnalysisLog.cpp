@@ -7,6 +7,7 @@
 #include "contact/SupportPaths.h"
 #include "core/Log.h"
 #include "effects/EffectList.h"
+#include "functionObjects/LimitAnalysisTables.h"
 #include "functionObjects/LoadEnvelope.h"
 #include "functionObjects/LoadMeaning.h"
 #include "quantities/LimitAnalysisFigures.h"
@@ -74,27 +75,28 @@ void printCoulombRange(const CoulombRange& range, const LimitAnalysis& result)
 {
     if (range.converged > 0)
     {
-        info("Coulomb's law: lowest of the collapses found, alpha {:.6f} to {:.6f} ({} of {} starts "
+        info("Coulomb's law: lowest of the collapses found, alpha {} to {} ({} of {} starts "
              "converged); "
-             "associative, an upper bound: {:.6f}",
-             range.lowest, range.highest, range.converged, range.starts, range.associative);
+             "associative, an upper bound: {}",
+             alphaText(range.lowest), alphaText(range.highest), range.converged, range.starts,
+             alphaText(range.associative));
     }
     else
     {
         info("Coulomb's law: no collapse found on which the live load does work ({} starts); its multiplier "
              "is at "
-             "most that of the associative law, {:.6f}{}",
-             range.starts, range.associative,
+             "most that of the associative law, {}{}",
+             range.starts, alphaText(range.associative),
              std::isfinite(range.safe)
-                 ? fmt::format(", and at least that of joints without friction, {:.6f}", range.safe)
+                 ? fmt::format(", and at least that of joints without friction, {}", alphaText(range.safe))
                  : "");
     }
     if (range.fall < range.lowest)
     {
-        info("Blocks may fall under the dead load alone from alpha {:.6f} on: with other forces at rest, or "
+        info("Blocks may fall under the dead load alone from alpha {} on: with other forces at rest, or "
              "as "
              "joints beside them are relieved.",
-             range.fall);
+             alphaText(range.fall));
     }
     if (result.status == CollapseStatus::optimal && result.alpha < 0)
     {
@@ -209,7 +211,7 @@ void printLimitAnalysis(const LimitAnalysisCase<Dim>& structure, const std::vect
                 info("Base reaction of {} against its movement = {:.9g} N",
                      structure.assembly.supports[structure.movement->support].name, result.alpha);
             }
-            info("Collapse load multiplier alpha = {:.9g}", result.alpha);
+            info("Collapse load multiplier alpha = {:.9g}", result.alpha + 0.0); // no -0
             printWholeJoints(structure, result);
             for (const std::string& sentence : loadMeaning(structure, result))
             {

@@ -38,14 +38,14 @@ std::string caption(const LimitAnalysisCase<Dim>& structure, const LimitAnalysis
     {
     case CollapseStatus::optimal:
         return structure.movement ? fmt::format("base reaction {:.6g} N", result.alpha)
-                                  : fmt::format("alpha = {:.6f}", result.alpha);
+                                  : "alpha = " + alphaText(result.alpha);
     case CollapseStatus::unstable:
         return "unstable under its dead load";
     case CollapseStatus::unbounded:
         return structure.movement ? "no force moves the support in this direction"
                                   : "no live load of this direction makes it collapse";
     case CollapseStatus::upperBound:
-        return fmt::format("alpha at most {:.6f}", result.alpha);
+        return "alpha at most " + alphaText(result.alpha);
     case CollapseStatus::notConverged:
         break;
     }

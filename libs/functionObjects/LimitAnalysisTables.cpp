@@ -109,12 +109,19 @@ std::string thrustText(const std::vector<ContactPoint<3>>& points, const std::ve
     return text;
 }
 
+std::string alphaText(double alpha)
+{
+    std::string text = fmt::format("{:.6f}", alpha);
+    return text == "-0.000000" ? text.substr(1) : text;
+}
+
 std::string coulombText(const CoulombRange& range)
 {
     return fmt::format(
         "# lowest[-] highest[-] associative[-] starts[-] converged[-] fall[-]\n{:.12g} {:.12g} {:.12g} "
         "{} {} {:.12g}\n",
-        range.lowest, range.highest, range.associative, range.starts, range.converged, range.fall);
+        range.lowest + 0.0, range.highest + 0.0, range.associative + 0.0, range.starts, range.converged,
+        range.fall + 0.0); // adding 0 turns -0 into 0
 }
 
 template<int Dim>

@@ -27,6 +27,9 @@ std::string thrustText(const std::vector<ContactPoint<2>>& points, const std::ve
 /// the joint, and the moment about the normal through the centre.
 std::string thrustText(const std::vector<ContactPoint<3>>& points, const std::vector<Vector<3>>& forces);
 
+/// A multiplier with six decimals; one that is rounded to zero has no sign.
+std::string alphaText(double alpha);
+
 /// coulomb.dat: the range of collapses found by Coulomb's law.
 std::string coulombText(const CoulombRange& range);
 

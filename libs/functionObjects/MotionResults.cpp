@@ -254,13 +254,22 @@ Motion<Dim> startOrContinue(const std::filesystem::path& caseDirectory, const Dy
     {
         if (time.startValue() != 0 && !std::filesystem::exists(caseDirectory / startName / "motion"))
         {
-            throw FatalError(
+            const bool isGiven = !std::filesystem::exists(caseDirectory / startName)
+                                 || time.controls().startFrom == StartFrom::startTime;
+            throw FatalIOError(
                 fmt::format("There is nothing to start from at time {0}: neither {0}/state, which "
-                            "a run writes, nor {0}/motion. Set `startFrom` and `startTime` in "
-                            "system/controlDict.",
-                            startName));
+                            "a run writes, nor {0}/motion.\n\n{1}",
+                            startName,
+                            isGiven ? "Give the startTime of a time directory, or write `startFrom "
+                                      "latestTime;`."
+                                    : fmt::format("Remove the directory {}, or write `startFrom startTime;` "
+                                                  "with the startTime of another.",
+                                                  startName)),
+                time.controlDict().locationOf(isGiven ? "startTime" : "startFrom"));
         }
-        auto [initial, places] = readInitialMotion(caseDirectory, startName, scene.assembly);
+        InitialState<Dim> start = readInitialMotion(caseDirectory, startName, scene.assembly);
+        questionSpeeds(scene.assembly, start, time.controls().deltaT);
+        auto& [initial, places] = start;
         initial.time = time.startValue();
         if (!scene.schemes.smallDisplacements) // whose geometry is the one as built
         {

@@ -68,14 +68,29 @@ bool holdsStateAlone(const fs::path& directory)
 
 } // namespace
 
+namespace
+{
+
+/// That a state lacks an entry. \param kind of entry
+[[noreturn]] void failWithout(const State& state, std::string_view kind, const std::string& name)
+{
+    const bool isEmpty = state.scalars.empty() && state.arrays.empty() && state.texts.empty();
+    throw FatalIOError(
+        (isEmpty ? std::string("The state holds nothing")
+                 : fmt::format("The state has no {} {}; it was written by another version or application",
+                               kind, name))
+            + ".\n\nThe run cannot continue from it: remove the time directory to start from an earlier one.",
+        {state.file.string(), "", 1});
+}
+
+} // namespace
+
 double stateScalar(const State& state, const std::string& name)
 {
     const auto found = state.scalars.find(name);
     if (found == state.scalars.end())
     {
-        throw FatalIOError(
-            fmt::format("The state has no entry {}; it was written by another version or application.", name),
-            {state.file.string(), "", 0});
+        failWithout(state, "entry", name);
     }
     return found->second;
 }
@@ -85,9 +100,7 @@ const std::vector<double>& stateArray(const State& state, const std::string& nam
     const auto found = state.arrays.find(name);
     if (found == state.arrays.end())
     {
-        throw FatalIOError(
-            fmt::format("The state has no list {}; it was written by another version or application.", name),
-            {state.file.string(), "", 0});
+        failWithout(state, "list", name);
     }
     if (found->second.size() != size)
     {
@@ -95,7 +108,7 @@ const std::vector<double>& stateArray(const State& state, const std::string& nam
             fmt::format("The list {} of the state has {} values where this case needs {}. Did the "
                         "blocks change since it was written?",
                         name, found->second.size(), size),
-            {state.file.string(), "", 0});
+            {state.file.string(), "", 1});
     }
     return found->second;
 }

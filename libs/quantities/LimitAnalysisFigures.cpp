@@ -22,7 +22,7 @@ double tabledAlpha(CollapseStatus status, double alpha)
     case CollapseStatus::optimal:
         break;
     }
-    return alpha;
+    return alpha + 0.0; // a table has no -0
 }
 
 double tabledAlpha(const LimitAnalysis& result)

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace drystone
 {
@@ -36,6 +37,9 @@ TimeControls readControls(const Dictionary& dictionary, ControlDict needed)
     controls.endTime = controls.givenEndTime.value_or(controls.endTime);
     return controls;
 }
+
+/// Nearer to 0 than this [s] is the start: -0, and the rounding left of 0.3 - 0.1 - 0.2.
+constexpr double sameTime = 1e-14;
 
 /// What a case may be made for.
 const std::vector<std::string>& applicationNames()
@@ -109,6 +113,20 @@ void declareOutput(Options& options, TimeControls& controls)
                   });
 }
 
+/// Times of steps are numbers and names of directories: nearer to each other than this they are the same.
+std::string faultOfStep(const SteppedTimeControls& controls)
+{
+    const double latest =
+        std::max(std::abs(controls.startTime),
+                 controls.stopAt == StopAt::endTime ? std::abs(controls.givenEndTime.value_or(0)) : 0);
+    const double shortest = std::max(10 * sameTime, 4 * std::numeric_limits<double>::epsilon() * latest);
+    return controls.deltaT < shortest
+               ? fmt::format("deltaT {:g} s is too short: the times of two steps could not be told apart.\n\n"
+                             "Give at least {:.2g} s; usual are 1e-4 to 0.01 s.",
+                             controls.deltaT, shortest)
+               : "";
+}
+
 std::string faultOfEnd(const TimeControls& controls, double endTime)
 {
     return controls.stopAt != StopAt::endTime || endTime >= controls.startTime
@@ -137,6 +155,7 @@ void declare(Options& options, SteppedTimeControls& controls)
         .example("1");
     options.required("deltaT", controls.deltaT, docOfStep).unit("s").above(0).example("0.01");
     declareOutput(options, controls);
+    options.check("deltaT", [&controls] { return faultOfStep(controls); });
     options.check("endTime",
                   [&controls]() -> std::string
                   {
@@ -153,8 +172,7 @@ void declare(Options& options, SteppedTimeControls& controls)
 
 std::string timeName(double value, TimeFormat format, int precision)
 {
-    // -0 and the rounding left of 0.3 - 0.1 - 0.2 are the start.
-    if (std::abs(value) < 1e-14)
+    if (std::abs(value) < sameTime)
     {
         value = 0;
     }

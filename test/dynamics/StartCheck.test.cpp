@@ -54,6 +54,24 @@ protected:
     DynamicState<2> state;
 };
 
+TEST_F(StartCheck, QuestionsSpeedsThatNoStepResolves)
+{
+    const auto warning = [this](const std::string& start, double deltaT)
+    {
+        std::ofstream(directory / "0/motion") << "1\n{\n    " << start << "\n}\n";
+        const InitialState<2> initial = readInitialMotion(directory, "0", assembly);
+        testing::internal::CaptureStderr();
+        questionSpeeds(assembly, initial, deltaT);
+        return testing::internal::GetCapturedStderr();
+    };
+    EXPECT_THAT(warning("angularVelocity 1e6;", 0.01),
+                AllOf(HasSubstr("Block 1 turns by 1e+04 rad in a step of deltaT 0.01 s"),
+                      HasSubstr("at most 1e-07 s"), HasSubstr("0/motion/1 at line 1")));
+    EXPECT_THAT(warning("velocity (0 1e3);", 0.01), HasSubstr("Block 1 moves by 10 m"));
+    EXPECT_EQ(warning("velocity (0 10); angularVelocity -20;", 0.01), "");
+    EXPECT_EQ(warning("angularVelocity 1e6;", 1e-8), "");
+}
+
 TEST_F(StartCheck, RefusesAStartInTheGroundWithBothNamesAndTheDepth)
 {
     EXPECT_THAT(report("displacement (0 -0.1);"),

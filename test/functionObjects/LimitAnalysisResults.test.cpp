@@ -6,6 +6,7 @@
 #include "core/Error.h"
 #include "core/WholeFile.h"
 #include "functionObjects/LimitAnalysisLog.h"
+#include "functionObjects/LimitAnalysisTables.h"
 #include "functionObjects/LoadMeaning.h"
 #include "runControl/CaseFiles.h"
 #include "statics/SolveCase.h"
@@ -74,6 +75,16 @@ protected:
 
     fs::path directory;
 };
+
+TEST(LimitAnalysisTables, AMultiplierOfZeroHasNoSign)
+{
+    EXPECT_EQ(alphaText(-1e-300), "0.000000");
+    EXPECT_EQ(alphaText(-0.0), "0.000000");
+    EXPECT_EQ(alphaText(-0.25), "-0.250000");
+    CoulombRange range;
+    range.lowest = range.highest = range.associative = -0.0;
+    EXPECT_THAT(coulombText(range), testing::HasSubstr("\n0 0 0 0 0 inf\n"));
+}
 
 TEST_F(LimitAnalysisResults, OfACollapseHaveTheMultiplier)
 {

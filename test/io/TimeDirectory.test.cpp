@@ -272,7 +272,13 @@ TEST(TimeDirectory, MissingOrMissizedEntriesNameTheFile)
     state.arrays["velocity"] = {1, 2, 3};
     writeState(folder.path(), "2", state, WriteFormat::ascii);
     const State back = readState(folder / "2/state");
-    EXPECT_THAT(messageOf([&] { stateScalar(back, "time"); }), HasSubstr("2/state"));
+    EXPECT_THAT(messageOf([&] { stateScalar(back, "time"); }),
+                AllOf(HasSubstr("has no entry time"), HasSubstr("remove the time directory"),
+                      HasSubstr("2/state at line 1")));
+    std::ofstream(folder / "empty") << "";
+    EXPECT_THAT(messageOf([&] { stateScalar(readState(folder / "empty"), "time"); }),
+                AllOf(HasSubstr("holds nothing"), HasSubstr("remove the time directory"),
+                      HasSubstr("empty at line 1")));
     EXPECT_THAT(messageOf([&] { stateArray(back, "rotation", 3); }), HasSubstr("rotation"));
     EXPECT_THAT(messageOf([&] { stateArray(back, "velocity", 6); }),
                 HasSubstr("3 values where this case needs 6"));

@@ -114,6 +114,16 @@ TEST_F(TimeCase, WhatAStepNeedsIsRequiredWithAnExample)
     EXPECT_EQ(Time(directory).controls().endTime, 1);
 }
 
+TEST_F(TimeCase, StepsWhoseTimesAreTheSameAreRefused)
+{
+    EXPECT_THAT(failure("deltaT 1e-300; endTime 1;"),
+                testing::AllOf(HasSubstr("deltaT 1e-300 s is too short"), HasSubstr("Give at least 1e-13 s"),
+                               HasSubstr("controlDict/deltaT at line 1")));
+    EXPECT_THAT(failure("deltaT 1e-14; stopAt nextWrite;"), HasSubstr("Give at least 1e-13 s"));
+    EXPECT_THAT(failure("deltaT 1e-10; endTime 1e6;"), HasSubstr("is too short"));
+    EXPECT_EQ(failure("deltaT 1e-9; endTime 1;"), "no failure");
+}
+
 TEST_F(TimeCase, AnApplicationOfAnotherProgramIsQuestioned)
 {
     const auto warnings = [this](const std::string& application)

@@ -345,6 +345,15 @@ class RunControl(CaseTest):
         self.write(case, "system/schemes", header % "schemes" + "timeIntegraton { type theta; }\n")
         self.assertIn("timeIntegraton", self.run_(case, "-dry-run", status=1).stderr)
 
+    def testATimeWithoutAStartIsNamedWithItsLine(self):
+        case = self.copy("noStart", startFrom="startTime", startTime="0.3")
+        self.assertRegex(self.run_(case, status=1).stderr,
+                         r"(?s)nothing to start from at time 0.3.*latestTime.*controlDict/startTime at line 4")
+        self.control(case, startFrom="latestTime")
+        os.makedirs(os.path.join(case, "0.2"))
+        self.assertRegex(self.run_(case, status=1).stderr,
+                         r"(?s)nothing to start from at time 0.2.*Remove the directory 0.2.*startFrom at line 3")
+
     def testEveryApplicationMayBeThatOfACase(self):
         case = self.copy("applications")
         for name in os.listdir(applications):
