@@ -66,11 +66,6 @@ bool holdsStateAlone(const fs::path& directory)
     return !failure && entry == fs::directory_iterator();
 }
 
-} // namespace
-
-namespace
-{
-
 /// That a state lacks an entry. \param kind of entry
 [[noreturn]] void failWithout(const State& state, std::string_view kind, const std::string& name)
 {
