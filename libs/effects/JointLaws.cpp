@@ -91,7 +91,16 @@ Match matchOf(const NamePattern& pattern, const JointNames& names)
                                                           : Match::none;
 }
 
+/// Whether two names are one name in either order. Names of a list stand in pairs, one in each order.
+bool areOneName(const std::vector<std::string>& names, const std::string& one, const std::string& other)
+{
+    const auto at = std::find(names.begin(), names.end(), one);
+    return one != other && at != names.end()
+           && names[static_cast<std::size_t>(at - names.begin()) ^ 1] == other;
+}
+
 /// The entry that a joint takes: the one that names it most closely.
+/// \throws FatalIOError where two entries are one name in either order: neither is the last by intention
 const NamedJoint* entryOf(const ContactProperties& properties, const JointNames& names,
                           std::vector<char>& isMatched)
 {
@@ -105,6 +114,19 @@ const NamedJoint* entryOf(const ContactProperties& properties, const JointNames&
             isMatched[i] = true;
             if (match >= best)
             {
+                const std::string& name = properties.joints[i].first.text;
+                const std::string before = chosen ? chosen->first.text : "";
+                if (areOneName(names.own, before, name) || areOneName(names.ofZones, before, name))
+                {
+                    const std::string path = "joints/";
+                    throw FatalIOError(
+                        fmt::format("The joint {} is named twice, as {} at line {} and as {} at "
+                                    "line {}: names are the same in either order.\n\n"
+                                    "Remove one of the two.",
+                                    name, before, properties.locations.of(path + before).line, name,
+                                    properties.locations.of(path + name).line),
+                        properties.locations.of(path + name));
+                }
                 chosen = &properties.joints[i];
                 best = match;
             }

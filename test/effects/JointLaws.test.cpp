@@ -112,11 +112,21 @@ TEST_F(JointLaws, AreNamedByTheirBlocksInEitherOrder)
                          "ground-0 { friction { mu 0.2; } }\n}");
     EXPECT_EQ(of[0].mu, 0.1);
     EXPECT_EQ(of[2].mu, 0.2);
-    // Both name one joint: the last counts.
-    EXPECT_EQ(laws("friction { type Coulomb; mu 0.5; }\njoints\n{\n0-1 { friction { mu 0.3; } }\n"
-                   "1-0 { friction { mu 0.1; } }\n}")[0]
-                  .mu,
-              0.1);
+}
+
+TEST_F(JointLaws, AJointThatIsNamedInBothOrdersIsRefusedWithBothLines)
+{
+    EXPECT_THAT(report("friction { type Coulomb; mu 0.5; }\njoints\n{\n0-1 { friction { mu 0.3; } }\n"
+                       "\".*\" { friction { mu 0.2; } }\n1-0 { friction { mu 0.1; } }\n}"),
+                AllOf(HasSubstr("named twice, as 0-1 at line 4 and as 1-0 at line 6"),
+                      HasSubstr("Remove one of the two."), HasSubstr("joints/1-0 at line 6")));
+    assembly.zones = {{"lower", {0}}, {"upper", {1}}};
+    EXPECT_THAT(report("friction { type Coulomb; mu 0.5; }\njoints\n{\nupper-lower { friction { mu 0.3; } }\n"
+                       "lower-upper { friction { mu 0.1; } }\n}"),
+                HasSubstr("as upper-lower at line 4 and as lower-upper at line 5"));
+    EXPECT_EQ(report("friction { type Coulomb; mu 0.5; }\njoints\n{\nupper-lower { friction { mu 0.3; } }\n"
+                     "1-0 { friction { mu 0.1; } }\n}"),
+              "no error");
 }
 
 TEST_F(JointLaws, FaultsAreNamed)
