@@ -4,12 +4,15 @@
 
 #include "assembly/BlockShape.h"
 #include "contact/AlmostJoints.h"
+#include "contact/ShapeChecks.h"
 #include "geometry/BroadPhase.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <numeric>
+#include <set>
+#include <utility>
 
 namespace drystone
 {
@@ -18,6 +21,55 @@ namespace
 {
 
 constexpr std::size_t shownBlocks = 10;
+
+template<int Dim>
+std::vector<Box<Dim>> boxesOf(const Assembly<Dim>& assembly, double tolerance)
+{
+    std::vector<Box<Dim>> boxes;
+    for (const Block<Dim>& block : assembly.blocks)
+    {
+        boxes.push_back(enlarged<Dim>(boundingBox(block), tolerance));
+    }
+    return boxes;
+}
+
+/// `at a corner only: a joint needs ...`
+template<int Dim>
+std::string cornersAreNoJoint()
+{
+    return Dim == 2 ? "at a corner only: a joint needs a face, along which two edges lie on each other"
+                    : "along an edge or at a corner only: a joint needs two faces that lie on each other";
+}
+
+/// `block 4 touches block 2`: the first pair without a joint of which one stands on the other on its corner
+/// or edge, which bears nothing; or nothing.
+template<int Dim>
+std::string bearingCorner(const Assembly<Dim>& assembly, const std::vector<ContactPoint<Dim>>& points)
+{
+    const double tolerance = CheckLimits{}.jointTolerance * meanBlockSize(assembly);
+    std::set<std::pair<int, int>> jointed;
+    for (const ContactPoint<Dim>& point : points)
+    {
+        jointed.emplace(point.block, point.neighbour);
+    }
+    for (const auto& [first, second] : findMeetingPairs(boxesOf(assembly, tolerance)))
+    {
+        const Block<Dim>& one = assembly.blocks[first];
+        const Block<Dim>& other = assembly.blocks[second];
+        const bool bothFixed = one.support >= 0 && other.support >= 0;
+        if (bothFixed || jointed.contains({first, second}) || meetAtEdges(one, other, tolerance))
+        {
+            continue;
+        }
+        const bool isOn = !loneTouches(one, other, tolerance).empty();
+        if (isOn || !loneTouches(other, one, tolerance).empty())
+        {
+            return fmt::format("{} touches {}", blockName(assembly, isOn ? first : second),
+                               blockName(assembly, isOn ? second : first));
+        }
+    }
+    return {};
+}
 
 /// `block 4 block 2 (support ground)`: the first pair, of a block that nothing holds and one that it touches,
 /// or nothing.
@@ -30,12 +82,7 @@ std::string cornerTouch(const Assembly<Dim>& assembly, const std::vector<int>& l
     {
         isLoose[block] = true;
     }
-    std::vector<Box<Dim>> boxes;
-    for (const Block<Dim>& block : assembly.blocks)
-    {
-        boxes.push_back(enlarged<Dim>(boundingBox(block), tolerance));
-    }
-    for (const auto& [one, other] : findMeetingPairs(boxes))
+    for (const auto& [one, other] : findMeetingPairs(boxesOf(assembly, tolerance)))
     {
         // Between two that are held, or two that are not, it decides nothing.
         if (isLoose[one] != isLoose[other] && touch(assembly.blocks[one], assembly.blocks[other], tolerance))
@@ -101,7 +148,12 @@ std::string instabilityCause(const Assembly<Dim>& assembly, const std::vector<Co
     const std::vector<int> loose = blocksWithoutSupport(assembly, points);
     if (loose.empty())
     {
-        return {};
+        const std::string touching = bearingCorner(assembly, points);
+        return touching.empty()
+                   ? ""
+                   : fmt::format("Possible cause: no force acts where {} {}; `checkBlocks -allChecks` "
+                                 "lists such places.",
+                                 touching, cornersAreNoJoint<Dim>());
     }
     const std::size_t shown = std::min(shownBlocks, loose.size());
     std::string text =
@@ -112,12 +164,7 @@ std::string instabilityCause(const Assembly<Dim>& assembly, const std::vector<Co
                     shown < loose.size() ? " ..." : "", loose.size() == 1 ? "it" : "them");
     if (const std::string touching = cornerTouch(assembly, loose); !touching.empty())
     {
-        text += fmt::format(
-            " {} {}.", touching,
-            Dim == 2 ? "at a corner only: a joint needs a face, along which two edges lie on each "
-                       "other"
-                     : "along an edge or at a corner only: a joint needs two faces that lie on each "
-                       "other");
+        text += fmt::format(" {} {}.", touching, cornersAreNoJoint<Dim>());
     }
     return text;
 }

@@ -16,8 +16,9 @@ std::vector<int> blocksWithoutSupport(const Assembly<Dim>& assembly,
                                       const std::vector<ContactPoint<Dim>>& points);
 
 /// What is known, from the joints alone, of why a structure cannot stand: no block is fixed, or some have no
-/// path to a support through joints, those among them named that touch others at corners only. Lines for the
-/// log, each with the repair; empty when all blocks are held, and only equilibrium tells.
+/// path to a support through joints, those among them named that touch others at corners only, or all have
+/// one and some stand on others on a corner or an edge too. Lines for the log, each with the repair; empty
+/// when only equilibrium tells.
 template<int Dim>
 std::string instabilityCause(const Assembly<Dim>& assembly, const std::vector<ContactPoint<Dim>>& points);
 

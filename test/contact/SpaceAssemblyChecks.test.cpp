@@ -121,6 +121,24 @@ TEST(SpaceAssemblyChecks, ABlockOnItsEdgeFailsEdgeTouchesWhateverElseHoldsIt)
     EXPECT_THAT(printedReport(beside, checkAssembly(beside, CheckExtent::all)),
                 AllOf(HasSubstr("without a joint: 1, edgeTouches failed"),
                       HasSubstr("block 1 touches block 2 (support ground)")));
+    EXPECT_THAT(instabilityCause(beside, findContactPoints(beside)),
+                HasSubstr("no force acts where block 1 touches block 2 (support ground) along an edge"));
+    const Assembly<3> bond = onGround({cube, makeBox({1, 0, 0}, {2, 1, 1}), makeBox({0, 1, 0}, {1, 2, 1})});
+    EXPECT_EQ(instabilityCause(bond, findContactPoints(bond)), "");
+}
+
+TEST(SpaceAssemblyChecks, ABlockOnARidgeAsWideAsItselfFailsEdgeTouches)
+{
+    // The ends of the ridge lie on edges of the beam, or one of them does and the ridge goes on.
+    for (const double width : {1.0, 1.5})
+    {
+        const Polyhedron ridge =
+            makePrism({{4, 0, 0}, {3, 0, 0}, {3.5, 0, 1}}, {{4, width, 0}, {3, width, 0}, {3.5, width, 1}});
+        const Assembly<3> assembly = onGround({cube, ridge, makeBox({0.5, 0, 1}, {5, 1, 1.5})});
+        EXPECT_THAT(failed(assembly, CheckExtent::all), ElementsAre("edgeTouches")) << width;
+        EXPECT_THAT(instabilityCause(assembly, findContactPoints(assembly)),
+                    HasSubstr("block 1 touches block 2"));
+    }
 }
 
 TEST(SpaceAssemblyChecks, SmallJointsAreFound)

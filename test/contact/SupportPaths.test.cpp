@@ -54,6 +54,16 @@ TEST(SupportPaths, SayWhereABlockOnlyTouchesAtACorner)
                       HasSubstr("block 2 touches block 0 (support ground) at a corner only")));
 }
 
+TEST(SupportPaths, SayWhereABlockThatIsHeldStandsOnACornerToo)
+{
+    // A beam on a block at its left end, and on the tip of a triangle at its right.
+    const Assembly<2> assembly =
+        onGround({box(0, 0, 1, 1), {{{3, 0}, {4, 0}, {3.5, 1}}, 1, -1}, box(0.5, 1, 4.5, 1.5)});
+    EXPECT_THAT(cause(assembly),
+                AllOf(HasSubstr("no force acts where block 2 touches block 3 at a corner only"),
+                      HasSubstr("checkBlocks -allChecks")));
+}
+
 TEST(SupportPaths, SayWhereNoBlockIsFixed)
 {
     Assembly<2> assembly;

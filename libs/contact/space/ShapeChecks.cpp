@@ -6,11 +6,11 @@
 #include "geometry/space/FacePolygon.h"
 #include "geometry/space/PolyhedronOverlap.h"
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace drystone
@@ -113,44 +113,103 @@ std::vector<Vector<3>> loneTouches(const Block<3>& one, const Block<3>& other, d
 namespace
 {
 
-/// Distance of a point to the nearest edge [m].
-double distanceToEdges(const Polyhedron& shape, const Vector<3>& point)
+struct EdgeLine
 {
-    double least = std::numeric_limits<double>::infinity();
+    Vector<3> start;
+    Vector<3> along; ///< to its end
+
+    Vector<3> at(double part) const { return start + part * along; }
+    double nearest(const Vector<3>& point) const { return (point - start).dot(along) / along.squaredNorm(); }
+};
+
+std::vector<EdgeLine> edgeLinesOf(const Polyhedron& shape)
+{
+    std::vector<EdgeLine> edges;
     for (const std::vector<int>& face : shape.faces)
     {
         for (std::size_t i = 0; i < face.size(); ++i)
         {
-            const Vector<3>& start = shape.vertices[face[i]];
-            const Vector<3> edge = shape.vertices[face[(i + 1) % face.size()]] - start;
-            const double along = std::clamp((point - start).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
-            least = std::min(least, (start + along * edge - point).norm());
+            const int next = face[(i + 1) % face.size()];
+            if (face[i] < next) // each belongs to two faces
+            {
+                edges.push_back({shape.vertices[face[i]], shape.vertices[next] - shape.vertices[face[i]]});
+            }
         }
     }
-    return least;
+    return edges;
+}
+
+bool isOnEdge(const std::vector<EdgeLine>& edges, const Vector<3>& point, double tolerance)
+{
+    return std::any_of(
+        edges.begin(), edges.end(),
+        [&](const EdgeLine& edge)
+        { return (edge.at(std::clamp(edge.nearest(point), 0.0, 1.0)) - point).norm() <= tolerance; });
+}
+
+/// Where along an edge of one block it meets edges and corners of another, from 0 to 1, its ends included.
+std::vector<double> meetingsAlong(const EdgeLine& edge, const Polyhedron& other,
+                                  const std::vector<EdgeLine>& edges, double tolerance)
+{
+    std::vector<double> parts{0, 1};
+    for (const Vector<3>& corner : other.vertices)
+    {
+        parts.push_back(edge.nearest(corner));
+    }
+    for (const EdgeLine& crossing : edges)
+    {
+        // The nearest points of two lines: both differences are perpendicular to (edge - crossing).
+        const Vector<3> normal = edge.along.cross(crossing.along);
+        if (normal.norm() > 1e-9 * edge.along.norm() * crossing.along.norm())
+        {
+            parts.push_back((crossing.start - edge.start).cross(crossing.along).dot(normal)
+                            / normal.squaredNorm());
+        }
+    }
+    std::erase_if(parts, [&](double part)
+                  { return part < 0 || part > 1 || distance(other, edge.at(part)) > tolerance; });
+    std::sort(parts.begin(), parts.end());
+    return parts;
+}
+
+/// Whether a corner or a part of an edge of one block lies within a face of another.
+bool liesInFace(const Polyhedron& one, const Polyhedron& other, double tolerance)
+{
+    const std::vector<EdgeLine> edges = edgeLinesOf(other);
+    const auto isInFace = [&](const Vector<3>& point)
+    { return distance(other, point) <= tolerance && !isOnEdge(edges, point, tolerance); };
+    if (std::any_of(one.vertices.begin(), one.vertices.end(), isInFace))
+    {
+        return true;
+    }
+    for (const EdgeLine& edge : edgeLinesOf(one))
+    {
+        // Between two meetings an edge is in one face, on one edge or off the block.
+        const std::vector<double> parts = meetingsAlong(edge, other, edges, tolerance);
+        for (std::size_t i = 1; i < parts.size(); ++i)
+        {
+            if (isInFace(edge.at((parts[i - 1] + parts[i]) / 2)))
+            {
+                return true;
+            }
+        }
+    }
+    return false;
 }
 
 } // namespace
 
 bool meetAtEdges(const Block<3>& one, const Block<3>& other, double tolerance)
 {
-    bool touches = false;
-    for (const auto& [block, neighbour] : {std::pair(&one, &other), std::pair(&other, &one)})
-    {
-        for (const Vector<3>& corner : block->shape.vertices)
-        {
-            if (distance(neighbour->shape, corner) <= tolerance)
-            {
-                touches = true;
-                if (distanceToEdges(neighbour->shape, corner) > tolerance)
-                {
-                    return false;
-                }
-            }
-        }
-    }
     // Edges that lie along each other have an end of one on the other; without one they cross, as in no bond.
-    return touches;
+    const auto touches = [tolerance](const Polyhedron& shape, const Polyhedron& neighbour)
+    {
+        return std::any_of(shape.vertices.begin(), shape.vertices.end(),
+                           [&](const Vector<3>& corner) { return distance(neighbour, corner) <= tolerance; });
+    };
+    return (touches(one.shape, other.shape) || touches(other.shape, one.shape))
+           && !liesInFace(one.shape, other.shape, tolerance)
+           && !liesInFace(other.shape, one.shape, tolerance);
 }
 
 } // namespace drystone
