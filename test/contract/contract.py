@@ -81,11 +81,16 @@ class Contract(CaseTest):
                     self.assertRegex(said, rf"(?m)^ +{option}\b")
                 self.assertRegex(self.call(name, "-version").stdout, r"^Drystone \d+\.\d+\.\d+( at [0-9a-f]+)?\n$")
                 self.assertIn("-unheardOf", self.call(name, "-unheardOf", status=1).stderr)
+                self.assertIn("-unheardOf", self.call(name, "-help", "-unheardOf", status=1).stderr)
                 if name != "ensemble":
                     arguments = ["constant/g"] if name == "caseDictionary" else []
                     said = self.call(name, *arguments, "-parallel", "-case", self.case(plane), status=1).stderr
                     self.assertIn("--> DRYSTONE FATAL ERROR", said)
                     self.assertIn("no parallel mode", said)
+
+    def testDrystoneNewNamesAnUnknownOption(self):
+        for options in (("-unheardOf",), ("-help", "-unheardOf")):
+            self.assertIn("-unheardOf", self.call("drystone-new", *options, status=1).stderr)
 
     def testCaseDictionaryHasTheOptionsOfFoamDictionary(self):
         case = self.case(plane)
