@@ -80,6 +80,26 @@ void pullRays(const State<Rows, double>& state, const ConeScaling<double>& scali
              });
 }
 
+/// The pulls of the round cones. \param ask (lambda, ds, dz) of a pack, scaled: what is asked for in its
+/// products
+template<class Scalar, class Ask>
+void pullRounds(const ConeRanges& cones, const ConeScaling<Scalar>& scaling, const ScaledStep<Scalar>& scaled,
+                double primal, double dual, VectorOf<Scalar>& pull, const Ask& ask)
+{
+    using Number = Abreast<Scalar>;
+    forPacks<Number>(cones.rounds,
+                     [&](const Pack& pack)
+                     {
+                         const NesterovToddScaling<Number>& of = scaling.rounds[pack.number];
+                         const ConeVector<Number>& ds = scaled.forces[pack.number];
+                         const ConeVector<Number>& dz = scaled.openings[pack.number];
+                         const ConeVector<Number> c =
+                             dividedByAnswer<Number>(of, ds, dz, primal, dual, ask(of.lambda, ds, dz));
+                         put(scaling.pulls[pack.number].apply(jordanDivide(of.lambda, of.determinant, c)),
+                             cones.at(pack.round), pack.count, pull);
+                     });
+}
+
 /// The change that brings a product into the box, no further down than the largest aim.
 template<class Number>
 Number intoBox(const Number& product, double least, double largest)
@@ -108,19 +128,14 @@ VectorOf<Scalar> mehrotraPull(const State<Rows, Scalar>& state, const ConeScalin
         pull.head(rays).array() = (Scalar(aim) - step.s.head(rays).array() * step.z.head(rays).array())
                                   * scaling.flexibility.array();
     }
-    using Number = Abreast<Scalar>;
-    forPacks<Number>(cones.rounds,
-                     [&](const Pack& pack)
-                     {
-                         const NesterovToddScaling<Number>& of = scaling.rounds[pack.number];
-                         const ConeVector<Number>& ds = scaled.forces[pack.number];
-                         const ConeVector<Number>& dz = scaled.openings[pack.number];
-                         ConeVector<Number> c = -jordanProduct<Number>(ds, dz);
-                         c[0] += Number(aim);
-                         c = dividedByAnswer<Number>(of, ds, dz, 1, 1, c);
-                         put(scaling.pulls[pack.number].apply(jordanDivide(of.lambda, of.determinant, c)),
-                             cones.at(pack.round), pack.count, pull);
-                     });
+    pullRounds(cones, scaling, scaled, 1, 1, pull,
+               [&](const auto&, const auto& ds, const auto& dz)
+               {
+                   using Number = Abreast<Scalar>;
+                   ConeVector<Number> c = -jordanProduct<Number>(ds, dz);
+                   c[0] += Number(aim);
+                   return c;
+               });
     return pull;
 }
 
@@ -153,23 +168,15 @@ VectorOf<Scalar> gondzioPull(const State<Rows, Scalar>& state, const ConeScaling
             pull[ray] = Scalar(intoBox(leading(product), least, largest)) * scaling.flexibility[ray];
         }
     }
-    using Number = Abreast<Scalar>;
-    forPacks<Number>(cones.rounds,
-                     [&](const Pack& pack)
-                     {
-                         const NesterovToddScaling<Number>& of = scaling.rounds[pack.number];
-                         const ConeVector<Number>& ds = scaled.forces[pack.number];
-                         const ConeVector<Number>& dz = scaled.openings[pack.number];
-                         const ConeVector<Number> product = jordanProduct<Number>(
-                             of.lambda + Number(primal) * ds, of.lambda + Number(dual) * dz);
-                         const ConeVector<Number> asked =
-                             onEigenvalues(product, [&](const Number& value)
-                                           { return Number(intoBox(leading(value), least, largest)); });
-                         const ConeVector<Number> c =
-                             dividedByAnswer<Number>(of, ds, dz, primal, dual, asked);
-                         put(scaling.pulls[pack.number].apply(jordanDivide(of.lambda, of.determinant, c)),
-                             cones.at(pack.round), pack.count, pull);
-                     });
+    pullRounds(cones, scaling, scaled, primal, dual, pull,
+               [&](const auto& lambda, const auto& ds, const auto& dz)
+               {
+                   using Number = Abreast<Scalar>;
+                   const ConeVector<Number> product =
+                       jordanProduct<Number>(lambda + Number(primal) * ds, lambda + Number(dual) * dz);
+                   return onEigenvalues(product, [&](const Number& value)
+                                        { return Number(intoBox(leading(value), least, largest)); });
+               });
     return pull;
 }
 
