@@ -8,7 +8,15 @@
 namespace drystone
 {
 
-/// Every operation works on each of the four by itself, to the same bits as on a double.
+/// Of each of four comparisons whether it holds: all bits or none.
+struct ChoiceOfFour
+{
+    typedef long Bits __attribute__((vector_size(32), aligned(16)));
+    Bits bits;
+};
+
+/// Every operation works on each of the four by itself, to the same bits as on a double. Operators are
+/// friends for the reason of DoubleDouble.
 struct FourDoubles
 {
     /// Aligned as Eigen has it on processors without such registers, too.
@@ -23,60 +31,33 @@ struct FourDoubles
 
     double operator[](int at) const { return numbers[at]; }
 
-    FourDoubles& operator+=(const FourDoubles& other);
-    FourDoubles& operator-=(const FourDoubles& other);
-    FourDoubles& operator*=(const FourDoubles& other);
-    FourDoubles& operator/=(const FourDoubles& other);
+    friend FourDoubles operator-(const FourDoubles& a) { return FourDoubles(-a.numbers); }
+    friend FourDoubles operator+(const FourDoubles& a, const FourDoubles& b)
+    {
+        return FourDoubles(a.numbers + b.numbers);
+    }
+    friend FourDoubles operator-(const FourDoubles& a, const FourDoubles& b)
+    {
+        return FourDoubles(a.numbers - b.numbers);
+    }
+    friend FourDoubles operator*(const FourDoubles& a, const FourDoubles& b)
+    {
+        return FourDoubles(a.numbers * b.numbers);
+    }
+    friend FourDoubles operator/(const FourDoubles& a, const FourDoubles& b)
+    {
+        return FourDoubles(a.numbers / b.numbers);
+    }
+    friend ChoiceOfFour operator>(const FourDoubles& a, const FourDoubles& b)
+    {
+        return {a.numbers > b.numbers};
+    }
+
+    FourDoubles& operator+=(const FourDoubles& other) { return *this = *this + other; }
+    FourDoubles& operator-=(const FourDoubles& other) { return *this = *this - other; }
+    FourDoubles& operator*=(const FourDoubles& other) { return *this = *this * other; }
+    FourDoubles& operator/=(const FourDoubles& other) { return *this = *this / other; }
 };
-
-inline FourDoubles operator-(const FourDoubles& a)
-{
-    return FourDoubles(-a.numbers);
-}
-inline FourDoubles operator+(const FourDoubles& a, const FourDoubles& b)
-{
-    return FourDoubles(a.numbers + b.numbers);
-}
-inline FourDoubles operator-(const FourDoubles& a, const FourDoubles& b)
-{
-    return FourDoubles(a.numbers - b.numbers);
-}
-inline FourDoubles operator*(const FourDoubles& a, const FourDoubles& b)
-{
-    return FourDoubles(a.numbers * b.numbers);
-}
-inline FourDoubles operator/(const FourDoubles& a, const FourDoubles& b)
-{
-    return FourDoubles(a.numbers / b.numbers);
-}
-inline FourDoubles& FourDoubles::operator+=(const FourDoubles& other)
-{
-    return *this = *this + other;
-}
-inline FourDoubles& FourDoubles::operator-=(const FourDoubles& other)
-{
-    return *this = *this - other;
-}
-inline FourDoubles& FourDoubles::operator*=(const FourDoubles& other)
-{
-    return *this = *this * other;
-}
-inline FourDoubles& FourDoubles::operator/=(const FourDoubles& other)
-{
-    return *this = *this / other;
-}
-
-/// Of each of the four whether a comparison holds: all bits or none.
-struct ChoiceOfFour
-{
-    typedef long Bits __attribute__((vector_size(32), aligned(16)));
-    Bits bits;
-};
-
-inline ChoiceOfFour operator>(const FourDoubles& a, const FourDoubles& b)
-{
-    return {a.numbers > b.numbers};
-}
 
 inline FourDoubles sqrt(const FourDoubles& value)
 {
