@@ -21,6 +21,14 @@ struct ContactFeature
     friend bool operator==(const ContactFeature&, const ContactFeature&) = default;
 };
 
+/// Whether two points of one pair of blocks are the same at two times. In space either of two corners may be
+/// followed where those of both blocks were at one place.
+template<int Dim>
+bool isSameFeature(const ContactFeature& a, const ContactFeature& b)
+{
+    return Dim == 2 ? a == b : a.vertex == b.vertex;
+}
+
 /// One point where two blocks touch: in the plane, where a corner of one faces an edge of another; in space,
 /// of a patch where a face of one lies on a face of another. The contact force (n, t) acts on `block` along
 /// (normal, tangent), in space (n, t1, t2) along (normal, tangent1, tangent2), and reversed on `neighbour`; n

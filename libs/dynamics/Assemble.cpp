@@ -32,7 +32,7 @@ std::vector<int> pointsOfLastStep(const Motion<Dim>& motion, const std::vector<C
         for (std::size_t there = first;
              there < motion.points.size() && pairOf(motion.points[there]) == pairOf(points[point]); ++there)
         {
-            if (motion.points[there].feature == points[point].feature)
+            if (isSameFeature<Dim>(motion.points[there].feature, points[point].feature))
             {
                 old[point] = static_cast<int>(there);
             }

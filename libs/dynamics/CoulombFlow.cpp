@@ -155,14 +155,15 @@ bool solveFlow(ThetaStep& step, StepProgram<Dim> program, ConeSolution start, co
 template<int Dim>
 bool goesOnFromLastStep(ThetaStep& step, const StepProgram<Dim>& program, const ConeSolution& start,
                         const Eigen::VectorXd& heading, const StepSettings& settings,
-                        const Relinearisation<Dim>& relinearise, SymbolicAnalysis& symbolic)
+                        const Relinearisation<Dim>& relinearise, Following following,
+                        SymbolicAnalysis& symbolic)
 {
     if (settings.solver.solver != SolverType::automatic || program.hasCompliance()
         || start.contactForce.isZero(0))
     {
         return false;
     }
-    if (followFlow(step, program, start, settings, relinearise, symbolic)
+    if (followFlow(step, program, start, settings, relinearise, following, symbolic)
         && !mayRest(program, program.load - applyEquilibrium(program, step.contactForce)))
     {
         return true;
@@ -184,7 +185,8 @@ template bool solveFlow(ThetaStep& step, StepProgram<2> program, ConeSolution st
                         SymbolicAnalysis& symbolic);
 template bool goesOnFromLastStep(ThetaStep& step, const StepProgram<2>& program, const ConeSolution& start,
                                  const Eigen::VectorXd& heading, const StepSettings& settings,
-                                 const Relinearisation<2>& relinearise, SymbolicAnalysis& symbolic);
+                                 const Relinearisation<2>& relinearise, Following following,
+                                 SymbolicAnalysis& symbolic);
 template Eigen::VectorXd dilatancy(const StepProgram<3>& program, const Eigen::VectorXd& closing,
                                    const Eigen::VectorXd& contactForce);
 template double errorOfFlow<3>(const Eigen::VectorXd& imposed, const Eigen::VectorXd& opening,
@@ -195,7 +197,8 @@ template bool solveFlow(ThetaStep& step, StepProgram<3> program, ConeSolution st
                         SymbolicAnalysis& symbolic);
 template bool goesOnFromLastStep(ThetaStep& step, const StepProgram<3>& program, const ConeSolution& start,
                                  const Eigen::VectorXd& heading, const StepSettings& settings,
-                                 const Relinearisation<3>& relinearise, SymbolicAnalysis& symbolic);
+                                 const Relinearisation<3>& relinearise, Following following,
+                                 SymbolicAnalysis& symbolic);
 template void takeOver(ThetaStep& step, StepProgram<2>& program, ConeSolution solution,
                        const StepSettings& settings, double gapTolerance, double backwards);
 template void takeOver(ThetaStep& step, StepProgram<3>& program, ConeSolution solution,

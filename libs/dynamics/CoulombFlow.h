@@ -2,7 +2,7 @@
 /// Coulomb's law in a step: blocks slide without opening, which the program's flow would make them do.
 #pragma once
 
-#include "dynamics/ThetaStep.h"
+#include "dynamics/FollowedFlow.h"
 
 namespace drystone
 {
@@ -50,6 +50,7 @@ bool solveFlow(ThetaStep& step, StepProgram<Dim> program, ConeSolution start, co
 template<int Dim>
 bool goesOnFromLastStep(ThetaStep& step, const StepProgram<Dim>& program, const ConeSolution& start,
                         const Eigen::VectorXd& heading, const StepSettings& settings,
-                        const Relinearisation<Dim>& relinearise, SymbolicAnalysis& symbolic);
+                        const Relinearisation<Dim>& relinearise, Following following,
+                        SymbolicAnalysis& symbolic);
 
 } // namespace drystone

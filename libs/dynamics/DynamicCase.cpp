@@ -18,17 +18,6 @@ namespace drystone
 namespace
 {
 
-/// Refuses what the schemes of a case in space cannot have.
-void requireSchemesOfSpace(const Schemes& schemes, const std::filesystem::path& caseDirectory)
-{
-    if (schemes.contactOverlap != Schemes().contactOverlap)
-    {
-        throw FatalIOError(
-            "In space contact points do not give way: remove contactOverlap.",
-            Dictionary::readFile(caseDirectory / "system/schemes").locationOf("contactOverlap"));
-    }
-}
-
 /// Warns of a contactOverlap that no step looks at: points give way by Coulomb's law and with theta 1 only.
 template<int Dim>
 void warnOfUnusedOverlap(const DynamicCase<Dim>& scene, const std::filesystem::path& caseDirectory)
@@ -79,10 +68,6 @@ DynamicCase<Dim> readDynamicCase(const std::filesystem::path& caseDirectory,
 {
     DynamicCase<Dim> scene;
     scene.schemes = readSchemes(caseDirectory);
-    if (Dim == 3)
-    {
-        requireSchemesOfSpace(scene.schemes, caseDirectory);
-    }
     scene.solution = readOptions<SolverChoice>(readSolution(caseDirectory, "contactDynamics"));
     Assembly<Dim> assembly = readAssembly<Dim>(caseDirectory);
     refuseOverlaps(assembly, caseDirectory);

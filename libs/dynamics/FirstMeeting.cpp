@@ -49,7 +49,7 @@ Meeting firstMeeting(Step<Dim>& step, const Eigen::VectorXd& closing,
             : Relinearisation<Dim>();
     Meeting meeting;
     StepGuess guess = step.guess;
-    if (followsFlow<Dim>(step.settings))
+    if (followsFlow(step.settings))
     {
         // Those without the points are followed from those with them.
         guess.contactForce = step.solved.result.contactForce;

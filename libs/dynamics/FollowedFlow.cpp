@@ -22,25 +22,40 @@ constexpr double partOfOverlap = 0.1;
 
 /// Changes of state of points allowed from the forces of the last step; where they do not suffice, it was of
 /// another kind. So many, and one more for every so many points; from any forces so many times the number of
-/// points.
+/// points, of which more have led nowhere in space.
 constexpr int fewPivots = 24;
 constexpr int pointsToAPivot = 10;
-constexpr int manyPivots = 4;
+constexpr int manyPivots(int dimensions)
+{
+    return dimensions == 3 ? 1 : 4;
+}
+
+/// Forces that are followed are those of the overlaps to this part.
+constexpr double partOfFollowed = 0.1;
 
 /// From forces of another kind, such as those of the interior point, the way to nearly rigid points is long
 /// and winding; by way of points that are softer by these factors it is short. Where one such way does not
 /// end the other often does.
 constexpr std::array<double, 5> gentle{65536, 4096, 256, 16, 1};
 constexpr std::array<double, 4> fromFarSofter{16777216, 65536, 256, 1};
-constexpr std::array<std::span<const double>, 2> softenings{gentle, fromFarSofter};
+/// In space, where pieces turn, a third way with short stages: of 300 shaken walls without it 2 had a step
+/// that was not solved.
+constexpr std::array<double, 13> slow{16777216, 4194304, 1048576, 262144, 65536, 16384, 4096,
+                                      1024,     256,     64,      16,     4,     1};
+constexpr std::array<std::span<const double>, 3> softenings{gentle, fromFarSofter, slow};
+constexpr std::size_t waysIn(int dimensions)
+{
+    return dimensions == 3 ? softenings.size() : 2;
+}
 
 /// In powers of 4 times what stops all of a structure in one whole step, so that it stays from step to step,
 /// and from part to part, and is the same in any units. \return the stiffness with which points overlap by no
 /// more under a force [N/m]
-double stiffnessFor(const StepProgram<2>& program, double force, double overlap, double partOfStep)
+template<int Dim>
+double stiffnessFor(const StepProgram<Dim>& program, double force, double overlap, double partOfStep)
 {
     double inertia = 0;
-    for (const StepProgram<2>::Inertia& ofBody : program.inertia)
+    for (const typename StepProgram<Dim>::Inertia& ofBody : program.inertia)
     {
         inertia += ofBody(0, 0);
     }
@@ -48,10 +63,14 @@ double stiffnessFor(const StepProgram<2>& program, double force, double overlap,
     return inertia * std::exp2(2 * std::ceil(0.5 * std::log2(force / (inertia * overlap))));
 }
 
+template<int Dim>
+using PathOf = ContactPath<freedomCount<Dim>, Dim>;
+
 /// A program whose flow is followed, and what counts the work.
+template<int Dim>
 struct FollowedFlow
 {
-    StepProgram<2> program;
+    StepProgram<Dim> program;
     const StepSettings& settings;
     SymbolicAnalysis& symbolic;
     ThetaStep& step;
@@ -60,12 +79,13 @@ struct FollowedFlow
 /// Takes the overlaps c/k away: with gaps that are smaller by them points carry the same forces where they
 /// touch (the method of multipliers, Hestenes 1969). What is left of the overlaps is what the forces change
 /// by, over k, and they change by the inertia of displacements as small as overlaps only.
-bool closeOverlaps(const FollowedFlow& flow, ContactPath& path, ConeSolution& solution, double stiffness)
+template<int Dim>
+bool closeOverlaps(const FollowedFlow<Dim>& flow, PathOf<Dim>& path, ConeSolution& solution, double stiffness)
 {
     constexpr int rounds = 2;
     for (int round = 0; round < rounds; ++round)
     {
-        StepProgram<2> smaller = flow.program;
+        StepProgram<Dim> smaller = flow.program;
         smaller.gap -= solution.contactForce / stiffness;
         if (!path.follow(smaller))
         {
@@ -81,12 +101,13 @@ bool closeOverlaps(const FollowedFlow& flow, ContactPath& path, ConeSolution& so
 /// From a solution to that for points of this stiffness. \param relinearise or empty: with the gaps as they
 /// are \param gapTolerance of the linear prediction \param overlaps left at the end \return whether it was
 /// reached
-bool followTo(FollowedFlow& flow, ConeSolution& solution, double stiffness, int maximumPivots,
-              const Relinearisation<2>& relinearise, double gapTolerance, Overlaps overlaps)
+template<int Dim>
+bool followTo(FollowedFlow<Dim>& flow, ConeSolution& solution, double stiffness, int maximumPivots,
+              const Relinearisation<Dim>& relinearise, double gapTolerance, Overlaps overlaps)
 {
     constexpr double beyond = 1e-3;
     constexpr double exact = 1e-3;
-    ContactPath path(flow.program, solution,
+    PathOf<Dim> path(flow.program, solution,
                      {Sliding::coulomb, stiffness, beyond * flow.settings.solver.tolerance, maximumPivots},
                      flow.symbolic);
     bool isReached = false;
@@ -117,15 +138,42 @@ bool followTo(FollowedFlow& flow, ConeSolution& solution, double stiffness, int 
 
 } // namespace
 
-template<>
-bool followFlow<2>(ThetaStep& step, const StepProgram<2>& program, const ConeSolution& start,
-                   const StepSettings& settings, const Relinearisation<2>& relinearise,
-                   SymbolicAnalysis& symbolic)
+template<int Dim>
+bool areFollowed(const StepProgram<Dim>& program, const Eigen::VectorXd& contactForce)
+{
+    // One stiffness for all points: that of the largest force.
+    Eigen::Index strongest = 0;
+    for (Eigen::Index row = 0; row < contactForce.size(); row += Dim)
+    {
+        strongest = contactForce[row] > contactForce[strongest] ? row : strongest;
+    }
+    if (contactForce.size() == 0 || !(program.gap[strongest] < 0))
+    {
+        return false;
+    }
+    const double stiffness = contactForce[strongest] / -program.gap[strongest];
+    double missed = 0;
+    for (Eigen::Index row = 0; row < contactForce.size(); row += Dim)
+    {
+        missed += std::abs(contactForce[row] - stiffness * std::max(0.0, -program.gap[row]));
+    }
+    double sum = 0;
+    for (Eigen::Index row = 0; row < contactForce.size(); row += Dim)
+    {
+        sum += contactForce[row];
+    }
+    return missed <= partOfFollowed * sum;
+}
+
+template<int Dim>
+bool followFlow(ThetaStep& step, const StepProgram<Dim>& program, const ConeSolution& start,
+                const StepSettings& settings, const Relinearisation<Dim>& relinearise, Following following,
+                SymbolicAnalysis& symbolic)
 {
     const double largest = start.contactForce.size() > 0 ? start.contactForce.lpNorm<Eigen::Infinity>() : 0;
     const bool isMotion = settings.kind == StepKind::motion; // an impact has its gaps as they are
-    if ((isMotion && !relinearise) || !followsFlow<2>(settings) || program.hasCompliance()
-        || program.hasCrushing() || !(largest > 0))
+    if (following == Following::notAtAll || (isMotion && !relinearise) || !followsFlow(settings)
+        || program.hasCompliance() || program.hasCrushing() || !(largest > 0))
     {
         return false;
     }
@@ -133,12 +181,12 @@ bool followFlow<2>(ThetaStep& step, const StepProgram<2>& program, const ConeSol
     const double overlap = settings.contactOverlap * settings.blockSize;
     const double stiffness = stiffnessFor(program, largest, overlap / 2, settings.partOfStep);
     const int few = fewPivots + program.points() / pointsToAPivot;
-    const int many = manyPivots * program.points();
-    FollowedFlow flow{program, settings, symbolic, step};
+    const int many = manyPivots(Dim) * program.points();
+    FollowedFlow<Dim> flow{program, settings, symbolic, step};
     ConeSolution solution = start;
     bool isReached =
         followTo(flow, solution, stiffness, few, relinearise, partOfOverlap * overlap, settings.overlaps);
-    for (std::size_t way = 0; !isReached && way < softenings.size(); ++way)
+    for (std::size_t way = 0; !isReached && following == Following::fromAnyForces && way < waysIn(Dim); ++way)
     {
         flow.program = program;
         solution = start;
@@ -147,7 +195,7 @@ bool followFlow<2>(ThetaStep& step, const StepProgram<2>& program, const ConeSol
         {
             const bool isLast = stage + 1 == softenings[way].size();
             isReached = followTo(flow, solution, stiffness / softenings[way][stage], many,
-                                 isLast ? relinearise : Relinearisation<2>{}, partOfOverlap * overlap,
+                                 isLast ? relinearise : Relinearisation<Dim>{}, partOfOverlap * overlap,
                                  isLast ? settings.overlaps : Overlaps::damped);
         }
     }
@@ -161,16 +209,22 @@ bool followFlow<2>(ThetaStep& step, const StepProgram<2>& program, const ConeSol
     const bool isRight = taken.certificate.worst() <= settings.solver.tolerance;
     if (isRight)
     {
+        if (relinearise)
+        {
+            keepMomenta(taken, flow.program, relinearise);
+        }
         step = std::move(taken);
     }
     return isRight;
 }
 
-template<>
-bool followFlow<3>(ThetaStep&, const StepProgram<3>&, const ConeSolution&, const StepSettings&,
-                   const Relinearisation<3>&, SymbolicAnalysis&)
-{
-    return false;
-}
+template bool followFlow(ThetaStep& step, const StepProgram<2>& program, const ConeSolution& start,
+                         const StepSettings& settings, const Relinearisation<2>& relinearise,
+                         Following following, SymbolicAnalysis& symbolic);
+template bool areFollowed(const StepProgram<2>& program, const Eigen::VectorXd& contactForce);
+template bool followFlow(ThetaStep& step, const StepProgram<3>& program, const ConeSolution& start,
+                         const StepSettings& settings, const Relinearisation<3>& relinearise,
+                         Following following, SymbolicAnalysis& symbolic);
+template bool areFollowed(const StepProgram<3>& program, const Eigen::VectorXd& contactForce);
 
 } // namespace drystone

@@ -12,32 +12,33 @@ inline constexpr int mostRelinearisations = 10;
 
 /// Whether the flow of such steps is followed. Then the smallest overlap tells a force: none may be taken for
 /// rounding, which each step would put in its place.
-template<int Dim>
-bool followsFlow(const StepSettings& settings)
+inline bool followsFlow(const StepSettings& settings)
 {
-    return Dim == 2 && settings.flowRule == FlowRule::nonAssociative && settings.overlaps != Overlaps::none;
+    return settings.flowRule == FlowRule::nonAssociative && settings.overlaps != Overlaps::none;
 }
+
+/// Which forces it may begin with.
+enum class Following
+{
+    notAtAll,
+    fromLastStep, ///< those that the last step was followed to
+    fromAnyForces ///< by way of softer points, where these are not near
+};
+
+/// Whether forces are those of the overlaps that there are when a step begins: the last one was followed.
+template<int Dim>
+bool areFollowed(const StepProgram<Dim>& program, const Eigen::VectorXd& contactForce);
 
 /// Coulomb's law by following forces from a start to those of points that overlap by up to
 /// `contactOverlap` (conic/coulomb/ContactPath.h). Rigid forces are not unique, and with them neither is the
 /// motion: these are the least, so that the motion depends on the places and velocities of the blocks only,
 /// and changes as they do. Those of an impact, which nothing would close after it, are closed again by
-/// multipliers. Only in the plane, with theta 1 or for an impact, and forces to begin with. \param program
+/// multipliers. Only with theta 1 or for an impact, and forces to begin with. \param program
 /// its gaps without what the flow opens \param relinearise empty for an impact \return whether it was
 /// reached; otherwise the step is as it was but for the work counted
 template<int Dim>
 bool followFlow(ThetaStep& step, const StepProgram<Dim>& program, const ConeSolution& start,
-                const StepSettings& settings, const Relinearisation<Dim>& relinearise,
+                const StepSettings& settings, const Relinearisation<Dim>& relinearise, Following following,
                 SymbolicAnalysis& symbolic);
-template<>
-bool followFlow<2>(ThetaStep& step, const StepProgram<2>& program, const ConeSolution& start,
-                   const StepSettings& settings, const Relinearisation<2>& relinearise,
-                   SymbolicAnalysis& symbolic);
-
-/// Not reached: cones of space are round, their laws have no pieces.
-template<>
-bool followFlow<3>(ThetaStep& step, const StepProgram<3>& program, const ConeSolution& start,
-                   const StepSettings& settings, const Relinearisation<3>& relinearise,
-                   SymbolicAnalysis& symbolic);
 
 } // namespace drystone

@@ -68,7 +68,7 @@ Relinearisation<Dim> movingContactGeometry(const Step<Dim>& step)
             motion.contacts->measure(after, points);
         }
         // Named solvers leave what their tolerance leaves: rounding would add to it in the ledger of energy.
-        if (!followsFlow<Dim>(step.settings) || step.settings.solver.solver != SolverType::automatic)
+        if (!followsFlow(step.settings) || step.settings.solver.solver != SolverType::automatic)
         {
             forgetRounding(scene, points);
         }

@@ -15,7 +15,7 @@ namespace
 template<int Dim>
 bool isSame(const ContactPoint<Dim>& a, const ContactPoint<Dim>& b)
 {
-    return a.block == b.block && a.neighbour == b.neighbour && a.feature == b.feature
+    return a.block == b.block && a.neighbour == b.neighbour && isSameFeature<Dim>(a.feature, b.feature)
            && (a.feature.vertexBlock >= 0 || a.position == b.position);
 }
 

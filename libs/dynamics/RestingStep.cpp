@@ -2,6 +2,9 @@
 /// Steps at rest.
 #include "dynamics/RestingStep.h"
 
+#include "conic/BalancedForces.h"
+#include "conic/ProgramPart.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -34,6 +37,45 @@ Rest restWith(const StepProgram<Dim>& program, const Eigen::VectorXd& contactFor
     rest.solution.contactForce = contactForce;
     rest.certificate = certifyOptimal(program, rest.solution);
     return rest;
+}
+
+template<int Dim>
+Rest restWithin(const StepProgram<Dim>& program, const Eigen::VectorXd& contactForce,
+                const StepSettings& settings, ThetaStep& step)
+{
+    constexpr double partOfTolerance = 0.1;
+    StepProgram<Dim> closed = program;
+    std::vector<int> pressing;
+    StepProgram<Dim> carried;
+    carried.bodies = program.bodies;
+    carried.load = program.load;
+    for (int point = 0; point < program.points(); ++point)
+    {
+        if (contactForce[Dim * point] > 0)
+        {
+            double& gap = closed.gap[Dim * point];
+            gap = std::abs(gap) <= settings.contactOverlap * settings.blockSize ? 0 : gap;
+            pressing.push_back(point);
+            carried.contacts.push_back(program.contacts[static_cast<std::size_t>(point)]);
+            carried.friction.push_back(program.friction[static_cast<std::size_t>(point)]);
+        }
+    }
+    Rest rest = restWith(closed, contactForce);
+    if (rest.certificate.worst() <= settings.solver.tolerance)
+    {
+        return rest;
+    }
+    SymbolicAnalysis symbolic;
+    const Eigen::VectorXd holding = nearestForces(carried, takenFrom<Dim>(pressing, contactForce),
+                                                  partOfTolerance * settings.solver.tolerance, symbolic);
+    ++step.factorisations;
+    if (holding.size() == 0)
+    {
+        return rest;
+    }
+    Eigen::VectorXd forces = Eigen::VectorXd::Zero(contactForce.size());
+    putInto<Dim>(pressing, holding, forces);
+    return restWith(closed, forces);
 }
 
 template<int Dim>
@@ -89,6 +131,8 @@ bool standsStill(ThetaStep& step, const StepProgram<Dim>& program, const SolverC
 }
 
 template Rest restWith(const StepProgram<2>& program, const Eigen::VectorXd& contactForce);
+template Rest restWithin(const StepProgram<2>& program, const Eigen::VectorXd& contactForce,
+                         const StepSettings& settings, ThetaStep& step);
 template bool comesToRest(ThetaStep& step, const StepProgram<2>& program, Rest rest, double tolerance);
 template bool mayRest(const StepProgram<2>& program, const Eigen::VectorXd& outOfBalance);
 template bool standsStill(ThetaStep& step, const StepProgram<2>& program, const SolverChoice& solver,
@@ -96,6 +140,8 @@ template bool standsStill(ThetaStep& step, const StepProgram<2>& program, const 
 template ConeSolution solveCounted(ThetaStep& step, const StepProgram<2>& program, const SolverChoice& solver,
                                    const ConeSolution& start, SymbolicAnalysis* symbolic);
 template Rest restWith(const StepProgram<3>& program, const Eigen::VectorXd& contactForce);
+template Rest restWithin(const StepProgram<3>& program, const Eigen::VectorXd& contactForce,
+                         const StepSettings& settings, ThetaStep& step);
 template bool comesToRest(ThetaStep& step, const StepProgram<3>& program, Rest rest, double tolerance);
 template bool mayRest(const StepProgram<3>& program, const Eigen::VectorXd& outOfBalance);
 template bool standsStill(ThetaStep& step, const StepProgram<3>& program, const SolverChoice& solver,

@@ -17,6 +17,13 @@ struct Rest
 template<int Dim>
 Rest restWith(const StepProgram<Dim>& program, const Eigen::VectorXd& contactForce);
 
+/// Likewise of points that give way: overlaps of those that press count as none, and where the forces do not
+/// balance the loads by what the blocks creep, those nearest to them do, at the same points, by one
+/// factorisation, which is counted on the step.
+template<int Dim>
+Rest restWithin(const StepProgram<Dim>& program, const Eigen::VectorXd& contactForce,
+                const StepSettings& settings, ThetaStep& step);
+
 /// Whether rest solves the program to the tolerance; then it is the step.
 template<int Dim>
 bool comesToRest(ThetaStep& step, const StepProgram<Dim>& program, Rest rest, double tolerance);

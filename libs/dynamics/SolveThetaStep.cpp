@@ -147,6 +147,8 @@ public:
 private:
     void flyFreely();
     bool rests();
+    bool creeps() const;
+    void chooseFollowing();
     void chooseStart();
     bool beginsAtRest() const;
     bool staysAtRest();
@@ -169,6 +171,8 @@ private:
     bool isCoulomb;
     bool isImpact;
 
+    Following fromLastStep = Following::fromAnyForces;
+    Following afterProgram = Following::fromAnyForces; ///< from that of the first program
     ConeSolution start;
     Eigen::VectorXd expected; ///< motion of the blocks, by the guess
     Eigen::VectorXd imposed;  ///< share of the gaps that Coulomb's law opens, one a point
@@ -203,7 +207,45 @@ bool StepSearch<Dim>::rests()
                              : Eigen::VectorXd::Zero(Dim * program.points());
     Rest rest = restWith(program, start.contactForce);
     step.initialResidual = rest.certificate.worst();
+    if (rest.certificate.worst() > settings.solver.tolerance && creeps())
+    {
+        rest = restWithin(program, start.contactForce, settings, step);
+    }
     return comesToRest(step, program, std::move(rest), settings.solver.tolerance);
+}
+
+/// Whether the points that press move by no more than they give way: followed from step to step they slip so
+/// little in each to carry their shear, where rigid points may hold the blocks where they are.
+template<int Dim>
+bool StepSearch<Dim>::creeps() const
+{
+    if (isImpact || !isGuessed || !followsFlow(settings) || program.hasCompliance())
+    {
+        return false;
+    }
+    const Eigen::VectorXd closing = applyTransposed(program, start.displacement);
+    bool isSlow = true;
+    for (int point = 0; isSlow && point < program.points(); ++point)
+    {
+        isSlow = !(start.contactForce[Dim * point] > 0)
+                 || closing.segment<Dim>(Dim * point).norm() <= settings.contactOverlap * settings.blockSize;
+    }
+    return isSlow && !start.contactForce.isZero(0);
+}
+
+/// In space a path from forces of another kind is long, and in large structures often leads nowhere: it is
+/// tried where a motion begins, and where one that was followed is lost.
+template<int Dim>
+void StepSearch<Dim>::chooseFollowing()
+{
+    if constexpr (Dim == 3)
+    {
+        const bool isFollowed = areFollowed(program, start.contactForce);
+        const bool begins =
+            !isImpact && (!isGuessed || guess.displacement.isZero(0) || start.contactForce.isZero(0));
+        fromLastStep = isFollowed ? Following::fromLastStep : Following::notAtAll;
+        afterProgram = isFollowed || begins ? Following::fromAnyForces : Following::notAtAll;
+    }
 }
 
 template<int Dim>
@@ -265,7 +307,8 @@ template<int Dim>
 bool StepSearch<Dim>::reachesFlow()
 {
     program.gap = gap;
-    if (step.programs == 1 && followFlow(step, program, start, settings, relinearise, analysis()))
+    if (step.programs == 1
+        && followFlow(step, program, start, settings, relinearise, afterProgram, analysis()))
     {
         return true;
     }
@@ -357,12 +400,15 @@ ThetaStep StepSearch<Dim>::solve()
     {
         return std::move(step);
     }
+    chooseFollowing();
     chooseStart();
     if (isCoulomb && beginsAtRest() && staysAtRest())
     {
         return std::move(step);
     }
-    if (isCoulomb && goesOnFromLastStep(step, program, start, expected, settings, relinearise, analysis()))
+    if (isCoulomb
+        && goesOnFromLastStep(step, program, start, expected, settings, relinearise, fromLastStep,
+                              analysis()))
     {
         return std::move(step);
     }

@@ -99,11 +99,6 @@ void requirePossible(const AccuracyCase<Dim>& study, QuantityKind kind, const Ru
         throw FatalIOError("The case has no friction, so that there is no flow rule to choose: remove it.",
                            dictionary.locationOf("flowRule"));
     }
-    if (Dim == 3 && setting.contactOverlap != scene.schemes.contactOverlap)
-    {
-        throw FatalIOError("In space contact points do not give way: remove contactOverlap.",
-                           dictionary.locationOf("contactOverlap"));
-    }
     if (traitsOf(scene.effects).isCompliant && setting.theta < 1)
     {
         throw FatalIOError("Elastic contact points are integrated with theta 1 only.",

@@ -29,7 +29,7 @@ struct RunSettingsOf
     Held<int> pointsPerSide{};  ///< of space: along each side of a joint, in a grid
     Held<Displacements> displacements{};
     Held<ContactFormulation> formulation{};
-    Held<double> contactOverlap{}; ///< of a motion in the plane by Coulomb's law
+    Held<double> contactOverlap{}; ///< of a motion by Coulomb's law
     Held<EffectSelection> effects{};
 
     friend auto operator<=>(const RunSettingsOf&, const RunSettingsOf&) = default;
@@ -113,7 +113,7 @@ void declareSettings(Options& options, RunSettingsOf<Held>& settings, const std:
         .example(example("(points surface)", "points"));
     options
         .optional("contactOverlap", settings.contactOverlap,
-                  "of a motion in the plane by Coulomb's law: how far points give way, in mean block sizes")
+                  "of a motion by Coulomb's law: how far points give way, in mean block sizes")
         .atLeast(leastContactOverlap)
         .atMost(mostContactOverlap)
         .example(example("(1e-6 1e-8 3e-10)", "3e-11"));

@@ -97,7 +97,7 @@ void declare(Options& options, Schemes& schemes)
     options
         .optional("contactOverlap", schemes.contactOverlap,
                   "by how much contact points give way at most with `flowRule nonAssociative;` and theta 1, "
-                  "so that their forces, and the motion, are unique; in the plane, in mean block sizes")
+                  "so that their forces, and the motion, are unique, in mean block sizes")
         .atLeast(leastContactOverlap)
         .atMost(mostContactOverlap);
     options

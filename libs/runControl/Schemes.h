@@ -82,8 +82,8 @@ struct Schemes
     ImpactInstant impacts = ImpactInstant::located;
     bool smallDisplacements = false; ///< contact points and lever arms stay as built
     double contactTolerance = 1e-7;  ///< error allowed in the gaps at the end of a step [mean block size]
-    /// By how much points give way with Coulomb's law, which makes their forces unique; in the plane [mean
-    /// block size]
+    /// By how much points give way with Coulomb's law, which makes their forces unique [mean block
+    /// size]
     double contactOverlap = 3e-10;
     double maxDisplacement = 0.05; ///< of any block in a step, with adjustTimeStep [mean block size]
     double maxDeltaT = std::numeric_limits<double>::infinity(); ///< with adjustTimeStep [s]

@@ -253,9 +253,12 @@ class AccuracyCost(CaseTest):
         multiplier = self.multiplierCase("overlapOfMultiplier", "\ncontactOverlap (1e-6 1e-8);")
         self.assertRegex(self.run_(multiplier, "-dry-run", status=1).stderr,
                          r"(?s)contactOverlap is for motions.*accuracyCostDict\S* at line \d+")
-        space = self.spaceCase("overlapInSpace", "slidingBox/box", "s { quantity slip;\ncontactOverlap (1e-8); }")
-        self.assertRegex(self.run_(space, "-dry-run", status=1).stderr,
-                         r"(?s)do not give way.*accuracyCostDict\S* at line \d+")
+        space = self.spaceCase("overlapInSpace", "slidingBox/box",
+                               "s { quantity slip; deltaT (0.005); contactOverlap (1e-6 1e-8); phases 1; }")
+        self.run_(space)
+        value = {row["contactOverlap"]: float(row["value"]) for row in self.table(space)}
+        self.assertAlmostEqual(value["1e-06"], value["1e-08"], delta=1e-5)
+        self.assertNotEqual(value["1e-06"], value["1e-08"])
 
     def spaceCase(self, name, of="jointPoints/box", sweep="points { quantity alpha; pointsPerSide (2 9 3); }", **changes):
         """A tutorial of space with another sweep. changes: (file, old, new)"""

@@ -114,10 +114,10 @@ TEST(SlidingLaw, IsContinuousAcrossTheSidesOfItsPieces)
                              tension > 0 ? (mu + 0.1) * tension : 0, tension};
         const Eigen::Vector2d w(symmetric(random), symmetric(random));
         const PointState<2> state = stateOf<2>(law, w);
-        const PieceSides sides = sidesOf(law, state);
+        const PieceSides<2> sides = sidesOf<2>(law, state);
         for (int i = 0; i < sides.count; ++i)
         {
-            const PieceSide& side = sides.side[static_cast<std::size_t>(i)];
+            const PieceSide<2>& side = sides.side[static_cast<std::size_t>(i)];
             const double inside = side.normal.dot(w) + side.offset;
             EXPECT_LE(inside, 1e-15) << "trial " << trial;
             // The nearest point on the side: both pieces have the same force there, if it is on the piece.
@@ -125,7 +125,7 @@ TEST(SlidingLaw, IsContinuousAcrossTheSidesOfItsPieces)
             bool isOnPiece = true;
             for (int j = 0; j < sides.count; ++j)
             {
-                const PieceSide& other = sides.side[static_cast<std::size_t>(j)];
+                const PieceSide<2>& other = sides.side[static_cast<std::size_t>(j)];
                 isOnPiece = isOnPiece && other.normal.dot(on) + other.offset <= 1e-12;
             }
             if (isOnPiece && (law.cohesion > 0 || isAssociative || state.presses()))
@@ -146,7 +146,8 @@ TEST(ContactPath, ABlockPushedHarderThanFrictionSlidesWithoutRising)
         {
             const PlaneConeProgram program = blockOnTwoCorners(push, 1, 0.4);
             SymbolicAnalysis symbolic;
-            ContactPath path(program, nothing(program), {Sliding::coulomb, stiffness, 1e-14, 100}, symbolic);
+            ContactPath<3, 2> path(program, nothing(program), {Sliding::coulomb, stiffness, 1e-14, 100},
+                                   symbolic);
             ASSERT_TRUE(path.follow(program));
             EXPECT_NEAR(path.displacement()[0], (push > 0 ? 0.2 : -0.2) / 2, 2 / stiffness);
             EXPECT_NEAR(path.displacement()[1], 0, 2 / stiffness);
@@ -170,7 +171,7 @@ TEST(ContactPath, FollowsRandomStacksByEitherLaw)
             const ConeSolution near = solveInteriorPoint(program, {1e-9, 100, 3});
             ASSERT_EQ(near.status, SolveStatus::optimal);
             SymbolicAnalysis symbolic;
-            ContactPath path(program, near, {sliding, stiffness, 1e-12, 1000}, symbolic);
+            ContactPath<3, 2> path(program, near, {sliding, stiffness, 1e-12, 1000}, symbolic);
             if (!path.follow(program))
             {
                 continue;
@@ -196,13 +197,13 @@ TEST(ContactPath, GoesOnFromItsOwnForcesByOneFactorisation)
     const ConeSolution near = solveInteriorPoint(program, {1e-9, 100, 3});
     SymbolicAnalysis symbolic;
     const ContactPathSettings settings{Sliding::coulomb, 1e6, 1e-12, 1000};
-    ContactPath first(program, near, settings, symbolic);
+    ContactPath<3, 2> first(program, near, settings, symbolic);
     ASSERT_TRUE(first.follow(program));
     program.load *= 1 + 1e-9;
     ConeSolution last;
     last.contactForce = first.contactForce();
     last.displacement = first.displacement();
-    ContactPath second(program, last, settings, symbolic);
+    ContactPath<3, 2> second(program, last, settings, symbolic);
     ASSERT_TRUE(second.follow(program));
     EXPECT_EQ(second.factorisations, 1);
     EXPECT_EQ(second.pivots, 0);
@@ -219,9 +220,9 @@ TEST(ContactPath, WhatItCannotTakeIsRefused)
 {
     PlaneConeProgram program = blockOnTwoCorners(0.3, 1, 0.4);
     SymbolicAnalysis symbolic;
-    EXPECT_THROW(ContactPath(program, {}, {}, symbolic), std::invalid_argument);
+    EXPECT_THROW((ContactPath<3, 2>(program, {}, {}, symbolic)), std::invalid_argument);
     program.compliance = Eigen::VectorXd::Constant(4, 1e-3);
-    EXPECT_THROW(ContactPath(program, nothing(program), {}, symbolic), std::invalid_argument);
+    EXPECT_THROW((ContactPath<3, 2>(program, nothing(program), {}, symbolic)), std::invalid_argument);
 }
 
 /// S of random round cones in space, by hand.

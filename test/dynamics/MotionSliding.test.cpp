@@ -57,6 +57,30 @@ TEST(SlidingBlock, ABlockStopsWhereCoulombSaysWithoutLeavingTheGround)
     EXPECT_LT(run.motion.state.velocity.norm(), 1e-9);
 }
 
+// Points that give way slip a little in each step to carry a shear: a block that stands on them would creep
+// on.
+TEST(SlidingBlock, ABlockThatStopsOnASlopeStandsStill)
+{
+    const double slope = 0.35; // tan 0.365, mu 0.6
+    DynamicCase<2> scene = scenes::sceneOf(blockOnGround(), {});
+    setGravity<2>(scene, {g * std::sin(slope), -g * std::cos(slope)});
+    Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
+    motion.state.velocity[0] = 0.3;
+    motion = startMotion(scene, motion.state);
+    const double timeStep = 5e-4;
+    const double stops = 0.3 / (g * (0.6 * std::cos(slope) - std::sin(slope)));
+    for (int step = 0; motion.state.time < stops + 0.05; ++step)
+    {
+        ASSERT_TRUE(advance(scene, motion, timeStep)) << step;
+        if (motion.state.time > stops + 5 * timeStep)
+        {
+            EXPECT_EQ(motion.state.velocity.norm(), 0) << motion.state.time - stops << " s after it stopped";
+            EXPECT_EQ(motion.residuals.factorisations, 0)
+                << motion.state.time - stops << " s after it stopped";
+        }
+    }
+}
+
 TEST(SlidingBlock, TheTrapezoidalRuleStopsItThereToTheLastDigit)
 {
     Sliding run = sliding({.theta = 0.5}, 1e-3);

@@ -25,8 +25,15 @@ constexpr double margin = 1e-6;
 /// less, and each change adds a product to it.
 constexpr std::size_t mostChanges = 24;
 
-/// Ends of a path at which it goes on from their pieces, at most: nearly all are right then.
-constexpr int mostEnds = 4;
+/// Ends of a path at which it goes on from their pieces, at most: nearly all are right then. In space as many
+/// as Newton's method may take steps.
+constexpr int mostEnds(int forces)
+{
+    return forces > 2 ? 30 : 4;
+}
+
+/// In space a path that goes back so far in t has left where its tangents tell anything.
+constexpr double farthestBack = -0.2;
 
 /// Where corrections gain nothing any more, the error that may be left in overlaps, as a share of the
 /// largest.
@@ -37,17 +44,39 @@ constexpr double asGoodAsItGets = 0.5;
 constexpr double acceptedLoss = 1e-10;
 constexpr int mostDirections = 30;
 
-bool haveSameColumns(const std::vector<ConeColumns<3, 2>>& some, const std::vector<ConeColumns<3, 2>>& others)
+template<int Rows, int Forces>
+bool haveSameColumns(const std::vector<ConeColumns<Rows, Forces>>& some,
+                     const std::vector<ConeColumns<Rows, Forces>>& others)
 {
     return std::equal(some.begin(), some.end(), others.begin(), others.end(),
-                      [](const ConeColumns<3, 2>& a, const ConeColumns<3, 2>& b)
+                      [](const ConeColumns<Rows, Forces>& a, const ConeColumns<Rows, Forces>& b)
                       { return a.onFirst == b.onFirst && a.onSecond == b.onSecond; });
+}
+
+template<int Forces>
+Eigen::Matrix<double, Forces - 1, 1> directionOf(const Eigen::Matrix<double, Forces - 1, 1>& shear)
+{
+    const double size = shear.norm();
+    return size > 0 ? Eigen::Matrix<double, Forces - 1, 1>(shear / size)
+                    : Eigen::Matrix<double, Forces - 1, 1>::Unit(0);
+}
+
+/// What a point that slides carries of a trial shear across its direction, by Coulomb's law
+/// (PointState::turning).
+template<int Forces>
+double shareAcross(const SlidingLaw& law, const PointState<Forces>& state,
+                   const Eigen::Matrix<double, Forces, 1>& trial)
+{
+    const ShearLimit limit = shearLimit(law, state);
+    const double size = trial.template tail<Forces - 1>().norm();
+    return size > 0 ? std::max(0.0, limit.cohesion + limit.mu * trial[0]) / size : 0;
 }
 
 } // namespace
 
-ContactPath::ContactPath(const PlaneConeProgram& program, const ConeSolution& startAt,
-                         const ContactPathSettings& with, SymbolicAnalysis& symbolic)
+template<int Rows, int Forces>
+ContactPath<Rows, Forces>::ContactPath(const Program& program, const ConeSolution& startAt,
+                                       const ContactPathSettings& with, SymbolicAnalysis& symbolic)
     : settings(with), system(program, with.sliding, symbolic), start(startAt.displacement)
 {
     if (!program.hasInertia() || program.hasMultiplier() || program.hasCompliance() || program.hasCrushing()
@@ -55,36 +84,42 @@ ContactPath::ContactPath(const PlaneConeProgram& program, const ConeSolution& st
     {
         throw std::invalid_argument("ContactPath needs inertia and rigid points that do not crush");
     }
-    if (start.size() != program.load.size() || startAt.contactForce.size() != 2 * program.points())
+    if (Forces > 2 && settings.sliding == Sliding::associative)
+    {
+        throw std::invalid_argument("ContactPath follows the associative law in the plane only");
+    }
+    if (start.size() != program.load.size() || startAt.contactForce.size() != Forces * program.points())
     {
         throw std::invalid_argument("ContactPath needs a start of the size of the program");
     }
     laws = slidingLaws(program, settings.sliding);
-    load = system.scaledRows(program.load - applyInertia(program, start));
-    enough = settings.tolerance * system.scaledRows(program.load).lpNorm<Eigen::Infinity>();
+    enough = settings.tolerance * system.scaledRows(program.load).template lpNorm<Eigen::Infinity>();
     rho = VectorXd::Constant(program.points(), settings.stiffness);
-    x = VectorXd::Zero(load.size());
-    gap = (program.gap.size() > 0 ? program.gap : VectorXd::Zero(2 * program.points()))
+    x = VectorXd::Zero(program.load.size());
+    gap = (program.gap.size() > 0 ? program.gap : VectorXd::Zero(Forces * program.points()))
           - applyTransposed(program, start);
     begin(startAt.contactForce);
 }
 
 /// States and w0 of forces: of what they leave open, such as how far an open point is from closing, as near
 /// as may be to k (A'y - g).
-void ContactPath::begin(const VectorXd& startForce)
+template<int Rows, int Forces>
+void ContactPath<Rows, Forces>::begin(const VectorXd& startForce)
 {
-    using State = PointState<2>;
+    using State = PointState<Forces>;
+    using Shear = Eigen::Matrix<double, Forces - 1, 1>;
     w = -settings.stiffness * gap;
     states.resize(laws.size());
-    const double largest = startForce.size() > 0 ? startForce.lpNorm<Eigen::Infinity>() : 0;
+    const double largest = startForce.size() > 0 ? startForce.template lpNorm<Eigen::Infinity>() : 0;
     const double least = negligibleForce * largest;
     for (std::size_t point = 0; point < laws.size(); ++point)
     {
-        const auto row = 2 * static_cast<Eigen::Index>(point);
+        const auto row = Forces * static_cast<Eigen::Index>(point);
         const SlidingLaw& law = laws[point];
-        auto trial = w.segment<2>(row);
+        auto trial = w.template segment<Forces>(row);
+        auto trialShear = trial.template tail<Forces - 1>();
         const double normal = startForce[row];
-        const double shear = startForce[row + 1];
+        const Shear shear = startForce.template segment<Forces - 1>(row + 1);
         // Golden sections spread evenly however many there are.
         const double part = std::fmod(0.6180339887498949 * static_cast<double>(point), 1.0);
         const double inside = margin * (1 + part) * std::max(largest, std::numeric_limits<double>::min());
@@ -92,15 +127,14 @@ void ContactPath::begin(const VectorXd& startForce)
         const double held = std::max(normal, -law.tension);
         const double limit = law.cohesion + law.mu * held;
         state.normal = normal > -law.tension + least ? State::Normal::presses : State::Normal::open;
-        state.shear = std::abs(shear) < (1 - negligibleForce) * limit - least ? State::Shear::sticks
-                                                                              : State::Shear::slides;
-        const double side = shear != 0 ? shear : trial[1];
-        state.direction[0] = side < 0 ? -1 : 1;
+        state.shear = shear.norm() < (1 - negligibleForce) * limit - least ? State::Shear::sticks
+                                                                           : State::Shear::slides;
+        state.direction = directionOf<Forces>(shear.isZero(0) ? Shear(trialShear) : shear);
         if (law.sliding == Sliding::associative)
         {
             if (!state.presses())
             {
-                const double beyond = trial[0] + law.mu * std::abs(trial[1]);
+                const double beyond = trial[0] + law.mu * trialShear.norm();
                 trial[0] -= beyond > -inside ? beyond + inside : 0;
             }
             else if (state.sticks())
@@ -110,65 +144,82 @@ void ContactPath::begin(const VectorXd& startForce)
             else
             {
                 // w = c + a (-mu, e) with a > 0 has this c for its nearest point of the cone.
-                const Eigen::Vector2d outwards(-law.mu, state.direction[0]);
+                Force outwards, onEdge;
+                outwards << -law.mu, state.direction;
+                onEdge << normal, state.direction * (law.mu * normal);
                 const double natural = outwards.dot(trial) / outwards.squaredNorm();
-                trial = Eigen::Vector2d(normal, state.direction[0] * law.mu * normal)
-                        + std::max(natural, inside) * outwards;
+                trial = onEdge + std::max(natural, inside) * outwards;
             }
             continue;
         }
         trial[0] = state.presses() ? normal : std::min(trial[0], -law.tension - inside);
         if (state.sticks())
         {
-            trial[1] = shear;
+            trialShear = shear;
         }
         else if (limit > least || state.presses())
         {
-            trial[1] = state.direction[0] * std::max(limit + inside, state.direction[0] * trial[1]);
+            trialShear = state.direction * std::max(limit + inside, state.direction.dot(trialShear));
         }
         else
         {
-            state.direction[0] = trial[1] < 0 ? -1 : 1;
+            state.direction = directionOf<Forces>(trialShear);
         }
+        turnTangent(point);
     }
     findForces();
 }
 
-void ContactPath::findForces()
+/// The tangent of the law where a point slides, at w.
+template<int Rows, int Forces>
+void ContactPath<Rows, Forces>::turnTangent(std::size_t point)
+{
+    if (Forces == 2 || states[point].sticks() || laws[point].sliding == Sliding::associative)
+    {
+        return;
+    }
+    const Force trial = trialOf(point);
+    states[point].direction = directionOf<Forces>(trial.template tail<Forces - 1>());
+    states[point].turning = shareAcross<Forces>(laws[point], states[point], trial);
+}
+
+template<int Rows, int Forces>
+void ContactPath<Rows, Forces>::findForces()
 {
     force.resize(w.size());
     for (std::size_t point = 0; point < laws.size(); ++point)
     {
-        const auto row = 2 * static_cast<Eigen::Index>(point);
-        const Eigen::Vector2d trial = w.segment<2>(row);
-        force.segment<2>(row) = forceOn<2>(laws[point], stateOf<2>(laws[point], trial), trial).force;
+        const Force trial = trialOf(static_cast<std::size_t>(point));
+        force.template segment<Forces>(Forces * static_cast<Eigen::Index>(point)) =
+            forceOn<Forces>(laws[point], stateOf<Forces>(laws[point], trial), trial).force;
     }
 }
 
 /// The states of w.
-void ContactPath::findPieces()
+template<int Rows, int Forces>
+void ContactPath<Rows, Forces>::findPieces()
 {
     for (std::size_t point = 0; point < laws.size(); ++point)
     {
-        const Eigen::Vector2d trial = w.segment<2>(2 * static_cast<Eigen::Index>(point));
-        states[point] = stateOf<2>(laws[point], trial);
+        states[point] = stateOf<Forces>(laws[point], trialOf(point));
     }
     findForces();
     isFactorised = false;
 }
 
-Eigen::VectorXd ContactPath::residual() const
+template<int Rows, int Forces>
+Eigen::VectorXd ContactPath<Rows, Forces>::residual() const
 {
     return load - x - system.forcesOnBodies(force);
 }
 
-bool ContactPath::factorise()
+template<int Rows, int Forces>
+bool ContactPath<Rows, Forces>::factorise()
 {
     pieces.resize(states.size());
     for (std::size_t point = 0; point < states.size(); ++point)
     {
-        const Eigen::Vector2d trial = w.segment<2>(2 * static_cast<Eigen::Index>(point));
-        pieces[point] = forceOn<2>(laws[point], states[point], trial);
+        pieces[point] = onPiece(point);
     }
     changes.clear();
     ++factorisations;
@@ -177,7 +228,8 @@ bool ContactPath::factorise()
 }
 
 /// S^-1 b from S0^-1 b, one change after the other (Sherman & Morrison).
-Eigen::VectorXd ContactPath::corrected(VectorXd solved) const
+template<int Rows, int Forces>
+Eigen::VectorXd ContactPath<Rows, Forces>::corrected(VectorXd solved) const
 {
     for (const Change& change : changes)
     {
@@ -187,21 +239,22 @@ Eigen::VectorXd ContactPath::corrected(VectorXd solved) const
     return solved;
 }
 
-Eigen::VectorXd ContactPath::solve(const VectorXd& rows)
+template<int Rows, int Forces>
+Eigen::VectorXd ContactPath<Rows, Forces>::solve(const VectorXd& rows)
 {
     return corrected(system.solve(rows));
 }
 
 /// S times a direction, in the states of now.
-Eigen::VectorXd ContactPath::times(const VectorXd& direction) const
+template<int Rows, int Forces>
+Eigen::VectorXd ContactPath<Rows, Forces>::times(const VectorXd& direction) const
 {
     VectorXd change = settings.stiffness * system.closings(direction);
     for (std::size_t point = 0; point < laws.size(); ++point)
     {
-        const auto row = 2 * static_cast<Eigen::Index>(point);
-        const Eigen::Vector2d trial = w.segment<2>(row);
-        change.segment<2>(row) =
-            (forceOn<2>(laws[point], states[point], trial).derivative * change.segment<2>(row)).eval();
+        const auto row = Forces * static_cast<Eigen::Index>(point);
+        change.template segment<Forces>(row) =
+            (onPiece(point).derivative * change.template segment<Forces>(row)).eval();
     }
     return direction + system.forcesOnBodies(change);
 }
@@ -209,7 +262,8 @@ Eigen::VectorXd ContactPath::times(const VectorXd& direction) const
 /// LU without exchange of rows between blocks may lose all digits where blocks slide freely. What it leaves
 /// is then of few dimensions, and the method of generalised minimal residuals (Saad & Schultz 1986), with LU
 /// as its preconditioner, ends in as many steps.
-Eigen::VectorXd ContactPath::solveExactly(const VectorXd& rows)
+template<int Rows, int Forces>
+Eigen::VectorXd ContactPath<Rows, Forces>::solveExactly(const VectorXd& rows)
 {
     VectorXd solved = solve(rows);
     const double size = rows.norm();
@@ -247,25 +301,11 @@ Eigen::VectorXd ContactPath::solveExactly(const VectorXd& rows)
     return solved;
 }
 
-/// The point changes its state. \return whether there is a matrix for the new piece
-bool ContactPath::cross(const Exit& exit, VectorXd& direction, VectorXd& rate)
+/// D of the point changes by u v'. \return whether there is a matrix for the new piece
+template<int Rows, int Forces>
+bool ContactPath<Rows, Forces>::changePiece(int point, const Force& u, const Force& v, VectorXd& direction,
+                                            VectorXd& rate)
 {
-    const auto point = static_cast<std::size_t>(exit.point);
-    const Eigen::Vector2d trial = w.segment<2>(2 * exit.point);
-    PointState<2> beyond = exit.side.beyond;
-    if (!beyond.sticks() && laws[point].sliding == Sliding::coulomb
-        && laws[point].cohesion <= laws[point].mu * laws[point].tension && beyond.presses()
-        && !states[point].presses())
-    {
-        beyond.direction[0] = trial[1] < 0 ? -1 : 1; // an open point without cohesion has no shear
-    }
-    // The law is continuous: its derivative changes by a multiple of the side's normal.
-    const Eigen::Matrix2d difference = forceOn<2>(laws[point], beyond, trial).derivative
-                                       - forceOn<2>(laws[point], states[point], trial).derivative;
-    states[point] = beyond;
-    sides[point] = sidesOf(laws[point], beyond);
-    const Eigen::Vector2d& v = exit.side.normal;
-    const Eigen::Vector2d u = difference * v / v.squaredNorm();
     if (u.isZero(0))
     {
         return true;
@@ -276,60 +316,134 @@ bool ContactPath::cross(const Exit& exit, VectorXd& direction, VectorXd& rate)
         return factorise();
     }
     VectorXd rows = VectorXd::Zero(x.size());
-    system.addForce(exit.point, rho[exit.point] * u, rows);
-    Change change{exit.point, v, solve(rows), 1};
-    change.determinant += v.dot(system.closing(exit.point, change.solved));
+    system.addForce(point, rho[point] * u, rows);
+    Change change{point, v, solve(rows), 1};
+    change.determinant += v.dot(system.closing(point, change.solved));
     if (change.determinant == 0 || !std::isfinite(change.determinant))
     {
         return false;
     }
     // With S' = S + rho A u (A v)' and r0 - A D dw less by A u (v'dw): the new direction and rate of w.
-    const double share = v.dot(rate.segment<2>(2 * exit.point)) / (rho[exit.point] * change.determinant);
+    const double share =
+        v.dot(rate.template segment<Forces>(Forces * point)) / (rho[point] * change.determinant);
     direction -= share * change.solved;
     rate -= share * settings.stiffness * system.closings(change.solved);
     changes.push_back(std::move(change));
     return true;
 }
 
+/// The point changes its state. \return whether there is a matrix for the new piece
+template<int Rows, int Forces>
+bool ContactPath<Rows, Forces>::cross(const Exit& exit, VectorXd& direction, VectorXd& rate)
+{
+    const auto point = static_cast<std::size_t>(exit.point);
+    const SlidingLaw& law = laws[point];
+    const Force trial = trialOf(point);
+    const PointState<Forces> before = states[point];
+    PointState<Forces> here = before;
+    PointState<Forces> beyond = exit.side.beyond;
+    if (Forces > 2 && !here.sticks())
+    {
+        // A tangent of elsewhere is turned to that of the side, from where the law goes on without a jump.
+        here.turning = beyond.sticks() ? 1 : std::min(1.0, shareAcross<Forces>(law, beyond, trial));
+        beyond.turning = beyond.sticks() ? 0 : here.turning;
+    }
+    if (!beyond.sticks() && law.sliding == Sliding::coulomb && law.cohesion <= law.mu * law.tension
+        && beyond.presses() && !before.presses())
+    {
+        // An open point without cohesion has no shear.
+        beyond.direction = directionOf<Forces>(trial.template tail<Forces - 1>());
+    }
+    states[point] = beyond;
+    sides[point] = sidesOf<Forces>(law, beyond);
+    if constexpr (Forces > 2)
+    {
+        const Force across(0, -here.direction[1], here.direction[0]);
+        if (!changePiece(exit.point, (here.turning - before.turning) * across, across, direction, rate))
+        {
+            return false;
+        }
+        if (direction.size() == 0)
+        {
+            return true;
+        }
+    }
+    // The law is continuous: its derivative changes by a multiple of the side's normal.
+    const Eigen::Matrix<double, Forces, Forces> difference =
+        forceOn<Forces>(law, beyond, trial).derivative - forceOn<Forces>(law, here, trial).derivative;
+    const Force& v = exit.side.normal;
+    return changePiece(exit.point, difference * v / v.squaredNorm(), v, direction, rate);
+}
+
 /// \param rate of w, by t \param sense in which t goes \param farthest that it may go \param last where the
 /// path came in
-ContactPath::Exit ContactPath::firstExit(const VectorXd& rate, double sense, double farthest,
-                                         const Exit& last) const
+template<int Rows, int Forces>
+typename ContactPath<Rows, Forces>::Exit ContactPath<Rows, Forces>::firstExit(const VectorXd& rate,
+                                                                              double sense, double farthest,
+                                                                              const Exit& last) const
 {
+    constexpr int most = 3; // sides of a piece that are plane
     int found = -1;
+    int foundSide = 0;
     double length = farthest;
     for (int point = 0; point < static_cast<int>(laws.size()); ++point)
     {
-        const Eigen::Vector2d trial = w.segment<2>(2 * point);
-        const Eigen::Vector2d change = sense * rate.segment<2>(2 * point);
-        const PieceSides& of = sides[static_cast<std::size_t>(point)];
+        const Force trial = trialOf(static_cast<std::size_t>(point));
+        const Force change = sense * rate.template segment<Forces>(Forces * point);
+        const PieceSides<Forces>& of = sides[static_cast<std::size_t>(point)];
         for (int i = 0; i < of.count; ++i)
         {
-            const PieceSide& side = of.side[static_cast<std::size_t>(i)];
+            const PieceSide<Forces>& side = of.side[static_cast<std::size_t>(i)];
             const double growth = side.normal.dot(change);
             const double inside = -(side.normal.dot(trial) + side.offset);
             if (growth > 0 && inside < length * growth
                 && !(point == last.point && side.normal == -last.side.normal))
             {
-                found = 3 * point + i;
+                found = point;
+                foundSide = i;
                 length = std::max(0.0, inside / growth);
             }
         }
+        if constexpr (Forces > 2)
+        {
+            const PointState<Forces>& state = states[static_cast<std::size_t>(point)];
+            const ShearLimit limit = shearLimit(laws[static_cast<std::size_t>(point)], state);
+            const bool cameIn = point == last.point && !last.side.normal.template tail<2>().isZero(0);
+            const double toRound = state.sticks() && limit.isThere()
+                                       ? lengthInDisc(limit, trial, change, cameIn)
+                                       : std::numeric_limits<double>::infinity();
+            if (toRound < length)
+            {
+                found = point;
+                foundSide = most;
+                length = toRound;
+            }
+        }
     }
-    return found < 0
-               ? Exit{-1, {Eigen::Vector2d::Zero(), 0, {}}, length}
-               : Exit{found / 3,
-                      sides[static_cast<std::size_t>(found / 3)].side[static_cast<std::size_t>(found % 3)],
-                      length};
+    if (found < 0)
+    {
+        return {-1, {}, length};
+    }
+    const auto at = static_cast<std::size_t>(found);
+    if constexpr (Forces > 2)
+    {
+        if (foundSide == most)
+        {
+            const Force on = trialOf(at) + sense * length * rate.template segment<Forces>(Forces * found);
+            return {found, roundSide(shearLimit(laws[at], states[at]), states[at], on), length};
+        }
+    }
+    return {found, sides[at].side[static_cast<std::size_t>(foundSide)], length};
 }
 
 /// From t = 0 to 1. \param residualOfStart r0 \param change of w but for that of y
-bool ContactPath::walk(const VectorXd& residualOfStart, const VectorXd& change)
+template<int Rows, int Forces>
+bool ContactPath<Rows, Forces>::walk(const VectorXd& residualOfStart, const VectorXd& change)
 {
     sides.resize(states.size());
     for (std::size_t point = 0; point < states.size(); ++point)
     {
-        sides[point] = sidesOf(laws[point], states[point]);
+        sides[point] = sidesOf<Forces>(laws[point], states[point]);
     }
     double t = 0;
     Exit last;
@@ -343,10 +457,9 @@ bool ContactPath::walk(const VectorXd& residualOfStart, const VectorXd& change)
             VectorXd forceChange(w.size());
             for (std::size_t point = 0; point < laws.size(); ++point)
             {
-                const auto row = 2 * static_cast<Eigen::Index>(point);
-                const Eigen::Vector2d trial = w.segment<2>(row);
-                forceChange.segment<2>(row) =
-                    forceOn<2>(laws[point], states[point], trial).derivative * change.segment<2>(row);
+                const auto row = Forces * static_cast<Eigen::Index>(point);
+                forceChange.template segment<Forces>(row) =
+                    onPiece(point).derivative * change.template segment<Forces>(row);
             }
             direction = solveExactly(residualOfStart - system.forcesOnBodies(forceChange));
             rate = change + settings.stiffness * system.closings(direction);
@@ -354,7 +467,7 @@ bool ContactPath::walk(const VectorXd& residualOfStart, const VectorXd& change)
         double sense = 1;
         if (last.point >= 0 && settings.sliding == Sliding::coulomb)
         {
-            const double beyond = last.side.normal.dot(rate.segment<2>(2 * last.point));
+            const double beyond = last.side.normal.dot(rate.template segment<Forces>(Forces * last.point));
             if (!(beyond != 0))
             {
                 return false;
@@ -374,6 +487,10 @@ bool ContactPath::walk(const VectorXd& residualOfStart, const VectorXd& change)
         {
             return true;
         }
+        if (Forces > 2 && t < farthestBack)
+        {
+            return false;
+        }
         if (++pivots > mostPivots || !cross(exit, direction, rate))
         {
             return false;
@@ -384,40 +501,58 @@ bool ContactPath::walk(const VectorXd& residualOfStart, const VectorXd& change)
 
 /// Whether what is left of the equations of motion, as displacements, changes forces by a small part only:
 /// the displacements that forces give the blocks are then as good.
-bool ContactPath::isRounding(const VectorXd& left) const
+template<int Rows, int Forces>
+bool ContactPath<Rows, Forces>::isRounding(const VectorXd& left) const
 {
     const VectorXd changed = settings.stiffness * system.closings(left);
     return changed.size() == 0
-           || changed.lpNorm<Eigen::Infinity>() <= asGoodAsItGets * force.lpNorm<Eigen::Infinity>();
+           || changed.template lpNorm<Eigen::Infinity>()
+                  <= asGoodAsItGets * force.template lpNorm<Eigen::Infinity>();
+}
+
+/// The tangents of w in the states of the path.
+template<int Rows, int Forces>
+bool ContactPath<Rows, Forces>::followTangents()
+{
+    for (std::size_t point = 0; point < laws.size(); ++point)
+    {
+        turnTangent(point);
+    }
+    return factorise();
 }
 
 /// Newton's steps in the states reached take away the rounding of the path. w is kept by increments: where a
 /// point slides by metres, k (A'x - g) would be rounded to as much as small forces.
-bool ContactPath::polish()
+template<int Rows, int Forces>
+bool ContactPath<Rows, Forces>::polish()
 {
     constexpr int mostSteps = 6;
+    constexpr double stalls = 0.5; // in space, where each step takes a factorisation
     double before = std::numeric_limits<double>::infinity();
     for (int step = 0; step <= mostSteps; ++step)
     {
         findForces();
         const VectorXd left = residual();
-        const double now = left.lpNorm<Eigen::Infinity>();
+        const double now = left.template lpNorm<Eigen::Infinity>();
         if (now <= enough || (now > 0.5 * before && isRounding(left)))
         {
             return true;
         }
-        if (!(now < 10 * before))
+        if (!(now < 10 * before) || (Forces > 2 && now > stalls * before))
         {
             return false;
         }
         before = now;
+        if (Forces > 2 && !followTangents())
+        {
+            return false;
+        }
         // In the states of the path, not in those of w: by rounding a point may be beyond a side.
         VectorXd ofPieces(w.size());
         for (std::size_t point = 0; point < laws.size(); ++point)
         {
-            const auto row = 2 * static_cast<Eigen::Index>(point);
-            const Eigen::Vector2d trial = w.segment<2>(row);
-            ofPieces.segment<2>(row) = forceOn<2>(laws[point], states[point], trial).force;
+            ofPieces.template segment<Forces>(Forces * static_cast<Eigen::Index>(point)) =
+                onPiece(point).force;
         }
         const VectorXd moved = solveExactly(load - x - system.forcesOnBodies(ofPieces));
         x += moved;
@@ -426,7 +561,8 @@ bool ContactPath::polish()
     return false;
 }
 
-bool ContactPath::follow(const PlaneConeProgram& program)
+template<int Rows, int Forces>
+bool ContactPath<Rows, Forces>::follow(const Program& program)
 {
     mostPivots = pivots + settings.maximumPivots;
     if (pieces.empty() || !haveSameColumns(program.contacts, given))
@@ -435,11 +571,12 @@ bool ContactPath::follow(const PlaneConeProgram& program)
         given = program.contacts;
         system.setColumns(program);
     }
-    gap = (program.gap.size() > 0 ? program.gap : VectorXd::Zero(2 * program.points()))
+    load = system.scaledRows(program.load - applyInertia(program, start));
+    gap = (program.gap.size() > 0 ? program.gap : VectorXd::Zero(Forces * program.points()))
           - applyTransposed(program, start);
     // Where points have been far open, or have slid far, w has lost digits, and the piece that the path ends
     // on may not be that of its solution: then the path goes on from the pieces of its end.
-    for (int round = 0; round < mostEnds; ++round)
+    for (int round = 0; round < mostEnds(Forces); ++round)
     {
         const VectorXd change = settings.stiffness * (system.closings(x) - gap) - w;
         const VectorXd residualOfStart = residual();
@@ -460,9 +597,13 @@ bool ContactPath::follow(const PlaneConeProgram& program)
     return false;
 }
 
-Eigen::VectorXd ContactPath::displacement() const
+template<int Rows, int Forces>
+Eigen::VectorXd ContactPath<Rows, Forces>::displacement() const
 {
     return start + system.displacementOf(x);
 }
+
+template class ContactPath<3, 2>;
+template class ContactPath<6, 3>;
 
 } // namespace drystone

@@ -16,7 +16,7 @@ struct ContactPathSettings
     int maximumPivots = 1000; ///< changes of state of single points, in one call
 };
 
-/// Solves, for a plane program with inertia,
+/// Solves, for a program with inertia,
 ///
 ///     Mbar y + A c = f,      c_k = law of  w_k = k (A'y - g)_k   at each point k        (SlidingLaw.h)
 ///
@@ -36,21 +36,28 @@ struct ContactPathSettings
 /// not monotone Eaves & Scarf 1976): with the new piece's matrix the path goes on beyond the side, forwards
 /// or, where the determinant changes its sign, backwards in t. A step without changes of state costs one
 /// factorisation, and each change one solve: the pieces' matrices differ by rank 1.
+///
+/// In space the shear of a point that slides turns with w, and the side round a point that sticks is curved.
+/// The path is that of the law's tangents then, and at its end it goes on with those of the end: Newton's
+/// method, whose linear problems have the changes of state in them (Robinson 1994; the path search of Dirkse
+/// & Ferris 1995).
+template<int Rows, int Forces>
 class ContactPath
 {
 public:
     using VectorXd = Eigen::VectorXd;
+    using Program = ConeProgram<Rows, Forces>;
 
     /// \param program with inertia, without multiplier, compliance and crushing, and with
-    /// Sliding::associative without strengths \param start forces and displacements, sized as in the solution
-    /// \param symbolic kept from program to program (form/Form.h), not owned
-    /// \throws std::invalid_argument for any other program or start
-    ContactPath(const PlaneConeProgram& program, const ConeSolution& start,
-                const ContactPathSettings& settings, SymbolicAnalysis& symbolic);
+    /// Sliding::associative of the plane and without strengths \param start forces and displacements, sized
+    /// as in the solution \param symbolic kept from program to program (form/Form.h), not owned \throws
+    /// std::invalid_argument for any other program or start
+    ContactPath(const Program& program, const ConeSolution& start, const ContactPathSettings& settings,
+                SymbolicAnalysis& symbolic);
 
-    /// Goes to the solution from the start, or from the last one where columns and gaps have changed since.
-    /// \return whether it was reached
-    bool follow(const PlaneConeProgram& program);
+    /// Goes to the solution from the start, or from the last one where columns, loads and gaps have changed
+    /// since. \return whether it was reached
+    bool follow(const Program& program);
 
     VectorXd displacement() const;
     const VectorXd& contactForce() const { return force; }
@@ -59,11 +66,13 @@ public:
     int factorisations = 0;
 
 private:
+    using Force = Eigen::Matrix<double, Forces, 1>;
+
     /// What has changed in a point since the factorisation: D by u v', and so S by rho A u (A v)'.
     struct Change
     {
         int point;
-        Eigen::Vector2d v;
+        Force v;
         VectorXd solved;    ///< S^-1 rho A u, S before the change
         double determinant; ///< of S after the change over that before
     };
@@ -71,11 +80,10 @@ private:
     struct Exit
     {
         int point = -1; ///< or none
-        PieceSide side{Eigen::Vector2d::Zero(), 0, {}};
+        PieceSide<Forces> side;
         double length = 0; ///< in t
     };
 
-    SlidingLaw lawOf(int point) const;
     void begin(const VectorXd& startForce);
     void findForces();
     void findPieces();
@@ -87,13 +95,25 @@ private:
     VectorXd corrected(VectorXd solved) const;
     bool walk(const VectorXd& residualOfStart, const VectorXd& change);
     Exit firstExit(const VectorXd& rate, double sense, double farthest, const Exit& last) const;
+    Force trialOf(std::size_t point) const
+    {
+        return w.template segment<Forces>(Forces * static_cast<Eigen::Index>(point));
+    }
+    /// The force of its state, linear in w.
+    PointForce<Forces> onPiece(std::size_t point) const
+    {
+        return forceOn<Forces>(laws[point], states[point], trialOf(point));
+    }
+    void turnTangent(std::size_t point);
+    bool followTangents();
     bool cross(const Exit& exit, VectorXd& direction, VectorXd& rate);
+    bool changePiece(int point, const Force& u, const Force& v, VectorXd& direction, VectorXd& rate);
     bool isRounding(const VectorXd& left) const;
     bool polish();
 
     const ContactPathSettings settings;
-    ContactSystem<3, 2> system;
-    std::vector<ConeColumns<3, 2>> given; ///< of the program
+    ContactSystem<Rows, Forces> system;
+    std::vector<ConeColumns<Rows, Forces>> given; ///< of the program
     std::vector<SlidingLaw> laws;
     VectorXd start;
     VectorXd load; ///< of x with y = start + L'^-1 x
@@ -102,12 +122,15 @@ private:
     VectorXd rho;  ///< k of each point
     VectorXd x, w;
     VectorXd force; ///< law(w)
-    std::vector<PointState<2>> states;
-    std::vector<PieceSides> sides;     ///< of `states`
-    std::vector<PointForce<2>> pieces; ///< of `states`, when it was factorised
+    std::vector<PointState<Forces>> states;
+    std::vector<PieceSides<Forces>> sides;  ///< of `states`
+    std::vector<PointForce<Forces>> pieces; ///< of `states`, when it was factorised
     bool isFactorised = false;
     std::vector<Change> changes; ///< since then
     int mostPivots = 0;
 };
+
+extern template class ContactPath<3, 2>;
+extern template class ContactPath<6, 3>;
 
 } // namespace drystone

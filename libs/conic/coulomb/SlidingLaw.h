@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace drystone
 {
@@ -46,6 +47,10 @@ struct PointState
     Shear shear = Shear::slides;
     Eigen::Matrix<double, Forces - 1, 1> direction =
         Eigen::Matrix<double, Forces - 1, 1>::Unit(0); ///< of the shear of a point that slides
+    /// In space, where it slides: the share of a trial shear across its direction that the force has. The
+    /// direction turns with w_t, so it is |c_t| / |w_t|; kept as it was the piece is linear, the law's
+    /// tangent.
+    double turning = 0;
 
     bool presses() const { return normal == Normal::presses; }
     bool sticks() const { return shear == Shear::sticks; }
@@ -77,6 +82,14 @@ PointState<Forces> stateOf(const SlidingLaw& law, const Eigen::Matrix<double, Fo
     const double normal = isAssociative ? w[0] : std::max(w[0], -law.tension);
     state.normal = presses ? State::Normal::presses : State::Normal::open;
     state.shear = size < law.cohesion + law.mu * normal ? State::Shear::sticks : State::Shear::slides;
+    if (Forces > 2 && presses && !state.sticks() && isAssociative)
+    {
+        state.turning = law.mu * (w[0] + law.mu * size) / (1 + law.mu * law.mu) / size;
+    }
+    else if (Forces > 2 && !state.sticks() && !isAssociative && size > 0)
+    {
+        state.turning = std::max(0.0, law.cohesion + law.mu * normal) / size;
+    }
     return state;
 }
 
@@ -89,13 +102,15 @@ PointForce<Forces> forceOn(const SlidingLaw& law, const PointState<Forces>& stat
     using Shears = Eigen::Matrix<double, shears, shears>;
     PointForce<Forces> result;
     const auto shear = w.template tail<shears>();
-    // The direction of shear turns with w_t: across it the force changes by limit / |w_t|.
-    const auto across = [&](double limit) -> Shears
+    const auto turn = [&]
     {
-        const double size = shear.norm();
-        return shears > 1 && size > 0 && limit > 0 ? Shears(
-                   limit / size * (Shears::Identity() - state.direction * state.direction.transpose()))
-                                                   : Shears(Shears::Zero());
+        if (shears > 1 && state.turning > 0)
+        {
+            const Shears across =
+                state.turning * (Shears::Identity() - state.direction * state.direction.transpose());
+            result.force.template tail<shears>() += across * shear;
+            result.derivative.template bottomRightCorner<shears, shears>() += across;
+        }
     };
     if (law.sliding == Sliding::associative)
     {
@@ -111,7 +126,7 @@ PointForce<Forces> forceOn(const SlidingLaw& law, const PointState<Forces>& stat
             const double along = edge.dot(w) / edge.squaredNorm();
             result.force = along * edge;
             result.derivative = edge * edge.transpose() / edge.squaredNorm();
-            result.derivative.template bottomRightCorner<shears, shears>() += across(along * law.mu);
+            turn();
         }
         return result;
     }
@@ -127,76 +142,141 @@ PointForce<Forces> forceOn(const SlidingLaw& law, const PointState<Forces>& stat
     result.force.template tail<shears>() = limit * state.direction;
     result.derivative.template bottomLeftCorner<shears, 1>() =
         result.derivative(0, 0) * law.mu * state.direction;
-    result.derivative.template bottomRightCorner<shears, shears>() = across(limit);
+    turn();
     return result;
 }
 
-/// A side of a piece of the plane: w is on the piece while normal'w + offset <= 0.
+/// A side of a piece: w is on the piece while normal'w + offset <= 0.
+template<int Forces>
 struct PieceSide
 {
-    Eigen::Vector2d normal;
-    double offset;
-    PointState<2> beyond;
+    Eigen::Matrix<double, Forces, 1> normal = Eigen::Matrix<double, Forces, 1>::Zero();
+    double offset = 0;
+    PointState<Forces> beyond;
 };
 
-/// The sides of a piece.
+/// The plane sides of a piece.
+template<int Forces>
 struct PieceSides
 {
-    std::array<PieceSide, 3> side;
+    std::array<PieceSide<Forces>, 3> side;
     int count = 0;
 
-    void add(const Eigen::Vector2d& normal, double offset, const PointState<2>& beyond)
+    void add(double alongNormal, const Eigen::Matrix<double, Forces - 1, 1>& alongShear, double offset,
+             const PointState<Forces>& beyond)
     {
-        side[static_cast<std::size_t>(count++)] = {normal, offset, beyond};
+        PieceSide<Forces>& added = side[static_cast<std::size_t>(count++)];
+        added.normal << alongNormal, alongShear;
+        added.offset = offset;
+        added.beyond = beyond;
     }
 };
 
-inline PieceSides sidesOf(const SlidingLaw& law, const PointState<2>& state)
+/// The limit of shear on a piece, C + mu c_n, as its growth with c_n and its value without.
+struct ShearLimit
 {
-    using State = PointState<2>;
-    PieceSides sides;
-    const auto to = [](State::Normal normal, State::Shear shear, double direction)
+    double mu;
+    double cohesion;
+
+    /// Without friction and cohesion nothing sticks.
+    bool isThere() const { return mu > 0 || cohesion > 0; }
+};
+
+template<int Forces>
+ShearLimit shearLimit(const SlidingLaw& law, const PointState<Forces>& state)
+{
+    return state.presses() ? ShearLimit{law.mu, law.cohesion}
+                           : ShearLimit{0, law.cohesion - law.mu * law.tension};
+}
+
+/// In space of Coulomb's law alone, and without the side round which a point that sticks begins to slide
+/// (roundSide).
+template<int Forces>
+PieceSides<Forces> sidesOf(const SlidingLaw& law, const PointState<Forces>& state)
+{
+    using State = PointState<Forces>;
+    using Shear = Eigen::Matrix<double, Forces - 1, 1>;
+    PieceSides<Forces> sides;
+    const auto to = [](typename State::Normal normal, typename State::Shear shear, const Shear& direction)
     {
-        State beyond{normal, shear, {}};
-        beyond.direction[0] = direction;
+        State beyond;
+        beyond.normal = normal;
+        beyond.shear = shear;
+        beyond.direction = direction;
         return beyond;
     };
-    const double e = state.direction[0];
+    const Shear& e = state.direction;
+    const Shear one = Shear::Unit(0);
     if (law.sliding == Sliding::associative)
     {
         if (!state.presses())
         {
-            sides.add({1, law.mu}, 0, to(State::Normal::presses, State::Shear::slides, 1));
-            sides.add({1, -law.mu}, 0, to(State::Normal::presses, State::Shear::slides, -1));
+            sides.add(1, law.mu * one, 0, to(State::Normal::presses, State::Shear::slides, one));
+            sides.add(1, -law.mu * one, 0, to(State::Normal::presses, State::Shear::slides, -one));
             return sides;
         }
         if (!state.sticks())
         {
-            sides.add({-1, -law.mu * e}, 0, to(State::Normal::open, State::Shear::slides, e));
+            sides.add(-1, -law.mu * e, 0, to(State::Normal::open, State::Shear::slides, e));
         }
     }
     else
     {
-        const State::Normal other = state.presses() ? State::Normal::open : State::Normal::presses;
+        State other = state;
+        other.normal = state.presses() ? State::Normal::open : State::Normal::presses;
         const double outwards = state.presses() ? -1 : 1;
-        sides.add({outwards, 0}, outwards * law.tension, to(other, state.shear, e));
+        sides.add(outwards, Shear::Zero(), outwards * law.tension, other);
     }
-    // Without friction and cohesion nothing sticks.
-    const double mu = state.presses() ? law.mu : 0;
-    const double limit = state.presses() ? law.cohesion : law.cohesion - law.mu * law.tension;
-    if (mu > 0 || limit > 0)
+    const ShearLimit limit = shearLimit(law, state);
+    if (limit.isThere() && !state.sticks())
     {
-        if (state.sticks())
-        {
-            sides.add({-mu, 1}, -limit, to(state.normal, State::Shear::slides, 1));
-            sides.add({-mu, -1}, -limit, to(state.normal, State::Shear::slides, -1));
-        }
-        else
-        {
-            sides.add({mu, -e}, limit, to(state.normal, State::Shear::sticks, e));
-        }
+        sides.add(limit.mu, -e, limit.cohesion, to(state.normal, State::Shear::sticks, e));
+    }
+    else if (limit.isThere() && Forces == 2)
+    {
+        sides.add(-limit.mu, one, -limit.cohesion, to(state.normal, State::Shear::slides, one));
+        sides.add(-limit.mu, -one, -limit.cohesion, to(state.normal, State::Shear::slides, -one));
     }
     return sides;
+}
+
+/// In space, how far a point that sticks goes along a change of w until |w_t| is C + mu c_n. \param isOnIt
+/// whether w is on that side and goes inwards: then up to where it comes to it again \return infinite where
+/// it does not
+inline double lengthInDisc(const ShearLimit& limit, const Eigen::Vector3d& w, const Eigen::Vector3d& change,
+                           bool isOnIt)
+{
+    // |w_t + s d_t|^2 - (C + mu (w_n + s d_n))^2 = a s^2 + 2 b s + c, and c <= 0 on the piece.
+    const double now = limit.cohesion + limit.mu * w[0];
+    const double growth = limit.mu * change[0];
+    const double a = change.tail<2>().squaredNorm() - growth * growth;
+    const double b = w.tail<2>().dot(change.tail<2>()) - now * growth;
+    const double c = isOnIt ? 0 : std::min(0.0, w.tail<2>().squaredNorm() - now * now);
+    const double infinite = std::numeric_limits<double>::infinity();
+    const double inRoot = b * b - a * c;
+    if (inRoot < 0 || (b <= 0 && a <= 0) || (isOnIt && b >= 0))
+    {
+        return infinite;
+    }
+    const double root = std::sqrt(inRoot);
+    return b > 0 ? -c / (b + root) : (root - b) / a;
+}
+
+/// That side at a point of it.
+inline PieceSide<3> roundSide(const ShearLimit& limit, const PointState<3>& state, const Eigen::Vector3d& on)
+{
+    PieceSide<3> side;
+    side.beyond = state;
+    side.beyond.shear = PointState<3>::Shear::slides;
+    const double size = on.tail<2>().norm();
+    if (size > 0)
+    {
+        side.beyond.direction = on.tail<2>() / size;
+    }
+    side.beyond.turning = 1;
+    side.normal << -limit.mu, side.beyond.direction;
+    side.offset = -limit.cohesion;
+    return side;
 }
 
 } // namespace drystone

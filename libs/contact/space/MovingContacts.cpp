@@ -25,14 +25,17 @@ constexpr double mayEnter = 1e-3;
 
 constexpr double sameVertex = 1e-6; // in mean block sizes
 
-/// \param sense 1: by which the blocks have turned; -1: back to where they were built
-std::vector<Swing<3>> swingsOf(const std::vector<Placement<3>>& placements, double sense)
+/// Corners of two blocks this close, in mean block sizes, are at one place: rounding errors do not decide
+/// between them.
+constexpr double samePlace = 1e-9;
+
+std::vector<Swing<3>> swingsOf(const std::vector<Placement<3>>& placements)
 {
     std::vector<Swing<3>> swings;
     swings.reserve(placements.size());
     for (const Placement<3>& placement : placements)
     {
-        swings.emplace_back(sense * placement.rotation);
+        swings.emplace_back(placement.rotation);
     }
     return swings;
 }
@@ -108,35 +111,45 @@ MovingContacts<3>::MovingContacts(const Assembly<3>& structure, const MovingCont
     }
     for (ContactPoint<3>& point : asBuilt)
     {
-        const auto shapeOf = [this](int block) -> const Polyhedron&
-        { return assembly.blocks[static_cast<std::size_t>(block)].shape; };
-        const double reach = sameVertex * blockSize;
-        const bool isOfNeighbour = !isVertex(shapeOf(point.block), point.position, reach)
-                                   && isVertex(shapeOf(point.neighbour), point.position, reach);
-        Pair pair;
-        pair.cornerBlock = isOfNeighbour ? point.neighbour : point.block;
-        pair.faceBlock = isOfNeighbour ? point.block : point.neighbour;
-        pair.corner = point.position;
-        pair.outward = isOfNeighbour ? Vector<3>(-point.normal) : point.normal;
-        pair.shear = contactFrame(point).col(1);
-        const Polyhedron& shape = shapeOf(pair.faceBlock);
-        for (const int vertex : faceUnder(shape, point.position, pair.outward))
+        const auto isVertexOf = [&](int block)
         {
-            pair.outline.push_back(shape.vertices[static_cast<std::size_t>(vertex)]);
-        }
-        point.feature = {pair.cornerBlock, static_cast<int>(pairs.size()), 0}; // each point is itself
+            return isVertex(assembly.blocks[static_cast<std::size_t>(block)].shape, point.position,
+                            sameVertex * blockSize);
+        };
+        const bool isOfNeighbour = isVertexOf(point.neighbour);
+        const bool isOfBlock = isVertexOf(point.block) || !isOfNeighbour;
+        point.feature = {isOfBlock ? point.block : point.neighbour, static_cast<int>(pairs.size()),
+                         0}; // each point is itself
+        pairs.push_back(pairAt(point, !isOfBlock));
+        others.push_back(isOfBlock && isOfNeighbour ? std::optional(pairAt(point, true)) : std::nullopt);
         known.emplace_back(point.block, point.neighbour);
-        pairs.push_back(std::move(pair));
     }
     std::sort(known.begin(), known.end());
     known.erase(std::unique(known.begin(), known.end()), known.end());
     points = asBuilt;
 }
 
+/// \param isOfNeighbour whose corner, against the face of the other
+MovingContacts<3>::Pair MovingContacts<3>::pairAt(const ContactPoint<3>& point, bool isOfNeighbour) const
+{
+    Pair pair;
+    pair.cornerBlock = isOfNeighbour ? point.neighbour : point.block;
+    pair.faceBlock = isOfNeighbour ? point.block : point.neighbour;
+    pair.corner = point.position;
+    pair.outward = isOfNeighbour ? Vector<3>(-point.normal) : point.normal;
+    pair.shear = contactFrame(point).col(1);
+    const Polyhedron& shape = assembly.blocks[static_cast<std::size_t>(pair.faceBlock)].shape;
+    for (const int vertex : faceUnder(shape, point.position, pair.outward))
+    {
+        pair.outline.push_back(shape.vertices[static_cast<std::size_t>(vertex)]);
+    }
+    return pair;
+}
+
 void MovingContacts<3>::measure(const std::vector<Placement<3>>& placements,
                                 std::vector<ContactPoint<3>>& measured) const
 {
-    const std::vector<Swing<3>> swings = swingsOf(placements, 1);
+    const std::vector<Swing<3>> swings = swingsOf(placements);
     measured.resize(points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
     {
@@ -186,6 +199,7 @@ const std::vector<ContactPoint<3>>& MovingContacts<3>::update(const std::vector<
             points.push_back(point);
         }
     }
+    chooseCorners(now);
     measure(now, points);
     refuseLostPoints(now);
     refuseNewContacts(now);
@@ -198,21 +212,44 @@ const std::vector<ContactPoint<3>>& MovingContacts<3>::update(const std::vector<
     return update(now, margin);
 }
 
+/// How far the corner is outside the face now [m].
+double MovingContacts<3>::outsideOf(const Pair& pair, const std::vector<Placement<3>>& now) const
+{
+    const auto corner = static_cast<std::size_t>(pair.cornerBlock);
+    const auto face = static_cast<std::size_t>(pair.faceBlock);
+    const Vector<3> arm = pair.corner - centroids[corner];
+    const Vector<3> place = pair.corner + now[corner].translation + Swing<3>(now[corner].rotation)(arm);
+    const Vector<3> armOfFace = place - centroids[face] - now[face].translation;
+    // Where the face was built.
+    return distanceOutside(pair.outline, pair.outward,
+                           centroids[face] + armOfFace + Swing<3>(-now[face].rotation)(armOfFace));
+}
+
+/// Of two corners that were at one place the one that lies on the other's face: once they have slid past each
+/// other the patch ends there, and a joint that turns opens by what is beyond it.
+void MovingContacts<3>::chooseCorners(const std::vector<Placement<3>>& now)
+{
+    for (ContactPoint<3>& point : points)
+    {
+        const auto index = static_cast<std::size_t>(point.feature.vertex);
+        if (others[index]
+            && outsideOf(*others[index], now) < outsideOf(pairs[index], now) - samePlace * blockSize)
+        {
+            point.feature.vertexBlock = others[index]->cornerBlock;
+        }
+    }
+}
+
 void MovingContacts<3>::refuseLostPoints(const std::vector<Placement<3>>& now) const
 {
-    const std::vector<Swing<3>> back = swingsOf(now, -1);
     for (const ContactPoint<3>& point : points)
     {
         if (point.gap > mayEnter * blockSize)
         {
             continue; // apart
         }
-        // Where the face was built.
         const Pair& pair = pairOf(point);
-        const auto face = static_cast<std::size_t>(pair.faceBlock);
-        const Vector<3> arm = point.position - centroids[face] - now[face].translation;
-        const Vector<3> corner = centroids[face] + arm + back[face](arm);
-        const double outside = distanceOutside(pair.outline, pair.outward, corner);
+        const double outside = outsideOf(pair, now);
         if (outside > mayLeave * blockSize)
         {
             throw FatalError(fmt::format(

@@ -5,6 +5,8 @@
 #include "contact/MovingContacts.h"
 #include "geometry/Rotation.h"
 
+#include <optional>
+
 namespace drystone
 {
 
@@ -14,7 +16,9 @@ namespace drystone
 /// `update` ends the run where a point that closes has left the face that it was built on by more than a
 /// twentieth of the mean block size, or where blocks run into each other that share no point.
 ///
-/// The corner of a patch that is a vertex of both blocks, or of neither, belongs to `block`.
+/// The corner of a patch that is a vertex of both blocks may be taken for that of either: it is that which
+/// lies on the other's face now, of `block` where they lie at one place. One that is a vertex of neither
+/// belongs to `block`.
 template<>
 class MovingContacts<3>
 {
@@ -52,8 +56,12 @@ private:
     };
     const Pair& pairOf(const ContactPoint<3>& point) const
     {
-        return pairs[static_cast<std::size_t>(point.feature.vertex)];
+        const auto index = static_cast<std::size_t>(point.feature.vertex);
+        return pairs[index].cornerBlock == point.feature.vertexBlock ? pairs[index] : *others[index];
     }
+    Pair pairAt(const ContactPoint<3>& point, bool isOfNeighbour) const;
+    double outsideOf(const Pair& pair, const std::vector<Placement<3>>& now) const;
+    void chooseCorners(const std::vector<Placement<3>>& now);
     /// \param swingOfCorner, swingOfFace of the blocks of its corner and of its face
     ContactPoint<3> pointAt(const std::vector<Placement<3>>& placements, const Swing<3>& swingOfCorner,
                             const Swing<3>& swingOfFace, std::size_t index) const;
@@ -64,8 +72,9 @@ private:
     std::vector<Vector<3>> centroids;
     std::vector<ContactPoint<3>> asBuilt;
     std::vector<ContactPoint<3>> points;
-    std::vector<Pair> pairs;                ///< one a point as built
-    std::vector<std::pair<int, int>> known; ///< pairs of blocks that share points, sorted
+    std::vector<Pair> pairs;                 ///< one a point as built
+    std::vector<std::optional<Pair>> others; ///< the other way round, where the point is a vertex of both
+    std::vector<std::pair<int, int>> known;  ///< pairs of blocks that share points, sorted
     std::vector<char> isLeftOut;
     double blockSize = 1;
 };
