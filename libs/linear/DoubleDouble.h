@@ -51,10 +51,10 @@ struct DoubleDouble
 
     friend DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b)
     {
-        DoubleDouble high = doubleDouble::sum(a.high, b.high);
-        const DoubleDouble low = doubleDouble::sum(a.low, b.low);
-        high = doubleDouble::quickSum(high.high, high.low + low.high);
-        return doubleDouble::quickSum(high.high, high.low + low.low);
+        DoubleDouble larger = doubleDouble::sum(a.high, b.high);
+        const DoubleDouble smaller = doubleDouble::sum(a.low, b.low);
+        larger = doubleDouble::quickSum(larger.high, larger.low + smaller.high);
+        return doubleDouble::quickSum(larger.high, larger.low + smaller.low);
     }
 
     friend DoubleDouble operator-(const DoubleDouble& a, const DoubleDouble& b) { return a + (-b); }

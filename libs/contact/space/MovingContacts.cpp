@@ -27,7 +27,7 @@ constexpr double sameVertex = 1e-6; // in mean block sizes
 
 /// Corners of two blocks this close, in mean block sizes, are at one place: rounding errors do not decide
 /// between them.
-constexpr double samePlace = 1e-9;
+constexpr double cornersAtOnePlace = 1e-9;
 
 std::vector<Swing<3>> swingsOf(const std::vector<Placement<3>>& placements)
 {
@@ -233,7 +233,7 @@ void MovingContacts<3>::chooseCorners(const std::vector<Placement<3>>& now)
     {
         const auto index = static_cast<std::size_t>(point.feature.vertex);
         if (others[index]
-            && outsideOf(*others[index], now) < outsideOf(pairs[index], now) - samePlace * blockSize)
+            && outsideOf(*others[index], now) < outsideOf(pairs[index], now) - cornersAtOnePlace * blockSize)
         {
             point.feature.vertexBlock = others[index]->cornerBlock;
         }
