@@ -43,7 +43,7 @@ template<int Dim>
 Rest restWithin(const StepProgram<Dim>& program, const Eigen::VectorXd& contactForce,
                 const StepSettings& settings, ThetaStep& step)
 {
-    constexpr double partOfTolerance = 0.1;
+    constexpr double shareOfTolerance = 0.1;
     StepProgram<Dim> closed = program;
     std::vector<int> pressing;
     StepProgram<Dim> carried;
@@ -67,7 +67,7 @@ Rest restWithin(const StepProgram<Dim>& program, const Eigen::VectorXd& contactF
     }
     SymbolicAnalysis symbolic;
     const Eigen::VectorXd holding = nearestForces(carried, takenFrom<Dim>(pressing, contactForce),
-                                                  partOfTolerance * settings.solver.tolerance, symbolic);
+                                                  shareOfTolerance * settings.solver.tolerance, symbolic);
     ++step.factorisations;
     if (holding.size() == 0)
     {
