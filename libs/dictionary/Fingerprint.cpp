@@ -58,7 +58,6 @@ void add(Fingerprint& print, const Dictionary& dictionary, const std::vector<std
     }
 }
 
-/// What the entries `file` of a dictionary and its sub-dictionaries name.
 void collectNamedFiles(const Dictionary& dictionary, std::vector<std::string>& names)
 {
     for (const Entry& entry : dictionary.entries())
@@ -116,6 +115,13 @@ std::uint64_t fingerprint(const Dictionary& dictionary, const std::vector<std::s
     Fingerprint print;
     add(print, dictionary, leftOut);
     return print.value();
+}
+
+std::vector<std::string> filesNamedIn(const Dictionary& dictionary)
+{
+    std::vector<std::string> names;
+    collectNamedFiles(dictionary, names);
+    return names;
 }
 
 std::vector<InputFile> inputFiles(const fs::path& caseDirectory, const std::vector<std::string>& names)

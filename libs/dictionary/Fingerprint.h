@@ -34,6 +34,9 @@ std::uint64_t fingerprint(std::string_view bytes);
 /// \param leftOut keys of the dictionary that do not count either
 std::uint64_t fingerprint(const Dictionary& dictionary, const std::vector<std::string>& leftOut = {});
 
+/// The files that entries `file "..."` of a dictionary and of its sub-dictionaries name.
+std::vector<std::string> filesNamedIn(const Dictionary& dictionary);
+
 /// A file of the input and what it said.
 struct InputFile
 {

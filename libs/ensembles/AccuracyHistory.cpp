@@ -10,8 +10,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdint>
-
 namespace drystone
 {
 namespace
@@ -25,14 +23,8 @@ constexpr std::size_t historyNumbers = 20;
 
 std::string historyHeading(const fs::path& caseDirectory, const Dictionary& dictionary)
 {
-    std::uint64_t ofCase = 0;
-    for (const char* folder : {"0", "constant", "system"})
-    {
-        if (fs::is_directory(caseDirectory / folder))
-        {
-            ofCase = ofCase * 31 + fingerprint(caseDirectory / folder, "accuracyCostDict");
-        }
-    }
+    StudyRuns runs;
+    runs.dictionary = "system/accuracyCostDict";
     std::string quantities;
     for (const Entry& quantity : dictionary.subDict("quantities").entries())
     {
@@ -46,13 +38,13 @@ std::string historyHeading(const fs::path& caseDirectory, const Dictionary& dict
         }
     }
     return fmt::format(
-        "# case {:016x} quantities {:016x} on {}\n"
+        "{}# quantities {:016x} on {}\n"
         "# quantity[-] deltaT[s] theta[-] flowRule[-] solver[-] tolerance[-] pointsPerJoint[-] "
         "pointsPerSide[-] displacements[-] formulation[-] contactOverlap[-] effects[-] phase[-] phases[-] "
         "value hover[m] steps[-] "
         "cpuTime[s] residual[-] "
         "end[-]\n",
-        ofCase, fingerprint(quantities), processorName());
+        historyInput(inputOfStudy(caseDirectory, runs)), fingerprint(quantities), processorName());
 }
 
 AccuracyRuns::AccuracyRuns(const AccuracyStudy& accuracyStudy)

@@ -122,21 +122,27 @@ void copyCase(const fs::path& caseDirectory, const fs::path& target)
     }
 }
 
-std::uint64_t fingerprint(const fs::path& caseDirectory, const std::string& leftOut)
+std::vector<fs::path> filesOfCase(const fs::path& caseDirectory)
 {
     std::vector<fs::path> files;
     listFiles(caseDirectory, files);
     std::sort(files.begin(), files.end());
-    std::string all;
-    for (const fs::path& file : files)
+    return files;
+}
+
+std::string historyInput(const std::vector<InputFile>& files)
+{
+    return inputLines(files, "# ");
+}
+
+std::string changedHistory(const std::string& history, const std::string& heading, const std::string& study)
+{
+    if (history.starts_with("# case ")) // of older versions
     {
-        const fs::path name = file.lexically_relative(caseDirectory);
-        if (name != leftOut)
-        {
-            all += name.string() + '\0' + contentOfFile(file) + '\0';
-        }
+        return "an older version has begun it, which did not note its input by files";
     }
-    return fingerprint(all);
+    const std::string changes = changedInput(history, heading, "# ");
+    return changes.empty() ? fmt::format("what system/{}Dict requests of a run has changed", study) : changes;
 }
 
 std::vector<std::vector<double>> readHistory(const fs::path& file, const std::string& heading,
@@ -150,10 +156,9 @@ std::vector<std::vector<double>> readHistory(const fs::path& file, const std::st
     const std::string text = contentOfFile(file);
     if (!text.starts_with(heading))
     {
-        throw FatalError(fmt::format("{} belongs to another {}: the files of the case, or the settings, were "
-                                     "different from now, so that it cannot be continued. Remove "
-                                     "postProcessing/{} to start again.",
-                                     file.string(), study, study));
+        throw FatalError(fmt::format("{} belongs to another {}, so that it cannot be continued: {}. Restore "
+                                     "what was there to continue. Remove postProcessing/{} to start again.",
+                                     file.string(), study, changedHistory(text, heading, study), study));
     }
     std::istringstream lines(text.substr(heading.size()));
     int lineNumber = static_cast<int>(std::count(heading.begin(), heading.end(), '\n'));

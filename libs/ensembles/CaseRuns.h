@@ -3,10 +3,9 @@
 /// repeat whole cases.
 #pragma once
 
-#include "dictionary/Fingerprint.h"
 #include "ensembles/CaseEntry.h"
+#include "ensembles/StudyInput.h"
 
-#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -21,16 +20,21 @@ namespace drystone
 /// of a search (parameterSearch). An existing `target` is removed first. \throws FatalError
 void copyCase(const std::filesystem::path& caseDirectory, const std::filesystem::path& target);
 
-/// A fingerprint of the files that copyCase copies. \param leftOut a file that is ignored, in the case
-/// directory
-std::uint64_t fingerprint(const std::filesystem::path& caseDirectory, const std::string& leftOut);
+/// The files that copyCase copies, sorted.
+std::vector<std::filesystem::path> filesOfCase(const std::filesystem::path& caseDirectory);
+
+/// Lines of a heading that say from which input the rows of a study follow (StudyInput.h).
+std::string historyInput(const std::vector<InputFile>& files);
+
+/// Why a history with another heading is not continued: `constant/g has changed`.
+std::string changedHistory(const std::string& history, const std::string& heading, const std::string& study);
 
 /// The rows that an interrupted study has written.
-/// \param heading comment lines that identify what the rows depend on
+/// \param heading comment lines that identify what the rows depend on, files as `historyInput` has them
 /// \param numbers in a row
 /// \param study name of its folder in postProcessing, for messages
 /// \return nothing when there is no such file
-/// \throws FatalError when the heading differs, or a row cannot be read
+/// \throws FatalError when the heading differs, naming what has changed, or a row cannot be read
 std::vector<std::vector<double>> readHistory(const std::filesystem::path& file, const std::string& heading,
                                              std::size_t numbers, const std::string& study);
 

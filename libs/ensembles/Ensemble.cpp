@@ -4,8 +4,8 @@
 
 #include "core/Log.h"
 #include "core/WholeFile.h"
-#include "ensembles/CaseRuns.h"
 #include "ensembles/SamplesInProcess.h"
+#include "ensembles/StudyInput.h"
 #include "functionObjects/ColumnFile.h"
 #include "quantities/LimitAnalysisFigures.h"
 #include "runControl/Case.h"
@@ -125,11 +125,32 @@ void requireResults(const Ensemble& ensemble)
     }
 }
 
+/// The content of files that a dictionary takes values from.
+std::string contentOfNamedFiles(const Ensemble& ensemble, const Dictionary& dictionary)
+{
+    std::string content;
+    for (const std::string& file : filesNamedIn(dictionary))
+    {
+        content += contentOfFile(ensemble.caseDirectory / file) + '\0';
+    }
+    return content;
+}
+
 /// All that the samples depend on. With random and sobol more samples extend the earlier ones.
 std::string planOf(const Ensemble& ensemble)
 {
     const EnsembleSettings& settings = ensemble.settings;
-    std::string design;
+    std::string variables = toText(ensemble.dictionary.subDict("variables"));
+    for (const auto& [name, variable] : settings.variables)
+    {
+        const Dictionary& own = ensemble.dictionary.subDict("variables").subDict(name);
+        if (const Entry* distribution = own.find("distribution");
+            distribution && distribution->isDictionary())
+        {
+            variables += contentOfNamedFiles(ensemble, distribution->dictionary());
+        }
+    }
+    std::string design = contentOfNamedFiles(ensemble, ensemble.dictionary.subDict("design"));
     for (const Entry& entry : ensemble.dictionary.subDict("design").entries())
     {
         const bool isExtended =
@@ -144,14 +165,16 @@ std::string planOf(const Ensemble& ensemble)
     {
         results += toText(ensemble.dictionary.subDict("results").lookup(name));
     }
+    StudyRuns runs;
+    runs.dictionary = "system/ensembleDict";
+    runs.applications = settings.applications;
     const Entry* correlations = ensemble.dictionary.find("correlations");
-    return fmt::format(
-        "case {:016x}\napplications {} {}\nvariables {:016x}\ncorrelations {}\ndesign {:016x}\nresults "
-        "{:016x}\nattempts {}\n",
-        fingerprint(ensemble.caseDirectory, "system/ensembleDict"), fmt::join(settings.applications, " "),
-        fmt::join(ensemble.options, " "), fingerprint(toText(ensemble.dictionary.subDict("variables"))),
-        correlations ? correlations->valueText() : "none", fingerprint(design), fingerprint(results),
-        settings.failures.attempts);
+    return fmt::format("{}applications {} {}\nvariables {:016x}\ncorrelations {}\ndesign {:016x}\nresults "
+                       "{:016x}\nattempts {}\n",
+                       inputLines(inputOfStudy(ensemble.caseDirectory, runs)),
+                       fmt::join(settings.applications, " "), fmt::join(ensemble.options, " "),
+                       fingerprint(variables), correlations ? correlations->valueText() : "none",
+                       fingerprint(design), fingerprint(results), settings.failures.attempts);
 }
 
 } // namespace

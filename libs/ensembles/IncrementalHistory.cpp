@@ -19,9 +19,11 @@ constexpr std::size_t columns = 9;
 template<int Dim>
 std::string headingOf(const std::filesystem::path& caseDirectory, const IncrementalDynamics<Dim>& study)
 {
-    std::string text = fmt::format("# case {:016x} criterion {} stopWhenMet {} motions",
-                                   fingerprint(caseDirectory, "system/incrementalDynamicsDict"),
-                                   study.criterion.summary, study.stopWhenMet ? "yes" : "no");
+    StudyRuns runs;
+    runs.dictionary = "system/incrementalDynamicsDict";
+    std::string text = historyInput(inputOfStudy(caseDirectory, runs))
+                       + fmt::format("# criterion {} stopWhenMet {} motions", study.criterion.summary,
+                                     study.stopWhenMet ? "yes" : "no");
     for (const StudyMotion& motion : study.motions)
     {
         // The whole record is in the case, or it is the user's own file: its peak tells another one.
@@ -53,9 +55,9 @@ IncrementalHistory<Dim>::IncrementalHistory(const std::filesystem::path& caseDir
     {
         return;
     }
-    if (!contentOfFile(file).starts_with(text))
+    if (const std::string known = contentOfFile(file); !known.starts_with(text))
     {
-        isOther = true;
+        change = changedHistory(known, text, "incrementalDynamics");
         return;
     }
     for (const std::vector<double>& row : readHistory(file, text, columns, "incrementalDynamics"))

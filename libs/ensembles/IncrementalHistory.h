@@ -12,8 +12,8 @@ namespace drystone
 {
 
 /// history.dat in the folder of the results: a row for each completed run, in the order in which they were
-/// reported: the number of the motion, then the columns of its table with all digits. Its first line says
-/// what the runs depend on: the files of the case, the motions, the criterion.
+/// reported: the number of the motion, then the columns of its table with all digits. Its first lines
+/// say what the runs depend on: the files of the case, the motions, the criterion.
 template<int Dim>
 class IncrementalHistory
 {
@@ -26,8 +26,8 @@ public:
     /// The known runs of each motion.
     const std::vector<IncrementalCurve>& known() const { return curves; }
     std::size_t count() const;
-    /// Whether there was a history of other input.
-    bool wasOther() const { return isOther; }
+    /// How the input differs from that of a history which was there; empty: not at all.
+    const std::string& changeOfInput() const { return change; }
 
     /// Writes the run to disk with all before it. \throws FatalError when that fails
     void add(std::size_t motion, const IncrementalRun& run);
@@ -36,7 +36,7 @@ private:
     std::filesystem::path file;
     std::string text; ///< of the file, as it is to be
     std::vector<IncrementalCurve> curves;
-    bool isOther = false;
+    std::string change;
 };
 
 } // namespace drystone

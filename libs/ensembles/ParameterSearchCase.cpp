@@ -107,7 +107,8 @@ ParameterSearch readParameterSearch(const fs::path& caseDirectory, const Command
         search.start.push_back(
             variable.start.value_or(std::clamp(value, variable.bounds[0], variable.bounds[1])));
     }
-    search.caseFingerprint = fingerprint(caseDirectory, "system/parameterSearchDict");
+    search.caseInput = historyInput(inputOfStudy(
+        caseDirectory, {"system/parameterSearchDict", search.settings.applications, search.settings.cases}));
     if (commandLine.noFunctionObjects)
     {
         search.options.emplace_back("-noFunctionObjects");

@@ -3,6 +3,7 @@
 #include "ensembles/SampleStore.h"
 
 #include "core/WholeFile.h"
+#include "ensembles/StudyInput.h"
 
 #include <fmt/format.h>
 
@@ -14,6 +15,7 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <sstream>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -106,7 +108,47 @@ bool isWhole(double number, double least, double most)
     return number >= least && number <= most && number == std::floor(number);
 }
 
+/// The lines of a plan that are not of files, by their first words.
+std::map<std::string, std::string> questionsIn(const std::string& plan)
+{
+    std::map<std::string, std::string> lines;
+    std::istringstream stream(plan);
+    for (std::string line; std::getline(stream, line);)
+    {
+        const std::string word = line.substr(0, line.find(' '));
+        if (word != "input" && word != "case") // as older versions write it
+        {
+            lines[word] += line;
+        }
+    }
+    return lines;
+}
+
 } // namespace
+
+std::optional<PlanChange> planChange(const fs::path& work, const std::string& plan)
+{
+    std::error_code none;
+    if (!fs::exists(work / "plan", none))
+    {
+        return {};
+    }
+    const std::string before = contentOfFile(work / "plan");
+    PlanChange change;
+    change.hasInput = !before.starts_with("case "); // of older versions
+    change.input = change.hasInput ? changedInput(before, plan) : "";
+    std::map<std::string, std::string> then = questionsIn(before);
+    for (const auto& [word, line] : questionsIn(plan))
+    {
+        if (then[word] != line)
+        {
+            change.questions += (change.questions.empty() ? "" : ", ")
+                                + fmt::format("{} of system/ensembleDict {} changed", word,
+                                              word == "design" ? "has" : "have");
+        }
+    }
+    return change;
+}
 
 double monotonicTime()
 {
@@ -125,22 +167,25 @@ SampleStore::SampleStore(const fs::path& caseDirectory, const std::string& plan,
     // One process prepares, the others wait. Where there are no locks, both write the same.
     OpenFile preparing{openFile(work / "lock", O_RDWR)};
     lockByte(preparing.descriptor, 0, F_WRLCK, F_SETLKW);
-    const fs::path planFile = work / "plan";
-    if (fs::exists(planFile, error))
+    if (const std::optional<PlanChange> change = planChange(work, plan))
     {
-        if (contentOfFile(planFile) != plan)
+        std::string text = change->input + (change->input.empty() || change->questions.empty() ? "" : ", ")
+                           + change->questions;
+        if (!change->hasInput)
+        {
+            text = "an older version has begun it, which did not note its input by files";
+        }
+        if (!text.empty())
         {
             throw FatalError(fmt::format(
-                "{} belongs to another ensemble: the files of the case, or the variables, the design, the "
-                "results "
-                "or the applications, were different from now, so that it cannot be continued. Remove "
-                "postProcessing/ensemble to start again.",
-                work.string()));
+                "{} belongs to another ensemble, so that it cannot be continued: {}. Restore what "
+                "was there to continue. Remove postProcessing/ensemble to start again.",
+                work.string(), text));
         }
     }
     else
     {
-        writeWholeFile(planFile, plan);
+        writeWholeFile(work / "plan", plan);
     }
     const fs::path chunkName = work / fmt::format("chunks.{}.{}", count, chunkSize);
     chunkFile = openFile(chunkName, O_RDWR);

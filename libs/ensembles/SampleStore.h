@@ -18,6 +18,7 @@
 #include "ensembles/Ensemble.h"
 
 #include <map>
+#include <optional>
 
 namespace drystone
 {
@@ -39,6 +40,15 @@ struct FailedAttempt
     bool isFromOutside = false; ///< its process was ended by somebody else: no fault of the sample
     std::string message;
 };
+
+/// How the plan of a folder differs from that of now; nothing where the folder has none yet.
+struct PlanChange
+{
+    std::string input;     ///< files of the case that the samples were computed from
+    std::string questions; ///< what system/ensembleDict wants of them: variables, design, results, ...
+    bool hasInput = true;  ///< older versions do not say from which input they computed
+};
+std::optional<PlanChange> planChange(const std::filesystem::path& work, const std::string& plan);
 
 class SampleStore
 {

@@ -16,8 +16,9 @@ namespace
 std::string historyHeading(const ParameterSearch& search)
 {
     const ParameterSearchSettings& settings = search.settings;
-    std::string text = fmt::format("# case {:016x} applications {} in {}", search.caseFingerprint,
-                                   fmt::join(settings.applications, " "), fmt::join(settings.cases, " "));
+    std::string text = search.caseInput
+                       + fmt::format("# applications {} in {}", fmt::join(settings.applications, " "),
+                                     fmt::join(settings.cases, " "));
     for (const auto& [name, variable] : settings.variables)
     {
         text += fmt::format("; {} = {}/{}", name, variable.place.file, variable.place.entry);

@@ -21,9 +21,9 @@ struct ParameterSearch
 {
     std::filesystem::path caseDirectory;
     ParameterSearchSettings settings;
-    Dictionary dictionary;     ///< system/parameterSearchDict, for the location in messages
-    std::vector<double> start; ///< of the variables
-    std::uint64_t caseFingerprint = 0;
+    Dictionary dictionary;            ///< system/parameterSearchDict, for the location in messages
+    std::vector<double> start;        ///< of the variables
+    std::string caseInput;            ///< lines of the heading of its history
     std::vector<std::string> options; ///< for the applications
     PictureFormats pictureFormats{PictureFormat::svg};
 };

@@ -143,7 +143,9 @@ class AccuracyCost(CaseTest):
         self.run_(case)
         properties = self.read(case, "constant/contactProperties")
         self.replace(case, "constant/contactProperties", r"mu\s+1;", "mu 0.9;")
-        self.assertIn("Remove postProcessing/accuracyCost", self.run_(case, status=1).stderr)
+        refused = self.run_(case, status=1).stderr
+        self.assertIn("Remove postProcessing/accuracyCost", refused)
+        self.assertIn("constant/contactProperties has changed", refused)
         with open(os.path.join(case, "constant/contactProperties"), "w", encoding="utf-8") as file:
             file.write(properties)
         self.run_(case)

@@ -164,6 +164,48 @@ class Ensemble(CaseTest):
         self.set(case, samples=400)
         refused = self.run_(case, status=1)
         self.assertIn("belongs to another ensemble", refused.stderr)
+        self.assertIn("design of system/ensembleDict has changed", refused.stderr)
+
+    def testItContinuesBesideFilesThatNoSampleReads(self):
+        case = self.case("otherFiles", samples=5, design="random")
+        self.run_(case)
+        for samples, name in enumerate(("log", "out.txt", "nohup.out", "slurm-1.out", "report.html", "Allrun", "a.png",
+                                        "constant/contactProperties.orig", "system/controlDict~",
+                                        "system/.controlDict.swp", "system/accuracyCostDict",
+                                        "constant/assembly/blocks"), 6):
+            os.makedirs(os.path.dirname(os.path.join(case, name)), exist_ok=True)
+            with open(os.path.join(case, name), "w", encoding="utf-8") as file:
+                file.write("x")
+            self.set(case, samples=samples, design="random")
+            self.run_(case)
+        # What samples read is named.
+        for name in "constant/materialProperties", "system/controlDict":
+            text = self.read(case, name)
+            with open(os.path.join(case, name), "a", encoding="utf-8") as file:
+                file.write("\n")
+            self.assertIn(f": {name} has changed.", self.run_(case, status=1).stderr)
+            with open(os.path.join(case, name), "w", encoding="utf-8") as file:
+                file.write(text)
+        self.run_(case)
+
+    def testFilesThatScriptsAndDictionariesReadCount(self):
+        case = self.case("scripts", samples=2, design="random", applications='"./prepare" blockTexture limitAnalysis')
+        os.makedirs(os.path.join(case, "../common"))
+        for name, text in (("prepare", "#!/bin/sh\ncat template > /dev/null\n"), ("template", "a\n"),
+                           ("../common/density", "// nothing\ndensity 2000;\n"), ("notes", "a\n")):
+            with open(os.path.join(case, name), "w", encoding="utf-8") as file:
+                file.write(text)
+        os.chmod(os.path.join(case, "prepare"), 0o755)
+        with open(os.path.join(case, "constant/materialProperties"), "w", encoding="utf-8") as file:
+            file.write('#include "%s/common/density"\n' % self.root.name)
+        self.run_(case)
+        for name in "prepare", "template", "../common/density":
+            with open(os.path.join(case, name), "a", encoding="utf-8") as file:
+                file.write("\n")
+            self.assertIn(f"{name} has changed", self.run_(case, status=1).stderr)
+        with open(os.path.join(case, "notes"), "a", encoding="utf-8") as file:
+            file.write("b\n")
+        self.assertNotIn("notes", self.run_(case, status=1).stderr)
 
     def testItsSamplesAreThoseOfTheApplications(self):
         case = self.case("byFiles", applications="blockTexture checkBlocks limitAnalysis", samples=6)

@@ -60,7 +60,7 @@ TEST_F(IncrementalHistoryTest, RunsAreReadBackToTheLastBit)
         written.add(0, someRun(0.5));
     }
     const IncrementalHistory<2> read = history();
-    EXPECT_FALSE(read.wasOther());
+    EXPECT_EQ(read.changeOfInput(), "");
     ASSERT_EQ(read.count(), 2u);
     const IncrementalRun& run = read.known()[1].at(0);
     EXPECT_EQ(run.intensity, 0.1 + 0.2);
@@ -76,13 +76,13 @@ TEST_F(IncrementalHistoryTest, OfOtherInputIsLeftAside)
 {
     history().add(0, someRun(0.5));
     study.motions[1].peak = 1.6;
-    EXPECT_TRUE(history().wasOther());
+    EXPECT_EQ(history().changeOfInput(), "what system/incrementalDynamicsDict requests of a run has changed");
     EXPECT_EQ(history().count(), 0u);
     study.motions[1].peak = 1.5;
     EXPECT_EQ(history().count(), 1u);
     std::filesystem::create_directories(folder / "constant");
     std::ofstream(folder / "constant/g") << "value (0 -9.81 0);";
-    EXPECT_TRUE(history().wasOther());
+    EXPECT_EQ(history().changeOfInput(), "constant/g is new");
     IncrementalHistory<2> again = history();
     again.add(0, someRun(0.6));
     ASSERT_EQ(history().count(), 1u);

@@ -41,9 +41,10 @@ int runIn(const CommandLine& commandLine)
     requireWritable(folder);
     IncrementalHistory<Dim> history(commandLine.caseDirectory, folder, study);
     const std::vector<IncrementalCurve> known = history.known();
-    if (history.wasOther())
+    if (!history.changeOfInput().empty())
     {
-        info("The runs of history.dat are of other input: all are carried out again");
+        info("The runs of history.dat are of other input ({}): all are carried out again",
+             history.changeOfInput());
     }
     else if (history.count() > 0)
     {

@@ -1,0 +1,35 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// What the runs of a study follow from, so that it is continued only where that is as it was.
+#pragma once
+
+#include "dictionary/Fingerprint.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace drystone
+{
+
+/// What a study runs.
+struct StudyRuns
+{
+    std::string dictionary;                ///< of the study, in the case; no input of its runs
+    std::vector<std::string> applications; ///< one after the other; a script of the case as "./prepare"
+    std::vector<std::string> cases{"."};   ///< in the case directory: in each all of them are run
+};
+
+/// The files that the runs read, byte by byte, sorted by name: 0/, constant/ and system/, what these include
+/// or name with `file`, scripts, and files of the case that a script mentions. Neither copies of editors
+/// (`g~`, `g.orig`), hidden files, logs and results, nor dictionaries of other studies; nor constant/assembly
+/// where blockTexture comes first and writes it anew.
+std::vector<InputFile> inputOfStudy(const std::filesystem::path& caseDirectory, const StudyRuns& runs);
+
+/// As a file of a study keeps them: `input 1f2e3d4c5b6a7988 constant/g`, a line each behind `mark`.
+std::string inputLines(const std::vector<InputFile>& files, const std::string& mark = "");
+
+/// How the input differs between two texts with such lines: `constant/g has changed`. Empty: not at all.
+/// \param mark before each of the lines
+std::string changedInput(const std::string& before, const std::string& now, const std::string& mark = "");
+
+} // namespace drystone
