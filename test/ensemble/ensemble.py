@@ -166,6 +166,29 @@ class Ensemble(CaseTest):
         self.assertIn("belongs to another ensemble", refused.stderr)
         self.assertIn("design of system/ensembleDict has changed", refused.stderr)
 
+    def testPostProcessWritesNothingOfOtherQuestions(self):
+        case = self.case("otherQuestions", samples=5)
+        self.run_(case)
+        before = self.read(case, "postProcessing/ensemble/0/samples.dat")
+        for old, new, changed in (("median 0.65", "median 0.4", "variables"), ("column alpha", "column gap", "results"),
+                                  ("seed 1", "seed 2", "design"),
+                                  ("(blockTexture limitAnalysis)", "(blockTexture checkBlocks limitAnalysis)",
+                                   "applications")):
+            self.edit(case, "system/ensembleDict", old, new)
+            refused = self.run_(case, "-postProcess", status=1)
+            self.assertRegex(refused.stderr, changed + " of system/ensembleDict ha(ve|s) changed")
+            self.assertEqual(self.read(case, "postProcessing/ensemble/0/samples.dat"), before)
+            self.edit(case, "system/ensembleDict", new, old)
+        # The values of the samples are the same: their results are those of the case as it was, and it is said.
+        self.edit(case, "constant/materialProperties", "unitWeight", "unitWeight ")
+        warned = self.run_(case, "-postProcess")
+        self.assertRegex(warned.stderr + warned.stdout,
+                         r"those of other input: constant/materialProperties has changed\.")
+        self.assertEqual(self.read(case, "postProcessing/ensemble/0/samples.dat"), before)
+        shutil.rmtree(os.path.join(case, "postProcessing/ensemble/0/work"))
+        self.assertIn("no samples to process", self.run_(case, "-postProcess", status=1).stderr)
+        self.assertEqual(self.read(case, "postProcessing/ensemble/0/samples.dat"), before)
+
     def testItContinuesBesideFilesThatNoSampleReads(self):
         case = self.case("otherFiles", samples=5, design="random")
         self.run_(case)

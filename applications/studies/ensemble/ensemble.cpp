@@ -25,6 +25,41 @@ int results(const Ensemble& ensemble)
     return writeEnsemble(ensemble, rows, table);
 }
 
+/// Samples belong to the values that system/ensembleDict gave them: with others nothing is written. A case
+/// that has changed since is warned of.
+void compareWithPlan(const Ensemble& ensemble)
+{
+    const std::filesystem::path work = ensembleWork(ensemble.caseDirectory);
+    const std::optional<PlanChange> change = planChange(work, ensemble.plan);
+    if (!change)
+    {
+        throw FatalError(fmt::format("There are no samples to process: {} has no plan. Run ensemble without "
+                                     "-postProcess first.",
+                                     work.string()));
+    }
+    if (!change->questions.empty())
+    {
+        throw FatalError(fmt::format(
+            "The samples in {} were computed for other questions than those of now, so that no table is "
+            "written: {}. Restore that to process them, or remove postProcessing/ensemble and run ensemble "
+            "anew.",
+            work.string(), change->questions));
+    }
+    if (!change->hasInput)
+    {
+        info("{} does not say from which input it was computed: an older version has written it, and changes "
+             "since are not noticed.",
+             work.string());
+    }
+    if (!change->input.empty())
+    {
+        printWarning(fmt::format("The samples are those of other input: {}. What follows is of the old "
+                                 "samples; remove postProcessing/ensemble and run ensemble to compute anew.",
+                                 change->input),
+                     {(work / "plan").string(), "", 0});
+    }
+}
+
 /// `Samples: 1200 of 100000, 3 attempts failed, 2100/s, 47 s left`
 void printProgress(const EnsembleProgress& progress)
 {
@@ -92,6 +127,7 @@ int run(const CommandLine& commandLine)
     }
     if (commandLine.postProcess)
     {
+        compareWithPlan(ensemble);
         const int status = results(ensemble);
         printExecutionTime();
         printEnd();
