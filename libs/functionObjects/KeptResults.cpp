@@ -4,6 +4,7 @@
 #include "assembly/AssemblyOrigin.h"
 #include "core/Log.h"
 #include "core/WholeFile.h"
+#include "functionObjects/LimitAnalysisResults.h"
 #include "runControl/Solution.h"
 
 #include <fmt/format.h>
@@ -39,6 +40,25 @@ std::vector<InputFile> inputOf(const std::filesystem::path& caseDirectory, const
     return files;
 }
 
+/// What `compare` warns of; where it finds the input of now at fault, a warning that says so.
+template<class Compare>
+std::string unlessUnreadable(const std::string& application, const Compare& compare)
+{
+    try
+    {
+        return compare();
+    }
+    catch (const FatalError& error)
+    {
+        std::string warning =
+            fmt::format("Whether the results of {} are those of the input of now is unknown, "
+                        "since that cannot be read: {}",
+                        application, error.what());
+        printWarning(warning);
+        return warning;
+    }
+}
+
 const char* const noInput = "does not say from which input it was computed: an older version has written it, "
                             "and changes since are not noticed.";
 
@@ -46,10 +66,10 @@ const char* const noInput = "does not say from which input it was computed: an o
 
 template<int Dim>
 std::vector<InputFile> inputOfMotion(const std::filesystem::path& caseDirectory,
-                                     const DynamicCase<Dim>& scene, const Time& time)
+                                     const Assembly<Dim>& assembly, const Time& time)
 {
     std::vector<InputFile> files =
-        inputOf(caseDirectory, scene.assembly, "contactDynamics",
+        inputOf(caseDirectory, assembly, "contactDynamics",
                 {"constant/contactProperties", "constant/g", "constant/groundMotion", "constant/loads",
                  "constant/materialProperties", "constant/supportMotion", time.beginningName() + "/motion",
                  "system/schemes"});
@@ -118,8 +138,8 @@ void compareWithInput(const State& start, const std::vector<InputFile>& now, con
     }
 }
 
-void compareWithInput(const std::vector<std::pair<std::string, State>>& states,
-                      const std::vector<InputFile>& now)
+std::string compareWithInput(const std::vector<std::pair<std::string, State>>& states,
+                             const std::vector<InputFile>& now)
 {
     std::string old;
     std::string unknown;
@@ -144,10 +164,13 @@ void compareWithInput(const std::vector<std::pair<std::string, State>>& states,
     }
     if (!old.empty())
     {
-        printWarning(fmt::format("The results at time{} are those of other input than that of now: {}. What "
-                                 "follows is of the old results.",
-                                 old, textOf(last)));
+        std::string warning = fmt::format("The results at time{} are those of other input than that of now: "
+                                          "{}. What follows is of the old results.",
+                                          old, textOf(last));
+        printWarning(warning);
+        return warning;
     }
+    return {};
 }
 
 void writeInput(const std::filesystem::path& file, const std::vector<InputFile>& files)
@@ -160,28 +183,109 @@ void writeInput(const std::filesystem::path& file, const std::vector<InputFile>&
     writeWholeFile(file, text + ");\n");
 }
 
-void compareWithInput(const std::filesystem::path& file, const std::vector<InputFile>& now)
+std::string compareWithInput(const std::filesystem::path& file, const std::vector<InputFile>& now)
 {
     const Dictionary kept = Dictionary::readFileIfPresent(file);
     if (!kept.found("input"))
     {
         info("{} {}", file.parent_path().string(), noInput);
-        return;
+        return {};
     }
     const std::vector<InputChange> changes =
         changesOfInput(inputFilesIn(kept.get<std::vector<std::string>>("input")), now);
-    if (!changes.empty())
+    if (changes.empty())
     {
-        printWarning(fmt::format("The results are those of other input: {}. Run limitAnalysis without "
-                                 "-postProcess to compute anew.",
-                                 textOf(changes)),
-                     {file.string(), "", 0});
+        return {};
     }
+    std::string warning = fmt::format("The results of limitAnalysis are those of other input: {}. Run "
+                                      "limitAnalysis without -postProcess to compute anew.",
+                                      textOf(changes));
+    printWarning(warning, {file.string(), "", 0});
+    return warning;
+}
+
+template<int Dim>
+std::string compareMotion(const std::filesystem::path& caseDirectory, const Assembly<Dim>& assembly,
+                          const std::vector<std::string>& times)
+{
+    if (times.empty())
+    {
+        return {};
+    }
+    return unlessUnreadable("contactDynamics",
+                            [&]
+                            {
+                                const Time time(caseDirectory);
+                                std::vector<std::pair<std::string, State>> states;
+                                for (const std::string& name : times)
+                                {
+                                    states.emplace_back(name, readState(caseDirectory / name / "state"));
+                                }
+                                return compareWithInput(states, inputOfMotion(caseDirectory, assembly, time));
+                            });
+}
+
+template<int Dim>
+std::string compareLimitAnalysis(const std::filesystem::path& caseDirectory, const Assembly<Dim>& assembly)
+{
+    std::error_code none;
+    if (!std::filesystem::exists(limitAnalysisTable(caseDirectory), none))
+    {
+        return {};
+    }
+    return unlessUnreadable("limitAnalysis",
+                            [&]
+                            {
+                                return compareWithInput(limitAnalysisInput(caseDirectory),
+                                                        inputOfLimitAnalysis(caseDirectory, assembly));
+                            });
+}
+
+bool isOfMotion(const std::filesystem::path& caseDirectory)
+{
+    const Dictionary controls = Dictionary::readFileIfPresent(caseDirectory / "system/controlDict");
+    const Entry* application = controls.find("application");
+    return application && application->valueText() != "limitAnalysis";
+}
+
+template<int Dim>
+std::string compareFrames(const std::filesystem::path& caseDirectory, const Assembly<Dim>& assembly)
+{
+    std::error_code none;
+    const std::vector<std::string> times = timesOfStates(caseDirectory);
+    const bool hasMechanism = std::filesystem::exists(limitAnalysisTable(caseDirectory), none);
+    return !times.empty() && (isOfMotion(caseDirectory) || !hasMechanism)
+               ? compareMotion(caseDirectory, assembly, times)
+               : compareLimitAnalysis(caseDirectory, assembly);
+}
+
+std::vector<std::string> timesOfStates(const std::filesystem::path& caseDirectory)
+{
+    std::vector<std::string> names;
+    for (const TimeDirectory& directory : timeDirectories(caseDirectory))
+    {
+        std::error_code none;
+        if (std::filesystem::exists(caseDirectory / directory.name / "state", none)) // 0/motion is a start
+        {
+            names.push_back(directory.name);
+        }
+    }
+    return names;
 }
 
 template std::vector<InputFile> inputOfMotion(const std::filesystem::path& caseDirectory,
-                                              const DynamicCase<2>& scene, const Time& time);
+                                              const Assembly<2>& assembly, const Time& time);
 template std::vector<InputFile> inputOfMotion(const std::filesystem::path& caseDirectory,
-                                              const DynamicCase<3>& scene, const Time& time);
+                                              const Assembly<3>& assembly, const Time& time);
+template std::string compareMotion(const std::filesystem::path& caseDirectory, const Assembly<2>& assembly,
+                                   const std::vector<std::string>& times);
+template std::string compareMotion(const std::filesystem::path& caseDirectory, const Assembly<3>& assembly,
+                                   const std::vector<std::string>& times);
+template std::string compareFrames(const std::filesystem::path& caseDirectory, const Assembly<2>& assembly);
+template std::string compareFrames(const std::filesystem::path& caseDirectory, const Assembly<3>& assembly);
+template std::string compareLimitAnalysis(const std::filesystem::path& caseDirectory,
+                                          const Assembly<2>& assembly);
+template std::string compareLimitAnalysis(const std::filesystem::path& caseDirectory,
+                                          const Assembly<3>& assembly);
 
 } // namespace drystone

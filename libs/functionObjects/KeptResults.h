@@ -2,12 +2,13 @@
 /// Whether results that a case keeps follow from the input that it has now.
 #pragma once
 
+#include "assembly/Assembly.h"
 #include "dictionary/Fingerprint.h"
-#include "dynamics/DynamicCase.h"
 #include "io/TimeDirectory.h"
 #include "runControl/Time.h"
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace drystone
@@ -16,9 +17,10 @@ namespace drystone
 /// What a motion follows from: the assembly, constant/, the motion that it began with, system/schemes,
 /// contactDynamics in system/solution, and the steps of system/controlDict. What only says how long to run
 /// and what to write is not in it.
+/// \param assembly with closed joints
 template<int Dim>
 std::vector<InputFile> inputOfMotion(const std::filesystem::path& caseDirectory,
-                                     const DynamicCase<Dim>& scene, const Time& time);
+                                     const Assembly<Dim>& assembly, const Time& time);
 
 /// The last of them: the steps of controlDict, which may be read again while a run goes on.
 InputFile inputOfSteps(const Time& time);
@@ -37,12 +39,33 @@ inline constexpr const char* inputInState = "input";
 void compareWithInput(const State& start, const std::vector<InputFile>& now, const Time& time);
 
 /// Warns once of all the states that follow from other input. \param states with the names of their times
-void compareWithInput(const std::vector<std::pair<std::string, State>>& states,
-                      const std::vector<InputFile>& now);
+/// \return the warning; empty: none
+std::string compareWithInput(const std::vector<std::pair<std::string, State>>& states,
+                             const std::vector<InputFile>& now);
 
 /// `input` beside the tables of limitAnalysis.
 void writeInput(const std::filesystem::path& file, const std::vector<InputFile>& files);
-/// Warns when the results beside this file follow from other input.
-void compareWithInput(const std::filesystem::path& file, const std::vector<InputFile>& now);
+/// Warns when the results beside this file follow from other input. \return the warning; empty: none
+std::string compareWithInput(const std::filesystem::path& file, const std::vector<InputFile>& now);
+
+/// For who shows the states of a motion beside the input of now: warns as above, and where that input cannot
+/// be read. \param times names of their directories \param assembly with closed joints
+/// \return the warning; empty: none
+template<int Dim>
+std::string compareMotion(const std::filesystem::path& caseDirectory, const Assembly<Dim>& assembly,
+                          const std::vector<std::string>& times);
+/// The same of the tables and the mechanism of limitAnalysis, where the case has them.
+template<int Dim>
+std::string compareLimitAnalysis(const std::filesystem::path& caseDirectory, const Assembly<Dim>& assembly);
+
+/// The same of the frames in VTK/, which are of one of the two.
+template<int Dim>
+std::string compareFrames(const std::filesystem::path& caseDirectory, const Assembly<Dim>& assembly);
+
+/// Whether the frames of a case are meant to be of a motion in time, not of a mechanism.
+bool isOfMotion(const std::filesystem::path& caseDirectory);
+
+/// The time directories with a state, in the order of their times.
+std::vector<std::string> timesOfStates(const std::filesystem::path& caseDirectory);
 
 } // namespace drystone

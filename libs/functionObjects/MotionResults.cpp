@@ -280,7 +280,7 @@ Motion<Dim> startOrContinue(const std::filesystem::path& caseDirectory, const Dy
 
     const State saved = readState(file);
     time.resume(timeOf(saved));
-    compareWithInput(saved, inputOfMotion(caseDirectory, scene, time), time);
+    compareWithInput(saved, inputOfMotion(caseDirectory, scene.assembly, time), time);
     return motionOf(scene, saved);
 }
 
@@ -288,20 +288,16 @@ template<int Dim>
 void postProcess(const std::filesystem::path& caseDirectory, const DynamicCase<Dim>& scene, const Time& time)
 {
     std::vector<std::pair<std::string, State>> states;
-    for (const TimeDirectory& directory : timeDirectories(caseDirectory))
+    for (const std::string& name : timesOfStates(caseDirectory))
     {
-        const std::filesystem::path file = caseDirectory / directory.name / "state";
-        if (std::filesystem::exists(file))
-        {
-            states.emplace_back(directory.name, readState(file));
-        }
+        states.emplace_back(name, readState(caseDirectory / name / "state"));
     }
     if (states.empty())
     {
         throw FatalError("There are no results to process: no time directory of this case has a state. Run "
                          "contactDynamics without -postProcess first.");
     }
-    compareWithInput(states, inputOfMotion(caseDirectory, scene, time));
+    compareWithInput(states, inputOfMotion(caseDirectory, scene.assembly, time));
     const Dictionary functions =
         time.controlDict().found("functions") ? time.controlDict().subDict("functions") : Dictionary();
     FunctionList<Dim> list(functions, caseDirectory, states.front().first, {}, 0, scene.assembly);
@@ -330,7 +326,7 @@ MotionResults<Dim>::MotionResults(std::filesystem::path directory, const Dynamic
       motion(currentMotion),
       time(runTime),
       functionList(readFunctions(caseDirectory, scene, time, functionObjects)),
-      input(inputOfMotion(caseDirectory, scene, time)),
+      input(inputOfMotion(caseDirectory, scene.assembly, time)),
       states(caseDirectory, time.controls().writeFormat, time.controls().purgeWrite),
       blocks(caseDirectory / "VTK", "blocks", time.startValue()),
       contacts(caseDirectory / "VTK", "contacts", time.startValue())

@@ -10,6 +10,7 @@
 #include "core/Log.h"
 #include "core/WholeFile.h"
 #include "functionObjects/Histories.h"
+#include "functionObjects/KeptResults.h"
 #include "functionObjects/LimitAnalysisResults.h"
 #include "functionObjects/LoadMeaning.h"
 #include "report/ReportSections.h"
@@ -202,7 +203,7 @@ std::vector<std::string> warningsIn(const fs::path& caseDirectory)
     std::vector<std::string> warnings;
     for (const std::string& name : namesIn(caseDirectory))
     {
-        if (!name.starts_with("log."))
+        if (!name.starts_with("log.") || name == "log.report") // of an earlier page
         {
             continue;
         }
@@ -278,11 +279,30 @@ void addRepetition(HtmlPage& page, const fs::path& caseDirectory)
     }
 }
 
+/// In front of what they concern.
+void addOldResults(HtmlPage& page, std::vector<std::string> warnings)
+{
+    std::erase(warnings, "");
+    if (warnings.empty())
+    {
+        return;
+    }
+    page.heading("Results of other input");
+    page.paragraph("This page shows results beside input that they do not follow from:");
+    for (const std::string& warning : warnings)
+    {
+        page.verbatim(warning);
+    }
+}
+
 template<int Dim>
-std::string reportText(const fs::path& caseDirectory)
+std::string reportText(const fs::path& caseDirectory, std::vector<std::string> warnings)
 {
     const Assembly<Dim> assembly = readAssembly<Dim>(caseDirectory);
     HtmlPage page(caseName(caseDirectory));
+    warnings.push_back(compareLimitAnalysis(caseDirectory, assembly));
+    warnings.push_back(compareMotion(caseDirectory, assembly, timesOfStates(caseDirectory)));
+    addOldResults(page, warnings);
     addStructure(page, caseDirectory, assembly);
     addCollapse<Dim>(page, caseDirectory);
     addMotion(page, caseDirectory, assembly);
@@ -301,7 +321,7 @@ fs::path reportFile(const fs::path& caseDirectory)
     return (caseDirectory / "report.html").lexically_normal();
 }
 
-void writeReport(const fs::path& caseDirectory, const fs::path& file)
+void writeReport(const fs::path& caseDirectory, const fs::path& file, std::vector<std::string> warnings)
 {
     std::error_code none;
     if (!fs::is_directory(caseDirectory / "postProcessing", none)
@@ -312,8 +332,9 @@ void writeReport(const fs::path& caseDirectory, const fs::path& file)
             "or a study first.",
             caseDirectory.string()));
     }
-    writeWholeFile(file, assemblyDimensions(caseDirectory) == 3 ? reportText<3>(caseDirectory)
-                                                                : reportText<2>(caseDirectory));
+    writeWholeFile(file, assemblyDimensions(caseDirectory) == 3
+                             ? reportText<3>(caseDirectory, std::move(warnings))
+                             : reportText<2>(caseDirectory, std::move(warnings)));
     info("Wrote {}\n", file.string());
 }
 

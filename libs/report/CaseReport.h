@@ -3,6 +3,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace drystone
 {
@@ -10,9 +12,11 @@ namespace drystone
 /// Writes a self-contained page of a case: structure, results with what they mean and their certificate,
 /// pictures, time histories, a viewer of the motion in three dimensions, all input with units, warnings of
 /// the logs, and how to repeat it. What a case does not have is left out; what is left out for its size is
-/// named. \param file of the page, made whole or not at all \throws FatalError where the case has no results,
-/// and what reading its input throws
-void writeReport(const std::filesystem::path& caseDirectory, const std::filesystem::path& file);
+/// named. Results that follow from other input than that of now are warned of, in the log and on the page.
+/// \param file of the page, made whole or not at all \param warnings what the page is to warn of besides
+/// \throws FatalError where the case has no results, and what reading its input throws
+void writeReport(const std::filesystem::path& caseDirectory, const std::filesystem::path& file,
+                 std::vector<std::string> warnings = {});
 
 /// The page of a case: report.html in its directory.
 std::filesystem::path reportFile(const std::filesystem::path& caseDirectory);

@@ -4,7 +4,7 @@
 
 #include "assembly/AssemblyFile.h"
 #include "contact/AssemblyChecks.h"
-#include "dictionary/Dictionary.h"
+#include "functionObjects/KeptResults.h"
 #include "report/ViewerData.h"
 
 #include <fmt/format.h>
@@ -67,13 +67,6 @@ std::vector<std::string> motionMeaning(const Assembly<Dim>& assembly, const std:
 }
 
 } // namespace
-
-bool isOfMotion(const fs::path& caseDirectory)
-{
-    const Dictionary controls = Dictionary::readFileIfPresent(caseDirectory / "system/controlDict");
-    const Entry* application = controls.find("application");
-    return application && application->valueText() != "limitAnalysis";
-}
 
 template<int Dim>
 void addMotion(HtmlPage& page, const fs::path& caseDirectory, const Assembly<Dim>& assembly)

@@ -22,7 +22,4 @@ void addMotion(HtmlPage& page, const std::filesystem::path& caseDirectory, const
 template<int Dim>
 void addInputs(HtmlPage& page, const std::filesystem::path& caseDirectory);
 
-/// Whether the frames of a case are of a motion in time, not of a mechanism.
-bool isOfMotion(const std::filesystem::path& caseDirectory);
-
 } // namespace drystone

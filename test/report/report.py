@@ -81,6 +81,55 @@ class Report(CaseTest):
         markup = re.sub(r"<script.*?</script>", "", page, flags=re.DOTALL)
         self.assertEqual(re.findall(r"<(?:link|img|script|iframe)[^>]*(?:src|href)=", markup), [])
 
+    def edit(self, case, name, entry, value):
+        self.runApplication("caseDictionary", case, name, "-entry", entry, "-set", value)
+
+    def checkWarns(self, case, warning):
+        """In the log and on the page."""
+        done = self.run_(case)
+        self.assertRegex(done.stdout + done.stderr, warning)
+        page = html.unescape(self.read(case, "report.html"))
+        self.assertIn("Results of other input", page)
+        self.assertRegex(page, warning)
+
+    def checkWarnsOfNothing(self, case):
+        done = self.run_(case)
+        self.assertNotIn("Warning", done.stdout + done.stderr)
+        self.assertNotIn("other input", self.read(case, "report.html"))
+
+    def testWarnsOfAMultiplierOfOtherInput(self):
+        case = self.wall()
+        self.runApplication("limitAnalysis", case)
+        self.checkWarnsOfNothing(case)
+        self.edit(case, "constant/contactProperties", "friction/mu", "0.01")
+        self.checkWarns(case, "results of limitAnalysis are those of other input: constant/contactProperties has changed")
+        self.edit(case, "constant/contactProperties", "friction/mu", "0.65")
+        self.checkWarnsOfNothing(case)
+
+    def testWarnsOfAMotionOfOtherInput(self):
+        case = self.caseOf("../../contactDynamics/fallingWall/wall")
+        self.edit(case, "system/controlDict", "endTime", "0.5")
+        self.runApplication("contactDynamics", case)
+        self.checkWarnsOfNothing(case)
+        self.edit(case, "constant/contactProperties", "friction/mu", "0.01")
+        self.checkWarns(case, "results at time .*0.5 are those of other input .* constant/contactProperties has changed")
+
+    def testWarnsOfSamplesOfOtherInput(self):
+        case = self.wall()
+        with open(os.path.join(case, "system/ensembleDict"), "w", encoding="utf-8") as file:
+            file.write("""applications (limitAnalysis);
+variables { mu { file "constant/contactProperties"; entry "friction/mu"; distribution { type uniform; minimum 0.3; maximum 0.4; } } }
+design { type random; samples 3; seed 3; }
+results { alpha { table "postProcessing/limitAnalysis/0/limitAnalysis.dat"; column alpha; } }
+""")
+        self.runApplication("ensemble", case)
+        self.checkWarnsOfNothing(case)
+        self.edit(case, "constant/materialProperties", "unitWeight", "1500")
+        self.checkWarns(case, "results of ensemble are those of other input: constant/materialProperties has changed")
+        self.edit(case, "constant/materialProperties", "unitWeight", "1000")
+        self.edit(case, "system/ensembleDict", "variables/mu/distribution/maximum", "0.5")
+        self.checkWarns(case, "other input: .*variables of system/ensembleDict have changed")
+
     def testOfACaseWithoutResultsSaysWhatToRun(self):
         case = self.wall()
         shutil.rmtree(os.path.join(case, "VTK"))

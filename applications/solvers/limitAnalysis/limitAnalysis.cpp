@@ -5,6 +5,7 @@
 #include "assembly/Loads.h"
 #include "assembly/Materials.h"
 #include "core/Log.h"
+#include "effects/EffectList.h"
 #include "functionObjects/KeptResults.h"
 #include "functionObjects/LimitAnalysisLog.h"
 #include "functionObjects/LimitAnalysisResults.h"

@@ -1,6 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// report: one self-contained page of a case and its results.
 #include "core/Log.h"
+#include "ensembles/KeptStudies.h"
 #include "report/CaseReport.h"
 #include "runControl/Application.h"
 
@@ -13,7 +14,8 @@ int run(const CommandLine& commandLine)
 {
     const std::filesystem::path& directory = commandLine.caseDirectory;
     const auto output = commandLine.get("output");
-    writeReport(directory, output ? std::filesystem::path(*output) : reportFile(directory));
+    writeReport(directory, output ? std::filesystem::path(*output) : reportFile(directory),
+                compareStudies(directory));
     printExecutionTime();
     printEnd();
     return 0;
