@@ -193,6 +193,30 @@ class ExportedMotion(CaseTest):
         done = self.run_(case, "-time", "0.15", status=1)
         self.assertIn("There is no state of time 0.15 in this case.\n\nTimes: 0.1 0.2\n", done.stderr)
 
+    def test_ofOtherInputIsWarnedOf(self):
+        case = pathlib.Path(self.root.name) / "other"
+        writeCase(case, 2)
+        for self.application in ("blockTexture", "contactDynamics"):
+            self.run_(case)
+        self.application = "exportBlocks"
+        shows = ("-time", "latestTime"), ("-format", "gltf", "-animation")
+
+        def said(options):
+            done = self.run_(case, *options)
+            return done.stdout + done.stderr
+
+        for options in ((), *shows):
+            self.assertNotIn("Warning", said(options))
+        properties = case / "constant/contactProperties"
+        properties.write_text("friction { type Coulomb; mu 0.6; }\n", encoding="ascii")
+        for options in shows:
+            self.assertRegex(said(options), r"results at time .*0.2 are those of other input .*: "
+                                            r"constant/contactProperties has changed\.")
+        self.assertNotIn("Warning", said(()))
+        properties.write_text("friction { type Coulomb; mu 0.6;\n", encoding="ascii")
+        for options in shows:
+            self.assertRegex(said(options), r"of contactDynamics are those of the input of now is unknown")
+
     def exported(self, case, *options):
         self.run_(case, *options)
         return self.read(case, "export/motion.gltf")

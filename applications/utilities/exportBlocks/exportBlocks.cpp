@@ -8,6 +8,7 @@
 #include "core/Log.h"
 #include "core/WholeFile.h"
 #include "effects/EffectList.h"
+#include "functionObjects/KeptResults.h"
 #include "import/export/Unwritten.h"
 #include "import/export/Writers.h"
 #include "io/FrameReader.h"
@@ -175,6 +176,22 @@ std::vector<SolidFrame> framesOf(const CommandLine& commandLine, std::size_t blo
     return frames;
 }
 
+/// Warns where what is shown was computed from other input than that of now: old motion of new blocks.
+template<int Dim>
+void compareWithInput(const CommandLine& commandLine, Assembly<Dim> assembly, const std::string& time)
+{
+    closeJoints(assembly);
+    const fs::path& directory = commandLine.caseDirectory;
+    if (!time.empty())
+    {
+        compareMotion(directory, assembly, {time});
+    }
+    if (commandLine.has("animation"))
+    {
+        compareFrames(directory, assembly);
+    }
+}
+
 /// The joints as built, for formats that have them.
 std::vector<StatedJoint<3>> jointsOf(Assembly<3> assembly)
 {
@@ -233,6 +250,7 @@ int runIn(const CommandLine& commandLine)
     const WrittenNumbers numbers{numberOf<int>(commandLine, "decimals", 0, 17)};
     const std::string time = timeOf(commandLine);
     const Assembly<Dim> assembly = readBlocks<Dim>(directory);
+    compareWithInput(commandLine, assembly, time);
     const std::vector<SolidFrame> frames = framesOf<Dim>(commandLine, assembly.blocks.size());
     const auto placements = placementsAt<Dim>(directory, time, assembly.blocks.size());
     const bool hasDensities = format == "lmgc90";
