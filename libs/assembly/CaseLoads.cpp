@@ -130,7 +130,8 @@ CaseLoads<Dim> readLoads(const std::filesystem::path& caseDirectory, const LoadC
     if (liveLoad == LiveLoad::required && !loads.movement && loads.live.isZero(0))
     {
         throw FatalIOError(
-            "The live load is zero on every block, as where gravity (constant/g) is zero: there "
+            "The live load is zero on every block, as where gravity (constant/g) is zero or pressures "
+            "cancel: there "
             "is nothing to find the multiplier of. Give gravity, or a live load of type force.",
             dictionary.locationOf("live"));
     }

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 namespace drystone
@@ -18,29 +19,63 @@ namespace
 /// Directions that differ by rounding only are the same.
 constexpr double sameDirection = 1e-9;
 
-/// Adds the integral of a traction [Pa] over each piece to the forces and moments of its block.
-/// \param traction of a piece at a point, linear over the piece
-template<int Dim, class Traction>
-Eigen::VectorXd integrated(const Assembly<Dim>& assembly, const std::vector<SurfacePiece<Dim>>& pieces,
-                           const Traction& traction)
+/// What presses on faces.
+template<int Dim>
+struct Tractions
+{
+    std::vector<SurfacePiece<Dim>> pieces;
+    /// Of a piece at a point, linear over the piece [Pa].
+    std::function<Vector<Dim>(const SurfacePiece<Dim>& piece, const Vector<Dim>& place)> at;
+};
+
+/// The integral of tractions over each piece in the forces and moments of its block.
+template<int Dim>
+Eigen::VectorXd integrated(const Assembly<Dim>& assembly, const Tractions<Dim>& tractions)
 {
     const std::vector<int> freeIndex = freeIndices(assembly);
     const auto count =
         std::count_if(freeIndex.begin(), freeIndex.end(), [](int index) { return index >= 0; });
     const std::vector<BlockMass<Dim>> masses = blockMasses(assembly);
     Eigen::VectorXd load = Eigen::VectorXd::Zero(freedomCount<Dim> * count);
-    for (const SurfacePiece<Dim>& piece : pieces)
+    Eigen::VectorXd sizes = load; // of all that is added up
+    for (const SurfacePiece<Dim>& piece : tractions.pieces)
     {
-        auto rows = load.template segment<freedomCount<Dim>>(freedomCount<Dim> * freeIndex[piece.block]);
+        const auto first = freedomCount<Dim> * freeIndex[piece.block];
         for (const auto& [place, weight] : quadratureOf(piece))
         {
-            const Vector<Dim> force = weight * traction(piece, place);
-            rows.template head<Dim>() += force;
-            rows.template tail<rotationCount<Dim>>() +=
-                momentOf(Vector<Dim>(place - masses[piece.block].centroid), force);
+            const Vector<Dim> force = weight * tractions.at(piece, place);
+            const Vector<Dim> arm = place - masses[piece.block].centroid;
+            load.template segment<Dim>(first) += force;
+            load.template segment<rotationCount<Dim>>(first + Dim) += momentOf(arm, force);
+            sizes.template segment<Dim>(first).array() += force.norm();
+            sizes.template segment<rotationCount<Dim>>(first + Dim).array() += arm.norm() * force.norm();
         }
     }
+    // What cancels is zero: rounding left of it would be a load with a multiplier of its own.
+    constexpr double rounding = 1e-14;
+    load = (load.array().abs() > rounding * sizes.array()).select(load, 0);
     return load;
+}
+
+/// Whether anything presses on a face. Forces may cancel on a block that is loaded on both sides; so what is
+/// added up is their size over the area, from which joints take their part: all but rounding of a face that
+/// is covered.
+template<int Dim>
+bool areOnFaces(const Tractions<Dim>& tractions)
+{
+    constexpr double rounding = 1e-9;
+    double exposed = 0; // [N]
+    double whole = 0;
+    for (const SurfacePiece<Dim>& piece : tractions.pieces)
+    {
+        for (const auto& [place, weight] : quadratureOf(piece))
+        {
+            const double size = tractions.at(piece, place).norm();
+            exposed += weight * size;
+            whole += std::abs(weight) * size;
+        }
+    }
+    return exposed > rounding * whole;
 }
 
 template<int Dim>
@@ -234,90 +269,95 @@ std::vector<SurfacePiece<Dim>> exposedSurface(const Assembly<Dim>& assembly,
     return pieces;
 }
 
+namespace
+{
+
 template<int Dim>
-Eigen::VectorXd pressureLoad(const Assembly<Dim>& assembly, const std::vector<SurfacePiece<Dim>>& exposed,
-                             const PressureSettings<Dim>& settings)
+Tractions<Dim> tractionsOf(const std::vector<SurfacePiece<Dim>>& exposed,
+                           const PressureSettings<Dim>& settings)
 {
     const Vector<Dim> normal = settings.normal.normalized();
     const double least = std::cos(settings.within * std::numbers::pi / 180) - sameDirection;
-    std::vector<SurfacePiece<Dim>> loaded;
-    std::copy_if(exposed.begin(), exposed.end(), std::back_inserter(loaded),
+    Tractions<Dim> tractions;
+    std::copy_if(exposed.begin(), exposed.end(), std::back_inserter(tractions.pieces),
                  [&](const SurfacePiece<Dim>& piece) { return piece.normal.dot(normal) >= least; });
-    return integrated(assembly, loaded,
-                      [&](const SurfacePiece<Dim>& piece, const Vector<Dim>&) -> Vector<Dim>
-                      {
-                          return settings.value
-                                 * (settings.direction.isZero(0) ? Vector<Dim>(-piece.normal)
-                                                                 : settings.direction.normalized());
-                      });
+    tractions.at = [value = settings.value, direction = settings.direction](const SurfacePiece<Dim>& piece,
+                                                                            const Vector<Dim>&) -> Vector<Dim>
+    { return value * (direction.isZero(0) ? Vector<Dim>(-piece.normal) : direction.normalized()); };
+    return tractions;
 }
 
 template<int Dim>
-Eigen::VectorXd backfillLoad(const Assembly<Dim>& assembly, const std::vector<SurfacePiece<Dim>>& exposed,
-                             const BackfillSettings<Dim>& settings)
+Tractions<Dim> tractionsOf(const std::vector<SurfacePiece<Dim>>& exposed,
+                           const BackfillSettings<Dim>& settings)
 {
     const Vector<Dim> up = Vector<Dim>::Unit(Dim - 1);
-    std::vector<SurfacePiece<Dim>> loaded;
-    std::copy_if(exposed.begin(), exposed.end(), std::back_inserter(loaded),
+    Tractions<Dim> tractions;
+    std::copy_if(exposed.begin(), exposed.end(), std::back_inserter(tractions.pieces),
                  [&](const SurfacePiece<Dim>& piece) { return piece.normal.dot(up) >= -sameDirection; });
     const double level = settings.level.value_or(0);
     if (settings.level)
     {
-        loaded = partBelow(loaded, up, level);
+        tractions.pieces = partBelow(tractions.pieces, up, level);
     }
-    return integrated(
-        assembly, loaded,
-        [&](const SurfacePiece<Dim>& piece, const Vector<Dim>& place) -> Vector<Dim>
-        {
-            const double pressure = settings.unitWeight * (level - place.dot(up)) + settings.surcharge;
-            const Vector<Dim> vertical = piece.normal.dot(up) * up;
-            return -pressure * (vertical + settings.lateralCoefficient * (piece.normal - vertical));
-        });
+    tractions.at = [settings, level, up](const SurfacePiece<Dim>& piece,
+                                         const Vector<Dim>& place) -> Vector<Dim>
+    {
+        const double pressure = settings.unitWeight * (level - place.dot(up)) + settings.surcharge;
+        const Vector<Dim> vertical = piece.normal.dot(up) * up;
+        return -pressure * (vertical + settings.lateralCoefficient * (piece.normal - vertical));
+    };
+    return tractions;
 }
 
-namespace
+/// A maker that reports where no face is loaded.
+template<int Dim, class Settings>
+LoadMaker<Dim> surfaceLoad(const Settings& settings, const Dictionary& dictionary)
 {
-
-/// A maker that reports where no face is loaded. \param load from assembly, exposed faces and settings
-template<int Dim, class Settings, class Load>
-auto surfaceLoad(Load load)
-{
-    return [load](const Settings& settings, const Dictionary& dictionary) -> LoadMaker<Dim>
+    return [settings, place = dictionary.locationOf("type"),
+            places = EntryLocations(dictionary)](const LoadContext<Dim>& context) -> Eigen::VectorXd
     {
-        return [settings, load, place = dictionary.locationOf("type"),
-                places = EntryLocations(dictionary)](const LoadContext<Dim>& context) -> Eigen::VectorXd
+        requireBlocks<Dim>(context.assembly, settings, places);
+        const std::vector<SurfacePiece<Dim>> covered =
+            context.coveredSurface ? context.coveredSurface() : std::vector<SurfacePiece<Dim>>();
+        const Tractions<Dim> tractions =
+            tractionsOf(exposedSurface<Dim>(context.assembly, covered, settings), settings);
+        if (!areOnFaces(tractions))
         {
-            requireBlocks<Dim>(context.assembly, settings, places);
-            const std::vector<SurfacePiece<Dim>> covered =
-                context.coveredSurface ? context.coveredSurface() : std::vector<SurfacePiece<Dim>>();
-            Eigen::VectorXd sum =
-                load(context.assembly, exposedSurface<Dim>(context.assembly, covered, settings), settings);
-            // What faces and the joints on them leave of each other by rounding is none.
-            const double largest = std::pow(meanBlockSize(context.assembly), Dim - 1);
-            if (!(sum.cwiseAbs().maxCoeff() > 1e-9 * largest))
-            {
-                throw FatalIOError("No face of a free block is loaded: each that is chosen touches another "
-                                   "block, looks elsewhere or lies outside the box or above the level. "
-                                   "VTK/assembly.vtp shows where the blocks are.",
-                                   place);
-            }
-            return sum;
-        };
+            throw FatalIOError("No face of a free block is loaded: each that is chosen touches another "
+                               "block, looks elsewhere or lies outside the box or above the level. "
+                               "VTK/assembly.vtp shows where the blocks are.",
+                               place);
+        }
+        return integrated(context.assembly, tractions);
     };
 }
 
 } // namespace
 
 template<int Dim>
+Eigen::VectorXd pressureLoad(const Assembly<Dim>& assembly, const std::vector<SurfacePiece<Dim>>& exposed,
+                             const PressureSettings<Dim>& settings)
+{
+    return integrated(assembly, tractionsOf(exposed, settings));
+}
+
+template<int Dim>
+Eigen::VectorXd backfillLoad(const Assembly<Dim>& assembly, const std::vector<SurfacePiece<Dim>>& exposed,
+                             const BackfillSettings<Dim>& settings)
+{
+    return integrated(assembly, tractionsOf(exposed, settings));
+}
+
+template<int Dim>
 std::vector<Model<LoadMaker<Dim>>> surfaceLoadTypes()
 {
     return {
-        model<LoadMaker<Dim>, PressureSettings<Dim>>(
-            "pressure", "a pressure on faces, as of wind",
-            surfaceLoad<Dim, PressureSettings<Dim>>(pressureLoad<Dim>)),
+        model<LoadMaker<Dim>, PressureSettings<Dim>>("pressure", "a pressure on faces, as of wind",
+                                                     surfaceLoad<Dim, PressureSettings<Dim>>),
         model<LoadMaker<Dim>, BackfillSettings<Dim>>(
             "backfill", "the weight of a fill on the faces that look up, with a surcharge on it",
-            surfaceLoad<Dim, BackfillSettings<Dim>>(backfillLoad<Dim>)),
+            surfaceLoad<Dim, BackfillSettings<Dim>>),
     };
 }
 

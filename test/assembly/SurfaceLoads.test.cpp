@@ -171,4 +171,43 @@ TEST(SurfaceLoads, EarthPressureGrowsWithDepth)
     EXPECT_NEAR(load[2], -force * (2.0 / 3 - height), 1e-9);
 }
 
+/// The load that constant/loads describes, on a wall without other blocks.
+template<int Dim>
+Eigen::VectorXd loadOf(const std::string& text, const Assembly<Dim>& assembly,
+                       const std::vector<SurfacePiece<Dim>>& covered = {})
+{
+    const Dictionary dictionary = Dictionary::readString(text);
+    const std::vector<double> masses(assembly.blocks.size(), 1.0);
+    LoadContext<Dim> context{assembly, masses, Vector<Dim>::Unit(Dim - 1) * -9.81,
+                             [&covered] { return covered; }};
+    return Registry<LoadMaker<Dim>>{"load", surfaceLoadTypes<Dim>()}.select(dictionary)(context);
+}
+
+TEST(SurfaceLoads, OfFillsOnBothSidesCancelAndAreNoFault)
+{
+    const Assembly<2> plane{{{{{0, 0}, {1, 0}, {1, 2}, {0, 2}}, 1}}, {}};
+    const Assembly<3> space{{{makePrism({{0, 1, 0}, {1, 1, 0}, {1, 1, 2}, {0, 1, 2}},
+                                        {{0, 0, 0}, {1, 0, 0}, {1, 0, 2}, {0, 0, 2}}),
+                              -1}},
+                            {}};
+    const std::string fill = "type backfill; unitWeight 18000; level 1.5; lateralCoefficient 0.4;";
+    // To the last bit: a live load of rounding alone would have a multiplier.
+    EXPECT_EQ(loadOf(fill, plane), Eigen::VectorXd::Zero(3));
+    EXPECT_EQ(loadOf(fill, space), Eigen::VectorXd::Zero(6));
+    EXPECT_LT(loadOf("type pressure; value 1e-9; normal (1 0); within 180;", plane).cwiseAbs().maxCoeff(),
+              1e-15);
+}
+
+TEST(SurfaceLoads, OnNoFaceAreRefused)
+{
+    const Assembly<2> wall{{{{{0, 0}, {1, 0}, {1, 2}, {0, 2}}, 1}}, {}};
+    // Walls all along both sides, and a fill without earth pressure.
+    const std::vector<SurfacePiece<2>> covered{{0, {-1, 0}, {Vector<2>(0, 0), Vector<2>(0, 2)}, -1},
+                                               {0, {1, 0}, {Vector<2>(1, 0), Vector<2>(1, 2)}, -1}};
+    EXPECT_THROW(loadOf("type backfill; unitWeight 18000; level 1.5; lateralCoefficient 0.4;", wall, covered),
+                 FatalIOError);
+    EXPECT_THROW(loadOf("type backfill; unitWeight 18000; level 1.5;", wall), FatalIOError);
+    EXPECT_THROW(loadOf("type pressure; value 600; normal (1 0); box ((50 0) (60 1));", wall), FatalIOError);
+}
+
 } // namespace
