@@ -158,6 +158,21 @@ void refuseConditions(const Edited& edited, const std::vector<std::string>& keyw
     }
 }
 
+/// Whether a value, by itself in order, ends in a comment `// ...` that takes the rest of its line with it.
+bool hidesWhatFollows(const std::string& value)
+{
+    const SourceFile line{"the value given", fmt::format("key {}; next 1;", value)};
+    try
+    {
+        const std::vector<Statement> statements = parseStatements(line);
+        return statements.empty() || statements.back().keyword.text != "next";
+    }
+    catch (const FatalIOError&)
+    {
+        return true;
+    }
+}
+
 /// The value as it stands in the text, checked to be one value and nothing more.
 std::string checkedValue(std::string_view value, std::string_view path)
 {
@@ -172,6 +187,15 @@ std::string checkedValue(std::string_view value, std::string_view path)
         throw FatalIOError(
             fmt::format("`{}` is not one value for {}. Write a value without `;`, or `{{ ... }}`.", text,
                         path),
+            SourceLocation{entry.name, "", 1});
+    }
+    if (hidesWhatFollows(text))
+    {
+        throw FatalIOError(
+            fmt::format(
+                "`{}` ends in a comment, or is one, which would hide what follows the value in its line. "
+                "Give the value alone, or the comment as /* ... */.",
+                text),
             SourceLocation{entry.name, "", 1});
     }
     return text;

@@ -162,6 +162,23 @@ TEST(DictionaryEdit, WhatIsNotOneValueIsRefused)
     EXPECT_THROW(withEntrySet("b { a 1; }\n#if $x\nb 1;\n#endif\n", "file", "b/a", "2"), FatalIOError);
 }
 
+TEST(DictionaryEdit, ACommentThatWouldHideWhatFollowsIsRefused)
+{
+    const std::string list = "a 1;\nb { c 2; }\n";
+    for (const char* value :
+         {"2000 // brick", "2000 //", "// brick", "2000 /* x */ // y", "{ d 1; } // brick", "//"})
+    {
+        for (const char* path : {"a", "b", "b/c", "b/new", "new"})
+        {
+            EXPECT_THROW(withEntrySet(list, "file", path, value), FatalIOError) << path << " " << value;
+        }
+    }
+    EXPECT_EQ(withEntrySet(list, "file", "a", "2000 /* brick // red */"),
+              "a 2000 /* brick // red */;\nb { c 2; }\n");
+    EXPECT_EQ(withEntrySet(list, "file", "a", "(1 // one\n 2)"), "a (1 // one\n 2);\nb { c 2; }\n");
+    EXPECT_EQ(withEntrySet(list, "file", "a", "\"http://x\""), "a \"http://x\";\nb { c 2; }\n");
+}
+
 TEST(DictionaryEdit, ADirectiveWithoutArgumentIsRefusedForItWouldTakeAnEntryThatIsAdded)
 {
     EXPECT_THROW(withEntrySet("#calc", "file", "a", "1"), FatalIOError);
