@@ -261,6 +261,26 @@ std::string entryText(const std::string& keyword, const std::string& value, cons
     return fmt::format("{}{:<15} {};\n", indentation, keyword, value);
 }
 
+/// Lines that end as those of a text do, which may be a file of Windows.
+std::string linesAsIn(const std::string& text, const std::string& lines)
+{
+    const std::size_t end = text.find('\n');
+    if (end == std::string::npos || end == 0 || text[end - 1] != '\r')
+    {
+        return lines;
+    }
+    std::string result;
+    for (const char c : lines)
+    {
+        if (c == '\n' && !result.ends_with('\r'))
+        {
+            result += '\r';
+        }
+        result += c;
+    }
+    return result;
+}
+
 /// Replace what a statement says, from the first byte of its value to the last.
 std::string replaced(const std::string& text, const Statement& statement, const std::string& value)
 {
@@ -328,8 +348,9 @@ std::string withEntrySet(const std::string& text, const std::filesystem::path& f
                                     ? text.size()
                                     : lineEndAfterComments(text, edited.statements.back().end);
         std::string result = text;
-        return result.insert(end, fmt::format("{}{}", end > 0 && text[end - 1] != '\n' ? "\n" : "",
-                                              entryText(keywords.back(), newValue, "")));
+        const std::string added = fmt::format("{}{}", end > 0 && text[end - 1] != '\n' ? "\n" : "",
+                                              entryText(keywords.back(), newValue, ""));
+        return result.insert(end, linesAsIn(text, added));
     }
 
     const std::vector<const Statement*> parents =
@@ -359,9 +380,10 @@ std::string withEntrySet(const std::string& text, const std::filesystem::path& f
     const bool opensLine = text.find_first_not_of(" \t", lineBegin) == closing;
     if (opensLine)
     {
-        return result.insert(lineBegin, entryText(keywords.back(), newValue, inner));
+        return result.insert(lineBegin, linesAsIn(text, entryText(keywords.back(), newValue, inner)));
     }
-    return result.insert(closing, fmt::format("\n{}{}", entryText(keywords.back(), newValue, inner), outer));
+    const std::string added = fmt::format("\n{}{}", entryText(keywords.back(), newValue, inner), outer);
+    return result.insert(closing, linesAsIn(text, added));
 }
 
 std::string withEntryRemoved(const std::string& text, const std::filesystem::path& file,
@@ -384,10 +406,11 @@ std::string withEntryRemoved(const std::string& text, const std::filesystem::pat
         const std::size_t lineBegin = begin == 0 ? 0 : text.rfind('\n', begin - 1) + 1;
         const std::size_t next = std::min(text.find_first_not_of(" \t", end), text.size());
         const bool beginsLine = text.find_first_not_of(" \t", lineBegin) == begin;
-        if (beginsLine && (next == text.size() || text[next] == '\n'))
+        const std::size_t lineEnd = text.compare(next, 2, "\r\n") == 0 ? next + 1 : next;
+        if (beginsLine && (lineEnd == text.size() || text[lineEnd] == '\n'))
         {
             begin = lineBegin;
-            end = next == text.size() ? next : next + 1;
+            end = lineEnd == text.size() ? lineEnd : lineEnd + 1;
         }
         else
         {

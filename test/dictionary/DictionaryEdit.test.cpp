@@ -179,6 +179,16 @@ TEST(DictionaryEdit, ACommentThatWouldHideWhatFollowsIsRefused)
     EXPECT_EQ(withEntrySet(list, "file", "a", "\"http://x\""), "a \"http://x\";\nb { c 2; }\n");
 }
 
+TEST(DictionaryEdit, LinesEndAsThoseOfTheFile)
+{
+    const std::string windows = "a 1;\r\nb\r\n{\r\n    c 2;\r\n}\r\n";
+    EXPECT_EQ(withEntrySet(windows, "file", "b/d", "3"),
+              "a 1;\r\nb\r\n{\r\n    c 2;\r\n    d               3;\r\n}\r\n");
+    EXPECT_EQ(withEntrySet(windows, "file", "d", "3"), windows + "d               3;\r\n");
+    EXPECT_EQ(withEntrySet(windows, "file", "d", "{ e 1; }"), windows + "d\r\n{ e 1; }\r\n");
+    EXPECT_EQ(withEntryRemoved(windows, "file", "b/c"), "a 1;\r\nb\r\n{\r\n}\r\n");
+}
+
 TEST(DictionaryEdit, ADirectiveWithoutArgumentIsRefusedForItWouldTakeAnEntryThatIsAdded)
 {
     EXPECT_THROW(withEntrySet("#calc", "file", "a", "1"), FatalIOError);
