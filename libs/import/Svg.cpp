@@ -7,9 +7,11 @@
 #include <pugixml.hpp>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <optional>
 
 namespace drystone
 {
@@ -131,20 +133,29 @@ public:
         {
             refuse(file, 0, "This is no SVG: it has no element `svg`.");
         }
-        readUnit(root);
         // y points downwards in SVG.
         SvgTransform upwards;
-        upwards.matrix(1, 1) = -1;
+        upwards.matrix(1, 1) = -readUnit(root);
         readChildren(root, upwards);
         for (const auto& [name, count] : others)
         {
             drawing.ignored.push_back(fmt::format("{} elements {}", count, name));
+        }
+        if (hidden > 0)
+        {
+            drawing.ignored.push_back(fmt::format("{} shapes that are hidden (display, visibility)", hidden));
         }
         drawing.rounding = digits.unit();
         return std::move(drawing);
     }
 
 private:
+    enum class PixelIs
+    {
+        length,
+        noLength
+    };
+
     int lineAt(std::ptrdiff_t offset)
     {
         // Elements come in the order of the file, so that lines are counted once.
@@ -161,33 +172,97 @@ private:
         return lines;
     }
 
-    /// Metres a unit: of width="120mm" and viewBox="0 0 120 60".
-    void readUnit(const pugi::xml_node& root)
+    /// A length in metres; nothing where it has no unit of the world, or is a part of something.
+    std::optional<double> lengthOf(std::string_view text, int line, PixelIs pixelIs) const
     {
-        const std::string_view width = root.attribute("width").value();
-        const std::string_view box = root.attribute("viewBox").value();
+        text = trimmed(text);
+        constexpr double pixel = 0.0254 / 96;
         using Unit = std::pair<std::string_view, double>;
-        for (const auto& [ending, metres] :
-             {Unit{"mm", 0.001}, Unit{"cm", 0.01}, Unit{"in", 0.0254}, Unit{"m", 1}})
+        for (const auto& [ending, metres] : {Unit{"mm", 0.001}, Unit{"cm", 0.01}, Unit{"in", 0.0254},
+                                             Unit{"m", 1}, Unit{"pt", 0.0254 / 72}, Unit{"pc", 0.0254 / 6}})
         {
-            if (width.ends_with(ending) && !box.empty())
+            if (text.ends_with(ending))
             {
-                const int line = lineAt(root.offset_debug());
-                const double size =
-                    numberOf(file, line, trimmed(width.substr(0, width.size() - ending.size())));
-                Scanner scanner(file, line, box);
-                scanner.number();
-                scanner.number();
-                const double units = scanner.number();
-                if (!(size > 0 && units > 0))
-                {
-                    refuse(file, line, "width and viewBox give no size of the drawing.");
-                }
-                drawing.unit = metres * size / units;
-                return;
+                return metres * numberOf(file, line, trimmed(text.substr(0, text.size() - ending.size())));
             }
         }
+        const bool isNumber = !text.empty() && text.back() >= '0' && text.back() <= '9';
+        if (pixelIs == PixelIs::noLength || !(isNumber || text.ends_with("px")))
+        {
+            return {};
+        }
+        return pixel * numberOf(file, line, trimmed(isNumber ? text : text.substr(0, text.size() - 2)));
     }
+
+    /// Metres a unit: of width="120mm" height="60mm" and viewBox="0 0 120 60". Where they have other shapes
+    /// preserveAspectRatio decides. \return height over width of what is a square in the file
+    double readUnit(const pugi::xml_node& root)
+    {
+        const std::string_view box = root.attribute("viewBox").value();
+        const int line = lineAt(root.offset_debug());
+        const std::optional<double> width =
+            lengthOf(root.attribute("width").value(), line, PixelIs::noLength);
+        if (box.empty() || !width)
+        {
+            return 1;
+        }
+        Scanner scanner(file, line, box);
+        scanner.number();
+        scanner.number();
+        const double columns = scanner.number();
+        const double rows = scanner.number();
+        const std::optional<double> height =
+            lengthOf(root.attribute("height").value(), line, PixelIs::length);
+        if (!(*width > 0 && columns > 0 && rows > 0 && height.value_or(1) > 0))
+        {
+            refuse(file, line, "width, height and viewBox give no size of the drawing.");
+        }
+        const double x = *width / columns;
+        const double y = height ? *height / rows : x; // without one it is as the width
+        const std::string_view fit = root.attribute("preserveAspectRatio").value();
+        if (trimmed(fit) == "none")
+        {
+            drawing.unit = x;
+            return y / x;
+        }
+        drawing.unit = fit.find("slice") != fit.npos ? std::max(x, y) : std::min(x, y);
+        return 1;
+    }
+
+    /// What an element says of a property of its appearance: style comes before the attribute.
+    static std::string_view propertyOf(const pugi::xml_node& node, std::string_view name)
+    {
+        std::string_view found = trimmed(node.attribute(std::string(name).c_str()).value());
+        std::string_view style = node.attribute("style").value();
+        while (!style.empty())
+        {
+            const std::string_view one = style.substr(0, style.find(';'));
+            style.remove_prefix(std::min(one.size() + 1, style.size()));
+            const std::size_t colon = one.find(':');
+            if (colon != one.npos && trimmed(one.substr(0, colon)) == name)
+            {
+                const std::string_view value = one.substr(colon + 1);
+                found = trimmed(value.substr(0, value.find('!'))); // !important
+            }
+        }
+        return found;
+    }
+
+    /// Whether and how the elements of a group are seen. Who is not displayed hides all inside; who is not
+    /// visible does not.
+    struct Appearance
+    {
+        bool isDisplayed = true;
+        bool isVisible = true;
+
+        bool isSeen() const { return isDisplayed && isVisible; }
+        Appearance of(const pugi::xml_node& node) const
+        {
+            const std::string_view visibility = propertyOf(node, "visibility");
+            return {isDisplayed && propertyOf(node, "display") != "none",
+                    visibility.empty() || visibility == "inherit" ? isVisible : visibility == "visible"};
+        }
+    };
 
     /// Without recursion: a hostile file may nest deeper than the stack is.
     void readChildren(const pugi::xml_node& root, const SvgTransform& upwards)
@@ -197,8 +272,9 @@ private:
             pugi::xml_node next;
             SvgTransform transform;
             std::string layer;
+            Appearance appearance;
         };
-        std::vector<Level> levels{{root.first_child(), upwards, ""}};
+        std::vector<Level> levels{{root.first_child(), upwards, "", Appearance().of(root)}};
         constexpr std::size_t deepest = 200;
         while (!levels.empty())
         {
@@ -220,6 +296,11 @@ private:
             const bool isShape = name == "path" || name == "polygon" || name == "rect";
             if (!isGroup && !isShape)
             {
+                const std::string_view sheet = name == "style" ? node.text().get() : "";
+                if (sheet.find("display") != sheet.npos || sheet.find("visibility") != sheet.npos)
+                {
+                    ++others["style, whose `display` and `visibility` are not read"];
+                }
                 constexpr std::size_t mostNames = 100;
                 static constexpr std::array<std::string_view, 6> silent{
                     "title", "desc", "defs", "metadata", "style", "sodipodi:namedview"};
@@ -228,6 +309,12 @@ private:
                 {
                     ++others[shown(name)];
                 }
+                continue;
+            }
+            const Appearance appearance = level.appearance.of(node);
+            if (isShape && !appearance.isSeen())
+            {
+                ++hidden;
                 continue;
             }
             const SvgTransform transform = level.transform * transformOf(node, line);
@@ -243,7 +330,7 @@ private:
                     layer = node.attribute("inkscape:label") ? node.attribute("inkscape:label").value()
                                                              : node.attribute("id").value();
                 }
-                levels.push_back({node.first_child(), transform, std::move(layer)});
+                levels.push_back({node.first_child(), transform, std::move(layer), appearance});
             }
             else
             {
@@ -313,6 +400,17 @@ private:
         return whole;
     }
 
+    /// A radius of the corners of a rectangle, in whatever unit; nothing where there is none.
+    static std::optional<double> radiusOf(const pugi::xml_node& node, const char* name)
+    {
+        const std::string_view text = trimmed(node.attribute(name).value());
+        const std::string_view plain = text.substr(text.starts_with('+') ? 1 : 0);
+        double value = 0;
+        const bool isRadius =
+            std::from_chars(plain.data(), plain.data() + plain.size(), value).ec == std::errc();
+        return isRadius ? std::optional(value) : std::nullopt; // auto
+    }
+
     void readShape(const pugi::xml_node& node, const SvgTransform& transform, const std::string& layer,
                    int line)
     {
@@ -332,6 +430,20 @@ private:
             const double y = value("y");
             const double width = value("width");
             const double height = value("height");
+            if (width < 0 || height < 0)
+            {
+                refuse(file, line, "The width and height of a rectangle are not negative.");
+            }
+            // One of the radii alone counts for both.
+            const double rx = radiusOf(node, "rx").value_or(radiusOf(node, "ry").value_or(0));
+            const double ry = radiusOf(node, "ry").value_or(rx);
+            if (rx > 0 && ry > 0)
+            {
+                refuse(file, line,
+                       "The rectangle has round corners, rx and ry: blocks have straight edges. Set rx and "
+                       "ry to "
+                       "0, or convert it to a path of lines in the program that drew it.");
+            }
             add({{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}}, transform, layer, line);
         }
         else if (name == "polygon")
@@ -446,6 +558,7 @@ private:
     std::size_t counted = 0; ///< bytes whose line ends are counted
     int lines = 1;
     std::map<std::string, int> others;
+    int hidden = 0; ///< shapes
     DigitCount digits;
     Drawing drawing;
 };

@@ -239,6 +239,68 @@ TEST(Svg, TransformsAreApplied)
     EXPECT_LE((corner("skewY(45)") - Vector<2>(1, -1)).norm(), 1e-15);
 }
 
+TEST(Svg, HiddenShapesAreLeftOutAndCounted)
+{
+    const std::string rect = "<rect width=\"1\" height=\"1\" ";
+    const auto outlines = [&](const std::string& content)
+    {
+        const Drawing drawing = readVector(content);
+        const std::size_t hidden = 5 - drawing.outlines.size();
+        EXPECT_THAT(drawing.ignored, testing::ElementsAre(fmt::format(
+                                         "{} shapes that are hidden (display, visibility)", hidden)));
+        return drawing.outlines.size();
+    };
+    const std::string four = "/>" + rect + "/>" + rect + "/>" + rect + "/>" + rect + "/>";
+    EXPECT_EQ(outlines(rect + "display=\"none\"" + four), 4u);
+    EXPECT_EQ(outlines(rect + "style=\"fill: #ccc; display : none !important\"" + four), 4u);
+    EXPECT_EQ(outlines(rect + "visibility=\"hidden\"" + four), 4u);
+    EXPECT_EQ(outlines(rect + "visibility=\"collapse\"" + four), 4u);
+    EXPECT_EQ(
+        outlines("<g style=\"display:none\"><g>" + rect + "display=\"inline\"/></g></g>" + four.substr(2)),
+        4u);
+    EXPECT_EQ(outlines("<g visibility=\"hidden\">" + rect + "/>" + rect + "visibility=\"visible\"/></g>"
+                       + rect + "/>" + rect + "/>" + rect + "/>"),
+              4u);
+    EXPECT_TRUE(
+        readVector(rect + "style=\"display:inline;visibility:visible\" display=\"none\"/>").ignored.empty())
+        << "style comes before the attribute";
+    EXPECT_THAT(readVector("<style>.a { display: none }</style>" + rect + "class=\"a\"/>").ignored,
+                testing::ElementsAre(HasSubstr("style, whose `display` and `visibility` are not read")));
+}
+
+TEST(Svg, TheUnitIsThatOfTheShapeOfTheDrawing)
+{
+    const auto unit = [](const std::string& attributes)
+    { return readVector("<rect width=\"2\" height=\"1\"/>", attributes).unit.value_or(0); };
+    const std::string wide = "width=\"2000mm\" height=\"1000mm\" viewBox=\"0 -1000 1000 1000\" ";
+    EXPECT_DOUBLE_EQ(unit(wide), 0.001);
+    EXPECT_DOUBLE_EQ(unit(wide + "preserveAspectRatio=\"xMinYMax meet\""), 0.001);
+    EXPECT_DOUBLE_EQ(unit(wide + "preserveAspectRatio=\"xMidYMid slice\""), 0.002);
+    EXPECT_DOUBLE_EQ(unit("width=\"1m\" height=\"50cm\" viewBox=\"0 0 100 25\""), 0.01);
+    EXPECT_DOUBLE_EQ(unit("width=\"1m\" height=\"100%\" viewBox=\"0 0 100 25\""), 0.01);
+    EXPECT_DOUBLE_EQ(unit("width=\"1in\" height=\"48\" viewBox=\"0 0 10 10\""), 0.00127);
+    EXPECT_DOUBLE_EQ(unit("width=\"72pt\" height=\"96px\" viewBox=\"0 0 10 10\""), 0.00254);
+    EXPECT_EQ(unit("width=\"500\" height=\"96mm\" viewBox=\"0 0 10 10\""), 0);
+    const Drawing stretched =
+        readVector("<rect width=\"2\" height=\"1\"/>", wide + "preserveAspectRatio=\"none\"");
+    EXPECT_DOUBLE_EQ(stretched.unit.value_or(0), 0.002);
+    EXPECT_EQ(stretched.outlines.front().corners, (Polygon{{0, 0}, {2, 0}, {2, -0.5}, {0, -0.5}}));
+}
+
+TEST(Svg, RoundCornersAreRefusedAsCurvesAre)
+{
+    const auto reportOfRect = [](const std::string& radii)
+    { return reportOf([&] { readVector("<rect width=\"2\" height=\"1\" " + radii + "/>"); }); };
+    for (const char* round : {"rx=\"0.2\"", "ry=\"0.2\"", "rx=\"2mm\" ry=\"0.1\"", "rx=\"auto\" ry=\"5%\""})
+    {
+        EXPECT_THAT(reportOfRect(round), AllOf(HasSubstr("round corners"), HasSubstr("line 3"))) << round;
+    }
+    for (const char* sharp : {"rx=\"0\"", "ry=\"0\" rx=\"0.2\"", "rx=\"auto\"", "rx=\"\""})
+    {
+        EXPECT_EQ(reportOfRect(sharp), "no error") << sharp;
+    }
+}
+
 TEST(Svg, FaultsAreNamedWithTheirLine)
 {
     const auto reportOfSvg = [](const std::string& content)
