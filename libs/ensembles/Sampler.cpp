@@ -1,6 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "ensembles/Sampler.h"
 
+#include "core/ByteOrderMark.h"
 #include "ensembles/NatafCorrelation.h"
 #include "ensembles/Philox.h"
 #include "ensembles/SobolSequence.h"
@@ -186,6 +187,7 @@ void Sampler::readTable(const Dictionary&, const std::filesystem::path& caseDire
     {
         throw FatalIOError(fmt::format("There is no table {} in this case.", design.file), design.location);
     }
+    skipByteOrderMark(stream);
     std::vector<std::string> columns;
     std::vector<std::size_t> places;
     int number = 0;

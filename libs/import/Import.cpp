@@ -2,6 +2,7 @@
 /// From the settings of the texture `import` to the reader of its format.
 #include "import/Import.h"
 
+#include "core/ByteOrderMark.h"
 #include "core/Log.h"
 
 #include <fmt/format.h>
@@ -94,6 +95,12 @@ std::pair<ImportedFile, ImportFormat> open(const Import<Dim>& settings, const fs
             place);
     }
     ImportedFile source = readSource(file);
+    // The header of a binary STL may begin with any bytes.
+    const std::string_view text = withoutByteOrderMark(source.bytes);
+    if (format != ImportFormat::stl || text.starts_with("solid"))
+    {
+        source.bytes.erase(0, source.bytes.size() - text.size());
+    }
     info("Import: {}, format {}", source.name, nameOf(format));
     return {std::move(source), format};
 }

@@ -2,6 +2,7 @@
 /// Reads columns of tables, and takes one number of several.
 #include "quantities/TableFigure.h"
 
+#include "core/ByteOrderMark.h"
 #include "core/Error.h"
 
 #include <fmt/format.h>
@@ -108,6 +109,7 @@ std::optional<std::vector<double>> readColumn(const fs::path& table, const std::
         return {};
     }
     std::ifstream stream(table);
+    skipByteOrderMark(stream);
     std::vector<std::string> columns;
     std::vector<double> values;
     std::size_t wanted = 0;

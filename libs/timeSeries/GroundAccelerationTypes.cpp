@@ -2,6 +2,7 @@
 /// What constant/groundMotion can say: the list of acceleration types, and the settings of each.
 #include "timeSeries/GroundAccelerationTypes.h"
 
+#include "core/ByteOrderMark.h"
 #include <fmt/format.h>
 
 #include <fstream>
@@ -154,7 +155,7 @@ std::vector<std::pair<double, double>> readTable(const std::filesystem::path& fi
             content << stream.rdbuf();
         }
     }
-    const std::string text = content.str();
+    const std::string text(withoutByteOrderMark(content.view()));
     const auto begin = text.find_first_not_of(" \t\r\n");
     const bool list = begin != std::string::npos && text.find('(', begin) != std::string::npos;
     if (list)

@@ -3,6 +3,7 @@
 /// quietly wrong answer.
 #include "timeSeries/RecordText.h"
 
+#include "core/ByteOrderMark.h"
 #include "core/Error.h"
 #include "timeSeries/Record.h"
 
@@ -72,7 +73,7 @@ void load(const std::filesystem::path& file, RecordText& text)
     // Rows end in LF, CR LF or (files that went twice through a mailer) CR CR LF: CR is blank space then. A
     // file with CR alone comes from an old Macintosh.
     const char end = text.content.find('\n') == std::string::npos ? '\r' : '\n';
-    std::string_view rest = text.content;
+    std::string_view rest = withoutByteOrderMark(text.content);
     while (!rest.empty())
     {
         const auto length = rest.find(end);

@@ -51,6 +51,40 @@ protected:
 const std::string wedge = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
 const std::string faces = "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
 
+TEST_F(Imports, AByteOrderMarkHidesNoLine)
+{
+    const std::string mark = "\xEF\xBB\xBF";
+    write("a.obj", mark + wedge + faces);
+    EXPECT_EQ(make("file \"a.obj\";").blocks.front().shape.vertices.front(), Vector<3>(0, 0, 0));
+    write("named.obj", mark + "o base\n" + wedge + faces);
+    EXPECT_EQ(make("file \"named.obj\";").zones.at(0).name, "base");
+    write("a.ply",
+          mark
+              + "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty "
+                "float z\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 "
+                "0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n");
+    EXPECT_EQ(make("file \"a.ply\";").blocks.size(), 1u);
+    std::string facets;
+    for (const char* corners :
+         {"0 0 0 0 1 0 1 0 0", "0 0 0 1 0 0 0 0 1", "1 0 0 0 1 0 0 0 1", "0 1 0 0 0 0 0 0 1"})
+    {
+        const std::string all(corners);
+        facets += fmt::format(
+            "facet normal 0 0 0\nouter loop\nvertex {}\nvertex {}\nvertex {}\nendloop\nendfacet\n",
+            all.substr(0, 5), all.substr(6, 5), all.substr(12, 5));
+    }
+    write("a.stl", mark + "solid base\n" + facets + "endsolid base\n");
+    EXPECT_EQ(make("file \"a.stl\";").blocks.size(), 1u);
+    write("a.svg", mark + "<?xml version=\"1.0\"?><svg><rect width=\"2\" height=\"1\"/></svg>");
+    EXPECT_EQ(make<2>("file \"a.svg\";").blocks.size(), 1u);
+    write("a.dxf", mark
+                       + "0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n8\nstone\n90\n3\n70\n1\n10\n0\n20\n0\n10\n"
+                         "2\n20\n0\n10\n0\n20\n1\n0\nENDSEC\n0\nEOF\n");
+    EXPECT_EQ(make<2>("file \"a.dxf\";").blocks.size(), 1u);
+    write("empty.json", mark + "[]");
+    EXPECT_THAT(reportOf([&] { make("file \"empty.json\";"); }), testing::Not(HasSubstr("JSON")));
+}
+
 TEST_F(Imports, LayersAreFixedByTheSupportsNameOrByPattern)
 {
     write("a.obj", wedge + "o base.1\n" + faces + "o base.2\n" + faces + "o stone.3\n" + faces);

@@ -351,6 +351,17 @@ TEST(CsvReader, ReadsColumnsByNumberOrTitle)
                 AllOf(HasSubstr("'up'"), HasSubstr("east"), HasSubstr("line 2")));
 }
 
+TEST(CsvReader, AByteOrderMarkBelongsToNoCell)
+{
+    const Record record = csv("\xEF\xBB\xBFt,a\n0,1\n1,2\n", {0, 1, 0, "g"});
+    EXPECT_EQ(record.times.size(), 2u);
+    EXPECT_EQ(csv("\xEF\xBB\xBF"
+                  "0,1\n1,2\n",
+                  {0, 1, 0, "g"})
+                  .times.size(),
+              2u);
+}
+
 TEST(CsvReader, ReadsEverySeparator)
 {
     const std::vector<double> expected{0.25, -2, 3};
