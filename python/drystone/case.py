@@ -4,6 +4,7 @@ import shutil
 import subprocess
 from pathlib import Path
 
+from ._values import textOf
 from .frames import readSeries
 from .tables import readTable
 
@@ -49,11 +50,12 @@ class Case:
         return done.stdout.strip()
 
     def set(self, dictionary, entry, value):
-        """Gives an entry a value; comments and layout of the file are kept. Sequences become vectors."""
-        if not isinstance(value, (str, int, float)):
-            value = "(" + " ".join(str(part) for part in value) + ")"
+        """Gives an entry a value; comments and layout of the file are kept.
+
+        True and False are written yes and no, sequences and arrays (0 -9.81) and ((0 1) (1 2)), mappings { a 1; }; a
+        text is taken as it is. Raises TypeError or ValueError for what a dictionary cannot have."""
         done = subprocess.run([self._program("caseDictionary"), "-case", str(self.directory), dictionary, "-entry", entry,
-                               "-set", str(value)], capture_output=True, text=True, check=False)
+                               "-set", textOf(value)], capture_output=True, text=True, check=False)
         if done.returncode != 0:
             raise RunError("caseDictionary", done.returncode, done.stderr)
 

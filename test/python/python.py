@@ -1,7 +1,9 @@
 # Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 """The Python package on cases that were just computed, with NumPy where that is installed and without it."""
+import fractions
 import math
 import os
+import pathlib
 import subprocess
 import sys
 import unittest
@@ -46,6 +48,37 @@ class Package(CaseTest):
             if frames[0]["support"][i // 4] < 0:
                 self.assertAlmostEqual(point[0] - displacement[0], built[0], delta=1e-6)
         self.assertEqual(len(next(iter(wall.frames("contacts")))["contactForce"]), 174)
+
+    def testSetsWhatADictionaryCanHave(self):
+        case = self.case()
+        values = [(True, "yes"), (False, "no"), (3, "3"), (-0.5, "-0.5"), (0.1, "0.1"), (1e-20, "1e-20"), ("off", "off"),
+                  ((0, -9.81), "(0 -9.81)"), (range(3), "(0 1 2)"), ([(0, 1), (1, 2)], "((0 1) (1 2))"),
+                  ([True, "a"], "(yes a)"), ([], "()"), (fractions.Fraction(1, 4), "0.25"),
+                  (pathlib.Path("constant/a b.csv"), '"constant/a b.csv"')]
+        try:
+            import numpy
+        except ImportError:
+            pass
+        else:
+            values += [(numpy.float64(0.5), "0.5"), (numpy.float32(0.1), "0.1"), (numpy.int64(3), "3"),
+                       (numpy.bool_(True), "yes"), (numpy.array(0.25), "0.25"), (numpy.array([0.0, -9.81]), "(0.0 -9.81)"),
+                       (numpy.eye(2), "((1.0 0.0) (0.0 1.0))"), (numpy.array([True, False]), "(yes no)"),
+                       ([numpy.float64(1), numpy.arange(2)], "(1.0(0 1))")]
+        for value, text in values:
+            case.set("constant/g", "value", value)
+            self.assertEqual(case.get("constant/g", "value"), text, repr(value))
+        case.set("constant/g", "inner", {"a": 1, "b": {"c": (1, 2), "d": True}, "e": []})
+        self.assertEqual(case.get("constant/g", "inner/b/c"), "(1 2)")
+        self.assertEqual(case.get("constant/g", "inner/b/d"), "yes")
+        for value, fault in ((None, TypeError), ({1, 2}, TypeError), (b"a", TypeError), (1j, TypeError),
+                             (float("nan"), ValueError), ({"a b": 1}, ValueError), ({1: 2}, ValueError)):
+            with self.assertRaises(fault):
+                case.set("constant/g", "value", value)
+        # As what it is meant: contactDynamics knows no True.
+        case.set("system/controlDict", "adjustTimeStep", False)
+        case.set("constant/g", "value", (0, -9.81))
+        self.runApplication("caseDictionary", case.directory, "constant/g", "-entry", "inner", "-remove")
+        case.run("contactDynamics", "-dry-run")
 
     def testADirectoryMayBeRelative(self):
         wall, before = self.wall(), os.getcwd()
