@@ -5,6 +5,7 @@ import os
 import re
 import subprocess
 import sys
+import tempfile
 import unittest
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
@@ -91,6 +92,16 @@ class Contract(CaseTest):
     def testDrystoneNewNamesAnUnknownOption(self):
         for options in (("-unheardOf",), ("-help", "-unheardOf")):
             self.assertIn("-unheardOf", self.call("drystone-new", *options, status=1).stderr)
+
+    def testDrystoneNewPrintsADirectoryAsAShellReadsIt(self):
+        for name, text in (("wall", "wall"), ("my wall", "'my wall'"), ("it's $HOME", "'it'\\''s $HOME'")):
+            with self.subTest(directory=name):
+                with tempfile.TemporaryDirectory() as folder:
+                    said = self.call("drystone-new", "arch", name, cwd=folder).stdout
+                    self.assertIn(f"\n  cd {text}\n", said)
+                    command = re.search(r"  (cd .*)", said)[1]
+                    self.assertEqual(subprocess.run(["bash", "-c", command + " && ls constant/g"], cwd=folder, text=True,
+                                                    capture_output=True, check=True).stdout, "constant/g\n")
 
     def testCaseDictionaryHasTheOptionsOfFoamDictionary(self):
         case = self.case(plane)
