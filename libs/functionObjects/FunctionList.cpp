@@ -156,6 +156,22 @@ std::vector<std::string> FunctionList<Dim>::names() const
     return result;
 }
 
+template<int Dim>
+std::vector<std::string> FunctionList<Dim>::writtenNames() const
+{
+    std::vector<std::string> result;
+    for (const Function& function : functions)
+    {
+        std::error_code none;
+        if (std::filesystem::exists(function.folder, none)
+            && !std::filesystem::is_empty(function.folder, none))
+        {
+            result.push_back(function.name);
+        }
+    }
+    return result;
+}
+
 template class FunctionList<2>;
 template class FunctionList<3>;
 

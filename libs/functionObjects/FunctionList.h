@@ -91,6 +91,9 @@ public:
     /// Names in the order of the dictionary, for the log; functions that are not enabled are not in the list.
     std::vector<std::string> names() const;
 
+    /// Those of them with something in their folders.
+    std::vector<std::string> writtenNames() const;
+
 private:
     struct Function
     {

@@ -79,6 +79,14 @@ void printScene(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const 
     printLine();
 }
 
+void printUnappliedLoad(const std::filesystem::path& caseDirectory)
+{
+    if (Dictionary::readFileIfPresent(caseDirectory / "constant/loads").found("live"))
+    {
+        printLine("Loads: live of constant/loads is not applied in motion; limitAnalysis multiplies it.");
+    }
+}
+
 namespace
 {
 

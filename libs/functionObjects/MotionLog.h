@@ -5,6 +5,7 @@
 #include "dynamics/Motion.h"
 #include "functionObjects/MotionSummary.h"
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,9 @@ namespace drystone
 template<int Dim>
 void printScene(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const Time& time,
                 const std::vector<std::string>& functions);
+
+/// Before the first step: that a live load, which a case may have for limitAnalysis, does not act.
+void printUnappliedLoad(const std::filesystem::path& caseDirectory);
 
 /// With `selection everything`: what is on although the case leaves it out.
 template<int Dim>

@@ -244,6 +244,26 @@ State stateOf(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const Ti
     return state;
 }
 
+namespace
+{
+
+/// The last step ends within half a step of endTime; so there may be none.
+void warnWithoutSteps(const Time& time)
+{
+    const TimeControls& controls = time.controls();
+    const double step = std::min(time.deltaT(), controls.deltaT);
+    if (controls.stopAt == StopAt::endTime && time.value() >= controls.endTime - 0.5 * step)
+    {
+        printWarning(
+            fmt::format("No step is computed: from {:g} s to endTime {:g} s is at most half of deltaT {:g} "
+                        "s. Give a shorter deltaT or a later endTime.",
+                        time.value(), controls.endTime, step),
+            time.controlDict().locationOf("deltaT"));
+    }
+}
+
+} // namespace
+
 template<int Dim>
 Motion<Dim> startOrContinue(const std::filesystem::path& caseDirectory, const DynamicCase<Dim>& scene,
                             Time& time)
@@ -275,6 +295,7 @@ Motion<Dim> startOrContinue(const std::filesystem::path& caseDirectory, const Dy
         {
             refuseStartOverlaps(scene.assembly, initial.placements, places);
         }
+        warnWithoutSteps(time);
         return startMotion(scene, std::move(initial));
     }
 
@@ -476,7 +497,7 @@ void MotionResults<Dim>::printWritten() const
     info("Wrote {}: blocks and contacts, {} frames; .vtp.series opens in ParaView{}",
          (caseDirectory / "VTK").lexically_normal().string(), blocks.times().size(),
          hasState ? ", paraviewState.py (Load State) shows all of it" : "");
-    if (const std::vector<std::string> names = functionList.names(); !names.empty())
+    if (const std::vector<std::string> names = functionList.writtenNames(); !names.empty())
     {
         info("Wrote {}: {}", (caseDirectory / "postProcessing").lexically_normal().string(),
              fmt::join(names, " "));

@@ -94,6 +94,27 @@ class RunControl(CaseTest):
         self.assertIn("Blocks: 3 free, 1 fixed", done.stdout)
         self.assertFalse(os.path.exists(os.path.join(case, "constant/assembly")))
 
+    def testARunWithoutStepsSaysSoAndClaimsNoTables(self):
+        functions = "{ motion { type blockMotion; blocks (1); writeControl timeStep; writeInterval 1; } }"
+        case = self.copy("noStep", deltaT="2", endTime="0.5", functions=functions)
+        done = self.run_(case)
+        self.assertIn("No step is computed: from 0 s to endTime 0.5 s is at most half of deltaT 2 s.",
+                      done.stdout + done.stderr)
+        self.assertNotIn("postProcessing", done.stdout)
+        self.control(case, deltaT="0.002", endTime="0.01", functions=functions)
+        done = self.run_(case)
+        self.assertNotIn("No step", done.stdout + done.stderr)
+        self.assertRegex(done.stdout, r"Wrote \S*postProcessing: motion")
+
+    def testALiveLoadIsNotAppliedAndThatIsSaid(self):
+        case = self.copy("liveLoad", endTime="0.01")
+        self.write(case, "constant/loads", header % "loads" + "dead { type gravity; }\n")
+        self.assertNotIn("live of constant", self.run_(case, "-dry-run").stdout)
+        self.write(case, "constant/loads", header % "loads"
+                   + "dead { type gravity; } live { type inertial; direction (1 0 0); }\n")
+        for options in (("-dry-run",), ()):
+            self.assertIn("live of constant/loads is not applied in motion", self.run_(case, *options).stdout)
+
     @unittest.skipUnless(shutil.which("qemu-x86_64") and os.uname().machine == "x86_64",
                          "qemu-user is not installed: there is no older processor to run on")
     def testAnOlderProcessorIsToldSoBeforeAnInstructionThatItLacks(self):

@@ -43,6 +43,7 @@ int runIn(const CommandLine& commandLine)
                                commandLine.noFunctionObjects ? FunctionObjects::none
                                                              : FunctionObjects::asInControlDict);
     printScene(scene, motion, time, results.functions().names());
+    printUnappliedLoad(commandLine.caseDirectory);
     if (commandLine.dryRun)
     {
         if constexpr (Dim == 2)
