@@ -4,6 +4,7 @@
 #include "conic/coulomb/CollapsePath.h"
 #include "conic/form/Form.h"
 #include "statics/CoulombExchange.h"
+#include "statics/StepFromRest.h"
 
 #include <algorithm>
 #include <cmath>
@@ -138,6 +139,32 @@ public:
             {
                 ++range.converged;
                 descend(std::move(pair));
+            }
+        }
+    }
+
+    /// Pairs from steps from rest, with the forces of the associative collapse to begin with, or of the dead
+    /// load.
+    void takeStepsFromRest()
+    {
+        if (!associativePair.exists() || given.hasCrushing())
+        {
+            return;
+        }
+        for (const VectorXd* forces : {&associativePair.contactForce, &restingStart.contactForce})
+        {
+            if (lowest.exists())
+            {
+                return;
+            }
+            ++range.starts;
+            std::optional<CoulombPair> pair = pairFromRest<Rows, Forces>(
+                given, associativePair.alpha, *forces,
+                [this](const CoulombPair& tried) { return consider(tried); }, effort.factorisations);
+            if (pair)
+            {
+                ++range.converged;
+                descend(std::move(*pair));
             }
         }
     }
@@ -396,6 +423,10 @@ LimitAnalysis solveNonAssociative(const ConeProgram<Rows, Forces>& program,
         if (!search.lowest.exists() && !search.fall.exists())
         {
             search.takeAssociativeForces();
+        }
+        if (!search.lowest.exists() && !search.fall.exists())
+        {
+            search.takeStepsFromRest();
         }
     }
     const CoulombPair& found = search.lowest.exists() ? search.lowest

@@ -64,6 +64,80 @@ TEST(CoulombInSpace, APrismInAGrooveSlidesAtMuOverCosine)
     }
 }
 
+// No path from the forces for the dead load ends in a collapse; motion from rest begins well below the
+// associative multiplier.
+TEST(CoulombInSpace, BoxesThatNoPathAnswersAreAnsweredByStepsFromRest)
+{
+    struct Case
+    {
+        std::string blocks;
+        std::vector<double> densities; ///< [kg/m3]
+        Vector<3> gravity;
+        double mu;
+        Vector<3> inertia; ///< direction of inertial forces, and of a force on a block [N]
+        Vector<3> force;
+        int block;
+        Vector<3> at;
+        double associative;
+        double coulomb;
+    };
+    const std::vector<Case> cases{
+        {"((0.13 0.05 0) (0.48 0.53 0.22)) ((0.48 -0.05 0) (0.87 0.27 0.22)) ((0.87 -0.07 0) (1.5 0.4 0.22))",
+         {1865, 2339, 1846},
+         {0.27, 0.93, -9.81},
+         0.69,
+         {-1.01, 0.78, 0.41},
+         {56.4, 99.2, 41.1},
+         2,
+         {1.144, 0.077, 0.09},
+         0.235742876,
+         0.134228},
+        {"((0.11 0.06 0) (0.82 0.51 0.31)) ((0.82 -0.02 0) (1.52 0.46 0.31)) ((1.52 0.07 0) (2.16 0.56 "
+         "0.31)) "
+         "((0.01 0.06 0.31) (0.79 0.5 0.7)) ((0.79 -0.09 0.31) (1.52 0.4 0.7)) ((1.52 0.04 0.31) (1.85 0.38 "
+         "0.7))",
+         {1088, 2400, 1840, 1739, 1308, 1213},
+         {-0.75, 0.56, -9.81},
+         0.55,
+         {0, 0, 0},
+         {-544.4, -343.9, -32.9},
+         5,
+         {1.727, 0.251, 0.51},
+         3.07846104,
+         2.643}};
+    for (const Case& boxes : cases)
+    {
+        const Assembly<3> assembly = makeStructure<3>(
+            Dictionary::readString("dimensions 3; texture { type boxes; blocks (" + boxes.blocks
+                                   + "); } supports { ground { type ground; margin 10; } }"));
+        std::vector<double> masses = boxes.densities;
+        for (std::size_t block = 0; block < masses.size(); ++block)
+        {
+            masses[block] *= volumeProperties(assembly.blocks[block].shape).volume;
+        }
+        masses.push_back(1); // the ground
+        LoadVectors loads{gravityLoad(assembly, masses, boxes.gravity),
+                          inertialLoad(assembly, masses, boxes.gravity, boxes.inertia)};
+        const auto row = 6 * boxes.block;
+        const Vector<3> centroid =
+            volumeProperties(assembly.blocks[static_cast<std::size_t>(boxes.block)].shape).centroid;
+        loads.live.segment<3>(row) += boxes.force;
+        loads.live.segment<3>(row + 3) += (boxes.at - centroid).cross(boxes.force);
+        const std::vector<ContactPoint<3>> points = findContactPoints(assembly);
+        SpaceConeProgram program = test::programOf(assembly, points, boxes.mu, loads);
+        for (std::size_t point = 0; point < points.size(); ++point)
+        {
+            const int ground = static_cast<int>(assembly.blocks.size()) - 1;
+            const auto pair = std::minmax(points[point].block, points[point].neighbour);
+            program.friction[point] = pair == std::minmax(2, ground) ? 0.15 : boxes.mu;
+        }
+        const LimitAnalysis result = solveNonAssociative(program, {}, {});
+        expectCoulomb(program, result);
+        EXPECT_NEAR(result.coulomb->associative, boxes.associative, 1e-6 * boxes.associative);
+        EXPECT_LE(result.alpha, boxes.coulomb * (1 + 1e-5));
+    }
+}
+
 // In the first of these rows, as in some small walls that slide as a whole, every path ends without a
 // collapse.
 TEST(CoulombInSpace, BoxesInARowSlideAtMu)
