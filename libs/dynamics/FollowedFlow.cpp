@@ -153,13 +153,10 @@ bool areFollowed(const StepProgram<Dim>& program, const Eigen::VectorXd& contact
     }
     const double stiffness = contactForce[strongest] / -program.gap[strongest];
     double missed = 0;
-    for (Eigen::Index row = 0; row < contactForce.size(); row += Dim)
-    {
-        missed += std::abs(contactForce[row] - stiffness * std::max(0.0, -program.gap[row]));
-    }
     double sum = 0;
     for (Eigen::Index row = 0; row < contactForce.size(); row += Dim)
     {
+        missed += std::abs(contactForce[row] - stiffness * std::max(0.0, -program.gap[row]));
         sum += contactForce[row];
     }
     return missed <= partOfFollowed * sum;
