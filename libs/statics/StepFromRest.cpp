@@ -117,16 +117,16 @@ std::optional<CoulombPair> pairFrom(Steps<Rows, Forces>& steps, std::size_t firs
             return std::nullopt;
         }
         const double work = liveLoad.dot(first->displacement);
-        const double growth = liveLoad.dot(second->displacement) - work;
-        if (!(growth > creep * slope * (far - near)) || !(work > 0))
+        const double furtherWork = liveLoad.dot(second->displacement) - work;
+        if (!(furtherWork > creep * slope * (far - near)) || !(work > 0))
         {
             stands = near;
             begins = 0.5 * (stands + moves);
             continue;
         }
-        slope = growth / (far - near);
+        slope = furtherWork / (far - near);
         moves = near;
-        const double back = work / growth;
+        const double back = work / furtherWork;
         CoulombPair pair{near - back * (far - near),
                          first->contactForce - back * (second->contactForce - first->contactForce),
                          first->displacement / work,
