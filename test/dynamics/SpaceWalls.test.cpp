@@ -1,7 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// The six walls of the paper extruded to a thickness: by Coulomb's law they fall in space as in the plane,
 /// whichever way they stand.
-#include "../SquareWall.h"
 #include "Scenes.h"
 #include "SpaceScenes.h"
 

@@ -53,25 +53,6 @@ bool haveSameColumns(const std::vector<ConeColumns<Rows, Forces>>& some,
                       { return a.onFirst == b.onFirst && a.onSecond == b.onSecond; });
 }
 
-template<int Forces>
-Eigen::Matrix<double, Forces - 1, 1> directionOf(const Eigen::Matrix<double, Forces - 1, 1>& shear)
-{
-    const double size = shear.norm();
-    return size > 0 ? Eigen::Matrix<double, Forces - 1, 1>(shear / size)
-                    : Eigen::Matrix<double, Forces - 1, 1>::Unit(0);
-}
-
-/// What a point that slides carries of a trial shear across its direction, by Coulomb's law
-/// (PointState::turning).
-template<int Forces>
-double shareAcross(const SlidingLaw& law, const PointState<Forces>& state,
-                   const Eigen::Matrix<double, Forces, 1>& trial)
-{
-    const ShearLimit limit = shearLimit(law, state);
-    const double size = trial.template tail<Forces - 1>().norm();
-    return size > 0 ? std::max(0.0, limit.cohesion + limit.mu * trial[0]) / size : 0;
-}
-
 } // namespace
 
 template<int Rows, int Forces>

@@ -64,6 +64,43 @@ struct PointForce
     Eigen::Matrix<double, Forces, Forces> derivative = Eigen::Matrix<double, Forces, Forces>::Zero();
 };
 
+/// The limit of shear on a piece, C + mu c_n, as its growth with c_n and its value without.
+struct ShearLimit
+{
+    double mu;
+    double cohesion;
+
+    /// Without friction and cohesion nothing sticks.
+    bool isThere() const { return mu > 0 || cohesion > 0; }
+};
+
+template<int Forces>
+ShearLimit shearLimit(const SlidingLaw& law, const PointState<Forces>& state)
+{
+    return state.presses() ? ShearLimit{law.mu, law.cohesion}
+                           : ShearLimit{0, law.cohesion - law.mu * law.tension};
+}
+
+/// Of unit length, the first one where there is no shear.
+template<int Forces>
+Eigen::Matrix<double, Forces - 1, 1> directionOf(const Eigen::Matrix<double, Forces - 1, 1>& shear)
+{
+    const double size = shear.norm();
+    return size > 0 ? Eigen::Matrix<double, Forces - 1, 1>(shear / size)
+                    : Eigen::Matrix<double, Forces - 1, 1>::Unit(0);
+}
+
+/// What a point that slides carries of a trial shear across its direction, by Coulomb's law
+/// (PointState::turning).
+template<int Forces>
+double shareAcross(const SlidingLaw& law, const PointState<Forces>& state,
+                   const Eigen::Matrix<double, Forces, 1>& trial)
+{
+    const ShearLimit limit = shearLimit(law, state);
+    const double size = trial.template tail<Forces - 1>().norm();
+    return size > 0 ? std::max(0.0, limit.cohesion + limit.mu * trial[0]) / size : 0;
+}
+
 /// The piece that a trial force w is on. Coulomb's law (Alart & Curnier 1991): c_n = max(-T, w_n), and c_t
 /// the nearest to w_t in the disc of radius C + mu c_n. The associative law: c the nearest to w in the cone.
 template<int Forces>
@@ -73,10 +110,7 @@ PointState<Forces> stateOf(const SlidingLaw& law, const Eigen::Matrix<double, Fo
     State state;
     const auto shear = w.template tail<Forces - 1>();
     const double size = shear.norm();
-    if (size > 0)
-    {
-        state.direction = shear / size;
-    }
+    state.direction = directionOf<Forces>(shear);
     const bool isAssociative = law.sliding == Sliding::associative;
     const bool presses = isAssociative ? w[0] + law.mu * size > 0 : w[0] > -law.tension;
     const double normal = isAssociative ? w[0] : std::max(w[0], -law.tension);
@@ -86,9 +120,9 @@ PointState<Forces> stateOf(const SlidingLaw& law, const Eigen::Matrix<double, Fo
     {
         state.turning = law.mu * (w[0] + law.mu * size) / (1 + law.mu * law.mu) / size;
     }
-    else if (Forces > 2 && !state.sticks() && !isAssociative && size > 0)
+    else if (Forces > 2 && !state.sticks() && !isAssociative)
     {
-        state.turning = std::max(0.0, law.cohesion + law.mu * normal) / size;
+        state.turning = shareAcross<Forces>(law, state, w);
     }
     return state;
 }
@@ -171,23 +205,6 @@ struct PieceSides
         added.beyond = beyond;
     }
 };
-
-/// The limit of shear on a piece, C + mu c_n, as its growth with c_n and its value without.
-struct ShearLimit
-{
-    double mu;
-    double cohesion;
-
-    /// Without friction and cohesion nothing sticks.
-    bool isThere() const { return mu > 0 || cohesion > 0; }
-};
-
-template<int Forces>
-ShearLimit shearLimit(const SlidingLaw& law, const PointState<Forces>& state)
-{
-    return state.presses() ? ShearLimit{law.mu, law.cohesion}
-                           : ShearLimit{0, law.cohesion - law.mu * law.tension};
-}
 
 /// In space of Coulomb's law alone, and without the side round which a point that sticks begins to slide
 /// (roundSide).

@@ -29,13 +29,14 @@ constexpr double sameVertex = 1e-6; // in mean block sizes
 /// between them.
 constexpr double cornersAtOnePlace = 1e-9;
 
-std::vector<Swing<3>> swingsOf(const std::vector<Placement<3>>& placements)
+/// \param sense 1: by which the blocks have turned; -1: back to where they were built
+std::vector<Swing<3>> swingsOf(const std::vector<Placement<3>>& placements, double sense)
 {
     std::vector<Swing<3>> swings;
     swings.reserve(placements.size());
     for (const Placement<3>& placement : placements)
     {
-        swings.emplace_back(placement.rotation);
+        swings.emplace_back(sense * placement.rotation);
     }
     return swings;
 }
@@ -149,7 +150,7 @@ MovingContacts<3>::Pair MovingContacts<3>::pairAt(const ContactPoint<3>& point, 
 void MovingContacts<3>::measure(const std::vector<Placement<3>>& placements,
                                 std::vector<ContactPoint<3>>& measured) const
 {
-    const std::vector<Swing<3>> swings = swingsOf(placements);
+    const std::vector<Swing<3>> swings = swingsOf(placements, 1);
     measured.resize(points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
     {
@@ -199,9 +200,10 @@ const std::vector<ContactPoint<3>>& MovingContacts<3>::update(const std::vector<
             points.push_back(point);
         }
     }
-    chooseCorners(now);
+    const std::vector<Swing<3>> back = swingsOf(now, -1);
+    chooseCorners(now, back);
     measure(now, points);
-    refuseLostPoints(now);
+    refuseLostPoints(now, back);
     refuseNewContacts(now);
     return points;
 }
@@ -212,35 +214,40 @@ const std::vector<ContactPoint<3>>& MovingContacts<3>::update(const std::vector<
     return update(now, margin);
 }
 
-/// How far the corner is outside the face now [m].
-double MovingContacts<3>::outsideOf(const Pair& pair, const std::vector<Placement<3>>& now) const
+/// How far a point of the corner is outside the face now [m]. \param back turns of the blocks to where they
+/// were built
+double MovingContacts<3>::outsideOf(const Pair& pair, const Vector<3>& place,
+                                    const std::vector<Placement<3>>& now,
+                                    const std::vector<Swing<3>>& back) const
 {
-    const auto corner = static_cast<std::size_t>(pair.cornerBlock);
     const auto face = static_cast<std::size_t>(pair.faceBlock);
-    const Vector<3> arm = pair.corner - centroids[corner];
-    const Vector<3> place = pair.corner + now[corner].translation + Swing<3>(now[corner].rotation)(arm);
-    const Vector<3> armOfFace = place - centroids[face] - now[face].translation;
-    // Where the face was built.
-    return distanceOutside(pair.outline, pair.outward,
-                           centroids[face] + armOfFace + Swing<3>(-now[face].rotation)(armOfFace));
+    const Vector<3> arm = place - centroids[face] - now[face].translation;
+    return distanceOutside(pair.outline, pair.outward, centroids[face] + arm + back[face](arm));
 }
 
 /// Of two corners that were at one place the one that lies on the other's face: once they have slid past each
 /// other the patch ends there, and a joint that turns opens by what is beyond it.
-void MovingContacts<3>::chooseCorners(const std::vector<Placement<3>>& now)
+void MovingContacts<3>::chooseCorners(const std::vector<Placement<3>>& now, const std::vector<Swing<3>>& back)
 {
+    const std::vector<Swing<3>> forth = swingsOf(now, 1);
+    const auto outside = [&](const Pair& pair)
+    {
+        const auto corner = static_cast<std::size_t>(pair.cornerBlock);
+        const Vector<3> moves = now[corner].translation + forth[corner](pair.corner - centroids[corner]);
+        return outsideOf(pair, pair.corner + moves, now, back);
+    };
     for (ContactPoint<3>& point : points)
     {
         const auto index = static_cast<std::size_t>(point.feature.vertex);
-        if (others[index]
-            && outsideOf(*others[index], now) < outsideOf(pairs[index], now) - cornersAtOnePlace * blockSize)
+        if (others[index] && outside(*others[index]) < outside(pairs[index]) - cornersAtOnePlace * blockSize)
         {
             point.feature.vertexBlock = others[index]->cornerBlock;
         }
     }
 }
 
-void MovingContacts<3>::refuseLostPoints(const std::vector<Placement<3>>& now) const
+void MovingContacts<3>::refuseLostPoints(const std::vector<Placement<3>>& now,
+                                         const std::vector<Swing<3>>& back) const
 {
     for (const ContactPoint<3>& point : points)
     {
@@ -249,7 +256,7 @@ void MovingContacts<3>::refuseLostPoints(const std::vector<Placement<3>>& now) c
             continue; // apart
         }
         const Pair& pair = pairOf(point);
-        const double outside = outsideOf(pair, now);
+        const double outside = outsideOf(pair, point.position, now, back);
         if (outside > mayLeave * blockSize)
         {
             throw FatalError(fmt::format(

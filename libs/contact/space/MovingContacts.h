@@ -60,12 +60,13 @@ private:
         return pairs[index].cornerBlock == point.feature.vertexBlock ? pairs[index] : *others[index];
     }
     Pair pairAt(const ContactPoint<3>& point, bool isOfNeighbour) const;
-    double outsideOf(const Pair& pair, const std::vector<Placement<3>>& now) const;
-    void chooseCorners(const std::vector<Placement<3>>& now);
+    double outsideOf(const Pair& pair, const Vector<3>& place, const std::vector<Placement<3>>& now,
+                     const std::vector<Swing<3>>& back) const;
+    void chooseCorners(const std::vector<Placement<3>>& now, const std::vector<Swing<3>>& back);
     /// \param swingOfCorner, swingOfFace of the blocks of its corner and of its face
     ContactPoint<3> pointAt(const std::vector<Placement<3>>& placements, const Swing<3>& swingOfCorner,
                             const Swing<3>& swingOfFace, std::size_t index) const;
-    void refuseLostPoints(const std::vector<Placement<3>>& now) const;
+    void refuseLostPoints(const std::vector<Placement<3>>& now, const std::vector<Swing<3>>& back) const;
     void refuseNewContacts(const std::vector<Placement<3>>& now) const;
 
     Assembly<3> assembly;
