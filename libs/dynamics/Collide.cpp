@@ -83,6 +83,23 @@ std::vector<char> closedPoints(const Step<Dim>& step)
     return isClosed;
 }
 
+/// Whether the forces are one choice of many, from a program with fewer bodies, or of the associative law in
+/// place of Coulomb's. Which points take part in an impact follows from forces: then any that is closed at
+/// the end counts as if it carried one, and if none of these collides no forces make an impact.
+template<int Dim>
+bool isReduced(const Step<Dim>& step)
+{
+    return step.solved.sticks || !step.motion.isAwake.empty();
+}
+
+/// Whether closing velocities as small as the errors of a solution count: by the associative law, where any
+/// point that carries a force may then collide.
+template<int Dim>
+bool isByErrors(const Step<Dim>& step)
+{
+    return step.settings.flowRule == FlowRule::associative;
+}
+
 /// Points that the step closes.
 struct Colliding
 {
@@ -103,8 +120,9 @@ Colliding collidingPoints(const Step<Dim>& step, const Eigen::VectorXd& closing)
     const bool isLocated = step.impacts.instant == ImpactInstant::located;
     const bool mayReturn = isLocated && step.scene.restitution() > 0;
     const auto speedOf = [&](std::size_t point) { return closing[Dim * static_cast<Eigen::Index>(point)]; };
+    const bool mayCarry = isReduced(step) && !isByErrors(step);
     const auto carries = [&](std::size_t point)
-    { return result.contactForce[Dim * static_cast<Eigen::Index>(point)] > force; };
+    { return mayCarry || result.contactForce[Dim * static_cast<Eigen::Index>(point)] > force; };
     const auto collides = [&](std::size_t point) { return carries(point) && speedOf(point) > slowest; };
     const auto returns = [&](std::size_t point)
     { return mayReturn && carries(point) && speedOf(point) < -slowest; };
@@ -207,12 +225,16 @@ bool collideOnce(Step<Dim>& step)
         solved.slowest = std::max(solved.slowest, closing[Dim * static_cast<Eigen::Index>(point)]);
     }
     Colliding colliding = collidingPoints(step, closing);
-    if (!colliding.all.empty() && !step.motion.isAwake.empty())
+    solved.collides =
+        isByErrors(step) ? !colliding.all.empty() : !colliding.now.empty() || !colliding.later.empty();
+    if (solved.collides)
     {
-        // Which points take part follows from the forces, of which those of bodies are one choice of many.
-        forgetBodies(step);
         step.isOfAllBlocks = true;
-        return true;
+        if (isReduced(step))
+        {
+            forgetBodies(step);
+            return true;
+        }
     }
     if (!colliding.later.empty() && colliding.now.empty())
     {
@@ -248,6 +270,13 @@ bool hasImpacts(const DynamicCase<Dim>& scene)
 }
 
 template<int Dim>
+bool keepsColliding(const Motion<Dim>& motion)
+{
+    constexpr int few = 2; // a stone that bounces flies longer than a step
+    return motion.collisions >= few;
+}
+
+template<int Dim>
 bool collide(Step<Dim>& step)
 {
     const StageTimer timer(step.motion.stageTimes, Stage::collide);
@@ -272,8 +301,10 @@ bool collide(Step<Dim>& step)
 }
 
 template bool hasImpacts(const DynamicCase<2>& scene);
+template bool keepsColliding(const Motion<2>& motion);
 template bool collide(Step<2>& step);
 template bool hasImpacts(const DynamicCase<3>& scene);
+template bool keepsColliding(const Motion<3>& motion);
 template bool collide(Step<3>& step);
 
 } // namespace drystone

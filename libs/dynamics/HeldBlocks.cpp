@@ -173,7 +173,8 @@ bool solveAwake(Step<Dim>& step)
 {
     const StepProgram<Dim>& program = step.program;
     if (step.scene.schemes.effects.selection != EffectSelection::automatic || program.bodies == 0
-        || step.isOfAllBlocks || !whyAllBlocks(step.scene, step.settings.flowRule).empty())
+        || step.isOfAllBlocks || keepsColliding(step.motion)
+        || !whyAllBlocks(step.scene, step.settings.flowRule).empty())
     {
         return false;
     }

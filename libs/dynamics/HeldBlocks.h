@@ -31,8 +31,11 @@ namespace drystone
 /// them that the solution leaves at rest are held after it (BodiesStep.h): c_O is then what moves and its
 /// surroundings have agreed upon. Where it is not proved at some points it is tried again with bodies parted
 /// there and blocks about them awake. Bonds between blocks that are held or one do not matter where friction
-/// alone carries c_I. Where points may collide, with restitution, the step is solved with all blocks: which
-/// of them take part in an impact follows from forces, too. \return whether `solved.result` is the step;
+/// alone carries c_I. Where points collide, with restitution, the step and its other parts are solved with
+/// all blocks: which of them take part in an impact follows from forces, too. By Coulomb's law a step without
+/// an impact is known by the closing velocities of all points that it closes, whatever their forces; by the
+/// associative law, where sliding joints open and close in every step, any point that closes and carries a
+/// force counts. \return whether `solved.result` is the step;
 /// otherwise it is to be solved with all blocks
 template<int Dim>
 bool solveAwake(Step<Dim>& step);

@@ -68,6 +68,7 @@ struct Motion
     std::vector<char> isAwake;
     std::vector<int> bodies; ///< in which body each block was simulated, -1: in none; empty: each was its own
     bool slides = false;     ///< see Step.h, of the last step
+    int collisions = 0;      ///< steps in a row up to the last one in which points collided, see Step.h
     std::vector<double> effectCalls; ///< of the last step, see EffectCalls.h, with `automatic`; else empty
     EffectUse effectUse;             ///< of this run
 };

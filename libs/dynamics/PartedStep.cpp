@@ -143,7 +143,7 @@ bool takeParts(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeSt
             motion.work = work;
             motion.stageTimes = stageTimes;
             motion.work.beginAttempt();
-            return advanceUnparted(scene, motion, timeStep, {ImpactInstant::stepStart, 0, 0}) == 1;
+            return advanceUnparted(scene, motion, timeStep, {.isOfAllBlocks = true}) == 1;
         }
         if (part == 0)
         {
@@ -153,6 +153,7 @@ bool takeParts(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeSt
         {
             return true;
         }
+        impacts.isOfAllBlocks = true;
         parts.count(motion.attempt);
         if (part == 1)
         {

@@ -102,6 +102,7 @@ bool staysAtRest(Step<Dim>& step)
     motion.interior = {};
     motion.restitutionShare = 1;
     motion.slides = false;
+    motion.collisions = 0;
     motion.attempt = {};
     motion.attempt.initialResidual = rest.certificate.worst();
     motion.attempt.primalResidual = rest.certificate.primalResidual;

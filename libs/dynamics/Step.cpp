@@ -32,6 +32,7 @@ Step<Dim>::Step(const DynamicCase<Dim>& dynamicCase, Motion<Dim>& current, doubl
       scheme{scene.schemes.timeIntegration.theta, length},
       mass(massAt(scene, motion.state.placements))
 {
+    isOfAllBlocks = choice.isOfAllBlocks;
     settings.flowRule = scene.flowRule();
     settings.overlaps = scheme.theta < 1 ? Overlaps::none : Overlaps::damped;
     settings.blockSize = scene.blockSize;

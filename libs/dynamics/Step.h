@@ -11,9 +11,10 @@ namespace drystone
 struct ImpactChoice
 {
     ImpactInstant instant = ImpactInstant::stepStart;
-    double tolerance = 0;      ///< blocks that would meet within this time meet now [s]
-    double shortestFlight = 0; ///< blocks that would be back before this time do not rebound [s]
-    double wholeStep = 0;      ///< that the step is a part of [s]; 0: itself
+    double tolerance = 0;       ///< blocks that would meet within this time meet now [s]
+    double shortestFlight = 0;  ///< blocks that would be back before this time do not rebound [s]
+    double wholeStep = 0;       ///< that the step is a part of [s]; 0: itself
+    bool isOfAllBlocks = false; ///< see Step: points collided in another part
 };
 
 /// What is known of the end of a step.
@@ -31,9 +32,10 @@ struct StepSolution
     Eigen::VectorXd impulse;     ///< of all impacts, two a point [N s]; empty: there were none
     int impacts = 0;             ///< [-]
     std::vector<std::size_t> collided; ///< points of the last impact
-    bool sticks = false; ///< solved by the associative law in place of Coulomb's, as nothing slides
-    bool slides = false; ///< Coulomb's law has made a point slide that carries a force, see StickingStep.h
-    double slowest = 0;  ///< points that close more slowly do not collide [m/s], set by the first impact
+    bool sticks = false;   ///< solved by the associative law in place of Coulomb's, as nothing slides
+    bool collides = false; ///< points meet, or part and are back before its end
+    bool slides = false;   ///< Coulomb's law has made a point slide that carries a force, see StickingStep.h
+    double slowest = 0;    ///< points that close more slowly do not collide [m/s], set by the first impact
 };
 
 /// Steps with less than everything are solved with errors in their gaps of this part of those allowed. With
@@ -104,6 +106,11 @@ struct Step
 /// Whether a program of the case has impacts of their own; otherwise it is the plastic impact itself.
 template<int Dim>
 bool hasImpacts(const DynamicCase<Dim>& scene);
+
+/// Whether points have collided in each of the last steps: a program with fewer bodies, whose steps are taken
+/// again with all blocks where points collide, is probably in vain.
+template<int Dim>
+bool keepsColliding(const Motion<Dim>& motion);
 
 /// What effects may look at in the step, as far as it is known. The step is not owned.
 template<int Dim>

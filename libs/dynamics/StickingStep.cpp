@@ -17,20 +17,22 @@ namespace
 /// lever moves the other by more.
 constexpr double partOfKept = 0.1;
 
-/// Whether forces are inside their cones by the margin. Near the surface Coulomb's law has other solutions,
-/// where points slide, and the program with everything may find one of these.
+/// Whether forces are inside the cones of friction by the margin, whatever bonds could hold. Near the surface
+/// Coulomb's law has other solutions, where points slide, and the program with everything may find one of
+/// these.
 template<int Dim>
 bool isInsideByMargin(const Step<Dim>& step)
 {
-    constexpr double pressing = 1e-6; // of the largest force
+    constexpr double acting = 1e-6; // of the largest force
     const Eigen::VectorXd& force = step.solved.result.contactForce;
-    const double least = pressing * force.lpNorm<Eigen::Infinity>();
+    const double least = acting * force.lpNorm<Eigen::Infinity>();
     const double share = 1 - step.scene.schemes.effects.margin;
     for (int point = 0; point < step.program.points(); ++point)
     {
         const auto own = force.segment<Dim>(Dim * point);
         const double mu = step.program.friction[static_cast<std::size_t>(point)];
-        if (own[0] > least && own.template tail<Dim - 1>().norm() > share * mu * own[0])
+        if (own.template lpNorm<Eigen::Infinity>() > least
+            && own.template tail<Dim - 1>().norm() > share * mu * own[0])
         {
             return false;
         }
@@ -69,14 +71,14 @@ template<int Dim>
 bool mayStick(const DynamicCase<Dim>& scene)
 {
     return scene.schemes.effects.selection == EffectSelection::automatic
-           && scene.flowRule() == FlowRule::nonAssociative && !hasImpacts(scene)
-           && !traitsOf(scene.effects).holdsJoints && whyAllBlocks(scene, FlowRule::associative).empty();
+           && scene.flowRule() == FlowRule::nonAssociative
+           && whyAllBlocks(scene, FlowRule::associative).empty();
 }
 
 template<int Dim>
 bool mayStick(const Step<Dim>& step)
 {
-    if (!mayStick(step.scene))
+    if (!mayStick(step.scene) || step.isOfAllBlocks || keepsColliding(step.motion))
     {
         return false;
     }

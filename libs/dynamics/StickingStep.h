@@ -8,9 +8,9 @@
 namespace drystone
 {
 
-/// Whether steps of the case may be solved by the associative law first. With theta below 1, elastic joints,
-/// bonds or impacts of their own the motion depends on forces that are not unique, which the two laws choose
-/// differently.
+/// Whether steps of the case may be solved by the associative law first. With theta below 1 or elastic joints
+/// the motion depends on forces that are not unique, which the two laws choose differently. In an impact it
+/// does as well: where points collide (Collide.cpp) the step is taken again by Coulomb's law with all blocks.
 template<int Dim>
 bool mayStick(const DynamicCase<Dim>& scene);
 
@@ -28,7 +28,7 @@ bool mayStick(const Step<Dim>& step);
 /// error allowed in gaps, forces in the cones, balance and closed points are the conditions of both. What the
 /// finite rotations of the blocks add to u_t is of second order, and the same with both. Coulomb's law may
 /// have other solutions, though, where forces are near the surface of their cones: these are to be inside by
-/// the margin of system/schemes/effects.
+/// the margin of system/schemes/effects, and inside those of friction, so that bonds are not needed.
 template<int Dim>
 bool sticks(const Step<Dim>& step);
 

@@ -205,13 +205,14 @@ void printEffectUse(const DynamicCase<Dim>& scene, const Motion<Dim>& motion)
         info("Simulated: {:.2f}% of the blocks, in bodies whose number is {:.2f}% of theirs; the others rest",
              100 * use.awakeBlocks / use.blocks, 100 * use.bodies / use.blocks);
     }
-    if (const std::string_view why = whyAllBlocks(scene, scene.flowRule()); !why.empty())
+    const std::string_view why = whyAllBlocks(scene, scene.flowRule());
+    if (!why.empty())
     {
         const std::string_view ofSticking = Dim == 3 ? "slides" : "slides, or moves in rings of blocks,";
         info("Steps in which anything {} were taken with all blocks: {}",
              mayStick(scene) ? ofSticking : "moves", why);
     }
-    else if (scene.restitution() > 0)
+    if (scene.restitution() > 0 && (why.empty() || mayStick(scene)))
     {
         info("Steps in which points collide were taken with all blocks: which of them take part follows from "
              "forces that are not unique");

@@ -284,10 +284,12 @@ struct StepCounts
 };
 
 /// Random walls, or other structures, with random effects under random motions of the ground: each step is
-/// taken with everything on, too. \param flowRule of all of them; none: random as well
+/// taken with everything on, too. \param flowRule of all of them; none: random as well \param change of each
+/// scene, given its seed; null: none
 template<int Dim>
 StepCounts verifyRandomWalls(int scenes, unsigned seed, std::optional<FlowRule> flowRule = {},
-                             Assembly<Dim> (*structure)(std::mt19937&) = randomWalls::wall<Dim>)
+                             Assembly<Dim> (*structure)(std::mt19937&) = randomWalls::wall<Dim>,
+                             void (*change)(DynamicCase<Dim>&, unsigned) = nullptr)
 {
     constexpr double timeStepOfScenes = 0.005;
     StepCounts count;
@@ -299,7 +301,10 @@ StepCounts verifyRandomWalls(int scenes, unsigned seed, std::optional<FlowRule> 
         if (flowRule)
         {
             scene.contact.friction->flowRule = *flowRule;
-            scene.contact.restitution.reset(); // by Coulomb's law nothing is held with it
+        }
+        if (change)
+        {
+            change(scene, seed + static_cast<unsigned>(index));
         }
         Motion<Dim> motion = startMotion(scene, stateAtRest(scene.assembly));
         long steps = 0;
@@ -382,6 +387,52 @@ TEST(ProvedRest, AHundredRandomTowersMoveAsWithEverythingOnByCoulombsLaw)
     EXPECT_EQ(space.unverified, 0);
 }
 
+namespace
+{
+
+template<int Dim>
+void withRestitution(DynamicCase<Dim>& scene, unsigned seed)
+{
+    scene.schemes.timeIntegration.theta = 1;
+    scene.contact.restitution = Restitution{0.05 + 0.05 * (seed % 10)};
+}
+
+template<int Dim>
+void withBonds(DynamicCase<Dim>& scene, unsigned seed)
+{
+    scene.schemes.timeIntegration.theta = 1;
+    if (!scene.contact.cohesion)
+    {
+        const double cohesion = 100 + 100 * (seed % 20);
+        scene.contact.cohesion = JointStrength{cohesion};
+        scene.contact.tension = JointStrength{0.6 * cohesion};
+        scene.effects.push_back(std::make_shared<JointBonds<Dim>>(jointBonds(scene.contact, scene.assembly)));
+    }
+}
+
+} // namespace
+
+// A step without an impact is the same without restitution, and one in which friction alone holds what bonds
+// could hold too is the same without these.
+TEST(ProvedRest, RandomTowersWithRestitutionOrBondsMoveAsWithEverythingOnByCoulombsLaw)
+{
+    constexpr FlowRule coulomb = FlowRule::nonAssociative;
+    for (const auto change : {withRestitution<2>, withBonds<2>})
+    {
+        const StepCounts plane = verifyRandomWalls<2>(60, 20001, coulomb, randomWalls::towers<2>, change);
+        EXPECT_GT(plane.inPart, 0.15 * plane.steps);
+        EXPECT_EQ(plane.unsolved, 0);
+        EXPECT_EQ(plane.unverified, 0);
+    }
+    for (const auto change : {withRestitution<3>, withBonds<3>})
+    {
+        const StepCounts space = verifyRandomWalls<3>(15, 20001, coulomb, randomWalls::towers<3>, change);
+        EXPECT_GT(space.inPart, 0.1 * space.steps);
+        EXPECT_EQ(space.unsolved, 0);
+        EXPECT_EQ(space.unverified, 0);
+    }
+}
+
 // Impacts whose interior point came to a standstill, and then to what is no number, from where nothing was
 // found.
 TEST(ProvedRest, WallsWithImpactsThatWereNotSolvedAre)
@@ -431,6 +482,22 @@ TEST(NightlyProvedRest, ThousandsOfRandomWallsMoveAsWithEverythingOn)
                             + verifyRandomWalls<3>(400, 700001).unverified
                             + verifyRandomWalls<3>(400, 800001, FlowRule::nonAssociative).unverified;
     EXPECT_LE(unverified, 10); // of 112,000 steps
+}
+
+TEST(NightlyProvedRest, HundredsOfRandomStructuresWithRestitutionOrBondsMoveAsWithEverythingOn)
+{
+    constexpr FlowRule coulomb = FlowRule::nonAssociative;
+    long unverified = 0;
+    for (const auto change : {withRestitution<2>, withBonds<2>})
+    {
+        unverified += verifyRandomWalls<2>(600, 940001, coulomb, randomWalls::towers<2>, change).unverified;
+    }
+    for (const auto change : {withRestitution<3>, withBonds<3>})
+    {
+        unverified += verifyRandomWalls<3>(150, 950001, coulomb, randomWalls::towers<3>, change).unverified
+                      + verifyRandomWalls<3>(150, 960001, coulomb, randomWalls::wall<3>, change).unverified;
+    }
+    EXPECT_LE(unverified, 5); // of 72,000 steps
 }
 
 TEST(NightlyProvedRest, MoreThanAThousandRandomTowersMoveAsWithEverythingOn)
