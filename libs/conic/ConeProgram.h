@@ -131,7 +131,8 @@ struct ConeSolution
     InteriorStart interior; ///< of a program with inertia, where a solver passed one; else empty
     int iterations = 0;
     int factorisations = 0;
-    int solves = 0; ///< with the factor, forwards and back; counted by solveInteriorPoint only
+    int solves = 0;           ///< with the factor, forwards and back; counted by solveInteriorPoint only
+    bool isStartLost = false; ///< the start was nearly the solution, and this was not found from it
 };
 
 /// Adds the iterations, factorisations and solves of one solution to another's, which it is part of the work

@@ -118,6 +118,7 @@ ConeSolution solveAsChosen(const ConeProgram<Rows, Forces>& program, const Solve
     InteriorStart interior; // passed on the way
     int iterations = 0;
     int factorisations = 0;
+    bool isStartLost = false;
     const auto finished = [&](const ConeSolution& solved)
     {
         if (!solved.interior.isEmpty())
@@ -134,11 +135,12 @@ ConeSolution solveAsChosen(const ConeProgram<Rows, Forces>& program, const Solve
         solution.interior = interior;
         solution.iterations = iterations += solved.iterations;
         solution.factorisations = factorisations += solved.factorisations;
+        solution.isStartLost = isStartLost;
         return solution.status == SolveStatus::optimal || !canStart;
     };
     const bool isStarted = canStart && start.contactForce.size() == Forces * program.points()
                            && start.displacement.size() == program.load.size();
-    if (isStarted && certifyOptimal(program, start).worst() <= nearby)
+    if (isStarted && choice.isNearTried && certifyOptimal(program, start).worst() <= nearby)
     {
         multipliers.maximumIterations = std::min(mostStepsFromNearby, choice.maximumIterations);
         multipliers.penalty = penaltyFromNearby;
@@ -147,6 +149,7 @@ ConeSolution solveAsChosen(const ConeProgram<Rows, Forces>& program, const Solve
         {
             return solution;
         }
+        isStartLost = true;
     }
     SolverChoice within = choice; // of what the interior point reaches
     within.tolerance = canStart ? std::max(choice.tolerance, attainable) : choice.tolerance;

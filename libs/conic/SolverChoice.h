@@ -98,6 +98,7 @@ struct SolverChoice
         5000; ///< of one step in time, all its programs and attempts (dynamics/StepWork.h)
     WriteProgram writeProgram = WriteProgram::never;
     bool writeIterations = false; ///< of interiorPoint, into the log
+    bool isNearTried = true; ///< whether `automatic` goes on from a start that is nearly the solution; no key
     SolveObserver observer =
         {}; ///< called by solveConeProgram; no key: applications set it, or leave it empty
 };

@@ -168,6 +168,10 @@ bool goesOnFromLastStep(ThetaStep& step, const StepProgram<Dim>& program, const 
     {
         return true;
     }
+    if (settings.isFixedPointOnly)
+    {
+        return false;
+    }
     const NewtonEffort effort{
         newtonStepsFromLastStep,
         std::min(settings.contactTolerance, settings.solver.tolerance * settings.blockSize)};

@@ -66,6 +66,7 @@ bool solveOnce(ThetaStep& step, const StepProgram<Dim>& program, const SolverCho
     ConeSolution solution = solveCounted(step, program, solver, start, symbolic);
     ++step.programs;
     step.status = solution.status;
+    step.isStartLost = step.isStartLost || solution.isStartLost;
     bool isBalanced = false;
     if (solution.status == SolveStatus::optimal)
     {
@@ -111,6 +112,9 @@ SolverChoice withinWork(const StepSettings& settings, const ThetaStep& step, con
 {
     constexpr double ordinary = 30;
     SolverChoice choice = settings.solver;
+    // Programs of a step are alike: in space a start that is lost once is lost again, after 24
+    // factorisations.
+    choice.isNearTried = Dim == 2 || !(step.isStartLost || settings.isFixedPointOnly);
     if (settings.work)
     {
         const double left = settings.work->most - settings.work->done
@@ -318,8 +322,10 @@ bool StepSearch<Dim>::reachesFlow()
         from.displacement = expected;
         from.contactForce.setZero();
     }
-    return solveFlow(step, program, std::move(from), expected, settings, relinearise,
-                     {isImpact ? newtonStepsOfImpact : newtonSteps, settings.contactTolerance}, analysis());
+    return (!settings.isFixedPointOnly || step.programs == programsToRestart)
+           && solveFlow(step, program, std::move(from), expected, settings, relinearise,
+                        {isImpact ? newtonStepsOfImpact : newtonSteps, settings.contactTolerance},
+                        analysis());
 }
 
 /// The next program. \return whether the displacements are those that the contact forces give the blocks

@@ -3,6 +3,7 @@
 #include "dynamics/Step.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace drystone
 {
@@ -19,6 +20,19 @@ double largestAcceleration(const DynamicCase<Dim>& scene, const Eigen::VectorXd&
         largest = std::max(largest, load.segment<Dim>(row).norm() / scene.mass[row]);
     }
     return largest;
+}
+
+/// See StepSettings. Of large structures of space that Newton's method has not solved in the last step it
+/// hardly ever solves the next: none of 60 steps of a house with 1,548 points, at 140 factorisations each; of
+/// small ones six in ten. What is left of a step by the fixed point (`flowError`) is kept with the state, so
+/// that a run that is continued goes on as it would have. \param length of the step [s]
+template<int Dim>
+bool isFixedPointOnly(const Motion<Dim>& motion, double length)
+{
+    constexpr std::size_t manyPoints = 500;
+    constexpr long stepsToNextTry = 8;
+    return Dim == 3 && motion.points.size() >= manyPoints && motion.residuals.flowError > 0
+           && std::lround(motion.state.time / length) % stepsToNextTry != 0;
 }
 
 } // namespace
@@ -40,6 +54,7 @@ Step<Dim>::Step(const DynamicCase<Dim>& dynamicCase, Motion<Dim>& current, doubl
     settings.contactOverlap = scene.schemes.contactOverlap;
     settings.contactTolerance = scene.schemes.contactTolerance * scene.blockSize;
     settings.solver = scene.solution;
+    settings.isFixedPointOnly = isFixedPointOnly(motion, length);
     settings.work = &motion.work;
     motion.attempt = {};
 

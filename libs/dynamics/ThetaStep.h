@@ -69,6 +69,9 @@ struct StepSettings
     double partOfStep = 1;       ///< its length over that of the whole step that impacts have parted
     double contactTolerance = 0; ///< error allowed in the gaps at the end of the step [m]
     SolverChoice solver;
+    /// Coulomb's law is looked for by the fixed point alone, without what goes on from a start that is near
+    /// (Newton's method, the augmented Lagrangian), before half of the programs allowed are solved.
+    bool isFixedPointOnly = false;
     const StepWork* work = nullptr; ///< done so far, and the most allowed; not owned; null: no bound
 };
 
@@ -111,6 +114,7 @@ struct ThetaStep
     int iterations = 0;     ///< of all programs together
     int factorisations = 0; ///< likewise; 0 when the guess was the solution
     int programs = 0;       ///< solved
+    bool isStartLost = false; ///< one of the programs was not solved from the one before it, though near it
 };
 
 /// Solves the step.
