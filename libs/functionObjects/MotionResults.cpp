@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Writes and reads the states, frames and tables of a run through time.
+/// Where a run begins, and the states, frames and tables that it writes.
 #include "functionObjects/MotionResults.h"
 
 #include "conic/ProgramFile.h"
@@ -9,6 +9,7 @@
 #include "dynamics/InitialMotion.h"
 #include "dynamics/StartCheck.h"
 #include "functionObjects/KeptResults.h"
+#include "functionObjects/MotionState.h"
 #include "io/Frames.h"
 #include "io/ParaViewState.h"
 #include "runControl/Case.h"
@@ -24,52 +25,6 @@ namespace drystone
 namespace
 {
 
-/// The scalars of the ledger with their names in a state.
-template<class Ledger, class Visit>
-void visitLedger(Ledger& energy, const Visit& visit)
-{
-    visit("energyOpening", energy.opening);
-    visit("energyKinetic", energy.kinetic);
-    visit("energyPotential", energy.potential);
-    visit("energyExternalWork", energy.externalWork);
-    visit("energyFrictionLoss", energy.frictionLoss);
-    visit("energyImpactLoss", energy.impactLoss);
-    visit("energyAlgorithmicLoss", energy.algorithmicLoss);
-    visit("energyElastic", energy.elastic);
-    visit("energyDampingLoss", energy.dampingLoss);
-}
-
-/// The solver's residuals of the step that led to a state, likewise.
-template<class Residuals, class Visit>
-void visitResiduals(Residuals& residuals, const Visit& visit)
-{
-    visit("solverInitialResidual", residuals.initialResidual);
-    visit("solverPrimalResidual", residuals.primalResidual);
-    visit("solverDualResidual", residuals.dualResidual);
-    visit("solverGap", residuals.gap);
-    visit("solverFlowError", residuals.flowError);
-    visit("solverIterations", residuals.iterations);
-    visit("solverFactorisations", residuals.factorisations);
-    visit("solverPrograms", residuals.programs);
-    visit("solverRetries", residuals.retries);
-}
-
-/// The vector with this index in a list of them.
-template<int Size>
-Eigen::Matrix<double, Size, 1> vectorAt(const std::vector<double>& values, std::size_t index)
-{
-    return Eigen::Map<const Eigen::Matrix<double, Size, 1>>(&values[Size * index]);
-}
-
-template<class Derived>
-void append(std::vector<double>& values, const Eigen::MatrixBase<Derived>& vector)
-{
-    values.insert(values.end(), vector.derived().begin(), vector.derived().end());
-}
-
-/// The integers that identify corner and edge of one contact point.
-constexpr std::size_t featureNumbers = 5;
-
 template<int Dim>
 FunctionList<Dim> readFunctions(const std::filesystem::path& caseDirectory, const DynamicCase<Dim>& scene,
                                 Time& time, FunctionObjects functionObjects)
@@ -82,170 +37,6 @@ FunctionList<Dim> readFunctions(const std::filesystem::path& caseDirectory, cons
     return {*functions,    caseDirectory, time.startName(), time.point(), time.controls().startTime,
             scene.assembly};
 }
-
-/// The time at which a state was written.
-TimeState timeOf(const State& saved)
-{
-    TimeState time;
-    time.value = stateScalar(saved, "time");
-    time.deltaT = stateScalar(saved, "deltaT");
-    time.index = static_cast<long>(stateScalar(saved, "timeIndex"));
-    time.origin = stateScalar(saved, "timeOrigin");
-    time.originIndex = static_cast<long>(stateScalar(saved, "timeOriginIndex"));
-    time.detourEnd = stateScalar(saved, "timeDetourEnd");
-    // Older versions did not keep it, and most motions begin at 0.
-    time.beginning = saved.scalars.contains("timeBeginning") ? stateScalar(saved, "timeBeginning") : 0;
-    return time;
-}
-
-/// The motion stored in a state.
-template<int Dim>
-Motion<Dim> motionOf(const DynamicCase<Dim>& scene, const State& saved)
-{
-    DynamicState<Dim> state = stateAtRest(scene.assembly);
-    state.time = stateScalar(saved, "time");
-    const std::size_t blocks = state.placements.size();
-    const auto& translation = stateArray(saved, "translation", Dim * blocks);
-    const auto& rotation = stateArray(saved, "rotation", rotationCount<Dim> * blocks);
-    for (std::size_t block = 0; block < blocks; ++block)
-    {
-        state.placements[block] = {vectorAt<Dim>(translation, block),
-                                   turnOf<Dim>(vectorAt<rotationCount<Dim>>(rotation, block))};
-    }
-    const auto& velocity = stateArray(saved, "velocity", static_cast<std::size_t>(state.velocity.size()));
-    state.velocity = Eigen::Map<const Eigen::VectorXd>(velocity.data(), state.velocity.size());
-
-    Motion<Dim> motion = startMotion(scene, std::move(state));
-    visitLedger(motion.energy, [&](const char* name, double& value) { value = stateScalar(saved, name); });
-    visitResiduals(motion.residuals, [&](const char* name, auto& value)
-                   { value = static_cast<std::decay_t<decltype(value)>>(stateScalar(saved, name)); });
-    const auto gapsThere = saved.arrays.find("contactGap");
-    const std::size_t points = gapsThere == saved.arrays.end() ? 0 : gapsThere->second.size();
-    const auto& gaps = stateArray(saved, "contactGap", points);
-    const auto& features = stateArray(saved, "contactFeature", featureNumbers * points);
-    const auto& forces = stateArray(saved, "contactForce", Dim * points);
-    if (!motion.contacts && motion.points.size() != points)
-    {
-        throw FatalError(fmt::format("{} has {} contact points, the structure as built {}: with "
-                                     "`smallDisplacements yes;` they must be the same. Start from time 0.",
-                                     saved.file.string(), points, motion.points.size()));
-    }
-    const auto& positions = stateArray(saved, "contactPosition", Dim * points);
-    const auto& normals = stateArray(saved, "contactNormal", Dim * points);
-    motion.points.resize(points);
-    motion.contactForces.resize(points);
-    for (std::size_t i = 0; i < points; ++i)
-    {
-        ContactPoint<Dim>& point = motion.points[i];
-        const double* numbers = &features[featureNumbers * i];
-        point.block = static_cast<int>(numbers[0]);
-        point.neighbour = static_cast<int>(numbers[1]);
-        point.feature = {static_cast<int>(numbers[2]), static_cast<int>(numbers[3]),
-                         static_cast<int>(numbers[4])};
-        point.gap = gaps[i];
-        point.position = vectorAt<Dim>(positions, i);
-        point.normal = vectorAt<Dim>(normals, i);
-        motion.contactForces[i] = vectorAt<Dim>(forces, i);
-    }
-    if (saved.arrays.contains("contactForceMean")) // else the same
-    {
-        const auto& means = stateArray(saved, "contactForceMean", Dim * points);
-        for (std::size_t i = 0; i < points; ++i)
-        {
-            motion.meanForces.push_back(vectorAt<Dim>(means, i));
-        }
-    }
-    if (saved.arrays.contains("interiorForce"))
-    {
-        const auto vectorOf = [&saved](const char* name, Eigen::Index size)
-        {
-            const auto& values = stateArray(saved, name, static_cast<std::size_t>(size));
-            return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(values.data(), size));
-        };
-        const auto ofPoints = Dim * static_cast<Eigen::Index>(points);
-        motion.interior = {vectorOf("interiorForce", ofPoints), vectorOf("interiorOpening", ofPoints),
-                           vectorOf("interiorDisplacement", motion.state.velocity.size())};
-    }
-    for (std::size_t i = 0; i < scene.effects.size(); ++i)
-    {
-        scene.effects[i]->restore(saved.arrays, motion.effectStates[i]);
-    }
-    motion.effectStatesBefore = motion.effectStates;
-    return motion;
-}
-
-} // namespace
-
-template<int Dim>
-void writePrograms(DynamicCase<Dim>& scene, const std::filesystem::path& caseDirectory, const Time& time)
-{
-    scene.solution.observer = programWriter(
-        scene.solution.writeProgram, [caseDirectory, &time]
-        { return postProcessingFolder(caseDirectory, "contactDynamics", time.name()) / "coneProgram"; });
-}
-
-template<int Dim>
-State stateOf(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const Time& time)
-{
-    State state;
-    const TimeState now = time.state();
-    state.scalars = {{"time", now.value},
-                     {"deltaT", now.deltaT},
-                     {"timeIndex", static_cast<double>(now.index)},
-                     {"timeOrigin", now.origin},
-                     {"timeOriginIndex", static_cast<double>(now.originIndex)},
-                     {"timeDetourEnd", now.detourEnd},
-                     {"timeBeginning", now.beginning},
-                     {"stepLength", time.value() - time.previousValue()}};
-    visitResiduals(motion.residuals,
-                   [&](const char* name, auto value) { state.scalars[name] = static_cast<double>(value); });
-    visitLedger(motion.energy, [&](const char* name, double value) { state.scalars[name] = value; });
-    auto& translation = state.arrays["translation"];
-    auto& rotation = state.arrays["rotation"];
-    for (const Placement<Dim>& placement : motion.state.placements)
-    {
-        append(translation, placement.translation);
-        append(rotation, rowsOf(placement.rotation));
-    }
-    state.arrays["velocity"].assign(motion.state.velocity.begin(), motion.state.velocity.end());
-    for (std::size_t i = 0; i < scene.effects.size(); ++i)
-    {
-        scene.effects[i]->save(motion.effectStates[i], state.arrays);
-    }
-    auto& features = state.arrays["contactFeature"];
-    auto& gaps = state.arrays["contactGap"];
-    auto& forces = state.arrays["contactForce"];
-    auto& positions = state.arrays["contactPosition"];
-    auto& normals = state.arrays["contactNormal"];
-    for (std::size_t i = 0; i < motion.points.size(); ++i)
-    {
-        const ContactPoint<Dim>& point = motion.points[i];
-        for (const int number : {point.block, point.neighbour, point.feature.vertexBlock,
-                                 point.feature.vertex, point.feature.edge})
-        {
-            features.push_back(number);
-        }
-        gaps.push_back(point.gap);
-        append(positions, point.position);
-        append(normals, point.normal);
-        append(forces, motion.contactForces[i]);
-    }
-    for (const Vector<Dim>& mean : motion.meanForces)
-    {
-        append(state.arrays["contactForceMean"], mean);
-    }
-    if (const InteriorStart& interior = motion.interior; !interior.isEmpty())
-    {
-        state.arrays["interiorForce"].assign(interior.contactForce.begin(), interior.contactForce.end());
-        state.arrays["interiorOpening"].assign(interior.opening.begin(), interior.opening.end());
-        state.arrays["interiorDisplacement"].assign(interior.displacement.begin(),
-                                                    interior.displacement.end());
-    }
-    return state;
-}
-
-namespace
-{
 
 /// The last step ends within half a step of endTime; so there may be none.
 void warnWithoutSteps(const Time& time)
@@ -263,6 +54,14 @@ void warnWithoutSteps(const Time& time)
 }
 
 } // namespace
+
+template<int Dim>
+void writePrograms(DynamicCase<Dim>& scene, const std::filesystem::path& caseDirectory, const Time& time)
+{
+    scene.solution.observer = programWriter(
+        scene.solution.writeProgram, [caseDirectory, &time]
+        { return postProcessingFolder(caseDirectory, "contactDynamics", time.name()) / "coneProgram"; });
+}
 
 template<int Dim>
 Motion<Dim> startOrContinue(const std::filesystem::path& caseDirectory, const DynamicCase<Dim>& scene,
@@ -410,8 +209,8 @@ typename MotionResults<Dim>::Frames MotionResults<Dim>::framesNow() const
         {
             velocity = motion.state.velocity.template segment<freedomCount<Dim>>(freedomCount<Dim> * free);
         }
-        append(velocities, velocity.template head<Dim>());
-        append(angular, velocity.template tail<rotationCount<Dim>>());
+        velocities.insert(velocities.end(), velocity.begin(), velocity.begin() + Dim);
+        angular.insert(angular.end(), velocity.begin() + Dim, velocity.end());
     }
     std::vector<Field> fields{{"velocity[m/s]", Dim, std::move(velocities)},
                               {"angularVelocity[rad/s]", rotationCount<Dim>, std::move(angular)}};
@@ -507,7 +306,6 @@ void MotionResults<Dim>::printWritten() const
 
 template Motion<2> startOrContinue(const std::filesystem::path& caseDirectory, const DynamicCase<2>& scene,
                                    Time& time);
-template State stateOf(const DynamicCase<2>& scene, const Motion<2>& motion, const Time& time);
 template void postProcess(const std::filesystem::path& caseDirectory, const DynamicCase<2>& scene,
                           const Time& time);
 template void writePrograms(DynamicCase<2>& scene, const std::filesystem::path& caseDirectory,
@@ -515,7 +313,6 @@ template void writePrograms(DynamicCase<2>& scene, const std::filesystem::path& 
 template class MotionResults<2>;
 template Motion<3> startOrContinue(const std::filesystem::path& caseDirectory, const DynamicCase<3>& scene,
                                    Time& time);
-template State stateOf(const DynamicCase<3>& scene, const Motion<3>& motion, const Time& time);
 template void postProcess(const std::filesystem::path& caseDirectory, const DynamicCase<3>& scene,
                           const Time& time);
 template void writePrograms(DynamicCase<3>& scene, const std::filesystem::path& caseDirectory,

@@ -24,10 +24,6 @@ template<int Dim>
 Motion<Dim> startOrContinue(const std::filesystem::path& caseDirectory, const DynamicCase<Dim>& scene,
                             Time& time);
 
-/// The state that `startOrContinue` continues from.
-template<int Dim>
-State stateOf(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const Time& time);
-
 /// `-postProcess`: runs the functions of controlDict on each state stored in the case, in order of time, into
 /// postProcessing/<function>/<first time>/. \throws FatalError when there is no state
 template<int Dim>

@@ -1,0 +1,214 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Each number of a motion under its name in a state, and back.
+#include "functionObjects/MotionState.h"
+
+#include <fmt/format.h>
+
+namespace drystone
+{
+namespace
+{
+
+/// The scalars of the ledger with their names in a state.
+template<class Ledger, class Visit>
+void visitLedger(Ledger& energy, const Visit& visit)
+{
+    visit("energyOpening", energy.opening);
+    visit("energyKinetic", energy.kinetic);
+    visit("energyPotential", energy.potential);
+    visit("energyExternalWork", energy.externalWork);
+    visit("energyFrictionLoss", energy.frictionLoss);
+    visit("energyImpactLoss", energy.impactLoss);
+    visit("energyAlgorithmicLoss", energy.algorithmicLoss);
+    visit("energyElastic", energy.elastic);
+    visit("energyDampingLoss", energy.dampingLoss);
+}
+
+/// The solver's residuals of the step that led to a state, likewise.
+template<class Residuals, class Visit>
+void visitResiduals(Residuals& residuals, const Visit& visit)
+{
+    visit("solverInitialResidual", residuals.initialResidual);
+    visit("solverPrimalResidual", residuals.primalResidual);
+    visit("solverDualResidual", residuals.dualResidual);
+    visit("solverGap", residuals.gap);
+    visit("solverFlowError", residuals.flowError);
+    visit("solverIterations", residuals.iterations);
+    visit("solverFactorisations", residuals.factorisations);
+    visit("solverPrograms", residuals.programs);
+    visit("solverRetries", residuals.retries);
+}
+
+/// The vector with this index in a list of them.
+template<int Size>
+Eigen::Matrix<double, Size, 1> vectorAt(const std::vector<double>& values, std::size_t index)
+{
+    return Eigen::Map<const Eigen::Matrix<double, Size, 1>>(&values[Size * index]);
+}
+
+template<class Derived>
+void append(std::vector<double>& values, const Eigen::MatrixBase<Derived>& vector)
+{
+    values.insert(values.end(), vector.derived().begin(), vector.derived().end());
+}
+
+/// The integers that identify corner and edge of one contact point.
+constexpr std::size_t featureNumbers = 5;
+
+} // namespace
+
+TimeState timeOf(const State& saved)
+{
+    TimeState time;
+    time.value = stateScalar(saved, "time");
+    time.deltaT = stateScalar(saved, "deltaT");
+    time.index = static_cast<long>(stateScalar(saved, "timeIndex"));
+    time.origin = stateScalar(saved, "timeOrigin");
+    time.originIndex = static_cast<long>(stateScalar(saved, "timeOriginIndex"));
+    time.detourEnd = stateScalar(saved, "timeDetourEnd");
+    // Older versions did not keep it, and most motions begin at 0.
+    time.beginning = saved.scalars.contains("timeBeginning") ? stateScalar(saved, "timeBeginning") : 0;
+    return time;
+}
+
+template<int Dim>
+Motion<Dim> motionOf(const DynamicCase<Dim>& scene, const State& saved)
+{
+    DynamicState<Dim> state = stateAtRest(scene.assembly);
+    state.time = stateScalar(saved, "time");
+    const std::size_t blocks = state.placements.size();
+    const auto& translation = stateArray(saved, "translation", Dim * blocks);
+    const auto& rotation = stateArray(saved, "rotation", rotationCount<Dim> * blocks);
+    for (std::size_t block = 0; block < blocks; ++block)
+    {
+        state.placements[block] = {vectorAt<Dim>(translation, block),
+                                   turnOf<Dim>(vectorAt<rotationCount<Dim>>(rotation, block))};
+    }
+    const auto& velocity = stateArray(saved, "velocity", static_cast<std::size_t>(state.velocity.size()));
+    state.velocity = Eigen::Map<const Eigen::VectorXd>(velocity.data(), state.velocity.size());
+
+    Motion<Dim> motion = startMotion(scene, std::move(state));
+    visitLedger(motion.energy, [&](const char* name, double& value) { value = stateScalar(saved, name); });
+    visitResiduals(motion.residuals, [&](const char* name, auto& value)
+                   { value = static_cast<std::decay_t<decltype(value)>>(stateScalar(saved, name)); });
+    const auto gapsThere = saved.arrays.find("contactGap");
+    const std::size_t points = gapsThere == saved.arrays.end() ? 0 : gapsThere->second.size();
+    const auto& gaps = stateArray(saved, "contactGap", points);
+    const auto& features = stateArray(saved, "contactFeature", featureNumbers * points);
+    const auto& forces = stateArray(saved, "contactForce", Dim * points);
+    if (!motion.contacts && motion.points.size() != points)
+    {
+        throw FatalError(fmt::format("{} has {} contact points, the structure as built {}: with "
+                                     "`smallDisplacements yes;` they must be the same. Start from time 0.",
+                                     saved.file.string(), points, motion.points.size()));
+    }
+    const auto& positions = stateArray(saved, "contactPosition", Dim * points);
+    const auto& normals = stateArray(saved, "contactNormal", Dim * points);
+    motion.points.resize(points);
+    motion.contactForces.resize(points);
+    for (std::size_t i = 0; i < points; ++i)
+    {
+        ContactPoint<Dim>& point = motion.points[i];
+        const double* numbers = &features[featureNumbers * i];
+        point.block = static_cast<int>(numbers[0]);
+        point.neighbour = static_cast<int>(numbers[1]);
+        point.feature = {static_cast<int>(numbers[2]), static_cast<int>(numbers[3]),
+                         static_cast<int>(numbers[4])};
+        point.gap = gaps[i];
+        point.position = vectorAt<Dim>(positions, i);
+        point.normal = vectorAt<Dim>(normals, i);
+        motion.contactForces[i] = vectorAt<Dim>(forces, i);
+    }
+    if (saved.arrays.contains("contactForceMean")) // else the same
+    {
+        const auto& means = stateArray(saved, "contactForceMean", Dim * points);
+        for (std::size_t i = 0; i < points; ++i)
+        {
+            motion.meanForces.push_back(vectorAt<Dim>(means, i));
+        }
+    }
+    if (saved.arrays.contains("interiorForce"))
+    {
+        const auto vectorOf = [&saved](const char* name, Eigen::Index size)
+        {
+            const auto& values = stateArray(saved, name, static_cast<std::size_t>(size));
+            return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(values.data(), size));
+        };
+        const auto ofPoints = Dim * static_cast<Eigen::Index>(points);
+        motion.interior = {vectorOf("interiorForce", ofPoints), vectorOf("interiorOpening", ofPoints),
+                           vectorOf("interiorDisplacement", motion.state.velocity.size())};
+    }
+    for (std::size_t i = 0; i < scene.effects.size(); ++i)
+    {
+        scene.effects[i]->restore(saved.arrays, motion.effectStates[i]);
+    }
+    motion.effectStatesBefore = motion.effectStates;
+    return motion;
+}
+
+template<int Dim>
+State stateOf(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const Time& time)
+{
+    State state;
+    const TimeState now = time.state();
+    state.scalars = {{"time", now.value},
+                     {"deltaT", now.deltaT},
+                     {"timeIndex", static_cast<double>(now.index)},
+                     {"timeOrigin", now.origin},
+                     {"timeOriginIndex", static_cast<double>(now.originIndex)},
+                     {"timeDetourEnd", now.detourEnd},
+                     {"timeBeginning", now.beginning},
+                     {"stepLength", time.value() - time.previousValue()}};
+    visitResiduals(motion.residuals,
+                   [&](const char* name, auto value) { state.scalars[name] = static_cast<double>(value); });
+    visitLedger(motion.energy, [&](const char* name, double value) { state.scalars[name] = value; });
+    auto& translation = state.arrays["translation"];
+    auto& rotation = state.arrays["rotation"];
+    for (const Placement<Dim>& placement : motion.state.placements)
+    {
+        append(translation, placement.translation);
+        append(rotation, rowsOf(placement.rotation));
+    }
+    state.arrays["velocity"].assign(motion.state.velocity.begin(), motion.state.velocity.end());
+    for (std::size_t i = 0; i < scene.effects.size(); ++i)
+    {
+        scene.effects[i]->save(motion.effectStates[i], state.arrays);
+    }
+    auto& features = state.arrays["contactFeature"];
+    auto& gaps = state.arrays["contactGap"];
+    auto& forces = state.arrays["contactForce"];
+    auto& positions = state.arrays["contactPosition"];
+    auto& normals = state.arrays["contactNormal"];
+    for (std::size_t i = 0; i < motion.points.size(); ++i)
+    {
+        const ContactPoint<Dim>& point = motion.points[i];
+        for (const int number : {point.block, point.neighbour, point.feature.vertexBlock,
+                                 point.feature.vertex, point.feature.edge})
+        {
+            features.push_back(number);
+        }
+        gaps.push_back(point.gap);
+        append(positions, point.position);
+        append(normals, point.normal);
+        append(forces, motion.contactForces[i]);
+    }
+    for (const Vector<Dim>& mean : motion.meanForces)
+    {
+        append(state.arrays["contactForceMean"], mean);
+    }
+    if (const InteriorStart& interior = motion.interior; !interior.isEmpty())
+    {
+        state.arrays["interiorForce"].assign(interior.contactForce.begin(), interior.contactForce.end());
+        state.arrays["interiorOpening"].assign(interior.opening.begin(), interior.opening.end());
+        state.arrays["interiorDisplacement"].assign(interior.displacement.begin(),
+                                                    interior.displacement.end());
+    }
+    return state;
+}
+
+template State stateOf(const DynamicCase<2>& scene, const Motion<2>& motion, const Time& time);
+template Motion<2> motionOf(const DynamicCase<2>& scene, const State& saved);
+template State stateOf(const DynamicCase<3>& scene, const Motion<3>& motion, const Time& time);
+template Motion<3> motionOf(const DynamicCase<3>& scene, const State& saved);
+
+} // namespace drystone
