@@ -1,6 +1,8 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Scalable vector graphics; pugixml reads the XML.
 #include "import/Drawing.h"
+#include "import/SvgAppearance.h"
+#include "import/SvgScanner.h"
 
 #include <Eigen/LU>
 #include <fmt/format.h>
@@ -29,90 +31,6 @@ SvgTransform operator*(const SvgTransform& outer, const SvgTransform& inner)
 {
     return {outer.matrix * inner.matrix, outer.matrix * inner.shift + outer.shift};
 }
-
-/// Letters and numbers of a path, a list of points or a transform: `M0,0l1.5-2e3` has no blanks between them.
-class Scanner
-{
-public:
-    Scanner(const ImportedFile& source, int lineOfElement, std::string_view text)
-        : file(source), line(lineOfElement), rest(text)
-    {
-    }
-    bool isEnd()
-    {
-        skip();
-        return rest.empty();
-    }
-    bool isNumber()
-    {
-        skip();
-        return !rest.empty()
-               && std::string_view("+-.0123456789").find(rest.front()) != std::string_view::npos;
-    }
-    char letter()
-    {
-        skip();
-        const char c = rest.empty() ? '\0' : rest.front();
-        rest.remove_prefix(rest.empty() ? 0 : 1);
-        return c;
-    }
-    double number(DigitCount* digits = nullptr)
-    {
-        skip();
-        std::size_t end = 0;
-        const auto digitsFrom = [&]
-        {
-            while (end < rest.size() && rest[end] >= '0' && rest[end] <= '9')
-            {
-                ++end;
-            }
-        };
-        end += !rest.empty() && (rest[0] == '+' || rest[0] == '-') ? 1 : 0;
-        digitsFrom();
-        if (end < rest.size() && rest[end] == '.')
-        {
-            ++end;
-            digitsFrom();
-        }
-        if (end + 1 < rest.size() && (rest[end] == 'e' || rest[end] == 'E')
-            && std::string_view("+-0123456789").find(rest[end + 1]) != std::string_view::npos)
-        {
-            end += 2;
-            digitsFrom();
-        }
-        const std::string_view word = rest.substr(0, end);
-        if (word.empty())
-        {
-            refuse(file, line, fmt::format("A number is expected at `{}`.", shown(rest)));
-        }
-        const double value = numberOf(file, line, word);
-        if (digits != nullptr)
-        {
-            digits->add(word);
-        }
-        rest.remove_prefix(end);
-        return value;
-    }
-    std::string_view word()
-    {
-        skip();
-        const std::size_t end = rest.find_first_of("( \t\r\n");
-        const std::string_view found = rest.substr(0, end);
-        rest.remove_prefix(found.size());
-        return found;
-    }
-    [[noreturn]] void fail(const std::string& fault) const { refuse(file, line, fault); }
-
-private:
-    void skip()
-    {
-        const std::size_t first = rest.find_first_not_of(" \t\r\n,");
-        rest.remove_prefix(std::min(first, rest.size()));
-    }
-    const ImportedFile& file;
-    int line;
-    std::string_view rest;
-};
 
 class SvgReader
 {
@@ -206,7 +124,7 @@ private:
         {
             return 1;
         }
-        Scanner scanner(file, line, box);
+        SvgScanner scanner(file, line, box);
         scanner.number();
         scanner.number();
         const double columns = scanner.number();
@@ -229,40 +147,11 @@ private:
         return 1;
     }
 
-    /// What an element says of a property of its appearance: style comes before the attribute.
-    static std::string_view propertyOf(const pugi::xml_node& node, std::string_view name)
+    static SvgVisibility visibilityOf(const pugi::xml_node& node)
     {
-        std::string_view found = trimmed(node.attribute(std::string(name).c_str()).value());
-        std::string_view style = node.attribute("style").value();
-        while (!style.empty())
-        {
-            const std::string_view one = style.substr(0, style.find(';'));
-            style.remove_prefix(std::min(one.size() + 1, style.size()));
-            const std::size_t colon = one.find(':');
-            if (colon != one.npos && trimmed(one.substr(0, colon)) == name)
-            {
-                const std::string_view value = one.substr(colon + 1);
-                found = trimmed(value.substr(0, value.find('!'))); // !important
-            }
-        }
-        return found;
+        return {node.attribute("display").value(), node.attribute("visibility").value(),
+                node.attribute("style").value()};
     }
-
-    /// Whether and how the elements of a group are seen. Who is not displayed hides all inside; who is not
-    /// visible does not.
-    struct Appearance
-    {
-        bool isDisplayed = true;
-        bool isVisible = true;
-
-        bool isSeen() const { return isDisplayed && isVisible; }
-        Appearance of(const pugi::xml_node& node) const
-        {
-            const std::string_view visibility = propertyOf(node, "visibility");
-            return {isDisplayed && propertyOf(node, "display") != "none",
-                    visibility.empty() || visibility == "inherit" ? isVisible : visibility == "visible"};
-        }
-    };
 
     /// Without recursion: a hostile file may nest deeper than the stack is.
     void readChildren(const pugi::xml_node& root, const SvgTransform& upwards)
@@ -272,9 +161,9 @@ private:
             pugi::xml_node next;
             SvgTransform transform;
             std::string layer;
-            Appearance appearance;
+            SvgAppearance appearance;
         };
-        std::vector<Level> levels{{root.first_child(), upwards, "", Appearance().of(root)}};
+        std::vector<Level> levels{{root.first_child(), upwards, "", SvgAppearance().of(visibilityOf(root))}};
         constexpr std::size_t deepest = 200;
         while (!levels.empty())
         {
@@ -311,7 +200,7 @@ private:
                 }
                 continue;
             }
-            const Appearance appearance = level.appearance.of(node);
+            const SvgAppearance appearance = level.appearance.of(visibilityOf(node));
             if (isShape && !appearance.isSeen())
             {
                 ++hidden;
@@ -342,7 +231,7 @@ private:
     SvgTransform transformOf(const pugi::xml_node& node, int line) const
     {
         SvgTransform whole;
-        Scanner scanner(file, line, node.attribute("transform").value());
+        SvgScanner scanner(file, line, node.attribute("transform").value());
         while (!scanner.isEnd())
         {
             const std::string_view name = scanner.word();
@@ -448,7 +337,7 @@ private:
         }
         else if (name == "polygon")
         {
-            Scanner scanner(file, line, node.attribute("points").value());
+            SvgScanner scanner(file, line, node.attribute("points").value());
             Polygon corners;
             while (!scanner.isEnd())
             {
@@ -459,11 +348,11 @@ private:
         }
         else
         {
-            readPath(Scanner(file, line, node.attribute("d").value()), transform, layer, line);
+            readPath(SvgScanner(file, line, node.attribute("d").value()), transform, layer, line);
         }
     }
 
-    void readPath(Scanner scanner, const SvgTransform& transform, const std::string& layer, int line)
+    void readPath(SvgScanner scanner, const SvgTransform& transform, const std::string& layer, int line)
     {
         Polygon corners;
         Vector<2> place = Vector<2>::Zero();
