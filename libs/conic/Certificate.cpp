@@ -170,10 +170,13 @@ Certificate certifyOptimal(const ConeProgram<Rows, Forces>& program, const ConeS
     const bool isAtRest = y.isZero(0);
     const Eigen::VectorXd inertial =
         isAtRest ? Eigen::VectorXd(Eigen::VectorXd::Zero(y.size())) : applyInertia(program, y);
-    const Eigen::VectorXd closing =
-        isAtRest ? Eigen::VectorXd(Eigen::VectorXd::Zero(c.size())) : applyTransposed(program, y);
 
-    Eigen::VectorXd imbalance = inertial + applyEquilibrium(program, c) - program.load;
+    Eigen::VectorXd imbalance = applyEquilibrium(program, c);
+    if (!isAtRest)
+    {
+        imbalance += inertial;
+    }
+    imbalance -= program.load;
     double forceScale = largest<Rows, Forces>(program.load, 1 / lever);
     if (forceScale == 0) // bodies at rest and free of loads that something pushes
     {
@@ -196,7 +199,8 @@ Certificate certifyOptimal(const ConeProgram<Rows, Forces>& program, const ConeS
                                         / largest<Rows, Forces>(program.liveLoad, 1 / lever)});
         certificate.dualResidual = relative(std::abs(program.liveLoad.dot(y) - 1), 1);
     }
-    Eigen::VectorXd z = -closing;
+    Eigen::VectorXd z = isAtRest ? Eigen::VectorXd(Eigen::VectorXd::Zero(c.size()))
+                                 : Eigen::VectorXd(-applyTransposed(program, y));
     if (program.gap.size() > 0 || program.hasCompliance())
     {
         const Eigen::VectorXd gap = gapUnder(program, c);

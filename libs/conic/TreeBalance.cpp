@@ -101,6 +101,7 @@ template<int Rows, int Forces>
 std::optional<std::vector<TreeBranch>> branchesOfTree(const ConeProgram<Rows, Forces>& program)
 {
     std::vector<TreeBranch> pairs;
+    pairs.reserve(static_cast<std::size_t>(program.points()));
     std::vector<int> pairsLeft(static_cast<std::size_t>(program.bodies), 0);
     std::vector<int> sumOfPairs(pairsLeft.size(), 0); // of those left: the pair itself where there is one
     for (int point = 0; point < program.points(); ++point)

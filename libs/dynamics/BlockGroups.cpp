@@ -7,7 +7,8 @@
 
 #include <Eigen/Geometry>
 
-#include <map>
+#include <algorithm>
+#include <optional>
 
 namespace drystone
 {
@@ -103,13 +104,20 @@ template<int Dim>
 BlockGroups<Dim> blockGroups(const Step<Dim>& step, std::vector<int> group)
 {
     BlockGroups<Dim> groups;
-    std::map<int, int> numbers;
+    const int largest = group.empty() ? -1 : *std::max_element(group.begin(), group.end());
+    std::vector<int> numbers(static_cast<std::size_t>(largest + 1), -1);
+    int count = 0;
     for (int& number : group)
     {
-        number = number < 0 ? -1 : numbers.emplace(number, static_cast<int>(numbers.size())).first->second;
+        if (number >= 0)
+        {
+            int& consecutive = numbers[static_cast<std::size_t>(number)];
+            consecutive = consecutive < 0 ? count++ : consecutive;
+            number = consecutive;
+        }
     }
     groups.group = std::move(group);
-    groups.blocks.resize(numbers.size());
+    groups.blocks.resize(static_cast<std::size_t>(count));
     for (std::size_t body = 0; body < groups.group.size(); ++body)
     {
         if (groups.group[body] >= 0)
@@ -118,9 +126,13 @@ BlockGroups<Dim> blockGroups(const Step<Dim>& step, std::vector<int> group)
         }
     }
     const std::vector<Vector<Dim>> centre = centresOfBodies(step);
+    const auto massOf = [&step](int body)
+    { return step.program.inertia[static_cast<std::size_t>(body)](0, 0); };
     groups.arm.assign(centre.size(), Vector<Dim>::Zero());
-    for (const std::vector<int>& blocks : groups.blocks)
+    groups.spread.assign(groups.blocks.size(), Eigen::Matrix<double, Dim, Dim>::Zero());
+    for (std::size_t number = 0; number < groups.blocks.size(); ++number)
     {
+        const std::vector<int>& blocks = groups.blocks[number];
         if (blocks.size() == 1)
         {
             continue;
@@ -131,17 +143,19 @@ BlockGroups<Dim> blockGroups(const Step<Dim>& step, std::vector<int> group)
         double mass = 0;
         for (const int body : blocks)
         {
-            const double own = step.program.inertia[static_cast<std::size_t>(body)](0, 0);
-            mean += own * (centre[static_cast<std::size_t>(body)] - first);
-            mass += own;
+            mean += massOf(body) * (centre[static_cast<std::size_t>(body)] - first);
+            mass += massOf(body);
         }
         mean /= mass;
         for (const int body : blocks)
         {
-            groups.arm[static_cast<std::size_t>(body)] =
-                (centre[static_cast<std::size_t>(body)] - first) - mean;
+            Vector<Dim>& arm = groups.arm[static_cast<std::size_t>(body)];
+            arm = (centre[static_cast<std::size_t>(body)] - first) - mean;
+            groups.spread[number] += (massOf(body) * arm).lazyProduct(arm.transpose());
         }
     }
+    groups.outer.reserve(step.program.contacts.size());
+    groups.inner.reserve(step.program.contacts.size());
     for (std::size_t point = 0; point < step.program.contacts.size(); ++point)
     {
         const auto& contact = step.program.contacts[point];
@@ -212,13 +226,76 @@ Eigen::VectorXd displacementOfBlocks(const BlockGroups<Dim>& groups, const Eigen
 namespace
 {
 
-/// h. \param y displacementOfBlocks(groups, ofGroups)
+/// B of each group, which are not all single blocks.
 template<int Dim>
-Eigen::VectorXd bending(const BlockGroups<Dim>& groups, const Eigen::VectorXd& ofGroups,
-                        const Eigen::VectorXd& y)
+class Bending
 {
-    return y - linearDisplacement(groups, ofGroups);
-}
+public:
+    Bending(const BlockGroups<Dim>& ofGroups, const Eigen::VectorXd& displacement)
+        : groups(ofGroups), bent(ofGroups.blocks.size(), Eigen::Matrix<double, Dim, Dim>::Zero())
+    {
+        for (std::size_t group = 0; group < bent.size(); ++group)
+        {
+            if (groups.blocks[group].size() > 1)
+            {
+                const auto rows = displacement.segment<freedomCount<Dim>>(
+                    freedomCount<Dim> * static_cast<Eigen::Index>(group));
+                const Turn<Dim> turn = turnOf<Dim>(rows.template tail<rotationCount<Dim>>());
+                const Swing<Dim> swing(turn);
+                for (int axis = 0; axis < Dim; ++axis)
+                {
+                    const Vector<Dim> arm = Vector<Dim>::Unit(axis);
+                    bent[group].col(axis) = swing(arm) - velocityOfArm(turn, arm);
+                }
+            }
+        }
+    }
+
+    /// A'h at a point of all blocks.
+    Vector<Dim> closing(const ConeColumns<freedomCount<Dim>, Dim>& columns) const
+    {
+        Vector<Dim> sum = Vector<Dim>::Zero();
+        const auto add = [&](int body, const auto& onBody)
+        {
+            if (const int group = groups.of(body); group >= 0)
+            {
+                const Vector<Dim> moved = bent[static_cast<std::size_t>(group)].lazyProduct(
+                    groups.arm[static_cast<std::size_t>(body)]);
+                sum += onBody.template topRows<Dim>().transpose().lazyProduct(moved);
+            }
+        };
+        add(columns.first, columns.onFirst);
+        add(columns.second, columns.onSecond);
+        return sum;
+    }
+
+    /// T'Mbar h of all groups.
+    Eigen::VectorXd load() const
+    {
+        Eigen::VectorXd rows = Eigen::VectorXd::Zero(freedomCount<Dim> * groups.count());
+        for (std::size_t group = 0; group < bent.size(); ++group)
+        {
+            auto moment =
+                rows.segment<rotationCount<Dim>>(freedomCount<Dim> * static_cast<Eigen::Index>(group) + Dim);
+            const Eigen::Matrix<double, Dim, Dim> product =
+                groups.spread[group].lazyProduct(bent[group].transpose());
+            if constexpr (Dim == 2)
+            {
+                moment[0] = product(0, 1) - product(1, 0);
+            }
+            else
+            {
+                moment << product(1, 2) - product(2, 1), product(2, 0) - product(0, 2),
+                    product(0, 1) - product(1, 0);
+            }
+        }
+        return rows;
+    }
+
+private:
+    const BlockGroups<Dim>& groups;
+    std::vector<Eigen::Matrix<double, Dim, Dim>> bent;
+};
 
 } // namespace
 
@@ -283,9 +360,12 @@ Relinearisation<Dim> relinearisationOfGroups(const Step<Dim>& step, const BlockG
     return [&step, &groups, &whole](const Eigen::VectorXd& displacement, const Eigen::VectorXd& contactForce,
                                     StepProgram<Dim>& program)
     {
-        const bool isBent = !groups.areSingle();
         const Eigen::VectorXd y = displacementOfBlocks(groups, displacement);
-        const Eigen::VectorXd bent = isBent ? bending(groups, displacement, y) : Eigen::VectorXd();
+        std::optional<Bending<Dim>> bending;
+        if (!groups.areSingle())
+        {
+            bending.emplace(groups, displacement);
+        }
         // The gaps at the end that the groups have predicted: g - A'y of the blocks, A'h of it by bending.
         Eigen::VectorXd c = Eigen::VectorXd::Zero(whole.gap.size());
         for (std::size_t k = 0; k < groups.outer.size(); ++k)
@@ -295,9 +375,9 @@ Relinearisation<Dim> relinearisationOfGroups(const Step<Dim>& step, const BlockG
             const Eigen::Index own = Dim * static_cast<Eigen::Index>(k);
             c.segment<Dim>(row) = contactForce.segment<Dim>(own);
             whole.gap.template segment<Dim>(row) = program.gap.template segment<Dim>(own);
-            if (isBent)
+            if (bending)
             {
-                whole.gap.template segment<Dim>(row) += closingOf(whole.contacts[point], bent);
+                whole.gap.template segment<Dim>(row) += bending->closing(whole.contacts[point]);
             }
         }
         double error = step.relinearise(y, c, whole);
@@ -306,19 +386,19 @@ Relinearisation<Dim> relinearisationOfGroups(const Step<Dim>& step, const BlockG
             const std::size_t point = groups.outer[k];
             auto own = program.gap.template segment<Dim>(Dim * static_cast<Eigen::Index>(k));
             own = whole.gap.template segment<Dim>(Dim * static_cast<Eigen::Index>(point));
-            if (isBent)
+            if (bending)
             {
-                own -= closingOf(whole.contacts[point], bent);
+                own -= bending->closing(whole.contacts[point]);
             }
         }
-        const Eigen::VectorXd load = rowsOfGroups(
-            groups, isBent ? Eigen::VectorXd(whole.load - applyInertia(whole, bent)) : whole.load);
-        if (isBent)
+        Eigen::VectorXd load = rowsOfGroups(groups, whole.load);
+        if (bending)
         {
+            load -= bending->load();
             error = std::max(error, farthestMotion<Dim>(displacementUnder(program, load - program.load),
                                                         step.scene.blockSize));
         }
-        program.load = load;
+        program.load = std::move(load);
         return error;
     };
 }
@@ -330,12 +410,12 @@ Eigen::VectorXd balancedDisplacement(const BlockGroups<Dim>& groups, const StepP
 {
     constexpr int mostRounds = 8; // each leaves of the last the part by which a group turns
     constexpr double lastDigits = 1e-15;
-    const Eigen::VectorXd byContacts = applyEquilibrium(program, contactForce);
+    const Eigen::VectorXd straight =
+        rowsOfGroups(groups, whole.load) - applyEquilibrium(program, contactForce);
     for (int round = 0; round < mostRounds; ++round)
     {
-        const Eigen::VectorXd bent = bending(groups, ofGroups, displacementOfBlocks(groups, ofGroups));
-        const Eigen::VectorXd next = displacementUnder(
-            program, rowsOfGroups(groups, whole.load - applyInertia(whole, bent)) - byContacts);
+        const Eigen::VectorXd next =
+            displacementUnder<Dim>(program, straight - Bending<Dim>(groups, ofGroups).load());
         const double change = (next - ofGroups).template lpNorm<Eigen::Infinity>();
         ofGroups = next;
         if (change <= lastDigits * ofGroups.lpNorm<Eigen::Infinity>())

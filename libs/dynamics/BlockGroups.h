@@ -15,17 +15,22 @@ namespace drystone
 /// displacements of the blocks follow from those of the groups: with r the turn of a group, u the
 /// displacement of its mass centre and a the arm from there to the mass centre of a block,
 ///
-///     y = (u + (R(r) - 1) a, r) = T (u, r) + h(r),    T the linear part.
+///     y = (u + (R(r) - 1) a, r) = T (u, r) + h(r),    T the linear part,    h = (B a, 0),  B = R(r) - 1 - r
+///     x.
 ///
 /// Columns and arms are those at the start of a step with theta 1. With T' from the left the balance of the
 /// blocks, Mbar y + A c = f, is that of the groups, T'Mbar T (u, r) + T'A c = T'(f - Mbar h), from which the
-/// forces among the blocks of a group drop out, as they do no work.
+/// forces among the blocks of a group drop out, as they do no work. Of T'Mbar h the forces are B times the
+/// sum of m a, which is zero about the mass centre, and the moments those of sum m a a' B': they follow from
+/// the group as a whole.
 template<int Dim>
 struct BlockGroups
 {
     std::vector<int> group;               ///< of each free block, from 0; -1: held with the ground
     std::vector<std::vector<int>> blocks; ///< of each group
     std::vector<Vector<Dim>> arm;         ///< a of each free block, at the start of the step [m]
+    /// Sum of m a a' over the blocks of each group, m of Mbar [N m]; zero of a single block.
+    std::vector<Eigen::Matrix<double, Dim, Dim>> spread;
     std::vector<std::size_t> outer; ///< points between two groups, or between one and what is held or fixed
     std::vector<std::size_t> inner; ///< the other points
 

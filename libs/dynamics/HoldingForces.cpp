@@ -9,6 +9,7 @@
 #include "dynamics/GroupChoice.h"
 #include "dynamics/RestingStep.h"
 
+#include <algorithm>
 #include <optional>
 
 namespace drystone
@@ -45,7 +46,9 @@ InnerBalance<Dim> innerBalance(const Step<Dim>& step, const BlockGroups<Dim>& gr
                 .setZero();
         }
     }
-    const std::vector<char> isClosed = closedPoints<Dim>(whole, step.settings.solver.tolerance);
+    const bool isAnyHeld = std::find(groups.group.begin(), groups.group.end(), -1) != groups.group.end();
+    const std::vector<char> isClosed = isAnyHeld ? closedPoints<Dim>(whole, step.settings.solver.tolerance)
+                                                 : std::vector<char>(whole.contacts.size(), false);
     const double kept = keptGap(step);
     std::vector<double> gaps;
     inner.points.reserve(groups.inner.size());

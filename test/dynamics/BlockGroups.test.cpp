@@ -164,6 +164,18 @@ TEST(BlockGroups, SumsAndMotionsOfGroupsDoTheSameWork)
     EXPECT_NEAR(ofGroups.dot(applyInertia(program, ofGroups)), linear.dot(applyInertia(step.program, linear)),
                 1e-12 * linear.dot(applyInertia(step.program, linear)));
     EXPECT_EQ(program.points(), static_cast<int>(groups.outer.size()));
+
+    // Forces on blocks give the groups displacements, by finite turns, with the momenta of all blocks.
+    step.program.load = applyInertia(step.program, linear) / 10;
+    const Eigen::VectorXd none = Eigen::VectorXd::Zero(program.gap.size());
+    const Eigen::VectorXd moved =
+        balancedDisplacement(groups, step.program, program, none, Eigen::VectorXd(ofGroups / 10));
+    const Eigen::VectorXd momenta =
+        rowsOfGroups(groups, applyInertia(step.program, displacementOfBlocks(groups, moved)));
+    const Eigen::VectorXd expected = rowsOfGroups(groups, step.program.load);
+    EXPECT_LT((momenta - expected).lpNorm<Eigen::Infinity>(), 1e-8 * expected.lpNorm<Eigen::Infinity>());
+    EXPECT_GT((moved - ofGroups / 10).lpNorm<Eigen::Infinity>(),
+              1e-4); // they are not those of the linear part
 }
 
 TEST(BlockGroups, AColumnThatRocksIsOneBodyAndMovesAsWithEverythingOn)
