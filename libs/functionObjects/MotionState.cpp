@@ -138,6 +138,11 @@ Motion<Dim> motionOf(const DynamicCase<Dim>& scene, const State& saved)
         motion.interior = {vectorOf("interiorForce", ofPoints), vectorOf("interiorOpening", ofPoints),
                            vectorOf("interiorDisplacement", motion.state.velocity.size())};
     }
+    if (saved.scalars.contains("stepSlides"))
+    {
+        motion.slides = stateScalar(saved, "stepSlides") != 0;
+        motion.collisions = static_cast<int>(stateScalar(saved, "stepCollisions"));
+    }
     for (std::size_t i = 0; i < scene.effects.size(); ++i)
     {
         scene.effects[i]->restore(saved.arrays, motion.effectStates[i]);
@@ -162,6 +167,11 @@ State stateOf(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const Ti
     visitResiduals(motion.residuals,
                    [&](const char* name, auto value) { state.scalars[name] = static_cast<double>(value); });
     visitLedger(motion.energy, [&](const char* name, double value) { state.scalars[name] = value; });
+    if (scene.schemes.effects.selection == EffectSelection::automatic) // which tries what they let hope for
+    {
+        state.scalars["stepSlides"] = motion.slides ? 1 : 0;
+        state.scalars["stepCollisions"] = motion.collisions;
+    }
     auto& translation = state.arrays["translation"];
     auto& rotation = state.arrays["rotation"];
     for (const Placement<Dim>& placement : motion.state.placements)
