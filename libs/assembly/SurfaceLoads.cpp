@@ -3,12 +3,16 @@
 #include "assembly/SurfaceLoads.h"
 
 #include "assembly/BlockShape.h"
+#include "core/Log.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
+#include <map>
 #include <numbers>
 
 namespace drystone
@@ -19,13 +23,24 @@ namespace
 /// Directions that differ by rounding only are the same.
 constexpr double sameDirection = 1e-9;
 
+/// What is left by rounding where all of a face is taken away, as a part of what was added up.
+constexpr double roundingOfAreas = 1e-9;
+
+/// A piece of a face, and which way it is pressed.
+template<int Dim>
+struct PressedPiece
+{
+    SurfacePiece<Dim> piece;
+    Vector<Dim> direction = Vector<Dim>::Zero(); ///< force per area and pressure [-]
+};
+
 /// What presses on faces.
 template<int Dim>
 struct Tractions
 {
-    std::vector<SurfacePiece<Dim>> pieces;
-    /// Of a piece at a point, linear over the piece [Pa].
-    std::function<Vector<Dim>(const SurfacePiece<Dim>& piece, const Vector<Dim>& place)> at;
+    std::vector<PressedPiece<Dim>> pieces;
+    std::function<double(const Vector<Dim>& place)> pressure; ///< linear over each piece [Pa]
+    std::string remark;                                       ///< for the log; empty: none
 };
 
 /// The integral of tractions over each piece in the forces and moments of its block.
@@ -38,12 +53,12 @@ Eigen::VectorXd integrated(const Assembly<Dim>& assembly, const Tractions<Dim>& 
     const std::vector<BlockMass<Dim>> masses = blockMasses(assembly);
     Eigen::VectorXd load = Eigen::VectorXd::Zero(freedomCount<Dim> * count);
     Eigen::VectorXd sizes = load; // of all that is added up
-    for (const SurfacePiece<Dim>& piece : tractions.pieces)
+    for (const auto& [piece, direction] : tractions.pieces)
     {
         const auto first = freedomCount<Dim> * freeIndex[piece.block];
         for (const auto& [place, weight] : quadratureOf(piece))
         {
-            const Vector<Dim> force = weight * tractions.at(piece, place);
+            const Vector<Dim> force = weight * Vector<Dim>(tractions.pressure(place) * direction);
             const Vector<Dim> arm = place - masses[piece.block].centroid;
             load.template segment<Dim>(first) += force;
             load.template segment<rotationCount<Dim>>(first + Dim) += momentOf(arm, force);
@@ -63,19 +78,18 @@ Eigen::VectorXd integrated(const Assembly<Dim>& assembly, const Tractions<Dim>& 
 template<int Dim>
 bool areOnFaces(const Tractions<Dim>& tractions)
 {
-    constexpr double rounding = 1e-9;
     double exposed = 0; // [N]
     double whole = 0;
-    for (const SurfacePiece<Dim>& piece : tractions.pieces)
+    for (const auto& [piece, direction] : tractions.pieces)
     {
         for (const auto& [place, weight] : quadratureOf(piece))
         {
-            const double size = tractions.at(piece, place).norm();
+            const double size = std::abs(tractions.pressure(place)) * direction.norm();
             exposed += weight * size;
             whole += std::abs(weight) * size;
         }
     }
-    return exposed > rounding * whole;
+    return exposed > roundingOfAreas * whole;
 }
 
 template<int Dim>
@@ -225,7 +239,8 @@ void declare(Options& options, BackfillSettings<Dim>& settings)
         .example("5000");
     options
         .optional("lateralCoefficient", settings.lateralCoefficient,
-                  "horizontal over vertical pressure, on the vertical projection of faces; 0: weight alone")
+                  "horizontal over vertical pressure, on the vertical projection of faces that the fill "
+                  "reaches from above, also of those that lean over it; 0: weight alone")
         .unit("-")
         .atLeast(0)
         .usual(0, 4);
@@ -273,40 +288,202 @@ namespace
 {
 
 template<int Dim>
-Tractions<Dim> tractionsOf(const std::vector<SurfacePiece<Dim>>& exposed,
+Tractions<Dim> tractionsOf(const Assembly<Dim>&, const std::vector<SurfacePiece<Dim>>& exposed,
                            const PressureSettings<Dim>& settings)
 {
     const Vector<Dim> normal = settings.normal.normalized();
     const double least = std::cos(settings.within * std::numbers::pi / 180) - sameDirection;
     Tractions<Dim> tractions;
-    std::copy_if(exposed.begin(), exposed.end(), std::back_inserter(tractions.pieces),
-                 [&](const SurfacePiece<Dim>& piece) { return piece.normal.dot(normal) >= least; });
-    tractions.at = [value = settings.value, direction = settings.direction](const SurfacePiece<Dim>& piece,
-                                                                            const Vector<Dim>&) -> Vector<Dim>
-    { return value * (direction.isZero(0) ? Vector<Dim>(-piece.normal) : direction.normalized()); };
+    tractions.pressure = [value = settings.value](const Vector<Dim>&) { return value; };
+    for (const SurfacePiece<Dim>& piece : exposed)
+    {
+        if (piece.normal.dot(normal) >= least)
+        {
+            const Vector<Dim> direction = settings.direction.isZero(0)
+                                              ? Vector<Dim>(-piece.normal)
+                                              : Vector<Dim>(settings.direction.normalized());
+            tractions.pieces.push_back({piece, direction});
+        }
+    }
     return tractions;
 }
 
+/// Whether a fill that comes down from its level lies against faces. Level with a point of a face it does
+/// where no block stands opposite, or where something between the face and that block is open to the sky; the
+/// underside of a span and the sides of an opening it would have to rise to.
 template<int Dim>
-Tractions<Dim> tractionsOf(const std::vector<SurfacePiece<Dim>>& exposed,
+class FillFromAbove
+{
+public:
+    FillFromAbove(const Assembly<Dim>& structure, std::optional<double> levelOfFill)
+        : assembly(structure), level(levelOfFill), width(widthOfAJoint(structure))
+    {
+        for (const Block<Dim>& block : assembly.blocks)
+        {
+            boxes.push_back(boundingBox(block));
+            extend<Dim>(all, boxes.back().lower);
+            extend<Dim>(all, boxes.back().upper);
+        }
+    }
+
+    /// \param pieces of one face, those that are taken away included. A part on which another block lies is
+    /// taken away from its face, and so is pressed as the face is: the answer is that of the whole face.
+    bool reaches(const std::vector<SurfacePiece<Dim>>& pieces) const
+    {
+        const Vector<Dim>& normal = pieces.front().normal;
+        const Vector<Dim> outwards = (normal - normal.dot(up) * up).normalized();
+        bool isKnown = false;
+        for (const SurfacePiece<Dim>& piece : pieces)
+        {
+            for (const auto& [place, weight] : quadratureOf(piece))
+            {
+                const double opposite = weight > 0 ? firstBlockAlong(place, outwards) : 0;
+                if (opposite > width && (std::isinf(opposite) || isOpenAbove(place, opposite * outwards)))
+                {
+                    return true;
+                }
+                isKnown = isKnown || opposite > width; // else another block lies there
+            }
+        }
+        return !isKnown;
+    }
+
+private:
+    bool isOpenAbove(const Vector<Dim>& place, const Vector<Dim>& toOpposite) const
+    {
+        constexpr std::array<double, 3> parts{0.25, 0.5, 0.75};
+        return std::any_of(parts.begin(), parts.end(),
+                           [&](double part)
+                           {
+                               const double cover = firstBlockAlong(place + part * toOpposite, up);
+                               return std::isinf(cover) || (level && cover > *level - place.dot(up) + width);
+                           });
+    }
+
+    /// How far along a ray, of unit length, the first block begins [m]; infinite where it meets none.
+    double firstBlockAlong(const Vector<Dim>& from, const Vector<Dim>& direction) const
+    {
+        const Vector<Dim> end = from + (all.upper - all.lower).norm() * direction;
+        const Box<Dim> way = enlarged<Dim>({from.cwiseMin(end), from.cwiseMax(end)}, width);
+        double first = std::numeric_limits<double>::infinity();
+        for (std::size_t block = 0; block < boxes.size(); ++block)
+        {
+            if (!meet<Dim>(way, boxes[block]))
+            {
+                continue;
+            }
+            std::vector<double> places = placesToCut(assembly.blocks[block], from, direction);
+            places.push_back(0);
+            std::sort(places.begin(), places.end());
+            for (std::size_t i = 0; i + 1 < places.size() && places[i] < first; ++i)
+            {
+                const Vector<Dim> middle = from + (places[i] + places[i + 1]) / 2 * direction;
+                if (places[i] >= 0 && distanceFrom(assembly.blocks[block], middle) == 0
+                    && places[i + 1] - places[i] > width)
+                {
+                    first = places[i];
+                }
+            }
+        }
+        return first;
+    }
+
+    const Assembly<Dim>& assembly;
+    std::optional<double> level;
+    double width; // of a joint
+    std::vector<Box<Dim>> boxes;
+    Box<Dim> all; // around them
+    const Vector<Dim> up = Vector<Dim>::Unit(Dim - 1);
+};
+
+/// The pieces of each face.
+template<int Dim>
+std::vector<std::vector<SurfacePiece<Dim>>> facesOf(const std::vector<SurfacePiece<Dim>>& pieces,
+                                                    double sameLevel)
+{
+    std::map<int, std::vector<std::vector<SurfacePiece<Dim>>>> ofBlocks;
+    for (const SurfacePiece<Dim>& piece : pieces)
+    {
+        std::vector<std::vector<SurfacePiece<Dim>>>& faces = ofBlocks[piece.block];
+        const auto face = std::find_if(faces.begin(), faces.end(),
+                                       [&](const std::vector<SurfacePiece<Dim>>& known)
+                                       {
+                                           const Vector<Dim>& normal = known.front().normal;
+                                           const Vector<Dim> between =
+                                               piece.corners[0] - known.front().corners[0];
+                                           return (piece.normal - normal).norm() < std::sqrt(sameDirection)
+                                                  && std::abs(normal.dot(between)) <= sameLevel;
+                                       });
+        if (face == faces.end())
+        {
+            faces.push_back({piece});
+        }
+        else
+        {
+            face->push_back(piece);
+        }
+    }
+    std::vector<std::vector<SurfacePiece<Dim>>> all;
+    for (auto& [block, faces] : ofBlocks)
+    {
+        std::move(faces.begin(), faces.end(), std::back_inserter(all));
+    }
+    return all;
+}
+
+template<int Dim>
+Tractions<Dim> tractionsOf(const Assembly<Dim>& assembly, const std::vector<SurfacePiece<Dim>>& exposed,
                            const BackfillSettings<Dim>& settings)
 {
     const Vector<Dim> up = Vector<Dim>::Unit(Dim - 1);
     Tractions<Dim> tractions;
-    std::copy_if(exposed.begin(), exposed.end(), std::back_inserter(tractions.pieces),
-                 [&](const SurfacePiece<Dim>& piece) { return piece.normal.dot(up) >= -sameDirection; });
-    const double level = settings.level.value_or(0);
-    if (settings.level)
+    tractions.pressure = [settings, up](const Vector<Dim>& place)
+    { return settings.unitWeight * (settings.level.value_or(0) - place.dot(up)) + settings.surcharge; };
+    const FillFromAbove<Dim> fill(assembly, settings.level);
+    double leftOut = 0; // [m2]
+    std::vector<int> blocksLeftOut;
+    for (const std::vector<SurfacePiece<Dim>>& face :
+         facesOf(settings.level ? partBelow(exposed, up, *settings.level) : exposed, widthOfAJoint(assembly)))
     {
-        tractions.pieces = partBelow(tractions.pieces, up, level);
+        // The weight on a face vanishes as it turns to the vertical, and there is none on one that looks
+        // down; the earth pressure does not know on which side of the vertical it is.
+        const Vector<Dim>& normal = face.front().normal;
+        const Vector<Dim> vertical = normal.dot(up) * up;
+        const Vector<Dim> sideways = normal - vertical;
+        double area = 0;
+        double whole = 0;
+        for (const SurfacePiece<Dim>& piece : face)
+        {
+            area += areaOf(piece);
+            whole += std::abs(areaOf(piece));
+        }
+        const bool isPressed = settings.lateralCoefficient > 0 && sideways.norm() > sameDirection;
+        const bool isBare = area > roundingOfAreas * whole;
+        const bool isReached = !isPressed || !isBare || fill.reaches(face);
+        if (!isReached)
+        {
+            leftOut += area * sideways.norm();
+            blocksLeftOut.push_back(face.front().block);
+        }
+        const double lateral = isReached ? settings.lateralCoefficient : 0;
+        for (const SurfacePiece<Dim>& piece : face)
+        {
+            tractions.pieces.push_back({piece, -(std::max(0.0, normal.dot(up)) * up + lateral * sideways)});
+        }
     }
-    tractions.at = [settings, level, up](const SurfacePiece<Dim>& piece,
-                                         const Vector<Dim>& place) -> Vector<Dim>
+    if (!blocksLeftOut.empty())
     {
-        const double pressure = settings.unitWeight * (level - place.dot(up)) + settings.surcharge;
-        const Vector<Dim> vertical = piece.normal.dot(up) * up;
-        return -pressure * (vertical + settings.lateralCoefficient * (piece.normal - vertical));
-    };
+        blocksLeftOut.erase(std::unique(blocksLeftOut.begin(), blocksLeftOut.end()), blocksLeftOut.end());
+        constexpr std::size_t most = 8;
+        const std::size_t shown = std::min(most, blocksLeftOut.size());
+        const std::size_t more = blocksLeftOut.size() - shown;
+        tractions.remark = fmt::format(
+            "Backfill: no earth pressure on {:.4g} m2 of faces, vertical projection, which the fill cannot "
+            "reach from above, of block{} {}{}",
+            leftOut, blocksLeftOut.size() == 1 ? "" : "s",
+            fmt::join(blocksLeftOut.begin(), blocksLeftOut.begin() + static_cast<std::ptrdiff_t>(shown), " "),
+            more > 0 ? fmt::format(" and {} more", more) : "");
+    }
     return tractions;
 }
 
@@ -321,13 +498,17 @@ LoadMaker<Dim> surfaceLoad(const Settings& settings, const Dictionary& dictionar
         const std::vector<SurfacePiece<Dim>> covered =
             context.coveredSurface ? context.coveredSurface() : std::vector<SurfacePiece<Dim>>();
         const Tractions<Dim> tractions =
-            tractionsOf(exposedSurface<Dim>(context.assembly, covered, settings), settings);
+            tractionsOf(context.assembly, exposedSurface<Dim>(context.assembly, covered, settings), settings);
         if (!areOnFaces(tractions))
         {
             throw FatalIOError("No face of a free block is loaded: each that is chosen touches another "
                                "block, looks elsewhere or lies outside the box or above the level. "
                                "VTK/assembly.vtp shows where the blocks are.",
                                place);
+        }
+        if (!tractions.remark.empty())
+        {
+            printLine(tractions.remark);
         }
         return integrated(context.assembly, tractions);
     };
@@ -339,14 +520,14 @@ template<int Dim>
 Eigen::VectorXd pressureLoad(const Assembly<Dim>& assembly, const std::vector<SurfacePiece<Dim>>& exposed,
                              const PressureSettings<Dim>& settings)
 {
-    return integrated(assembly, tractionsOf(exposed, settings));
+    return integrated(assembly, tractionsOf(assembly, exposed, settings));
 }
 
 template<int Dim>
 Eigen::VectorXd backfillLoad(const Assembly<Dim>& assembly, const std::vector<SurfacePiece<Dim>>& exposed,
                              const BackfillSettings<Dim>& settings)
 {
-    return integrated(assembly, tractionsOf(exposed, settings));
+    return integrated(assembly, tractionsOf(assembly, exposed, settings));
 }
 
 template<int Dim>

@@ -40,7 +40,7 @@ struct BackfillSettings : LoadedFaces<Dim>
     double unitWeight = 0;         ///< [N/m3]
     std::optional<double> level;   ///< y, in space z, of its surface [m]; absent: above all faces
     double surcharge = 0;          ///< on its surface [Pa]
-    double lateralCoefficient = 0; ///< horizontal over vertical pressure
+    double lateralCoefficient = 0; ///< horizontal over vertical pressure, on faces that it reaches
 };
 
 template<int Dim>
@@ -60,9 +60,11 @@ Eigen::VectorXd pressureLoad(const Assembly<Dim>& assembly, const std::vector<Su
 
 /// The load of a backfill. At a depth t below its level the vertical pressure is p = unitWeight t +
 /// surcharge; a face with the outward normal n, horizontal part h, bears
-///     -p (n_up e_up + lateralCoefficient h)   where n_up >= 0,
-/// its weight on the horizontal projection and earth pressure on the vertical one. Faces that look down bear
-/// nothing.
+///     -p (max(n_up, 0) e_up + lateralCoefficient h),
+/// its weight on the horizontal projection, of faces that look up, and earth pressure on the vertical one,
+/// also of faces that lean over the fill. The earth pressure is left out on faces that the fill would have to
+/// rise to: level with them another block stands opposite, and all between is covered, as under an arch or in
+/// an opening.
 template<int Dim>
 Eigen::VectorXd backfillLoad(const Assembly<Dim>& assembly, const std::vector<SurfacePiece<Dim>>& exposed,
                              const BackfillSettings<Dim>& settings);

@@ -171,6 +171,64 @@ TEST(SurfaceLoads, EarthPressureGrowsWithDepth)
     EXPECT_NEAR(load[2], -force * (2.0 / 3 - height), 1e-9);
 }
 
+TEST(SurfaceLoads, EarthPressureActsOnABackThatLeansOverTheFill)
+{
+    // 1.6 x 3 m; its back, on the left, leans outwards by a rounding error, by a tenth and by 45 degrees.
+    for (const double lean : {0.0, 1e-12, 1e-6, 0.3, 3.0})
+    {
+        const Assembly<2> plane{{{{{0, 0}, {1.6, 0}, {1.6, 3}, {-lean, 3}}, 1}}, {}};
+        const Assembly<3> space{{{makePrism({{0, 1, 0}, {1.6, 1, 0}, {1.6, 1, 3}, {-lean, 1, 3}},
+                                            {{0, 0, 0}, {1.6, 0, 0}, {1.6, 0, 3}, {-lean, 0, 3}}),
+                                  -1}},
+                                {}};
+        BackfillSettings<2> settings;
+        settings.unitWeight = 18000;
+        settings.level = 3;
+        settings.lateralCoefficient = 1 / 3.0;
+        settings.box = {{-5, 0}, {0.5, 3}};
+        BackfillSettings<3> ofSpace;
+        static_cast<LoadedFaces<3>&>(ofSpace).box = {{-5, -1, 0}, {0.5, 2, 3}};
+        ofSpace.unitWeight = 18000;
+        ofSpace.level = 3;
+        ofSpace.lateralCoefficient = 1 / 3.0;
+        // K gamma h2/2 on the vertical projection, and no weight: nothing lies on a face that looks down.
+        const Vector<3> load = backfill(plane, settings);
+        EXPECT_NEAR(load[0], 18000 / 3.0 * 9 / 2, 1e-6) << lean;
+        EXPECT_NEAR(load[1], 0, 1e-4) << lean;
+        EXPECT_LT((backfill(space, ofSpace) - load).head<2>().norm(), 1e-6) << lean;
+    }
+}
+
+TEST(SurfaceLoads, EarthPressureIsLeftOutWhereTheFillWouldHaveToRise)
+{
+    // Two piers that lean to each other by a little or not at all, and a lintel upon them.
+    for (const double lean : {-0.05, -1e-7, 0.0, 1e-7, 0.05})
+    {
+        const auto piers = [&](double lintel)
+        {
+            Assembly<2> frame{
+                {{{{0, 0}, {1, 0}, {1 + lean, 2}, {0, 2}}, 1}, {{{3, 0}, {4, 0}, {4, 2}, {3 - lean, 2}}, 1}},
+                {}};
+            if (lintel > 0)
+            {
+                frame.blocks.push_back({{{0, 2}, {4, 2}, {4, 2 + lintel}, {0, 2 + lintel}}, 1});
+            }
+            return frame;
+        };
+        BackfillSettings<2> settings;
+        settings.unitWeight = 20000;
+        settings.level = 2;
+        settings.lateralCoefficient = 0.5;
+        const auto sideways = [&](const Assembly<2>& assembly, int block)
+        { return backfillLoad(assembly, exposedSurface<2>(assembly, {}, settings), settings)[3 * block]; };
+        // Without a lintel the fill between them presses back.
+        EXPECT_NEAR(sideways(piers(0), 0), 0, 1e-6) << lean;
+        EXPECT_NEAR(sideways(piers(0), 1), 0, 1e-6) << lean;
+        EXPECT_NEAR(sideways(piers(0.5), 0), 0.5 * 20000 * 2, 1e-6) << lean;
+        EXPECT_NEAR(sideways(piers(0.5), 1), -0.5 * 20000 * 2, 1e-6) << lean;
+    }
+}
+
 /// The load that constant/loads describes, on a wall without other blocks.
 template<int Dim>
 Eigen::VectorXd loadOf(const std::string& text, const Assembly<Dim>& assembly,
