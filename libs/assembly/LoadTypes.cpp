@@ -4,6 +4,7 @@
 
 #include "assembly/MovingLoad.h"
 #include "assembly/SurfaceLoads.h"
+#include "core/Log.h"
 
 #include <algorithm>
 
@@ -69,6 +70,7 @@ struct LineSettings
     Vector<Dim> from = Vector<Dim>::Zero();
     Vector<Dim> to = Vector<Dim>::Zero();
     Vector<Dim> value = Vector<Dim>::Zero();
+    std::optional<int> block;
 };
 
 template<int Dim>
@@ -79,6 +81,11 @@ void declare(Options& options, LineSettings<Dim>& settings)
         .example(Dim == 2 ? "(0 1.05)" : "(0 0.1 1.05)");
     options.required("to", settings.to, "its end").unit("m").example(Dim == 2 ? "(2 1.05)" : "(2 0.1 1.05)");
     options.required("value", settings.value, "force per length").unit("N/m").example(downwards<Dim>("1000"));
+    options
+        .optional("block", settings.block,
+                  "index of the block it acts on where it runs along a joint; required there")
+        .atLeast(0)
+        .example("12");
     options.check("to",
                   [&settings]() -> std::string
                   {
@@ -92,6 +99,16 @@ void declare(Options& options, LineSettings<Dim>& settings)
 /// say.
 constexpr double reachOfAForce = 0.05;
 
+/// Says that a load was taken from outside the blocks, where it is farther than a joint is wide.
+template<int Dim>
+void reportDistance(const std::string& load, double distance, const Assembly<Dim>& assembly)
+{
+    if (distance > widthOfAJoint(assembly))
+    {
+        info("{}, {:.3g} m away.", load, distance);
+    }
+}
+
 template<int Dim>
 LoadMaker<Dim> makeForce(const ForceSettings<Dim>& settings, const Dictionary& dictionary)
 {
@@ -99,8 +116,8 @@ LoadMaker<Dim> makeForce(const ForceSettings<Dim>& settings, const Dictionary& d
             blockPlace = dictionary.locationOf("block")](const LoadContext<Dim>& context) -> Eigen::VectorXd
     {
         const double reach = reachOfAForce * meanBlockSize(context.assembly);
-        std::vector<int> blocks =
-            findLoadedBlocks(context.assembly, settings.at, reach, widthOfAJoint(context.assembly));
+        const LoadedBlocks loaded = findLoadedBlocks(context.assembly, settings.at, reach);
+        std::vector<int> blocks = loaded.blocks;
         if (settings.block && !blocks.empty())
         {
             if (std::find(blocks.begin(), blocks.end(), *settings.block) == blocks.end())
@@ -131,28 +148,82 @@ LoadMaker<Dim> makeForce(const ForceSettings<Dim>& settings, const Dictionary& d
                                            asWritten<Dim>(settings.at)),
                                place);
         }
+        reportDistance<Dim>(
+            fmt::format("The force at {} acts on block {}", asWritten<Dim>(settings.at), blocks.front()),
+            loaded.distance, context.assembly);
         return pointLoad(context.assembly, blocks.front(), settings.at, settings.value);
     };
+}
+
+/// The block that a piece of a line acts on.
+template<int Dim>
+int blockUnder(const LinePiece<Dim>& piece, const LineSettings<Dim>& settings, const Assembly<Dim>& assembly,
+               const SourceLocation& place)
+{
+    const std::string line =
+        fmt::format("The line from {} to {}", asWritten<Dim>(settings.from), asWritten<Dim>(settings.to));
+    const std::vector<int>& blocks = piece.on.blocks;
+    if (blocks.empty())
+    {
+        throw FatalIOError(fmt::format("{} leaves the free blocks at {}: all of it needs one to act on. "
+                                       "VTK/assembly.vtp shows where the blocks are.",
+                                       line, asWritten<Dim>(piece.middle)),
+                           place);
+    }
+    if (settings.block && std::find(blocks.begin(), blocks.end(), *settings.block) != blocks.end())
+    {
+        return *settings.block;
+    }
+    // What is as short as a joint is wide crosses it, and either block is right.
+    const double width = widthOfAJoint(assembly);
+    if (blocks.size() > 1 && piece.length > 4 * width)
+    {
+        throw FatalIOError(
+            fmt::format(
+                "{} runs along the joint of blocks {} at {}, and may act on either: the answers differ. "
+                "Choose one, for instance `block {};`, or move the line by more than {:.3g} m. Where it "
+                "runs along several joints, give a line for each in a sum.",
+                line, fmt::join(blocks, " and "), asWritten<Dim>(piece.middle), blocks.front(), width),
+            place);
+    }
+    return blocks.front();
 }
 
 template<int Dim>
 LoadMaker<Dim> makeLine(const LineSettings<Dim>& settings, const Dictionary& dictionary)
 {
-    return
-        [settings, place = dictionary.locationOf("from")](const LoadContext<Dim>& context) -> Eigen::VectorXd
+    return [settings, place = dictionary.locationOf("from"),
+            blockPlace = dictionary.locationOf("block")](const LoadContext<Dim>& context) -> Eigen::VectorXd
     {
-        const double reach = reachOfAForce * meanBlockSize(context.assembly);
-        const std::optional<Eigen::VectorXd> load =
-            lineLoad(context.assembly, settings.from, settings.to, settings.value, reach);
-        if (!load)
+        const Assembly<Dim>& assembly = context.assembly;
+        const double reach = reachOfAForce * meanBlockSize(assembly);
+        SumOfLoads<Dim> load(assembly);
+        std::vector<int> carrying;
+        double farthest = 0; // [m]
+        int blockOfFarthest = -1;
+        for (const LinePiece<Dim>& piece : piecesOfLine(assembly, settings.from, settings.to, reach))
+        {
+            const int block = blockUnder(piece, settings, assembly, place);
+            load.add(pointLoad(assembly, block, piece.middle, piece.length * settings.value));
+            carrying.push_back(block);
+            if (piece.on.distance > farthest)
+            {
+                farthest = piece.on.distance;
+                blockOfFarthest = block;
+            }
+        }
+        if (settings.block && std::find(carrying.begin(), carrying.end(), *settings.block) == carrying.end())
         {
             throw FatalIOError(
-                fmt::format("The line from {} to {} leaves the free blocks: all of it "
-                            "needs one to act on. VTK/assembly.vtp shows where the blocks are.",
-                            asWritten<Dim>(settings.from), asWritten<Dim>(settings.to)),
-                place);
+                fmt::format("The line from {} to {} can not act on block {}: no part of it is in or on it.",
+                            asWritten<Dim>(settings.from), asWritten<Dim>(settings.to), *settings.block),
+                blockPlace);
         }
-        return *load;
+        reportDistance<Dim>(fmt::format("The line from {} to {} acts on block {}",
+                                        asWritten<Dim>(settings.from), asWritten<Dim>(settings.to),
+                                        blockOfFarthest),
+                            farthest, assembly);
+        return load.sum();
     };
 }
 
@@ -221,12 +292,12 @@ LoadMaker<Dim> makeSum(const SumSettings<Dim>& settings, const Dictionary& dicti
     }
     return [loads = settings.loads](const LoadContext<Dim>& context)
     {
-        Eigen::VectorXd sum = loads.front().second(context);
-        for (std::size_t i = 1; i < loads.size(); ++i)
+        SumOfLoads<Dim> sum(context.assembly);
+        for (const auto& [name, load] : loads)
         {
-            sum += loads[i].second(context);
+            sum.add(load(context));
         }
-        return sum;
+        return sum.sum();
     };
 }
 
@@ -253,7 +324,7 @@ LoadMaker<Dim> makeCombined(const CombinedSettings& settings, const Dictionary& 
     }
     return [terms = settings.terms, place](const LoadContext<Dim>& context) -> Eigen::VectorXd
     {
-        Eigen::VectorXd sum;
+        SumOfLoads<Dim> sum(context.assembly);
         for (const auto& [factor, name] : terms)
         {
             std::vector<std::string> names;
@@ -261,7 +332,7 @@ LoadMaker<Dim> makeCombined(const CombinedSettings& settings, const Dictionary& 
             {
                 if (known == name)
                 {
-                    sum = sum.size() == 0 ? Eigen::VectorXd(factor * load) : sum + factor * load;
+                    sum.add(factor * load);
                 }
                 names.push_back(known);
             }
@@ -276,7 +347,7 @@ LoadMaker<Dim> makeCombined(const CombinedSettings& settings, const Dictionary& 
                 throw FatalIOError(unknownWordMessage("load case", name, names), place);
             }
         }
-        return sum;
+        return sum.sum();
     };
 }
 

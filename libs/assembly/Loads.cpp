@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace drystone
 {
@@ -50,57 +51,45 @@ Eigen::VectorXd inertialLoad(const Assembly<Dim>& assembly, const std::vector<do
 }
 
 template<int Dim>
-std::optional<int> findLoadedBlock(const Assembly<Dim>& assembly,
-                                   const std::type_identity_t<Vector<Dim>>& point, double tolerance)
+LoadedBlocks findLoadedBlocks(const Assembly<Dim>& assembly, const std::type_identity_t<Vector<Dim>>& point,
+                              double tolerance)
 {
-    std::optional<int> nearest;
-    double least = tolerance;
+    const double same = widthOfAJoint(assembly);
+    std::vector<std::pair<double, int>> found;
+    double least = std::numeric_limits<double>::infinity();
+    bool isInFixed = false;
     for (std::size_t i = 0; i < assembly.blocks.size(); ++i)
     {
         const Block<Dim>& block = assembly.blocks[i];
-        if (block.support >= 0
-            || !contains<Dim>(enlarged<Dim>(boundingBox(block), tolerance), {point, point}))
+        if (!contains<Dim>(enlarged<Dim>(boundingBox(block), tolerance + same), {point, point}))
         {
             continue;
         }
-        // Inside counts as no distance at all, so that among blocks which hold the point the first is taken.
         const double away = distanceFrom(block, point);
-        if (away < least || (away <= least && !nearest))
+        if (block.support >= 0)
         {
-            least = away;
-            nearest = static_cast<int>(i);
+            isInFixed = isInFixed || away == 0;
         }
-    }
-    return nearest;
-}
-
-template<int Dim>
-std::vector<int> findLoadedBlocks(const Assembly<Dim>& assembly,
-                                  const std::type_identity_t<Vector<Dim>>& point, double tolerance,
-                                  double same)
-{
-    std::vector<std::pair<double, int>> found;
-    double least = tolerance;
-    for (std::size_t i = 0; i < assembly.blocks.size(); ++i)
-    {
-        const Block<Dim>& block = assembly.blocks[i];
-        if (block.support < 0
-            && contains<Dim>(enlarged<Dim>(boundingBox(block), tolerance + same), {point, point}))
+        else if (away <= tolerance)
         {
-            const double away = distanceFrom(block, point);
             least = std::min(least, away);
             found.emplace_back(away, static_cast<int>(i));
         }
     }
-    std::vector<int> blocks;
+    LoadedBlocks loaded;
+    if (isInFixed && least > same)
+    {
+        return loaded;
+    }
     for (const auto& [away, block] : found)
     {
-        if (away <= least + same && away <= tolerance)
+        if (away <= least + same)
         {
-            blocks.push_back(block);
+            loaded.blocks.push_back(block);
+            loaded.distance = least;
         }
     }
-    return blocks;
+    return loaded;
 }
 
 template<int Dim>
@@ -117,12 +106,10 @@ Eigen::VectorXd pointLoad(const Assembly<Dim>& assembly, int block,
 }
 
 template<int Dim>
-std::optional<Eigen::VectorXd>
-lineLoad(const Assembly<Dim>& assembly, const std::type_identity_t<Vector<Dim>>& from,
-         const std::type_identity_t<Vector<Dim>>& to, const std::type_identity_t<Vector<Dim>>& forcePerLength,
-         double tolerance)
+std::vector<LinePiece<Dim>> piecesOfLine(const Assembly<Dim>& assembly,
+                                         const std::type_identity_t<Vector<Dim>>& from,
+                                         const std::type_identity_t<Vector<Dim>>& to, double tolerance)
 {
-    // Cut wherever the line may pass from one block to another.
     const Vector<Dim> along = to - from;
     std::vector<double> cuts{0, 1};
     const Box<Dim> reach = enlarged<Dim>({from.cwiseMin(to), from.cwiseMax(to)}, tolerance);
@@ -140,25 +127,46 @@ lineLoad(const Assembly<Dim>& assembly, const std::type_identity_t<Vector<Dim>>&
         }
     }
     std::sort(cuts.begin(), cuts.end());
-    std::optional<Eigen::VectorXd> load;
+    std::vector<LinePiece<Dim>> pieces;
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
     {
         const double share = cuts[i + 1] - cuts[i];
-        if (share <= 1e-12)
+        if (share > 1e-12)
         {
-            continue;
+            const Vector<Dim> middle = from + (cuts[i] + cuts[i + 1]) / 2 * along;
+            pieces.push_back({middle, share * along.norm(), findLoadedBlocks(assembly, middle, tolerance)});
         }
-        const Vector<Dim> middle = from + (cuts[i] + cuts[i + 1]) / 2 * along;
-        const std::optional<int> block = findLoadedBlock(assembly, middle, tolerance);
-        if (!block)
-        {
-            return std::nullopt;
-        }
-        const Eigen::VectorXd piece =
-            pointLoad(assembly, *block, middle, share * along.norm() * forcePerLength);
-        load = load ? Eigen::VectorXd(*load + piece) : piece;
     }
-    return load;
+    return pieces;
+}
+
+template<int Dim>
+void SumOfLoads<Dim>::add(const Eigen::VectorXd& load)
+{
+    const Eigen::VectorXd size = load.cwiseAbs();
+    total = total.size() == 0 ? load : Eigen::VectorXd(total + load);
+    sizes = sizes.size() == 0 ? size : Eigen::VectorXd(sizes + size);
+}
+
+template<int Dim>
+Eigen::VectorXd SumOfLoads<Dim>::sum() const
+{
+    // A moment is the difference of products of forces and arms, and rounded as these are.
+    Eigen::VectorXd scale = sizes;
+    const std::vector<int> freeIndex = freeIndices(assembly);
+    for (std::size_t block = 0; block < freeIndex.size(); ++block)
+    {
+        if (freeIndex[block] >= 0)
+        {
+            const auto first = freedomCount<Dim> * freeIndex[block];
+            const Box<Dim> box = boundingBox(assembly.blocks[block]);
+            const double force = sizes.template segment<Dim>(first).sum();
+            scale.template segment<Dim>(first).setConstant(force);
+            scale.template segment<rotationCount<Dim>>(first + Dim).array() +=
+                force * (box.upper - box.lower).norm();
+        }
+    }
+    return (total.array().abs() > roundingOfLoads * scale.array()).select(total, 0);
 }
 
 template<int Dim>
@@ -170,21 +178,21 @@ double widthOfAJoint(const Assembly<Dim>& assembly)
 template Eigen::VectorXd gravityLoad(const Assembly<2>&, const std::vector<double>&, const Vector<2>&);
 template Eigen::VectorXd inertialLoad(const Assembly<2>&, const std::vector<double>&, const Vector<2>&,
                                       const Vector<2>&);
-template std::optional<int> findLoadedBlock(const Assembly<2>&, const Vector<2>&, double);
-template std::vector<int> findLoadedBlocks(const Assembly<2>&, const Vector<2>&, double, double);
+template LoadedBlocks findLoadedBlocks(const Assembly<2>&, const Vector<2>&, double);
 template Eigen::VectorXd pointLoad(const Assembly<2>&, int, const Vector<2>&, const Vector<2>&);
-template std::optional<Eigen::VectorXd> lineLoad(const Assembly<2>&, const Vector<2>&, const Vector<2>&,
-                                                 const Vector<2>&, double);
+template std::vector<LinePiece<2>> piecesOfLine(const Assembly<2>&, const Vector<2>&, const Vector<2>&,
+                                                double);
+template class SumOfLoads<2>;
 template double widthOfAJoint(const Assembly<2>&);
 
 template Eigen::VectorXd gravityLoad(const Assembly<3>&, const std::vector<double>&, const Vector<3>&);
 template Eigen::VectorXd inertialLoad(const Assembly<3>&, const std::vector<double>&, const Vector<3>&,
                                       const Vector<3>&);
-template std::optional<int> findLoadedBlock(const Assembly<3>&, const Vector<3>&, double);
-template std::vector<int> findLoadedBlocks(const Assembly<3>&, const Vector<3>&, double, double);
+template LoadedBlocks findLoadedBlocks(const Assembly<3>&, const Vector<3>&, double);
 template Eigen::VectorXd pointLoad(const Assembly<3>&, int, const Vector<3>&, const Vector<3>&);
-template std::optional<Eigen::VectorXd> lineLoad(const Assembly<3>&, const Vector<3>&, const Vector<3>&,
-                                                 const Vector<3>&, double);
+template std::vector<LinePiece<3>> piecesOfLine(const Assembly<3>&, const Vector<3>&, const Vector<3>&,
+                                                double);
+template class SumOfLoads<3>;
 template double widthOfAJoint(const Assembly<3>&);
 
 } // namespace drystone

@@ -73,18 +73,20 @@ Eigen::VectorXd inertialLoad(const Assembly<Dim>& assembly, const std::vector<do
                              const std::type_identity_t<Vector<Dim>>& gravity,
                              const std::type_identity_t<Vector<Dim>>& direction);
 
-/// The block that a force at `point` acts on: the free one that holds the point, or whose surface comes
-/// nearest and within `tolerance` [m]; of several the one with the lowest index. Nothing when there is none.
-template<int Dim>
-std::optional<int> findLoadedBlock(const Assembly<Dim>& assembly,
-                                   const std::type_identity_t<Vector<Dim>>& point, double tolerance);
+/// The free blocks that may be meant by a force at a point.
+struct LoadedBlocks
+{
+    std::vector<int>
+        blocks;          ///< by index; several where the point lies on a joint, none where no block is near
+    double distance = 0; ///< of the nearest from the point [m]; 0: the point is in it or on it
+};
 
-/// All blocks that may be meant by a force at `point`, by index: those as near as the nearest, to the width
-/// of a joint, `same` [m]. More than one where the point lies on a joint.
+/// The free blocks that may be meant by a force at `point`: those that hold it or come as near as the
+/// nearest, to the width of a joint, and within `tolerance` [m]. None where the point lies in a fixed block:
+/// the force would be lost in it.
 template<int Dim>
-std::vector<int> findLoadedBlocks(const Assembly<Dim>& assembly,
-                                  const std::type_identity_t<Vector<Dim>>& point, double tolerance,
-                                  double same);
+LoadedBlocks findLoadedBlocks(const Assembly<Dim>& assembly, const std::type_identity_t<Vector<Dim>>& point,
+                              double tolerance);
 
 /// A force [N] at a point [m] of a free block.
 template<int Dim>
@@ -92,13 +94,39 @@ Eigen::VectorXd pointLoad(const Assembly<Dim>& assembly, int block,
                           const std::type_identity_t<Vector<Dim>>& point,
                           const std::type_identity_t<Vector<Dim>>& force);
 
-/// A force per length [N/m] along a straight line, on the blocks that hold its pieces or lie within
-/// `tolerance` [m] of them. Nothing where a piece has no free block.
+/// A piece of a straight line, and what it lies on.
 template<int Dim>
-std::optional<Eigen::VectorXd>
-lineLoad(const Assembly<Dim>& assembly, const std::type_identity_t<Vector<Dim>>& from,
-         const std::type_identity_t<Vector<Dim>>& to, const std::type_identity_t<Vector<Dim>>& forcePerLength,
-         double tolerance);
+struct LinePiece
+{
+    Vector<Dim> middle = Vector<Dim>::Zero(); ///< [m]
+    double length = 0;                        ///< [m]
+    LoadedBlocks on;                          ///< see findLoadedBlocks
+};
+
+/// A straight line, cut where it may pass from one free block to another.
+template<int Dim>
+std::vector<LinePiece<Dim>> piecesOfLine(const Assembly<Dim>& assembly,
+                                         const std::type_identity_t<Vector<Dim>>& from,
+                                         const std::type_identity_t<Vector<Dim>>& to, double tolerance);
+
+/// A sum of loads, rows as LoadVectors, in which what cancels but for rounding is zero: left in, it would be
+/// a load with a multiplier of its own.
+template<int Dim>
+class SumOfLoads
+{
+public:
+    explicit SumOfLoads(const Assembly<Dim>& structure) : assembly(structure) {}
+    void add(const Eigen::VectorXd& load);
+    Eigen::VectorXd sum() const;
+
+private:
+    const Assembly<Dim>& assembly;
+    Eigen::VectorXd total;
+    Eigen::VectorXd sizes; ///< of all that was added, by row
+};
+
+/// What is left by rounding where loads cancel, as a part of the sizes of all that was added.
+inline constexpr double roundingOfLoads = 1e-12;
 
 /// What a load is made from.
 template<int Dim>

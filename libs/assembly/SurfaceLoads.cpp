@@ -67,8 +67,7 @@ Eigen::VectorXd integrated(const Assembly<Dim>& assembly, const Tractions<Dim>& 
         }
     }
     // What cancels is zero: rounding left of it would be a load with a multiplier of its own.
-    constexpr double rounding = 1e-14;
-    load = (load.array().abs() > rounding * sizes.array()).select(load, 0);
+    load = (load.array().abs() > roundingOfLoads * sizes.array()).select(load, 0);
     return load;
 }
 

@@ -21,6 +21,29 @@ Assembly<2> twoOnGround()
             {{"ground", "ground"}}};
 }
 
+using Blocks = std::vector<int>;
+
+Blocks blocksAt(const Vector<2>& point, double tolerance)
+{
+    return findLoadedBlocks(twoOnGround(), point, tolerance).blocks;
+}
+
+/// A line along which 10 N/m act downwards; nothing where a piece has no block.
+std::optional<Eigen::VectorXd> lineLoad(const Vector<2>& from, const Vector<2>& to)
+{
+    const Assembly<2> assembly = twoOnGround();
+    SumOfLoads<2> load(assembly);
+    for (const LinePiece<2>& piece : piecesOfLine(assembly, from, to, 1e-3))
+    {
+        if (piece.on.blocks.empty())
+        {
+            return std::nullopt;
+        }
+        load.add(pointLoad(assembly, piece.on.blocks.front(), piece.middle, {0, -10 * piece.length}));
+    }
+    return load.sum();
+}
+
 TEST(Loads, GravityActsOnFreeBlocksAtTheirCentroids)
 {
     const Eigen::VectorXd load = gravityLoad(twoOnGround(), {7, 2, 3}, {0, -10});
@@ -42,7 +65,7 @@ TEST(Loads, InertialLoadIsTheOwnWeightWhateverTheLengthOfTheDirection)
 TEST(Loads, AForceHasItsMomentAboutTheCentroid)
 {
     const Assembly<2> assembly = twoOnGround();
-    EXPECT_EQ(findLoadedBlock(assembly, {2.5, 1}, 1e-6), 2);
+    EXPECT_EQ(blocksAt({2.5, 1}, 1e-6), Blocks{2});
     const Eigen::VectorXd load = pointLoad(assembly, 2, {2.5, 1}, {3, -4});
     // Arm (0.5 0.5) from the centroid (2 0.5): moment 0.5 (-4) - 0.5 3.
     const Eigen::VectorXd expected = (Eigen::VectorXd(6) << 0, 0, 0, 3, -4, -3.5).finished();
@@ -51,28 +74,41 @@ TEST(Loads, AForceHasItsMomentAboutTheCentroid)
 
 TEST(Loads, APointOnNoFreeBlockLoadsNone)
 {
-    const Assembly<2> assembly = twoOnGround();
-    EXPECT_FALSE(findLoadedBlock(assembly, {5, -0.5}, 0.01)); // the ground is fixed
-    EXPECT_FALSE(findLoadedBlock(assembly, {2, 1.1}, 0.01));
-    EXPECT_EQ(findLoadedBlock(assembly, {2, 1.005}, 0.01), 2);
-    EXPECT_EQ(findLoadedBlock(assembly, {0.5, 1.5}, 0.01), 1);
-    EXPECT_EQ(findLoadedBlock(assembly, {1, 0.5}, 0.01), 1); // on the edge of both: the first
+    EXPECT_EQ(blocksAt({5, -0.5}, 0.01), Blocks{});   // the ground is fixed
+    EXPECT_EQ(blocksAt({2, -0.005}, 0.01), Blocks{}); // and takes what lies in it, also near a free block
+    EXPECT_EQ(blocksAt({2, 0}, 0.01), Blocks{2});
+    EXPECT_EQ(blocksAt({2, 1.1}, 0.01), Blocks{});
+    EXPECT_EQ(blocksAt({2, 1.005}, 0.01), Blocks{2});
+    EXPECT_EQ(findLoadedBlocks(twoOnGround(), {2, 1.005}, 0.01).distance, 1.005 - 1);
+    EXPECT_EQ(blocksAt({0.5, 1.5}, 0.01), Blocks{1});
+    EXPECT_EQ(blocksAt({1, 0.5}, 0.01), (Blocks{1, 2})); // on the edge of both
 }
-
-} // namespace
 
 TEST(Loads, OfALineAreSharedByTheBlocksThatItCrosses)
 {
     // Along y = 0.5 from x = 0.5 to 2: half a metre on the first free block, one on the second.
-    const auto load = lineLoad(twoOnGround(), {0.5, 0.5}, {2, 0.5}, {0, -10}, 1e-3);
+    const auto load = lineLoad({0.5, 0.5}, {2, 0.5});
     ASSERT_TRUE(load);
     const Eigen::VectorXd expected = (Eigen::VectorXd(6) << 0, -5, -5 * 0.25, 0, -10, 10 * 0.5).finished();
     EXPECT_LT((*load - expected).lpNorm<Eigen::Infinity>(), 1e-12);
     // Backwards the same, and over the top of a block too; not where there is none.
-    EXPECT_LT(
-        (*lineLoad(twoOnGround(), {2, 0.5}, {0.5, 0.5}, {0, -10}, 1e-3) - expected).lpNorm<Eigen::Infinity>(),
-        1e-12);
-    EXPECT_NEAR((*lineLoad(twoOnGround(), {0, 2}, {1, 2}, {0, -10}, 1e-3))[1], -10, 1e-12);
-    EXPECT_FALSE(lineLoad(twoOnGround(), {0, 2}, {1.5, 2}, {0, -10}, 1e-3));
-    EXPECT_FALSE(lineLoad(twoOnGround(), {-5, -0.5}, {-4, -0.5}, {0, -10}, 1e-3));
+    EXPECT_LT((*lineLoad({2, 0.5}, {0.5, 0.5}) - expected).lpNorm<Eigen::Infinity>(), 1e-12);
+    EXPECT_NEAR((*lineLoad({0, 2}, {1, 2}))[1], -10, 1e-12);
+    EXPECT_FALSE(lineLoad({0, 2}, {1.5, 2}));
+    EXPECT_FALSE(lineLoad({-5, -0.5}, {-4, -0.5}));
 }
+
+TEST(Loads, ThatCancelButForRoundingAddUpToNothing)
+{
+    const Assembly<2> assembly = twoOnGround();
+    SumOfLoads<2> sum(assembly);
+    for (const Vector<2>& force : {Vector<2>(0.1, 0.7), Vector<2>(0.2, 0.1), Vector<2>(-0.3, -0.8)})
+    {
+        sum.add(pointLoad(assembly, 1, {0.1, 0.5}, force));
+    }
+    sum.add(pointLoad(assembly, 2, {2, 0.5}, {1e-9, 0})); // small, and all there is on its block
+    const Eigen::VectorXd expected = (Eigen::VectorXd(6) << 0, 0, 0, 1e-9, 0, 0).finished();
+    EXPECT_EQ(sum.sum(), expected);
+}
+
+} // namespace

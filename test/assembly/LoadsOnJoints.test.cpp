@@ -29,11 +29,11 @@ protected:
     void TearDown() override { std::filesystem::remove_all(directory); }
 
     /// The free block that a force acts on, or what is said.
-    std::string loaded(const std::string& force)
+    std::string loaded(const std::string& force, const std::string& type = "force")
     {
         std::ofstream(directory / "constant/loads")
-            << "dead { type gravity; }\nlive\n{\n    type force;\n    value (0 -1 0);\n    " << force
-            << "\n}\n";
+            << "dead { type gravity; }\nlive\n{\n    type " << type << ";\n    "
+            << (type == "sum" ? "" : "value (0 -1 0);") << "\n    " << force << "\n}\n";
         try
         {
             const Eigen::VectorXd live =
@@ -92,6 +92,51 @@ TEST_F(LoadsOnJoints, RefuseABlockThatIsNotThere)
                 AllOf(HasSubstr("can not act on block 1"), HasSubstr("block 0")));
     EXPECT_THAT(loaded("at (1 0.5); block 7;"), HasSubstr("in or on block 0 and 1"));
     EXPECT_THAT(loaded("at (1 0.5); block -1;"), HasSubstr("block"));
+}
+
+TEST_F(LoadsOnJoints, AskForTheBlockOfALineAlongAJoint)
+{
+    for (const double off : {-1e-7, 0.0, 1e-7})
+    {
+        const std::string line = fmt::format("from ({} 0.2); to (1 0.8);", 1 + off);
+        EXPECT_THAT(loaded(line, "line"), AllOf(HasSubstr("along the joint of blocks 0 and 1"),
+                                                HasSubstr("`block 0;`"), HasSubstr("line 6.")));
+        EXPECT_EQ(loaded(line + " block 0;", "line"), "0");
+        EXPECT_EQ(loaded(line + " block 1;", "line"), "1");
+        EXPECT_THAT(loaded(line + " block 2;", "line"), HasSubstr("along the joint of blocks 0 and 1"));
+    }
+    EXPECT_THAT(loaded("from (0.1 1); to (1.9 1);", "line"), HasSubstr("blocks 0 and 2"));
+    EXPECT_EQ(loaded("from (0.1 1); to (1.9 1); block 2;", "line"), "2");
+    EXPECT_EQ(loaded("from (0.1 2); to (1.9 2);", "line"), "2");
+    EXPECT_EQ(loaded("from (0.1 0.5); to (1.9 0.5);", "line"), "0"); // it crosses the joint
+    EXPECT_THAT(loaded("from (0.1 0.5); to (0.9 0.5); block 1;", "line"),
+                HasSubstr("can not act on block 1"));
+}
+
+TEST_F(LoadsOnJoints, RefuseWhatLiesInTheGround)
+{
+    EXPECT_THAT(loaded("at (0.5 -0.01);"), HasSubstr("no free block at (0.5 -0.01)"));
+    EXPECT_THAT(loaded("from (0.2 -0.01); to (0.8 -0.01);", "line"), HasSubstr("leaves the free blocks"));
+}
+
+TEST_F(LoadsOnJoints, AreSaidToBeTakenFromOutside)
+{
+    testing::internal::CaptureStdout();
+    EXPECT_EQ(loaded("at (-0.01 0.5);"), "0");
+    EXPECT_EQ(loaded("at (0 0.5);"), "0");
+    EXPECT_EQ(loaded("from (0 2.01); to (1 2.01);", "line"), "2");
+    EXPECT_EQ(testing::internal::GetCapturedStdout(),
+              "The force at (-0.01 0.5) acts on block 0, 0.01 m away.\n"
+              "The line from (0 2.01) to (1 2.01) acts on block 2, 0.01 m away.\n");
+}
+
+TEST_F(LoadsOnJoints, ThatCancelButForRoundingAreNoLiveLoad)
+{
+    EXPECT_THAT(
+        loaded("loads { a { type force; at (0.1 0.5); value (0.1 0.7); } b { type force; at (0.1 0.5); "
+               "value (0.2 0.1); } c { type force; at (0.1 0.5); value (-0.3 -0.8); } }",
+               "sum"),
+        HasSubstr("zero on every block"));
 }
 
 } // namespace

@@ -252,6 +252,15 @@ TEST(SurfaceLoads, OfFillsOnBothSidesCancelAndAreNoFault)
     // To the last bit: a live load of rounding alone would have a multiplier.
     EXPECT_EQ(loadOf(fill, plane), Eigen::VectorXd::Zero(3));
     EXPECT_EQ(loadOf(fill, space), Eigen::VectorXd::Zero(6));
+    // Also where a side leans by less than its pressure is rounded to.
+    const Assembly<3> leaning{{{makePrism({{0, 1, 0}, {1.2, 1, 0}, {1.2, 1, 3}, {-1e-7, 1, 3}},
+                                          {{0, 0, 0}, {1.2, 0, 0}, {1.2, 0, 3}, {-1e-7, 0, 3}}),
+                                -1}},
+                              {}};
+    const Eigen::VectorXd ends =
+        loadOf("type backfill; unitWeight 18000; level 3; lateralCoefficient 0.333; box ((0 -9 0) (2 9 3));",
+               leaning);
+    EXPECT_EQ(ends[1], 0);
     EXPECT_LT(loadOf("type pressure; value 1e-9; normal (1 0); within 180;", plane).cwiseAbs().maxCoeff(),
               1e-15);
 }
