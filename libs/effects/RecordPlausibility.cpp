@@ -83,6 +83,14 @@ std::vector<Doubt> doubtsAboutRecord(const GroundMotion::Component& component, c
              acceleration.locationOf("file")});
     }
     const std::vector<double> kinks = history.kinks();
+    if (kinks.size() < 2)
+    {
+        doubts.push_back(
+            {"The record has a single value, which lasts no time: the ground does not move. Check "
+             "that the file is complete.",
+             acceleration.locationOf("file")});
+        return doubts;
+    }
     const auto [last, largest] = lastAndPeakVelocity(history, kinks);
     if (std::abs(last) > velocityLeft * largest)
     {

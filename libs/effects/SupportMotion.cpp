@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string_view>
 
 namespace drystone
 {
@@ -54,6 +55,23 @@ std::string faultIn(const Table& table, Jumps jumps)
     return "";
 }
 
+/// What is wrong with the first point of a table of displacements or angles: supports begin as built, and do
+/// not jump.
+std::string faultInBeginning(const Table& table, std::string_view key)
+{
+    if (table.size() < 2 || table.front().second == 0)
+    {
+        return "";
+    }
+    const auto& [time, value] = table.front();
+    return fmt::format("{} begins with {:g} at {:g} s: a support is as built until then, and does not jump. "
+                       "Begin with 0, for "
+                       "instance `{} (({:g} 0) ({:g} {:g}) ...);`, with {:g} less at each time, or move it "
+                       "there from a time "
+                       "before.",
+                       key, value, time, key, time, table[1].first, table[1].second - value, value);
+}
+
 template<int Dim>
 std::string faultIn(const SupportMotionSettings<Dim>& settings)
 {
@@ -77,7 +95,9 @@ std::string faultIn(const SupportMotionSettings<Dim>& settings)
     { return table.empty() ? std::string() : faultIn(table, jumps); };
     for (const std::string& fault :
          {faultOf(settings.displacement, Jumps::refused), faultOf(settings.velocity, Jumps::allowed),
-          faultOf(settings.rotation, Jumps::refused), faultOf(settings.angularVelocity, Jumps::allowed)})
+          faultOf(settings.rotation, Jumps::refused), faultOf(settings.angularVelocity, Jumps::allowed),
+          faultInBeginning(settings.displacement, "displacement"),
+          faultInBeginning(settings.rotation, "rotation")})
     {
         if (!fault.empty())
         {
@@ -140,7 +160,7 @@ void declare(Options& options, SupportMotionSettings<Dim>& settings)
         .example("(0 -1 0)");
     options
         .optional("displacement", settings.displacement,
-                  "times [s] and displacements from as built [m], straight between them")
+                  "times [s] and displacements from as built [m], straight between them; the first is 0")
         .example("((0 0) (2 0.05))");
     options
         .optional("velocity", settings.velocity,
@@ -152,7 +172,7 @@ void declare(Options& options, SupportMotionSettings<Dim>& settings)
         .example("(1 0 0)");
     options
         .optional("rotation", settings.rotation,
-                  "times [s] and angles [rad] about the centre, straight between them")
+                  "times [s] and angles [rad] about the centre, straight between them; the first is 0")
         .example("((0 0) (2 0.01))");
     options.optional("angularVelocity", settings.angularVelocity, "instead: times [s] and velocities [rad/s]")
         .example("((0 0) (0.5 0.1) (1 0))");

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -74,6 +75,39 @@ std::pair<std::string, std::string> titleAndUnit(std::string_view cell)
                 cell.substr(open + 1, close == std::string_view::npos ? close : close - open - 1)))};
 }
 
+/// The unit of the times in seconds; 0: none that is known. No unit at all: seconds.
+double timeUnit(const std::string& unit)
+{
+    const std::string plain = upper(unit);
+    const auto isOneOf = [&plain](std::initializer_list<std::string_view> names)
+    { return std::find(names.begin(), names.end(), plain) != names.end(); };
+    if (isOneOf({"", "S", "SEC", "SECS", "SECOND", "SECONDS"}))
+    {
+        return 1;
+    }
+    if (isOneOf({"MS", "MSEC", "MILLISECOND", "MILLISECONDS"}))
+    {
+        return 1e-3;
+    }
+    if (isOneOf({"US", "MICROSECOND", "MICROSECONDS"}))
+    {
+        return 1e-6;
+    }
+    if (isOneOf({"MIN", "MINUTE", "MINUTES"}))
+    {
+        return 60;
+    }
+    return isOneOf({"H", "HR", "HOUR", "HOURS"}) ? 3600 : 0;
+}
+
+/// Whether a title is that of a column of times.
+bool isOfTimes(std::string_view cell)
+{
+    const auto [title, unit] = titleAndUnit(cell);
+    const std::string plain = upper(title);
+    return plain == "T" || plain == "TIME" || plain == "TIMES" || (!unit.empty() && timeUnit(unit) > 0);
+}
+
 std::size_t columnIndex(const RecordText& text, std::size_t line, const Column& column,
                         const std::vector<std::string_view>& titles)
 {
@@ -138,6 +172,14 @@ Record readCsvRecord(const std::filesystem::path& file, const CsvLayout& layout)
                     fmt::format("The declared time step is {} s; a time step is positive.", layout.timeStep),
                     "Correct `timeStep`.");
     }
+    if (const auto times = std::find_if(titles.begin(), titles.end(), isOfTimes);
+        equalSteps && times != titles.end())
+    {
+        text.refuse(first,
+                    fmt::format("The column '{}' has the times of this file, and timeStep {} is given.",
+                                *times, layout.timeStep),
+                    "Remove `timeStep`.");
+    }
     const std::size_t timeColumn = equalSteps ? 0 : columnIndex(text, first, layout.timeColumn, titles);
     const std::size_t valueColumn = columnIndex(text, first, layout.accelerationColumn, titles);
     const std::string unitFound =
@@ -151,6 +193,14 @@ Record readCsvRecord(const std::filesystem::path& file, const CsvLayout& layout)
     record.unitIsAssumed = layout.unit.empty() && unitFound.empty();
     record.unit = record.unitIsAssumed ? "m/s2" : settledUnit(text, first, layout.unit, unitFound);
     const double factor = accelerationUnit(record.unit);
+    const std::string unitOfTimes =
+        !equalSteps && timeColumn < titles.size() ? titleAndUnit(titles[timeColumn]).second : "";
+    const double second = timeUnit(unitOfTimes);
+    if (second == 0)
+    {
+        text.refuse(first, fmt::format("The times are in '{}', which is not a unit of time.", unitOfTimes),
+                    "Give them in s, ms, us, min or h.");
+    }
     const std::size_t needed = std::max(equalSteps ? 0 : timeColumn, valueColumn) + 1;
     for (std::size_t i = titled ? first + 1 : first; i < text.lines.size(); ++i)
     {
@@ -164,12 +214,15 @@ Record readCsvRecord(const std::filesystem::path& file, const CsvLayout& layout)
             text.refuse(i,
                         fmt::format("The row has {} columns; column {} (counted from 0) is wanted.",
                                     row.size(), needed - 1),
-                        "Complete the row, or correct the choice of columns.");
+                        !equalSteps && row.size() == 1
+                            ? "Complete the row, or, where the file has accelerations alone, give their "
+                              "interval, for instance `timeStep 0.01;`."
+                            : "Complete the row, or correct the choice of columns.");
         }
         const auto value = [&](std::size_t column, double unitFactor = 1)
         { return finiteNumber(text, i, withDecimalPoint(row[column], separator), unitFactor); };
-        const double time =
-            equalSteps ? static_cast<double>(record.times.size()) * layout.timeStep : value(timeColumn);
+        const double time = equalSteps ? static_cast<double>(record.times.size()) * layout.timeStep
+                                       : value(timeColumn, second) * second;
         if (!record.times.empty() && !(time > record.times.back()))
         {
             text.refuse(

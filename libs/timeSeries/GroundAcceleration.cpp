@@ -1,6 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "timeSeries/GroundAcceleration.h"
 
+#include <fmt/format.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_spline.h>
 
@@ -269,7 +270,14 @@ std::unique_ptr<GroundAcceleration> tabulatedAcceleration(std::vector<double> ti
             throw std::domain_error("a table of accelerations holds a number that is not finite");
         }
         const bool jump = i > 0 && times[i] == times[i - 1];
-        if (i > 0 && (times[i] < times[i - 1] || (jump && interpolation != Interpolation::linear)))
+        if (jump && interpolation != Interpolation::linear)
+        {
+            throw std::domain_error(fmt::format(
+                "the table jumps at {:g} s, where two values stand, and smooth interpolation needs "
+                "one value a time; choose `interpolation linear;`, or move one of the two",
+                times[i]));
+        }
+        if (i > 0 && times[i] < times[i - 1])
         {
             throw std::domain_error("the times of a table of accelerations must increase");
         }

@@ -129,11 +129,13 @@ void declare(Options& options, TableSettings& settings)
     options.check("values",
                   [&settings]
                   {
-                      if (settings.values.empty() == settings.file.empty())
+                      if (!settings.values.empty() && !settings.file.empty())
                       {
-                          return "A table needs either values or a file with them.";
+                          return "Both values and file are given; remove one of them.";
                       }
-                      return "";
+                      return settings.values.empty() && settings.file.empty()
+                                 ? "A table needs either values or a file with them."
+                                 : "";
                   });
 }
 
@@ -344,8 +346,10 @@ void declare(Options& options, RecordMotion& settings)
     options.optional("unit", settings.unit,
                      "of the values: g, m/s2, cm/s2 or gal; where neither this nor the file says it, a "
                      "csv file is in m/s2");
-    options.optional("timeColumn", settings.timeColumn,
-                     "of a csv file: its position counted from 0, or its title; the first one when absent");
+    options.optional(
+        "timeColumn", settings.timeColumn,
+        "of a csv file: its position counted from 0, or its title; the first one when absent; in "
+        "seconds, or in the unit of its title, as in `time [ms]`");
     options.optional("accelerationColumn", settings.accelerationColumn,
                      "of a csv file: its position counted from 0, or its title; the second one when absent");
     options

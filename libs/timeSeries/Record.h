@@ -52,8 +52,8 @@ struct CsvLayout
 {
     Column timeColumn = 0;
     Column accelerationColumn = 1;
-    /// Interval of equally spaced values, for a file without a column of times; 0: times are in `timeColumn`
-    /// [s]
+    /// Interval of equally spaced values, for a file without a column of times [s]; 0: times are in
+    /// `timeColumn`, in the unit of its title, as in `time [ms]`, else in seconds
     double timeStep = 0;
     std::string unit; ///< empty: that of the column's title, as in `acceleration [g]`, else m/s2
 };

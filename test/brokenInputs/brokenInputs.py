@@ -293,6 +293,19 @@ brokenInputs = [
            files={"constant/groundMotion": "direction (1 0 0);\nacceleration\n{\n    type record;\n"
                                            '    file "constant/nowhere.AT2";\n}\n'},
            says=(r"nowhere\.AT2",)),
+    Broken("contactDynamics", "timeStepAndTimes", "constant/record.csv", before=built, lines=(1,),
+           files={"constant/groundMotion": "direction (1 0 0);\nacceleration\n{\n    type record;\n    format csv;\n"
+                                           '    file "constant/record.csv";\n    timeStep 0.1;\n}\n',
+                  "constant/record.csv": "time,acceleration\n0,0\n0.1,1\n0.2,-1\n"},
+           says=(r"column 'time' has the times", r"Remove `timeStep`")),
+    Broken("contactDynamics", "tableAndFile", "constant/groundMotion", before=built, lines=(5,),
+           files={"constant/groundMotion": "direction (1 0 0);\nacceleration\n{\n    type table;\n"
+                                           '    values ((0 0) (1 1));\n    file "constant/table";\n}\n'},
+           says=(r"Both values and file are given",)),
+    Broken("contactDynamics", "smoothJump", "constant/groundMotion", before=built, lines=(5,),
+           files={"constant/groundMotion": "direction (1 0 0);\nacceleration\n{\n    type table;\n"
+                                           '    values ((0 0) (1 0) (1 1));\n    interpolation cubic;\n}\n'},
+           says=(r"jumps at 1 s", r"interpolation linear;")),
     inTexture("unknownKeyOutside", "supports", "suports", r"suports", r"Did you mean supports\?"),
     inTexture("missingKey", "    unit        (0.4 0.175);\n", "", r"unit", lines=(2, 3)),
     inTexture("wordForANumber", "6;", "six;", r"six", r"courses"),
@@ -566,6 +579,10 @@ brokenInputs = [
                     "    velocity ((0 0) (1 1));\n}\n", r"either displacement or velocity", lines=(4,)),
     inSupportMotion("jumpingSupport", "ground\n{\n    direction (1 0);\n    displacement ((0 0) (0 1));\n}\n",
                     r"must increase", lines=(4,)),
+    inSupportMotion("supportThatBeginsElsewhere", "ground\n{\n    direction (1 0);\n    displacement ((0 0.1) (1 0.3));\n}\n",
+                    r"displacement begins with 0\.1 at 0 s", r"`displacement \(\(0 0\) \(1 0\.2\)", lines=(4,)),
+    inSupportMotion("supportThatBeginsTurned", "ground\n{\n    rotation ((2 0.1) (3 0.3));\n}\n",
+                    r"`rotation \(\(2 0\) \(3 0\.2\)", lines=(1,)),
     inSupportMotion("noWhere", "ground\n{\n    direction (0 0);\n    velocity ((0 0) (1 1));\n}\n", r"no length",
                     lines=(3,)),
     inSupportMotion("turnedTwice", "ground\n{\n    rotation ((0 0) (1 1));\n    angularVelocity ((0 0) (1 1));\n}\n",

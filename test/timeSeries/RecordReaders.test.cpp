@@ -391,6 +391,38 @@ TEST(CsvReader, TakesNumbersWithoutAnyUnitForMetresPerSecondSquared)
     EXPECT_DOUBLE_EQ(csv("t,a [g]\n0,1\n", {0, 1, 0, ""}).accelerations[0], standardGravity);
 }
 
+TEST(CsvReader, ReadsTimesInTheUnitOfTheirTitle)
+{
+    const auto lastTime = [](const std::string& title)
+    { return csv(title + ",a [m/s2]\n0,0\n1.5,1\n", {}).times.back(); };
+    for (const char* title : {"t", "t (s)", "time [sec]", "Seconds [S]"})
+    {
+        EXPECT_EQ(lastTime(title), 1.5) << title;
+    }
+    EXPECT_DOUBLE_EQ(lastTime("t (ms)"), 1.5e-3);
+    EXPECT_DOUBLE_EQ(lastTime("Time [us]"), 1.5e-6);
+    EXPECT_EQ(lastTime("t [min]"), 90);
+    EXPECT_EQ(lastTime("t [h]"), 5400);
+    EXPECT_THAT(csvRefusal("t [m],a [g]\n0,0\n1,1\n", {}),
+                AllOf(HasSubstr("'m', which is not a unit of time"), HasSubstr("line 1")));
+    EXPECT_THAT(csvRefusal("t [ms],a [g]\n0,0\n1e308,1\n1e309,1\n", {}), HasSubstr("1e309"));
+}
+
+TEST(CsvReader, RefusesATimeStepBesideAColumnOfTimes)
+{
+    for (const char* title : {"t", "Time", "TIME [s]", "instant (ms)"})
+    {
+        EXPECT_THAT(csvRefusal(std::string(title) + ",a\n0,1\n1,2\n", {0, 0, 0.1, "g"}),
+                    AllOf(HasSubstr(title), HasSubstr("timeStep 0.1"), HasSubstr("Remove `timeStep`")));
+    }
+    EXPECT_EQ(csv("north,east [g]\n1,2\n", {0, 1, 0.1, ""}).times.size(), 1U);
+}
+
+TEST(CsvReader, NamesTheTimeStepWhereThereIsOneColumn)
+{
+    EXPECT_THAT(csvRefusal("0\n1\n", {0, 1, 0, "g"}), HasSubstr("`timeStep 0.01;`"));
+}
+
 TEST(CsvReader, RefusesBrokenRecordsWithTheirLine)
 {
     const CsvLayout layout{0, 1, 0, "g"};
