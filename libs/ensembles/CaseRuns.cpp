@@ -3,6 +3,7 @@
 #include "ensembles/CaseRuns.h"
 
 #include "core/Error.h"
+#include "core/Log.h"
 #include "core/Signals.h"
 #include "core/WholeFile.h"
 #include "runControl/Case.h"
@@ -274,21 +275,38 @@ ApplicationRun runInCase(const std::string& application, const fs::path& caseDir
     return run;
 }
 
-CaseRun runCopy(const fs::path& caseDirectory, const fs::path& target, const std::vector<OtherEntry>& entries,
-                const CaseApplications& applications)
+namespace
 {
-    copyCase(caseDirectory, target);
-    for (const auto& [place, text] : entries)
-    {
-        setEntry(target, place, text);
-    }
+
+enum class Depth
+{
+    results,
+    beginning ///< what computes does not
+};
+
+bool computes(const std::string& application)
+{
+    return application != "blockTexture" && application != "checkBlocks";
+}
+
+CaseRun runIn(const fs::path& copy, const CaseApplications& applications, Depth depth)
+{
     CaseRun run;
     for (const std::string& directory : applications.cases)
     {
         for (const std::string& application : applications.applications)
         {
-            const fs::path there = (target / directory).lexically_normal();
-            static_cast<ApplicationRun&>(run) = runInCase(application, there, applications.options);
+            std::vector<std::string> options = applications.options;
+            if (depth == Depth::beginning && application.find('/') != std::string::npos)
+            {
+                break; // nobody knows what a script does
+            }
+            if (depth == Depth::beginning && computes(application))
+            {
+                options.emplace_back("-dry-run");
+            }
+            const fs::path there = (copy / directory).lexically_normal();
+            static_cast<ApplicationRun&>(run) = runInCase(application, there, options);
             run.application = application;
             run.directory = directory;
             if (run.isInterrupted || run.status != 0)
@@ -298,6 +316,110 @@ CaseRun runCopy(const fs::path& caseDirectory, const fs::path& target, const std
         }
     }
     return run;
+}
+
+void copyWith(const fs::path& caseDirectory, const fs::path& target, const std::vector<OtherEntry>& entries)
+{
+    copyCase(caseDirectory, target);
+    for (const auto& [place, text] : entries)
+    {
+        setEntry(target, place, text);
+    }
+}
+
+/// Removes a folder at the end, and those above it that were not there before.
+class PassingFolder
+{
+public:
+    explicit PassingFolder(fs::path of) : folder(std::move(of))
+    {
+        for (top = folder; !fs::exists(top.parent_path()); top = top.parent_path())
+        {
+        }
+    }
+    ~PassingFolder()
+    {
+        std::error_code ignored;
+        fs::remove_all(folder, ignored);
+        for (fs::path above = folder; above != top;)
+        {
+            above = above.parent_path();
+            fs::remove(above, ignored); // empty ones only
+        }
+    }
+    PassingFolder(const PassingFolder&) = delete;
+    PassingFolder& operator=(const PassingFolder&) = delete;
+
+private:
+    fs::path folder;
+    fs::path top;
+};
+
+/// A message about a copy as one about the case: without the copy's folder, and without what frames it.
+std::string faultOfCopy(std::string message, const fs::path& copy)
+{
+    for (const std::string& text :
+         {copy.string() + "/", std::string("    --> DRYSTONE FATAL IO ERROR:\n"),
+          std::string("    --> DRYSTONE FATAL ERROR:\n"), std::string("\n    DRYSTONE exiting")})
+    {
+        for (auto at = message.find(text); at != std::string::npos; at = message.find(text, at))
+        {
+            message.erase(at, text.size());
+        }
+    }
+    return message;
+}
+
+} // namespace
+
+CaseRun runCopy(const fs::path& caseDirectory, const fs::path& target, const std::vector<OtherEntry>& entries,
+                const CaseApplications& applications)
+{
+    copyWith(caseDirectory, target, entries);
+    return runIn(target, applications, Depth::results);
+}
+
+CaseRun tryCopy(const fs::path& caseDirectory, const fs::path& target, const std::vector<OtherEntry>& entries,
+                const CaseApplications& applications)
+{
+    const PassingFolder folder(fs::absolute(target));
+    copyWith(caseDirectory, target, entries);
+    return runIn(target, applications, Depth::beginning);
+}
+
+void requireReadableCase(const fs::path& caseDirectory, const fs::path& target,
+                         const std::vector<std::vector<OtherEntry>>& sets,
+                         const CaseApplications& applications)
+{
+    std::error_code unwritable;
+    {
+        const PassingFolder folder(fs::absolute(target));
+        fs::create_directories(target, unwritable);
+    }
+    if (unwritable)
+    {
+        info("The input of the runs is not checked: {} cannot be written ({}).", target.string(),
+             unwritable.message());
+        return;
+    }
+    std::optional<CaseRun> first;
+    for (const std::vector<OtherEntry>& entries : sets)
+    {
+        const CaseRun run = tryCopy(caseDirectory, target, entries, applications);
+        if (run.isInterrupted || run.status == 0)
+        {
+            return;
+        }
+        first = first ? first : run;
+    }
+    if (first)
+    {
+        throw FatalError(
+            fmt::format("The case cannot be run, tried with {} of values of its variables: {} ends with exit "
+                        "status {}.\n\n{}",
+                        sets.size() == 1 ? "a set" : fmt::format("{} sets", sets.size()), first->application,
+                        first->status, faultOfCopy(first->errorOutput, target)));
+    }
 }
 
 } // namespace drystone

@@ -77,4 +77,17 @@ struct CaseRun : ApplicationRun
 CaseRun runCopy(const std::filesystem::path& caseDirectory, const std::filesystem::path& target,
                 const std::vector<OtherEntry>& entries, const CaseApplications& applications);
 
+/// Whether the applications can begin, tried in a copy of a case that is removed again: blocks are made and
+/// checked, and what computes reads its input and checks it (-dry-run). Scripts are not run, nor what comes
+/// after one. \throws as runCopy
+CaseRun tryCopy(const std::filesystem::path& caseDirectory, const std::filesystem::path& target,
+                const std::vector<OtherEntry>& entries, const CaseApplications& applications);
+
+/// Tries a case as tryCopy does, with one set of entries after the other until one can begin, and says why
+/// where none can. Says in the log where no copy can be written.
+/// \throws FatalError with the message of the application, where no set of entries lets it begin
+void requireReadableCase(const std::filesystem::path& caseDirectory, const std::filesystem::path& target,
+                         const std::vector<std::vector<OtherEntry>>& sets,
+                         const CaseApplications& applications);
+
 } // namespace drystone

@@ -11,6 +11,9 @@
 #include "runControl/Case.h"
 
 #include <algorithm>
+#include <set>
+
+#include <unistd.h>
 
 namespace drystone
 {
@@ -248,6 +251,34 @@ Ensemble readEnsemble(const fs::path& caseDirectory, const std::vector<std::stri
     }
     ensemble.plan = planOf(ensemble);
     return ensemble;
+}
+
+std::vector<OtherEntry> entriesOf(const Ensemble& ensemble, const std::vector<SampleValue>& values)
+{
+    std::vector<OtherEntry> entries;
+    for (std::size_t k = 0; k < values.size(); ++k)
+    {
+        entries.emplace_back(ensemble.settings.variables[k].second.place, entryText(values[k]));
+    }
+    return entries;
+}
+
+void requireReadableCase(const Ensemble& ensemble)
+{
+    std::vector<std::vector<OtherEntry>> sets;
+    const long count = ensemble.samples();
+    for (const long sample : std::set<long>{0, count / 2, count - 1})
+    {
+        sets.push_back(entriesOf(ensemble, ensemble.sampler->at(sample)));
+    }
+    // Samples in this process find files from the case: a copy has to lie where the case does.
+    const std::string name = fmt::format("case.dryRun.{}", ::getpid());
+    const fs::path directory = fs::absolute(ensemble.caseDirectory).lexically_normal();
+    const fs::path beside =
+        (directory.has_filename() ? directory : directory.parent_path()).parent_path() / ("." + name);
+    requireReadableCase(ensemble.caseDirectory,
+                        ensemble.isInProcess ? beside : ensembleWork(ensemble.caseDirectory) / name, sets,
+                        {ensemble.settings.applications, {"."}, ensemble.options});
 }
 
 void printEnsemble(const Ensemble& ensemble)

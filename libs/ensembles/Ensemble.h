@@ -2,6 +2,7 @@
 /// An ensemble in a case directory, read and checked: the same in all processes that compute its samples.
 #pragma once
 
+#include "ensembles/CaseRuns.h"
 #include "ensembles/EnsembleSettings.h"
 #include "ensembles/Sampler.h"
 #include "runControl/PictureFormats.h"
@@ -66,6 +67,13 @@ std::filesystem::path ensembleWork(const std::filesystem::path& caseDirectory);
 
 /// Before the first sample: applications, variables, design, results.
 void printEnsemble(const Ensemble& ensemble);
+
+/// Entries of the case as a sample has them.
+std::vector<OtherEntry> entriesOf(const Ensemble& ensemble, const std::vector<SampleValue>& values);
+
+/// Checks whether the applications can read the case, with the values of the first sample, or else of one
+/// in the middle or the last. \throws FatalError with the message of the application
+void requireReadableCase(const Ensemble& ensemble);
 
 /// What came of one sample.
 struct SampleOutcome

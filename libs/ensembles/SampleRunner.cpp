@@ -89,12 +89,7 @@ SampleRunner::runTogether(const std::vector<std::vector<SampleValue>>& samples,
 SampleOutcome SampleRunner::runByApplications(const std::vector<SampleValue>& values)
 {
     const std::size_t count = ensemble.settings.results.size();
-    std::vector<OtherEntry> entries;
-    for (std::size_t k = 0; k < values.size(); ++k)
-    {
-        entries.emplace_back(ensemble.settings.variables[k].second.place, entryText(values[k]));
-    }
-    const CaseRun done = runCopy(ensemble.caseDirectory, scratch, entries,
+    const CaseRun done = runCopy(ensemble.caseDirectory, scratch, entriesOf(ensemble, values),
                                  {ensemble.settings.applications, {"."}, ensemble.options});
     const bool isCutShort = done.isInterrupted && done.application != ensemble.settings.applications.back();
     if (done.status != 0 || isCutShort)

@@ -71,17 +71,39 @@ std::vector<double> completed(const ParameterSearch& search, const std::vector<d
     return results;
 }
 
+namespace
+{
+
+std::vector<OtherEntry> entriesOf(const ParameterSearch& search, const std::vector<double>& variables)
+{
+    std::vector<OtherEntry> entries;
+    for (std::size_t i = 0; i < variables.size(); ++i)
+    {
+        entries.emplace_back(search.settings.variables[i].second.place, fmt::format("{}", variables[i]));
+    }
+    return entries;
+}
+
+} // namespace
+
+void requireReadableCase(const ParameterSearch& search)
+{
+    std::vector<double> middle;
+    for (const auto& [name, variable] : search.settings.variables)
+    {
+        middle.push_back((variable.bounds[0] + variable.bounds[1]) / 2);
+    }
+    requireReadableCase(search.caseDirectory, search.caseDirectory / parameterSearchName / "dryRun",
+                        {entriesOf(search, search.start), entriesOf(search, middle)},
+                        {search.settings.applications, search.settings.cases, search.options});
+}
+
 PointRun runPoint(const ParameterSearch& search, const std::vector<double>& variables)
 {
     const ParameterSearchSettings& settings = search.settings;
     const fs::path folder = search.caseDirectory / "parameterSearch/evaluation";
-    std::vector<OtherEntry> entries;
-    for (std::size_t i = 0; i < variables.size(); ++i)
-    {
-        entries.emplace_back(settings.variables[i].second.place, fmt::format("{}", variables[i]));
-    }
     const double before = childrenCpuTime();
-    const CaseRun done = runCopy(search.caseDirectory, folder, entries,
+    const CaseRun done = runCopy(search.caseDirectory, folder, entriesOf(search, variables),
                                  {settings.applications, settings.cases, search.options});
     PointRun run;
     run.cpuTime = childrenCpuTime() - before;

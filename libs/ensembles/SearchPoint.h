@@ -36,6 +36,10 @@ std::string pointText(const ParameterSearchSettings& settings, const std::vector
 std::vector<double> completed(const ParameterSearch& search, const std::vector<double>& variables,
                               std::vector<double> results, const std::string& reason);
 
+/// Checks whether the applications can read the case, with the values at the start of the search or in the
+/// middle of the bounds. \throws FatalError with the message of the application
+void requireReadableCase(const ParameterSearch& search);
+
 /// The outcome of the applications at a point.
 struct PointRun
 {

@@ -239,6 +239,19 @@ class Ensemble(CaseTest):
         self.assertEqual(self.table(case), self.table(inProcess))
         self.assertEqual(os.path.exists(os.path.join(inProcess, "constant/assembly")), False)
 
+    def testACaseThatCannotBeReadIsRefusedAtOnce(self):
+        for name, applications in {"unread": "blockTexture limitAnalysis",
+                                   "unreadCopy": "blockTexture checkBlocks limitAnalysis"}.items():
+            case = self.case(name, applications=applications, samples=40)
+            with open(os.path.join(case, "constant/contactProperties"), "a", encoding="utf-8") as file:
+                file.write("cohesoin { c 1; }\n")
+            before = sorted(os.listdir(case)), sorted(os.listdir(self.root.name))
+            done = self.run_(case, "-dry-run", status=1)
+            self.assertIn("cohesoin", done.stderr)
+            self.assertEqual((sorted(os.listdir(case)), sorted(os.listdir(self.root.name))), before)
+            self.assertIn("cohesoin", self.run_(case, status=1).stderr)
+            self.assertNotIn("Samples: 40 of 40", done.stdout)
+
     def testSamplesThatShareBlocksAreThoseOfTheApplications(self):
         """Blocks are kept from one sample to the next where their dictionary says the same."""
         changes = {"samples": 12, "design": "random"}

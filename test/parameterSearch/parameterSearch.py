@@ -144,6 +144,15 @@ class ParameterSearch(CaseTest):
         self.assertIn("No point that was tried meets the constraints", done.stdout)
         self.assertNotIn("Least alpha", done.stdout)
 
+    def testADryRunReadsTheCaseThatIsVaried(self):
+        case = self.case("dryFault")
+        with open(os.path.join(case, "constant/contactProperties"), "a", encoding="utf-8") as file:
+            file.write("cohesoin { c 1; }\n")
+        before = sorted(os.listdir(case))
+        done = self.run_(case, "-dry-run", status=1)
+        self.assertIn("cohesoin", done.stderr)
+        self.assertEqual(sorted(os.listdir(case)), before)
+
     def testDryRunChecksAndComputesNothing(self):
         case = self.case("dry")
         done = self.run_(case, "-dry-run")

@@ -115,6 +115,7 @@ int run(const CommandLine& commandLine)
     }
     if (commandLine.dryRun)
     {
+        requireReadableCase(ensemble);
         printEnd();
         return 0;
     }
@@ -135,6 +136,7 @@ int run(const CommandLine& commandLine)
     }
 
     catchStopSignals();
+    requireReadableCase(ensemble);
     SampleStore store(ensemble.caseDirectory, ensemble.plan, ensemble.samples(), ensemble.wholeChunk());
     WorkerSettings workers{jobsOf(commandLine), launched, isFirst && !launched.isArray};
     if (isFirst || launched.isArray)

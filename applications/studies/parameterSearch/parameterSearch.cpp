@@ -22,6 +22,7 @@ int run(const CommandLine& commandLine)
     printSearch(search, history);
     if (commandLine.dryRun)
     {
+        requireReadableCase(search);
         printEnd();
         return 0;
     }
