@@ -192,6 +192,24 @@ void StatementBuilder::failMissingSemicolon(const char* at)
     }
     if (at == text.data() + text.size() || *at == '}')
     {
+        // A value that goes on in another line with a word, outside brackets: there an entry was meant to
+        // begin, and it is its end that comes as a surprise.
+        int depthOfBrackets = 0;
+        for (std::size_t i = 0; i < statement.value.size(); ++i)
+        {
+            const Token& token = statement.value[i];
+            const int lineBefore = i > 0 ? statement.value[i - 1].line : statement.keyword.line;
+            if (i > 0 && depthOfBrackets == 0 && token.kind == TokenKind::word && token.line > lineBefore)
+            {
+                throw error(
+                    fmt::format("The value of {} goes on with `{}` at line {}. Is a `;` missing at the "
+                                "end of line {}?",
+                                key, token.text.substr(0, 80), token.line, lineBefore),
+                    lineBefore);
+            }
+            depthOfBrackets += token.is('(') || token.is('[') || token.is('{') ? 1 : 0;
+            depthOfBrackets -= token.is(')') || token.is(']') || token.is('}') ? 1 : 0;
+        }
         const int line = statement.value.empty() ? statement.keyword.line : statement.value.back().line;
         throw error("A `;` is missing after the value of " + key + ": " + found(at)
                         + " came first. Write `;` at the end of line " + std::to_string(line) + ".",

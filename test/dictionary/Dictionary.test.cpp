@@ -362,6 +362,17 @@ TEST_F(DictionaryFiles, AnEtcDirectoryOfOnesOwnIsIncludedFrom)
 // ------------------------------------------------------------------------------------------------------- bad
 // and hard
 
+TEST(Dictionary, AMissingSemicolonBeforeASubDictionaryIsNamedWhereItIsMissing)
+{
+    for (const char* end : {"", "}\n"})
+    {
+        EXPECT_THAT(
+            reportOfReading("a 1;\nb 0.5\n\nc\n{\n    d (1\n 2);\n    e { f 3; }\n}\n" + std::string(end)),
+            AllOf(HasSubstr("value of b goes on with `c` at line 4"), HasSubstr("end of line 2?"),
+                  HasSubstr("at line 2.")));
+    }
+}
+
 TEST(Dictionary, BrokenTextIsNamedWithItsLineAndRepair)
 {
     EXPECT_THAT(reportOfReading("a 1;\nb { c 2 }\n"),
