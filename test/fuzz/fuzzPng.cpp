@@ -21,16 +21,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             settings.leastArea = 3;
             settings.mortar = 4;
             settings.base = 2;
-            int count = 0;
-            const Raster<int> labels = labelStones(picture, settings, count);
-            for (const Polygon& outline : stoneOutlines(labels, count, 1))
+            const StoneRaster stones = labelStones(picture, settings);
+            for (const Polygon& outline : stoneOutlines(stones.labels, stones.count, 1))
             {
                 if (outline.size() < 2)
                 {
                     std::abort();
                 }
             }
-            for (const Polygon& outline : stoneOutlines(labels, count, 0))
+            for (const Polygon& outline : stoneOutlines(stones.labels, stones.count, 0))
             {
                 if (!(areaProperties(outline).area > 0))
                 {

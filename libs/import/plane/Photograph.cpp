@@ -51,6 +51,36 @@ bool doOverlap(const std::vector<Polygon>& outlines)
                        });
 }
 
+/// Says which stones had holes, the largest holes first: the blocks are heavier by them.
+void reportHoles(const std::vector<int>& filled, double scale)
+{
+    std::vector<int> stones;
+    double sum = 0;
+    for (std::size_t stone = 0; stone < filled.size(); ++stone)
+    {
+        sum += filled[stone];
+        if (filled[stone] > 0)
+        {
+            stones.push_back(static_cast<int>(stone));
+        }
+    }
+    if (stones.empty())
+    {
+        return;
+    }
+    const auto areaOf = [&](int stone) { return filled[static_cast<std::size_t>(stone)] * scale * scale; };
+    std::stable_sort(stones.begin(), stones.end(), [&](int a, int b) { return areaOf(a) > areaOf(b); });
+    constexpr std::size_t most = 8;
+    std::string list;
+    for (std::size_t i = 0; i < std::min(most, stones.size()); ++i)
+    {
+        list += fmt::format("{}{} ({:.3g})", i > 0 ? ", " : "", stones[i], areaOf(stones[i]));
+    }
+    info("Import: holes are filled, with what lies in them, {:.3g} m2 in all: blocks {}{}",
+         sum * scale * scale, list,
+         stones.size() > most ? fmt::format(" and {} more", stones.size() - most) : "");
+}
+
 } // namespace
 
 void declare(Options& options, Photograph& photograph)
@@ -111,8 +141,9 @@ Assembly<2> makeAssembly(const Photograph& photograph, const std::filesystem::pa
     const Raster<std::uint8_t> picture = readPng(file);
     StoneSettings settings = photograph.labels;
     settings.areLight = photograph.stones == Stones::light;
-    int count = 0;
-    const Raster<int> labels = labelStones(picture, settings, count);
+    const StoneRaster stones = labelStones(picture, settings);
+    const Raster<int>& labels = stones.labels;
+    const int count = stones.count;
     if (count == 0)
     {
         refuse(file, 0,
@@ -155,6 +186,7 @@ Assembly<2> makeAssembly(const Photograph& photograph, const std::filesystem::pa
     const double scale = photograph.distance / (photograph.points.second - photograph.points.first).norm();
     info("Import: {}, {} x {} pixels of {:.4g} m: {} stones with {} corners, borders within {:g} pixels",
          file.name, picture.width, picture.height, scale, count, corners, tolerance);
+    reportHoles(stones.filled, scale);
     if (tolerance < photograph.tolerance)
     {
         info("Import: borders within the stated tolerance of {:g} pixels would cross each other",

@@ -231,44 +231,138 @@ void grow(Raster<int>& labels, const Raster<std::uint8_t>& room)
     }
 }
 
-/// Areas that only one stone touches become part of it: an outline has no hole.
-void fillHoles(Raster<int>& labels, int count)
+/// Connected areas of one stone, or of none, and which of them touch at sides of pixels. The picture has a
+/// margin of one free pixel, so that area 0 is what lies around.
+struct AreaMap
 {
-    for (int pass = 0; pass < 2; ++pass) // free areas first, then stones within stones
-    {
-        Raster<std::uint8_t> isReached = alike<std::uint8_t>(labels.width, labels.height, 0);
-        forEach(labels,
-                [&](int x, int y)
+    Raster<int> areas;       ///< with the margin
+    std::vector<int> stones; ///< of each area
+    std::vector<std::vector<int>> neighbours;
+};
+
+AreaMap areasOf(const Raster<int>& labels)
+{
+    AreaMap map;
+    map.areas = alike(labels.width + 2, labels.height + 2, -1);
+    const auto stoneAt = [&](int x, int y)
+    { return labels.has(x - 1, y - 1) ? labels.at(x - 1, y - 1) : noStone; };
+    Raster<std::uint8_t> isReached = alike<std::uint8_t>(map.areas.width, map.areas.height, 0);
+    forEach(map.areas,
+            [&](int x, int y)
+            {
+                if (isReached.at(x, y) != 0)
                 {
-                    const int label = labels.at(x, y);
-                    if (isReached.at(x, y) != 0 || (label != noStone) != (pass == 1))
+                    return;
+                }
+                const int stone = stoneAt(x, y);
+                for (const auto& [px, py] : areaFrom(
+                         x, y, [&](int qx, int qy) { return stoneAt(qx, qy) == stone; }, isReached))
+                {
+                    map.areas.at(px, py) = static_cast<int>(map.stones.size());
+                }
+                map.stones.push_back(stone);
+            });
+    map.neighbours.resize(map.stones.size());
+    const auto join = [&](int one, int other)
+    {
+        std::vector<int>& known = map.neighbours[static_cast<std::size_t>(one)];
+        if (one != other && (known.empty() || known.back() != other))
+        {
+            known.push_back(other);
+        }
+    };
+    forEach(map.areas,
+            [&](int x, int y)
+            {
+                for (const auto& [dx, dy] : sides)
+                {
+                    if (map.areas.has(x + dx, y + dy))
                     {
-                        return;
+                        join(map.areas.at(x, y), map.areas.at(x + dx, y + dy));
                     }
-                    const auto area = areaFrom(
-                        x, y, [&](int px, int py) { return labels.at(px, py) == label; }, isReached);
-                    int around = count; // none yet
-                    for (const auto& [px, py] : area)
-                    {
-                        for (const auto& [dx, dy] : sides)
-                        {
-                            const int other =
-                                labels.has(px + dx, py + dy) ? labels.at(px + dx, py + dy) : noStone - 1;
-                            if (other != label)
-                            {
-                                around = around == count || around == other ? other : noStone - 1;
-                            }
-                        }
-                    }
-                    if (around >= 0 && around < count)
-                    {
-                        for (const auto& [px, py] : area)
-                        {
-                            labels.at(px, py) = around;
-                        }
-                    }
-                });
+                }
+            });
+    for (std::vector<int>& known : map.neighbours)
+    {
+        std::sort(known.begin(), known.end());
+        known.erase(std::unique(known.begin(), known.end()), known.end());
     }
+    return map;
+}
+
+/// For each area the stone's area that surrounds it, the outermost of several, or -1. Every way from an area
+/// to what lies around passes through the stone that surrounds it: of a depth-first tree from there, the
+/// stone is an ancestor below which nothing has a neighbour above it (Tarjan, 1972).
+std::vector<int> surroundingAreas(const AreaMap& map)
+{
+    const std::size_t count = map.stones.size();
+    std::vector<int> found(count, -1); // when, in order
+    std::vector<int> lowest(count, 0); // the first that is a neighbour of the subtree
+    std::vector<int> parent(count, -1);
+    std::vector<std::size_t> next(count, 0);
+    std::vector<int> order;
+    std::vector<int> path{0};
+    const auto at = [](auto& values, int area) -> auto&
+    {
+        return values[static_cast<std::size_t>(area)];
+    };
+    const auto find = [&](int area)
+    {
+        at(found, area) = at(lowest, area) = static_cast<int>(order.size());
+        order.push_back(area);
+    };
+    find(0);
+    while (!path.empty())
+    {
+        const int area = path.back();
+        if (at(next, area) == at(map.neighbours, area).size())
+        {
+            path.pop_back();
+            if (!path.empty())
+            {
+                at(lowest, path.back()) = std::min(at(lowest, path.back()), at(lowest, area));
+            }
+            continue;
+        }
+        const int neighbour = at(map.neighbours, area)[at(next, area)++];
+        if (at(found, neighbour) < 0)
+        {
+            at(parent, neighbour) = area;
+            find(neighbour);
+            path.push_back(neighbour);
+        }
+        else
+        {
+            at(lowest, area) = std::min(at(lowest, area), at(found, neighbour));
+        }
+    }
+    std::vector<int> surrounding(count, -1);
+    for (std::size_t i = 1; i < order.size(); ++i)
+    {
+        const int area = order[i];
+        const int above = at(parent, area);
+        const bool isInside = at(map.stones, above) != noStone && at(lowest, area) >= at(found, above);
+        at(surrounding, area) = at(surrounding, above) >= 0 ? at(surrounding, above) : isInside ? above : -1;
+    }
+    return surrounding;
+}
+
+/// What a stone surrounds becomes part of it, other stones too: an outline has no hole.
+/// \param isFilled is set for these pixels
+void fillHoles(Raster<int>& labels, Raster<std::uint8_t>& isFilled)
+{
+    const AreaMap map = areasOf(labels);
+    const std::vector<int> surrounding = surroundingAreas(map);
+    forEach(labels,
+            [&](int x, int y)
+            {
+                const int around = surrounding[static_cast<std::size_t>(map.areas.at(x + 1, y + 1))];
+                if (around >= 0)
+                {
+                    labels.at(x, y) = map.stones[static_cast<std::size_t>(around)];
+                    isFilled.at(x, y) = 1;
+                }
+            });
 }
 
 /// Where two pixels of a stone touch at a corner only, a third is added to it.
@@ -362,20 +456,32 @@ Raster<std::uint8_t> readPng(const ImportedFile& file)
     return picture;
 }
 
-Raster<int> labelStones(const Raster<std::uint8_t>& brightness, const StoneSettings& settings, int& count)
+StoneRaster labelStones(const Raster<std::uint8_t>& brightness, const StoneSettings& settings)
 {
-    Raster<int> labels = findStones(brightness, settings, count);
-    if (count == 0)
+    StoneRaster stones;
+    stones.labels = findStones(brightness, settings, stones.count);
+    if (stones.count == 0)
     {
-        return labels;
+        return stones;
     }
+    Raster<int>& labels = stones.labels;
+    Raster<std::uint8_t> isFilled = alike<std::uint8_t>(labels.width, labels.height, 0);
     grow(labels, roomOf(labels, settings));
-    fillHoles(labels, count);
+    fillHoles(labels, isFilled);
     removeCornerTouches(labels);
-    keepLargestPieces(labels, count);
-    fillHoles(labels, count);
-    keepLargestPieces(labels, count);
-    return labels;
+    keepLargestPieces(labels, stones.count);
+    fillHoles(labels, isFilled);
+    keepLargestPieces(labels, stones.count);
+    stones.filled.assign(static_cast<std::size_t>(stones.count), 0);
+    forEach(labels,
+            [&](int x, int y)
+            {
+                if (labels.at(x, y) != noStone)
+                {
+                    stones.filled[static_cast<std::size_t>(labels.at(x, y))] += isFilled.at(x, y);
+                }
+            });
+    return stones;
 }
 
 } // namespace drystone

@@ -47,11 +47,19 @@ struct StoneSettings
     int base = 0;          ///< height above the lowest stone to which the lowest stones reach down [pixels]
 };
 
+/// Which stone each pixel belongs to.
+struct StoneRaster
+{
+    Raster<int> labels;      ///< from 0, or noStone
+    int count = 0;           ///< of stones
+    std::vector<int> filled; ///< of each stone: the pixels that were a hole in it
+};
+
 /// The stones of a picture, numbered from 0 as they appear from the top left: connected areas of their
 /// brightness, grown into the mortar between them, each pixel to the nearest stone. Mortar that is wider, and
 /// what is around the stones, stays free: what is grown is the closing of the stones by half the widest
-/// joint. Areas that a stone surrounds become part of it, and stones do not touch at corners of pixels alone.
-/// \param count of stones
-Raster<int> labelStones(const Raster<std::uint8_t>& brightness, const StoneSettings& settings, int& count);
+/// joint. What a stone surrounds becomes part of it, other stones too, and stones do not touch at corners of
+/// pixels alone.
+StoneRaster labelStones(const Raster<std::uint8_t>& brightness, const StoneSettings& settings);
 
 } // namespace drystone

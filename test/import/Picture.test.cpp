@@ -1,0 +1,92 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Stones of pictures that are drawn with letters.
+#include "import/plane/Picture.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+using namespace drystone;
+
+namespace
+{
+
+/// The stones of a picture in which `#` is dark, without mortar to grow into.
+StoneRaster stonesOf(const std::vector<std::string>& rows)
+{
+    Raster<std::uint8_t> picture{static_cast<int>(rows.front().size()), static_cast<int>(rows.size()), {}};
+    for (const std::string& row : rows)
+    {
+        for (const char pixel : row)
+        {
+            picture.pixels.push_back(pixel == '#' ? 0 : 255);
+        }
+    }
+    StoneSettings settings;
+    settings.leastArea = 1;
+    settings.mortar = 0;
+    return labelStones(picture, settings);
+}
+
+std::string textOf(const StoneRaster& stones)
+{
+    std::string text;
+    for (int y = 0; y < stones.labels.height; ++y)
+    {
+        for (int x = 0; x < stones.labels.width; ++x)
+        {
+            const int stone = stones.labels.at(x, y);
+            text += stone == noStone ? '.' : static_cast<char>('0' + stone);
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+TEST(Picture, AHoleIsPartOfItsStone)
+{
+    const StoneRaster stones = stonesOf({".####.##", ".#..#.##", ".#..#.##", ".####..."});
+    EXPECT_EQ(textOf(stones), ".0000.11\n.0000.11\n.0000.11\n.0000...\n");
+    EXPECT_EQ(stones.filled, (std::vector<int>{4, 0}));
+}
+
+TEST(Picture, StonesWithinAStoneArePartOfIt)
+{
+    // A stone that lies free in the hole, with a hole of its own and a stone in that, and one beside it.
+    const StoneRaster stones = stonesOf({
+        "###########", //
+        "#.........#", //
+        "#.#####...#", //
+        "#.#...#.#.#", //
+        "#.#.#.#.#.#", //
+        "#.#...#...#", //
+        "#.#####...#", //
+        "#.........#", //
+        "###########", //
+    });
+    EXPECT_EQ(stones.count, 1);
+    EXPECT_EQ(stones.filled, std::vector<int>{9 * 7});
+}
+
+TEST(Picture, WhatOpensToTheOutsideOrToTwoStonesIsNoHole)
+{
+    const StoneRaster open = stonesOf({"####", "#..#", "#..#", "#..#"});
+    EXPECT_EQ(open.filled, std::vector<int>{0});
+    // Two stones that touch at a corner surround the area between them; none alone does.
+    const StoneRaster two = stonesOf({
+        "####.", //
+        "#..#.", //
+        "#....", //
+        "#.#.#", //
+        "..###", //
+    });
+    EXPECT_EQ(two.filled, std::vector<int>(static_cast<std::size_t>(two.count), 0));
+    EXPECT_EQ(two.labels.at(1, 1), noStone);
+}
+
+TEST(Picture, WithoutStonesHasNone)
+{
+    EXPECT_EQ(stonesOf({"...", "..."}).count, 0);
+}
+
+} // namespace
