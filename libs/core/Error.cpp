@@ -219,6 +219,21 @@ std::string withoutPrintedQuotes(std::string word)
     return word;
 }
 
+/// Of a regular noun: `keys`, `quantities`.
+std::string pluralOf(std::string_view noun)
+{
+    const bool isAfterConsonant =
+        noun.size() > 1 && std::string_view("aeiou").find(noun[noun.size() - 2]) == std::string_view::npos;
+    std::string plural(noun);
+    if (noun.ends_with('y') && isAfterConsonant)
+    {
+        plural.pop_back();
+        plural.append("ie");
+    }
+    plural.push_back('s');
+    return plural;
+}
+
 } // namespace
 
 std::string unknownWordMessage(std::string_view family, std::string_view word,
@@ -233,7 +248,7 @@ std::string unknownWordMessage(std::string_view family, std::string_view word,
     {
         message += " Did you mean " + nearest + "?";
     }
-    message += "\n\nValid " + std::string(one) + "s:";
+    message += "\n\nValid " + pluralOf(one) + ":";
     if (validWords.empty())
     {
         message += " none";

@@ -403,7 +403,14 @@ void read(TokenCursor& cursor, std::string& value)
     if (token.kind == TokenKind::word && cursor.isNext('/')
         && cursor.peek().text.data() == token.text.data() + token.text.size())
     {
-        cursor.fail("A name with `/` goes between quotes: \"constant/record.AT2\".");
+        const char* begin = token.text.data();
+        const Token& last = cursor.entry().tokens().back();
+        const std::ptrdiff_t length = last.text.data() + last.text.size() - begin;
+        constexpr std::ptrdiff_t most = 80;
+        const bool isOneText = last.file == token.file && length > 0 && length <= most;
+        cursor.fail(fmt::format("What has a `/`, a name or arithmetic, goes between quotes: \"{}\".",
+                                isOneText ? std::string_view(begin, static_cast<std::size_t>(length))
+                                          : std::string_view("constant/record.AT2")));
     }
 }
 

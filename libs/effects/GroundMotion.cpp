@@ -80,13 +80,15 @@ Eigen::Vector3d toVector(const std::array<double, 3>& components)
 
 } // namespace
 
+constexpr const char* noLength = "The direction has no length. Write for instance `direction (1 0 0);`.";
+
 void declare(Options& options, GroundComponentSettings& settings)
 {
     options.required("direction", settings.direction, "of the acceleration; its length does not matter")
         .example("(1 0 0)");
     options.required("acceleration", settings.acceleration, groundAccelerationTypes(), "along the direction");
-    options.check("direction", [&settings]
-                  { return toVector(settings.direction).norm() > 0 ? "" : "The direction has no length."; });
+    options.check("direction",
+                  [&settings] { return toVector(settings.direction).norm() > 0 ? "" : noLength; });
 }
 
 void declare(Options& options, GroundMotionSettings& settings)
@@ -96,26 +98,30 @@ void declare(Options& options, GroundMotionSettings& settings)
     options.optional("acceleration", settings.acceleration, groundAccelerationTypes(), "along the direction");
     options.optional("components", settings.components,
                      "instead: several motions at once, each under a name");
-    options.check("direction",
-                  [&settings]
-                  {
-                      const bool single = settings.direction || settings.acceleration;
-                      if (single && !settings.components.empty())
-                      {
-                          return "Give either direction and acceleration, or components.";
-                      }
-                      if (!single && settings.components.empty())
-                      {
-                          return "The motion of the ground needs direction and acceleration.";
-                      }
-                      if (single && !(settings.direction && settings.acceleration))
-                      {
-                          return "The motion of the ground needs both direction and acceleration.";
-                      }
-                      return settings.direction && toVector(*settings.direction).norm() == 0
-                                 ? "The direction has no length."
-                                 : "";
-                  });
+    options.check(
+        "direction",
+        [&settings]
+        {
+            const bool single = settings.direction || settings.acceleration;
+            if (single && !settings.components.empty())
+            {
+                return "Give either direction and acceleration, or components.";
+            }
+            if (!single && settings.components.empty())
+            {
+                return "The motion of the ground needs direction and acceleration. Write for instance "
+                       "`direction (1 0 0); acceleration { type constant; value 3; }`.";
+            }
+            if (single && !(settings.direction && settings.acceleration))
+            {
+                return settings.direction
+                           ? "The motion of the ground needs both direction and acceleration. Write "
+                             "for instance `acceleration { type constant; value 3; }`."
+                           : "The motion of the ground needs both direction and acceleration. Write "
+                             "for instance `direction (1 0 0);`.";
+            }
+            return settings.direction && toVector(*settings.direction).norm() == 0 ? noLength : "";
+        });
 }
 
 GroundMotion readGroundMotion(const Dictionary& dictionary, const std::filesystem::path& caseDirectory)

@@ -82,6 +82,7 @@ AccuracyPoint summarise(const RunSetting& setting, const std::vector<Measurement
     for (const Measurement& run : runs)
     {
         point.failed += run.end == RunEnd::done ? 0 : 1;
+        point.unsolved += run.end == RunEnd::unsolved ? 1 : 0;
         point.steps += run.steps / static_cast<double>(runs.size());
         point.worstResidual = std::max(point.worstResidual, run.worstResidual);
         values.push_back(run.value);

@@ -17,6 +17,7 @@ struct AccuracyPoint
     int planned = 0;        ///< runs: phases of a motion, repeats of a multiplier
     int runs = 0;           ///< carried out; fewer when the first of them were not solved
     int failed = 0;         ///< that were not solved, or did not have the figure
+    int unsolved = 0;       ///< of these: not solved
     double value = 0;       ///< median; nan when any failed, as the errors
     double medianError = 0; ///< |value/reference - 1| over the phases
     double worstError = 0;

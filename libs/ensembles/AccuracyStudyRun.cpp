@@ -302,6 +302,30 @@ void printAccuracyStudy(const AccuracyStudy& study)
     printLine();
 }
 
+namespace
+{
+
+/// Why runs of a setting failed.
+std::string reasonOf(const AccuracyPoint& point, QuantityKind kind)
+{
+    std::string reasons;
+    if (point.unsolved > 0)
+    {
+        reasons = "not solved to the tolerance";
+    }
+    if (point.failed > point.unsolved)
+    {
+        reasons += reasons.empty() ? "" : ", or ";
+        reasons += kind == QuantityKind::motion
+                       ? "the figure does not occur before endTime"
+                       : "there is no multiplier, as where the live load is unbounded or the dead load is "
+                         "not carried (limitAnalysis says which)";
+    }
+    return reasons;
+}
+
+} // namespace
+
 AccuracyResults carryOut(const AccuracyStudy& study, AccuracyRuns& runs)
 {
     AccuracyResults results;
@@ -353,8 +377,9 @@ AccuracyResults carryOut(const AccuracyStudy& study, AccuracyRuns& runs)
             info("    {}: {}, CPU {:.3g} s  ({} of {}, {})", settingText(point.setting, settings),
                  point.isWhole()
                      ? fmt::format("error {:.3g}, worst {:.3g}", point.medianError, point.worstError)
-                     : fmt::format("{} of {} runs FAILED{}", point.failed, point.runs,
-                                   point.runs < point.planned ? ", no more tried" : ""),
+                     : fmt::format("{} of {} runs FAILED{}: {}", point.failed, point.runs,
+                                   point.runs < point.planned ? ", no more tried" : "",
+                                   reasonOf(point, study.quantities[quantity].kind)),
                  point.cpuTime, number + 1, plans.size(), worker.timeLeft());
             std::fflush(stdout); // a study takes long: its log must show the progress
             result.points.push_back(point);
@@ -402,7 +427,21 @@ void writeAccuracyResults(const AccuracyStudy& study, const AccuracyResults& res
 
 int exitStatus(const AccuracyResults& results)
 {
-    return results.isInterrupted ? exitStatusOfSignal(stopSignal()) : 0;
+    if (results.isInterrupted)
+    {
+        return exitStatusOfSignal(stopSignal());
+    }
+    bool isAnySolved = false;
+    bool isAnyUnsolved = false;
+    for (const SweepResult& sweep : results.sweeps)
+    {
+        for (const AccuracyPoint& point : sweep.points)
+        {
+            isAnySolved = isAnySolved || point.failed < point.runs;
+            isAnyUnsolved = isAnyUnsolved || point.unsolved > 0;
+        }
+    }
+    return isAnySolved || results.sweeps.empty() ? 0 : isAnyUnsolved ? 2 : 1;
 }
 
 } // namespace drystone

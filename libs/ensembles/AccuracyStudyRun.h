@@ -42,7 +42,8 @@ void printAccuracyResults(const AccuracyStudy& study, const AccuracyResults& res
 /// Table, page and pictures. \throws FatalError naming what cannot be written
 void writeAccuracyResults(const AccuracyStudy& study, const AccuracyResults& results);
 
-/// 0; 128 + signal (130 for Ctrl-C) when the study was interrupted.
+/// 0; where all runs of all sweeps failed 2 when some were not solved, else 1; 128 + signal (130 for Ctrl-C)
+/// when the study was interrupted.
 int exitStatus(const AccuracyResults& results);
 
 } // namespace drystone

@@ -183,6 +183,15 @@ class AccuracyCost(CaseTest):
                        "sweeps { surface { quantity alpha; %s } }" % sweep)
         return case
 
+    def testWhereNoRunHasItsFigureTheReasonIsGivenAndTheStatusIsNotZero(self):
+        case = self.multiplierCase("unbounded", "tolerance (1e-3 1e-9);")
+        with open(os.path.join(case, "constant/loads"), "w", encoding="utf-8") as file:
+            file.write("dead { type gravity; } live { type inertial; direction (0 -1 0); }")
+        done = self.run_(case, status=1)
+        self.assertRegex(done.stdout, r"runs FAILED: there is no multiplier, as where the live load is unbounded")
+        self.assertIn("End", done.stdout)
+        self.run_(case, status=1)  # known from the history
+
     def testAReferenceOfALargerToleranceThanItsSweepIsWarnedOf(self):
         case = self.multiplierCase("tolerance", "tolerance (1e-6 1e-10);")
         reference = r"type value; value 0.25; source slenderness;"

@@ -16,6 +16,8 @@ using testing::HasSubstr;
 
 TEST(UnknownWord, InTheQuotesOfATextProcessorIsStillRecognised)
 {
+    EXPECT_THAT(unknownWordMessage("quantity", "t", {"s"}), HasSubstr("Valid quantities: s"));
+    EXPECT_THAT(unknownWordMessage("key", "t", {"s"}), HasSubstr("Valid keys: s"));
     EXPECT_THAT(unknownWordMessage("profile", "\u201ccircular\u201d", {"circular", "pointed"}),
                 HasSubstr("Did you mean circular?"));
 }

@@ -373,6 +373,23 @@ TEST(Dictionary, AMissingSemicolonBeforeASubDictionaryIsNamedWhereItIsMissing)
     }
 }
 
+TEST(Dictionary, WhatHasASlashIsShownInTheQuotesThatItNeeds)
+{
+    const auto refusal = [](const std::string& text)
+    {
+        try
+        {
+            return Dictionary::readString(text).get<std::string>("a");
+        }
+        catch (const FatalIOError& error)
+        {
+            return error.report();
+        }
+    };
+    EXPECT_THAT(refusal("a alpha/(mu-mu);"), HasSubstr("\"alpha/(mu-mu)\""));
+    EXPECT_THAT(refusal("a constant/r.AT2; b 1;"), HasSubstr("\"constant/r.AT2\""));
+}
+
 TEST(Dictionary, BrokenTextIsNamedWithItsLineAndRepair)
 {
     EXPECT_THAT(reportOfReading("a 1;\nb { c 2 }\n"),

@@ -204,7 +204,7 @@ TEST(GroundMotionDictionary, SaysWhatIsWrongAndWhere)
     EXPECT_THAT(refusalOf("direction (1 0 0);"), HasSubstr("both direction and acceleration"));
     EXPECT_THAT(refusalOf(""), HasSubstr("direction and acceleration"));
     EXPECT_THAT(refusalOf("direction (0 0 0); acceleration { type constant; value 3; }"),
-                HasSubstr("no length"));
+                testing::AllOf(HasSubstr("no length"), HasSubstr("`direction (1 0 0);`")));
     EXPECT_THAT(refusalOf("direction (1 0 0); acceleration { type constant; value 3; duration 1; }"),
                 HasSubstr("duration"));
     EXPECT_THAT(refusalOf("direction (1 0 0); acceleration { type constant; }"), HasSubstr("value"));
