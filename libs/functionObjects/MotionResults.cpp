@@ -18,6 +18,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace drystone
@@ -38,8 +39,8 @@ FunctionList<Dim> readFunctions(const std::filesystem::path& caseDirectory, cons
             scene.assembly};
 }
 
-/// The last step ends within half a step of endTime; so there may be none.
-void warnWithoutSteps(const Time& time)
+/// The last step ends within half a step of endTime; so there may be none, or the run may end elsewhere.
+void questionSteps(const Time& time)
 {
     const TimeControls& controls = time.controls();
     const double step = std::min(time.deltaT(), controls.deltaT);
@@ -49,6 +50,21 @@ void warnWithoutSteps(const Time& time)
             fmt::format("No step is computed: from {:g} s to endTime {:g} s is at most half of deltaT {:g} "
                         "s. Give a shorter deltaT or a later endTime.",
                         time.value(), controls.endTime, step),
+            time.controlDict().locationOf("deltaT"));
+        return;
+    }
+    const double length = controls.endTime - time.value();
+    const double last = std::ceil(length / step - 0.5) * step;
+    constexpr double noticeable = 0.01;
+    if (controls.stopAt == StopAt::endTime && !controls.adjustTimeStep
+        && std::abs(last - length) > noticeable * length)
+    {
+        printWarning(
+            fmt::format("The run ends at {:g} s, and not at endTime {:g} s: steps of deltaT {:g} s do not "
+                        "divide the time from {:g} s. Give a deltaT that does, such as {:g}, or write "
+                        "`adjustTimeStep yes;`.",
+                        time.value() + last, controls.endTime, step, time.value(),
+                        length / std::ceil(length / step)),
             time.controlDict().locationOf("deltaT"));
     }
 }
@@ -94,7 +110,7 @@ Motion<Dim> startOrContinue(const std::filesystem::path& caseDirectory, const Dy
         {
             refuseStartOverlaps(scene.assembly, initial.placements, places);
         }
-        warnWithoutSteps(time);
+        questionSteps(time);
         return startMotion(scene, std::move(initial));
     }
 

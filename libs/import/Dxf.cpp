@@ -21,6 +21,7 @@ struct Transform
     Vector<2> shift = Vector<2>::Zero();
 };
 
+constexpr const char* markedInvisible = "entities that are marked invisible";
 constexpr int deepest = 16;
 constexpr std::size_t mostInserts = 1'000'000;
 
@@ -66,6 +67,11 @@ private:
         }
         for (const DxfInsert& insert : drawn.inserts)
         {
+            if (insert.isInvisible)
+            {
+                ++unused[markedInvisible];
+                continue;
+            }
             const auto block = content.blocks.find(insert.block);
             if (block == content.blocks.end())
             {
@@ -115,6 +121,11 @@ private:
         if (content.hidden.contains(outline.layer))
         {
             ++unused["outlines on layers that are off or frozen"];
+            return;
+        }
+        if (polyline.isInvisible)
+        {
+            ++unused[markedInvisible];
             return;
         }
         const std::size_t count = polyline.corners.size();

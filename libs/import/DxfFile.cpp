@@ -254,6 +254,10 @@ private:
         {
             polyline.isClosed = (groups.integer() & 1) != 0;
         }
+        else if (group.code == 60)
+        {
+            polyline.isInvisible = groups.integer() != 0;
+        }
         else if (group.code == 230)
         {
             polyline.isMirrored = groups.number() < 0;
@@ -359,6 +363,9 @@ private:
                 break;
             case 50:
                 insert.angle = groups.number() * std::numbers::pi / 180;
+                break;
+            case 60:
+                insert.isInvisible = groups.integer() != 0;
                 break;
             case 70:
                 insert.columns = std::max(1, groups.integer());

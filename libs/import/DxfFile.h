@@ -19,7 +19,8 @@ struct DxfPolyline
     std::vector<double> bulges;
     std::string layer;
     bool isClosed = false;
-    bool isMirrored = false; ///< its extrusion direction is -z: x counts the other way
+    bool isInvisible = false; ///< marked so, whatever its layer
+    bool isMirrored = false;  ///< its extrusion direction is -z: x counts the other way
     int line = 0;
 };
 
@@ -31,6 +32,7 @@ struct DxfInsert
     Vector<2> place = Vector<2>::Zero();
     Vector<2> factor = Vector<2>::Ones();
     double angle = 0; ///< [rad]
+    bool isInvisible = false;
     int columns = 1;
     int rows = 1;
     Vector<2> spacing = Vector<2>::Zero();

@@ -162,6 +162,28 @@ TEST(Dxf, HiddenLayersAreLeftOut)
     EXPECT_THAT(reportOf([&] { drawnBlocks(drawing, {}, fileOf("")); }), HasSubstr("no closed outline"));
 }
 
+TEST(Dxf, WhatIsMarkedInvisibleIsLeftOutAndCounted)
+{
+    const auto marked = [](const char* mark)
+    {
+        return groups({{0, "LWPOLYLINE"},
+                       {60, mark},
+                       {70, "1"},
+                       {10, "0"},
+                       {20, "0"},
+                       {10, "2"},
+                       {20, "0"},
+                       {10, "2"},
+                       {20, "1"}});
+    };
+    const std::string block = groups({{0, "BLOCK"}, {2, "brick"}}) + square + groups({{0, "ENDBLK"}});
+    const std::string insert = groups({{0, "INSERT"}, {2, "brick"}, {60, "1"}});
+    const Drawing drawing =
+        read(section("BLOCKS", block) + section("ENTITIES", marked("1") + marked("0") + insert) + end);
+    EXPECT_EQ(drawing.outlines.size(), 1u);
+    EXPECT_THAT(drawing.ignored, testing::ElementsAre("2 entities that are marked invisible"));
+}
+
 TEST(Dxf, HostileFilesEndInAMessage)
 {
     EXPECT_THAT(report("AutoCAD Binary DXF\r\n"), HasSubstr("text form"));

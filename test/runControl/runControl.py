@@ -106,6 +106,16 @@ class RunControl(CaseTest):
         self.assertNotIn("No step", done.stdout + done.stderr)
         self.assertRegex(done.stdout, r"Wrote \S*postProcessing: motion")
 
+    def testARunThatDoesNotEndAtEndTimeSaysSo(self):
+        case = self.copy("beyondEnd", deltaT="0.8", endTime="0.5")
+        done = self.run_(case, "-dry-run")
+        self.assertIn("The run ends at 0.8 s, and not at endTime 0.5 s", done.stdout + done.stderr)
+        self.assertIn("such as 0.5,", done.stdout + done.stderr)
+        for controls in ({"deltaT": "0.8", "adjustTimeStep": "yes"}, {"deltaT": "0.001"}, {"deltaT": "0.1"}):
+            self.control(case, endTime="0.5", **controls)
+            done = self.run_(case, "-dry-run")
+            self.assertNotIn("The run ends at", done.stdout + done.stderr)
+
     def testALiveLoadIsNotAppliedAndThatIsSaid(self):
         case = self.copy("liveLoad", endTime="0.01")
         self.write(case, "constant/loads", header % "loads" + "dead { type gravity; }\n")
