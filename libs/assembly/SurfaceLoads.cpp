@@ -71,22 +71,18 @@ Eigen::VectorXd integrated(const Assembly<Dim>& assembly, const Tractions<Dim>& 
     return load;
 }
 
-/// Whether anything presses on a face. Forces may cancel on a block that is loaded on both sides; so what is
-/// added up is their size over the area, from which joints take their part: all but rounding of a face that
-/// is covered.
+/// Whether anything presses on a face. Forces may cancel on a block that is loaded on both sides, and a
+/// pressure may be 0; so what is added up is the area that is pressed, from which joints take their part: all
+/// but rounding of a face that is covered.
 template<int Dim>
 bool areOnFaces(const Tractions<Dim>& tractions)
 {
-    double exposed = 0; // [N]
+    double exposed = 0; // [m2]
     double whole = 0;
     for (const auto& [piece, direction] : tractions.pieces)
     {
-        for (const auto& [place, weight] : quadratureOf(piece))
-        {
-            const double size = std::abs(tractions.pressure(place)) * direction.norm();
-            exposed += weight * size;
-            whole += std::abs(weight) * size;
-        }
+        exposed += areaOf(piece) * direction.norm();
+        whole += std::abs(areaOf(piece)) * direction.norm();
     }
     return exposed > roundingOfAreas * whole;
 }
@@ -204,9 +200,6 @@ void declare(Options& options, PressureSettings<Dim>& settings)
     options.optional("direction", settings.direction,
                      "of the force; of length 0: on each face against its normal");
     declare(options, static_cast<LoadedFaces<Dim>&>(settings));
-    options.check("value",
-                  [&settings]() -> std::string
-                  { return settings.value == 0 ? "A pressure of 0 is no load." : ""; });
     options.check(
         "normal",
         [&settings]() -> std::string
@@ -486,6 +479,18 @@ Tractions<Dim> tractionsOf(const Assembly<Dim>& assembly, const std::vector<Surf
     return tractions;
 }
 
+/// Whether settings are of no load: a pressure may be 0, as the first of a series.
+template<int Dim>
+bool isNothing(const PressureSettings<Dim>& settings)
+{
+    return settings.value == 0;
+}
+template<int Dim>
+bool isNothing(const BackfillSettings<Dim>&)
+{
+    return false;
+}
+
 /// A maker that reports where no face is loaded.
 template<int Dim, class Settings>
 LoadMaker<Dim> surfaceLoad(const Settings& settings, const Dictionary& dictionary)
@@ -504,6 +509,10 @@ LoadMaker<Dim> surfaceLoad(const Settings& settings, const Dictionary& dictionar
                                "block, looks elsewhere or lies outside the box or above the level. "
                                "VTK/assembly.vtp shows where the blocks are.",
                                place);
+        }
+        if (isNothing(settings))
+        {
+            printWarningOnce("A pressure of 0 is no load.", places.of("value"));
         }
         if (!tractions.remark.empty())
         {

@@ -110,10 +110,15 @@ void printLine(std::string_view line)
     std::fputc('\n', stdout);
 }
 
-void printEffects(const std::vector<std::string>& simulated, const std::vector<std::string>& absent)
+void printEffects(const std::vector<std::string>& simulated, const std::vector<std::string>& absent,
+                  const std::vector<std::string>& ofMotion)
 {
     info("Effects simulated: {}", joined(simulated));
     info("Effects absent: {}", joined(absent));
+    if (!ofMotion.empty())
+    {
+        info("Not part of limit analysis: {} (of contactDynamics)", joined(ofMotion));
+    }
     printLine();
 }
 

@@ -22,8 +22,10 @@ void info(fmt::format_string<Arguments...> format, Arguments&&... arguments)
     printLine(fmt::format(format, std::forward<Arguments>(arguments)...));
 }
 
-/// Which effects a run simulates, and which it does not and therefore does not pay for.
-void printEffects(const std::vector<std::string>& simulated, const std::vector<std::string>& absent);
+/// Which effects a run simulates, which it does not and therefore does not pay for, and what the case has
+/// that is of motion alone and no part of the analysis.
+void printEffects(const std::vector<std::string>& simulated, const std::vector<std::string>& absent,
+                  const std::vector<std::string>& ofMotion = {});
 
 double cpuTime();   ///< of this process, all its threads together [s]
 double clockTime(); ///< since the program started [s]

@@ -172,17 +172,43 @@ void printPartUse(const LimitAnalysisCase<Dim>& structure)
     }
 }
 
+/// What the case has of effects and motions that blocks at rest do not have, taken out of the effects that
+/// are absent: they are there.
+std::vector<std::string> ofMotionAlone(const ContactProperties& contact,
+                                       const std::filesystem::path& caseDirectory,
+                                       std::vector<std::string>& absent)
+{
+    std::vector<std::string> given;
+    const auto isThere = [&](const std::string& name)
+    { return contact.locations.has(name) || std::filesystem::exists(caseDirectory / "constant" / name); };
+    for (const std::string& name : absent)
+    {
+        if (isThere(name))
+        {
+            given.push_back(name);
+        }
+    }
+    std::erase_if(absent, isThere);
+    if (std::filesystem::exists(caseDirectory / "0/motion"))
+    {
+        given.emplace_back("0/motion");
+    }
+    return given;
+}
+
 } // namespace
 
 template<int Dim>
-void printLimitAnalysisCase(const LimitAnalysisCase<Dim>& structure)
+void printLimitAnalysisCase(const LimitAnalysisCase<Dim>& structure,
+                            const std::filesystem::path& caseDirectory)
 {
     ContactProperties atRest = structure.contact;
     atRest.restitution.reset(); // there are no impacts
     auto [simulated, absent] = effectNamesAtRest(atRest);
+    const std::vector<std::string> ofMotion = ofMotionAlone(structure.contact, caseDirectory, absent);
     (structure.movement ? simulated : absent).emplace_back("supportMovement");
     (structure.pushover ? simulated : absent).emplace_back("pushover");
-    printEffects(simulated, absent);
+    printEffects(simulated, absent, ofMotion);
     info("Blocks: {} free, contact points: {}", structure.freeBlocks, structure.points.size());
     for (const std::string& sentence : caseMeaning<Dim>(structure.loads))
     {
@@ -252,8 +278,10 @@ void printLimitAnalysis(const LimitAnalysisCase<Dim>& structure, const std::vect
     }
 }
 
-template void printLimitAnalysisCase(const LimitAnalysisCase<2>& structure);
-template void printLimitAnalysisCase(const LimitAnalysisCase<3>& structure);
+template void printLimitAnalysisCase(const LimitAnalysisCase<2>& structure,
+                                     const std::filesystem::path& caseDirectory);
+template void printLimitAnalysisCase(const LimitAnalysisCase<3>& structure,
+                                     const std::filesystem::path& caseDirectory);
 template void printLimitAnalysis(const LimitAnalysisCase<2>& structure,
                                  const std::vector<LimitAnalysis>& results);
 template void printLimitAnalysis(const LimitAnalysisCase<3>& structure,

@@ -4,14 +4,17 @@
 
 #include "statics/LimitAnalysisCase.h"
 
+#include <filesystem>
 #include <vector>
 
 namespace drystone
 {
 
-/// Counts, effects and solver, for the log before the solution.
+/// Counts, effects and solver, for the log before the solution. \param caseDirectory where effects and
+/// motions may be given that are no part of the analysis
 template<int Dim>
-void printLimitAnalysisCase(const LimitAnalysisCase<Dim>& structure);
+void printLimitAnalysisCase(const LimitAnalysisCase<Dim>& structure,
+                            const std::filesystem::path& caseDirectory);
 
 /// Multiplier, status and certificate. No multiplier is printed for what did not converge.
 template<int Dim>

@@ -265,6 +265,15 @@ TEST(SurfaceLoads, OfFillsOnBothSidesCancelAndAreNoFault)
               1e-15);
 }
 
+TEST(SurfaceLoads, APressureOfZeroIsWarnedOf)
+{
+    const Assembly<2> wall{{{{{0, 0}, {1, 0}, {1, 2}, {0, 2}}, 1}}, {}};
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(loadOf("type pressure; value 0; normal (1 0);", wall), Eigen::VectorXd::Zero(3));
+    EXPECT_NE(testing::internal::GetCapturedStderr().find("A pressure of 0 is no load."), std::string::npos);
+    EXPECT_THROW(loadOf("type pressure; value 0; normal (1 0); box ((50 0) (60 1));", wall), FatalIOError);
+}
+
 TEST(SurfaceLoads, OnNoFaceAreRefused)
 {
     const Assembly<2> wall{{{{{0, 0}, {1, 0}, {1, 2}, {0, 2}}, 1}}, {}};

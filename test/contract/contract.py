@@ -226,6 +226,19 @@ class Contract(CaseTest):
         self.assertEqual(answer("dead { type gravity; } live { type gravity; }"), ("unbounded", "2"))
         self.assertEqual(answer("dead { type gravity; } live { type force; at (0.1 0.1); value (0 -1000 0); }")[0], "unbounded")
 
+    def testWhatIsOfMotionIsNoPartOfALimitAnalysis(self):
+        case = self.build(self.case(plane))
+        with open(os.path.join(case, "constant/contactProperties"), "a", encoding="utf-8") as file:
+            file.write("restitution { normal 0.5; } damping { massProportional 1; }\n")
+        for name in ("0/motion", "constant/groundMotion"):
+            os.makedirs(os.path.dirname(os.path.join(case, name)), exist_ok=True)
+            with open(os.path.join(case, name), "w", encoding="utf-8"):
+                pass
+        said = self.call("limitAnalysis", "-case", case, "-dry-run").stdout
+        self.assertIn("Not part of limit analysis: restitution damping groundMotion 0/motion", said)
+        self.assertNotRegex(said, r"Effects absent:.*(restitution|damping|groundMotion)")
+        self.assertRegex(said, r"Effects absent:.*cohesion")
+
     def testASettlement(self):
         case = self.build(self.case(plane, files={
             "constant/loads": "dead { type gravity; } live { type supportMovement; support right; direction (0 -1 0); }",

@@ -53,7 +53,7 @@ int runIn(const CommandLine& commandLine)
     {
         checkFunctions(time.controlDict(), directory, structure.assembly);
     }
-    printLimitAnalysisCase(structure);
+    printLimitAnalysisCase(structure, directory);
     if (commandLine.postProcess)
     {
         confirmResults(directory);
