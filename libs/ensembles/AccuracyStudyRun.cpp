@@ -308,20 +308,19 @@ namespace
 /// Why runs of a setting failed.
 std::string reasonOf(const AccuracyPoint& point, QuantityKind kind)
 {
-    std::string reasons;
+    std::vector<std::string_view> reasons;
     if (point.unsolved > 0)
     {
-        reasons = "not solved to the tolerance";
+        reasons.emplace_back("not solved to the tolerance");
     }
     if (point.failed > point.unsolved)
     {
-        reasons += reasons.empty() ? "" : ", or ";
-        reasons += kind == QuantityKind::motion
-                       ? "the figure does not occur before endTime"
-                       : "there is no multiplier, as where the live load is unbounded or the dead load is "
-                         "not carried (limitAnalysis says which)";
+        reasons.emplace_back(kind == QuantityKind::motion
+                                 ? "the figure does not occur before endTime"
+                                 : "there is no multiplier, as where the live load is unbounded or the dead "
+                                   "load is not carried (limitAnalysis says which)");
     }
-    return reasons;
+    return fmt::format("{}", fmt::join(reasons, ", or "));
 }
 
 } // namespace
