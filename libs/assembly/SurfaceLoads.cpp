@@ -388,7 +388,8 @@ private:
     const Vector<Dim> up = Vector<Dim>::Unit(Dim - 1);
 };
 
-/// The pieces of each face.
+/// The pieces of each face. A piece that is taken away belongs to the nearest face that looks its way: a
+/// joint lies halfway between two faces that may be turned a little against each other.
 template<int Dim>
 std::vector<std::vector<SurfacePiece<Dim>>> facesOf(const std::vector<SurfacePiece<Dim>>& pieces,
                                                     double sameLevel)
@@ -397,22 +398,25 @@ std::vector<std::vector<SurfacePiece<Dim>>> facesOf(const std::vector<SurfacePie
     for (const SurfacePiece<Dim>& piece : pieces)
     {
         std::vector<std::vector<SurfacePiece<Dim>>>& faces = ofBlocks[piece.block];
-        const auto face = std::find_if(faces.begin(), faces.end(),
-                                       [&](const std::vector<SurfacePiece<Dim>>& known)
-                                       {
-                                           const Vector<Dim>& normal = known.front().normal;
-                                           const Vector<Dim> between =
-                                               piece.corners[0] - known.front().corners[0];
-                                           return (piece.normal - normal).norm() < std::sqrt(sameDirection)
-                                                  && std::abs(normal.dot(between)) <= sameLevel;
-                                       });
-        if (face == faces.end())
+        std::vector<SurfacePiece<Dim>>* nearest = nullptr;
+        double least = piece.weight < 0 ? std::numeric_limits<double>::infinity() : sameLevel;
+        for (std::vector<SurfacePiece<Dim>>& face : faces)
         {
-            faces.push_back({piece});
+            const Vector<Dim>& normal = face.front().normal;
+            const double away = std::abs(normal.dot(piece.corners[0] - face.front().corners[0]));
+            if ((piece.normal - normal).norm() < std::sqrt(sameDirection) && away <= least)
+            {
+                least = away;
+                nearest = &face;
+            }
+        }
+        if (nearest)
+        {
+            nearest->push_back(piece);
         }
         else
         {
-            face->push_back(piece);
+            faces.push_back({piece});
         }
     }
     std::vector<std::vector<SurfacePiece<Dim>>> all;

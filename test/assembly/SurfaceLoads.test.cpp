@@ -229,6 +229,23 @@ TEST(SurfaceLoads, EarthPressureIsLeftOutWhereTheFillWouldHaveToRise)
     }
 }
 
+TEST(SurfaceLoads, WhatIsTakenAwayIsPressedAsItsFaceIs)
+{
+    // A pier under a lintel: the fill does not reach its right side, of which a neighbour covers a part; the
+    // joint is turned by 1e-3 against the side.
+    const Assembly<2> frame{{{{{0, 0}, {1, 0}, {1, 2}, {0, 2}}, 1},
+                             {{{3, 0}, {4, 0}, {4, 2}, {3, 2}}, 1},
+                             {{{0, 2}, {4, 2}, {4, 2.5}, {0, 2.5}}, 1}},
+                            {}};
+    const SurfacePiece<2> covered{0, {1, 0}, {Vector<2>(1.0005, 0.5), Vector<2>(0.9995, 1)}, -1};
+    BackfillSettings<2> settings;
+    settings.unitWeight = 20000;
+    settings.level = 2;
+    settings.lateralCoefficient = 0.5;
+    const Eigen::VectorXd load = backfillLoad(frame, exposedSurface<2>(frame, {covered}, settings), settings);
+    EXPECT_NEAR(load[0], 0.5 * 20000 * 2, 1e-6);
+}
+
 /// The load that constant/loads describes, on a wall without other blocks.
 template<int Dim>
 Eigen::VectorXd loadOf(const std::string& text, const Assembly<Dim>& assembly,
