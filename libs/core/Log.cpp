@@ -147,6 +147,13 @@ void printEnd()
     std::fflush(stdout);
 }
 
+std::string hostName()
+{
+    char name[256] = "";
+    ::gethostname(name, sizeof(name) - 1);
+    return name;
+}
+
 int threadCount()
 {
     for (const char* name : {"OMP_NUM_THREADS", "SLURM_CPUS_PER_TASK"})

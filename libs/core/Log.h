@@ -36,6 +36,9 @@ void printExecutionTime();
 /// The last line, `End`.
 void printEnd();
 
+/// The name of this machine in its network.
+std::string hostName();
+
 /// Number of threads that numerical libraries may use: OMP_NUM_THREADS, or the cores this process may use.
 int threadCount();
 

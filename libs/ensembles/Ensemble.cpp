@@ -272,7 +272,7 @@ void requireReadableCase(const Ensemble& ensemble)
         sets.push_back(entriesOf(ensemble, ensemble.sampler->at(sample)));
     }
     // Samples in this process find files from the case: a copy has to lie where the case does.
-    const std::string name = fmt::format("case.dryRun.{}", ::getpid());
+    const std::string name = fmt::format("case.{}.{}.dryRun", hostName(), ::getpid());
     const fs::path directory = fs::absolute(ensemble.caseDirectory).lexically_normal();
     const fs::path beside =
         (directory.has_filename() ? directory : directory.parent_path()).parent_path() / ("." + name);

@@ -3,6 +3,7 @@
 /// each does.
 #include "ensembles/Workers.h"
 
+#include "core/Log.h"
 #include "core/Signals.h"
 #include "ensembles/WorkerProcess.h"
 
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
-#include <climits>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -46,8 +46,7 @@ public:
     {
         known = readJournals(store.folder(), ensemble.settings.results.size());
         completeKnown();
-        char host[HOST_NAME_MAX + 1] = "";
-        ::gethostname(host, sizeof(host) - 1);
+        const std::string host = hostName();
         removeCopiesOfTheDead(fmt::format("case.{}.", host));
         for (int i = 0; i < settings.jobs; ++i)
         {

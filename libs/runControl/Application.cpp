@@ -25,13 +25,6 @@ namespace drystone
 namespace
 {
 
-std::string hostName()
-{
-    char name[256] = "";
-    ::gethostname(name, sizeof(name) - 1);
-    return name;
-}
-
 /// Who runs what, where and when: name, version and commit, command, date, host, process, case.
 void printBanner(const CommandLine& commandLine)
 {

@@ -136,7 +136,10 @@ int run(const CommandLine& commandLine)
     }
 
     catchStopSignals();
-    requireReadableCase(ensemble);
+    if (isFirst || launched.isArray)
+    {
+        requireReadableCase(ensemble);
+    }
     SampleStore store(ensemble.caseDirectory, ensemble.plan, ensemble.samples(), ensemble.wholeChunk());
     WorkerSettings workers{jobsOf(commandLine), launched, isFirst && !launched.isArray};
     if (isFirst || launched.isArray)
