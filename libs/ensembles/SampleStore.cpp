@@ -250,6 +250,28 @@ void SampleStore::complete(long chunk)
     release(chunk);
 }
 
+long SampleStore::reopenLost(std::size_t results)
+{
+    const std::vector<char> isComplete = completed(); // before the journals, which have all of these by then
+    const std::map<long, SampleRow> rows = readJournals(work, results);
+    long lost = 0;
+    for (long chunk = 0; chunk < chunks(); ++chunk)
+    {
+        const auto [first, end] = range(chunk);
+        const long there = static_cast<long>(std::distance(rows.lower_bound(first), rows.lower_bound(end)));
+        const char open = 0;
+        if (isComplete[static_cast<std::size_t>(chunk)] != 0 && there < end - first)
+        {
+            if (::pwrite(chunkFile, &open, 1, chunk) != 1)
+            {
+                refuse(work / "chunks");
+            }
+            lost += end - first - there;
+        }
+    }
+    return lost;
+}
+
 Journal::Journal(const fs::path& path) : file(path), descriptor(openFile(path, O_WRONLY | O_APPEND))
 {
     // After a worker that was ended in the middle of a row.

@@ -77,6 +77,9 @@ public:
     Claim claim(long chunk);
     void release(long chunk);
     void complete(long chunk); ///< all samples are in synced journals; releases it too
+    /// Takes back what chunks say of samples that are in no journal, as where files were lost: these are to
+    /// be computed again. \param results in a row \return how many samples
+    long reopenLost(std::size_t results);
 
     const std::filesystem::path& folder() const { return work; }
 

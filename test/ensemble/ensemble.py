@@ -530,6 +530,21 @@ results
         self.run_(whole)
         self.assertEqual(self.table(case), self.table(whole))
 
+    def testSamplesThatJournalsHaveLostAreComputedAgain(self):
+        """A journal without its second half, as after a power failure: its chunks are said to be complete."""
+        case = self.alike("lost", samples=300)
+        self.run_(case)
+        whole = self.table(case)
+        work = os.path.join(case, "postProcessing/ensemble/0/work")
+        journals = [os.path.join(work, name) for name in os.listdir(work) if name.startswith("journal.")]
+        for journal in journals:
+            os.truncate(journal, os.path.getsize(journal) // 2)
+        lost = 300 - self.rowsOf(case)
+        self.assertGreater(lost, 100)
+        self.assertIn(f"{lost} samples that were computed are in no journal", self.run_(case).stderr)
+        self.assertEqual(self.table(case), whole)
+        self.assertNotIn("in no journal", self.run_(case).stderr)
+
     def testCtrlCStopsAndItContinues(self):
         """The program ends after the samples in hand, so all may be there already: then it is interrupted anew."""
         for attempt in range(10):

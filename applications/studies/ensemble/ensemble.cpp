@@ -144,6 +144,14 @@ int run(const CommandLine& commandLine)
     WorkerSettings workers{jobsOf(commandLine), launched, isFirst && !launched.isArray};
     if (isFirst || launched.isArray)
     {
+        if (const long lost = store.reopenLost(ensemble.settings.results.size()); lost > 0)
+        {
+            printWarning(
+                fmt::format("{} samples that were computed are in no journal of {} any more, as after "
+                            "a power failure or where files were copied during a run: they are "
+                            "computed again.",
+                            lost, store.folder().string()));
+        }
         info("Processes: {}{}", workers.jobs,
              launched.size > 1 ? fmt::format(" in each of {} programs", launched.size) : "");
     }
