@@ -240,36 +240,23 @@ void SampleStore::release(long chunk)
     lockByte(chunkFile, chunk, F_UNLCK, F_SETLK);
 }
 
-void SampleStore::complete(long chunk)
+void SampleStore::mark(long chunk, char state)
 {
-    const char done = 1;
-    if (::pwrite(chunkFile, &done, 1, chunk) != 1)
+    if (::pwrite(chunkFile, &state, 1, chunk) != 1)
     {
         refuse(work / "chunks");
     }
+}
+
+void SampleStore::complete(long chunk)
+{
+    mark(chunk, 1);
     release(chunk);
 }
 
-long SampleStore::reopenLost(std::size_t results)
+void SampleStore::reopen(long chunk)
 {
-    const std::vector<char> isComplete = completed(); // before the journals, which have all of these by then
-    const std::map<long, SampleRow> rows = readJournals(work, results);
-    long lost = 0;
-    for (long chunk = 0; chunk < chunks(); ++chunk)
-    {
-        const auto [first, end] = range(chunk);
-        const long there = static_cast<long>(std::distance(rows.lower_bound(first), rows.lower_bound(end)));
-        const char open = 0;
-        if (isComplete[static_cast<std::size_t>(chunk)] != 0 && there < end - first)
-        {
-            if (::pwrite(chunkFile, &open, 1, chunk) != 1)
-            {
-                refuse(work / "chunks");
-            }
-            lost += end - first - there;
-        }
-    }
-    return lost;
+    mark(chunk, 0);
 }
 
 Journal::Journal(const fs::path& path) : file(path), descriptor(openFile(path, O_WRONLY | O_APPEND))

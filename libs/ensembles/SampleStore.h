@@ -77,13 +77,13 @@ public:
     Claim claim(long chunk);
     void release(long chunk);
     void complete(long chunk); ///< all samples are in synced journals; releases it too
-    /// Takes back what chunks say of samples that are in no journal, as where files were lost: these are to
-    /// be computed again. \param results in a row \return how many samples
-    long reopenLost(std::size_t results);
+    void reopen(long chunk);   ///< not all samples are in a journal any more
 
     const std::filesystem::path& folder() const { return work; }
 
 private:
+    void mark(long chunk, char state);
+
     std::filesystem::path work;
     long count;
     long chunkSize;

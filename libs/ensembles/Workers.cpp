@@ -17,6 +17,7 @@
 #include <cstring>
 #include <ctime>
 #include <fstream>
+#include <iterator>
 #include <new>
 #include <optional>
 
@@ -44,8 +45,9 @@ public:
     Supervisor(const Ensemble& of, SampleStore& sharedStore, const WorkerSettings& wanted)
         : ensemble(of), store(sharedStore), settings(wanted), memory(mapped(wanted.jobs))
     {
+        completed = store.completed(); // before the journals, which have all of these by then
         known = readJournals(store.folder(), ensemble.settings.results.size());
-        completeKnown();
+        compareChunksWithJournals();
         const std::string host = hostName();
         removeCopiesOfTheDead(fmt::format("case.{}.", host));
         for (int i = 0; i < settings.jobs; ++i)
@@ -159,22 +161,34 @@ private:
         return std::all_of(completed.begin(), completed.end(), [](char done) { return done != 0; });
     }
 
-    /// Chunks all of whose samples are in journals, after an interruption or for a longer table.
-    void completeKnown()
+    /// Completes chunks all of whose samples are in journals, after an interruption or for a longer table,
+    /// and reopens those of which samples are in none, where files were lost.
+    void compareChunksWithJournals()
     {
-        completed = store.completed();
+        long lost = 0; // samples
         for (long chunk = 0; chunk < store.chunks(); ++chunk)
         {
             const auto [begin, end] = store.range(chunk);
-            bool isKnown = completed[static_cast<std::size_t>(chunk)] == 0;
-            for (long sample = begin; sample < end && isKnown; ++sample)
+            const long missing =
+                end - begin - std::distance(known.lower_bound(begin), known.lower_bound(end));
+            const bool isDone = completed[static_cast<std::size_t>(chunk)] != 0;
+            if (isDone && missing > 0)
             {
-                isKnown = known.contains(sample);
+                store.reopen(chunk);
+                lost += missing;
             }
-            if (isKnown && store.claim(chunk) != SampleStore::Claim::refused)
+            else if (!isDone && missing == 0 && store.claim(chunk) != SampleStore::Claim::refused)
             {
                 store.complete(chunk);
             }
+        }
+        if (lost > 0 && (settings.launched.rank == 0 || settings.launched.isArray))
+        {
+            printWarning(
+                fmt::format("{} samples that were computed are in no journal of {} any more, as after "
+                            "a power failure or where files were copied during a run: they are "
+                            "computed again.",
+                            lost, store.folder().string()));
         }
         completed = store.completed();
         doneAtStart = samplesCompleted();

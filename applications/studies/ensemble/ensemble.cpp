@@ -138,20 +138,16 @@ int run(const CommandLine& commandLine)
     catchStopSignals();
     if (isFirst || launched.isArray)
     {
+        // Made before the case is tried in a copy there, which takes away the folders that it had to make:
+        // others of the launch are about to use this one.
+        std::error_code error;
+        std::filesystem::create_directories(ensembleWork(ensemble.caseDirectory), error);
         requireReadableCase(ensemble);
     }
     SampleStore store(ensemble.caseDirectory, ensemble.plan, ensemble.samples(), ensemble.wholeChunk());
     WorkerSettings workers{jobsOf(commandLine), launched, isFirst && !launched.isArray};
     if (isFirst || launched.isArray)
     {
-        if (const long lost = store.reopenLost(ensemble.settings.results.size()); lost > 0)
-        {
-            printWarning(
-                fmt::format("{} samples that were computed are in no journal of {} any more, as after "
-                            "a power failure or where files were copied during a run: they are "
-                            "computed again.",
-                            lost, store.folder().string()));
-        }
         info("Processes: {}{}", workers.jobs,
              launched.size > 1 ? fmt::format(" in each of {} programs", launched.size) : "");
     }
