@@ -2,13 +2,12 @@
 /// Pressures, integrated over the exposed faces.
 #include "assembly/SurfaceLoads.h"
 
-#include "assembly/BlockShape.h"
+#include "assembly/FillFromAbove.h"
 #include "core/Log.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -299,94 +298,6 @@ Tractions<Dim> tractionsOf(const Assembly<Dim>&, const std::vector<SurfacePiece<
     }
     return tractions;
 }
-
-/// Whether a fill that comes down from its level lies against faces. Level with a point of a face it does
-/// where no block stands opposite, or where something between the face and that block is open to the sky; the
-/// underside of a span and the sides of an opening it would have to rise to.
-template<int Dim>
-class FillFromAbove
-{
-public:
-    FillFromAbove(const Assembly<Dim>& structure, std::optional<double> levelOfFill)
-        : assembly(structure), level(levelOfFill), width(widthOfAJoint(structure))
-    {
-        for (const Block<Dim>& block : assembly.blocks)
-        {
-            boxes.push_back(boundingBox(block));
-            extend<Dim>(all, boxes.back().lower);
-            extend<Dim>(all, boxes.back().upper);
-        }
-    }
-
-    /// \param pieces of one face, those that are taken away included. A part on which another block lies is
-    /// taken away from its face, and so is pressed as the face is: the answer is that of the whole face.
-    bool reaches(const std::vector<SurfacePiece<Dim>>& pieces) const
-    {
-        const Vector<Dim>& normal = pieces.front().normal;
-        const Vector<Dim> outwards = (normal - normal.dot(up) * up).normalized();
-        bool isKnown = false;
-        for (const SurfacePiece<Dim>& piece : pieces)
-        {
-            for (const auto& [place, weight] : quadratureOf(piece))
-            {
-                const double opposite = weight > 0 ? firstBlockAlong(place, outwards) : 0;
-                if (opposite > width && (std::isinf(opposite) || isOpenAbove(place, opposite * outwards)))
-                {
-                    return true;
-                }
-                isKnown = isKnown || opposite > width; // else another block lies there
-            }
-        }
-        return !isKnown;
-    }
-
-private:
-    bool isOpenAbove(const Vector<Dim>& place, const Vector<Dim>& toOpposite) const
-    {
-        constexpr std::array<double, 3> parts{0.25, 0.5, 0.75};
-        return std::any_of(parts.begin(), parts.end(),
-                           [&](double part)
-                           {
-                               const double cover = firstBlockAlong(place + part * toOpposite, up);
-                               return std::isinf(cover) || (level && cover > *level - place.dot(up) + width);
-                           });
-    }
-
-    /// How far along a ray, of unit length, the first block begins [m]; infinite where it meets none.
-    double firstBlockAlong(const Vector<Dim>& from, const Vector<Dim>& direction) const
-    {
-        const Vector<Dim> end = from + (all.upper - all.lower).norm() * direction;
-        const Box<Dim> way = enlarged<Dim>({from.cwiseMin(end), from.cwiseMax(end)}, width);
-        double first = std::numeric_limits<double>::infinity();
-        for (std::size_t block = 0; block < boxes.size(); ++block)
-        {
-            if (!meet<Dim>(way, boxes[block]))
-            {
-                continue;
-            }
-            std::vector<double> places = placesToCut(assembly.blocks[block], from, direction);
-            places.push_back(0);
-            std::sort(places.begin(), places.end());
-            for (std::size_t i = 0; i + 1 < places.size() && places[i] < first; ++i)
-            {
-                const Vector<Dim> middle = from + (places[i] + places[i + 1]) / 2 * direction;
-                if (places[i] >= 0 && distanceFrom(assembly.blocks[block], middle) == 0
-                    && places[i + 1] - places[i] > width)
-                {
-                    first = places[i];
-                }
-            }
-        }
-        return first;
-    }
-
-    const Assembly<Dim>& assembly;
-    std::optional<double> level;
-    double width; // of a joint
-    std::vector<Box<Dim>> boxes;
-    Box<Dim> all; // around them
-    const Vector<Dim> up = Vector<Dim>::Unit(Dim - 1);
-};
 
 /// The pieces of each face. A piece that is taken away belongs to the nearest face that looks its way: a
 /// joint lies halfway between two faces that may be turned a little against each other.
