@@ -263,6 +263,21 @@ TEST(LimitAnalysis, OfAFrictionlessWallIsZero)
     EXPECT_NEAR(multiplierOf(structure.program(0, structure.weightLoads())), 0, 1e-9);
 }
 
+// Nothing presses the joints: what pulls the wall is not carried at all, and what presses on it always.
+TEST(LimitAnalysis, WithoutADeadLoadIsZeroOrWithoutBound)
+{
+    PlaneConeProgram program = squareWall(4, 0.65);
+    program.load.setZero();
+    const LimitAnalysis pulled = solveLimitAnalysis(program);
+    EXPECT_EQ(pulled.status, CollapseStatus::optimal);
+    EXPECT_EQ(pulled.alpha, 0);
+    expectCertified(pulled);
+    EXPECT_GT(program.liveLoad.dot(pulled.mechanism), 0);
+
+    program.liveLoad = squareWall(4, 0.65).load;
+    EXPECT_EQ(solveLimitAnalysis(program).status, CollapseStatus::unbounded);
+}
+
 TEST(LimitAnalysis, FindsTheLeastThicknessOfASemicircularArch)
 {
     // 27 trapezoids; without sliding 0.106721, of many voussoirs 0.10748 (Milankovitch).

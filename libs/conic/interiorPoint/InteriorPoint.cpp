@@ -221,6 +221,29 @@ bool isLargeMultiplierCarried(const ConeProgram<Rows, Forces>& program, const In
     return balanced.worst <= settings.tolerance;
 }
 
+/// Without a dead load, gaps and strengths forces grow with the multiplier: either any is carried, or none
+/// above zero. The iterations seek it to a share of itself, which zero has not; the answer is no force at
+/// all, and the mechanism that they have come to. \return whether that is proved; then it is the solution
+template<int Rows, int Forces>
+bool answerWithoutForces(const ConeProgram<Rows, Forces>& program, double tolerance, ConeSolution& solution)
+{
+    if (!program.hasMultiplier() || program.hasInertia() || program.hasStrength() || !program.load.isZero(0)
+        || !program.gap.isZero(0) || solution.displacement.size() != program.load.size())
+    {
+        return false;
+    }
+    ConeSolution without = solution;
+    without.status = SolveStatus::optimal;
+    without.multiplier = 0;
+    without.contactForce = Eigen::VectorXd::Zero(Forces * program.points());
+    if (!(certifyOptimal(program, without).worst() <= tolerance))
+    {
+        return false;
+    }
+    solution = std::move(without);
+    return true;
+}
+
 template<int Rows, int Forces>
 ConeSolution solveAndProve(const ConeProgram<Rows, Forces>& program, const InteriorPointSettings& settings,
                            SymbolicAnalysis* kept, const ConeSolution* near)
@@ -266,6 +289,10 @@ ConeSolution solveAndProve(const ConeProgram<Rows, Forces>& program, const Inter
         }
     }
     ConeSolution& solution = proved.solution;
+    if (proved.worst > settings.tolerance && answerWithoutForces(program, settings.tolerance, solution))
+    {
+        return std::move(solution);
+    }
     if (solution.status == SolveStatus::optimal)
     {
         if (proved.worst > settings.tolerance)
