@@ -82,14 +82,12 @@ LimitAnalysis completedAnalysis(const ConeProgram<Rows, Forces>& program, const 
     {
         // 0 <= alpha does not say that 0 can be carried: the live load may be what holds the structure up.
         // Forces that carry the dead load alone prove it, if the solver has come by some; else they are
-        // sought. Where no multiplier was found, that may be why. No dead load is carried without forces.
+        // sought. Where no multiplier was found, that may be why.
         ConeSolution resting;
-        resting.contactForce = dead.load.isZero(0)
-                                   ? Eigen::VectorXd(Eigen::VectorXd::Zero(Forces * program.points()))
-                                   : solution.forceOfLoadAlone;
+        resting.contactForce = solution.forceOfLoadAlone;
         resting.displacement = Eigen::VectorXd::Zero(Rows * program.bodies);
-        const bool isCarried =
-            resting.contactForce.size() > 0 && certifyOptimal(dead, resting).worst() <= settings.tolerance;
+        const bool isCarried = solution.forceOfLoadAlone.size() > 0
+                               && certifyOptimal(dead, resting).worst() <= settings.tolerance;
         if (!isCarried)
         {
             resting = solveInteriorPoint(dead, settings, &kept);

@@ -10,6 +10,7 @@
 #include "texture/Texture.h"
 #include "texture/space/Extrusion.h"
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -80,17 +81,19 @@ DynamicCase<3> inSpace(int number, double angle)
                   acceleration(number) * turn.col(0));
 }
 
+template<int Dim>
 struct Fall
 {
-    double moved = 0;    ///< by the farthest block [m]
-    double sideways = 0; ///< out of the wall's own plane, likewise
+    std::vector<Vector<Dim>> way; ///< of each block [m]
+    double moved = 0;             ///< by the farthest block [m]
+    double sideways = 0;          ///< out of the wall's own plane, likewise
     long factorisations = 0;
 };
 
 template<int Dim>
-Fall fall(const DynamicCase<Dim>& scene, int steps, double angle)
+Fall<Dim> fall(const DynamicCase<Dim>& scene, int steps, double angle)
 {
-    Fall result;
+    Fall<Dim> result;
     Motion<Dim> motion = startMotion(scene, stateAtRest(scene.assembly));
     for (int step = 0; step < steps; ++step)
     {
@@ -103,6 +106,7 @@ Fall fall(const DynamicCase<Dim>& scene, int steps, double angle)
     }
     for (const Placement<Dim>& placement : motion.state.placements)
     {
+        result.way.push_back(placement.translation);
         result.moved = std::max(result.moved, placement.translation.norm());
         if constexpr (Dim == 3)
         {
@@ -120,31 +124,15 @@ class ExtrudedWall : public testing::TestWithParam<int>
 TEST_P(ExtrudedWall, FallsByCoulombsLawAsInThePlaneWithFewFactorisations)
 {
     constexpr int steps = 60;
-    const Fall plane = fall(inPlane(GetParam()), steps, 0);
+    const Fall<2> plane = fall(inPlane(GetParam()), steps, 0);
     for (const double angle : {0.0, 0.6})
     {
-        const Fall space = fall(inSpace(GetParam(), angle), steps, angle);
+        const Fall<3> space = fall(inSpace(GetParam(), angle), steps, angle);
         // Forces follow overlaps of a part of 1e-10 of a block: of six walls one differs by 0.2%.
         EXPECT_NEAR(space.moved, plane.moved, 3e-3 * plane.moved) << "turned by " << angle;
         EXPECT_LT(space.sideways, 1e-6 * space.moved) << "turned by " << angle;
         EXPECT_LE(space.factorisations, 12 * steps) << "turned by " << angle; // some 200 a step by programs
     }
-}
-
-/// Where the mass centres have come to from where they were, in the order of the blocks of the scene.
-std::vector<Vector<3>> wayOf(const DynamicCase<3>& scene, int steps)
-{
-    Motion<3> motion = startMotion(scene, stateAtRest(scene.assembly));
-    for (int step = 0; step < steps; ++step)
-    {
-        EXPECT_TRUE(advance(scene, motion, timeStep)) << "step " << step;
-    }
-    std::vector<Vector<3>> way;
-    for (const Placement<3>& placement : motion.state.placements)
-    {
-        way.push_back(placement.translation);
-    }
-    return way;
 }
 
 // A motion makes rounding grow: here to 2e-7 of the way at most, by the associative law, whose joints open as
@@ -156,18 +144,13 @@ TEST_P(ExtrudedWall, FallsByCoulombsLawAlikeInAMirrorAndWithItsBlocksInAnyOrder)
     constexpr double allowed = 1e-6; // of the farthest way
     const Assembly<3> wall = extrudedWall(GetParam());
     const Vector<3> ground(acceleration(GetParam()), 0, 0);
-    const auto way = wayOf(pushed(wall, ground), steps);
-    double farthest = 0;
-    for (const Vector<3>& own : way)
-    {
-        farthest = std::max(farthest, own.norm());
-    }
-    EXPECT_GT(farthest, 1e-3);
+    const Fall<3> built = fall(pushed(wall, ground), steps, 0);
+    EXPECT_GT(built.moved, 1e-3);
 
     const Eigen::Matrix3d mirror = Vector<3>(-1, 1, 1).asDiagonal();
-    const auto mirrored =
-        wayOf(pushed(test::transformed(wall, mirror, 1, Vector<3>::Zero()), mirror * ground), steps);
-    std::vector<std::size_t> order(way.size());
+    const Fall<3> mirrored =
+        fall(pushed(test::transformed(wall, mirror, 1, Vector<3>::Zero()), mirror * ground), steps, 0);
+    std::vector<std::size_t> order(wall.blocks.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::mt19937 random(static_cast<unsigned>(GetParam()));
     std::shuffle(order.begin(), order.end(), random);
@@ -177,16 +160,16 @@ TEST_P(ExtrudedWall, FallsByCoulombsLawAlikeInAMirrorAndWithItsBlocksInAnyOrder)
     {
         reordered.blocks.push_back(wall.blocks[block]);
     }
-    const auto inOrder = wayOf(pushed(std::move(reordered), ground), steps);
+    const Fall<3> inOrder = fall(pushed(std::move(reordered), ground), steps, 0);
     double offInMirror = 0;
     double offInOrder = 0;
-    for (std::size_t block = 0; block < way.size(); ++block)
+    for (std::size_t block = 0; block < order.size(); ++block)
     {
-        offInMirror = std::max(offInMirror, (mirror * mirrored[block] - way[block]).norm());
-        offInOrder = std::max(offInOrder, (inOrder[block] - way[order[block]]).norm());
+        offInMirror = std::max(offInMirror, (mirror * mirrored.way[block] - built.way[block]).norm());
+        offInOrder = std::max(offInOrder, (inOrder.way[block] - built.way[order[block]]).norm());
     }
-    EXPECT_LT(offInMirror, allowed * farthest);
-    EXPECT_LT(offInOrder, allowed * farthest);
+    EXPECT_LT(offInMirror, allowed * built.moved);
+    EXPECT_LT(offInOrder, allowed * built.moved);
 }
 
 INSTANTIATE_TEST_SUITE_P(OfThePaper, ExtrudedWall, testing::Range(1, 7));

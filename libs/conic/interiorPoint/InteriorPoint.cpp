@@ -221,14 +221,13 @@ bool isLargeMultiplierCarried(const ConeProgram<Rows, Forces>& program, const In
     return balanced.worst <= settings.tolerance;
 }
 
-/// Without a dead load, gaps and strengths forces grow with the multiplier: either any is carried, or none
-/// above zero. The iterations seek it to a share of itself, which zero has not; the answer is no force at
-/// all, and the mechanism that they have come to. \return whether that is proved; then it is the solution
+/// Where there is no load but the live one: no force at all, with the displacements of the solution.
+/// Iterations do not come to it, as they seek forces and the multiplier to a share of themselves, which zero
+/// has not. \return whether that is proved; then it is the solution
 template<int Rows, int Forces>
 bool answerWithoutForces(const ConeProgram<Rows, Forces>& program, double tolerance, ConeSolution& solution)
 {
-    if (!program.hasMultiplier() || program.hasInertia() || program.hasStrength() || !program.load.isZero(0)
-        || !program.gap.isZero(0) || solution.displacement.size() != program.load.size())
+    if (!program.load.isZero(0) || solution.displacement.size() != program.load.size())
     {
         return false;
     }
@@ -258,6 +257,15 @@ ConeSolution solveAndProve(const ConeProgram<Rows, Forces>& program, const Inter
     {
         throw std::invalid_argument(
             "solveInteriorPoint begins near a solution with inertia, cones and no multiplier only");
+    }
+    if (isBalanceAlone(program))
+    {
+        ConeSolution resting;
+        resting.displacement = Eigen::VectorXd::Zero(program.load.size());
+        if (answerWithoutForces(program, settings.tolerance, resting))
+        {
+            return resting;
+        }
     }
     const auto solveFor = [&](const Aim& aim)
     {
