@@ -71,6 +71,12 @@ void readSupport(const Entry& entry, Assembly<Dim>& assembly)
                                            entry.keyword(), block, assembly.blocks.size() - 1),
                                dictionary.locationOf("blocks"));
         }
+        if (assembly.blocks[block].support == support)
+        {
+            throw FatalIOError(
+                fmt::format("Support {} names block {} twice. Remove one of them.", entry.keyword(), block),
+                dictionary.locationOf("blocks"));
+        }
         if (assembly.blocks[block].support >= 0)
         {
             throw FatalIOError(

@@ -161,6 +161,8 @@ TEST_F(AssemblyFile, OtherFaultsAreNamed)
                "(0); } }"
                + outlines),
         HasSubstr("support a fixes already"));
+    EXPECT_THAT(report("dimensions 2; thickness 1; supports { a { type blocks; blocks (0 0); } }" + outlines),
+                HasSubstr("Support a names block 0 twice"));
     EXPECT_THAT(report(head + "densty 3;" + outlines), HasSubstr("densty"));
 }
 
