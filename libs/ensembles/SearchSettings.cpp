@@ -154,7 +154,8 @@ void declare(Options& options, SearchStage& stage)
     options
         .optional("tolerance", stage.tolerance,
                   "a local algorithm ends when variables change by less, as part of the width of the bounds")
-        .atLeast(0);
+        .above(0)
+        .below(1);
     options.optional("objectiveTolerance", stage.objectiveTolerance, "... or the objective does").atLeast(0);
     options.optional("stopValue", stage.stopValue, "ends as soon as the objective is as good as this")
         .example("1e-9");

@@ -84,6 +84,13 @@ template<int Dim>
 void declare(Options& options, BlockMotionSettings<Dim>& settings)
 {
     options.required("blocks", settings.blocks, "indices of the blocks to follow, or all").example("(3 7)");
+    options.check("blocks",
+                  [&settings]
+                  {
+                      return settings.blocks.all || !settings.blocks.indices.empty()
+                                 ? ""
+                                 : "There is no block to follow: name some, as (3 7), or all.";
+                  });
     declareCommon(options, settings.plan);
 }
 

@@ -633,6 +633,8 @@ brokenInputs = [
     inSearch("limitsCrossed", "atLeast 0.4;", "atLeast 0.4; atMost 0.3;", r"nothing meets both", lines=(20,)),
     inSearch("bisectionOfTwo", "    mu\n    {", "    mu { file \"constant/g\"; entry x; bounds (0 1); }\n    nu\n    {",
              r"(?i)one variable|cannot be varied", lines=(0, 4, 5, 20, 21, 22, 23)),
+    inSearch("toleranceOfNothing", "tolerance 1e-3;", "tolerance 0;", r"tolerance", r"above 0"),
+    inSearch("toleranceOfAll", "tolerance 1e-3;", "tolerance 1e18;", r"tolerance", r"below 1"),
     inSearch("unknownKey", "column alpha;", "colum alpha;", r"Did you mean column\?"),
     inAnalysis("controlDictStep", "system/controlDict", "deltaT 0.01", "deltaT -0.01", r"deltaT"),
 ]

@@ -157,6 +157,7 @@ TEST_F(FunctionListTest, WhatIsWrongIsSaidBeforeTheRun)
     EXPECT_THAT(refusal("energy { writeInterval -3; }"), HasSubstr("writeInterval"));
     EXPECT_THAT(refusal("energy { writePrecision 40; }"), HasSubstr("writePrecision"));
     EXPECT_THAT(refusal("blockMotion { }"), HasSubstr("blocks"));
+    EXPECT_THAT(refusal("blockMotion { blocks (); }"), HasSubstr("no block to follow"));
     EXPECT_THAT(refusal("\nblockMotion { blocks (0 2); }"),
                 testing::AllOf(HasSubstr("no block 2"), HasSubstr("0 to 1"), HasSubstr("line 2")));
     EXPECT_THAT(refusal("blockMotion { blocks (-1); }"), HasSubstr("no block -1"));
