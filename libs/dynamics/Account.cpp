@@ -17,7 +17,7 @@ StepEnergy energyOf(Step<Dim>& step)
     const ThetaStep& result = step.solved.result;
     StepEnergy energy =
         stepEnergy(result, step.mass, step.load, step.solved.velocity, step.velocityAtEnd, step.scheme);
-    energy.algorithmicLoss -= step.keptInFlight;
+    energy.algorithmicLoss += step.lostInStopping - step.keptInFlight;
     constexpr double byLoads = 4; // twice the change of velocity, squared
     const double smooth = byLoads * (step.scheme.theta - 0.5) * step.scheme.timeStep * step.scheme.timeStep
                           * inverseSquareOf(step.mass, step.load);

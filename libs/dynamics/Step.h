@@ -101,6 +101,7 @@ struct Step
     // move
     Eigen::VectorXd velocityAtEnd; ///< in space angular velocities in axes that have not turned in the step
     double keptInFlight = 0;       ///< algorithmic loss that blocks in free flight do not have [J]
+    double lostInStopping = 0;     ///< by bodies that stand still and had a velocity left [J]
 };
 
 /// Whether a program of the case has impacts of their own; otherwise it is the plastic impact itself.

@@ -89,6 +89,26 @@ TEST(SlidingBlock, TheTrapezoidalRuleStopsItThereToTheLastDigit)
     EXPECT_LT(run.highest, 1e-9);
 }
 
+// The rule itself would turn the velocity that is left round in each step for ever, and the shear with it.
+TEST(SlidingBlock, AndAtRestWhateverTheRuleAndTheFlow)
+{
+    for (const FlowRule flowRule : {FlowRule::nonAssociative, FlowRule::associative})
+    {
+        for (const double theta : {0.5, 0.6, 0.75})
+        {
+            Sliding run = sliding({.theta = theta, .flowRule = flowRule}, 1e-3);
+            ASSERT_NO_FATAL_FAILURE(run.until(0.6));
+            EXPECT_EQ(run.motion.state.velocity.norm(), 0) << theta;
+            double shear = 0;
+            for (const Eigen::Vector2d& force : run.motion.contactForces)
+            {
+                shear += force.y();
+            }
+            EXPECT_NEAR(shear, 0, 1e-6 * run.scene.mass.sum()) << theta;
+        }
+    }
+}
+
 TEST(SlidingBlock, AssociativeFrictionHoversAtMuTimesTheStepTimesTheVelocity)
 {
     // What this flow rule does, in proportion to the step; not what blocks do.
