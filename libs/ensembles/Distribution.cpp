@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string_view>
 
 namespace drystone
 {
@@ -252,6 +253,21 @@ void read(TokenCursor& cursor, Choice& choice)
     drystone::read(cursor, word);
     choice.value = valueOf(word);
 }
+
+/// Empty, or that one of the values stands for no number: a word as any other, which no entry takes.
+std::string faultOf(const std::vector<Choice>& values)
+{
+    for (const std::string_view none : {"nan", "NaN", "inf", "Inf"})
+    {
+        const auto isNone = [none](const Choice& choice) { return choice.value.text == none; };
+        if (std::any_of(values.begin(), values.end(), isNone))
+        {
+            return fmt::format("`{}` is not a finite number: give numbers that are, or words.", none);
+        }
+    }
+    return values.empty() ? "The list is empty." : "";
+}
+
 std::string textOf(const Choice& choice)
 {
     return choice.value.text;
@@ -265,7 +281,7 @@ void declare(Options& options, ListSettings& settings)
 {
     options.required("values", settings.values, "numbers or words, each as likely as the others")
         .example("(0.1 0.2 0.4)");
-    options.check("values", [&settings] { return settings.values.empty() ? "The list is empty." : ""; });
+    options.check("values", [&settings] { return faultOf(settings.values); });
 }
 
 Distribution chosenFrom(const std::vector<Choice>& values, std::vector<double> weights)
@@ -300,6 +316,7 @@ struct DiscreteSettings
 void declare(Options& options, DiscreteSettings& settings)
 {
     options.required("values", settings.values, "numbers or words").example("(0.5 0.6 0.7)");
+    options.check("values", [&settings] { return faultOf(settings.values); });
     options.required("weights", settings.weights, "of the values; their sum does not matter")
         .above(0)
         .example("(1 2 1)");

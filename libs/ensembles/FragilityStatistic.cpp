@@ -400,7 +400,7 @@ Model<Statistic> fragilityStatistic()
                  curve = dictionary.locationOf("curve")](const std::vector<std::string>& names, bool)
             {
                 requireExpression(settings.intensity, names, intensity);
-                requireExpression(settings.exceeded, names, exceeded);
+                requireCondition(settings.exceeded, names, exceeded);
                 if (settings.curve)
                 {
                     requireVariable(*settings.curve, names, curve);

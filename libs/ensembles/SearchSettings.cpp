@@ -3,6 +3,7 @@
 #include "ensembles/SearchSettings.h"
 
 #include "dictionary/Expression.h"
+#include "ensembles/Arithmetic.h"
 
 #include <fmt/format.h>
 
@@ -18,37 +19,18 @@ namespace
 constexpr const char* insideTheCase =
     "A search changes and reads copies of the case: give a path within the case directory, relative to it.";
 
-/// Empty when an expression of these names can be evaluated.
-std::string expressionFault(const std::string& expression, const ParameterSearchSettings& settings)
+std::vector<std::string> namesOfValues(const ParameterSearchSettings& settings)
 {
-    // A value at which hardly any expression is undefined.
-    const std::vector<double> variables(settings.variables.size(), 0.5123);
-    const std::vector<double> results(settings.results.size(), 0.4321);
-    try
+    std::vector<std::string> names;
+    for (const auto& [name, variable] : settings.variables)
     {
-        valueOf(expression, settings, variables, results);
+        names.push_back(name);
     }
-    catch (const std::invalid_argument& error)
+    for (const auto& [name, result] : settings.results)
     {
-        if (std::string_view(error.what()).find("finite") != std::string_view::npos)
-        {
-            return {}; // undefined at this point; it may be defined elsewhere
-        }
-        std::string names;
-        for (const auto& [name, variable] : settings.variables)
-        {
-            names += " " + name;
-        }
-        for (const auto& [name, result] : settings.results)
-        {
-            names += " " + name;
-        }
-        std::string reason = error.what();
-        reason.erase(reason.find_last_not_of('.') + 1);
-        return fmt::format("`{}` is not arithmetic of variables and results: {}.\n\nVariables and results:{}",
-                           expression, reason, names);
+        names.push_back(name);
     }
-    return {};
+    return names;
 }
 
 } // namespace
@@ -220,13 +202,21 @@ void declare(Options& options, ParameterSearchSettings& settings)
                       }
                       return "";
                   });
-    options.check("objective", [&settings] { return expressionFault(settings.objective.value, settings); });
+    options.check("objective",
+                  [&settings]
+                  {
+                      // Where all are alike any point that meets the constraints is an answer.
+                      const bool mayBeConstant = !settings.constraints.empty();
+                      return (mayBeConstant ? faultOfArithmetic : faultOfDependent)(settings.objective.value,
+                                                                                    namesOfValues(settings));
+                  });
     options.check("constraints",
                   [&settings]() -> std::string
                   {
                       for (const auto& [name, constraint] : settings.constraints)
                       {
-                          if (std::string fault = expressionFault(constraint.value, settings); !fault.empty())
+                          if (std::string fault = faultOfDependent(constraint.value, namesOfValues(settings));
+                              !fault.empty())
                           {
                               return fault;
                           }

@@ -3,13 +3,13 @@
 #include "ensembles/Statistic.h"
 
 #include "dictionary/Expression.h"
+#include "ensembles/Arithmetic.h"
 #include "ensembles/Distribution.h"
 #include "ensembles/StatisticTypes.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <map>
 #include <stdexcept>
@@ -18,28 +18,6 @@ namespace drystone
 {
 namespace
 {
-
-/// Places of the names that occur in an expression.
-std::vector<std::size_t> usedNames(const std::string& expression, const std::vector<std::string>& names)
-{
-    std::vector<std::size_t> used;
-    const auto isPart = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
-    for (std::size_t begin = 0; begin < expression.size();)
-    {
-        std::size_t end = begin;
-        while (end < expression.size() && isPart(expression[end]))
-        {
-            ++end;
-        }
-        const auto found = std::find(names.begin(), names.end(), expression.substr(begin, end - begin));
-        if (found != names.end())
-        {
-            used.push_back(static_cast<std::size_t>(found - names.begin()));
-        }
-        begin = std::max(end, begin + 1);
-    }
-    return used;
-}
 
 struct DistributionSettings
 {
@@ -282,27 +260,18 @@ void requireVariable(const std::string& name, const std::vector<std::string>& na
 void requireExpression(const std::string& expression, const std::vector<std::string>& names,
                        const SourceLocation& location)
 {
-    std::map<std::string, double> values;
-    for (const std::string& name : names)
+    if (const std::string fault = faultOfDependent(expression, names); !fault.empty())
     {
-        values[name] = 0.5123; // at which hardly any expression is undefined
+        throw FatalIOError(fault, location);
     }
-    try
+}
+
+void requireCondition(const std::string& expression, const std::vector<std::string>& names,
+                      const SourceLocation& location)
+{
+    if (const std::string fault = faultOfCondition(expression, names); !fault.empty())
     {
-        evaluateExpression(expression, values);
-    }
-    catch (const std::invalid_argument& error)
-    {
-        if (std::string_view(error.what()).find("finite") == std::string_view::npos)
-        {
-            std::string reason = error.what();
-            reason.erase(reason.find_last_not_of('.') + 1);
-            throw FatalIOError(
-                fmt::format("`{}` is not arithmetic of variables and results: {}.\n\nVariables and "
-                            "results: {}",
-                            expression, reason, fmt::join(names, " ")),
-                location);
-        }
+        throw FatalIOError(fault, location);
     }
 }
 

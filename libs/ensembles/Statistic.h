@@ -70,9 +70,13 @@ const Registry<Statistic>& statisticTypes();
 /// Arithmetic of variables and results for each row; nan where a value that it uses is not known.
 std::vector<double> valuesOf(const std::string& expression, const SampleTable& table);
 
-/// \throws FatalIOError when it is not arithmetic of these names
+/// \throws FatalIOError when it is not arithmetic of these names, or depends on none of them
 void requireExpression(const std::string& expression, const std::vector<std::string>& names,
                        const SourceLocation& location);
+
+/// \throws FatalIOError when it is not a condition on these names
+void requireCondition(const std::string& expression, const std::vector<std::string>& names,
+                      const SourceLocation& location);
 
 /// \throws FatalIOError when it is none of these names, with the nearest of them
 void requireVariable(const std::string& name, const std::vector<std::string>& names,

@@ -19,6 +19,34 @@ namespace fs = std::filesystem;
 namespace
 {
 
+/// What can be said of a structure none of whose blocks is far from its place. It stands unless a block still
+/// moves: as fast as in the last frame it would have come, in the time of the whole run, a hundredth of
+/// `far`.
+template<int Dim>
+std::string standing(const Assembly<Dim>& assembly, const std::vector<BlockFrame>& frames, double far)
+{
+    constexpr double hardlyAnything = 0.01;
+    double fastest = 0; // [m/s]
+    std::size_t moving = 0;
+    for (std::size_t block = 0; frames.size() > 1 && block < assembly.blocks.size(); ++block)
+    {
+        const BlockFrame& last = frames.back();
+        const BlockFrame& before = frames[frames.size() - 2];
+        const auto column = static_cast<Eigen::Index>(block);
+        const double speed = (last.displacement.col(column) - before.displacement.col(column)).norm()
+                             / (last.time - before.time);
+        if (assembly.blocks[block].support < 0 && speed > fastest)
+        {
+            fastest = speed;
+            moving = block;
+        }
+    }
+    return fastest * (frames.back().time - frames.front().time) <= hardlyAnything * far
+               ? ": the structure stands"
+               : fmt::format(", but block {} still moves there, by {:.4g} m/s between the last two frames",
+                             moving, fastest);
+}
+
 /// How far blocks go in the frames of a motion, and where they are at its end.
 template<int Dim>
 std::vector<std::string> motionMeaning(const Assembly<Dim>& assembly, const std::vector<BlockFrame>& frames)
@@ -63,7 +91,7 @@ std::vector<std::string> motionMeaning(const Assembly<Dim>& assembly, const std:
         fmt::format("After {:.4g} s the largest displacement of a block is {:.4g} m, of block {}; {} of {} "
                     "blocks are farther from their places than half the mean block size of {:.3g} m{}.",
                     frames.back().time, atTheEnd.distance, atTheEnd.block, away, freeBlocks, 2 * far,
-                    away == 0 ? ": the structure stands" : "")};
+                    away == 0 ? standing(assembly, frames, far) : "")};
 }
 
 } // namespace

@@ -192,6 +192,12 @@ TEST(FragilityStatistic, SaysWhereThereIsNoCurve)
     EXPECT_THROW(evaluated("type fragility; intensity x; exceeded \"y >\";", collapseTable()), FatalIOError);
     EXPECT_THROW(evaluated("type fragility; intensity x; exceeded y; method truncatedIDA;", collapseTable()),
                  FatalIOError);
+    EXPECT_THROW(evaluated("type fragility; intensity 2.5; exceeded \"y > 0.5\";", collapseTable()),
+                 FatalIOError);
+    EXPECT_THROW(evaluated("type fragility; intensity x; exceeded -1;", collapseTable()), FatalIOError);
+    EXPECT_THROW(evaluated("type fragility; intensity x; exceeded \"y + 0.5\";", collapseTable()),
+                 FatalIOError);
+    EXPECT_NO_THROW(evaluated("type fragility; intensity x; exceeded y;", collapseTable())); // 0 or 1
 }
 
 TEST(DistributionStatistic, HasMomentsAndFractiles)

@@ -192,6 +192,17 @@ results { alpha { table "postProcessing/limitAnalysis/0/limitAnalysis.dat"; colu
         # Moments in their order.
         self.assertEqual(re.findall(r"collapse/0/motion_([\d.]+)\.svg", page), ["2.5", "3", "3.5"])
 
+    def testABlockThatStillSlidesIsNotSaidToStand(self):
+        slide = "../../contactDynamics/slidingBlock/slide"
+        case = self.caseOf(slide)
+        shutil.copytree(os.path.join(tutorial, slide, "0"), os.path.join(case, "0"))
+        self.edit(case, "system/controlDict", "writeInterval", "0.05")
+        for end, said in (("0.1", r"0 of 1 blocks .* but block 1 still moves there, by 0\.55\d+ m/s"),
+                          ("0.5", "0 of 1 blocks .*: the structure stands")):
+            self.edit(case, "system/controlDict", "endTime", end)
+            self.runApplication("contactDynamics", case, "-report")
+            self.assertRegex(self.read(case, "report.html"), said)
+
     @unittest.skipUnless(hasViewer, noViewer)
     def testTheViewerOfAHouseInSpace(self):
         case = self.caseOf("../space/house/structure")
