@@ -98,6 +98,10 @@ struct BlockMass
 
 template<int Dim>
 BlockMass<Dim> blockMass(const Block<Dim>& block);
+template<>
+BlockMass<2> blockMass(const Block<2>& block);
+template<>
+BlockMass<3> blockMass(const Block<3>& block);
 
 /// Mass properties of every block, in their order.
 template<int Dim>

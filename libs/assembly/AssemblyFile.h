@@ -44,6 +44,10 @@ Assembly<Dim> readBlocks(const std::filesystem::path& caseDirectory);
 /// Where each block stands in the file, for messages.
 template<int Dim>
 std::vector<SourceLocation> blockPlaces(const std::filesystem::path& caseDirectory);
+template<>
+std::vector<SourceLocation> blockPlaces<2>(const std::filesystem::path& caseDirectory);
+template<>
+std::vector<SourceLocation> blockPlaces<3>(const std::filesystem::path& caseDirectory);
 
 /// For computations. \throws FatalIOError when every block of the assembly is fixed: nothing can move
 template<int Dim>

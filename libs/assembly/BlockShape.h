@@ -24,6 +24,10 @@ inline const std::vector<Vector<3>>& cornersOf(const Block<3>& block)
 /// The smallest box that contains a block as built.
 template<int Dim>
 Box<Dim> boundingBox(const Block<Dim>& block);
+template<>
+Box<2> boundingBox(const Block<2>& block);
+template<>
+Box<3> boundingBox(const Block<3>& block);
 
 /// Distance of a point from a block [m]: 0 inside and on it.
 double distanceFrom(const Block<2>& block, const Vector<2>& point);

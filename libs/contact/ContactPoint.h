@@ -94,6 +94,10 @@ inline Eigen::Matrix3d contactFrame(const ContactPoint<3>& point)
 /// them takes time of order n log n in the number of edges or faces: 0.5 s for 100,000 blocks of the plane.
 template<int Dim>
 std::vector<ContactPoint<Dim>> findContactPoints(const Assembly<Dim>& assembly);
+template<>
+std::vector<ContactPoint<2>> findContactPoints(const Assembly<2>& assembly);
+template<>
+std::vector<ContactPoint<3>> findContactPoints(const Assembly<3>& assembly);
 
 /// The same joints with `pointsPerJoint` points each, at equal distances from end to end. \param ends the two
 /// points of each joint, as findContactPoints gives them

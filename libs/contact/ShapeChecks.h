@@ -51,12 +51,20 @@ std::string inertiaFault(const Block<2>& block, const CheckLimits& limits, Check
 std::string inertiaFault(const Block<3>& block, const CheckLimits& limits, CheckedRange& range);
 template<int Dim>
 std::string inertiaMessage(const CheckedRange& range);
+template<>
+std::string inertiaMessage<2>(const CheckedRange& range);
+template<>
+std::string inertiaMessage<3>(const CheckedRange& range);
 
 /// What makes a block a sliver, likewise.
 std::string sliverFault(const Block<2>& block, const CheckLimits& limits, SliverRanges& ranges);
 std::string sliverFault(const Block<3>& block, const CheckLimits& limits, SliverRanges& ranges);
 template<int Dim>
 std::string sliverMessage(const SliverRanges& ranges);
+template<>
+std::string sliverMessage<2>(const SliverRanges& ranges);
+template<>
+std::string sliverMessage<3>(const SliverRanges& ranges);
 
 /// Length of a joint of the plane [m], area of one of space [m2]. \param points of one joint, as
 /// findContactPoints gives them

@@ -79,5 +79,9 @@ using SupportMaker = std::function<void(Assembly<Dim>& assembly, const std::stri
 /// The supports that `supports { name { type ...; } }` chooses from.
 template<int Dim>
 const Registry<SupportMaker<Dim>>& supportTypes();
+template<>
+const Registry<SupportMaker<2>>& supportTypes();
+template<>
+const Registry<SupportMaker<3>>& supportTypes();
 
 } // namespace drystone

@@ -31,6 +31,10 @@ struct Texture
 /// The textures that `texture { type ...; }` chooses from.
 template<int Dim>
 const Registry<Texture<Dim>>& textureTypes();
+template<>
+const Registry<Texture<2>>& textureTypes();
+template<>
+const Registry<Texture<3>>& textureTypes();
 
 /// system/blockTextureDict.
 template<int Dim>
