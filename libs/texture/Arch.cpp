@@ -213,11 +213,19 @@ void declareSection(Options& options, Arch& arch)
     options.check("thickness",
                   [&arch]() -> std::string
                   {
-                      return arch.thickness >= 2 * arch.radius ? fmt::format(
-                                 "An arch of radius {:g} m cannot be {:g} m thick: the thickness must be "
-                                 "below twice the radius.",
-                                 arch.radius, arch.thickness)
-                                                               : "";
+                      constexpr double thinnest = 1e-6; // of the radius: joints are closed to a rounding
+                      if (arch.thickness >= 2 * arch.radius)
+                      {
+                          return fmt::format(
+                              "An arch of radius {:g} m cannot be {:g} m thick: the thickness must be "
+                              "below twice the radius.",
+                              arch.radius, arch.thickness);
+                      }
+                      return arch.thickness < thinnest * arch.radius
+                                 ? fmt::format("An arch of radius {:g} m has no shape that is {:g} m thick: "
+                                               "give a thickness of at least {:g} m.",
+                                               arch.radius, arch.thickness, thinnest * arch.radius)
+                                 : "";
                   });
     options.check("voussoirs",
                   [&arch]() -> std::string

@@ -314,6 +314,8 @@ brokenInputs = [
     inTexture("fractionOfACourse", "6;", "6.5;", r"6\.5"),
     inTexture("wrongDimension", "thickness   1;", "thickness   [0 0 1 0 0 0 0] 1;", r"dimension|\[0 0 1 0 0 0 0\]"),
     inTexture("negativeSize", "(0.4 0.175)", "(-0.4 0.175)", r"-0\.4", r"unit"),
+    inTexture("archOfNothing", "", "", r"has no shape", r"at least 1e-06 m", lines=(1,),
+              content="dimensions 2; texture { type arch; radius 1; thickness 1e-300; voussoirs 27; }\n"),
     inTexture("zeroThickness", "thickness   1;", "thickness   0;", r"thickness"),
     inTexture("notANumber", "(0.4 0.175)", "(nan 0.175)", r"nan"),
     inTexture("infiniteLength", "length      5;", "length      inf;", r"inf"),
