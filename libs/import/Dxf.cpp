@@ -21,7 +21,6 @@ struct Transform
     Vector<2> shift = Vector<2>::Zero();
 };
 
-constexpr const char* markedInvisible = "entities that are marked invisible";
 constexpr int deepest = 16;
 constexpr std::size_t mostInserts = 1'000'000;
 
@@ -67,12 +66,11 @@ private:
         }
         for (const DxfInsert& insert : drawn.inserts)
         {
-            if (insert.isInvisible)
+            if (isLeftOut(insert))
             {
-                ++unused[markedInvisible];
                 continue;
             }
-            const auto block = content.blocks.find(insert.block);
+            const auto block = content.blocks.find(dxfKey(insert.block));
             if (block == content.blocks.end())
             {
                 refuse(file, insert.line,
@@ -96,15 +94,33 @@ private:
                     Eigen::Matrix2d turn;
                     turn << std::cos(insert.angle), -std::sin(insert.angle), std::sin(insert.angle),
                         std::cos(insert.angle);
+                    const Vector<2> direction(insert.isMirrored ? -1 : 1, 1);
+                    const Eigen::Matrix2d outer = transform.matrix * direction.asDiagonal();
                     Transform inner;
-                    inner.matrix = transform.matrix * turn * insert.factor.asDiagonal();
+                    inner.matrix = outer * turn * insert.factor.asDiagonal();
                     const Vector<2> step(column * insert.spacing.x(), row * insert.spacing.y());
-                    inner.shift = transform.matrix * (insert.place + turn * step) + transform.shift
+                    inner.shift = outer * (insert.place + turn * step) + transform.shift
                                   - inner.matrix * block->second.base;
                     expand(block->second, inner, own, depth + 1);
                 }
             }
         }
+    }
+
+    /// Counts what is not drawn whatever its layer, and what lies in a plane of its own.
+    bool isLeftOut(const DxfEntity& entity)
+    {
+        if (!entity.leftOut.empty())
+        {
+            ++unused[std::string(entity.leftOut)];
+            return true;
+        }
+        if (entity.isTilted)
+        {
+            ++unused["directions of extrusion other than z: these entities are drawn by the coordinates in "
+                     "their own planes"];
+        }
+        return false;
     }
 
     void addOutline(const DxfPolyline& polyline, const Transform& transform, const std::string& layer)
@@ -118,14 +134,13 @@ private:
                             ? (layer.empty() ? polyline.layer : layer)
                             : polyline.layer;
         outline.line = polyline.line;
-        if (content.hidden.contains(outline.layer))
+        if (content.hidden.contains(dxfKey(outline.layer)))
         {
             ++unused["outlines on layers that are off or frozen"];
             return;
         }
-        if (polyline.isInvisible)
+        if (isLeftOut(polyline))
         {
-            ++unused[markedInvisible];
             return;
         }
         const std::size_t count = polyline.corners.size();

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <numbers>
 
 namespace drystone
@@ -175,7 +176,7 @@ private:
             }
             if (isHidden)
             {
-                result.hidden.insert(name);
+                result.hidden.insert(dxfKey(name));
             }
         }
     }
@@ -205,7 +206,7 @@ private:
                 }
             }
             readEntities(content, "ENDBLK");
-            result.blocks[name] = std::move(content);
+            result.blocks[dxfKey(name)] = std::move(content);
         }
     }
 
@@ -224,7 +225,7 @@ private:
             }
             else if (groups.starts("POLYLINE"))
             {
-                content.polylines.push_back(readOldPolyline());
+                readOldPolyline(content);
             }
             else if (groups.starts("INSERT"))
             {
@@ -242,31 +243,31 @@ private:
         }
     }
 
-    /// What all polylines have. \return whether the group is one of these
-    bool readCommon(DxfPolyline& polyline)
+    /// What all entities have. \return whether the group is of it
+    bool readCommon(DxfEntity& entity)
     {
         const Group& group = groups.current();
-        if (group.code == 8)
+        switch (group.code)
         {
-            polyline.layer = group.value;
-        }
-        else if (group.code == 70)
-        {
-            polyline.isClosed = (groups.integer() & 1) != 0;
-        }
-        else if (group.code == 60)
-        {
-            polyline.isInvisible = groups.integer() != 0;
-        }
-        else if (group.code == 230)
-        {
-            polyline.isMirrored = groups.number() < 0;
-        }
-        else
-        {
+        case 8:
+            entity.layer = group.value;
+            return true;
+        case 60:
+            entity.leftOut = groups.integer() != 0 ? "entities that are marked invisible" : entity.leftOut;
+            return true;
+        case 67: // frames and titles of sheets, in the units of these
+            entity.leftOut = groups.integer() != 0 ? "entities of paper space" : entity.leftOut;
+            return true;
+        case 210:
+        case 220:
+            entity.isTilted = entity.isTilted || groups.number() != 0;
+            return true;
+        case 230:
+            entity.isMirrored = groups.number() < 0;
+            return true;
+        default:
             return false;
         }
-        return true;
     }
 
     /// Corner by corner: x begins one.
@@ -298,7 +299,11 @@ private:
         int ofCorner = 0;
         for (groups.advance(); groups.current().code != 0; groups.advance())
         {
-            if (!readCommon(polyline))
+            if (groups.current().code == 70)
+            {
+                polyline.isClosed = (groups.integer() & 1) != 0;
+            }
+            else if (!readCommon(polyline))
             {
                 readCorner(polyline, ofCorner);
             }
@@ -306,21 +311,28 @@ private:
         return polyline;
     }
 
-    DxfPolyline readOldPolyline()
+    /// POLYLINE, of which each corner is an entity. Meshes are polylines, too, in name.
+    void readOldPolyline(DxfContent& content)
     {
+        constexpr int mesh = 16 | 64;
         DxfPolyline polyline;
         polyline.line = groups.current().line;
+        bool isMesh = false;
         for (groups.advance(); groups.current().code != 0; groups.advance())
         {
-            readCommon(polyline);
+            if (groups.current().code == 70)
+            {
+                polyline.isClosed = (groups.integer() & 1) != 0;
+                isMesh = (groups.integer() & mesh) != 0;
+            }
+            else
+            {
+                readCommon(polyline);
+            }
         }
         while (groups.starts("VERTEX"))
         {
-            int ofCorner = 0;
-            for (groups.advance(); groups.current().code != 0; groups.advance())
-            {
-                readCorner(polyline, ofCorner);
-            }
+            readVertex(polyline);
         }
         if (!groups.starts("SEQEND"))
         {
@@ -331,7 +343,34 @@ private:
         {
             groups.advance();
         }
-        return polyline;
+        if (isMesh)
+        {
+            ++result.others["POLYLINE that are meshes"];
+            return;
+        }
+        content.polylines.push_back(std::move(polyline));
+    }
+
+    /// Points of the frame by which a spline is controlled are not drawn.
+    void readVertex(DxfPolyline& polyline)
+    {
+        constexpr int ofFrame = 16;
+        const std::size_t before = polyline.corners.size();
+        bool isOfFrame = false;
+        int ofCorner = 0;
+        for (groups.advance(); groups.current().code != 0; groups.advance())
+        {
+            if (groups.current().code == 70)
+            {
+                isOfFrame = (groups.integer() & ofFrame) != 0;
+            }
+            readCorner(polyline, ofCorner);
+        }
+        if (isOfFrame)
+        {
+            polyline.corners.resize(before);
+            polyline.bulges.resize(before);
+        }
     }
 
     DxfInsert readInsert()
@@ -341,13 +380,14 @@ private:
         for (groups.advance(); groups.current().code != 0; groups.advance())
         {
             const Group& group = groups.current();
+            if (readCommon(insert))
+            {
+                continue;
+            }
             switch (group.code)
             {
             case 2:
                 insert.block = group.value;
-                break;
-            case 8:
-                insert.layer = group.value;
                 break;
             case 10:
             case 20:
@@ -363,9 +403,6 @@ private:
                 break;
             case 50:
                 insert.angle = groups.number() * std::numbers::pi / 180;
-                break;
-            case 60:
-                insert.isInvisible = groups.integer() != 0;
                 break;
             case 70:
                 insert.columns = std::max(1, groups.integer());
@@ -386,6 +423,14 @@ private:
 };
 
 } // namespace
+
+std::string dxfKey(std::string_view name)
+{
+    std::string key(name);
+    std::transform(key.begin(), key.end(), key.begin(),
+                   [](unsigned char letter) { return static_cast<char>(std::toupper(letter)); });
+    return key;
+}
 
 DxfFile readDxfFile(const ImportedFile& file)
 {

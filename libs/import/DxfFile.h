@@ -7,36 +7,40 @@
 
 #include <map>
 #include <set>
+#include <string_view>
 
 namespace drystone
 {
 
-/// A polyline as it is drawn: corner i with the bulge of the segment that follows, the tangent of a quarter
-/// of its angle.
-struct DxfPolyline
+/// What all entities have.
+struct DxfEntity
 {
-    std::vector<Vector<2>> corners;
-    std::vector<double> bulges;
     std::string layer;
-    bool isClosed = false;
-    bool isInvisible = false; ///< marked so, whatever its layer
-    bool isMirrored = false;  ///< its extrusion direction is -z: x counts the other way
+    std::string_view leftOut; ///< what is said of it where it is not drawn, whatever its layer; or empty
+    bool isMirrored = false;  ///< its extrusion direction is -z: its x counts the other way
+    bool isTilted = false;    ///< its extrusion direction has other parts than z
     int line = 0;
 };
 
+/// A polyline as it is drawn: corner i with the bulge of the segment that follows, the tangent of a quarter
+/// of its angle.
+struct DxfPolyline : DxfEntity
+{
+    std::vector<Vector<2>> corners;
+    std::vector<double> bulges;
+    bool isClosed = false;
+};
+
 /// A block that is drawn at a place, or at a grid of places.
-struct DxfInsert
+struct DxfInsert : DxfEntity
 {
     std::string block;
-    std::string layer;
     Vector<2> place = Vector<2>::Zero();
     Vector<2> factor = Vector<2>::Ones();
     double angle = 0; ///< [rad]
-    bool isInvisible = false;
     int columns = 1;
     int rows = 1;
     Vector<2> spacing = Vector<2>::Zero();
-    int line = 0;
 };
 
 /// Entities of the drawing, or of a block.
@@ -47,15 +51,18 @@ struct DxfContent
     std::vector<DxfInsert> inserts;
 };
 
+/// Names of blocks and layers are the same in small letters and in capitals: the one by which they are found.
+std::string dxfKey(std::string_view name);
+
 struct DxfFile
 {
     DxfContent entities;
-    std::map<std::string, DxfContent, std::less<>> blocks;
-    std::set<std::string, std::less<>> hidden; ///< layers that are off or frozen
-    std::map<std::string, int> others;         ///< entities that are not read, by their names
-    std::optional<double> unit;                ///< of the drawing [m]
-    std::string unknownUnit;                   ///< what is said of one that is not known; or empty
-    DigitCount digits;                         ///< of the corners
+    std::map<std::string, DxfContent> blocks; ///< by dxfKey
+    std::set<std::string> hidden;             ///< layers that are off or frozen, likewise
+    std::map<std::string, int> others;        ///< entities that are not read, by their names
+    std::optional<double> unit;               ///< of the drawing [m]
+    std::string unknownUnit;                  ///< what is said of one that is not known; or empty
+    DigitCount digits;                        ///< of the corners
 };
 
 /// \throws FatalIOError where the file is damaged

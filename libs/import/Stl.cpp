@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace drystone
@@ -16,6 +17,13 @@ namespace
 
 constexpr std::size_t lengthOfHeader = 80;
 constexpr std::size_t triangle = 50; ///< bytes: normal, three vertices, two bytes of attributes
+
+/// Some programs write the words in capitals.
+bool isWord(std::string_view word, std::string_view expected)
+{
+    return std::equal(word.begin(), word.end(), expected.begin(), expected.end(),
+                      [](unsigned char a, unsigned char b) { return std::tolower(a) == b; });
+}
 
 /// Many binary files begin with `solid`, too: the count of triangles decides.
 bool isBinary(const ImportedFile& file)
@@ -30,7 +38,7 @@ bool isBinary(const ImportedFile& file)
         return true;
     }
     const std::string_view start(file.bytes.data(), std::min<std::size_t>(file.bytes.size(), 1000));
-    return !trimmed(start).starts_with("solid") || start.find('\0') != std::string_view::npos;
+    return !isWord(trimmed(start).substr(0, 5), "solid") || start.find('\0') != std::string_view::npos;
 }
 
 Solids readBinary(const ImportedFile& file)
@@ -85,7 +93,7 @@ public:
     {
         for (std::string_view word = next(); !word.empty(); word = next())
         {
-            if (word != "solid")
+            if (!isWord(word, "solid"))
             {
                 fail("solid", word);
             }
@@ -94,7 +102,7 @@ public:
             solid.zones = {withoutNumber(solid.name)};
             solid.line = lines.number();
             rest = {};
-            while ((word = next()) == "facet")
+            while (isWord(word = next(), "facet"))
             {
                 rest = {}; // the normal follows from the order of the vertices
                 expect("outer");
@@ -117,7 +125,7 @@ public:
                 expect("endfacet");
                 solid.faces.push_back(std::move(face));
             }
-            if (word != "endsolid")
+            if (!isWord(word, "endsolid"))
             {
                 fail("endsolid", word);
             }
@@ -144,7 +152,7 @@ private:
     }
     void expect(std::string_view what)
     {
-        if (const std::string_view word = next(); word != what)
+        if (const std::string_view word = next(); !isWord(word, what))
         {
             fail(what, word);
         }

@@ -152,10 +152,50 @@ TEST(Dxf, BlocksAreInsertedMovedTurnedScaledAndRepeated)
     }
 }
 
+TEST(Dxf, AnInsertExtrudedBackwardsIsAMirrorImage)
+{
+    // A triangle at (-3 0) of coordinates whose x counts the other way.
+    const std::string block = groups({{0, "BLOCK"}, {2, "Stone"}, {10, "0"}, {20, "0"}})
+                              + groups({{0, "LWPOLYLINE"},
+                                        {8, "0"},
+                                        {70, "1"},
+                                        {10, "0"},
+                                        {20, "0"},
+                                        {10, "1"},
+                                        {20, "0"},
+                                        {10, "0"},
+                                        {20, "1"}})
+                              + groups({{0, "ENDBLK"}});
+    const std::string insert =
+        groups({{0, "INSERT"}, {2, "STONE"}, {8, "0"}, {10, "-3"}, {20, "0"}, {210, "0"}, {230, "-1"}});
+    const std::string tilted = groups({{0, "INSERT"}, {2, "stone"}, {220, "-1"}, {230, "0"}});
+    const Drawing drawing = read(section("BLOCKS", block) + section("ENTITIES", insert + tilted) + end);
+    ASSERT_EQ(drawing.outlines.size(), 2u);
+    EXPECT_EQ(drawing.outlines[0].corners, (Polygon{{3, 0}, {2, 0}, {3, 1}}));
+    ASSERT_EQ(drawing.ignored.size(), 1u);
+    EXPECT_THAT(drawing.ignored[0], HasSubstr("1 directions of extrusion other than z"));
+}
+
+TEST(Dxf, TheFrameOfASplineAndMeshesAreNotDrawn)
+{
+    const auto vertex = [](const char* x, const char* y, const char* flags) {
+        return groups({{0, "VERTEX"}, {8, "0"}, {10, x}, {20, y}, {70, flags}});
+    };
+    const std::string corners = vertex("1", "0", "8") + vertex("0", "0", "16") + vertex("2", "1", "8")
+                                + vertex("5", "5", "16") + vertex("1", "2", "8");
+    const std::string ends = groups({{0, "SEQEND"}});
+    const std::string spline = groups({{0, "POLYLINE"}, {66, "1"}, {10, "0"}, {20, "0"}, {70, "5"}});
+    const std::string mesh = groups({{0, "POLYLINE"}, {66, "1"}, {70, "17"}});
+    const Drawing drawing = read(section("ENTITIES", spline + corners + ends + mesh + corners + ends) + end);
+    ASSERT_EQ(drawing.outlines.size(), 1u);
+    EXPECT_EQ(drawing.outlines[0].corners, (Polygon{{1, 0}, {2, 1}, {1, 2}}));
+    EXPECT_THAT(drawing.ignored, testing::ElementsAre("1 entities POLYLINE that are meshes"));
+}
+
 TEST(Dxf, HiddenLayersAreLeftOut)
 {
     const std::string tables = groups(
-        {{0, "TABLE"}, {2, "LAYER"}, {0, "LAYER"}, {2, "stone"}, {70, "0"}, {62, "-7"}, {0, "ENDTAB"}});
+        {{0, "TABLE"}, {2, "LAYER"}, {0, "LAYER"}, {2, "Stone"}, {70, "0"}, {62, "-7"}, {0, "ENDTAB"}});
     const Drawing drawing = read(section("TABLES", tables) + section("ENTITIES", square) + end);
     EXPECT_TRUE(drawing.outlines.empty());
     EXPECT_THAT(drawing.ignored, testing::ElementsAre("1 outlines on layers that are off or frozen"));
@@ -164,10 +204,10 @@ TEST(Dxf, HiddenLayersAreLeftOut)
 
 TEST(Dxf, WhatIsMarkedInvisibleIsLeftOutAndCounted)
 {
-    const auto marked = [](const char* mark)
+    const auto marked = [](const char* mark, int code = 60)
     {
         return groups({{0, "LWPOLYLINE"},
-                       {60, mark},
+                       {code, mark},
                        {70, "1"},
                        {10, "0"},
                        {20, "0"},
@@ -178,10 +218,13 @@ TEST(Dxf, WhatIsMarkedInvisibleIsLeftOutAndCounted)
     };
     const std::string block = groups({{0, "BLOCK"}, {2, "brick"}}) + square + groups({{0, "ENDBLK"}});
     const std::string insert = groups({{0, "INSERT"}, {2, "brick"}, {60, "1"}});
-    const Drawing drawing =
-        read(section("BLOCKS", block) + section("ENTITIES", marked("1") + marked("0") + insert) + end);
+    const std::string title = groups({{0, "INSERT"}, {2, "brick"}, {67, "1"}});
+    constexpr int onPaper = 67;
+    const std::string all = marked("1") + marked("0") + marked("1", onPaper) + insert + title;
+    const Drawing drawing = read(section("BLOCKS", block) + section("ENTITIES", all) + end);
     EXPECT_EQ(drawing.outlines.size(), 1u);
-    EXPECT_THAT(drawing.ignored, testing::ElementsAre("2 entities that are marked invisible"));
+    EXPECT_THAT(drawing.ignored,
+                testing::ElementsAre("2 entities of paper space", "2 entities that are marked invisible"));
 }
 
 TEST(Dxf, HostileFilesEndInAMessage)

@@ -143,13 +143,21 @@ TEST(SolidBlocks, TouchingSolidsOfASoupOfTrianglesAreParted)
         const std::vector<Polyhedron> shapes = shapesOf(structure(texture));
         for (const unsigned seed : {1U, 2U, 3U})
         {
-            const std::vector<Polyhedron> parts = shapesOf(solidBlocks(soupOf(shapes, seed), {}, file));
-            ASSERT_EQ(parts.size(), shapes.size()) << texture << seed;
-            const std::vector<double> expected = sortedVolumes(shapes);
-            const std::vector<double> volumes = sortedVolumes(parts);
-            for (std::size_t i = 0; i < expected.size(); ++i)
+            Solids soup = soupOf(shapes, seed);
+            for (const bool isTurnedInside : {false, true})
             {
-                EXPECT_NEAR(volumes[i], expected[i], 1e-14);
+                const std::vector<Polyhedron> parts = shapesOf(solidBlocks(soup, {}, file));
+                ASSERT_EQ(parts.size(), shapes.size()) << texture << seed << isTurnedInside;
+                const std::vector<double> expected = sortedVolumes(shapes);
+                const std::vector<double> volumes = sortedVolumes(parts);
+                for (std::size_t i = 0; i < expected.size(); ++i)
+                {
+                    EXPECT_NEAR(volumes[i], expected[i], 1e-14);
+                }
+                for (std::vector<int>& face : soup.solids[0].faces)
+                {
+                    std::reverse(face.begin(), face.end());
+                }
             }
         }
     }

@@ -213,6 +213,10 @@ TEST(Stl, BothFormsSayTheSame)
     EXPECT_THAT(ascii.solids[0].zones, testing::ElementsAre("a cube"));
     EXPECT_EQ(ascii.solids[0].vertices, binary.solids[0].vertices);
     EXPECT_EQ(ascii.solids[0].faces, binary.solids[0].faces);
+    std::string capitals = text + "endsolid a cube 7\n";
+    std::transform(capitals.begin(), capitals.end(), capitals.begin(),
+                   [](unsigned char letter) { return static_cast<char>(std::toupper(letter)); });
+    EXPECT_EQ(readStl(fileOf(capitals)).solids[0].vertices, binary.solids[0].vertices);
     EXPECT_THAT(reportOf([&] { readStl(fileOf(text)); }), HasSubstr("`endsolid` is expected"));
     EXPECT_THAT(reportOf([&] { readStl(fileOf("solid x\nfacet\nouter loop\nvertex 1 2 z\n")); }),
                 AllOf(HasSubstr("'z' is no number"), HasSubstr("line 4")));

@@ -49,10 +49,31 @@ Vector<3> sideOf(const Polyhedron& mesh, const FaceEdge& edge, const Vector<3>& 
     return side;
 }
 
+/// Six times the volume that some faces enclose, negative where they are turned inside.
+double volumeWithin(const Polyhedron& mesh, const std::vector<int>& faces)
+{
+    const Vector<3> origin = mesh.vertices[mesh.faces[faces.front()].front()];
+    double volume = 0;
+    for (const int face : faces)
+    {
+        const std::vector<int>& corners = mesh.faces[face];
+        for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+        {
+            const Vector<3> a = mesh.vertices[corners[0]] - origin;
+            const Vector<3> b = mesh.vertices[corners[i]] - origin;
+            const Vector<3> c = mesh.vertices[corners[i + 1]] - origin;
+            volume += a.dot(momentOf(b, c));
+        }
+    }
+    return volume;
+}
+
 /// Of more than two faces at an edge those that bound a solid across it belong together. Seen along the edge,
 /// a face that runs along it from low to high vertex has its solid on the side towards smaller angles (faces
-/// are turned outwards, counter-clockwise), one that runs back towards larger ones.
-void joinAround(const Polyhedron& mesh, EdgeIterator first, EdgeIterator last, std::vector<int>& parents)
+/// are turned outwards, counter-clockwise), one that runs back towards larger ones; where all faces are
+/// turned inside it is the other way round.
+void joinAround(const Polyhedron& mesh, EdgeIterator first, EdgeIterator last, bool areTurnedInside,
+                std::vector<int>& parents)
 {
     const Vector<3> origin = mesh.vertices[first->low()];
     const Vector<3> whole = mesh.vertices[first->high()] - origin;
@@ -74,7 +95,7 @@ void joinAround(const Polyhedron& mesh, EdgeIterator first, EdgeIterator last, s
     {
         const Vector<3> side = sideOf(mesh, *edge, along);
         sheets.push_back({edge->face, std::atan2(frame.col(2).dot(side), frame.col(1).dot(side)),
-                          edge->from == edge->low()});
+                          (edge->from == edge->low()) != areTurnedInside});
     }
     constexpr double turn = 2 * std::numbers::pi;
     constexpr double sameAngle = 1e-6; // faces that lie on each other bound different solids
@@ -106,6 +127,57 @@ void joinAround(const Polyhedron& mesh, EdgeIterator first, EdgeIterator last, s
             join(parents, sheet.face, partner);
         }
     }
+}
+
+/// The faces of each piece, pieces in the order of their first faces.
+std::vector<std::vector<int>> facesOfPieces(std::vector<int>& parents)
+{
+    std::vector<std::vector<int>> facesOf;
+    std::vector<int> pieceOf(parents.size(), -1);
+    for (int face = 0; face < static_cast<int>(parents.size()); ++face)
+    {
+        const int root = rootOf(parents, face);
+        if (pieceOf[root] < 0)
+        {
+            pieceOf[root] = static_cast<int>(facesOf.size());
+            facesOf.emplace_back();
+        }
+        facesOf[pieceOf[root]].push_back(face);
+    }
+    return facesOf;
+}
+
+/// Each face a piece of its own.
+std::vector<int> singleFaces(const Polyhedron& mesh)
+{
+    std::vector<int> parents(mesh.faces.size());
+    std::iota(parents.begin(), parents.end(), 0);
+    return parents;
+}
+
+/// Whether a face is one of a heap of solids, touching each other, that enclose a negative volume, as in a
+/// model that was mirrored.
+std::vector<bool> turnedInside(const Polyhedron& mesh, const std::vector<FaceEdge>& edges)
+{
+    std::vector<int> parents = singleFaces(mesh);
+    visitEdges(edges,
+               [&](EdgeIterator first, EdgeIterator last)
+               {
+                   for (auto edge = first; edge != last; ++edge)
+                   {
+                       join(parents, first->face, edge->face);
+                   }
+               });
+    std::vector<bool> isTurned(mesh.faces.size());
+    for (const std::vector<int>& faces : facesOfPieces(parents))
+    {
+        const bool isNegative = volumeWithin(mesh, faces) < 0;
+        for (const int face : faces)
+        {
+            isTurned[face] = isNegative;
+        }
+    }
+    return isTurned;
 }
 
 Polyhedron withFaces(const Polyhedron& mesh, const std::vector<int>& faces, std::vector<int>& newIndex)
@@ -192,9 +264,9 @@ Polyhedron welded(const Polyhedron& mesh, double tolerance)
 
 std::vector<Polyhedron> parted(const Polyhedron& mesh)
 {
-    std::vector<int> parents(mesh.faces.size());
-    std::iota(parents.begin(), parents.end(), 0);
+    std::vector<int> parents = singleFaces(mesh);
     const std::vector<FaceEdge> edges = sortedEdges(mesh);
+    const std::vector<bool> isTurnedInside = turnedInside(mesh, edges);
     visitEdges(edges,
                [&](EdgeIterator first, EdgeIterator last)
                {
@@ -205,24 +277,12 @@ std::vector<Polyhedron> parted(const Polyhedron& mesh)
                    }
                    else if (last - first <= most)
                    {
-                       joinAround(mesh, first, last, parents);
+                       joinAround(mesh, first, last, isTurnedInside[first->face], parents);
                    }
                });
-    std::vector<std::vector<int>> facesOf;
-    std::vector<int> pieceOf(mesh.faces.size(), -1);
-    for (int face = 0; face < static_cast<int>(mesh.faces.size()); ++face)
-    {
-        const int root = rootOf(parents, face);
-        if (pieceOf[root] < 0)
-        {
-            pieceOf[root] = static_cast<int>(facesOf.size());
-            facesOf.emplace_back();
-        }
-        facesOf[pieceOf[root]].push_back(face);
-    }
     std::vector<Polyhedron> pieces;
     std::vector<int> newIndex(mesh.vertices.size());
-    for (const std::vector<int>& faces : facesOf)
+    for (const std::vector<int>& faces : facesOfPieces(parents))
     {
         pieces.push_back(withFaces(mesh, faces, newIndex));
     }
@@ -254,29 +314,12 @@ int turnOutwards(Polyhedron& mesh)
         std::reverse(mesh.faces[face].begin(), mesh.faces[face].end());
         ++turned;
     };
-    const auto volumeOf = [&](const std::vector<int>& faces)
-    {
-        const Vector<3> origin = mesh.vertices[mesh.faces[faces.front()].front()];
-        double volume = 0;
-        for (const int face : faces)
-        {
-            const std::vector<int>& corners = mesh.faces[face];
-            for (std::size_t i = 1; i + 1 < corners.size(); ++i)
-            {
-                const Vector<3> a = mesh.vertices[corners[0]] - origin;
-                const Vector<3> b = mesh.vertices[corners[i]] - origin;
-                const Vector<3> c = mesh.vertices[corners[i + 1]] - origin;
-                volume += a.dot(momentOf(b, c));
-            }
-        }
-        return volume;
-    };
     std::vector<int> shell;
     if (doAgree)
     {
         shell.resize(mesh.faces.size());
         std::iota(shell.begin(), shell.end(), 0);
-        if (!shell.empty() && volumeOf(shell) < 0)
+        if (!shell.empty() && volumeWithin(mesh, shell) < 0)
         {
             std::for_each(shell.begin(), shell.end(), turn);
         }
@@ -315,7 +358,7 @@ int turnOutwards(Polyhedron& mesh)
             }
         };
         turnMarked(1);
-        if (volumeOf(shell) < 0)
+        if (volumeWithin(mesh, shell) < 0)
         {
             // Those that were turned are turned back.
             turned -= 2
