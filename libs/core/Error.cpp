@@ -2,8 +2,9 @@
 /// How errors and warnings are worded and printed.
 #include "core/Error.h"
 
+#include "core/LowerCase.h"
+
 #include <algorithm>
-#include <cctype>
 #include <cstdio>
 #include <filesystem>
 #include <functional>
@@ -23,14 +24,6 @@ void printReport(const std::string& report)
     std::fflush(stdout);
     std::fputs(report.c_str(), stderr);
     std::fflush(stderr);
-}
-
-std::string lowerCase(std::string_view text)
-{
-    std::string result(text);
-    std::transform(result.begin(), result.end(), result.begin(),
-                   [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-    return result;
 }
 
 /// Restricted Damerau-Levenshtein distance: letters inserted, removed, changed, or swapped with a neighbour.

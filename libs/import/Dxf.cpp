@@ -1,5 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// The outlines that a DXF file draws: blocks at their places, chords of arcs.
+#include "core/LowerCase.h"
 #include "import/DxfFile.h"
 
 #include <fmt/format.h>
@@ -70,7 +71,7 @@ private:
             {
                 continue;
             }
-            const auto block = content.blocks.find(dxfKey(insert.block));
+            const auto block = content.blocks.find(lowerCase(insert.block));
             if (block == content.blocks.end())
             {
                 refuse(file, insert.line,
@@ -82,6 +83,7 @@ private:
                        fmt::format("Blocks are inserted in each other to more than {} levels.", deepest));
             }
             const std::string own = insert.layer.empty() || insert.layer == "0" ? layer : insert.layer;
+            const Transform outer = fromPlaneOf(insert, transform);
             for (int row = 0; row < insert.rows; ++row)
             {
                 for (int column = 0; column < insert.columns; ++column)
@@ -94,17 +96,25 @@ private:
                     Eigen::Matrix2d turn;
                     turn << std::cos(insert.angle), -std::sin(insert.angle), std::sin(insert.angle),
                         std::cos(insert.angle);
-                    const Vector<2> direction(insert.isMirrored ? -1 : 1, 1);
-                    const Eigen::Matrix2d outer = transform.matrix * direction.asDiagonal();
                     Transform inner;
-                    inner.matrix = outer * turn * insert.factor.asDiagonal();
+                    inner.matrix = outer.matrix * turn * insert.factor.asDiagonal();
                     const Vector<2> step(column * insert.spacing.x(), row * insert.spacing.y());
-                    inner.shift = outer * (insert.place + turn * step) + transform.shift
+                    inner.shift = outer.matrix * (insert.place + turn * step) + outer.shift
                                   - inner.matrix * block->second.base;
                     expand(block->second, inner, own, depth + 1);
                 }
             }
         }
+    }
+
+    /// The transform of coordinates in the plane of an entity, which may look at the drawing from behind.
+    static Transform fromPlaneOf(const DxfEntity& entity, Transform transform)
+    {
+        if (entity.isMirrored)
+        {
+            transform.matrix.col(0) *= -1;
+        }
+        return transform;
     }
 
     /// Counts what is not drawn whatever its layer, and what lies in a plane of its own.
@@ -134,7 +144,7 @@ private:
                             ? (layer.empty() ? polyline.layer : layer)
                             : polyline.layer;
         outline.line = polyline.line;
-        if (content.hidden.contains(dxfKey(outline.layer)))
+        if (content.hidden.contains(lowerCase(outline.layer)))
         {
             ++unused["outlines on layers that are off or frozen"];
             return;
@@ -150,9 +160,10 @@ private:
             ++unused["open polylines"];
             return;
         }
+        const Transform plane = fromPlaneOf(polyline, transform);
         for (std::size_t i = 0; i < count; ++i)
         {
-            addSegment(polyline, i, transform, outline.corners);
+            addSegment(polyline, i, plane, outline.corners);
             if (corners + outline.corners.size() > mostCorners)
             {
                 refuse(file, polyline.line,
@@ -168,14 +179,8 @@ private:
     void addSegment(const DxfPolyline& polyline, std::size_t i, const Transform& transform,
                     Polygon& outline) const
     {
-        const auto add = [&](Vector<2> place)
-        {
-            if (polyline.isMirrored)
-            {
-                place.x() = -place.x();
-            }
-            outline.emplace_back(transform.matrix * place + transform.shift);
-        };
+        const auto add = [&](const Vector<2>& place)
+        { outline.emplace_back(transform.matrix * place + transform.shift); };
         const Vector<2>& from = polyline.corners[i];
         const Vector<2>& to = polyline.corners[(i + 1) % polyline.corners.size()];
         const double bulge = polyline.bulges[i];

@@ -2,10 +2,11 @@
 /// AutoCAD DXF, read group by group. ImportedFile.h says why the reader is our own.
 #include "import/DxfFile.h"
 
+#include "core/LowerCase.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <numbers>
 
 namespace drystone
@@ -176,7 +177,7 @@ private:
             }
             if (isHidden)
             {
-                result.hidden.insert(dxfKey(name));
+                result.hidden.insert(lowerCase(name));
             }
         }
     }
@@ -206,7 +207,7 @@ private:
                 }
             }
             readEntities(content, "ENDBLK");
-            result.blocks[dxfKey(name)] = std::move(content);
+            result.blocks[lowerCase(name)] = std::move(content);
         }
     }
 
@@ -243,6 +244,14 @@ private:
         }
     }
 
+    void leaveOutIfSet(DxfEntity& entity, std::string_view said) const
+    {
+        if (groups.integer() != 0)
+        {
+            entity.leftOut = said;
+        }
+    }
+
     /// What all entities have. \return whether the group is of it
     bool readCommon(DxfEntity& entity)
     {
@@ -253,10 +262,10 @@ private:
             entity.layer = group.value;
             return true;
         case 60:
-            entity.leftOut = groups.integer() != 0 ? "entities that are marked invisible" : entity.leftOut;
+            leaveOutIfSet(entity, "entities that are marked invisible");
             return true;
         case 67: // frames and titles of sheets, in the units of these
-            entity.leftOut = groups.integer() != 0 ? "entities of paper space" : entity.leftOut;
+            leaveOutIfSet(entity, "entities of paper space");
             return true;
         case 210:
         case 220:
@@ -423,14 +432,6 @@ private:
 };
 
 } // namespace
-
-std::string dxfKey(std::string_view name)
-{
-    std::string key(name);
-    std::transform(key.begin(), key.end(), key.begin(),
-                   [](unsigned char letter) { return static_cast<char>(std::toupper(letter)); });
-    return key;
-}
 
 DxfFile readDxfFile(const ImportedFile& file)
 {

@@ -51,13 +51,10 @@ struct DxfContent
     std::vector<DxfInsert> inserts;
 };
 
-/// Names of blocks and layers are the same in small letters and in capitals: the one by which they are found.
-std::string dxfKey(std::string_view name);
-
 struct DxfFile
 {
     DxfContent entities;
-    std::map<std::string, DxfContent> blocks; ///< by dxfKey
+    std::map<std::string, DxfContent> blocks; ///< by their names in lower case: capitals make no difference
     std::set<std::string> hidden;             ///< layers that are off or frozen, likewise
     std::map<std::string, int> others;        ///< entities that are not read, by their names
     std::optional<double> unit;               ///< of the drawing [m]

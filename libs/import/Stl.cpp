@@ -1,12 +1,12 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// STL. Own reader: that of VTK crashes on damaged files.
+#include "core/LowerCase.h"
 #include "import/ByteReader.h"
 #include "import/Solids.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 namespace drystone
@@ -21,8 +21,7 @@ constexpr std::size_t triangle = 50; ///< bytes: normal, three vertices, two byt
 /// Some programs write the words in capitals.
 bool isWord(std::string_view word, std::string_view expected)
 {
-    return std::equal(word.begin(), word.end(), expected.begin(), expected.end(),
-                      [](unsigned char a, unsigned char b) { return std::tolower(a) == b; });
+    return word.size() == expected.size() && lowerCase(word) == expected;
 }
 
 /// Many binary files begin with `solid`, too: the count of triangles decides.

@@ -2,11 +2,11 @@
 #include "runControl/CaseFiles.h"
 
 #include "core/Error.h"
+#include "core/LowerCase.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 
 namespace drystone
 {
@@ -15,13 +15,6 @@ namespace fs = std::filesystem;
 
 namespace
 {
-
-std::string lowerCase(std::string text)
-{
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-    return text;
-}
 
 bool contains(const std::vector<std::string>& names, const std::string& name)
 {

@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -49,6 +50,18 @@ const std::string square = groups({{0, "LWPOLYLINE"},
                                    {10, "0"},
                                    {20, "1"}});
 const std::string end = groups({{0, "EOF"}});
+
+/// A block of one closed triangle on layer 0. \param baseX of its base point (baseX 0)
+std::string triangleBlock(const std::string& name, const std::string& baseX,
+                          const std::array<std::array<const char*, 2>, 3>& corners)
+{
+    std::string polyline = groups({{0, "LWPOLYLINE"}, {8, "0"}, {70, "1"}});
+    for (const auto& [x, y] : corners)
+    {
+        polyline += groups({{10, x}, {20, y}});
+    }
+    return groups({{0, "BLOCK"}, {2, name}, {10, baseX}, {20, "0"}}) + polyline + groups({{0, "ENDBLK"}});
+}
 
 Drawing read(const std::string& text, int chords = 36)
 {
@@ -125,17 +138,7 @@ TEST(Dxf, BulgesAreChordsOnTheArc)
 
 TEST(Dxf, BlocksAreInsertedMovedTurnedScaledAndRepeated)
 {
-    const std::string block = groups({{0, "BLOCK"}, {2, "brick"}, {10, "1"}, {20, "0"}})
-                              + groups({{0, "LWPOLYLINE"},
-                                        {8, "0"},
-                                        {70, "1"},
-                                        {10, "1"},
-                                        {20, "0"},
-                                        {10, "2"},
-                                        {20, "0"},
-                                        {10, "2"},
-                                        {20, "1"}})
-                              + groups({{0, "ENDBLK"}});
+    const std::string block = triangleBlock("brick", "1", {{{"1", "0"}, {"2", "0"}, {"2", "1"}}});
     const std::string outer =
         groups({{0, "BLOCK"}, {2, "pair"}, {10, "0"}, {20, "0"}})
         + groups({{0, "INSERT"}, {2, "brick"}, {8, "0"}, {10, "0"}, {20, "0"}, {70, "2"}, {44, "3"}})
@@ -155,17 +158,7 @@ TEST(Dxf, BlocksAreInsertedMovedTurnedScaledAndRepeated)
 TEST(Dxf, AnInsertExtrudedBackwardsIsAMirrorImage)
 {
     // A triangle at (-3 0) of coordinates whose x counts the other way.
-    const std::string block = groups({{0, "BLOCK"}, {2, "Stone"}, {10, "0"}, {20, "0"}})
-                              + groups({{0, "LWPOLYLINE"},
-                                        {8, "0"},
-                                        {70, "1"},
-                                        {10, "0"},
-                                        {20, "0"},
-                                        {10, "1"},
-                                        {20, "0"},
-                                        {10, "0"},
-                                        {20, "1"}})
-                              + groups({{0, "ENDBLK"}});
+    const std::string block = triangleBlock("Stone", "0", {{{"0", "0"}, {"1", "0"}, {"0", "1"}}});
     const std::string insert =
         groups({{0, "INSERT"}, {2, "STONE"}, {8, "0"}, {10, "-3"}, {20, "0"}, {210, "0"}, {230, "-1"}});
     const std::string tilted = groups({{0, "INSERT"}, {2, "stone"}, {220, "-1"}, {230, "0"}});
