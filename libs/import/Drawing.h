@@ -40,11 +40,11 @@ struct ChordSettings
 /// FatalIOError with the line
 Drawing readDxf(const ImportedFile& file, const ChordSettings& chords);
 
-/// SVG: `path` with straight segments (M L H V Z, absolute and relative), `polygon`, `rect`, within groups,
-/// with transforms; the layer is the id or label of the group next to the svg element. Curves and
-/// round corners are refused, hidden shapes (display, visibility, of groups too) left out and counted. The
-/// unit follows from width, height, viewBox and preserveAspectRatio where width is in mm, cm, m, in, pt or
-/// pc. \throws FatalIOError with the line
+/// SVG: `path` with straight segments (M L H V Z, absolute and relative), `polygon`, `polyline` whose ends
+/// meet, `rect`, within groups, with transforms; the layer is the id or label of the group next to the svg
+/// element. Curves and round corners are refused, hidden shapes (display, visibility, of groups too) left out
+/// and counted. The unit follows from width, height, viewBox and preserveAspectRatio where width is in mm,
+/// cm, m, in, pt or pc. \throws FatalIOError with the line
 Drawing readSvg(const ImportedFile& file);
 
 struct DrawingSettings

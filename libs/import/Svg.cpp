@@ -68,6 +68,8 @@ public:
     }
 
 private:
+    static constexpr double pixel = 0.0254 / 96; ///< of CSS [m]: what a unit of the file is within it
+
     enum class PixelIs
     {
         length,
@@ -94,7 +96,6 @@ private:
     std::optional<double> lengthOf(std::string_view text, int line, PixelIs pixelIs) const
     {
         text = trimmed(text);
-        constexpr double pixel = 0.0254 / 96;
         using Unit = std::pair<std::string_view, double>;
         for (const auto& [ending, metres] : {Unit{"mm", 0.001}, Unit{"cm", 0.01}, Unit{"in", 0.0254},
                                              Unit{"m", 1}, Unit{"pt", 0.0254 / 72}, Unit{"pc", 0.0254 / 6}})
@@ -182,7 +183,7 @@ private:
             const std::string_view name = node.name();
             const int line = lineAt(node.offset_debug());
             const bool isGroup = name == "g" || name == "a" || name == "switch";
-            const bool isShape = name == "path" || name == "polygon" || name == "rect";
+            const bool isShape = name == "path" || name == "polygon" || name == "polyline" || name == "rect";
             if (!isGroup && !isShape)
             {
                 const std::string_view sheet = name == "style" ? node.text().get() : "";
@@ -309,11 +310,18 @@ private:
             const auto value = [&](const char* key)
             {
                 const std::string_view text = trimmed(node.attribute(key).value());
-                if (!text.empty())
+                if (text.empty())
                 {
-                    digits.add(text);
+                    return 0.;
                 }
-                return text.empty() ? 0 : numberOf(file, line, text);
+                if (const std::optional<double> length = lengthOf(text, line, PixelIs::noLength))
+                {
+                    return *length / pixel;
+                }
+                const std::string_view number =
+                    trimmed(text.substr(0, text.size() - (text.ends_with("px") ? 2 : 0)));
+                digits.add(number);
+                return numberOf(file, line, number);
             };
             const double x = value("x");
             const double y = value("y");
@@ -335,7 +343,7 @@ private:
             }
             add({{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}}, transform, layer, line);
         }
-        else if (name == "polygon")
+        else if (name == "polygon" || name == "polyline")
         {
             SvgScanner scanner(file, line, node.attribute("points").value());
             Polygon corners;
@@ -344,12 +352,22 @@ private:
                 const double x = scanner.number(&digits);
                 corners.emplace_back(x, scanner.number(&digits));
             }
+            if (name == "polyline" && !endsMeet(corners))
+            {
+                ++others["polyline that is open"];
+                return;
+            }
             add(std::move(corners), transform, layer, line);
         }
         else
         {
             readPath(SvgScanner(file, line, node.attribute("d").value()), transform, layer, line);
         }
+    }
+
+    static bool endsMeet(const Polygon& corners)
+    {
+        return corners.size() > 3 && corners.front() == corners.back();
     }
 
     void readPath(SvgScanner scanner, const SvgTransform& transform, const std::string& layer, int line)
@@ -360,8 +378,7 @@ private:
         char command = '\0';
         const auto close = [&](bool isClosed)
         {
-            const bool endsMeet = corners.size() > 3 && corners.front() == corners.back();
-            if (corners.size() > 1 && !isClosed && !endsMeet)
+            if (corners.size() > 1 && !isClosed && !endsMeet(corners))
             {
                 ++others["path that is open"];
             }

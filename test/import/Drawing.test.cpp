@@ -281,6 +281,27 @@ TEST(Svg, PathsPolygonsAndRectanglesAreOutlines)
                 testing::UnorderedElementsAre("1 elements circle", "1 elements path that is open"));
 }
 
+TEST(Svg, PolylinesWhoseEndsMeetAreOutlines)
+{
+    const Drawing drawing =
+        readVector("<polyline points=\"0,0 2,0 2,1 0,1 0,0\"/><polyline points=\"0,0 2,0 2,1\"/><polyline/>");
+    ASSERT_EQ(drawing.outlines.size(), 1u);
+    EXPECT_EQ(drawing.outlines[0].corners, (Polygon{{0, 0}, {2, 0}, {2, -1}, {0, -1}, {0, 0}}));
+    EXPECT_THAT(drawing.ignored, testing::ElementsAre("2 elements polyline that is open"));
+}
+
+// A unit of the file is a pixel of CSS, 1/96 in, whatever the unit of the drawing.
+TEST(Svg, LengthsOfRectanglesMayHaveUnits)
+{
+    const Polygon corners = readVector("<rect x=\"1in\" y=\" 2 px \" width=\"25.4mm\" height=\"72pt\"/>")
+                                .outlines.front()
+                                .corners;
+    EXPECT_LE((corners[0] - Vector<2>(96, -2)).norm(), 1e-12);
+    EXPECT_LE((corners[2] - Vector<2>(192, -98)).norm(), 1e-12);
+    EXPECT_THAT(reportOf([] { readVector("<rect width=\"50%\" height=\"1em\"/>"); }),
+                AllOf(HasSubstr("50%"), HasSubstr("line 3")));
+}
+
 TEST(Svg, TransformsAreApplied)
 {
     const auto corner = [](const std::string& transform)
