@@ -168,12 +168,11 @@ Certificate certifyOptimal(const ConeProgram<Rows, Forces>& program, const ConeS
     const Eigen::VectorXd& c = solution.contactForce;
     const Eigen::VectorXd& y = solution.displacement;
     const bool isAtRest = y.isZero(0);
-    const Eigen::VectorXd inertial =
-        isAtRest ? Eigen::VectorXd(Eigen::VectorXd::Zero(y.size())) : applyInertia(program, y);
-
+    Eigen::VectorXd inertial; // empty at rest
     Eigen::VectorXd imbalance = applyEquilibrium(program, c);
     if (!isAtRest)
     {
+        inertial = applyInertia(program, y);
         imbalance += inertial;
     }
     imbalance -= program.load;
@@ -185,8 +184,8 @@ Certificate certifyOptimal(const ConeProgram<Rows, Forces>& program, const ConeS
     double displacementScale = largest<Rows, Forces>(y, lever);
     // Objectives: primal 1/2 y'Mbar y + g'c + 1/2 c'C c - alpha, dual f'y - 1/2 y'Mbar y - 1/2 c'C c;
     // difference = y'Mbar y + (g + C c)'c - alpha - f'y.
-    double difference = inertial.dot(y) - program.load.dot(y);
-    double differenceScale = std::max(magnitude(inertial, y), magnitude(program.load, y));
+    double difference = isAtRest ? 0 : inertial.dot(y) - program.load.dot(y);
+    double differenceScale = isAtRest ? 0 : std::max(magnitude(inertial, y), magnitude(program.load, y));
     Certificate certificate;
     if (program.hasMultiplier())
     {
@@ -199,11 +198,19 @@ Certificate certifyOptimal(const ConeProgram<Rows, Forces>& program, const ConeS
                                         / largest<Rows, Forces>(program.liveLoad, 1 / lever)});
         certificate.dualResidual = relative(std::abs(program.liveLoad.dot(y) - 1), 1);
     }
-    Eigen::VectorXd z = isAtRest ? Eigen::VectorXd(Eigen::VectorXd::Zero(c.size()))
-                                 : Eigen::VectorXd(-applyTransposed(program, y));
+    Eigen::VectorXd z = Eigen::VectorXd::Zero(c.size());
+    if (!isAtRest)
+    {
+        z -= applyTransposed(program, y);
+    }
     if (program.gap.size() > 0 || program.hasCompliance())
     {
-        const Eigen::VectorXd gap = gapUnder(program, c);
+        Eigen::VectorXd loaded; // gaps under the forces
+        if (program.hasCompliance())
+        {
+            loaded = gapUnder(program, c);
+        }
+        const Eigen::VectorXd& gap = program.hasCompliance() ? loaded : program.gap;
         z += gap;
         const double largestGap = gap.size() > 0 ? gap.cwiseAbs().maxCoeff() : 0;
         displacementScale = std::max(displacementScale, largestGap);

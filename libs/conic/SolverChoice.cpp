@@ -1,9 +1,9 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "conic/SolverChoice.h"
 
-#include "conic/ElasticNewton.h"
-
+#include "conic/ActiveRays.h"
 #include "conic/Certificate.h"
+#include "conic/ElasticNewton.h"
 #include "conic/form/Form.h"
 
 #include <algorithm>
@@ -140,6 +140,16 @@ ConeSolution solveAsChosen(const ConeProgram<Rows, Forces>& program, const Solve
     };
     const bool isStarted = canStart && start.contactForce.size() == Forces * program.points()
                            && start.displacement.size() == program.load.size();
+    if constexpr (Forces == 2)
+    {
+        if (isStarted && !program.hasStrength())
+        {
+            if (std::optional<ConeSolution> few = solveByActiveRays(program, start, choice.tolerance))
+            {
+                return *std::move(few);
+            }
+        }
+    }
     if (isStarted && choice.isNearTried && certifyOptimal(program, start).worst() <= nearby)
     {
         multipliers.maximumIterations = std::min(mostStepsFromNearby, choice.maximumIterations);

@@ -65,15 +65,14 @@ struct Outcome
     std::vector<std::size_t> failing; ///< points of the whole that are not; none: nothing is known
 };
 
-/// Gives the solution of the bodies to all blocks. \param displacement of the bodies \param forces of all
-/// points
+/// Gives the solution of the bodies, of which nothing but the groups is left, to all blocks. \param forces of
+/// all points \param displacement of all blocks
 template<int Dim>
-void takeOver(Step<Dim>& step, BodiesStep<Dim> bodies, Eigen::VectorXd forces,
-              const Eigen::VectorXd& displacement)
+void takeOver(Step<Dim>& step, BodiesStep<Dim>& bodies, Eigen::VectorXd forces, Eigen::VectorXd displacement)
 {
     ThetaStep& result = step.solved.result;
     result = std::move(bodies.step);
-    result.displacement = displacementOfBlocks(bodies.groups, displacement);
+    result.displacement = std::move(displacement);
     result.contactForce = std::move(forces);
     result.closing = applyTransposed(bodies.whole, result.displacement);
     result.interior = std::move(bodies.interior);
@@ -81,11 +80,11 @@ void takeOver(Step<Dim>& step, BodiesStep<Dim> bodies, Eigen::VectorXd forces,
     result.gap.resize(0);
 }
 
-/// \param groups become those that the step was proved with
+/// \param groups become those that the step was proved with; nothing is left of them where it was not
 template<int Dim>
 Outcome solveGroups(Step<Dim>& step, BlockGroups<Dim>& groups, const GroupChoice<Dim>& choice)
 {
-    BodiesStep<Dim> bodies = solveBodies(step, groups, choice);
+    BodiesStep<Dim> bodies = solveBodies(step, std::move(groups), choice);
     if (bodies.step.status != SolveStatus::optimal)
     {
         return {};
@@ -100,14 +99,15 @@ Outcome solveGroups(Step<Dim>& step, BlockGroups<Dim>& groups, const GroupChoice
     {
         displacement = balancedDisplacement(bodies.groups, bodies.whole, bodies.program,
                                             bodies.step.contactForce, displacement);
-        if ((displacement - bodies.step.displacement).template lpNorm<Eigen::Infinity>()
-            > tolerance * displacement.lpNorm<Eigen::Infinity>())
+        const double allowed = std::max(tolerance * farthestMotion<Dim>(displacement, step.scene.blockSize),
+                                        partOfGapWithLess * step.settings.contactTolerance);
+        if (farthestMotion<Dim>(displacement - bodies.step.displacement, step.scene.blockSize) > allowed)
         {
             return {};
         }
     }
     Eigen::VectorXd forces = forcesBetween(bodies);
-    const Eigen::VectorXd y = displacementOfBlocks(bodies.groups, displacement);
+    Eigen::VectorXd y = displacementOfBlocks(bodies.groups, displacement);
     HoldingForces holding =
         findHoldingForces(step, bodies.groups,
                           Eigen::VectorXd(bodies.whole.load - applyInertia(bodies.whole, y)
@@ -118,8 +118,8 @@ Outcome solveGroups(Step<Dim>& step, BlockGroups<Dim>& groups, const GroupChoice
         return {false, std::move(holding.failing)};
     }
     bodies.step.certificate = larger(bodies.step.certificate, holding.certificate);
-    groups = bodies.groups;
-    takeOver(step, std::move(bodies), std::move(forces), displacement);
+    takeOver(step, bodies, std::move(forces), std::move(y));
+    groups = std::move(bodies.groups);
     return {true, {}};
 }
 

@@ -445,7 +445,7 @@ ThetaStep StepSearch<Dim>::solve()
         if (stands)
         {
             step.slip = largestSlip<Dim>(step, settings.solver.tolerance);
-            if (relinearise && isBalanced)
+            if (relinearise && isBalanced && settings.keepsMomenta)
             {
                 keepMomenta(step, program, relinearise);
             }

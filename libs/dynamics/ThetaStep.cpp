@@ -41,6 +41,7 @@ template<int Dim>
 void setColumns(StepProgram<Dim>& program, const std::vector<ContactColumns<Dim>>& columns)
 {
     program.contacts.clear();
+    program.contacts.reserve(columns.size());
     for (const ContactColumns<Dim>& column : columns)
     {
         program.contacts.push_back({column.block, column.neighbour, column.onBlock, column.onNeighbour});
@@ -64,6 +65,7 @@ StepProgram<Dim> thetaStepProgram(const std::type_identity_t<MassMatrix<Dim>>& m
         program.gap[Dim * static_cast<Eigen::Index>(point)] = points[point].gap;
     }
     const MassMatrix<Dim> inertia = over(mass, scheme.theta * scheme.timeStep * scheme.timeStep);
+    program.inertia.reserve(static_cast<std::size_t>(program.bodies));
     for (int body = 0; body < program.bodies; ++body)
     {
         program.inertia.push_back(blockOf(inertia, body));
