@@ -98,7 +98,6 @@ BodiesStep<Dim> solveBodies(Step<Dim>& step, BlockGroups<Dim> groups, const Grou
     }
     StepSettings settings = step.settings;
     settings.contactTolerance *= partOfGapWithLess;
-    settings.keepsMomenta = Dim == 3 || bodies.groups.areSingle(); // else balancedDisplacement does
     if (choice.hasBuffer())
     {
         settings.solver.maximumIterations = std::min(settings.solver.maximumIterations, mostIterations);

@@ -99,9 +99,8 @@ Outcome solveGroups(Step<Dim>& step, BlockGroups<Dim>& groups, const GroupChoice
     {
         displacement = balancedDisplacement(bodies.groups, bodies.whole, bodies.program,
                                             bodies.step.contactForce, displacement);
-        const double allowed = std::max(tolerance * farthestMotion<Dim>(displacement, step.scene.blockSize),
-                                        partOfGapWithLess * step.settings.contactTolerance);
-        if (farthestMotion<Dim>(displacement - bodies.step.displacement, step.scene.blockSize) > allowed)
+        if ((displacement - bodies.step.displacement).template lpNorm<Eigen::Infinity>()
+            > tolerance * displacement.lpNorm<Eigen::Infinity>())
         {
             return {};
         }

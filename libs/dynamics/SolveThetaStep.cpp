@@ -271,7 +271,11 @@ void StepSearch<Dim>::chooseStart()
         // About the expected motion, so that what is left is of second order in the acceleration of blocks.
         relinearise(guess.displacement, start.contactForce, program);
     }
-    expected = isGuessed ? guess.displacement : Eigen::VectorXd(Eigen::VectorXd::Zero(program.load.size()));
+    // An impact starts from nothing, as it changes much at times, but its error counts as a share of the
+    // change.
+    expected = isGuessed  ? guess.displacement
+               : isImpact ? displacementUnder(program, program.load)
+                          : Eigen::VectorXd(Eigen::VectorXd::Zero(program.load.size()));
 }
 
 template<int Dim>
@@ -445,7 +449,7 @@ ThetaStep StepSearch<Dim>::solve()
         if (stands)
         {
             step.slip = largestSlip<Dim>(step, settings.solver.tolerance);
-            if (relinearise && isBalanced && settings.keepsMomenta)
+            if (relinearise && isBalanced)
             {
                 keepMomenta(step, program, relinearise);
             }

@@ -72,7 +72,6 @@ struct StepSettings
     /// Coulomb's law is looked for by the fixed point alone, without what goes on from a start that is near
     /// (Newton's method, the augmented Lagrangian), before half of the programs allowed are solved.
     bool isFixedPointOnly = false;
-    bool keepsMomenta = true;       ///< by keepMomenta; otherwise the caller does
     const StepWork* work = nullptr; ///< done so far, and the most allowed; not owned; null: no bound
 };
 
