@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -91,7 +92,7 @@ void addPart(std::vector<SurfacePiece<2>>& parts, SurfacePiece<2> piece, const s
                 crossing<2>(piece.corners[inside], above[inside], piece.corners[outside], above[outside]);
         }
     }
-    if (above[0] < 0 || above[1] < 0)
+    if (above[0] < 0 || above[1] < 0 || (above[0] == 0 && above[1] == 0))
     {
         parts.push_back(piece);
     }
@@ -126,6 +127,7 @@ template<int Dim>
 std::vector<SurfacePiece<Dim>> partBelow(const std::vector<SurfacePiece<Dim>>& pieces,
                                          const std::type_identity_t<Vector<Dim>>& direction, double offset)
 {
+    constexpr double rounding = 1e-14; // a top at 3 x 0.1 lies at 0.3
     std::vector<SurfacePiece<Dim>> parts;
     for (const SurfacePiece<Dim>& piece : pieces)
     {
@@ -133,6 +135,10 @@ std::vector<SurfacePiece<Dim>> partBelow(const std::vector<SurfacePiece<Dim>>& p
         for (int i = 0; i < Dim; ++i)
         {
             above[i] = direction.dot(piece.corners[i]) - offset;
+            if (std::abs(above[i]) <= rounding * std::max(std::abs(offset), piece.corners[i].norm()))
+            {
+                above[i] = 0;
+            }
         }
         addPart(parts, piece, above);
     }

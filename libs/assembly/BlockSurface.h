@@ -35,7 +35,7 @@ void addPolygon(std::vector<SurfacePiece<3>>& pieces, int block, const Vector<3>
 double areaOf(const SurfacePiece<2>& piece);
 double areaOf(const SurfacePiece<3>& piece);
 
-/// The parts of pieces where direction . x <= offset.
+/// The parts of pieces where direction . x <= offset; those that lie there to rounding are among them.
 template<int Dim>
 std::vector<SurfacePiece<Dim>> partBelow(const std::vector<SurfacePiece<Dim>>& pieces,
                                          const std::type_identity_t<Vector<Dim>>& direction, double offset);

@@ -39,7 +39,8 @@ constexpr double lastDigits = 1e-13;
 
 void declare(Options& options, SolverChoice& choice)
 {
-    options.optional("solver", choice.solver, "of the cone program");
+    options.optional("solver", choice.solver,
+                     "of the cone program; augmentedLagrangian and gaussSeidel solve steps in time only");
     options.optional("tolerance", choice.tolerance, "on every figure of the certificate")
         .above(0)
         .atMost(1e-3);

@@ -40,6 +40,9 @@ constexpr double largerShareOfStep = 5e-2;
 constexpr int programsToLargerShare = 15;
 constexpr double nearlySolved = 1000; // times the tolerance
 
+/// Of an impact it is so much of the velocities that blocks have, but no more than this part of their change.
+constexpr double shareOfChange = 0.3;
+
 /// The largest |u_t| of the solution of the last program, -z_t of z = g - A'y, at points that carry a force.
 template<int Dim>
 double largestSlip(const ThetaStep& step, double tolerance)
@@ -371,6 +374,9 @@ bool StepSearch<Dim>::meetsFlow(bool isBalanced)
     // certified to its tolerance determines.
     const double moved = (step.displacement - expected).template lpNorm<Eigen::Infinity>();
     const double share = step.programs < programsToLargerShare ? shareOfStep : largerShareOfStep;
+    const double small = isImpact ? std::min(shareOfChange * moved,
+                                             share * step.displacement.template lpNorm<Eigen::Infinity>())
+                                  : share * moved;
     const double certified = tolerance
                              * std::max(step.displacement.template lpNorm<Eigen::Infinity>(),
                                         gap.template lpNorm<Eigen::Infinity>());
@@ -384,7 +390,7 @@ bool StepSearch<Dim>::meetsFlow(bool isBalanced)
         fixedPoint = {};
         imposed.setZero();
     }
-    return change <= (isExact ? exact : std::max({exact, certified, share * moved}));
+    return change <= (isExact ? exact : std::max({exact, certified, small}));
 }
 
 /// Whether the gaps at the end of the motion are those of the linearised program; the next is linearised

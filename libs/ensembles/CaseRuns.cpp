@@ -190,18 +190,25 @@ std::vector<std::vector<double>> readHistory(const fs::path& file, const std::st
     return rows;
 }
 
+std::string faultOfScript(const fs::path& caseDirectory, const std::string& application)
+{
+    const bool isScript = application.find('/') != std::string::npos;
+    return isScript && ::access((caseDirectory / application).c_str(), X_OK) != 0
+               ? fmt::format("The script {} of the case cannot be run: {}. Is it there, and executable "
+                             "(chmod +x)?",
+                             application, std::strerror(errno))
+               : "";
+}
+
 ApplicationRun runInCase(const std::string& application, const fs::path& caseDirectory,
                          const std::vector<std::string>& options)
 {
     const bool isScript = application.find('/') != std::string::npos;
     const std::string program =
         (isScript ? fs::absolute(caseDirectory / application) : applicationFolder() / application).string();
-    if (isScript && ::access(program.c_str(), X_OK) != 0)
+    if (const std::string fault = faultOfScript(caseDirectory, application); !fault.empty())
     {
-        throw FatalError(
-            fmt::format("The script {} of the case cannot be run: {}. Is it there, and executable "
-                        "(chmod +x)?",
-                        application, std::strerror(errno)));
+        throw FatalError(fault);
     }
     if (::access(program.c_str(), X_OK) != 0)
     {

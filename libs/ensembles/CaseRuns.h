@@ -46,6 +46,9 @@ struct ApplicationRun
     std::string errorOutput;    ///< on standard error
 };
 
+/// Why a script that is to run in the case cannot; empty: it can, or is no script but an application.
+std::string faultOfScript(const std::filesystem::path& caseDirectory, const std::string& application);
+
 /// Runs an application of Drystone, from the folder of the running executable, in a case; its output goes to
 /// log.<application> there. A name with a slash is a script in the case, which is run there without options.
 /// The application ends when this process does. A signal that requests this program to stop is passed on.

@@ -4,6 +4,7 @@
 
 #include "core/Log.h"
 #include "core/WholeFile.h"
+#include "ensembles/CaseRuns.h"
 #include "ensembles/SamplesInProcess.h"
 #include "ensembles/StudyInput.h"
 #include "functionObjects/ColumnFile.h"
@@ -85,6 +86,18 @@ bool isCaseForLanes(const Ensemble& ensemble)
     catch (const std::exception&)
     {
         return false;
+    }
+}
+
+/// Refuses scripts that are not there, before samples are run in vain.
+void requireScripts(const Ensemble& ensemble, const fs::path& caseDirectory)
+{
+    for (const std::string& application : ensemble.settings.applications)
+    {
+        if (const std::string fault = faultOfScript(caseDirectory, application); !fault.empty())
+        {
+            throw FatalIOError(fault, ensemble.dictionary.locationOf("applications"));
+        }
     }
 }
 
@@ -235,6 +248,7 @@ Ensemble readEnsemble(const fs::path& caseDirectory, const std::vector<std::stri
                                   ensemble.settings.design, ensemble.dictionary, caseDirectory);
     ensemble.isInProcess = canRunInProcess(ensemble.settings);
     ensemble.areAlike = haveSameBlocks(ensemble) && isCaseForLanes(ensemble);
+    requireScripts(ensemble, caseDirectory);
     requireResults(ensemble);
     std::vector<std::string> names;
     for (const auto& [name, variable] : ensemble.settings.variables)

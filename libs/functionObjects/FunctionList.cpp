@@ -2,6 +2,7 @@
 /// Runs the function objects of a case at their own intervals.
 #include "functionObjects/FunctionList.h"
 
+#include "core/Error.h"
 #include "core/Log.h"
 #include "functionObjects/Histories.h"
 #include "runControl/CaseFiles.h"
@@ -25,6 +26,23 @@ bool isTimeReached(const std::vector<double>& times, double written, const TimeP
 {
     const auto next = std::upper_bound(times.begin(), times.end(), written);
     return next != times.end() && *next <= now.value + nearestStep * now.deltaT;
+}
+
+/// Of a function without type: its name is one. \throws FatalIOError where it is not
+template<int Dim>
+void requireType(const std::string& name, const SourceLocation& place)
+{
+    std::vector<std::string> types;
+    for (const Model<FunctionPlan<Dim>>& model : functionTypes<Dim>().models)
+    {
+        types.push_back(model.name);
+    }
+    if (std::find(types.begin(), types.end(), name) == types.end())
+    {
+        throw FatalIOError(unknownWordMessage("function type", name, types)
+                               + "\n\nThis function has no entry type, and so its name is taken for one.",
+                           place);
+    }
 }
 
 } // namespace
@@ -58,6 +76,7 @@ FunctionList<Dim>::FunctionList(const Dictionary& dictionary, const std::filesys
         Dictionary own = entry.dictionary();
         if (!own.found("type"))
         {
+            requireType<Dim>(name, entry.location());
             own.set("type", name);
         }
         Function function;

@@ -19,14 +19,28 @@ namespace drystone
 namespace
 {
 
+/// When it writes.
+template<int Dim>
+void declareTimes(Options& options, FunctionPlan<Dim>& plan)
+{
+    options.optional("timeStart", plan.timeStart, "time from which it writes").unit("s");
+    options.optional("timeEnd", plan.timeEnd, "time until which it writes").unit("s");
+    options.check("timeEnd",
+                  [&plan]() -> std::string
+                  {
+                      return plan.timeStart && plan.timeEnd && *plan.timeEnd < *plan.timeStart
+                                 ? "It ends before timeStart: nothing would be written."
+                                 : "";
+                  });
+}
+
 /// Keys that every function object takes.
 template<int Dim>
 void declareCommon(Options& options, FunctionPlan<Dim>& plan)
 {
     options.optional("enabled", plan.enabled, "whether the function is carried out");
     declare(options, plan.control);
-    options.optional("timeStart", plan.timeStart, "time from which it writes").unit("s");
-    options.optional("timeEnd", plan.timeEnd, "time until which it writes").unit("s");
+    declareTimes(options, plan);
     options.optional("writePrecision", plan.writePrecision, "significant digits of its tables")
         .atLeast(1)
         .atMost(17);
@@ -188,8 +202,7 @@ void declare(Options& options, MotionPicturesSettings<Dim>& settings)
         .example("front");
     options.optional("enabled", settings.plan.enabled, "whether the function is carried out");
     declare(options, settings.plan.control);
-    options.optional("timeStart", settings.plan.timeStart, "time from which it writes").unit("s");
-    options.optional("timeEnd", settings.plan.timeEnd, "time until which it writes").unit("s");
+    declareTimes(options, settings.plan);
     options.check("times",
                   [&settings]() -> std::string
                   {
@@ -241,8 +254,11 @@ const Registry<FunctionPlan<Dim>>& functionTypes()
 {
     static const Registry<FunctionPlan<Dim>> registry{
         "function",
-        {model<FunctionPlan<Dim>, PlainSettings<Dim>>("energy", "the energy ledger and its imbalance",
-                                                      planPlain<Dim, EnergyFunction<Dim>>),
+        {model<FunctionPlan<Dim>, PlainSettings<Dim>>(
+             "energy",
+             "the energy ledger and its imbalance; impactLoss is the work of normal forces, by "
+             "the associative law negative where sliding opens joints",
+             planPlain<Dim, EnergyFunction<Dim>>),
          model<FunctionPlan<Dim>, BlockMotionSettings<Dim>>(
              "blockMotion", "placement and velocity of some blocks", planBlockMotion<Dim>),
          model<FunctionPlan<Dim>, ContactForcesSettings<Dim>>(

@@ -64,8 +64,11 @@ NumberTable readNumberTable(const std::filesystem::path& file)
         table.units.push_back(unit);
     }
     table.columns.resize(table.names.size());
+    int lineNumber = 1;
+    int firstLeftOut = 0;
     while (const std::optional<TableLine> line = nextLine(stream))
     {
+        ++lineNumber;
         std::vector<double> numbers;
         for (const std::string& word : line->words)
         {
@@ -79,7 +82,13 @@ NumberTable readNumberTable(const std::filesystem::path& file)
         {
             table.columns[column].push_back(numbers[column]);
         }
+        if (!isRow && !line->isHeading && !line->words.empty() && firstLeftOut == 0)
+        {
+            firstLeftOut = lineNumber;
+        }
     }
+    const bool hasRows = !table.columns.empty() && !table.columns.front().empty();
+    table.damagedLine = hasRows ? firstLeftOut : 0; // others have words in each row
     return table;
 }
 

@@ -17,6 +17,7 @@ struct NumberTable
     std::vector<std::string> names; ///< of the columns, without units
     std::vector<std::string> units;
     std::vector<std::vector<double>> columns;
+    int damagedLine = 0; ///< of the file, the first of a row that is none, among others that are; 0: none
 };
 
 /// Reads a table; rows that are no numbers, such as the last of a run that was killed, are left out. Empty

@@ -245,7 +245,13 @@ bool isOfMotion(const std::filesystem::path& caseDirectory)
 {
     const Dictionary controls = Dictionary::readFileIfPresent(caseDirectory / "system/controlDict");
     const Entry* application = controls.find("application");
-    return application && application->valueText() != "limitAnalysis";
+    if (application)
+    {
+        return application->valueText() != "limitAnalysis";
+    }
+    std::error_code none;
+    return !timesOfStates(caseDirectory).empty()
+           && !std::filesystem::exists(limitAnalysisTable(caseDirectory), none);
 }
 
 template<int Dim>

@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <sstream>
 
 namespace drystone
@@ -197,6 +198,63 @@ void addHistories(HtmlPage& page, const fs::path& caseDirectory)
     }
 }
 
+/// Whether a row that says it has a multiplier has none.
+bool hasNoNumber(const NumberTable& multipliers)
+{
+    for (std::size_t row = 0; row < multipliers.columns.front().size(); ++row)
+    {
+        const bool isSolved = multipliers.columns[1][row] == static_cast<double>(CollapseStatus::optimal);
+        if (isSolved && !std::isfinite(multipliers.columns[0][row]))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// What cannot be read of the results, a text each.
+std::vector<std::string> damagedResults(const fs::path& caseDirectory)
+{
+    std::vector<std::string> faults;
+    std::error_code none;
+    const fs::path multipliers = limitAnalysisTable(caseDirectory);
+    const NumberTable found = readNumberTable(multipliers);
+    const bool isAnswer = found.columns.size() >= 10 && !found.columns.front().empty();
+    if (fs::exists(limitAnalysisInput(caseDirectory), none) && !fs::exists(multipliers, none))
+    {
+        faults.push_back(fmt::format("{} is missing, which has the multiplier. Run limitAnalysis again.",
+                                     fs::relative(multipliers, caseDirectory).string()));
+    }
+    else if (fs::exists(multipliers, none) && (!isAnswer || hasNoNumber(found)))
+    {
+        faults.push_back(fmt::format("{} holds no multiplier: it is damaged. Run limitAnalysis again.",
+                                     fs::relative(multipliers, caseDirectory).string()));
+    }
+    for (const fs::path& file : filesWithEnding(caseDirectory / "postProcessing", ".dat"))
+    {
+        if (const int line = readNumberTable(file).damagedLine; line > 0)
+        {
+            faults.push_back(fmt::format("{} is damaged in line {}: rows that are no numbers are left out.",
+                                         fs::relative(file, caseDirectory).string(), line));
+        }
+    }
+    return faults;
+}
+
+void addDamage(HtmlPage& page, const fs::path& caseDirectory)
+{
+    const std::vector<std::string> faults = damagedResults(caseDirectory);
+    if (!faults.empty())
+    {
+        page.heading("Results that are missing or damaged");
+    }
+    for (const std::string& fault : faults)
+    {
+        printWarning(fault);
+        page.paragraph(fault);
+    }
+}
+
 /// The warnings that the logs of the case have, each once.
 std::vector<std::string> warningsIn(const fs::path& caseDirectory)
 {
@@ -303,6 +361,7 @@ std::string reportText(const fs::path& caseDirectory, std::vector<std::string> w
     warnings.push_back(compareLimitAnalysis(caseDirectory, assembly));
     warnings.push_back(compareMotion(caseDirectory, assembly, timesOfStates(caseDirectory)));
     addOldResults(page, warnings);
+    addDamage(page, caseDirectory);
     addStructure(page, caseDirectory, assembly);
     addCollapse<Dim>(page, caseDirectory);
     addMotion(page, caseDirectory, assembly);

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <sstream>
 
 namespace drystone
@@ -44,11 +45,30 @@ std::vector<LimitAnalysis> storedAnswers(const fs::path& caseDirectory, const Nu
     return answers;
 }
 
+/// What limitAnalysis has said of its search for collapses by Coulomb's law; none where its log is not kept.
+std::vector<std::string> searchInLog(const fs::path& caseDirectory)
+{
+    std::vector<std::string> sentences;
+    std::istringstream log(contentOfFile(caseDirectory / "log.limitAnalysis"));
+    for (std::string line; std::getline(log, line);)
+    {
+        if (line.starts_with("Coulomb's law: "))
+        {
+            sentences.push_back(line + ".");
+        }
+    }
+    return sentences;
+}
+
 std::string verdict(const LimitAnalysis& answer)
 {
     switch (answer.status)
     {
     case CollapseStatus::optimal:
+        if (!std::isfinite(answer.alpha)) // of a damaged table
+        {
+            break;
+        }
         return fmt::format("alpha = {:.6g}", answer.alpha);
     case CollapseStatus::unstable:
         return "unstable: the blocks cannot carry their dead load";
@@ -74,16 +94,35 @@ void addCollapse(HtmlPage& page, const fs::path& caseDirectory)
         return;
     }
     page.heading("Collapse");
-    page.paragraph(
-        "The live load times the multiplier alpha is the largest that the structure carries: forces between "
-        "the blocks balance it without tension and with friction, and a mechanism shows that more cannot be "
-        "carried (Portioli, Cascini and Landolfo 2017, eq. 10).");
     const LimitAnalysisCase<Dim> structure = readLimitAnalysisCase<Dim>(caseDirectory);
+    if (flowRuleOf(structure.contact) == FlowRule::nonAssociative)
+    {
+        page.paragraph(
+            "Under the live load times the multiplier alpha the structure may collapse by Coulomb's law: "
+            "forces "
+            "between the blocks balance it without tension and with friction, and blocks slide without "
+            "opening "
+            "in a mechanism of these forces. Such a pair is not unique, and alpha is the lowest that a "
+            "search "
+            "has met. Forces alone may balance more, up to the multiplier of the associative law.");
+        for (const std::string& sentence : searchInLog(caseDirectory))
+        {
+            page.paragraph(sentence);
+        }
+    }
+    else
+    {
+        page.paragraph(
+            "The live load times the multiplier alpha is the largest that the structure carries: "
+            "forces between the blocks balance it without tension and with friction, and a "
+            "mechanism shows that more cannot be carried (Portioli, Cascini and Landolfo 2017, eq. "
+            "10).");
+    }
     for (const LimitAnalysis& answer : storedAnswers(caseDirectory, table))
     {
         page.paragraph((answer.combination.empty() ? "" : "Combination " + answer.combination + ": ")
                        + verdict(answer) + ".");
-        if (answer.status == CollapseStatus::optimal)
+        if (answer.status == CollapseStatus::optimal && std::isfinite(answer.alpha))
         {
             for (const std::string& sentence : loadMeaning(structure, answer))
             {

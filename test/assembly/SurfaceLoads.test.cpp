@@ -153,6 +153,14 @@ TEST(SurfaceLoads, ABackfillWeighsWhatLiesOnTheFaces)
     EXPECT_NEAR(backfill(plainWall(), settings)[1], -7500, 1e-9);
     settings.level = 1; // half of the slope is above the fill
     EXPECT_NEAR(backfill(plainWall(), settings)[1], -2500, 1e-9);
+    settings.level = 2; // of the top itself, which lies under it
+    EXPECT_NEAR(backfill(plainWall(), settings)[1], -7500, 1e-9);
+    settings.level = 2 - 2e-16;
+    EXPECT_NEAR(backfill(plainWall(), settings)[1], -7500, 1e-9);
+    space.unitWeight = 0;
+    space.surcharge = 5000;
+    space.level = 2;
+    EXPECT_NEAR(backfill(solidWall(), space)[1], -7500, 1e-9);
 }
 
 TEST(SurfaceLoads, EarthPressureGrowsWithDepth)

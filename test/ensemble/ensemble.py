@@ -254,6 +254,17 @@ class Ensemble(CaseTest):
             self.assertEqual(os.listdir(os.path.join(case, "postProcessing/ensemble/0/work")), [])
             self.assertNotIn("Samples: 40 of 40", done.stdout)
 
+    def testProcessesAreAWholeNumber(self):
+        case = self.case("jobs", samples=4)
+        for jobs in ("1.5", "1e3", "2x", "3 4", "0", "1025"):
+            self.assertIn("is no number of processes", self.run_(case, "-jobs", jobs, status=1).stderr, jobs)
+
+    def testAScriptThatIsNotThereIsRefusedAtOnce(self):
+        case = self.case("script", applications='"./prepare" blockTexture limitAnalysis', samples=4)
+        done = self.run_(case, status=1)
+        self.assertRegex(done.stderr, r"The script ./prepare of the case cannot be run")
+        self.assertIn("ensembleDict/applications at line", done.stderr)
+
     def testSamplesThatShareBlocksAreThoseOfTheApplications(self):
         """Blocks are kept from one sample to the next where their dictionary says the same."""
         changes = {"samples": 12, "design": "random"}

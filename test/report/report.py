@@ -81,6 +81,39 @@ class Report(CaseTest):
         markup = re.sub(r"<script.*?</script>", "", page, flags=re.DOTALL)
         self.assertEqual(re.findall(r"<(?:link|img|script|iframe)[^>]*(?:src|href)=", markup), [])
 
+    def testSaysThatCollapsesByCoulombsLawAreNotUnique(self):
+        case = self.wall()
+        self.edit(case, "constant/contactProperties", "friction/flowRule", "nonAssociative")
+        with open(os.path.join(case, "log.limitAnalysis"), "w", encoding="utf-8") as log:
+            log.write(self.runApplication("limitAnalysis", case).stdout)
+        self.run_(case)
+        page = html.unescape(self.read(case, "report.html"))
+        self.assertNotIn("largest that the structure carries", page)
+        self.assertRegex(page, r"Coulomb's law: lowest of the collapses found, alpha .* associative, an upper bound: 0.64")
+
+    def testSaysWhichResultsAreMissingOrDamaged(self):
+        case = self.wall()
+        self.runApplication("limitAnalysis", case)
+        name = "postProcessing/limitAnalysis/0/limitAnalysis.dat"
+        good = self.read(case, name)
+        heading, row = good.splitlines()
+        for content, said in {None: "is missing", "garbage x y\n": "holds no multiplier",
+                              f"{heading}\nnan {row.split(maxsplit=1)[1]}\n": "holds no multiplier",
+                              f"{good}0.1 abc\n": "is damaged in line 3"}.items():
+            os.remove(os.path.join(case, name))
+            if content is not None:
+                with open(os.path.join(case, name), "w", encoding="utf-8") as file:
+                    file.write(content)
+            done = self.run_(case)
+            self.assertIn(f"{name} {said}", done.stdout + done.stderr)
+            self.assertIn(f"{name} {said}", self.read(case, "report.html"))
+            if content is None:
+                with open(os.path.join(case, name), "w", encoding="utf-8") as file:
+                    file.write(good)
+        with open(os.path.join(case, name), "w", encoding="utf-8") as file:
+            file.write(good)
+        self.checkWarnsOfNothing(case)
+
     def edit(self, case, name, entry, value):
         self.runApplication("caseDictionary", case, name, "-entry", entry, "-set", value)
 

@@ -217,6 +217,24 @@ class ExportedMotion(CaseTest):
         for options in shows:
             self.assertRegex(said(options), r"of contactDynamics are those of the input of now is unknown")
 
+    def test_saysWhatAFormatLeavesOut(self):
+        case = pathlib.Path(self.root.name) / "left"
+        writeCase(case, 2)
+        self.application = "blockTexture"
+        self.run_(case)
+        self.application = "exportBlocks"
+        properties = case / "constant/contactProperties"
+        properties.write_text("friction { type Coulomb; mu 0.5; flowRule nonAssociative; }\n", encoding="ascii")
+        done = self.run_(case, "-format", "lmgc90")
+        self.assertNotIn("Warning", done.stdout + done.stderr)
+        properties.write_text("friction { type Coulomb; mu 0.5; }\nrestitution { normal 0.5; }\ncohesion { strength 1e5; }\n"
+                              "tension { strength 1e4; }\n", encoding="ascii")
+        done = self.run_(case, "-format", "lmgc90")
+        self.assertRegex(done.stdout + done.stderr, r"leaves out restitution, cohesion, tension\.")
+        self.assertIn("flowRule", done.stdout + done.stderr)
+        self.assertIn("densities", self.run_(case, "-format", "3dec").stdout)
+        self.assertIn("-animation", self.run_(case, "-magnification", "2", status=1).stderr)
+
     def exported(self, case, *options):
         self.run_(case, *options)
         return self.read(case, "export/motion.gltf")

@@ -9,14 +9,49 @@
 #include "core/Error.h"
 #include "core/Log.h"
 #include "core/WholeFile.h"
+#include "geometry/PolygonShape.h"
+#include "geometry/space/PolyhedronFault.h"
 #include "io/VtkLibrary.h"
 #include "runControl/Application.h"
 #include "texture/Texture.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
 
 using namespace drystone;
 
 namespace
 {
+
+/// What is wrong with a block; empty: nothing.
+std::string faultOf(const Block<2>& block)
+{
+    const std::string fault = outlineFault(block.outline);
+    return fault.empty() && !std::isnormal(areaProperties(block.outline).area) ? "has no area" : fault;
+}
+std::string faultOf(const Block<3>& block)
+{
+    const std::optional<PolyhedronFault> fault = findFault(block.shape);
+    return fault ? fault->text : std::isnormal(blockMass(block).volume) ? "" : "has no volume";
+}
+
+/// Lengths so small or large that no numbers are left for the shapes of blocks.
+template<int Dim>
+void refuseShapes(const Assembly<Dim>& assembly, const Dictionary& dictionary)
+{
+    for (std::size_t block = 0; block < assembly.blocks.size(); ++block)
+    {
+        if (const std::string fault = faultOf(assembly.blocks[block]); !fault.empty())
+        {
+            throw FatalIOError(fmt::format("This texture makes no blocks: block {} {}.\n\nIts lengths are in "
+                                           "metres; correct those that are too small or too large.",
+                                           block, fault),
+                               dictionary.locationOf("texture"));
+        }
+    }
+}
 
 /// What the blocks will be refused for.
 template<int Dim>
@@ -37,6 +72,7 @@ int runIn(const CommandLine& commandLine, const Dictionary& dictionary)
 {
     const std::filesystem::path& directory = commandLine.caseDirectory;
     const Assembly<Dim> assembly = makeStructure<Dim>(dictionary, directory);
+    refuseShapes(assembly, dictionary);
     Assembly<Dim> closed =
         assembly; // as it will be read; the file keeps the coordinates as they were written
     closeJoints(closed);

@@ -11,6 +11,7 @@
 #include "ensembles/Workers.h"
 #include "runControl/Application.h"
 
+#include <charconv>
 #include <cstdlib>
 
 using namespace drystone;
@@ -76,8 +77,9 @@ int jobsOf(const CommandLine& commandLine)
 {
     if (const auto jobs = commandLine.get("jobs"))
     {
-        const int count = std::atoi(jobs->c_str());
-        if (count < 1 || count > 1024)
+        int count = 0;
+        const auto [end, error] = std::from_chars(jobs->data(), jobs->data() + jobs->size(), count);
+        if (error != std::errc() || end != jobs->data() + jobs->size() || count < 1 || count > 1024)
         {
             throw FatalError(fmt::format("-jobs {} is no number of processes: give 1 to 1024.", *jobs));
         }

@@ -140,6 +140,11 @@ std::vector<Placement<Dim>> placementsAt(const fs::path& caseDirectory, const st
 template<int Dim>
 std::vector<SolidFrame> framesOf(const CommandLine& commandLine, std::size_t blocks)
 {
+    if (!commandLine.has("animation") && commandLine.has("magnification"))
+    {
+        throw FatalError("-magnification is of the displacements of -animation, which is not given.\n\nAdd "
+                         "-animation, or leave -magnification out.");
+    }
     if (!commandLine.has("animation"))
     {
         return {};
@@ -280,6 +285,30 @@ int runIn(const CommandLine& commandLine)
     {
         const ContactProperties properties = readContactProperties(directory);
         text = lmgc90Text(solids, properties.friction ? properties.friction->mu : 0);
+        std::vector<std::string> others;
+        const auto addIf = [&](bool isGiven, const char* name)
+        {
+            if (isGiven)
+            {
+                others.emplace_back(name);
+            }
+        };
+        addIf(properties.restitution.has_value(), "restitution");
+        addIf(properties.cohesion.has_value(), "cohesion");
+        addIf(properties.tension.has_value(), "tension");
+        addIf(properties.crushing.has_value(), "crushing");
+        if (!others.empty())
+        {
+            printWarning(
+                fmt::format("The script has friction alone (IQS_CLB): of constant/contactProperties it "
+                            "leaves out {}.",
+                            fmt::join(others, ", ")));
+        }
+        if (properties.friction && properties.friction->flowRule == FlowRule::associative)
+        {
+            printWarning("The script slides by Coulomb's law, without dilatancy, where flowRule of "
+                         "constant/contactProperties is associative.");
+        }
         if (!properties.joints.empty())
         {
             printWarning("The script has one law for all joints: what `joints` of constant/contactProperties "
@@ -289,6 +318,8 @@ int runIn(const CommandLine& commandLine)
     else
     {
         text = threeDecText(solids);
+        info("3DEC commands have the shapes alone: which blocks are fixed stands in comments, densities and "
+             "properties of joints are yours to add");
     }
     for (const std::string& lost : unwritten(assembly, format, propertiesIn<Dim>(format, time)))
     {
