@@ -10,7 +10,6 @@
 #include "core/Log.h"
 #include "core/WholeFile.h"
 #include "geometry/PolygonShape.h"
-#include "geometry/space/PolyhedronFault.h"
 #include "io/VtkLibrary.h"
 #include "runControl/Application.h"
 #include "texture/Texture.h"
@@ -18,7 +17,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <optional>
 
 using namespace drystone;
 
@@ -29,12 +27,13 @@ namespace
 std::string faultOf(const Block<2>& block)
 {
     const std::string fault = outlineFault(block.outline);
-    return fault.empty() && !std::isnormal(areaProperties(block.outline).area) ? "has no area" : fault;
+    const double area = areaProperties(block.outline).area;
+    return fault.empty() && !std::isnormal(area) ? fmt::format("has an area of {:g} m2", area) : fault;
 }
 std::string faultOf(const Block<3>& block)
 {
-    const std::optional<PolyhedronFault> fault = findFault(block.shape);
-    return fault ? fault->text : std::isnormal(blockMass(block).volume) ? "" : "has no volume";
+    const double volume = blockMass(block).volume;
+    return std::isnormal(volume) ? "" : fmt::format("has a volume of {:g} m3", volume);
 }
 
 /// Lengths so small or large that no numbers are left for the shapes of blocks.

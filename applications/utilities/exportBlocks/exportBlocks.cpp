@@ -247,6 +247,38 @@ WrittenProperties propertiesIn(std::string_view format, const std::string& time)
     return written;
 }
 
+/// What the joints of the case do and an LMGC90 script does not.
+void warnOfLaws(const ContactProperties& properties)
+{
+    std::vector<std::string_view> others;
+    for (const auto& [isGiven, name] : {std::pair{properties.restitution.has_value(), "restitution"},
+                                        std::pair{properties.cohesion.has_value(), "cohesion"},
+                                        std::pair{properties.tension.has_value(), "tension"},
+                                        std::pair{properties.crushing.has_value(), "crushing"}})
+    {
+        if (isGiven)
+        {
+            others.emplace_back(name);
+        }
+    }
+    if (!others.empty())
+    {
+        printWarning(fmt::format("The script has friction alone (IQS_CLB): of constant/contactProperties it "
+                                 "leaves out {}.",
+                                 fmt::join(others, ", ")));
+    }
+    if (properties.friction && properties.friction->flowRule == FlowRule::associative)
+    {
+        printWarning("The script slides by Coulomb's law, without dilatancy, where flowRule of "
+                     "constant/contactProperties is associative.");
+    }
+    if (!properties.joints.empty())
+    {
+        printWarning("The script has one law for all joints: what `joints` of constant/contactProperties "
+                     "says of some is not in it.");
+    }
+}
+
 template<int Dim>
 int runIn(const CommandLine& commandLine)
 {
@@ -285,35 +317,7 @@ int runIn(const CommandLine& commandLine)
     {
         const ContactProperties properties = readContactProperties(directory);
         text = lmgc90Text(solids, properties.friction ? properties.friction->mu : 0);
-        std::vector<std::string> others;
-        const auto addIf = [&](bool isGiven, const char* name)
-        {
-            if (isGiven)
-            {
-                others.emplace_back(name);
-            }
-        };
-        addIf(properties.restitution.has_value(), "restitution");
-        addIf(properties.cohesion.has_value(), "cohesion");
-        addIf(properties.tension.has_value(), "tension");
-        addIf(properties.crushing.has_value(), "crushing");
-        if (!others.empty())
-        {
-            printWarning(
-                fmt::format("The script has friction alone (IQS_CLB): of constant/contactProperties it "
-                            "leaves out {}.",
-                            fmt::join(others, ", ")));
-        }
-        if (properties.friction && properties.friction->flowRule == FlowRule::associative)
-        {
-            printWarning("The script slides by Coulomb's law, without dilatancy, where flowRule of "
-                         "constant/contactProperties is associative.");
-        }
-        if (!properties.joints.empty())
-        {
-            printWarning("The script has one law for all joints: what `joints` of constant/contactProperties "
-                         "says of some is not in it.");
-        }
+        warnOfLaws(properties);
     }
     else
     {
