@@ -32,8 +32,8 @@ std::string faultOf(const Block<2>& block)
 }
 std::string faultOf(const Block<3>& block)
 {
-    const double volume = blockMass(block).volume;
-    return std::isnormal(volume) ? "" : fmt::format("has a volume of {:g} m3", volume);
+    const double volume = blockMass(block).volume; // with room for products of more than three lengths
+    return std::isnormal(volume * volume) ? "" : fmt::format("has a volume of {:g} m3", volume);
 }
 
 /// Lengths so small or large that no numbers are left for the shapes of blocks.
