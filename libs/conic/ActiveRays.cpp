@@ -80,8 +80,7 @@ public:
     /// For the set as it is. \return whether its rays are independent
     bool solve()
     {
-        collect();
-        if (active.size() > static_cast<std::size_t>(rows))
+        if (!collect())
         {
             return false;
         }
@@ -201,8 +200,8 @@ private:
         }
     }
 
-    /// The columns of the active rays, if these are not too many.
-    void collect()
+    /// The columns of the active rays. \return whether these are not too many to be independent
+    bool collect()
     {
         active.clear();
         for (Ray& ray : rays)
@@ -214,7 +213,7 @@ private:
         }
         if (active.size() > static_cast<std::size_t>(rows))
         {
-            return;
+            return false;
         }
         columns.setZero(rows, static_cast<Eigen::Index>(active.size()));
         for (std::size_t k = 0; k < active.size(); ++k)
@@ -226,6 +225,7 @@ private:
         {
             accelerate(moved.col(k));
         }
+        return true;
     }
 
     /// y = Mbar^-1 (f - B s).
