@@ -30,7 +30,7 @@ constexpr double carrying = 1e-12;
 constexpr double dependent = 1e-10;
 
 /// Overlaps of less than this part of the largest motion of a point are rounding.
-constexpr double rounding = 1e-13;
+constexpr double roundingOfOverlap = 1e-13;
 
 /// Of a contact point.
 struct Ray
@@ -124,7 +124,7 @@ public:
         for (std::size_t k = 0; k < rays.size(); ++k)
         {
             Ray& ray = rays[k];
-            const bool isActive = ray.isActive ? ray.force > 0 : openings[k] < -rounding * largest;
+            const bool isActive = ray.isActive ? ray.force > 0 : openings[k] < -roundingOfOverlap * largest;
             isRight = isRight && isActive == ray.isActive;
             ray.isActive = isActive;
             ray.force = isActive ? ray.force : 0;
