@@ -12,6 +12,13 @@
 
 namespace drystone
 {
+namespace
+{
+
+/// Radians or block sizes that are no motion but a mistake in writing.
+constexpr double mostInAStep = 1e9;
+
+} // namespace
 
 template<int Dim>
 void refuseStartOverlaps(const Assembly<Dim>& assembly, const std::vector<Placement<Dim>>& placements,
@@ -95,6 +102,13 @@ void questionSpeeds(const Assembly<Dim>& assembly, const InitialState<Dim>& star
             fastest = fmt::format("Block {} {}", block, fastest);
             place = start.places[block];
         }
+    }
+    if (worst > mostInAStep)
+    {
+        throw FatalIOError(fmt::format("{} in a step of deltaT {:g} s: nothing of its motion could be "
+                                       "computed. Give a velocity that a block can have.",
+                                       fastest, deltaT),
+                           place);
     }
     if (!fastest.empty())
     {

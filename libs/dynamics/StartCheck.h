@@ -22,6 +22,7 @@ void questionRotation(const BlockStart<Dim>& start, const SourceLocation& place)
 
 /// Warns of the block that turns by more than a radian, or moves by more than a mean block size, in a step:
 /// whatever it meets in between is not seen. \param deltaT of a step [s]
+/// \throws FatalIOError where it is so far that nothing can be computed, as of a velocity of 1e200 m/s
 template<int Dim>
 void questionSpeeds(const Assembly<Dim>& assembly, const InitialState<Dim>& start, double deltaT);
 

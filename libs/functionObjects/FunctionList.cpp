@@ -81,6 +81,7 @@ FunctionList<Dim>::FunctionList(const Dictionary& dictionary, const std::filesys
         }
         Function function;
         function.name = name;
+        function.place = entry.location();
         function.plan = functionTypes<Dim>().select(own);
         if (!function.plan.enabled)
         {
@@ -139,6 +140,33 @@ double FunctionList<Dim>::timeToNextWrite(double time, double deltaT) const
         next = coming == times.end() ? next : std::min(next, *coming - time);
     }
     return next;
+}
+
+template<int Dim>
+void FunctionList<Dim>::questionTimes(double endTime, double deltaT) const
+{
+    for (const Function& function : functions)
+    {
+        const FunctionPlan<Dim>& plan = function.plan;
+        const std::optional<double> first =
+            plan.timeStart ? plan.timeStart
+                           : (plan.times.empty() ? std::nullopt : std::optional(plan.times.front()));
+        const double last = endTime + nearestStep * deltaT;
+        if (first && *first > last)
+        {
+            printWarning(fmt::format("Function {} writes nothing: it begins at {:g} s, and the run ends at "
+                                     "endTime {:g} s. Give an earlier time, or a later endTime.",
+                                     function.name, *first, endTime),
+                         function.place);
+        }
+        else if (!plan.times.empty() && plan.times.back() > last)
+        {
+            printWarning(fmt::format("Function {} does not write at {:g} s: the run ends at endTime {:g} s. "
+                                     "Give earlier `times`, or a later endTime.",
+                                     function.name, plan.times.back(), endTime),
+                         function.place);
+        }
+    }
 }
 
 template<int Dim>

@@ -88,6 +88,9 @@ public:
     /// infinite when there is none [s].
     double timeToNextWrite(double time, double deltaT) const;
 
+    /// Warns of functions that write nothing, or not at all their times, in a run with this endTime [s].
+    void questionTimes(double endTime, double deltaT) const;
+
     /// Names in the order of the dictionary, for the log; functions that are not enabled are not in the list.
     std::vector<std::string> names() const;
 
@@ -98,6 +101,7 @@ private:
     struct Function
     {
         std::string name;
+        SourceLocation place; ///< of its entry
         FunctionPlan<Dim> plan;
         OutputControl control;
         std::filesystem::path folder; ///< postProcessing/<name>/<start>

@@ -172,6 +172,10 @@ MotionResults<Dim>::MotionResults(std::filesystem::path directory, const Dynamic
     {
         effects.emplace(scene);
     }
+    if (time.controls().stopAt == StopAt::endTime)
+    {
+        functionList.questionTimes(time.controls().endTime, time.controls().deltaT);
+    }
     time.stopAlsoAt([this](double value, double deltaT)
                     { return functionList.timeToNextWrite(value, deltaT); });
 }

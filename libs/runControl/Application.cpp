@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <ctime>
 #include <optional>
 #include <unistd.h>
@@ -45,6 +46,24 @@ void printBanner(const CommandLine& commandLine)
     std::fflush(stdout);
 }
 
+/// What to do where a case is at work: it may be that of the other programs of the same mpirun.
+std::string remedyOfLock(const ApplicationDescription& description)
+{
+    for (const char* variable : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"})
+    {
+        const char* size = std::getenv(variable);
+        if (size && std::atoi(size) > 1)
+        {
+            return fmt::format("mpirun has started {} of {} as programs that do not know of each other: {}.",
+                               size, description.name,
+                               description.parallel.empty()
+                                   ? "start it without mpirun, it has no parallel mode"
+                                   : "add -parallel, with which they share the work");
+        }
+    }
+    return "Wait until it has ended, or run in a copy of the case.";
+}
+
 int runCommandLine(int argc, const char* const* argv, const ApplicationDescription& description,
                    const std::function<int(const CommandLine&)>& program)
 {
@@ -72,7 +91,7 @@ int runCommandLine(int argc, const char* const* argv, const ApplicationDescripti
                                          [&](const std::string& option) { return commandLine.has(option); });
     if (description.kind != ApplicationKind::utility && !commandLine.dryRun && !isShared)
     {
-        lock.emplace(commandLine.caseDirectory, description.name);
+        lock.emplace(commandLine.caseDirectory, description.name, remedyOfLock(description));
     }
     if (description.output == Output::log)
     {

@@ -4,9 +4,11 @@
 #include "core/Error.h"
 
 #include <cerrno>
+#include <chrono>
 #include <fmt/format.h>
 #include <fstream>
 #include <sstream>
+#include <thread>
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -43,21 +45,41 @@ std::string holderOf(int descriptor)
     return {};
 }
 
+/// The processes of a run that was killed may live, and hold its lock, for an instant longer than the one
+/// that was waited for.
+constexpr auto patience = std::chrono::seconds(1);
+
+/// \return whether it is held now, or there are no locks here
+bool lockOrWait(int descriptor)
+{
+    const auto end = std::chrono::steady_clock::now() + patience;
+    while (flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    {
+        if (std::chrono::steady_clock::now() > end)
+        {
+            return false;
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    return true;
+}
+
 } // namespace
 
-CaseLock::CaseLock(const std::filesystem::path& caseDirectory, const std::string& application)
+CaseLock::CaseLock(const std::filesystem::path& caseDirectory, const std::string& application,
+                   const std::string& remedy)
     : descriptor(::open(caseDirectory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC))
 {
-    if (descriptor < 0 || flock(descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK)
+    if (descriptor < 0 || lockOrWait(descriptor))
     {
         return;
     }
     const std::string holder = holderOf(descriptor);
     ::close(descriptor);
     throw FatalError(fmt::format("Another run is at work in the case {}{}: {} would mix its results with "
-                                 "those.\n\nWait until it has ended, or run in a copy of the case.",
+                                 "those.\n\n{}",
                                  std::filesystem::absolute(caseDirectory).lexically_normal().string(), holder,
-                                 application));
+                                 application, remedy));
 }
 
 CaseLock::~CaseLock()

@@ -15,8 +15,11 @@ class CaseLock
 {
 public:
     /// \param application that runs, for the message
-    /// \throws FatalError when another process holds the lock, with its id where the system shows it
-    CaseLock(const std::filesystem::path& caseDirectory, const std::string& application);
+    /// \param remedy      the end of the message
+    /// \throws FatalError when another process holds the lock, a second later still, with its id where the
+    /// system shows it
+    CaseLock(const std::filesystem::path& caseDirectory, const std::string& application,
+             const std::string& remedy);
     ~CaseLock();
     CaseLock(const CaseLock&) = delete;
     CaseLock& operator=(const CaseLock&) = delete;

@@ -597,6 +597,18 @@ results
         work = os.path.join(case, "postProcessing/ensemble/0/work")
         self.assertEqual(sum(name.startswith("journal.") for name in os.listdir(work)), 2)
 
+    @unittest.skipUnless(shutil.which("mpirun"), "mpirun is not installed")
+    def testMpirunWithoutParallelSaysWhatIsMissing(self):
+        case = self.case("mpiAlone", applications="\"./wait\" blockTexture limitAnalysis", samples=4)
+        with open(os.path.join(case, "wait"), "w", encoding="utf-8") as file:
+            file.write("#!/bin/bash\nsleep 20\n")  # that of the other program, which mpirun ends
+        os.chmod(os.path.join(case, "wait"), 0o755)
+        done = subprocess.run(["mpirun", "--allow-run-as-root", "--oversubscribe", "-np", "2",
+                               os.path.join(applications, "ensemble"), "-case", case],
+                              capture_output=True, text=True, timeout=120, check=False)
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("add -parallel, with which they share the work", done.stderr)
+
     def testSamplesThatFailAreCountedAndListed(self):
         case = self.case("failing", applications="blockTexture \"./act\" limitAnalysis", samples=8,
                          failures="attempts 2; maximumTime 4; maximumPart 0.3;",

@@ -112,6 +112,23 @@ TEST_F(FunctionListTest, EachFunctionWritesAtItsOwnTimes)
     EXPECT_FALSE(std::filesystem::exists(folder / "postProcessing/off"));
 }
 
+TEST_F(FunctionListTest, SaysWhatIsBeyondTheEndOfTheRun)
+{
+    const FunctionList<2> functions = read("energy { }\n"
+                                           "late { type energy; timeStart 2.5; }\n"
+                                           "never { type motionPictures; times (3 4); }\n"
+                                           "some { type motionPictures; times (1 2.04 3); }\n"
+                                           "all { type motionPictures; times (1 2.04); }\n");
+    testing::internal::CaptureStderr();
+    functions.questionTimes(2, 0.1);
+    const std::string said = testing::internal::GetCapturedStderr();
+    EXPECT_THAT(said, HasSubstr("late writes nothing: it begins at 2.5 s"));
+    EXPECT_THAT(said, HasSubstr("never writes nothing: it begins at 3 s"));
+    EXPECT_THAT(said, HasSubstr("some does not write at 3 s: the run ends at endTime 2 s"));
+    EXPECT_THAT(said, testing::Not(HasSubstr("energy ")));
+    EXPECT_THAT(said, testing::Not(HasSubstr("all ")));
+}
+
 TEST_F(FunctionListTest, ARestartWritesBesideTheEarlierTables)
 {
     FunctionList<2> first = read("energy { }");

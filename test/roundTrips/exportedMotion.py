@@ -191,7 +191,23 @@ class ExportedMotion(CaseTest):
         self.assertNotEqual(twice[2], moments[2])
         self.assertIn("in the format gltf only", self.run_(case, "-animation", status=1).stderr)
         done = self.run_(case, "-time", "0.15", status=1)
-        self.assertIn("There is no state of time 0.15 in this case.\n\nTimes: 0.1 0.2\n", done.stderr)
+        self.assertIn("There is no state or start of time 0.15 in this case.\n\nTimes: 0 0.1 0.2\n", done.stderr)
+
+    def test_ofTheStart(self):
+        """Of 0/motion, without which the blocks start as built."""
+        case = pathlib.Path(self.root.name) / "start"
+        writeCase(case, 2)
+        self.application = "blockTexture"
+        self.run_(case)
+        self.application = "exportBlocks"
+        motion = case / "0/motion"
+        motion.write_text("0 { displacement (0.3 2); rotation 0.5; }\n", encoding="ascii")
+        self.run_(case, "-time", "0")
+        found = pointsOf("obj", self.read(case, "export/blocks_0.obj"), 2)
+        expected = expectedPoints(2, {"ux": 0.3, "uy": 2, "rz": 0.5})
+        self.assertLess(max(abs(a - b) for p, q in zip(found, expected) for a, b in zip(p, q)), 1e-11)
+        motion.unlink()
+        self.assertIn("There is no state or start of time 0", self.run_(case, "-time", "0", status=1).stderr)
 
     def test_ofOtherInputIsWarnedOf(self):
         case = pathlib.Path(self.root.name) / "other"

@@ -195,7 +195,7 @@ class RunControl(CaseTest):
         self.assertEqual(self.state(case, "4"), self.state(once, "4"))
 
     def testTwoRunsInOneCaseAreRefusedUntilTheFirstHasEnded(self):
-        case = self.copy("locked", endTime="4", deltaT="0.0005", writeInterval="4")
+        case = self.copy("locked", endTime="400", deltaT="0.0005", writeInterval="400")
         first = subprocess.Popen([os.path.join(applications, "contactDynamics"), "-case", case],
                                  stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
         for line in first.stdout:
@@ -210,6 +210,16 @@ class RunControl(CaseTest):
         first.communicate(timeout=60)
         self.control(case, endTime="0.01")
         self.run_(case)
+
+    def testARunWaitsForWhatIsAboutToEnd(self):
+        """As the processes of a run that was killed a moment ago."""
+        case = self.copy("ending", endTime="0.01")
+        with open(os.path.join(self.root.name, "held"), "w", encoding="ascii") as held:
+            ending = subprocess.Popen(["flock", case, "sh", "-c", "echo held; sleep 0.3"], stdout=held)
+            while not os.path.getsize(held.name):
+                time.sleep(0.01)
+            self.run_(case)
+            self.assertEqual(ending.wait(timeout=60), 0)
 
     def testAStepThatIsNotSolvedEndsTheRunWithTheStateItBeganFrom(self):
         once = self.copy("solved")

@@ -7,6 +7,7 @@
 #include "core/Error.h"
 #include "core/Log.h"
 #include "core/WholeFile.h"
+#include "dynamics/InitialMotion.h"
 #include "effects/EffectList.h"
 #include "functionObjects/KeptResults.h"
 #include "import/export/Unwritten.h"
@@ -70,13 +71,21 @@ std::optional<Number> numberOf(const CommandLine& commandLine, const std::string
     return value;
 }
 
-/// The time directory that -time names; empty: as built.
+bool hasState(const fs::path& caseDirectory, const std::string& time)
+{
+    return fs::exists(caseDirectory / time / "state");
+}
+
+/// The time directory that -time names, of a state or a start; empty: as built.
 std::string timeOf(const CommandLine& commandLine)
 {
     std::vector<TimeDirectory> times = timeDirectories(commandLine.caseDirectory);
-    std::erase_if(times, // 0/motion is a start, no state
+    std::erase_if(times,
                   [&](const TimeDirectory& directory)
-                  { return !fs::exists(commandLine.caseDirectory / directory.name / "state"); });
+                  {
+                      return !hasState(commandLine.caseDirectory, directory.name)
+                             && !fs::exists(commandLine.caseDirectory / directory.name / "motion");
+                  });
     const std::string text = commandLine.get("time").value_or("");
     if (text.empty())
     {
@@ -98,21 +107,26 @@ std::string timeOf(const CommandLine& commandLine)
         {
             names += " " + directory.name;
         }
-        throw FatalError(fmt::format("There is no state of time {} in this case.\n\nTimes:{}", text,
+        throw FatalError(fmt::format("There is no state or start of time {} in this case.\n\nTimes:{}", text,
                                      names.empty() ? " none; contactDynamics writes them" : names));
     }
     return found->name;
 }
 
-/// Where the blocks are at a time. \return none as built
+/// Where the blocks are at a time: in its state, or else where `motion` has them start. \return none as built
 template<int Dim>
 std::vector<Placement<Dim>> placementsAt(const fs::path& caseDirectory, const std::string& time,
-                                         std::size_t blocks)
+                                         const Assembly<Dim>& assembly)
 {
     if (time.empty())
     {
         return {};
     }
+    if (!hasState(caseDirectory, time))
+    {
+        return readInitialMotion(caseDirectory, time, assembly).state.placements;
+    }
+    const std::size_t blocks = assembly.blocks.size();
     const State state = readState(caseDirectory / time / "state");
     constexpr std::size_t rotations = rotationCount<Dim>;
     const std::vector<double>& translation = stateArray(state, "translation", Dim * blocks);
@@ -187,7 +201,7 @@ void compareWithInput(const CommandLine& commandLine, Assembly<Dim> assembly, co
 {
     closeJoints(assembly);
     const fs::path& directory = commandLine.caseDirectory;
-    if (!time.empty())
+    if (!time.empty() && hasState(directory, time))
     {
         compareMotion(directory, assembly, {time});
     }
@@ -289,7 +303,7 @@ int runIn(const CommandLine& commandLine)
     const Assembly<Dim> assembly = readBlocks<Dim>(directory);
     compareWithInput(commandLine, assembly, time);
     const std::vector<SolidFrame> frames = framesOf<Dim>(commandLine, assembly.blocks.size());
-    const auto placements = placementsAt<Dim>(directory, time, assembly.blocks.size());
+    const auto placements = placementsAt(directory, time, assembly);
     const bool hasDensities = format == "lmgc90";
     const std::vector<double> densities =
         hasDensities ? readDensities<Dim>(directory, assembly, readGravity<Dim>(directory))
@@ -372,7 +386,9 @@ int main(int argc, char* argv[])
     description.options = {
         {"format", "FORMAT",
          "one of obj compasJson dxf gltf lmgc90 3dec; the last two are a script and commands; default obj"},
-        {"time", "TIME", "of a state that contactDynamics wrote, or latestTime; as built if absent"},
+        {"time", "TIME",
+         "of a state that contactDynamics wrote or of the start in 0/motion, or latestTime; as built if "
+         "absent"},
         {"animation", "", "with the frames of the motion or mechanism, in gltf; export/motion.gltf"},
         {"magnification", "M", "of the displacements of -animation; 1 if absent"},
         {"decimals", "N", "of coordinates in obj, compasJson and dxf; all digits if absent"},
