@@ -3,6 +3,7 @@
 /// are judged by the laws themselves, and what a warm start costs.
 #include "conic/coulomb/ContactPath.h"
 
+#include "Stacks.h"
 #include "conic/InteriorPoint.h"
 
 #include <Eigen/LU>
@@ -14,52 +15,6 @@ namespace drystone
 {
 namespace
 {
-
-/// Columns of a point at `arm` from the mass centre of the body it presses up on.
-ConeColumns<3, 2> standingOn(int body, double armX, double armY)
-{
-    ConeColumns<3, 2> columns;
-    columns.first = body;
-    columns.onFirst << 0, -1, -1, 0, -armX, armY;
-    return columns;
-}
-
-/// A low block on two corners under (fx fy 0), its inertia 2, 2 and 0.5.
-PlaneConeProgram blockOnTwoCorners(double push, double weight, double mu)
-{
-    PlaneConeProgram program;
-    program.bodies = 1;
-    program.contacts = {standingOn(0, -0.5, -0.1), standingOn(0, 0.5, -0.1)};
-    program.friction = {mu, mu};
-    program.load = Eigen::Vector3d(push, -weight, 0);
-    program.inertia = {Eigen::Vector3d(2, 2, 0.5).asDiagonal()};
-    program.gap = Eigen::VectorXd::Zero(4);
-    return program;
-}
-
-/// Blocks on top of each other, pushed at random.
-PlaneConeProgram stack(int blocks, std::mt19937& random)
-{
-    std::uniform_real_distribution<double> symmetric(-1, 1);
-    PlaneConeProgram program;
-    program.bodies = blocks;
-    program.load = Eigen::VectorXd::Zero(3 * blocks);
-    for (int body = 0; body < blocks; ++body)
-    {
-        for (const double x : {-0.5, 0.5})
-        {
-            ConeColumns<3, 2> columns = standingOn(body, x, -0.5);
-            columns.second = body - 1;
-            columns.onSecond = -standingOn(body, x, 0.5).onFirst;
-            program.contacts.push_back(columns);
-            program.friction.push_back(0.3);
-        }
-        program.load.segment<3>(3 * body) << symmetric(random), -1 + 0.5 * symmetric(random), 0;
-        program.inertia.push_back(Eigen::Vector3d(1, 1, 0.2).asDiagonal());
-    }
-    program.gap = Eigen::VectorXd::Zero(4 * blocks);
-    return program;
-}
 
 ConeSolution nothing(const PlaneConeProgram& program)
 {
@@ -144,7 +99,7 @@ TEST(ContactPath, ABlockPushedHarderThanFrictionSlidesWithoutRising)
     {
         for (const double stiffness : {1e4, 1e8})
         {
-            const PlaneConeProgram program = blockOnTwoCorners(push, 1, 0.4);
+            const PlaneConeProgram program = lowBlock(push, 1, 0.4);
             SymbolicAnalysis symbolic;
             ContactPath<3, 2> path(program, nothing(program), {Sliding::coulomb, stiffness, 1e-14, 100},
                                    symbolic);
@@ -167,7 +122,7 @@ TEST(ContactPath, FollowsRandomStacksByEitherLaw)
         int solved = 0;
         for (int trial = 0; trial < 200; ++trial)
         {
-            const PlaneConeProgram program = stack(6, random);
+            const PlaneConeProgram program = pushedStack(6, random);
             const ConeSolution near = solveInteriorPoint(program, {1e-9, 100, 3});
             ASSERT_EQ(near.status, SolveStatus::optimal);
             SymbolicAnalysis symbolic;
@@ -193,7 +148,7 @@ TEST(ContactPath, FollowsRandomStacksByEitherLaw)
 TEST(ContactPath, GoesOnFromItsOwnForcesByOneFactorisation)
 {
     std::mt19937 random(3);
-    PlaneConeProgram program = stack(8, random);
+    PlaneConeProgram program = pushedStack(8, random);
     const ConeSolution near = solveInteriorPoint(program, {1e-9, 100, 3});
     SymbolicAnalysis symbolic;
     const ContactPathSettings settings{Sliding::coulomb, 1e6, 1e-12, 1000};
@@ -218,7 +173,7 @@ TEST(ContactPath, GoesOnFromItsOwnForcesByOneFactorisation)
 
 TEST(ContactPath, WhatItCannotTakeIsRefused)
 {
-    PlaneConeProgram program = blockOnTwoCorners(0.3, 1, 0.4);
+    PlaneConeProgram program = lowBlock(0.3, 1, 0.4);
     SymbolicAnalysis symbolic;
     EXPECT_THROW((ContactPath<3, 2>(program, {}, {}, symbolic)), std::invalid_argument);
     program.compliance = Eigen::VectorXd::Constant(4, 1e-3);

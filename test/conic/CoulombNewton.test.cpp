@@ -2,6 +2,7 @@
 /// Coulomb's law by Newton's method: closed forms, and its own certificate on random stacks.
 #include "conic/CoulombNewton.h"
 
+#include "Stacks.h"
 #include "conic/Certificate.h"
 #include "conic/InteriorPoint.h"
 #include "conic/form/Form.h"
@@ -16,28 +17,6 @@ namespace drystone
 {
 namespace
 {
-
-/// Columns of a point at `arm` from the mass centre of the body it presses up on, against fixed ground.
-ConeColumns<3, 2> standingOn(int body, double armX, double armY)
-{
-    ConeColumns<3, 2> columns;
-    columns.first = body;
-    columns.onFirst << 0, -1, -1, 0, -armX, armY;
-    return columns;
-}
-
-/// A low block on two corners under (fx fy 0), its inertia 2, 2 and 0.5.
-PlaneConeProgram blockOnTwoCorners(double push, double weight, double mu)
-{
-    PlaneConeProgram program;
-    program.bodies = 1;
-    program.contacts = {standingOn(0, -0.5, -0.1), standingOn(0, 0.5, -0.1)};
-    program.friction = {mu, mu};
-    program.load = Eigen::Vector3d(push, -weight, 0);
-    program.inertia = {Eigen::Vector3d(2, 2, 0.5).asDiagonal()};
-    program.gap = Eigen::VectorXd::Zero(4);
-    return program;
-}
 
 template<int Rows, int Forces>
 ConeSolution nothing(const ConeProgram<Rows, Forces>& program)
@@ -72,7 +51,7 @@ TEST(CoulombNewton, ABlockPushedHarderThanFrictionSlidesWithoutRising)
 {
     for (const double push : {0.6, -0.6})
     {
-        const PlaneConeProgram program = blockOnTwoCorners(push, 1, 0.4);
+        const PlaneConeProgram program = lowBlock(push, 1, 0.4);
         const ConeSolution solution = coulombOf(program, nothing(program));
         ASSERT_EQ(solution.status, SolveStatus::optimal);
         EXPECT_NEAR(solution.displacement[0], (push > 0 ? 0.2 : -0.2) / 2, 1e-14);
@@ -85,9 +64,9 @@ TEST(CoulombNewton, ABlockPushedHarderThanFrictionSlidesWithoutRising)
 
 TEST(CoulombNewton, ABlockPushedLessStandsAndOneThatIsLiftedFlies)
 {
-    const PlaneConeProgram standing = blockOnTwoCorners(0.3, 1, 0.4);
+    const PlaneConeProgram standing = lowBlock(0.3, 1, 0.4);
     EXPECT_LT(coulombOf(standing, nothing(standing)).displacement.norm(), 1e-12);
-    const PlaneConeProgram flying = blockOnTwoCorners(0.3, -1, 0.4);
+    const PlaneConeProgram flying = lowBlock(0.3, -1, 0.4);
     const ConeSolution solution = coulombOf(flying, nothing(flying));
     ASSERT_EQ(solution.status, SolveStatus::optimal);
     EXPECT_LT((solution.displacement - Eigen::Vector3d(0.15, 0.5, 0)).norm(), 1e-14);
@@ -96,7 +75,7 @@ TEST(CoulombNewton, ABlockPushedLessStandsAndOneThatIsLiftedFlies)
 TEST(CoulombNewton, ASlipThatIsGivenInTheGapIsNoSlip)
 {
     // The ground point moves along by the tangential gap: a block carried by 0.01 with it has not slid.
-    PlaneConeProgram program = blockOnTwoCorners(0, 1, 0.4);
+    PlaneConeProgram program = lowBlock(0, 1, 0.4);
     program.gap << 0, -0.01, 0, -0.01;
     const ConeSolution solution = coulombOf(program, nothing(program));
     ASSERT_EQ(solution.status, SolveStatus::optimal);
@@ -108,27 +87,10 @@ TEST(CoulombNewton, ASlipThatIsGivenInTheGapIsNoSlip)
 TEST(CoulombNewton, RandomStacksFromTheAssociativeSolution)
 {
     std::mt19937 random(11);
-    std::uniform_real_distribution<double> symmetric(-1, 1);
     int solved = 0;
     for (int trial = 0; trial < 100; ++trial)
     {
-        PlaneConeProgram program;
-        program.bodies = 6;
-        program.load = Eigen::VectorXd::Zero(18);
-        for (int body = 0; body < 6; ++body)
-        {
-            for (const double x : {-0.5, 0.5})
-            {
-                ConeColumns<3, 2> columns = standingOn(body, x, -0.5);
-                columns.second = body - 1;
-                columns.onSecond = -standingOn(body, x, 0.5).onFirst;
-                program.contacts.push_back(columns);
-                program.friction.push_back(0.3);
-            }
-            program.load.segment<3>(3 * body) << symmetric(random), -1 + 0.5 * symmetric(random), 0;
-            program.inertia.push_back(Eigen::Vector3d(1, 1, 0.2).asDiagonal());
-        }
-        program.gap = Eigen::VectorXd::Zero(24);
+        const PlaneConeProgram program = pushedStack(6, random);
         const ConeSolution near = solveInteriorPoint(program, {1e-9, 100, 3});
         ASSERT_EQ(near.status, SolveStatus::optimal);
         const ConeSolution solution = coulombOf(program, near);
@@ -223,7 +185,7 @@ TEST(CoulombNewton, RandomStacksInSpaceFromTheAssociativeSolution)
 
 TEST(CoulombNewton, AStartOfAnotherSizeIsRefused)
 {
-    const PlaneConeProgram program = blockOnTwoCorners(0.3, 1, 0.4);
+    const PlaneConeProgram program = lowBlock(0.3, 1, 0.4);
     EXPECT_THROW(coulombOf(program, {}), std::invalid_argument);
 }
 

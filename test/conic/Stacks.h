@@ -4,6 +4,7 @@
 
 #include "conic/ConeProgram.h"
 
+#include <algorithm>
 #include <random>
 
 namespace drystone
@@ -18,12 +19,12 @@ inline ConeColumns<3, 2> standingOn(int body, double armX, double armY)
     return columns;
 }
 
-/// A block on two corners under (fx fy m), its inertia 2, 2 and 0.5.
-inline PlaneConeProgram blockOnTwoCorners(const Eigen::Vector3d& load, double mu)
+/// A block on two corners under (fx fy m), its inertia 2, 2 and 0.5. \param height of its mass centre
+inline PlaneConeProgram blockOnTwoCorners(const Eigen::Vector3d& load, double mu, double height = 1)
 {
     PlaneConeProgram program;
     program.bodies = 1;
-    program.contacts = {standingOn(0, -0.5, -1), standingOn(0, 0.5, -1)};
+    program.contacts = {standingOn(0, -0.5, -height), standingOn(0, 0.5, -height)};
     program.friction = {mu, mu};
     program.load = load;
     program.inertia = {Eigen::Vector3d(2, 2, 0.5).asDiagonal()};
@@ -31,11 +32,15 @@ inline PlaneConeProgram blockOnTwoCorners(const Eigen::Vector3d& load, double mu
     return program;
 }
 
-/// A stack of bodies, each on two points of the one below, pushed about at random.
-inline PlaneConeProgram randomStack(int bodies, unsigned seed)
+/// A low one, which slides and does not tilt.
+inline PlaneConeProgram lowBlock(double push, double weight, double mu)
 {
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<double> symmetric(-1, 1);
+    return blockOnTwoCorners({push, -weight, 0}, mu, 0.1);
+}
+
+/// A stack of bodies, each on two points of the one below, without loads.
+inline PlaneConeProgram stackOf(int bodies, double mu)
+{
     PlaneConeProgram program;
     program.bodies = bodies;
     program.load = Eigen::VectorXd::Zero(3 * bodies);
@@ -47,13 +52,37 @@ inline PlaneConeProgram randomStack(int bodies, unsigned seed)
             columns.second = body - 1;
             columns.onSecond = -standingOn(body, x, 0.5).onFirst;
             program.contacts.push_back(columns);
-            program.friction.push_back(0.5);
+            program.friction.push_back(mu);
         }
-        program.load.segment<3>(3 * body) << symmetric(random), -1 + symmetric(random),
-            0.3 * symmetric(random);
         program.inertia.push_back(Eigen::Vector3d(1, 1, 0.2).asDiagonal());
     }
     program.gap = Eigen::VectorXd::Zero(4 * bodies);
+    return program;
+}
+
+/// One whose bodies are pushed at random, without moments.
+inline PlaneConeProgram pushedStack(int bodies, std::mt19937& random)
+{
+    std::uniform_real_distribution<double> symmetric(-1, 1);
+    PlaneConeProgram program = stackOf(bodies, 0.3);
+    for (int body = 0; body < bodies; ++body)
+    {
+        program.load.segment<3>(3 * body) << symmetric(random), -1 + 0.5 * symmetric(random), 0;
+    }
+    return program;
+}
+
+/// One that is pushed and turned at random, some of its points open.
+inline PlaneConeProgram randomStack(int bodies, unsigned seed)
+{
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> symmetric(-1, 1);
+    PlaneConeProgram program = stackOf(bodies, 0.5);
+    for (int body = 0; body < bodies; ++body)
+    {
+        program.load.segment<3>(3 * body) << symmetric(random), -1 + symmetric(random),
+            0.3 * symmetric(random);
+    }
     for (Eigen::Index row = 0; row < program.gap.size(); row += 2)
     {
         program.gap[row] = 0.1 * std::max(0.0, symmetric(random));
