@@ -26,6 +26,10 @@ StepWork allowedWork(const DynamicCase<Dim>& scene)
     return work;
 }
 
+/// A change of ground or supports so soon, as a part of a step, is where the last step has ended, but for
+/// rounding.
+constexpr double leastPart = 1e-6;
+
 /// The next step of a run with adjustTimeStep [s]. \param timeStep the last one
 template<int Dim>
 double nextTimeStep(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, double timeStep)
@@ -38,9 +42,17 @@ double nextTimeStep(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, do
             std::max(fastest, velocity.template head<Dim>().norm()
                                   + scene.blockSize * velocity.template tail<rotationCount<Dim>>().norm());
     }
-    const double allowed = std::min(scene.schemes.maxDeltaT, 1.2 * timeStep);
+    StepBounds bounds;
+    for (const auto& effect : scene.effects)
+    {
+        bounds.tighten(effect->stepBounds(now));
+    }
     const double reach = scene.schemes.maxDisplacement * scene.blockSize;
-    return fastest * allowed > reach ? reach / fastest : allowed;
+    double allowed = std::min({scene.schemes.maxDeltaT, 1.2 * timeStep, bounds.longest});
+    allowed = fastest * allowed > reach ? reach / fastest : allowed;
+    // Nothing that moves ground or supports is stepped over: equal steps end where it changes next.
+    const double left = bounds.nextChange - now;
+    return left < leastPart * allowed || !std::isfinite(left) ? allowed : left / std::ceil(left / allowed);
 }
 
 /// Adds a step to the use of effects. \param provedBefore steps at rest before it \param since CPU time at

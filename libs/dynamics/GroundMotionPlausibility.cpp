@@ -37,13 +37,25 @@ double sampleInterval(const GroundAcceleration& history)
     return *middle;
 }
 
+/// The longest step that follows the pulses and waves of a history; infinite where it has none [s].
+double stepOfWaves(const GroundAcceleration& history)
+{
+    double longest = std::numeric_limits<double>::infinity();
+    for (const double kink : history.kinks())
+    {
+        longest = std::min(longest, history.stepBounds(kink).longest);
+    }
+    return longest;
+}
+
 } // namespace
 
-std::vector<Doubt> doubtsAboutTimes(const GroundMotion& motion, const Schemes& schemes,
-                                    const TimeControls& controls, const Dictionary& controlDict)
+std::vector<Doubt> doubtsAboutTimes(const GroundMotion& motion, const TimeControls& controls,
+                                    const Dictionary& controlDict)
 {
-    const double longestStep = controls.adjustTimeStep ? schemes.maxDeltaT : controls.deltaT;
+    constexpr double coarse = 5; // times the step that follows waves: a quarter of one
     std::vector<Doubt> doubts;
+    double ofWaves = std::numeric_limits<double>::infinity();
     double interval = 0;
     double end = -std::numeric_limits<double>::infinity(); // of a ground at rest there is none
     for (const GroundMotion::Component& component : motion.components)
@@ -53,22 +65,30 @@ std::vector<Doubt> doubtsAboutTimes(const GroundMotion& motion, const Schemes& s
         {
             interval = samples;
         }
+        ofWaves = std::min(ofWaves, stepOfWaves(*component.acceleration));
         if (const double last = component.acceleration->end(); std::isfinite(last))
         {
             end = std::max(end, last);
         }
     }
-    if (interval > 0 && longestStep > 1.001 * interval)
+    // With adjustTimeStep steps end at the points of the motion.
+    if (interval > 0 && !controls.adjustTimeStep && controls.deltaT > 1.001 * interval)
     {
-        const bool isChosen = controls.adjustTimeStep;
         doubts.push_back(
-            {fmt::format("{} coarser than the motion of the ground, which has a point every {:g} s: "
-                         "its peaks are averaged over the steps. Usual is {} of at most that.",
-                         isChosen ? fmt::format("With adjustTimeStep and maxDeltaT {:g} s steps may become",
-                                                longestStep)
-                                  : fmt::format("deltaT {:g} s is", longestStep),
-                         interval, isChosen ? "a maxDeltaT (system/schemes)" : "a deltaT"),
-             controlDict.locationOf(isChosen ? "adjustTimeStep" : "deltaT")});
+            {fmt::format(
+                 "deltaT {:g} s is coarser than the motion of the ground, which has a point every {:g} s: "
+                 "its peaks are averaged over the steps. Usual is a deltaT of at most that.",
+                 controls.deltaT, interval),
+             controlDict.locationOf("deltaT")});
+    }
+    if (!controls.adjustTimeStep && controls.deltaT > coarse * ofWaves)
+    {
+        doubts.push_back(
+            {fmt::format(
+                 "deltaT {:g} s is more than a quarter of a pulse or wave of the ground: what it does within "
+                 "a step is averaged. Usual is a deltaT of at most {:g} s.",
+                 controls.deltaT, ofWaves),
+             controlDict.locationOf("deltaT")});
     }
     if (controls.stopAt == StopAt::endTime && end > controls.endTime + 1e-9 * std::abs(controls.endTime))
     {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "effects/RecordPlausibility.h"
-#include "runControl/Schemes.h"
 #include "runControl/Time.h"
 
 #include <vector>
@@ -11,9 +10,9 @@
 namespace drystone
 {
 
-/// What is improbable of the times that a motion of the ground is computed at: steps coarser than its points,
-/// an end before its end. \param controlDict for the places
-std::vector<Doubt> doubtsAboutTimes(const GroundMotion& motion, const Schemes& schemes,
-                                    const TimeControls& controls, const Dictionary& controlDict);
+/// What is improbable of the times that a motion of the ground is computed at: steps coarser than its points
+/// or a quarter of its waves, an end before its end. \param controlDict for the places
+std::vector<Doubt> doubtsAboutTimes(const GroundMotion& motion, const TimeControls& controls,
+                                    const Dictionary& controlDict);
 
 } // namespace drystone

@@ -7,6 +7,7 @@
 #include "effects/StepEnergy.h"
 #include "effects/Structure.h"
 #include "effects/SupportStep.h"
+#include "timeSeries/GroundAcceleration.h"
 
 #include <array>
 #include <functional>
@@ -125,6 +126,10 @@ public:
 
     /// The motion of the ground that the run is seen from; null: the effect is none of that.
     virtual const GroundMotion* groundMotion() const { return nullptr; }
+
+    /// What it asks of a step that begins at a time and chooses its length: an effect that is a given
+    /// function of time must not be stepped over.
+    virtual StepBounds stepBounds(double /*time*/) const { return {}; }
 
     /// How each block goes with its support between two instants; not at all for all others; empty: nothing
     /// moves supports. \param placements at the first instant

@@ -146,6 +146,17 @@ GroundMotion readGroundMotion(const Dictionary& dictionary, const std::filesyste
 }
 
 template<int Dim>
+StepBounds MovingGround<Dim>::stepBounds(double time) const
+{
+    StepBounds bounds;
+    for (const GroundMotion::Component& component : motion.components)
+    {
+        bounds.tighten(component.acceleration->stepBounds(time));
+    }
+    return bounds;
+}
+
+template<int Dim>
 void MovingGround<Dim>::addLoad(const EffectContext<Dim>& context, const EffectState&,
                                 Eigen::VectorXd& load) const
 {

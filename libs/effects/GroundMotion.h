@@ -85,6 +85,7 @@ public:
     /// -M times each direction [N for 1 m/s2].
     std::vector<Eigen::VectorXd> loadDirections(const Structure<Dim>& structure) const override;
     const GroundMotion* groundMotion() const override { return &motion; }
+    StepBounds stepBounds(double time) const override;
     void addLoad(const EffectContext<Dim>& context, const EffectState& state,
                  Eigen::VectorXd& load) const override;
     std::string startText(const Structure<Dim>& structure, const EffectState& state) const override;

@@ -266,6 +266,20 @@ std::vector<SupportStep<Dim>> MovingSupports<Dim>::supportSteps(const Structure<
 }
 
 template<int Dim>
+StepBounds MovingSupports<Dim>::stepBounds(double time) const
+{
+    StepBounds bounds;
+    for (const SupportMotion<Dim>& motion : motions)
+    {
+        for (const GroundAcceleration* history : {motion.velocity.get(), motion.angularVelocity.get()})
+        {
+            bounds.tighten(history ? history->stepBounds(time) : StepBounds());
+        }
+    }
+    return bounds;
+}
+
+template<int Dim>
 std::vector<BlockVector<Dim>>
 MovingSupports<Dim>::supportVelocities(const Structure<Dim>& structure,
                                        const std::vector<Placement<Dim>>& placements, double from,

@@ -66,6 +66,7 @@ class MovingSupports final : public Effect<Dim>
 public:
     explicit MovingSupports(std::vector<SupportMotion<Dim>> ofSupports) : motions(std::move(ofSupports)) {}
     EffectTraits traits() const override { return {.movesSupports = true}; }
+    StepBounds stepBounds(double time) const override;
     std::vector<SupportStep<Dim>> supportSteps(const Structure<Dim>& structure,
                                                const std::vector<Placement<Dim>>& placements, double from,
                                                double to) const override;

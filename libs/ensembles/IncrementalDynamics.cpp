@@ -136,6 +136,24 @@ void declare(Options& options, IncrementalDynamicsSettings& settings)
                      "largest figure over the whole motion");
 }
 
+/// A step, whose faults are those of one run of many.
+template<int Dim>
+bool advanceIn(const DynamicCase<Dim>& scene, Motion<Dim>& motion, Time& time, const StudyMotion& ground,
+               double intensity)
+{
+    try
+    {
+        return advance(scene, motion, time);
+    }
+    catch (const FatalError& error)
+    {
+        throw FatalError(
+            fmt::format("In the run of motion {} at intensity {:g}, at {:g} s: {}\n\nWith `stopWhenMet "
+                        "yes;` a run ends as soon as it meets the criterion.",
+                        ground.name, intensity, motion.state.time, error.what()));
+    }
+}
+
 template<int Dim>
 IncrementalRun runAt(const IncrementalDynamics<Dim>& study, const StudyMotion& ground, double intensity)
 {
@@ -158,7 +176,7 @@ IncrementalRun runAt(const IncrementalDynamics<Dim>& study, const StudyMotion& g
             run.verdict = Verdict::interrupted;
             break;
         }
-        const bool isSolved = advance(scene, motion, time);
+        const bool isSolved = advanceIn(scene, motion, time, ground, intensity);
         run.worstResidual = std::max({run.worstResidual, motion.residuals.primalResidual,
                                       motion.residuals.dualResidual, motion.residuals.gap});
         if (!isSolved)

@@ -161,7 +161,7 @@ IncrementalDynamics<Dim> readIncrementalDynamics(const std::filesystem::path& ca
     study.start = startOrContinue(caseDirectory, study.scene, time);
     for (const StudyMotion& motion : study.motions)
     {
-        question(doubtsAboutTimes(motion.ground, study.scene.schemes, time.controls(), time.controlDict()));
+        question(doubtsAboutTimes(motion.ground, time.controls(), time.controlDict()));
     }
     study.jobs = settings.jobs.value_or(threadCount());
     study.stopWhenMet = settings.stopWhenMet;

@@ -117,6 +117,17 @@ void printWholeJoints(const LimitAnalysisCase<3>& structure, const LimitAnalysis
     }
     const Eigen::VectorXd& live = liveLoadOf(structure, result);
     const double less = dissipatedLess(structure.program, structure.patches, live, result.mechanism);
+    const AdaptivePoints* adaptive = jointPointsOf<AdaptivePoints>(structure.contact);
+    if (adaptive && less > adaptive->tolerance * std::abs(result.alpha))
+    {
+        printWarning(
+            fmt::format("The tolerance {:g} of jointPoints is not reached: over the whole faces of its "
+                        "joints this mechanism has alpha <= {:.6g}, {:.2g}% less. With {} contact points "
+                        "no more are added.",
+                        adaptive->tolerance, result.alpha - std::copysign(less, live.dot(result.mechanism)),
+                        100 * less / std::abs(result.alpha), structure.points.size()));
+        return;
+    }
     if (less > worthSaying * std::abs(result.alpha))
     {
         info("Over the whole faces of its joints this mechanism has alpha <= {:.6g}, {:.2g}% less: strengths "

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -83,6 +84,56 @@ std::string verdict(const LimitAnalysis& answer)
     return "no answer";
 }
 
+/// Of a moving load the answer is that of its worst position, which the table of all positions has.
+template<int Dim>
+void moveToWorstPosition(LimitAnalysisCase<Dim>& structure, const fs::path& caseDirectory)
+{
+    if (structure.loads.positions.empty())
+    {
+        return;
+    }
+    const NumberTable table =
+        readNumberTable(limitAnalysisTable(caseDirectory).replace_filename("movingLoad.dat"));
+    constexpr std::size_t ofAlpha = Dim + 2; // distance, place, block, alpha
+    std::size_t worst = 0;
+    for (std::size_t row = 1; table.columns.size() > ofAlpha && row < table.columns[ofAlpha].size(); ++row)
+    {
+        worst = table.columns[ofAlpha][row] < table.columns[ofAlpha][worst] ? row : worst;
+    }
+    structure.loads.live =
+        structure.loads.positions[std::min(worst, structure.loads.positions.size() - 1)].live;
+}
+
+/// What alpha is.
+template<int Dim>
+std::string meaningOfAlpha(const LimitAnalysisCase<Dim>& structure)
+{
+    if (structure.movement)
+    {
+        return fmt::format(
+            "Support {} moves, and there is no live load: alpha is the least reaction [N] with which "
+            "the structure resists its movement, negative where it drives it. Forces between the "
+            "blocks balance the loads without tension and with friction, and a mechanism in which the "
+            "support moves shows that the reaction is not less (Portioli and Cascini 2016).",
+            structure.assembly.supports[static_cast<std::size_t>(structure.movement->support)].name);
+    }
+    if (flowRuleOf(structure.contact) == FlowRule::nonAssociative)
+    {
+        return "Under the live load times the multiplier alpha the structure may collapse by Coulomb's law: "
+               "forces "
+               "between the blocks balance it without tension and with friction, and blocks slide without "
+               "opening "
+               "in a mechanism of these forces. Such a pair is not unique, and alpha is the lowest that a "
+               "search "
+               "has met. Forces alone may balance more, up to the multiplier of the associative law.";
+    }
+    return "The live load times the multiplier alpha is the largest that the structure carries: forces "
+           "between the "
+           "blocks balance it without tension and with friction, and a mechanism shows that more cannot be "
+           "carried "
+           "(Portioli, Cascini and Landolfo 2017, eq. 10).";
+}
+
 } // namespace
 
 template<int Dim>
@@ -94,29 +145,15 @@ void addCollapse(HtmlPage& page, const fs::path& caseDirectory)
         return;
     }
     page.heading("Collapse");
-    const LimitAnalysisCase<Dim> structure = readLimitAnalysisCase<Dim>(caseDirectory);
+    LimitAnalysisCase<Dim> structure = readLimitAnalysisCase<Dim>(caseDirectory);
+    moveToWorstPosition(structure, caseDirectory);
+    page.paragraph(meaningOfAlpha(structure));
     if (flowRuleOf(structure.contact) == FlowRule::nonAssociative)
     {
-        page.paragraph(
-            "Under the live load times the multiplier alpha the structure may collapse by Coulomb's law: "
-            "forces "
-            "between the blocks balance it without tension and with friction, and blocks slide without "
-            "opening "
-            "in a mechanism of these forces. Such a pair is not unique, and alpha is the lowest that a "
-            "search "
-            "has met. Forces alone may balance more, up to the multiplier of the associative law.");
         for (const std::string& sentence : searchInLog(caseDirectory))
         {
             page.paragraph(sentence);
         }
-    }
-    else
-    {
-        page.paragraph(
-            "The live load times the multiplier alpha is the largest that the structure carries: "
-            "forces between the blocks balance it without tension and with friction, and a "
-            "mechanism shows that more cannot be carried (Portioli, Cascini and Landolfo 2017, eq. "
-            "10).");
     }
     for (const LimitAnalysis& answer : storedAnswers(caseDirectory, table))
     {

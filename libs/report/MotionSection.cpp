@@ -4,12 +4,16 @@
 
 #include "assembly/AssemblyFile.h"
 #include "contact/AssemblyChecks.h"
+#include "core/WholeFile.h"
 #include "functionObjects/KeptResults.h"
 #include "report/ViewerData.h"
+#include "runControl/Case.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <sstream>
 
 namespace drystone
 {
@@ -25,10 +29,14 @@ namespace
 template<int Dim>
 std::string standing(const Assembly<Dim>& assembly, const std::vector<BlockFrame>& frames, double far)
 {
+    if (frames.size() < 2)
+    {
+        return ""; // nothing of its motion is known
+    }
     constexpr double hardlyAnything = 0.01;
     double fastest = 0; // [m/s]
     std::size_t moving = 0;
-    for (std::size_t block = 0; frames.size() > 1 && block < assembly.blocks.size(); ++block)
+    for (std::size_t block = 0; block < assembly.blocks.size(); ++block)
     {
         const BlockFrame& last = frames.back();
         const BlockFrame& before = frames[frames.size() - 2];
@@ -47,9 +55,50 @@ std::string standing(const Assembly<Dim>& assembly, const std::vector<BlockFrame
                              moving, fastest);
 }
 
+/// The last time of a table over time; 0 of another [s].
+double lastTimeOf(const fs::path& table)
+{
+    const std::string text = contentOfFile(table);
+    const std::size_t end = text.find_last_not_of('\n');
+    const std::size_t line = end == std::string::npos ? end : text.rfind('\n', end);
+    return text.starts_with("# Time") && line != std::string::npos ? std::strtod(text.c_str() + line, nullptr)
+                                                                   : 0;
+}
+
+/// How a run has ended, as its log, its tables and its states have it.
+struct RunEnd
+{
+    double time = 0;       ///< [s]
+    bool isBroken = false; ///< by an error
+};
+RunEnd endOfRun(const fs::path& caseDirectory)
+{
+    RunEnd end;
+    std::istringstream log(contentOfFile(caseDirectory / "log.contactDynamics"));
+    for (std::string line; std::getline(log, line);)
+    {
+        if (line.starts_with("Time = "))
+        {
+            end.time = std::max(end.time, std::strtod(line.c_str() + 7, nullptr));
+        }
+        end.isBroken = end.isBroken || line.find("DRYSTONE FATAL") != std::string::npos;
+    }
+    std::error_code ignored;
+    for (const auto& entry : fs::recursive_directory_iterator(caseDirectory / "postProcessing", ignored))
+    {
+        end.time = std::max(end.time, entry.path().extension() == ".dat" ? lastTimeOf(entry.path()) : 0);
+    }
+    for (const TimeDirectory& directory : timeDirectories(caseDirectory))
+    {
+        end.time = std::max(end.time, directory.time);
+    }
+    return end;
+}
+
 /// How far blocks go in the frames of a motion, and where they are at its end.
 template<int Dim>
-std::vector<std::string> motionMeaning(const Assembly<Dim>& assembly, const std::vector<BlockFrame>& frames)
+std::vector<std::string> motionMeaning(const Assembly<Dim>& assembly, const std::vector<BlockFrame>& frames,
+                                       const RunEnd& end)
 {
     struct Farthest
     {
@@ -84,14 +133,27 @@ std::vector<std::string> motionMeaning(const Assembly<Dim>& assembly, const std:
             }
         }
     }
-    return {
+    const bool isWhole = end.time <= frames.back().time * (1 + 1e-9);
+    std::vector<std::string> sentences{
         fmt::format(
             "The largest displacement of a block in these frames is {:.4g} m, of block {} at {:.4g} s.",
             largest.distance, largest.block, largest.time),
         fmt::format("After {:.4g} s the largest displacement of a block is {:.4g} m, of block {}; {} of {} "
                     "blocks are farther from their places than half the mean block size of {:.3g} m{}.",
                     frames.back().time, atTheEnd.distance, atTheEnd.block, away, freeBlocks, 2 * far,
-                    away == 0 ? standing(assembly, frames, far) : "")};
+                    away == 0 && isWhole && !end.isBroken ? standing(assembly, frames, far) : "")};
+    if (!isWhole)
+    {
+        sentences.push_back(
+            fmt::format("The run went on to {:.4g} s without another frame: what moved by then is "
+                        "in its log and histories.",
+                        end.time));
+    }
+    if (end.isBroken)
+    {
+        sentences.emplace_back("The run broke off with an error, which its log has.");
+    }
+    return sentences;
 }
 
 } // namespace
@@ -111,7 +173,7 @@ void addMotion(HtmlPage& page, const fs::path& caseDirectory, const Assembly<Dim
         caseDirectory / "VTK", "blocks", assembly.blocks.size(), std::clamp<std::size_t>(mostFrames, 2, 101));
     if (isMotion && !frames.empty())
     {
-        for (const std::string& sentence : motionMeaning(assembly, frames))
+        for (const std::string& sentence : motionMeaning(assembly, frames, endOfRun(caseDirectory)))
         {
             page.paragraph(sentence);
         }

@@ -23,6 +23,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -186,6 +187,25 @@ void declare(Options& options, BlockTexture<Dim>& blockTexture)
 template void declare(Options& options, BlockTexture<2>& blockTexture);
 template void declare(Options& options, BlockTexture<3>& blockTexture);
 
+namespace
+{
+
+/// Supports are known by their names: of two with one name the blocks of the first would be free.
+template<int Dim>
+void refuseSecondSupport(const Assembly<Dim>& assembly, const std::string& name, const SourceLocation& place)
+{
+    const auto count = std::count_if(assembly.supports.begin(), assembly.supports.end(),
+                                     [&](const auto& support) { return support.name == name; });
+    if (count > 1)
+    {
+        throw FatalIOError(
+            fmt::format("The texture makes a support {} by itself: give this one another name.", name),
+            place);
+    }
+}
+
+} // namespace
+
 template<int Dim>
 Assembly<Dim> makeStructure(const Dictionary& dictionary, const std::filesystem::path& caseDirectory)
 {
@@ -202,6 +222,8 @@ Assembly<Dim> makeStructure(const Dictionary& dictionary, const std::filesystem:
     for (const auto& [name, addSupport] : blockTexture.supports)
     {
         addSupport(blockTexture.texture.assembly, name, blockTexture.texture.unit);
+        refuseSecondSupport(blockTexture.texture.assembly, name,
+                            dictionary.subDict("supports").locationOf(name));
     }
     for (const auto& [name, addZone] : blockTexture.zones) // ground may take blocks of the texture away
     {

@@ -6,6 +6,7 @@
 #include <gsl/gsl_spline.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -13,6 +14,42 @@
 
 namespace drystone
 {
+namespace
+{
+
+/// Of a pulse or a wave: steps of that length follow a sine to some percent of its peak.
+constexpr double partOfWave = 1.0 / 20;
+
+/// The first of ascending times after one; infinite where there is none.
+template<typename Iterator>
+double firstAfter(Iterator begin, Iterator end, double time)
+{
+    const Iterator next = std::upper_bound(begin, end, time);
+    return next == end ? std::numeric_limits<double>::infinity() : *next;
+}
+
+/// \param wave within the pulse [s]
+StepBounds boundsOfPulse(const PulseShape& pulse, double wave, double time)
+{
+    const std::array<double, 2> times{pulse.start, pulse.start + pulse.duration};
+    StepBounds bounds;
+    bounds.nextChange = firstAfter(times.begin(), times.end(), time);
+    if (time >= times[0] && time < times[1])
+    {
+        bounds.longest = partOfWave * wave;
+    }
+    return bounds;
+}
+
+} // namespace
+
+StepBounds GroundAcceleration::stepBounds(double time) const
+{
+    const std::vector<double> times = kinks();
+    StepBounds bounds;
+    bounds.nextChange = firstAfter(times.begin(), times.end(), time);
+    return bounds;
+}
 
 double GroundAcceleration::end() const
 {
@@ -40,6 +77,16 @@ double RectangularPulse::integral(double from, double to) const
 double RectangularPulse::peak() const
 {
     return std::abs(pulse.amplitude);
+}
+
+StepBounds RectangularPulse::stepBounds(double time) const
+{
+    return boundsOfPulse(pulse, pulse.duration, time);
+}
+
+StepBounds SinePulse::stepBounds(double time) const
+{
+    return boundsOfPulse(pulse, std::min(1.0, 2 / halfWaves) * pulse.duration, time);
 }
 
 double SinePulse::at(double time) const
@@ -141,6 +188,13 @@ public:
         return result;
     }
 
+    StepBounds stepBounds(double time) const override
+    {
+        StepBounds bounds;
+        bounds.nextChange = firstAfter(times.begin(), times.end(), time);
+        return bounds;
+    }
+
     double peak() const override
     {
         double largest = 0;
@@ -233,6 +287,13 @@ public:
     std::vector<double> kinks() const override { return {spline->x, spline->x + spline->size}; }
 
     double peak() const override { return largest; }
+
+    StepBounds stepBounds(double time) const override
+    {
+        StepBounds bounds;
+        bounds.nextChange = firstAfter(spline->x, spline->x + spline->size, time);
+        return bounds;
+    }
 
 private:
     std::unique_ptr<gsl_spline, FreeSpline> spline;

@@ -4,11 +4,26 @@
 
 #include "timeSeries/Record.h"
 
+#include <algorithm>
+#include <limits>
 #include <memory>
 #include <vector>
 
 namespace drystone
 {
+
+/// What a history asks of steps that begin at some time; infinite where it asks for nothing.
+struct StepBounds
+{
+    double longest = std::numeric_limits<double>::infinity();    ///< that follows it [s]
+    double nextChange = std::numeric_limits<double>::infinity(); ///< when it or its slope jumps next [s]
+
+    void tighten(const StepBounds& other)
+    {
+        longest = std::min(longest, other.longest);
+        nextChange = std::min(nextChange, other.nextChange);
+    }
+};
 
 /// An acceleration history, defined at every time and integrated exactly. Immutable, so that threads may
 /// share it.
@@ -32,6 +47,10 @@ public:
 
     /// Largest absolute value [m/s2].
     virtual double peak() const = 0;
+
+    /// For steps that choose their lengths: the next of the kinks after `time`, and within pulses a twentieth
+    /// of a pulse or of a wave.
+    virtual StepBounds stepBounds(double time) const;
 
     /// When the history ends, after which it is constant; infinite when it is so from the beginning [s].
     double end() const;
@@ -74,6 +93,7 @@ public:
     double integral(double from, double to) const override;
     std::vector<double> kinks() const override { return {pulse.start, pulse.start + pulse.duration}; }
     double peak() const override;
+    StepBounds stepBounds(double time) const override;
 };
 
 /// amplitude sin(pi halfWaves (t - start)/duration), from start to start + duration: one half wave is the
@@ -89,6 +109,7 @@ public:
     double integral(double from, double to) const override;
     std::vector<double> kinks() const override { return {pulse.start, pulse.start + pulse.duration}; }
     double peak() const override;
+    StepBounds stepBounds(double time) const override;
 };
 
 /// What a table says before its first and after its last time.

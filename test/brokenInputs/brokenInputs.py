@@ -437,6 +437,9 @@ brokenInputs = [
                r"positive multiplier of each place"),
     inAnalysis("movingDeadLoad", "constant/loads", "type gravity;",
                "type moving; from (0 9); to (1 9); value (0 -1 0);@@", r"can only be the live load", lines=(1,)),
+    Broken("blockTexture", "supportOfTheName", dictionary, says=(r"makes a support left by itself", r"another name"),
+           content="dimensions 2;\ntexture { type arch; radius 5; thickness 0.6; voussoirs 12; }\n"
+                   "supports { left { type blocks; blocks (0); } }\n", lines=(3,)),
     inTexture("zoneOfNoBlock", "supports { ground { type ground; segment 0.5; } }",
               "supports { ground { type ground; segment 0.5; } }\nzones { base { type blocks; blocks (999); } }@@",
               r"There is no block 999"),

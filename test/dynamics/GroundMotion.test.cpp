@@ -69,7 +69,7 @@ TEST(GroundMotion, AnEndBeforeThatOfTheMotionIsQuestionedWhereThereIsAMotion)
         TimeControls controls;
         controls.startTime = startTime;
         controls.endTime = endTime;
-        return doubtsAboutTimes(motion, {}, controls, {});
+        return doubtsAboutTimes(motion, controls, {});
     };
     GroundMotion still;
     EXPECT_TRUE(doubts(still, -1, -0.95).empty());

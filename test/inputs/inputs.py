@@ -324,11 +324,54 @@ class Improbable(InputTest):
         self.control(case, endTime="3", deltaT="0.02")
         self.only(case, r"deltaT 0\.02 s", "every 0.01 s", r"controlDict/deltaT at line \d+")
 
+        self.control(case, endTime="3", deltaT="0.02", adjustTimeStep="yes")  # they end at its points
+        self.assertEqual(self.warnings(case, "-dry-run")[0], [])
+
+    def testStepsCoarserThanAPulse(self):
+        case = self.copy("coarsePulse")
+        self.write(case, "constant/groundMotion", header % "groundMotion" +
+                   "direction (1 0 0);\nacceleration { type sine; amplitude 0.1; duration 2; cycles 10; }\n")
+        self.control(case, endTime="3", deltaT="0.2")
+        self.only(case, r"deltaT 0\.2 s is more than a quarter of a pulse or wave", r"at most 0\.01 s",
+                  r"controlDict/deltaT at line \d+")
+        for changes in ({"deltaT": "0.04"}, {"deltaT": "0.2", "adjustTimeStep": "yes"}):
+            self.control(case, endTime="3", **changes)
+            self.assertEqual(self.warnings(case, "-dry-run")[0], [])
+
     def testAnEndWithinTheRecord(self):
         case = self.copy("early")
         self.record(case)
         self.control(case, endTime="1")
         self.only(case, "endTime 1 s", "until 2 s", r"controlDict/endTime at line \d+")
+
+
+class JointPointsTest(CaseTest):
+    application = "limitAnalysis"
+
+    def testATolerance(self):
+        """A twisted triangular joint with cohesion: its exact multiplier is 10.464923."""
+        case = os.path.join(self.root.name, "triangle")
+        files = {
+            "system/blockTextureDict": "dimensions 3; texture { type polyhedra; blocks ( { vertices ((0 0 0) (1 0 0) "
+                "(0.2 0.8 0) (0 0 1) (1 0 1) (0.2 0.8 1)); faces ((2 1 0) (3 4 5) (0 1 4 3) (1 2 5 4) (2 0 3 5)); } ); } "
+                "supports { ground { type ground; } }",
+            "constant/g": "value (0 0 -9.81);", "constant/materialProperties": "density 2000;",
+            "constant/loads": "dead { type gravity; } live { type sum; loads { a { type force; at (0 0 .5); value (0 -100 0); } "
+                "b { type force; at (1 0 .5); value (0 100 0); } } }"}
+        for tolerance in ("1e-3", "1e-5"):
+            files["constant/contactProperties"] = ("cohesion { strength 10000; } jointPoints { type adaptive; tolerance "
+                                                   + tolerance + "; }")
+            for name, text in files.items():
+                os.makedirs(os.path.dirname(os.path.join(case, name)), exist_ok=True)
+                with open(os.path.join(case, name), "w", encoding="utf-8") as file:
+                    file.write(header % os.path.basename(name) + text + "\n")
+            self.runApplication("blockTexture", case)
+            done = self.run_(case)
+            said = done.stdout + done.stderr
+            alpha = float(re.search(r"alpha = (\S+)", said)[1])
+            self.assertLess(abs(alpha / 10.464923 - 1), 1e-3)
+            isSaid = "The tolerance 1e-05 of jointPoints is not reached" in said
+            self.assertEqual(isSaid, alpha / 10.464923 - 1 > float(tolerance), said)
 
 
 if __name__ == "__main__":

@@ -236,6 +236,32 @@ results { alpha { table "postProcessing/limitAnalysis/0/limitAnalysis.dat"; colu
             self.runApplication("contactDynamics", case, "-report")
             self.assertRegex(self.read(case, "report.html"), said)
 
+    def testWithoutFramesOfTheEndNothingIsSaidOfIt(self):
+        slide = "../../contactDynamics/slidingBlock/slide"
+        case = self.caseOf(slide)
+        shutil.copytree(os.path.join(tutorial, slide, "0"), os.path.join(case, "0"))
+        self.edit(case, "system/controlDict", "endTime", "0.5")
+        for interval in ("0.2", "7"):
+            shutil.rmtree(os.path.join(case, "postProcessing"), ignore_errors=True)
+            self.edit(case, "system/controlDict", "writeInterval", interval)
+            self.runApplication("contactDynamics", case, "-report")
+            page = self.read(case, "report.html")
+            self.assertNotIn("the structure stands", page)
+            self.assertIn("The run went on to 0.5 s without another frame", page)
+
+    def testOfASettlementAlphaIsAReaction(self):
+        case = self.caseOf("../settlement/vertical")
+        self.runApplication("limitAnalysis", case, "-report")
+        page = self.read(case, "report.html")
+        self.assertIn("alpha is the least reaction [N]", page)
+        self.assertNotIn("is the largest that the structure carries", page)
+
+    def testOfAMovingLoadTheWorstPlaceCounts(self):
+        case = self.caseOf("../movingLoad/axles")
+        said = self.runApplication("limitAnalysis", case, "-report").stdout
+        collapse = re.search(r"at collapse [\d.]+ kN", said)[0]
+        self.assertIn(collapse, self.read(case, "report.html"))
+
     @unittest.skipUnless(hasViewer, noViewer)
     def testTheViewerOfAHouseInSpace(self):
         case = self.caseOf("../space/house/structure")

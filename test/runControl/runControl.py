@@ -350,6 +350,36 @@ class RunControl(CaseTest):
         self.assertLess(max(steps), 0.0201)
         self.assertGreater(max(steps), 1.5 * min(steps))
 
+    def testAdjustedStepsDoNotLeapOverTheGround(self):
+        """Blocks that stand still for eight seconds, and what moves the ground, or a support, then."""
+        still = {"adjustTimeStep": "on", "endTime": "9", "writeInterval": "9"}
+        ground = "direction (1 0 0);\nacceleration { type %s }\n"
+        sine = "halfSine; amplitude 9; duration 0.5; start 8.02;"
+        record = "table; values ((8.02 0) (8.27 9) (8.52 0));"
+        for name, motion in (("sine", ground % sine), ("record", ground % record)):
+            with self.subTest(name):
+                case = self.copy("leap." + name, **still)
+                self.write(case, "constant/groundMotion", header % "groundMotion" + motion)
+                self.write(case, "system/schemes", header % "schemes")
+                done = self.run_(case).stdout
+                instants = [float(word) for word in re.findall(r"^Time = (\S+)", done, re.M)]
+                self.assertLess(len(instants), 1000)
+                self.assertTrue(any(abs(instant - 8.02) < 1e-6 for instant in instants), instants)
+                largest = float(re.search(r"^Largest displacement: (\S+) m", done, re.M)[1])
+                fixed = self.copy("leap.fixed." + name, endTime="9", writeInterval="9")
+                self.write(fixed, "constant/groundMotion", header % "groundMotion" + motion)
+                self.write(fixed, "system/schemes", header % "schemes")
+                expected = float(re.search(r"^Largest displacement: (\S+) m", self.run_(fixed).stdout, re.M)[1])
+                self.assertGreater(expected, 0.1)
+                self.assertAlmostEqual(largest, expected, delta=0.1 * expected)
+        case = self.copy("leap.support", **still)
+        self.write(case, "constant/supportMotion", header % "supportMotion" +
+                   "ground { direction (1 0 0); velocity ((8 0) (8.2 1) (8.4 0)); }\n")
+        self.write(case, "system/schemes", header % "schemes")
+        instants = [float(word) for word in re.findall(r"^Time = (\S+)", self.run_(case).stdout, re.M)]
+        for change in (8, 8.2, 8.4):
+            self.assertTrue(any(abs(instant - change) < 1e-6 for instant in instants), instants)
+
     def testAdjustedStepsEndWhereFunctionsWriteAndAtTheEnd(self):
         functions = ("{ energy { writeControl adjustableRunTime; writeInterval 0.07; }"
                      "  blockMotion { blocks (3); writeControl adjustableRunTime; writeInterval 0.05; } }")

@@ -30,8 +30,7 @@ int runIn(const CommandLine& commandLine)
     Time time(commandLine.caseDirectory, ControlDict::required);
     useThreads(time.controlDict());
     auto scene = readDynamicCase<Dim>(commandLine.caseDirectory);
-    question(
-        doubtsAboutTimes(groundMotionOf(scene.effects), scene.schemes, time.controls(), time.controlDict()));
+    question(doubtsAboutTimes(groundMotionOf(scene.effects), time.controls(), time.controlDict()));
     if (commandLine.postProcess)
     {
         postProcess(commandLine.caseDirectory, scene, time);
