@@ -18,6 +18,9 @@ namespace
 
 constexpr int mostHalvings = 10;
 
+/// How often a step is taken again because it overlooked contacts.
+constexpr std::size_t mostLooks = 8;
+
 template<int Dim>
 StepWork allowedWork(const DynamicCase<Dim>& scene)
 {
@@ -75,13 +78,13 @@ void countUse(Motion<Dim>& motion, long provedBefore, double since)
     }
 }
 
-} // namespace
-
+/// \param overlooking see Step: tries of this step before
 template<int Dim>
-double advanceUnparted(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeStep,
-                       const ImpactChoice& impacts)
+double takeStep(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeStep,
+                const ImpactChoice& impacts, std::vector<Eigen::VectorXd> overlooking)
 {
     Step<Dim> step(scene, motion, timeStep, impacts);
+    step.overlooking = std::move(overlooking);
     if (staysAtRest(step))
     {
         return 1;
@@ -103,9 +106,23 @@ double advanceUnparted(const DynamicCase<Dim>& scene, Motion<Dim>& motion, doubl
     {
         return step.solved.length < 1 ? step.solved.length : 0;
     }
+    if (step.overlooking.size() < mostLooks && overlooksContacts(step))
+    {
+        step.overlooking.push_back(step.solved.result.displacement);
+        return takeStep(scene, motion, timeStep, impacts, std::move(step.overlooking));
+    }
     move(step);
     account(step);
     return 1;
+}
+
+} // namespace
+
+template<int Dim>
+double advanceUnparted(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeStep,
+                       const ImpactChoice& impacts)
+{
+    return takeStep(scene, motion, timeStep, impacts, {});
 }
 
 template<int Dim>

@@ -22,7 +22,19 @@ void findContacts(Step<Dim>& step)
     const double start = motion.state.time;
     const auto velocities = velocitiesOfAllBlocks(scene, motion.state, start, start + step.scheme.timeStep);
     const double margin = motion.contacts->marginFor(velocities, step.scheme.timeStep, step.acceleration);
-    step.points = motion.contacts->update(placements, placementsAfter(step, heading), margin);
+    if constexpr (Dim == 3)
+    {
+        std::vector<std::vector<Placement<3>>> headings{placementsAfter(step, heading)};
+        for (const Eigen::VectorXd& displacement : step.overlooking)
+        {
+            headings.push_back(placementsAfter(step, displacement));
+        }
+        step.points = motion.contacts->update(placements, headings, margin);
+    }
+    else
+    {
+        step.points = motion.contacts->update(placements, placementsAfter(step, heading), margin);
+    }
     forgetRounding(scene, step.points);
     if (step.scheme.theta == 1)
     {
@@ -39,6 +51,19 @@ void findContacts(Step<Dim>& step)
     }
 }
 
+template<int Dim>
+bool overlooksContacts(const Step<Dim>& step)
+{
+    if constexpr (Dim == 3)
+    {
+        return step.motion.contacts && step.solved.isSolved
+               && step.motion.contacts->isOverlapping(placementsAfter(step, step.solved.result.displacement));
+    }
+    return false;
+}
+
+template bool overlooksContacts(const Step<2>& step);
+template bool overlooksContacts(const Step<3>& step);
 template void findContacts(Step<2>& step);
 template void findContacts(Step<3>& step);
 

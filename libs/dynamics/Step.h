@@ -73,6 +73,9 @@ struct Step
     std::vector<SupportStep<Dim>> supports; ///< see supportSteps
 
     // findContacts
+    /// Displacements by which the step ended before with blocks in each other: what meets there is looked for
+    /// too.
+    std::vector<Eigen::VectorXd> overlooking;
     std::vector<ContactPoint<Dim>> points;    ///< with their gaps at the start
     std::vector<ContactColumns<Dim>> columns; ///< lever arms where the momenta of the step want them
     std::vector<ContactColumns<Dim>>
@@ -120,6 +123,11 @@ EffectContext<Dim> contextOf(const Step<Dim>& step);
 /// Finds the contact points of the step: where blocks touch, or may meet within it.
 template<int Dim>
 void findContacts(Step<Dim>& step);
+
+/// Whether the step that is solved ends with blocks of space in each other, between which other corners and
+/// edges meet than were foreseen.
+template<int Dim>
+bool overlooksContacts(const Step<Dim>& step);
 
 /// Makes the program of the rigid step, and a guess of its solution from the last one.
 template<int Dim>

@@ -9,6 +9,7 @@
 #include "dynamics/HeldBlocks.h"
 #include "dynamics/Step.h"
 #include "dynamics/StickingStep.h"
+#include "geometry/space/PolyhedronOverlap.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -21,6 +22,19 @@ namespace
 double worst(const StepResiduals& residuals)
 {
     return std::max({residuals.primalResidual, residuals.dualResidual, residuals.gap});
+}
+
+/// What the search for contacts in space leaves out.
+void printContactSearch(const Assembly<3>& assembly, const Motion<3>& motion)
+{
+    const auto others = std::count_if(assembly.blocks.begin(), assembly.blocks.end(),
+                                      [](const Block<3>& block) { return !isConvex(block.shape); });
+    if (motion.contacts && others > 0)
+    {
+        info("Contacts: new ones are found between convex blocks; {} that are not convex have those of the "
+             "start",
+             others);
+    }
 }
 
 } // namespace
@@ -46,9 +60,9 @@ void printScene(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const 
     printEffects(simulated, absent);
     printAddedEffects(scene);
     info("Blocks: {} free, contact points: {}", scene.mass.size() / freedomCount<Dim>, motion.points.size());
-    if (Dim == 3 && motion.contacts)
+    if constexpr (Dim == 3)
     {
-        info("Contacts: those of the start, followed; motion in space finds no new ones");
+        printContactSearch(scene.assembly, motion);
     }
     printClosure(scene.assembly);
     if (const std::string text = frictionText(scene.contact); !text.empty())

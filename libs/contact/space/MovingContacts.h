@@ -1,8 +1,10 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Contacts of blocks that move in space: those found at the start, followed over displacements of any size.
+/// Contacts of blocks that move in space: those as built followed, others found, over displacements of any
+/// size.
 #pragma once
 
 #include "contact/MovingContacts.h"
+#include "contact/space/ConvexContacts.h"
 #include "geometry/Rotation.h"
 
 #include <optional>
@@ -10,11 +12,17 @@
 namespace drystone
 {
 
-/// Follows the contact points of the structure as built: each is a corner of one block against the plane of a
+/// The points of the structure as built are followed: each is a corner of one block against the plane of a
 /// face of the other, with normal, gap and position measured exactly where the blocks are, as in the plane.
-/// New points are not found, so that it stands only as long as the points of the start are all there are:
-/// `update` ends the run where a point that closes has left the face that it was built on by more than a
-/// twentieth of the mean block size, or where blocks run into each other that share no point.
+/// So they stay the same points, whatever their gaps, until one of them leaves the face that it was built on
+/// by more than a thousandth of the mean block size. From there on, and between blocks that shared no point,
+/// what convex blocks touch each other with is found anew at each update (see convexContacts), where they are
+/// heading: corners against faces, edges that cross the rim of a face, edges against edges. Which of the two
+/// depends on the placements alone.
+///
+/// Blocks that are not convex are followed only: `update` ends the run where a point of one that closes has
+/// left its face by more than a twentieth of the mean block size, or where one runs into a block that it
+/// shared no point with.
 ///
 /// The corner of a patch that is a vertex of both blocks may be taken for that of either: it is that which
 /// lies on the other's face now, of `block` where they lie at one place. One that is a vertex of neither
@@ -25,11 +33,24 @@ class MovingContacts<3>
 public:
     explicit MovingContacts(const Assembly<3>& assembly, const MovingContactOptions& options = {});
 
-    /// The points where the blocks are now, all of them whatever their gaps.
-    /// \throws FatalError where they no longer suffice
+    /// The points where the blocks are now: those that are followed whatever their gaps, those that are found
+    /// up to `margin` (see marginFor). \return sorted by (block, neighbour); valid until the next call
+    /// \throws FatalError where blocks that are not convex touch anew, or others have entered each other by
+    /// more than a hundredth of the mean block size, as with too long a step
     const std::vector<ContactPoint<3>>& update(const std::vector<Placement<3>>& now, double margin);
+
+    /// The same, those that are found chosen where the blocks are heading and measured where they are now.
+    /// \param headings one or more: where blocks are heading by their velocities, and where a step has led
+    /// that
+    ///        overlooked contacts
     const std::vector<ContactPoint<3>>& update(const std::vector<Placement<3>>& now,
-                                               const std::vector<Placement<3>>& ahead, double margin);
+                                               const std::vector<std::vector<Placement<3>>>& headings,
+                                               double margin);
+
+    /// Whether blocks between which the last update has found points, or looked for some, are in each other
+    /// by more than 1e-5 of the mean block size: a step to there has overlooked contacts, since which corners
+    /// and edges meet was foreseen otherwise.
+    bool isOverlapping(const std::vector<Placement<3>>& placements) const;
 
     /// The points of the last update, were the blocks placed so. \param points overwritten
     void measure(const std::vector<Placement<3>>& placements, std::vector<ContactPoint<3>>& points) const;
@@ -37,47 +58,100 @@ public:
     /// One of them, by its index.
     ContactPoint<3> pointAt(const std::vector<Placement<3>>& placements, std::size_t index) const;
 
-    /// All points are always listed: nothing depends on it.
-    double marginFor(const std::vector<Eigen::Matrix<double, 6, 1>>&, double, double) const { return 0; }
+    /// The margin that lists every pair of blocks that can meet within a step: twice the farthest that any
+    /// point of a block travels. \param velocities (ux uy uz rx ry rz) of each block [m/s, rad/s] \param
+    /// timeStep [s] \param acceleration bound on what the loads add to the velocity [m/s2]
+    double marginFor(const std::vector<Eigen::Matrix<double, 6, 1>>& velocities, double timeStep,
+                     double acceleration) const;
 
     /// Has a block touch nothing from the next update on.
     void leaveOut(int block);
 
 private:
-    /// A corner of one block against the plane of a face of another, as built.
+    /// A corner of one block against the plane of a face of another, or an edge against an edge; as built.
     struct Pair
     {
         int cornerBlock = -1;
         int faceBlock = -1;
-        Vector<3> corner;               ///< [m]
-        Vector<3> outward;              ///< normal of the face
-        Vector<3> shear;                ///< tangent1 of the point
-        std::vector<Vector<3>> outline; ///< of the face [m]
+        Vector<3> corner;                        ///< or a point of its edge [m]
+        Vector<3> onFace;                        ///< a point of the face, or of the other edge [m]
+        Vector<3> outward;                       ///< normal of the face
+        Vector<3> shear;                         ///< tangent1 of the point
+        std::vector<Vector<3>> outline;          ///< of the face, of points that are followed [m]
+        Vector<3> edge = Vector<3>::Zero();      ///< direction, of an edge against
+        Vector<3> otherEdge = Vector<3>::Zero(); ///< an edge
     };
-    const Pair& pairOf(const ContactPoint<3>& point) const
+    /// Of points that are followed: those of one pair of blocks.
+    struct KnownPair
     {
-        const auto index = static_cast<std::size_t>(point.feature.vertex);
-        return pairs[index].cornerBlock == point.feature.vertexBlock ? pairs[index] : *others[index];
+        int block;
+        int neighbour;
+        std::size_t begin; ///< of asBuilt
+        std::size_t end;
+    };
+    /// Where the blocks are, and back to where they were built.
+    struct Places
+    {
+        const std::vector<Placement<3>>& now;
+        const std::vector<std::vector<Placement<3>>>& headings;
+        std::vector<Swing<3>> forth;
+        std::vector<Swing<3>> back;
+    };
+    /// Two solids where their blocks are.
+    struct PlacedPair
+    {
+        ConvexSolid first;
+        ConvexSolid second;
+    };
+    const Pair& pairOf(std::size_t index) const
+    {
+        const ContactPoint<3>& point = points[index];
+        const int ofFound = foundIndex[index];
+        const auto built = static_cast<std::size_t>(point.feature.vertex);
+        return ofFound >= 0 ? found[static_cast<std::size_t>(ofFound)]
+               : pairs[built].cornerBlock == point.feature.vertexBlock ? pairs[built]
+                                                                       : *others[built];
     }
     Pair pairAt(const ContactPoint<3>& point, bool isOfNeighbour) const;
-    double outsideOf(const Pair& pair, const Vector<3>& place, const std::vector<Placement<3>>& now,
-                     const std::vector<Swing<3>>& back) const;
-    void chooseCorners(const std::vector<Placement<3>>& now, const std::vector<Swing<3>>& back);
+    double outsideOf(const Pair& pair, const Places& places) const;
+    double wayApart(const KnownPair& pair, const Places& places) const;
+    bool isFollowed(const KnownPair& pair, const Places& places) const;
+    bool isConvexPair(int block, int neighbour) const;
+    PlacedPair placedPair(int block, int neighbour, const std::vector<Placement<3>>& placements) const;
+    void follow(const KnownPair& pair, const Places& places);
+    void find(int block, int neighbour, const Places& places);
+    std::vector<ConvexContact> contactsTowards(const std::vector<Placement<3>>& heading, int block,
+                                               int neighbour, const Places& places) const;
+    void dropFar(double margin);
+    Pair pairOfContact(const ConvexContact& contact, int block, int neighbour) const;
     /// \param swingOfCorner, swingOfFace of the blocks of its corner and of its face
     ContactPoint<3> pointAt(const std::vector<Placement<3>>& placements, const Swing<3>& swingOfCorner,
                             const Swing<3>& swingOfFace, std::size_t index) const;
-    void refuseLostPoints(const std::vector<Placement<3>>& now, const std::vector<Swing<3>>& back) const;
-    void refuseNewContacts(const std::vector<Placement<3>>& now) const;
+    ContactPoint<3> measured(ContactPoint<3> point, const Pair& pair,
+                             const std::vector<Placement<3>>& placements, const Swing<3>& swingOfCorner,
+                             const Swing<3>& swingOfFace) const;
+    std::vector<std::pair<int, int>> meetingPairs(const Places& places, double margin) const;
+    void refuseLostPoints(const KnownPair& pairAsBuilt, const Places& places) const;
+    void refuseMeeting(int block, int neighbour, const std::vector<Placement<3>>& now) const;
 
     Assembly<3> assembly;
     std::vector<Vector<3>> centroids;
     std::vector<ContactPoint<3>> asBuilt;
-    std::vector<ContactPoint<3>> points;
     std::vector<Pair> pairs;                 ///< one a point as built
     std::vector<std::optional<Pair>> others; ///< the other way round, where the point is a vertex of both
-    std::vector<std::pair<int, int>> known;  ///< pairs of blocks that share points, sorted
+    std::vector<KnownPair> known;            ///< sorted
+    std::vector<ConvexSolid> solids;         ///< as built; without faces where a block is not convex
+    std::vector<double> radii;               ///< of each block about its mass centre [m]
     std::vector<char> isLeftOut;
     double blockSize = 1;
+    double tolerance = 1e-6; ///< [m]
+
+    // Of the last update.
+    std::vector<ContactPoint<3>> points;
+    std::vector<int> foundIndex; ///< of each point: in `found`, or -1 where it is followed
+    std::vector<Pair> found;
+    int foundJoints = 0;
+    std::vector<std::pair<int, int>> lookedAt; ///< pairs of convex blocks that points were searched between
 };
 
 } // namespace drystone

@@ -1,0 +1,81 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Where two convex polyhedra touch, or are about to: the corners of the patch that they share. Internal to
+/// MovingContacts.
+#pragma once
+
+#include "assembly/Assembly.h"
+#include "geometry/space/Polyhedron.h"
+
+#include <vector>
+
+namespace drystone
+{
+
+/// A convex polyhedron with one face in each plane and its edges. Faces run counter-clockwise seen from
+/// outside.
+struct ConvexSolid
+{
+    /// Between two faces; runs counter-clockwise round the first.
+    struct Edge
+    {
+        int from;
+        int to;
+        int face;
+        int otherFace;
+    };
+    std::vector<Vector<3>> vertices; ///< [m]
+    std::vector<std::vector<int>> faces;
+    std::vector<Vector<3>> normals; ///< of the faces, outwards
+    std::vector<Edge> edges;
+    double thickness =
+        0; ///< least distance of two parallel planes that hold it between them, one of a face [m]
+};
+
+/// \param shape convex; pieces of one plane become one face, vertices along a straight edge none
+/// \param tolerance by which vertices may be off a plane [m]
+ConvexSolid convexSolid(const Polyhedron& shape, double tolerance);
+
+/// The solid where its block is. \param centroid of the block as built
+ConvexSolid placed(ConvexSolid solid, const Vector<3>& centroid, const Placement<3>& placement);
+
+/// A point of one solid against a face, or an edge, of the other.
+struct ConvexContact
+{
+    bool isOfFirst = true;     ///< whose corner, or point of an edge, it is
+    int from = -1;             ///< vertex of that solid
+    int to = -1;               ///< other end of its edge; `from` where the point is the vertex
+    double part = 0;           ///< of the way from `from` to `to`
+    int face = -1;             ///< of the other solid: that it stands against, or one beside the edge
+    int edge = -1;             ///< of the other solid that the edge crosses
+    bool isEdgeOnEdge = false; ///< along the normal of both edges instead of that of the face
+
+    friend bool operator==(const ConvexContact&, const ConvexContact&) = default;
+};
+
+/// What parts two solids most, or lets them enter each other least (theorem of the separating axis): the
+/// normal of a face of one, or that of an edge of each.
+struct PartingAxis
+{
+    double distance = 0;         ///< along it, negative where they enter each other [m]
+    bool isOfFirst = true;       ///< the face
+    int face = -1;               ///< also where edges part them more
+    int edge = -1;               ///< of the first solid
+    int otherEdge = -1;          ///< of the second
+    bool isAnEdgeAtMost = false; ///< two axes across each other part them; nothing else is said then
+};
+
+/// \param tolerance [m]
+/// \param isEnoughToPart end with `isAnEdgeAtMost` where that is known: blocks across the meeting point of
+/// four
+///        share an edge at most and do not hold each other
+PartingAxis partingAxis(const ConvexSolid& first, const ConvexSolid& second, double tolerance,
+                        bool isEnoughToPart);
+
+/// What meets along an axis: along the normal of a face the corners of the polygon that the face and that of
+/// the other solid which looks at it have in common, seen along the normal: corners of either that lie on the
+/// other, and crossings of their edges; across two edges the point where they cross. None where the polygon
+/// is narrower than the tolerance. \param axis of the solids here or where they are a little before
+std::vector<ConvexContact> contactsAlong(const PartingAxis& axis, const ConvexSolid& first,
+                                         const ConvexSolid& second, double tolerance);
+
+} // namespace drystone
