@@ -27,7 +27,8 @@ EffectType<Dim> restitutionType()
         [](Options& options, ContactProperties& contact)
         { options.optional("restitution", contact.restitution, "rebound after an impact; absent: none"); },
         [](const ContactProperties& contact) { return contact.restitution.has_value(); },
-        [](const EffectSource<Dim>& source) { return refuseInSpace(source, "restitution"); }, {});
+        [](const EffectSource<Dim>&) -> std::shared_ptr<const Effect<Dim>>
+        { return nullptr; }); // a step has it: dynamics/Impact.h
 }
 
 template EffectType<2> restitutionType<2>();
