@@ -308,20 +308,15 @@ MovingSupports<Dim>::supportVelocities(const Structure<Dim>& structure,
 template<int Dim>
 EffectType<Dim> supportMotionType()
 {
-    return fileEffectType<Dim>(
-        "supportMotion",
-        [](const Dictionary& dictionary,
-           const EffectSource<Dim>& source) -> std::shared_ptr<const Effect<Dim>>
-        {
-            if (Dim == 3) // so that nobody takes a result for what it is not
-            {
-                throw FatalIOError("contactDynamics does not simulate moving supports in space yet. Remove "
-                                   "the file to compute without supportMotion.",
-                                   {dictionary.location().file, "", 0});
-            }
-            auto motions = readSupportMotions(dictionary, source.structure.assembly);
-            return motions.empty() ? nullptr : std::make_shared<MovingSupports<Dim>>(std::move(motions));
-        });
+    return fileEffectType<Dim>("supportMotion",
+                               [](const Dictionary& dictionary,
+                                  const EffectSource<Dim>& source) -> std::shared_ptr<const Effect<Dim>>
+                               {
+                                   auto motions = readSupportMotions(dictionary, source.structure.assembly);
+                                   return motions.empty()
+                                              ? nullptr
+                                              : std::make_shared<MovingSupports<Dim>>(std::move(motions));
+                               });
 }
 
 template void declare(Options& options, SupportMotionSettings<2>& settings);

@@ -1,6 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Contacts that blocks find while they move in space: as in the plane where the scene is one of the plane,
 /// edge on edge, and heaps of stones that neither enter each other nor gain energy.
+#include "ExtrudedScenes.h"
 #include "Scenes.h"
 #include "SpaceScenes.h"
 
@@ -16,28 +17,6 @@ using namespace drystone;
 
 namespace
 {
-
-/// Blocks of the plane, 1 m deep, stood up in x-z; the first is fixed.
-Assembly<3> extruded(const Assembly<2>& plane)
-{
-    Assembly<3> space;
-    space.supports.push_back({"ground", "ground"});
-    for (const Block<2>& block : plane.blocks)
-    {
-        std::vector<Vector<3>> front, back;
-        for (const Vector<2>& corner : block.outline)
-        {
-            front.emplace_back(corner.x(), 0, corner.y());
-            back.emplace_back(corner.x(), 1, corner.y());
-        }
-        // Counter-clockwise in x-z, seen from -y.
-        Block<3> solid;
-        solid.shape = makePrism(back, front);
-        solid.support = block.support;
-        space.blocks.push_back(std::move(solid));
-    }
-    return space;
-}
 
 struct PlaneScene
 {
@@ -116,15 +95,7 @@ void expectAsInThePlane(double theta, double restitution)
         {
             ASSERT_TRUE(advance(flat, inPlane, timeStep)) << planeScene.name << " step " << step;
             ASSERT_TRUE(advance(solid, inSpace, timeStep)) << planeScene.name << " step " << step;
-            for (std::size_t block = 0; block < flat.assembly.blocks.size(); ++block)
-            {
-                const Placement<2>& a = inPlane.state.placements[block];
-                const Placement<3>& b = inSpace.state.placements[block];
-                const Vector<3> apart(b.translation.x() - a.translation.x(), b.translation.y(),
-                                      b.translation.z() - a.translation.y());
-                worst = std::max(
-                    {worst, apart.norm(), Vector<3>(b.rotation + Vector<3>(0, a.rotation, 0)).norm()});
-            }
+            worst = std::max(worst, apart(inPlane.state, inSpace.state));
         }
         // Impacts are solved to a percent of the velocities at most.
         EXPECT_LE(worst, restitution > 0 ? 3e-4 : planeScene.tolerance) << planeScene.name;

@@ -1,0 +1,93 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Supports of space that move: what stands on them moves as in the plane, and about any axis.
+#include "ExtrudedScenes.h"
+#include "Scenes.h"
+#include "SpaceScenes.h"
+
+#include "effects/SupportMotion.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+using namespace drystone;
+
+namespace
+{
+
+using Points = std::vector<std::pair<double, double>>;
+
+std::shared_ptr<const GroundAcceleration> history(const Points& points)
+{
+    std::vector<double> times, values;
+    for (const auto& [time, value] : points)
+    {
+        times.push_back(time);
+        values.push_back(value);
+    }
+    return tabulatedAcceleration(times, values, Interpolation::linear, OutOfBounds::zero);
+}
+
+template<int Dim>
+void move(DynamicCase<Dim>& scene, const Vector<Dim>& direction, const Points& velocity,
+          const Vector<Dim>& centre, const Turn<Dim>& axis, const Points& angularVelocity)
+{
+    SupportMotion<Dim> motion;
+    motion.support = 0;
+    motion.direction = direction;
+    motion.velocity = history(velocity);
+    motion.centre = centre;
+    motion.axis = axis;
+    motion.angularVelocity = history(angularVelocity);
+    scene.effects.push_back(std::make_shared<MovingSupports<Dim>>(std::vector{motion}));
+}
+
+} // namespace
+
+// Two bricks on a table that is pushed and tilted: they slide, and the upper one falls.
+TEST(SpaceSupports, BricksOnATableThatMovesMoveAsInThePlane)
+{
+    Assembly<2> assembly = scenes::ground(-0.5, 0.5, 0.2);
+    assembly.blocks.push_back(scenes::rectangle(-0.2, 0, 0.4, 0.2));
+    assembly.blocks.push_back(scenes::rectangle(-0.1, 0.2, 0.3, 0.2));
+    const Points velocity{{0, 0}, {0.1, 1}, {0.3, 1}, {0.4, 0}};
+    const Points spin{{0.4, 0}, {0.6, 1.5}, {0.8, 0}};
+    for (const double theta : {1.0, 0.5})
+    {
+        DynamicCase<2> flat = scenes::sceneOf(assembly, {.theta = theta, .mu = 0.4, .tolerance = 1e-10});
+        DynamicCase<3> solid = spaceScenes::sceneOf(extruded(assembly), theta, 0.4, {0, 0, -spaceScenes::g});
+        move<2>(flat, {1, 0}, velocity, {0.1, -0.1}, 1, spin);
+        move<3>(solid, {1, 0, 0}, velocity, {0.1, 0.3, -0.1}, {0, -1, 0}, spin);
+        Motion<2> inPlane = startMotion(flat, stateAtRest(flat.assembly));
+        Motion<3> inSpace = startMotion(solid, stateAtRest(solid.assembly));
+        double worst = 0;
+        for (int step = 1; step <= 1200; ++step)
+        {
+            ASSERT_TRUE(advance(flat, inPlane, 1e-3)) << step;
+            ASSERT_TRUE(advance(solid, inSpace, 1e-3)) << step;
+            worst = std::max(worst, apart(inPlane.state, inSpace.state));
+        }
+        EXPECT_LE(worst, 2e-4) << "theta " << theta;
+        EXPECT_LE(scenes::relativeImbalance(inSpace.energy), 1e-9) << "theta " << theta;
+        EXPECT_GT(std::abs(inPlane.state.placements[2].rotation), 0.1);
+    }
+}
+
+// About the vertical, so slowly that friction takes a block along.
+TEST(SpaceSupports, ABlockTurnsWithATurntable)
+{
+    DynamicCase<3> scene =
+        spaceScenes::sceneOf(spaceScenes::boxOnGround({0.3, 0.2, 0.2}, 0.2), 1, 0.6, {0, 0, -spaceScenes::g});
+    move<3>(scene, {1, 0, 0}, {{0, 0}, {1, 0}}, {0.5, 0.3, 0}, {0, 0, 1}, {{0, 0}, {0.5, 0.8}, {1, 0}});
+    Motion<3> motion = startMotion(scene, stateAtRest(scene.assembly));
+    for (int step = 0; step < 1200; ++step)
+    {
+        ASSERT_TRUE(advance(scene, motion, 1e-3)) << step;
+    }
+    const Placement<3>& placement = motion.state.placements[1];
+    EXPECT_LE((placement.rotation - Vector<3>(0, 0, 0.4)).norm(), 1e-6);
+    const Vector<3> arm(-0.5, -0.3, 0);
+    EXPECT_LE((placement.translation - swing(Vector<3>(0, 0, 0.4), arm)).norm(), 1e-6);
+    EXPECT_LE(motion.state.velocity.norm(), 1e-9);
+}
