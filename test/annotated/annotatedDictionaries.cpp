@@ -100,6 +100,9 @@ std::vector<Example> examples()
         example<SupportMotionFile<2>>(
             "constant/supportMotion",
             "How supports move; without this file they do not. Relative to the ground."),
+        example<SupportMotionFile<3>>(
+            "space/constant/supportMotion",
+            "How supports move in space; without this file they do not. Relative to the ground."),
         example<Schemes>("system/schemes", "How contactDynamics steps through time.", {"timeIntegration"}),
         example<IncrementalDynamicsSettings>(
             "system/incrementalDynamicsDict",
@@ -121,6 +124,8 @@ std::vector<Example> examples()
             "settings.",
             {"quantities", "sweeps"}),
         example<InitialMotion<2>>("0/motion", "How blocks start; without this file as built and at rest."),
+        example<InitialMotion<3>>("space/0/motion",
+                                  "How blocks start in space; without this file as built and at rest."),
     };
 }
 
