@@ -24,7 +24,7 @@ EffectType<Dim> cohesionType()
         },
         [](const ContactProperties& contact)
         { return contact.cohesion.has_value() || isInJoints(contact, &JointProperties::cohesion); },
-        [](const EffectSource<Dim>& source) { return refuseInSpace(source, "cohesion"); },
+        noEffect<Dim>,
         {[](Options& options, JointProperties& properties)
          { options.optional("cohesion", properties.cohesion, "shear beside friction"); },
          [](const JointOfCase& joint, double area, PointLaw& law)

@@ -167,23 +167,22 @@ const std::vector<AbsentEffect>& absentEffects()
     return effects;
 }
 
-void refuseEffect(const ContactProperties& contact, const std::string& computation, const std::string& key,
-                  const std::string& where)
+void refuseEffect(const ContactProperties& contact, const std::string& computation, const std::string& key)
 {
     if (contact.locations.has(key))
     {
-        throw FatalIOError(fmt::format("{} does not simulate {}{}. Remove the entry to compute without it.",
-                                       computation, key, where),
-                           contact.locations.of(key));
+        throw FatalIOError(
+            fmt::format("{} does not simulate {}. Remove the entry to compute without it.", computation, key),
+            contact.locations.of(key));
     }
     for (const auto& [name, properties] : contact.joints)
     {
         if (const std::string entry = "joints/" + name.text + "/" + key; contact.locations.has(entry))
         {
             throw FatalIOError(
-                fmt::format("{} does not simulate {}{}, which joint {} has. Remove the entry to compute "
+                fmt::format("{} does not simulate {}, which joint {} has. Remove the entry to compute "
                             "without it.",
-                            computation, key, where, name.text),
+                            computation, key, name.text),
                 contact.locations.of(entry));
         }
     }

@@ -120,21 +120,8 @@ EffectType<Dim> fileEffectType(std::string name, Make make)
 }
 
 /// Refuses what a computation does not simulate, so that nobody takes a result for what it is not.
-/// \param key of constant/contactProperties, for all joints or for some \param where it does not, as ` in
-/// space`, if not everywhere
+/// \param key of constant/contactProperties, for all joints or for some
 /// \throws FatalIOError where the case gives it
-void refuseEffect(const ContactProperties& contact, const std::string& computation, const std::string& key,
-                  const std::string& where = "");
-
-/// Likewise of motion in space, for now. \return null, for the list of effects
-template<int Dim>
-std::shared_ptr<const Effect<Dim>> refuseInSpace(const EffectSource<Dim>& source, const std::string& key)
-{
-    if (Dim == 3)
-    {
-        refuseEffect(source.contact, "contactDynamics", key, " in space yet");
-    }
-    return nullptr;
-}
+void refuseEffect(const ContactProperties& contact, const std::string& computation, const std::string& key);
 
 } // namespace drystone

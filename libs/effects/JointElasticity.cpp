@@ -121,7 +121,6 @@ EffectType<Dim> elasticityType()
                                        "contact points that give way under force, in motion; absent: rigid",
                                        [](const Elasticity& elasticity, const EffectSource<Dim>& source)
                                        {
-                                           refuseInSpace(source, "elasticity");
                                            refuseCombinations(source);
                                            return std::make_shared<JointElasticity<Dim>>(elasticity);
                                        });

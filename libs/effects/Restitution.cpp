@@ -26,9 +26,7 @@ EffectType<Dim> restitutionType()
         "restitution",
         [](Options& options, ContactProperties& contact)
         { options.optional("restitution", contact.restitution, "rebound after an impact; absent: none"); },
-        [](const ContactProperties& contact) { return contact.restitution.has_value(); },
-        [](const EffectSource<Dim>&) -> std::shared_ptr<const Effect<Dim>>
-        { return nullptr; }); // a step has it: dynamics/Impact.h
+        [](const ContactProperties& contact) { return contact.restitution.has_value(); }, noEffect<Dim>);
 }
 
 template EffectType<2> restitutionType<2>();

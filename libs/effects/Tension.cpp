@@ -42,7 +42,7 @@ EffectType<Dim> tensionType()
         },
         [](const ContactProperties& contact)
         { return contact.tension.has_value() || isInJoints(contact, &JointProperties::tension); },
-        [](const EffectSource<Dim>& source) { return refuseInSpace(source, "tension"); },
+        noEffect<Dim>,
         {[](Options& options, JointProperties& properties)
          { options.optional("tension", properties.tension, "normal stress that holds the joint together"); },
          [](const JointOfCase& joint, double area, PointLaw& law)
