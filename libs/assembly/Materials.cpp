@@ -3,8 +3,11 @@
 #include "assembly/Materials.h"
 
 #include "assembly/CaseFile.h"
+#include "core/Error.h"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace drystone
 {
@@ -133,6 +136,37 @@ Vector<Dim> readGravity(const std::filesystem::path& caseDirectory)
     return readOptions<Gravity<Dim>>(dictionary).value;
 }
 
+namespace
+{
+
+/// Says of blocks of a zone that another one has given a density already, by its name.
+template<int Dim>
+void questionZone(const Assembly<Dim>& assembly, const Zone& zone, const std::vector<std::string>& named,
+                  const SourceLocation& place)
+{
+    std::vector<char> isInZone(assembly.blocks.size(), false);
+    for (const int block : zone.blocks)
+    {
+        isInZone[static_cast<std::size_t>(block)] = true;
+    }
+    for (const Zone& other : assembly.zones)
+    {
+        const bool isNamed = std::find(named.begin(), named.end(), other.name) != named.end();
+        const auto shared =
+            std::find_if(other.blocks.begin(), other.blocks.end(),
+                         [&](int block) { return isInZone[static_cast<std::size_t>(block)] != 0; });
+        if (isNamed && other.name != zone.name && shared != other.blocks.end())
+        {
+            printWarningOnce(fmt::format("Block {} is in the zones {} and {}: the density of {}, which comes "
+                                         "later, counts.",
+                                         *shared, other.name, zone.name, zone.name),
+                             place);
+        }
+    }
+}
+
+} // namespace
+
 template<int Dim>
 std::vector<double> readDensities(const std::filesystem::path& caseDirectory, const Assembly<Dim>& assembly,
                                   const std::type_identity_t<Vector<Dim>>& gravity)
@@ -141,6 +175,7 @@ std::vector<double> readDensities(const std::filesystem::path& caseDirectory, co
     const auto material = readOptions<MaterialProperties>(dictionary);
     const double weight = gravity.norm();
     std::vector<double> densities(assembly.blocks.size(), densityOf(material.ofAll, weight, dictionary));
+    std::vector<std::string> named; // zones so far, without those that patterns match
     for (const auto& [name, ofZone] : material.zones)
     {
         const Dictionary& ownDictionary = dictionary.subDict("zones").subDict(name.text);
@@ -151,6 +186,11 @@ std::vector<double> readDensities(const std::filesystem::path& caseDirectory, co
             if (name.matches(zone.name))
             {
                 isFound = true;
+                if (name.text == zone.name)
+                {
+                    questionZone(assembly, zone, named, ownDictionary.location());
+                    named.push_back(zone.name);
+                }
                 for (const int block : zone.blocks)
                 {
                     densities[static_cast<std::size_t>(block)] = density;

@@ -345,6 +345,27 @@ class Improbable(InputTest):
         self.only(case, "endTime 1 s", "until 2 s", r"controlDict/endTime at line \d+")
 
 
+class ZonesTest(CaseTest):
+    application = "limitAnalysis"
+
+    def testABlockInTwoZonesOfDifferentDensities(self):
+        case = os.path.join(self.root.name, "zones")
+        files = {
+            "system/blockTextureDict": "dimensions 2; texture { type polygons; thickness 1; blocks ( ((0 0) (1 0) (1 1) (0 1)) ); } "
+                "zones { a { type blocks; blocks (0); } b { type blocks; blocks (0); } } supports { ground { type ground; } }",
+            "constant/g": "value (0 -9.81);", "constant/contactProperties": "friction { type Coulomb; mu 0.5; }",
+            "constant/loads": "dead { type gravity; } live { type inertial; direction (1 0 0); }"}
+        for second, isSaid in (("b", True), ("\"b.*\"", False)):
+            files["constant/materialProperties"] = "density 2000; zones { a { density 1000; } " + second + " { density 3000; } }"
+            for name, text in files.items():
+                os.makedirs(os.path.dirname(os.path.join(case, name)), exist_ok=True)
+                with open(os.path.join(case, name), "w", encoding="utf-8") as file:
+                    file.write(header % os.path.basename(name) + text + "\n")
+            self.runApplication("blockTexture", case)
+            done = self.run_(case)
+            self.assertEqual("Block 0 is in the zones a and b" in done.stdout + done.stderr, isSaid, done.stdout + done.stderr)
+
+
 class JointPointsTest(CaseTest):
     application = "limitAnalysis"
 
