@@ -15,10 +15,10 @@ namespace drystone
 /// The points of the structure as built are followed: each is a corner of one block against the plane of a
 /// face of the other, with normal, gap and position measured exactly where the blocks are, as in the plane.
 /// So they stay the same points, whatever their gaps, until one of them leaves the face that it was built on
-/// by more than a thousandth of the mean block size. From there on, and between blocks that shared no point,
-/// what convex blocks touch each other with is found anew at each update (see convexContacts), where they are
-/// heading: corners against faces, edges that cross the rim of a face, edges against edges. Which of the two
-/// depends on the placements alone.
+/// by more than a thousandth of the mean block size, or the blocks turn to each other by more than 0.1 rad.
+/// From there on, and between blocks that shared no point, what convex blocks touch each other with is found
+/// anew at each update (see contactsAlong), where they are heading: corners against faces, edges that cross
+/// the rim of a face, edges against edges. Which of the two depends on the placements alone.
 ///
 /// Blocks that are not convex are followed only: `update` ends the run where a point of one that closes has
 /// left its face by more than a twentieth of the mean block size, or where one runs into a block that it
@@ -40,9 +40,8 @@ public:
     const std::vector<ContactPoint<3>>& update(const std::vector<Placement<3>>& now, double margin);
 
     /// The same, those that are found chosen where the blocks are heading and measured where they are now.
-    /// \param headings one or more: where blocks are heading by their velocities, and where a step has led
-    /// that
-    ///        overlooked contacts
+    /// \param headings one or more: where blocks are heading by their velocities, and where steps have led
+    /// that overlooked contacts
     const std::vector<ContactPoint<3>>& update(const std::vector<Placement<3>>& now,
                                                const std::vector<std::vector<Placement<3>>>& headings,
                                                double margin);
