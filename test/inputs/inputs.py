@@ -323,7 +323,6 @@ class Improbable(InputTest):
         self.record(case)
         self.control(case, endTime="3", deltaT="0.02")
         self.only(case, r"deltaT 0\.02 s", "every 0.01 s", r"controlDict/deltaT at line \d+")
-
         self.control(case, endTime="3", deltaT="0.02", adjustTimeStep="yes")  # they end at its points
         self.assertEqual(self.warnings(case, "-dry-run")[0], [])
 
@@ -345,8 +344,14 @@ class Improbable(InputTest):
         self.only(case, "endTime 1 s", "until 2 s", r"controlDict/endTime at line \d+")
 
 
-class ZonesTest(CaseTest):
+class StaticsTest(CaseTest):
     application = "limitAnalysis"
+
+    def build(self, case, files):
+        """A case of these files, by name and content, with its blocks."""
+        for name, text in files.items():
+            InputTest.write(case, name, header % os.path.basename(name) + text + "\n")
+        self.runApplication("blockTexture", case)
 
     def testABlockInTwoZonesOfDifferentDensities(self):
         case = os.path.join(self.root.name, "zones")
@@ -357,19 +362,11 @@ class ZonesTest(CaseTest):
             "constant/loads": "dead { type gravity; } live { type inertial; direction (1 0 0); }"}
         for second, isSaid in (("b", True), ("\"b.*\"", False)):
             files["constant/materialProperties"] = "density 2000; zones { a { density 1000; } " + second + " { density 3000; } }"
-            for name, text in files.items():
-                os.makedirs(os.path.dirname(os.path.join(case, name)), exist_ok=True)
-                with open(os.path.join(case, name), "w", encoding="utf-8") as file:
-                    file.write(header % os.path.basename(name) + text + "\n")
-            self.runApplication("blockTexture", case)
+            self.build(case, files)
             done = self.run_(case)
             self.assertEqual("Block 0 is in the zones a and b" in done.stdout + done.stderr, isSaid, done.stdout + done.stderr)
 
-
-class JointPointsTest(CaseTest):
-    application = "limitAnalysis"
-
-    def testATolerance(self):
+    def testAToleranceOfJointPoints(self):
         """A twisted triangular joint with cohesion: its exact multiplier is 10.464923."""
         case = os.path.join(self.root.name, "triangle")
         files = {
@@ -382,11 +379,7 @@ class JointPointsTest(CaseTest):
         for tolerance in ("1e-3", "1e-5"):
             files["constant/contactProperties"] = ("cohesion { strength 10000; } jointPoints { type adaptive; tolerance "
                                                    + tolerance + "; }")
-            for name, text in files.items():
-                os.makedirs(os.path.dirname(os.path.join(case, name)), exist_ok=True)
-                with open(os.path.join(case, name), "w", encoding="utf-8") as file:
-                    file.write(header % os.path.basename(name) + text + "\n")
-            self.runApplication("blockTexture", case)
+            self.build(case, files)
             done = self.run_(case)
             said = done.stdout + done.stderr
             alpha = float(re.search(r"alpha = (\S+)", said)[1])
