@@ -219,7 +219,8 @@ void MovingContacts<2>::measure(const std::vector<Placement<2>>& placements,
 {
     assert(placements.size() == centroids.size());
     points.resize(found.size());
-    std::vector<Eigen::Matrix2d> rotations;
+    // A list that needs no allocation of its own kind, which takes longer than to fill it.
+    std::vector<Eigen::Matrix<double, 2, 2, Eigen::DontAlign>> rotations;
     rotations.reserve(placements.size());
     for (const Placement<2>& placement : placements)
     {

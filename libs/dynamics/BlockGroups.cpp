@@ -72,17 +72,6 @@ ConeColumns<freedomCount<Dim>, Dim> columnsOfGroups(const BlockGroups<Dim>& grou
     return columns;
 }
 
-template<int Dim>
-void setContacts(const BlockGroups<Dim>& groups, const StepProgram<Dim>& whole, StepProgram<Dim>& program)
-{
-    program.contacts.clear();
-    program.contacts.reserve(groups.outer.size());
-    for (const std::size_t point : groups.outer)
-    {
-        program.contacts.push_back(columnsOfGroups<Dim>(groups, whole.contacts[point]));
-    }
-}
-
 } // namespace
 
 template<int Dim>
@@ -129,7 +118,7 @@ BlockGroups<Dim> blockGroups(const Step<Dim>& step, std::vector<int> group)
     const auto massOf = [&step](int body)
     { return step.program.inertia[static_cast<std::size_t>(body)](0, 0); };
     groups.arm.assign(centre.size(), Vector<Dim>::Zero());
-    groups.spread.assign(groups.blocks.size(), Eigen::Matrix<double, Dim, Dim>::Zero());
+    groups.spread.assign(groups.blocks.size(), PackedMatrix<Dim>::Zero());
     for (std::size_t number = 0; number < groups.blocks.size(); ++number)
     {
         const std::vector<int>& blocks = groups.blocks[number];
@@ -232,7 +221,7 @@ class Bending
 {
 public:
     Bending(const BlockGroups<Dim>& ofGroups, const Eigen::VectorXd& displacement)
-        : groups(ofGroups), bent(ofGroups.blocks.size(), Eigen::Matrix<double, Dim, Dim>::Zero())
+        : groups(ofGroups), bent(ofGroups.blocks.size(), PackedMatrix<Dim>::Zero())
     {
         for (std::size_t group = 0; group < bent.size(); ++group)
         {
@@ -251,21 +240,26 @@ public:
         }
     }
 
-    /// A'h at a point of all blocks.
-    Vector<Dim> closing(const ConeColumns<freedomCount<Dim>, Dim>& columns) const
+    /// A'h at the points of a program of the blocks.
+    Eigen::VectorXd closing(const StepProgram<Dim>& ofBlocks) const
     {
-        Vector<Dim> sum = Vector<Dim>::Zero();
+        Eigen::VectorXd sum = Eigen::VectorXd::Zero(ofBlocks.gap.size());
+        Eigen::Index row = 0;
         const auto add = [&](int body, const auto& onBody)
         {
             if (const int group = groups.of(body); group >= 0)
             {
                 const Vector<Dim> moved = bent[static_cast<std::size_t>(group)].lazyProduct(
                     groups.arm[static_cast<std::size_t>(body)]);
-                sum += onBody.template topRows<Dim>().transpose().lazyProduct(moved);
+                sum.segment<Dim>(row) += onBody.template topRows<Dim>().transpose().lazyProduct(moved);
             }
         };
-        add(columns.first, columns.onFirst);
-        add(columns.second, columns.onSecond);
+        for (const auto& columns : ofBlocks.contacts)
+        {
+            add(columns.first, columns.onFirst);
+            add(columns.second, columns.onSecond);
+            row += Dim;
+        }
         return sum;
     }
 
@@ -294,48 +288,68 @@ public:
 
 private:
     const BlockGroups<Dim>& groups;
-    std::vector<Eigen::Matrix<double, Dim, Dim>> bent;
+    std::vector<PackedMatrix<Dim>> bent;
 };
 
 } // namespace
 
 template<int Dim>
-StepProgram<Dim> programOfGroups(const BlockGroups<Dim>& groups, const StepProgram<Dim>& whole)
+StepProgram<Dim> programOfBlocks(const BlockGroups<Dim>& groups, const StepProgram<Dim>& whole)
 {
     StepProgram<Dim> program;
-    program.bodies = groups.count();
-    setContacts(groups, whole, program);
+    program.bodies = whole.bodies;
+    program.inertia = whole.inertia;
+    program.load = whole.load;
+    program.gap = takenFrom<Dim>(groups.outer, whole.gap);
+    program.contacts.reserve(groups.outer.size());
+    program.friction.reserve(groups.outer.size());
     for (const std::size_t point : groups.outer)
     {
+        program.contacts.push_back(whole.contacts[point]);
         program.friction.push_back(whole.friction[point]);
         if (whole.hasStrength())
         {
             program.strength.push_back(whole.strength[point]);
         }
     }
+    return program;
+}
+
+template<int Dim>
+StepProgram<Dim> programOfGroups(const BlockGroups<Dim>& groups, const StepProgram<Dim>& ofBlocks)
+{
+    StepProgram<Dim> program;
+    program.bodies = groups.count();
+    program.contacts.reserve(ofBlocks.contacts.size());
+    for (const auto& columns : ofBlocks.contacts)
+    {
+        program.contacts.push_back(columnsOfGroups<Dim>(groups, columns));
+    }
+    program.friction = ofBlocks.friction;
+    program.strength = ofBlocks.strength;
     program.inertia.assign(groups.blocks.size(), BlockMatrix<Dim>::Zero());
     for (std::size_t body = 0; body < groups.group.size(); ++body)
     {
         if (groups.group[body] >= 0)
         {
             program.inertia[static_cast<std::size_t>(groups.group[body])] +=
-                inertiaAbout<Dim>(groups.arm[body], whole.inertia[body]);
+                inertiaAbout<Dim>(groups.arm[body], ofBlocks.inertia[body]);
         }
     }
-    program.load = rowsOfGroups(groups, whole.load);
-    program.gap = takenFrom<Dim>(groups.outer, whole.gap);
+    program.load = rowsOfGroups(groups, ofBlocks.load);
+    program.gap = ofBlocks.gap;
     return program;
 }
 
 template<int Dim>
-StepGuess guessOfGroups(const BlockGroups<Dim>& groups, const StepProgram<Dim>& whole,
+StepGuess guessOfGroups(const BlockGroups<Dim>& groups, const StepProgram<Dim>& ofBlocks,
                         const StepProgram<Dim>& program, const StepGuess& guess)
 {
     const auto ofGroups = [&](const Eigen::VectorXd& displacement)
     {
         return displacement.size() == 0
                    ? displacement
-                   : displacementUnder(program, rowsOfGroups(groups, applyInertia(whole, displacement)));
+                   : displacementUnder(program, rowsOfGroups(groups, applyInertia(ofBlocks, displacement)));
     };
     StepGuess own;
     own.displacement = ofGroups(guess.displacement);
@@ -351,67 +365,47 @@ StepGuess guessOfGroups(const BlockGroups<Dim>& groups, const StepProgram<Dim>& 
 
 template<int Dim>
 Relinearisation<Dim> relinearisationOfGroups(const Step<Dim>& step, const BlockGroups<Dim>& groups,
-                                             StepProgram<Dim>& whole)
+                                             StepProgram<Dim>& ofBlocks)
 {
     if (!step.relinearise)
     {
         return {};
     }
-    return [&step, &groups, &whole](const Eigen::VectorXd& displacement, const Eigen::VectorXd& contactForce,
-                                    StepProgram<Dim>& program)
+    return [&step, &groups, &ofBlocks](const Eigen::VectorXd& displacement,
+                                       const Eigen::VectorXd& contactForce, StepProgram<Dim>& program)
     {
         const Eigen::VectorXd y = displacementOfBlocks(groups, displacement);
-        std::optional<Bending<Dim>> bending;
-        if (!groups.areSingle())
+        if (groups.areSingle())
         {
-            bending.emplace(groups, displacement);
+            std::swap(ofBlocks.gap, program.gap);
+            const double error = step.relinearise(y, contactForce, ofBlocks);
+            program.gap = ofBlocks.gap;
+            program.load = rowsOfGroups(groups, ofBlocks.load);
+            return error;
         }
         // The gaps at the end that the groups have predicted: g - A'y of the blocks, A'h of it by bending.
-        Eigen::VectorXd c = Eigen::VectorXd::Zero(whole.gap.size());
-        for (std::size_t k = 0; k < groups.outer.size(); ++k)
-        {
-            const std::size_t point = groups.outer[k];
-            const Eigen::Index row = Dim * static_cast<Eigen::Index>(point);
-            const Eigen::Index own = Dim * static_cast<Eigen::Index>(k);
-            c.segment<Dim>(row) = contactForce.segment<Dim>(own);
-            whole.gap.template segment<Dim>(row) = program.gap.template segment<Dim>(own);
-            if (bending)
-            {
-                whole.gap.template segment<Dim>(row) += bending->closing(whole.contacts[point]);
-            }
-        }
-        double error = step.relinearise(y, c, whole);
-        for (std::size_t k = 0; k < groups.outer.size(); ++k)
-        {
-            const std::size_t point = groups.outer[k];
-            auto own = program.gap.template segment<Dim>(Dim * static_cast<Eigen::Index>(k));
-            own = whole.gap.template segment<Dim>(Dim * static_cast<Eigen::Index>(point));
-            if (bending)
-            {
-                own -= bending->closing(whole.contacts[point]);
-            }
-        }
-        Eigen::VectorXd load = rowsOfGroups(groups, whole.load);
-        if (bending)
-        {
-            load -= bending->load();
-            error = std::max(error, farthestMotion<Dim>(displacementUnder(program, load - program.load),
-                                                        step.scene.blockSize));
-        }
+        const Bending<Dim> bending(groups, displacement);
+        const Eigen::VectorXd bent = bending.closing(ofBlocks);
+        ofBlocks.gap = program.gap + bent;
+        const double error = step.relinearise(y, contactForce, ofBlocks);
+        program.gap = ofBlocks.gap - bent;
+        Eigen::VectorXd load = rowsOfGroups(groups, ofBlocks.load) - bending.load();
+        const double moved =
+            farthestMotion<Dim>(displacementUnder(program, load - program.load), step.scene.blockSize);
         program.load = std::move(load);
-        return error;
+        return std::max(error, moved);
     };
 }
 
 template<int Dim>
-Eigen::VectorXd balancedDisplacement(const BlockGroups<Dim>& groups, const StepProgram<Dim>& whole,
+Eigen::VectorXd balancedDisplacement(const BlockGroups<Dim>& groups, const StepProgram<Dim>& ofBlocks,
                                      const StepProgram<Dim>& program, const Eigen::VectorXd& contactForce,
                                      Eigen::VectorXd ofGroups)
 {
     constexpr int mostRounds = 8; // each leaves of the last the part by which a group turns
     constexpr double lastDigits = 1e-15;
     const Eigen::VectorXd straight =
-        rowsOfGroups(groups, whole.load) - applyEquilibrium(program, contactForce);
+        rowsOfGroups(groups, ofBlocks.load) - applyEquilibrium(program, contactForce);
     for (int round = 0; round < mostRounds; ++round)
     {
         const Eigen::VectorXd next =
@@ -432,12 +426,13 @@ template BlockGroups<2> blockGroups(const Step<2>& step, std::vector<int> group)
 template Eigen::VectorXd rowsOfGroups(const BlockGroups<2>& groups, const Eigen::VectorXd& rows);
 template Eigen::VectorXd linearDisplacement(const BlockGroups<2>& groups, const Eigen::VectorXd& ofGroups);
 template Eigen::VectorXd displacementOfBlocks(const BlockGroups<2>& groups, const Eigen::VectorXd& ofGroups);
-template StepProgram<2> programOfGroups(const BlockGroups<2>& groups, const StepProgram<2>& whole);
-template StepGuess guessOfGroups(const BlockGroups<2>& groups, const StepProgram<2>& whole,
+template StepProgram<2> programOfBlocks(const BlockGroups<2>& groups, const StepProgram<2>& whole);
+template StepProgram<2> programOfGroups(const BlockGroups<2>& groups, const StepProgram<2>& ofBlocks);
+template StepGuess guessOfGroups(const BlockGroups<2>& groups, const StepProgram<2>& ofBlocks,
                                  const StepProgram<2>& program, const StepGuess& guess);
 template Relinearisation<2> relinearisationOfGroups(const Step<2>& step, const BlockGroups<2>& groups,
-                                                    StepProgram<2>& whole);
-template Eigen::VectorXd balancedDisplacement(const BlockGroups<2>& groups, const StepProgram<2>& whole,
+                                                    StepProgram<2>& ofBlocks);
+template Eigen::VectorXd balancedDisplacement(const BlockGroups<2>& groups, const StepProgram<2>& ofBlocks,
                                               const StepProgram<2>& program,
                                               const Eigen::VectorXd& contactForce, Eigen::VectorXd ofGroups);
 template struct BlockGroups<3>;
@@ -446,12 +441,13 @@ template BlockGroups<3> blockGroups(const Step<3>& step, std::vector<int> group)
 template Eigen::VectorXd rowsOfGroups(const BlockGroups<3>& groups, const Eigen::VectorXd& rows);
 template Eigen::VectorXd linearDisplacement(const BlockGroups<3>& groups, const Eigen::VectorXd& ofGroups);
 template Eigen::VectorXd displacementOfBlocks(const BlockGroups<3>& groups, const Eigen::VectorXd& ofGroups);
-template StepProgram<3> programOfGroups(const BlockGroups<3>& groups, const StepProgram<3>& whole);
-template StepGuess guessOfGroups(const BlockGroups<3>& groups, const StepProgram<3>& whole,
+template StepProgram<3> programOfBlocks(const BlockGroups<3>& groups, const StepProgram<3>& whole);
+template StepProgram<3> programOfGroups(const BlockGroups<3>& groups, const StepProgram<3>& ofBlocks);
+template StepGuess guessOfGroups(const BlockGroups<3>& groups, const StepProgram<3>& ofBlocks,
                                  const StepProgram<3>& program, const StepGuess& guess);
 template Relinearisation<3> relinearisationOfGroups(const Step<3>& step, const BlockGroups<3>& groups,
-                                                    StepProgram<3>& whole);
-template Eigen::VectorXd balancedDisplacement(const BlockGroups<3>& groups, const StepProgram<3>& whole,
+                                                    StepProgram<3>& ofBlocks);
+template Eigen::VectorXd balancedDisplacement(const BlockGroups<3>& groups, const StepProgram<3>& ofBlocks,
                                               const StepProgram<3>& program,
                                               const Eigen::VectorXd& contactForce, Eigen::VectorXd ofGroups);
 

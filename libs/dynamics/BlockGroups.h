@@ -11,6 +11,10 @@
 namespace drystone
 {
 
+/// Lists of them need no allocation of their own kind, which takes longer than what they are used for.
+template<int Dim>
+using PackedMatrix = Eigen::Matrix<double, Dim, Dim, Eigen::DontAlign>;
+
 /// Blocks of a step in groups that each move as one rigid body, some of them held as one with the ground. The
 /// displacements of the blocks follow from those of the groups: with r the turn of a group, u the
 /// displacement of its mass centre and a the arm from there to the mass centre of a block,
@@ -30,7 +34,7 @@ struct BlockGroups
     std::vector<std::vector<int>> blocks; ///< of each group
     std::vector<Vector<Dim>> arm;         ///< a of each free block, at the start of the step [m]
     /// Sum of m a a' over the blocks of each group, m of Mbar [N m]; zero of a single block.
-    std::vector<Eigen::Matrix<double, Dim, Dim>> spread;
+    std::vector<PackedMatrix<Dim>> spread;
     std::vector<std::size_t> outer; ///< points between two groups, or between one and what is held or fixed
     std::vector<std::size_t> inner; ///< the other points
 
@@ -69,25 +73,30 @@ Eigen::VectorXd linearDisplacement(const BlockGroups<Dim>& groups, const Eigen::
 template<int Dim>
 Eigen::VectorXd displacementOfBlocks(const BlockGroups<Dim>& groups, const Eigen::VectorXd& ofGroups);
 
-/// The program of the groups, that of all blocks being `whole`.
+/// The program of all blocks with the outer points alone, in their order.
 template<int Dim>
-StepProgram<Dim> programOfGroups(const BlockGroups<Dim>& groups, const StepProgram<Dim>& whole);
+StepProgram<Dim> programOfBlocks(const BlockGroups<Dim>& groups, const StepProgram<Dim>& whole);
+
+/// The program of the groups. \param ofBlocks see programOfBlocks
+template<int Dim>
+StepProgram<Dim> programOfGroups(const BlockGroups<Dim>& groups, const StepProgram<Dim>& ofBlocks);
 
 /// What is known of the solution, for the groups: of displacements those with the momenta of the blocks.
+/// \param program of the groups \param guess of all blocks and points
 template<int Dim>
-StepGuess guessOfGroups(const BlockGroups<Dim>& groups, const StepProgram<Dim>& whole,
+StepGuess guessOfGroups(const BlockGroups<Dim>& groups, const StepProgram<Dim>& ofBlocks,
                         const StepProgram<Dim>& program, const StepGuess& guess);
 
-/// The relinearisation of all blocks, for the groups. \param whole the program of all, kept up to date; not
-/// owned, as the others
+/// The relinearisation of all blocks, for the groups. \param ofBlocks kept up to date; not owned, as the
+/// others
 template<int Dim>
 Relinearisation<Dim> relinearisationOfGroups(const Step<Dim>& step, const BlockGroups<Dim>& groups,
-                                             StepProgram<Dim>& whole);
+                                             StepProgram<Dim>& ofBlocks);
 
 /// The displacements of the groups to the last digits: those that the forces give them, with h of just these.
-/// \param whole its load is that of the end of the step
+/// \param ofBlocks its load is that of the end of the step \param program of the groups
 template<int Dim>
-Eigen::VectorXd balancedDisplacement(const BlockGroups<Dim>& groups, const StepProgram<Dim>& whole,
+Eigen::VectorXd balancedDisplacement(const BlockGroups<Dim>& groups, const StepProgram<Dim>& ofBlocks,
                                      const StepProgram<Dim>& program, const Eigen::VectorXd& contactForce,
                                      Eigen::VectorXd ofGroups);
 

@@ -13,8 +13,8 @@ template<int Dim>
 struct BodiesStep
 {
     BlockGroups<Dim> groups;
-    StepProgram<Dim> whole;   ///< of all blocks, linearised as the last of the bodies
-    StepProgram<Dim> program; ///< of the bodies, as it came
+    StepProgram<Dim> ofBlocks; ///< with the points between bodies, linearised as the last of the bodies
+    StepProgram<Dim> program;  ///< of the bodies, as it came
     ThetaStep step;
     InteriorStart interior; ///< of all blocks
 };
@@ -31,8 +31,8 @@ BodiesStep<Dim> solveBodies(Step<Dim>& step, BlockGroups<Dim> groups, const Grou
 template<int Dim>
 void holdBodiesAtRest(const Step<Dim>& step, BodiesStep<Dim>& bodies);
 
-/// F k of all points, zero within the bodies.
+/// F k of all points of the step, zero within the bodies.
 template<int Dim>
-Eigen::VectorXd forcesBetween(const BodiesStep<Dim>& bodies);
+Eigen::VectorXd forcesBetween(const Step<Dim>& step, const BodiesStep<Dim>& bodies);
 
 } // namespace drystone

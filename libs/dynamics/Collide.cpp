@@ -169,7 +169,8 @@ Colliding collidingPoints(const Step<Dim>& step, const Eigen::VectorXd& closing)
     return colliding;
 }
 
-/// Gives the blocks the velocities that they have after an impact. \return whether it was solved
+/// Gives the blocks the velocities that they have after an impact. \return whether it was solved and has
+/// changed them
 template<int Dim>
 bool takeImpact(Step<Dim>& step, std::vector<std::size_t> meeting)
 {
@@ -191,6 +192,10 @@ bool takeImpact(Step<Dim>& step, std::vector<std::size_t> meeting)
     if (!solved.isSolved)
     {
         return false;
+    }
+    if (impact.impulse.isZero(0))
+    {
+        return false; // again it would be the same
     }
     ++solved.impacts;
     solved.lostInImpacts += impact.energyLoss;

@@ -125,8 +125,10 @@ bool solveFlow(ThetaStep& step, StepProgram<Dim> program, ConeSolution start, co
     {
         StepProgram<Dim> flowing = program;
         const double gapTolerance =
-            relinearise ? std::min(effort.gapTolerance,
-                                   partOfStep * (start.displacement - heading).lpNorm<Eigen::Infinity>())
+            relinearise ? std::min(
+                effort.gapTolerance,
+                partOfStep
+                    * farthestMotion<Dim>(Eigen::VectorXd(start.displacement - heading), settings.blockSize))
                         : 0;
         if (!solveFlow(step, flowing, start, settings, gapTolerance, effort.steps, symbolic))
         {

@@ -2,6 +2,10 @@
 /// Displacements of blocks in free flight within a step.
 #include "dynamics/FreeFlight.h"
 
+#include "geometry/Rotation.h"
+
+#include <Eigen/Cholesky>
+
 #include <algorithm>
 
 namespace drystone
@@ -11,6 +15,30 @@ namespace
 
 /// A block is in free flight when its contacts carry no more than this part of its loads.
 constexpr double flightForce = 1e-3;
+
+/// The turn of a block of space by theta 1/2, r = dt (w0 + w1)/2 (see turnMomenta): J0 w1 = exp(-r)(J0 w0 +
+/// dt m) in turn with r, each time nearer by the part of a radian that the block turns in a step. \param
+/// tensor J0 \param velocity w0 \param moment m
+Vector<3> turnByTheMean(const Eigen::Matrix3d& tensor, const Vector<3>& velocity, const Vector<3>& moment,
+                        double timeStep)
+{
+    constexpr int mostRounds = 100;
+    constexpr double lastDigits = 1e-15;
+    const Vector<3> momentum = tensor * velocity + timeStep * moment;
+    Vector<3> turn = timeStep * velocity;
+    for (int round = 0; round < mostRounds; ++round)
+    {
+        const Vector<3> next =
+            0.5 * timeStep * (velocity + tensor.llt().solve(turned(Vector<3>(-turn), momentum)));
+        const double change = (next - turn).norm();
+        turn = next;
+        if (change <= lastDigits * turn.norm())
+        {
+            break;
+        }
+    }
+    return turn;
+}
 
 } // namespace
 
@@ -45,12 +73,22 @@ Eigen::VectorXd flightOf(const Step<Dim>& step, const ThetaStep& result, const E
     }
     // y = dt (theta v1 + (1 - theta) v0), and dt (v0 + v1)/2 is to be.
     Eigen::VectorXd flight = (0.5 - theta) / theta * (result.displacement - step.scheme.timeStep * velocity);
+    const Eigen::VectorXd byContacts =
+        Dim == 3 ? applyEquilibrium(program, result.contactForce) : Eigen::VectorXd();
     bool isAny = false;
     for (int body = 0; body < program.bodies; ++body)
     {
         if (!flies[static_cast<std::size_t>(body)])
         {
             flight.segment<freedomCount<Dim>>(freedomCount<Dim> * body).setZero();
+        }
+        else if constexpr (Dim == 3)
+        {
+            const Eigen::Index row = freedomCount<Dim> * body + Dim;
+            const Vector<3> moment = step.load.template segment<3>(row) - byContacts.template segment<3>(row);
+            flight.segment<3>(row) = turnByTheMean(step.mass.tensors[static_cast<std::size_t>(body)],
+                                                   velocity.segment<3>(row), moment, step.scheme.timeStep)
+                                     - result.displacement.segment<3>(row);
         }
         isAny = isAny || flies[static_cast<std::size_t>(body)];
     }

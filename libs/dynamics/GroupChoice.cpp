@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 #include <set>
 
 namespace drystone
@@ -55,13 +56,26 @@ int rootOf(std::vector<int>& parent, int body)
     return body;
 }
 
-/// How a point moves that is at an arm from the centre of a block which has turned until now, but for the
-/// linear part of it: it was at R(-t) arm, and so has moved by arm - R(-t) arm, not by t x arm.
+/// How points move that are at an arm from the centre of a block which has turned until now, but for the
+/// linear part of it: they were at R(-t) arm, and so have moved by arm - R(-t) arm, not by t x arm.
 template<int Dim>
-Vector<Dim> bentMotion(const Eigen::Matrix<double, rotationCount<Dim>, 1>& turn, const Vector<Dim>& arm)
+class BentMotion
 {
-    return -swing(turnOf<Dim>(-turn), arm) - velocityOfArm(turnOf<Dim>(turn), arm);
-}
+public:
+    using Rows = Eigen::Matrix<double, rotationCount<Dim>, 1>;
+
+    explicit BentMotion(const Rows& ofBlock) : turn(ofBlock), back(turnOf<Dim>(Rows(-ofBlock))) {}
+
+    Vector<Dim> operator()(const Vector<Dim>& arm) const
+    {
+        return -back(arm) - velocityOfArm(turnOf<Dim>(turn), arm);
+    }
+
+    const Rows turn;
+
+private:
+    Swing<Dim> back;
+};
 
 } // namespace
 
@@ -138,6 +152,7 @@ void GroupChoice<Dim>::joinBlocks()
     std::pair<int, int> pair{-1, -1};
     bool turnsAsOne = false;
     Vector<Dim> bent = Vector<Dim>::Zero(); // of the second block against the first
+    std::optional<BentMotion<Dim>> bending; // blocks that are one have the same
     for (std::size_t point = 0; point < isJoined.size(); ++point)
     {
         const auto& contact = program.contacts[point];
@@ -156,8 +171,11 @@ void GroupChoice<Dim>::joinBlocks()
                 !isHeld[first] && !isHeld[second]
                 && current.scene.blockSize * (turn(contact.first) - turn(contact.second)).norm() <= kept;
             // Blocks that turn alike differ by their arms to the point only, and these by the centres.
-            bent = turnsAsOne ? bentMotion<Dim>(turn(contact.second), centre[first] - centre[second])
-                              : Vector<Dim>(Vector<Dim>::Zero());
+            if (turnsAsOne && !(bending && bending->turn == turn(contact.second)))
+            {
+                bending.emplace(turn(contact.second));
+            }
+            bent = turnsAsOne ? (*bending)(centre[first] - centre[second]) : Vector<Dim>(Vector<Dim>::Zero());
         }
         const Vector<Dim> closing =
             closingOf(contact, moved) + contact.onSecond.template topRows<Dim>().transpose() * bent;

@@ -74,7 +74,7 @@ void takeOver(Step<Dim>& step, BodiesStep<Dim>& bodies, Eigen::VectorXd forces, 
     result = std::move(bodies.step);
     result.displacement = std::move(displacement);
     result.contactForce = std::move(forces);
-    result.closing = applyTransposed(bodies.whole, result.displacement);
+    result.closing = applyTransposed(step.program, result.displacement);
     result.interior = std::move(bodies.interior);
     result.load.resize(0);
     result.gap.resize(0);
@@ -89,7 +89,6 @@ Outcome solveGroups(Step<Dim>& step, BlockGroups<Dim>& groups, const GroupChoice
     {
         return {};
     }
-    const double tolerance = step.settings.solver.tolerance;
     if (choice.hasBuffer())
     {
         holdBodiesAtRest(step, bodies);
@@ -97,20 +96,20 @@ Outcome solveGroups(Step<Dim>& step, BlockGroups<Dim>& groups, const GroupChoice
     Eigen::VectorXd displacement = bodies.step.displacement;
     if (!bodies.groups.areSingle())
     {
-        displacement = balancedDisplacement(bodies.groups, bodies.whole, bodies.program,
+        displacement = balancedDisplacement(bodies.groups, bodies.ofBlocks, bodies.program,
                                             bodies.step.contactForce, displacement);
-        if ((displacement - bodies.step.displacement).template lpNorm<Eigen::Infinity>()
-            > tolerance * displacement.lpNorm<Eigen::Infinity>())
+        if (farthestMotion<Dim>(displacement - bodies.step.displacement, step.scene.blockSize)
+            > partOfGapWithLess * step.settings.contactTolerance)
         {
             return {};
         }
     }
-    Eigen::VectorXd forces = forcesBetween(bodies);
+    Eigen::VectorXd forces = forcesBetween(step, bodies);
     Eigen::VectorXd y = displacementOfBlocks(bodies.groups, displacement);
     HoldingForces holding =
         findHoldingForces(step, bodies.groups,
-                          Eigen::VectorXd(bodies.whole.load - applyInertia(bodies.whole, y)
-                                          - applyEquilibrium(bodies.whole, forces)),
+                          Eigen::VectorXd(bodies.ofBlocks.load - applyInertia(bodies.ofBlocks, y)
+                                          - applyEquilibrium(bodies.ofBlocks, bodies.step.contactForce)),
                           forces);
     if (!holding.isFound)
     {

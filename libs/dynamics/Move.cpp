@@ -54,6 +54,39 @@ void stopWhatStands(Step<Dim>& step)
     }
 }
 
+/// Moves the blocks that fly on by the flight. In space a turn beyond the step's is no turn after it, and the
+/// velocity is that which makes the mean. \param start where the blocks were, in space
+template<int Dim>
+void fly(Step<Dim>& step, const std::vector<Placement<Dim>>& start)
+{
+    DynamicState<Dim>& state = step.motion.state;
+    StepSolution& solved = step.solved;
+    if constexpr (Dim == 2)
+    {
+        state.placements = moved(std::move(state.placements), step.scene.free, solved.flight);
+        solved.result.displacement += solved.flight;
+        return;
+    }
+    solved.result.displacement += solved.flight;
+    const std::vector<Placement<Dim>> flown = moved(start, step.scene.free, solved.result.displacement);
+    for (std::size_t block = 0; block < step.scene.free.size(); ++block)
+    {
+        const Eigen::Index row = freedomCount<Dim> * step.scene.free[block];
+        if (row < 0 || solved.flight.template segment<freedomCount<Dim>>(row).isZero(0))
+        {
+            continue;
+        }
+        state.placements[block] = flown[block];
+        const BlockVector<Dim> displacement =
+            solved.result.displacement.template segment<freedomCount<Dim>>(row);
+        BlockVector<Dim> velocity = 2 / step.scheme.timeStep * displacement
+                                    - solved.velocity.template segment<freedomCount<Dim>>(row);
+        step.velocityAtEnd.template segment<freedomCount<Dim>>(row) = velocity;
+        state.velocity.template segment<freedomCount<Dim>>(row) =
+            turnedWithBlocks<Dim>(Eigen::VectorXd(velocity), Eigen::VectorXd(displacement));
+    }
+}
+
 } // namespace
 
 template<int Dim>
@@ -62,16 +95,18 @@ void move(Step<Dim>& step)
     const StageTimer timer(step.motion.stageTimes, Stage::move);
     DynamicState<Dim>& state = step.motion.state;
     StepSolution& solved = step.solved;
+    const bool isAnyFlying = solved.flight.size() > 0;
+    const std::vector<Placement<Dim>> start =
+        Dim == 3 && isAnyFlying ? state.placements : std::vector<Placement<Dim>>();
     state.velocity = solved.velocity;
     step.velocityAtEnd = advance(state, step.scene.free, solved.result.displacement, step.scheme);
     moveWithSupports(state.placements, step.supports);
     stopWhatStands(step);
-    if (solved.flight.size() == 0)
+    if (!isAnyFlying)
     {
         return;
     }
-    state.placements = moved(std::move(state.placements), step.scene.free, solved.flight);
-    solved.result.displacement += solved.flight;
+    fly(step, start);
     if (solved.result.closing.size() > 0)
     {
         solved.result.closing += applyTransposed(step.program, solved.flight);

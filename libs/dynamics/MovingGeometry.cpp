@@ -48,7 +48,7 @@ Relinearisation<Dim> movingContactGeometry(const Step<Dim>& step)
         std::vector<ContactPoint<Dim>> points;
         const double early = 1 - step.scheme.theta;
         const std::vector<std::size_t>* some = step.measuredPoints ? &step.measuredPoints->points : nullptr;
-        const Eigen::VectorXd linear = some ? Eigen::VectorXd() : applyTransposed(program, displacement);
+        const Eigen::VectorXd linear = applyTransposed(program, displacement);
         if (early > 0)
         {
             const auto between = placementsAfter(step, displacement, early);
@@ -78,22 +78,23 @@ Relinearisation<Dim> movingContactGeometry(const Step<Dim>& step)
         double error = turnMomenta(step, displacement, contactForce, program);
         for (std::size_t k = 0; k < points.size(); ++k)
         {
-            const std::size_t i = some ? (*some)[k] : k;
-            const Eigen::Index row = Dim * static_cast<Eigen::Index>(i);
-            const Vector<Dim> own = step.gapsOfEffects.size() > 0
-                                        ? Vector<Dim>(step.gapsOfEffects.template segment<Dim>(row))
-                                        : Vector<Dim>(Vector<Dim>::Zero());
-            const Vector<Dim> before =
-                some ? closingOf(program.contacts[i], displacement) : Vector<Dim>(linear.segment<Dim>(row));
-            const Vector<Dim> now = some ? before : Vector<Dim>(closing.segment<Dim>(row));
+            const std::size_t i = some ? (*some)[k] : k; // of the step
+            const Eigen::Index row = Dim * static_cast<Eigen::Index>(k);
+            Vector<Dim> own = Vector<Dim>::Zero();
+            if (step.gapsOfEffects.size() > 0)
+            {
+                own = step.gapsOfEffects.template segment<Dim>(Dim * static_cast<Eigen::Index>(i));
+            }
+            const Vector<Dim> before = linear.segment<Dim>(row);
+            const Vector<Dim> now = closing.segment<Dim>(row);
             const double predicted = program.gap[row] - own[0] - before[0];
             if (contactForce[row] != 0 || points[k].gap < 0)
             {
                 error = std::max(error, std::abs(points[k].gap - predicted));
             }
-            const Shear<Dim> slid = slip(step, motions, i, program.contacts[i]);
+            const Shear<Dim> slid = slip(step, motions, i, program.contacts[k]);
             auto shear = program.gap.template segment<Dim - 1>(row + 1);
-            if (program.hasStrength() && program.strength[i].cohesion > 0) // where slip decides what holds
+            if (program.hasStrength() && program.strength[k].cohesion > 0) // where slip decides what holds
             {
                 const Shear<Dim> missed =
                     slid + shear - own.template tail<Dim - 1>() - before.template tail<Dim - 1>();

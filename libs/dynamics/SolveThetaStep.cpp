@@ -35,8 +35,8 @@ constexpr int newtonStepsOfImpact = 20;
 
 /// The error of mu |u_t| may be this share of what the step changes the motion by, and after so many programs
 /// the larger one: just above a threshold the fixed point is not reached closer.
-constexpr double shareOfStep = 1e-2;
-constexpr double largerShareOfStep = 5e-2;
+constexpr double shareOfStep = 3e-2;
+constexpr double largerShareOfStep = 0.15;
 constexpr int programsToLargerShare = 15;
 constexpr double nearlySolved = 1000; // times the tolerance
 
@@ -372,14 +372,11 @@ bool StepSearch<Dim>::meetsFlow(bool isBalanced)
     // Otherwise a small part of what the step itself does: with steps so short that gravity moves a
     // block by less than some length, any force at all would do. Nor less than what a program
     // certified to its tolerance determines.
-    const double moved = (step.displacement - expected).template lpNorm<Eigen::Infinity>();
+    const double farthest = farthestMotion<Dim>(step.displacement, settings.blockSize);
+    const double moved = farthestMotion<Dim>(step.displacement - expected, settings.blockSize);
     const double share = step.programs < programsToLargerShare ? shareOfStep : largerShareOfStep;
-    const double small = isImpact ? std::min(shareOfChange * moved,
-                                             share * step.displacement.template lpNorm<Eigen::Infinity>())
-                                  : share * moved;
-    const double certified = tolerance
-                             * std::max(step.displacement.template lpNorm<Eigen::Infinity>(),
-                                        gap.template lpNorm<Eigen::Infinity>());
+    const double small = isImpact ? std::min(shareOfChange * moved, share * farthest) : share * moved;
+    const double certified = tolerance * std::max(farthest, gap.template lpNorm<Eigen::Infinity>());
     const bool isExact =
         !isImpact
         && (step.programs < programsToExactFlow || (!isBalanced && step.programs < programsToLargerShare));
@@ -455,7 +452,7 @@ ThetaStep StepSearch<Dim>::solve()
         if (stands)
         {
             step.slip = largestSlip<Dim>(step, settings.solver.tolerance);
-            if (relinearise && isBalanced)
+            if (relinearise && isBalanced && settings.keepsMomenta)
             {
                 keepMomenta(step, program, relinearise);
             }

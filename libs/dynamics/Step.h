@@ -95,8 +95,8 @@ struct Step
     /// Of each free block, whether it is taken as one body with others, so that forces between them are not
     /// known yet and its moments follow from its motion; empty: none is.
     std::vector<char> isShared;
-    /// What the relinearisation measures while the other points are within bodies, with theta 1; null: all.
-    /// Not owned.
+    /// What the relinearisation measures while the other points are within bodies, with theta 1: the points
+    /// of the program that it is given, in their order; null: all. Not owned.
     const MeasuredPoints* measuredPoints = nullptr;
 
     bool isOfAllBlocks = false; ///< since points collide: none is held, or one with others

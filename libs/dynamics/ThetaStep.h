@@ -72,6 +72,9 @@ struct StepSettings
     /// Coulomb's law is looked for by the fixed point alone, without what goes on from a start that is near
     /// (Newton's method, the augmented Lagrangian), before half of the programs allowed are solved.
     bool isFixedPointOnly = false;
+    /// Whether displacements are corrected to those that the forces give to the last digits (keepMomenta);
+    /// false where the caller does.
+    bool keepsMomenta = true;
     const StepWork* work = nullptr; ///< done so far, and the most allowed; not owned; null: no bound
 };
 
@@ -128,10 +131,10 @@ struct ThetaStep
 /// the first program Newton's method (CoulombNewton.h) finds that fixed point, most often, and before it, in
 /// steady motion, from the forces of the guess; else Anderson's acceleration goes on from there, until
 /// mu |u_t| changes by less than ten times the tolerance of itself or 1e-12 of `blockSize`; from the fourth
-/// program on 1% of what the step changes the motion by will do, from the fifteenth 5%. Of an impact 1% of
+/// program on 3% of what the step changes the motion by will do, from the fifteenth 15%. Of an impact 3% of
 /// the velocities will do from the first, but no more than 30% of what it changes them by, as impacts of no
-/// more than rounding would leave more than they find. `flowError` says what is left. Points that are apart
-/// and carry nothing do not count.
+/// more than rounding would leave more than they find. Turns count by what they move a block of `blockSize`
+/// by. `flowError` says what is left. Points that are apart and carry nothing do not count.
 ///
 /// The displacements are those that the contact forces give the blocks, to the last digits (y = Mbar^-1 (fbar
 /// - A c)), unless that would spoil the certificate: so no momentum is lost to the tolerance of the solver.

@@ -160,7 +160,7 @@ TEST(BlockGroups, SumsAndMotionsOfGroupsDoTheSameWork)
     EXPECT_LT(rowsOfGroups(groups, applyEquilibrium(step.program, forces)).lpNorm<Eigen::Infinity>(), 1e-14);
 
     // The kinetic energy is that of the blocks.
-    const StepProgram<3> program = programOfGroups(groups, step.program);
+    const StepProgram<3> program = programOfGroups(groups, programOfBlocks(groups, step.program));
     EXPECT_NEAR(ofGroups.dot(applyInertia(program, ofGroups)), linear.dot(applyInertia(step.program, linear)),
                 1e-12 * linear.dot(applyInertia(step.program, linear)));
     EXPECT_EQ(program.points(), static_cast<int>(groups.outer.size()));

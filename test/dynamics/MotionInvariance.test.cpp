@@ -180,6 +180,46 @@ TEST(Tower, FallsAlikeInMillimetresMetresAndKilometres)
     }
 }
 
+/// A block that slides at 0.8 m/s and begins to tilt, which presses its lower corner into the ground: an
+/// impact that slides. \return its velocity, brought back to unit scale, after three steps
+Vector<3> afterTheImpact(const scenes::Settings& settings, double scale)
+{
+    const double timeScale = std::sqrt(scale);
+    Assembly<2> assembly = scenes::ground(-2 * scale, 2 * scale, scale);
+    assembly.blocks.push_back(scenes::rectangle(0, 0, 0.4 * scale, 0.9 * scale));
+    const DynamicCase<2> scene = scenes::sceneOf(std::move(assembly), settings);
+    DynamicState<2> start = stateAtRest(scene.assembly);
+    start.velocity << 0.8 * timeScale, 0, -0.9 / timeScale;
+    Motion<2> motion = startMotion(scene, start);
+    for (int step = 0; step < 3; ++step)
+    {
+        EXPECT_TRUE(advance(scene, motion, 1e-3 * timeScale));
+    }
+    const Eigen::VectorXd& velocity = motion.state.velocity;
+    return {velocity[0] / timeScale, velocity[1] / timeScale, velocity[2] * timeScale};
+}
+
+// Turns are counted as lengths at the blocks: small blocks turn fast.
+TEST(Impact, OfABlockThatSlidesIsAlikeInMillimetresMetresAndKilometres)
+{
+    for (const FlowRule flowRule : {FlowRule::associative, FlowRule::nonAssociative})
+    {
+        for (const double theta : {0.5, 0.75, 1.0})
+        {
+            const scenes::Settings settings{
+                .theta = theta, .mu = 0.4, .flowRule = flowRule, .tolerance = 1e-9};
+            const Vector<3> metres = afterTheImpact(settings, 1);
+            // Sliding is slowed by mu times what the ground gives upwards, so long as it slides.
+            EXPECT_LT(metres.x(), 0.8 - 0.01);
+            for (const double scale : {1e-3, 0.05, 1e3})
+            {
+                EXPECT_LT((afterTheImpact(settings, scale) - metres).norm(), 1e-6)
+                    << "theta " << theta << " scale " << scale;
+            }
+        }
+    }
+}
+
 TEST(Rest, AHundredThousandStepsMoveNothingAndFactoriseNothing)
 {
     for (const FlowRule flowRule : {FlowRule::associative, FlowRule::nonAssociative})

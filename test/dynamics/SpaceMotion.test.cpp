@@ -123,9 +123,13 @@ TEST(SpaceMotion, AFreeBrickTurnsOverAboutItsMiddleAxisAndKeepsEnergyAndMomentum
         Eigen::Vector4d quaternion = Eigen::Vector4d::Zero(); ///< w x y z, at the end
         std::vector<double> flips;                            ///< where w_y is zero [s]
     };
-    const auto run = [](double timeStep)
+    const auto run = [](double timeStep, double theta, double restitution)
     {
-        const DynamicCase<3> scene = sceneOf(freeBox({0.5, 0.3, 0.2}), 0.5, 0, {0, 0, 0});
+        DynamicCase<3> scene = sceneOf(freeBox({0.5, 0.3, 0.2}), theta, 0, {0, 0, 0});
+        if (restitution > 0)
+        {
+            scene.contact.restitution = Restitution{restitution};
+        }
         DynamicState<3> start = stateAtRest(scene.assembly);
         start.velocity.tail<3>() << 0.05, 4, 0.02;
         Motion<3> motion = startMotion(scene, std::move(start));
@@ -154,8 +158,8 @@ TEST(SpaceMotion, AFreeBrickTurnsOverAboutItsMiddleAxisAndKeepsEnergyAndMomentum
     };
     const Vector<3> exact(2.9076827, 0.294449809, 3.215869369);
     const Eigen::Vector4d exactQuaternion(-0.650660731, 0.462133944, -0.341920175, -0.496148592);
-    const Turning coarse = run(4e-3);
-    const Turning fine = run(2e-3);
+    const Turning coarse = run(4e-3, 0.5, 0);
+    const Turning fine = run(2e-3, 0.5, 0);
     // Of second order: a quarter of the error, and extrapolated a hundredth.
     const double error = (fine.velocity - exact).norm();
     EXPECT_NEAR((coarse.velocity - exact).norm() / error, 4, 0.2);
@@ -170,6 +174,13 @@ TEST(SpaceMotion, AFreeBrickTurnsOverAboutItsMiddleAxisAndKeepsEnergyAndMomentum
     { return q.dot(exactQuaternion) < 0 ? -q : q; };
     EXPECT_LT(((4 * likeExact(fine.quaternion) - likeExact(coarse.quaternion)) / 3 - exactQuaternion).norm(),
               2e-5);
+    // With restitution blocks fly by the mean of their velocities whatever theta is.
+    for (const double theta : {0.75, 1.0})
+    {
+        const Turning flying = run(4e-3, theta, 0.5);
+        EXPECT_LT((flying.velocity - coarse.velocity).norm(), 1e-8);
+        EXPECT_LT((likeExact(flying.quaternion) - likeExact(coarse.quaternion)).norm(), 1e-8);
+    }
 }
 
 // The axis of a free square prism goes round the momentum at L/J (J across the axis), on a cone.
