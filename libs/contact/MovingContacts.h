@@ -17,6 +17,9 @@ struct MovingContactOptions
 {
     double tolerance = 1e-6; ///< least length of a shared piece, relative to the mean block size
     double skin = 0.1; ///< reserve of the neighbour list, relative to the mean block size: time, not result
+    /// In space: how far blocks may enter each other where points were found between them, relative to the
+    /// mean block size. Rigid ones do by errors only, elastic ones by what their joints give way.
+    double mayEnter = 1e-2;
 };
 
 template<int Dim>

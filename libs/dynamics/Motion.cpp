@@ -73,7 +73,10 @@ Motion<Dim> startMotion(const DynamicCase<Dim>& scene, DynamicState<Dim> state)
     }
     if (!scene.schemes.smallDisplacements)
     {
-        motion.contacts.emplace(scene.assembly);
+        constexpr double mayEnterElastic = 0.25; // of a block: beyond, it may come out on the other side
+        MovingContactOptions options;
+        options.mayEnter = traitsOf(scene.effects).isCompliant ? mayEnterElastic : options.mayEnter;
+        motion.contacts.emplace(scene.assembly, options);
         leaveOutBlocks(scene, motion);
         motion.points = motion.contacts->update(motion.state.placements, scene.roundingGap);
     }

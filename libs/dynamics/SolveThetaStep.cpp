@@ -35,7 +35,7 @@ constexpr int newtonStepsOfImpact = 20;
 
 /// The error of mu |u_t| may be this share of what the step changes the motion by, and after so many programs
 /// the larger one: just above a threshold the fixed point is not reached closer.
-constexpr double shareOfStep = 3e-2;
+constexpr double shareOfStep = 1e-2;
 constexpr double largerShareOfStep = 0.15;
 constexpr int programsToLargerShare = 15;
 constexpr double nearlySolved = 1000; // times the tolerance

@@ -24,16 +24,27 @@ double worst(const StepResiduals& residuals)
     return std::max({residuals.primalResidual, residuals.dualResidual, residuals.gap});
 }
 
-/// What the search for contacts in space leaves out.
+/// How blocks of space that are not convex are searched for contacts, and which are not.
 void printContactSearch(const Assembly<3>& assembly, const Motion<3>& motion)
 {
-    const auto others = std::count_if(assembly.blocks.begin(), assembly.blocks.end(),
-                                      [](const Block<3>& block) { return !isConvex(block.shape); });
-    if (motion.contacts && others > 0)
+    int parted = 0;
+    std::size_t parts = 0;
+    int followed = 0;
+    for (int block = 0; motion.contacts && block < static_cast<int>(assembly.blocks.size()); ++block)
     {
-        info("Contacts: new ones are found between convex blocks; {} that are not convex have those of the "
-             "start",
-             others);
+        const std::size_t own = motion.contacts->parts(block);
+        parted += own > 1;
+        parts += own > 1 ? own : 0;
+        followed += own == 0;
+    }
+    if (parted > 0)
+    {
+        info("Contacts: {} blocks that are not convex are searched as {} convex parts", parted, parts);
+    }
+    if (followed > 0)
+    {
+        info("Contacts: {} blocks of too many convex parts have those of the start, and find no new ones",
+             followed);
     }
 }
 

@@ -65,6 +65,24 @@ std::vector<PlaneScene> planeScenes()
     scene.assembly.blocks.push_back(rectangle(0, 0, 0.2, 1));
     scene.assembly.blocks.push_back(rectangle(0.6, 0, 0.2, 1));
     all.push_back(scene);
+    // Not convex: an angle that topples over its foot, a box that falls into a channel, a tee that a box
+    // slides across.
+    scene = {"angleTopples", ground(-5, 5), {{0, 0, -2.5}}, 0.7, 500};
+    scene.assembly.blocks.push_back(
+        {{{0, 0}, {0.6, 0}, {0.6, 0.2}, {0.2, 0.2}, {0.2, 0.9}, {0, 0.9}}, 1, -1});
+    all.push_back(scene);
+    scene = {"intoAChannel", ground(-5, 5), {{0, 0, 0}, {0.1, 0, 0}}, 0.4, 500};
+    scene.assembly.blocks.push_back(
+        {{{0, 0}, {1, 0}, {1, 0.5}, {0.8, 0.5}, {0.8, 0.2}, {0.2, 0.2}, {0.2, 0.5}, {0, 0.5}}, 1, -1});
+    scene.assembly.blocks.push_back(rectangle(0.35, 0.4, 0.3, 0.2));
+    all.push_back(scene);
+    scene = {"acrossATee", ground(-5, 5), {{0, 0, 0}, {1.5, 0, 0}}, 0.3, 350};
+    scene.assembly.blocks.push_back(
+        {{{-0.3, 0}, {0.3, 0}, {0.3, 0.6}, {0.7, 0.6}, {0.7, 0.8}, {-0.7, 0.8}, {-0.7, 0.6}, {-0.3, 0.6}},
+         1,
+         -1});
+    scene.assembly.blocks.push_back(rectangle(-0.6, 0.8, 0.4, 0.2));
+    all.push_back(scene);
     return all;
 }
 

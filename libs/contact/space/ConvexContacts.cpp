@@ -315,16 +315,6 @@ int faceLookingAt(const ConvexSolid& solid, const Vector<3>& normal, double tole
     return best;
 }
 
-int edgeBetween(const ConvexSolid& solid, int from, int to)
-{
-    const auto found =
-        std::find_if(solid.edges.begin(), solid.edges.end(),
-                     [&](const ConvexSolid::Edge& edge) {
-                         return (edge.from == from && edge.to == to) || (edge.from == to && edge.to == from);
-                     });
-    return found == solid.edges.end() ? -1 : static_cast<int>(found - solid.edges.begin());
-}
-
 /// What two faces have in common, seen along the normal of the first; empty where that is narrower than the
 /// tolerance.
 std::vector<Corner> sharedPolygon(const ConvexSolid& solid, int face, const ConvexSolid& other, int otherFace,
@@ -493,6 +483,16 @@ ConvexSolid convexSolid(const Polyhedron& shape, double tolerance)
     return solid;
 }
 
+int edgeBetween(const ConvexSolid& solid, int from, int to)
+{
+    const auto found =
+        std::find_if(solid.edges.begin(), solid.edges.end(),
+                     [&](const ConvexSolid::Edge& edge) {
+                         return (edge.from == from && edge.to == to) || (edge.from == to && edge.to == from);
+                     });
+    return found == solid.edges.end() ? -1 : static_cast<int>(found - solid.edges.begin());
+}
+
 ConvexSolid placed(ConvexSolid solid, const Vector<3>& centroid, const Placement<3>& placement)
 {
     const Swing<3> swing(placement.rotation);
@@ -505,6 +505,26 @@ ConvexSolid placed(ConvexSolid solid, const Vector<3>& centroid, const Placement
         normal += swing(normal);
     }
     return solid;
+}
+
+PlacedSolids::PlacedSolids(const std::vector<std::vector<ConvexSolid>>& asBuilt,
+                           const std::vector<Vector<3>>& centroidsOfBlocks,
+                           const std::vector<Placement<3>>& placementsOfBlocks)
+    : solids(&asBuilt), centroids(&centroidsOfBlocks), where(&placementsOfBlocks), there(asBuilt.size())
+{
+}
+
+const std::vector<ConvexSolid>& PlacedSolids::of(int block)
+{
+    const auto index = static_cast<std::size_t>(block);
+    if (there[index].empty())
+    {
+        for (const ConvexSolid& solid : (*solids)[index])
+        {
+            there[index].push_back(placed(solid, (*centroids)[index], (*where)[index]));
+        }
+    }
+    return there[index];
 }
 
 PartingAxis partingAxis(const ConvexSolid& first, const ConvexSolid& second, double tolerance,

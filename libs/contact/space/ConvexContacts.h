@@ -35,6 +35,9 @@ struct ConvexSolid
 /// \param tolerance by which vertices may be off a plane [m]
 ConvexSolid convexSolid(const Polyhedron& shape, double tolerance);
 
+/// The edge between two vertices, in either order; -1: none.
+int edgeBetween(const ConvexSolid& solid, int from, int to);
+
 /// The solid where its block is. \param centroid of the block as built
 ConvexSolid placed(ConvexSolid solid, const Vector<3>& centroid, const Placement<3>& placement);
 
@@ -77,5 +80,25 @@ PartingAxis partingAxis(const ConvexSolid& first, const ConvexSolid& second, dou
 /// is narrower than the tolerance. \param axis of the solids here or where they are a little before
 std::vector<ConvexContact> contactsAlong(const PartingAxis& axis, const ConvexSolid& first,
                                          const ConvexSolid& second, double tolerance);
+
+/// Blocks as convex solids where they are, each placed when it is first asked for. Of the lists none is
+/// owned.
+class PlacedSolids
+{
+public:
+    /// \param asBuilt the solids of each block \param centroidsOfBlocks as built
+    PlacedSolids(const std::vector<std::vector<ConvexSolid>>& asBuilt,
+                 const std::vector<Vector<3>>& centroidsOfBlocks,
+                 const std::vector<Placement<3>>& placementsOfBlocks);
+
+    const std::vector<ConvexSolid>& of(int block);
+    const std::vector<Placement<3>>& placements() const { return *where; }
+
+private:
+    const std::vector<std::vector<ConvexSolid>>* solids;
+    const std::vector<Vector<3>>* centroids;
+    const std::vector<Placement<3>>* where;
+    std::vector<std::vector<ConvexSolid>> there;
+};
 
 } // namespace drystone

@@ -1,11 +1,13 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Contacts in space: followed, found, and the ends of that.
+/// Contacts in space: those as built, and where they are followed. Those that are found are in
+/// FoundContacts.cpp.
 #include "contact/space/MovingContacts.h"
 
 #include "contact/AlmostJoints.h"
 #include "core/Error.h"
 #include "geometry/BroadPhase.h"
 #include "geometry/Rotation.h"
+#include "geometry/space/ConvexParts.h"
 #include "geometry/space/PolyhedronOverlap.h"
 
 #include <Eigen/Geometry>
@@ -28,26 +30,13 @@ constexpr double othersMayLeave = 0.05;
 /// [rad].
 constexpr double mayTurn = 0.1;
 
-/// In mean block sizes: how far blocks may enter each other between which nothing is found, and others before
-/// a run ends.
+/// In mean block sizes: how far blocks that are followed may enter each other before a run ends.
 constexpr double mayEnter = 1e-3;
-constexpr double foundMayEnter = 1e-2;
 
-/// In mean block sizes: blocks that a step leaves deeper in each other have met otherwise than was foreseen,
-/// and a point that is farther behind a face now does not come from there.
-constexpr double overlooked = 1e-5;
-
-/// Points of two blocks within so many mean block sizes whose normals have at least this cosine are one.
-constexpr double onePoint = 1e-4;
-constexpr double oneNormal = 0.99;
-
-/// Where blocks are heading deeper into each other than this part of the thinner one, the way out may be on
-/// the far side: what meets is then chosen where they are.
-constexpr double trustedPart = 0.25;
-
-/// Features that are found are numbered from here on; points that are followed have the numbers below.
-constexpr int firstFound = 1 << 30;
-constexpr int mostFeatures = 1 << 13; // vertices or edges of a block
+/// Blocks of more convex parts are followed only, or of more edges: their numbers tell points from each
+/// other.
+constexpr std::size_t mostParts = 100;
+constexpr std::size_t mostEdges = 1 << 13;
 
 constexpr double sameVertex = 1e-6; // in mean block sizes
 
@@ -124,21 +113,18 @@ const std::vector<int>& faceUnder(const Polyhedron& shape, const Vector<3>& poin
     return *best;
 }
 
-/// The number of what meets: of a corner, or of two edges.
-int featureOf(const ConvexContact& contact, const ConvexSolid& own)
+/// A block as convex solids. \param within by which vertices may be off a plane [m]
+std::vector<ConvexSolid> solidsOf(const Polyhedron& shape, double within)
 {
-    const bool isCorner = contact.from == contact.to;
-    int edge = -1;
-    for (std::size_t i = 0; !isCorner && i < own.edges.size(); ++i)
+    std::vector<ConvexSolid> solids;
+    std::size_t edges = 0;
+    for (const Polyhedron& part :
+         isConvex(shape, within) ? std::vector<Polyhedron>{shape} : convexParts(shape, within, mostParts))
     {
-        const bool isIt =
-            std::minmax(own.edges[i].from, own.edges[i].to) == std::minmax(contact.from, contact.to);
-        edge = isIt ? static_cast<int>(i) : edge;
+        solids.push_back(convexSolid(part, within));
+        edges += solids.back().edges.size();
     }
-    const int first = isCorner ? contact.from : contact.isOfFirst ? edge : contact.edge;
-    const int second = isCorner ? 0 : contact.isOfFirst ? contact.edge : edge;
-    const int kind = isCorner ? (contact.isOfFirst ? 0 : 1) : contact.isEdgeOnEdge ? 3 : 2;
-    return firstFound + (kind * mostFeatures + first) * mostFeatures + second;
+    return edges < mostEdges ? solids : std::vector<ConvexSolid>();
 }
 
 } // namespace
@@ -148,7 +134,8 @@ MovingContacts<3>::MovingContacts(const Assembly<3>& structure, const MovingCont
       asBuilt(findContactPoints(structure)),
       isLeftOut(structure.blocks.size(), false),
       blockSize(meanBlockSize(structure)),
-      tolerance(options.tolerance * blockSize)
+      tolerance(options.tolerance * blockSize),
+      mayEnterFound(options.mayEnter * blockSize)
 {
     for (const Block<3>& block : assembly.blocks)
     {
@@ -159,9 +146,11 @@ MovingContacts<3>::MovingContacts(const Assembly<3>& structure, const MovingCont
             radius = std::max(radius, (vertex - centroids.back()).norm());
         }
         radii.push_back(radius);
-        const bool isFound =
-            drystone::isConvex(block.shape) && block.shape.vertices.size() < mostFeatures / 3; // E < 3 V
-        solids.push_back(isFound ? convexSolid(block.shape, tolerance) : ConvexSolid());
+        // Faces that are even to so many digits only, as they were written, are plane: vertices of others may
+        // be beyond a plane by some times as much.
+        constexpr double timesUneven = 3;
+        tolerances.push_back(std::max(tolerance, timesUneven * unevenness(block.shape)));
+        solids.push_back(solidsOf(block.shape, tolerances.back()));
     }
     for (ContactPoint<3>& point : asBuilt)
     {
@@ -278,8 +267,12 @@ MovingContacts<3>::update(const std::vector<Placement<3>>& now,
     found.clear();
     foundJoints = 0;
     lookedAt.clear();
-    const Places places{now, headings, swingsOf(now, 1), swingsOf(now, -1)};
-    const std::vector<std::pair<int, int>> meeting = meetingPairs(places, margin);
+    Places places{now, margin, swingsOf(now, 1), swingsOf(now, -1), PlacedSolids(solids, centroids, now), {}};
+    for (const std::vector<Placement<3>>& heading : headings)
+    {
+        places.headings.emplace_back(solids, centroids, heading);
+    }
+    const std::vector<std::pair<int, int>> meeting = meetingPairs(places);
     auto next = meeting.begin();
     const auto findBefore = [&](const std::pair<int, int>& end)
     {
@@ -315,7 +308,7 @@ MovingContacts<3>::update(const std::vector<Placement<3>>& now,
 }
 
 /// Pairs of blocks, not both fixed, that are or will be within the margin.
-std::vector<std::pair<int, int>> MovingContacts<3>::meetingPairs(const Places& places, double margin) const
+std::vector<std::pair<int, int>> MovingContacts<3>::meetingPairs(const Places& places) const
 {
     std::vector<Box<3>> boxes(places.now.size());
     for (std::size_t block = 0; block < boxes.size(); ++block)
@@ -333,11 +326,12 @@ std::vector<std::pair<int, int>> MovingContacts<3>::meetingPairs(const Places& p
             }
         };
         extendTo(places.now[block].translation, places.forth[block]);
-        for (const std::vector<Placement<3>>& heading : places.headings)
+        for (const PlacedSolids& heading : places.headings)
         {
-            extendTo(heading[block].translation, Swing<3>(heading[block].rotation));
+            const Placement<3>& there = heading.placements()[block];
+            extendTo(there.translation, Swing<3>(there.rotation));
         }
-        box = enlarged(box, 0.5 * margin);
+        box = enlarged(box, 0.5 * places.margin);
     }
     std::vector<std::pair<int, int>> meeting = findMeetingPairs(boxes);
     std::erase_if(meeting,
@@ -347,12 +341,6 @@ std::vector<std::pair<int, int>> MovingContacts<3>::meetingPairs(const Places& p
                              && assembly.blocks[static_cast<std::size_t>(pair.second)].support >= 0;
                   });
     return meeting;
-}
-
-bool MovingContacts<3>::isConvexPair(int block, int neighbour) const
-{
-    return !solids[static_cast<std::size_t>(block)].faces.empty()
-           && !solids[static_cast<std::size_t>(neighbour)].faces.empty();
 }
 
 /// How far a corner is outside the face that it was built on [m].
@@ -379,7 +367,7 @@ double MovingContacts<3>::wayApart(const KnownPair& pair, const Places& places) 
 bool MovingContacts<3>::isFollowed(const KnownPair& pair, const Places& places) const
 {
     const double most = mayLeave * blockSize;
-    if (!isConvexPair(pair.block, pair.neighbour) || wayApart(pair, places) <= most)
+    if (!isSearched(pair.block, pair.neighbour) || wayApart(pair, places) <= most)
     {
         return true;
     }
@@ -417,186 +405,10 @@ void MovingContacts<3>::follow(const KnownPair& pair, const Places& places)
             points.back().feature.vertexBlock = others[index]->cornerBlock;
         }
     }
-    if (!isConvexPair(pair.block, pair.neighbour))
+    if (!isSearched(pair.block, pair.neighbour))
     {
         refuseLostPoints(pair, places);
     }
-}
-
-MovingContacts<3>::Pair MovingContacts<3>::pairOfContact(const ConvexContact& contact, int block,
-                                                         int neighbour) const
-{
-    Pair pair;
-    pair.cornerBlock = contact.isOfFirst ? block : neighbour;
-    pair.faceBlock = contact.isOfFirst ? neighbour : block;
-    const ConvexSolid& own = solids[static_cast<std::size_t>(pair.cornerBlock)];
-    const ConvexSolid& other = solids[static_cast<std::size_t>(pair.faceBlock)];
-    const Vector<3>& from = own.vertices[static_cast<std::size_t>(contact.from)];
-    const Vector<3>& to = own.vertices[static_cast<std::size_t>(contact.to)];
-    const std::vector<int>& face = other.faces[static_cast<std::size_t>(contact.face)];
-    pair.corner = from + contact.part * (to - from);
-    pair.onFace = other.vertices[static_cast<std::size_t>(face.front())];
-    pair.outward = other.normals[static_cast<std::size_t>(contact.face)];
-    pair.shear = frameOf(pair.outward).col(1);
-    if (contact.isEdgeOnEdge)
-    {
-        const ConvexSolid::Edge& edge = other.edges[static_cast<std::size_t>(contact.edge)];
-        pair.onFace = other.vertices[static_cast<std::size_t>(edge.from)];
-        pair.edge = (to - from).normalized();
-        pair.otherEdge = (other.vertices[static_cast<std::size_t>(edge.to)] - pair.onFace).normalized();
-        // Between the normals of the faces beside it: that of both edges is there.
-        pair.outward = (other.normals[static_cast<std::size_t>(edge.face)]
-                        + other.normals[static_cast<std::size_t>(edge.otherFace)])
-                           .normalized();
-        pair.shear = pair.otherEdge;
-    }
-    return pair;
-}
-
-/// Lists what two blocks that were not built on each other, or have left that, touch each other with.
-void MovingContacts<3>::find(int block, int neighbour, const Places& places)
-{
-    if (!isConvexPair(block, neighbour))
-    {
-        refuseMeeting(block, neighbour, places.now);
-        return;
-    }
-    lookedAt.emplace_back(block, neighbour);
-    const std::size_t first = points.size();
-    for (const std::vector<Placement<3>>& heading : places.headings)
-    {
-        const std::vector<ConvexContact> contacts = contactsTowards(heading, block, neighbour, places);
-        for (const ConvexContact& contact : contacts)
-        {
-            Pair pair = pairOfContact(contact, block, neighbour);
-            ContactPoint<3> point;
-            point.block = block;
-            point.neighbour = neighbour;
-            point.joint = static_cast<int>(known.size()) + foundJoints;
-            point.feature = {pair.cornerBlock,
-                             featureOf(contact, solids[static_cast<std::size_t>(pair.cornerBlock)]),
-                             contact.face};
-            point =
-                measured(point, pair, places.now, places.forth[static_cast<std::size_t>(pair.cornerBlock)],
-                         places.forth[static_cast<std::size_t>(pair.faceBlock)]);
-            const auto isSame = [&](const ContactPoint<3>& other)
-            {
-                return other.feature == point.feature
-                       || ((other.position - point.position).norm() <= onePoint * blockSize
-                           && other.normal.dot(point.normal) > oneNormal);
-            };
-            if (std::any_of(points.begin() + static_cast<std::ptrdiff_t>(first), points.end(), isSame))
-            {
-                continue; // of an earlier heading, or beside one: how the two share a force would not be
-                          // determined
-            }
-            found.push_back(std::move(pair));
-            points.push_back(point);
-            foundIndex.push_back(static_cast<int>(found.size()) - 1);
-        }
-    }
-    foundJoints += points.size() > first ? 1 : 0;
-}
-
-/// What meets where two blocks are heading. A point that is behind a face already did not come from there,
-/// and deep in each other the way out may be on the far side: then, and where nothing was found before, what
-/// meets along the axis that parts the blocks now is taken too, there and where they are.
-std::vector<ConvexContact> MovingContacts<3>::contactsTowards(const std::vector<Placement<3>>& heading,
-                                                              int block, int neighbour,
-                                                              const Places& places) const
-{
-    const PlacedPair there = placedPair(block, neighbour, heading);
-    const PartingAxis axis = partingAxis(there.first, there.second, tolerance, true);
-    if (axis.isAnEdgeAtMost)
-    {
-        return {};
-    }
-    const double trusted = trustedPart
-                           * std::min(solids[static_cast<std::size_t>(block)].thickness,
-                                      solids[static_cast<std::size_t>(neighbour)].thickness);
-    std::vector<ConvexContact> contacts;
-    if (axis.distance >= -trusted)
-    {
-        contacts = contactsAlong(axis, there.first, there.second, tolerance);
-    }
-    const auto isBehind = [&](const ConvexContact& contact, double depth)
-    {
-        const Pair pair = pairOfContact(contact, block, neighbour);
-        const double gap =
-            measured({}, pair, places.now, places.forth[static_cast<std::size_t>(pair.cornerBlock)],
-                     places.forth[static_cast<std::size_t>(pair.faceBlock)])
-                .gap;
-        return gap < -depth - overlooked * blockSize;
-    };
-    const bool isAsForeseen =
-        axis.distance >= -trusted
-        && std::none_of(contacts.begin(), contacts.end(),
-                        [&](const ConvexContact& contact) { return isBehind(contact, 0); });
-    const bool wasOverlooked = contacts.empty() && places.headings.size() > 1;
-    if (isAsForeseen && !wasOverlooked)
-    {
-        return contacts;
-    }
-    const PlacedPair here = placedPair(block, neighbour, places.now);
-    const PartingAxis now = partingAxis(here.first, here.second, tolerance, false);
-    const std::vector<ConvexContact> then = contactsAlong(now, there.first, there.second, tolerance);
-    contacts.insert(contacts.end(), then.begin(), then.end());
-    std::erase_if(contacts, [&](const ConvexContact& contact)
-                  { return isBehind(contact, std::max(0.0, -now.distance)); });
-    const std::vector<ConvexContact> already = contactsAlong(now, here.first, here.second, tolerance);
-    contacts.insert(contacts.end(), already.begin(), already.end());
-    return contacts;
-}
-
-MovingContacts<3>::PlacedPair MovingContacts<3>::placedPair(int block, int neighbour,
-                                                            const std::vector<Placement<3>>& placements) const
-{
-    const auto a = static_cast<std::size_t>(block);
-    const auto b = static_cast<std::size_t>(neighbour);
-    return {placed(solids[a], centroids[a], placements[a]), placed(solids[b], centroids[b], placements[b])};
-}
-
-bool MovingContacts<3>::isOverlapping(const std::vector<Placement<3>>& placements) const
-{
-    return std::any_of(lookedAt.begin(), lookedAt.end(),
-                       [&](const std::pair<int, int>& pair)
-                       {
-                           const PlacedPair there = placedPair(pair.first, pair.second, placements);
-                           const PartingAxis axis = partingAxis(there.first, there.second, tolerance, true);
-                           return !axis.isAnEdgeAtMost && axis.distance < -overlooked * blockSize;
-                       });
-}
-
-/// Takes away points that were found and are farther apart than the margin. \throws FatalError where they
-/// are too deep in each other
-void MovingContacts<3>::dropFar(double margin)
-{
-    std::size_t kept = 0;
-    for (std::size_t index = 0; index < points.size(); ++index)
-    {
-        const ContactPoint<3>& point = points[index];
-        if (foundIndex[index] >= 0)
-        {
-            if (point.gap > margin)
-            {
-                continue;
-            }
-            if (point.gap < -foundMayEnter * blockSize)
-            {
-                throw FatalError(fmt::format("{} and {} have run {:.3g} m into each other within a step, "
-                                             "{:.2g} of the mean block size: it is "
-                                             "not known on which side they met. Give a shorter deltaT.",
-                                             blockName(assembly, point.block),
-                                             blockName(assembly, point.neighbour), -point.gap,
-                                             -point.gap / blockSize));
-            }
-        }
-        points[kept] = point;
-        foundIndex[kept] = foundIndex[index];
-        ++kept;
-    }
-    points.resize(kept);
-    foundIndex.resize(kept);
 }
 
 /// Of the pair that was listed last.
@@ -617,29 +429,11 @@ void MovingContacts<3>::refuseLostPoints(const KnownPair& pairAsBuilt, const Pla
         if (outside > othersMayLeave * blockSize)
         {
             throw FatalError(fmt::format("A corner of {} has left the face of {} that it was built on by "
-                                         "{:.3g} m. In space new contact "
-                                         "points are found between convex blocks alone: it ends here. Divide "
-                                         "blocks that are not convex.",
+                                         "{:.3g} m. New contact points are found between blocks of up to {} "
+                                         "convex parts: it ends here. Divide those that have more.",
                                          blockName(assembly, pair.cornerBlock),
-                                         blockName(assembly, pair.faceBlock), outside));
+                                         blockName(assembly, pair.faceBlock), outside, mostParts));
         }
-    }
-}
-
-void MovingContacts<3>::refuseMeeting(int block, int neighbour, const std::vector<Placement<3>>& now) const
-{
-    const double depth = overlapDepth(
-        placedShape(assembly.blocks[static_cast<std::size_t>(block)], now[static_cast<std::size_t>(block)]),
-        placedShape(assembly.blocks[static_cast<std::size_t>(neighbour)],
-                    now[static_cast<std::size_t>(neighbour)]));
-    if (depth > mayEnter * blockSize)
-    {
-        throw FatalError(fmt::format("{} and {}, which shared no contact point at the start, have run into "
-                                     "each other ({:.3g} m deep). In "
-                                     "space new contact points are found between convex blocks alone: it "
-                                     "ends here. Divide blocks that "
-                                     "are not convex.",
-                                     blockName(assembly, block), blockName(assembly, neighbour), depth));
     }
 }
 

@@ -16,11 +16,15 @@ namespace drystone
 /// face of the other, with normal, gap and position measured exactly where the blocks are, as in the plane.
 /// So they stay the same points, whatever their gaps, until one of them leaves the face that it was built on
 /// by more than a thousandth of the mean block size, or the blocks turn to each other by more than 0.1 rad.
-/// From there on, and between blocks that shared no point, what convex blocks touch each other with is found
-/// anew at each update (see contactsAlong), where they are heading: corners against faces, edges that cross
-/// the rim of a face, edges against edges. Which of the two depends on the placements alone.
+/// From there on, and between blocks that shared no point, what they touch each other with is found anew at
+/// each update (see contactsAlong), where they are heading: corners against faces, edges that cross the rim
+/// of a face, edges against edges. Which of the two depends on the placements alone.
 ///
-/// Blocks that are not convex are followed only: `update` ends the run where a point of one that closes has
+/// Blocks that are not convex are searched as their convex parts (see convexParts). Where parts of a block
+/// lie on each other none of another block comes, as it would be within the block; what the parts find twice
+/// along a seam counts once.
+///
+/// Blocks of too many parts are followed only: `update` ends the run where a point of one that closes has
 /// left its face by more than a twentieth of the mean block size, or where one runs into a block that it
 /// shared no point with.
 ///
@@ -35,8 +39,8 @@ public:
 
     /// The points where the blocks are now: those that are followed whatever their gaps, those that are found
     /// up to `margin` (see marginFor). \return sorted by (block, neighbour); valid until the next call
-    /// \throws FatalError where blocks that are not convex touch anew, or others have entered each other by
-    /// more than a hundredth of the mean block size, as with too long a step
+    /// \throws FatalError where blocks of too many parts touch anew, or others have entered each other by
+    /// more than the options say, as with too long a step
     const std::vector<ContactPoint<3>>& update(const std::vector<Placement<3>>& now, double margin);
 
     /// The same, those that are found chosen where the blocks are heading and measured where they are now.
@@ -47,8 +51,8 @@ public:
                                                double margin);
 
     /// Whether blocks between which the last update has found points, or looked for some, are in each other
-    /// by more than 1e-5 of the mean block size: a step to there has overlooked contacts, since which corners
-    /// and edges meet was foreseen otherwise.
+    /// by more than 1e-5 of the mean block size and what these points are pressed in by: a step to there has
+    /// overlooked contacts, since which corners and edges meet was foreseen otherwise.
     bool isOverlapping(const std::vector<Placement<3>>& placements) const;
 
     /// The points of the last update, were the blocks placed so. \param points overwritten
@@ -65,6 +69,9 @@ public:
 
     /// Has a block touch nothing from the next update on.
     void leaveOut(int block);
+
+    /// The convex parts that a block is searched as; 0: it is followed only.
+    std::size_t parts(int block) const { return solids[static_cast<std::size_t>(block)].size(); }
 
 private:
     /// A corner of one block against the plane of a face of another, or an edge against an edge; as built.
@@ -92,15 +99,18 @@ private:
     struct Places
     {
         const std::vector<Placement<3>>& now;
-        const std::vector<std::vector<Placement<3>>>& headings;
+        double margin;
         std::vector<Swing<3>> forth;
         std::vector<Swing<3>> back;
+        PlacedSolids here;
+        std::vector<PlacedSolids> headings;
     };
-    /// Two solids where their blocks are.
-    struct PlacedPair
+    /// What a part of one block meets a part of another with.
+    struct PartContact
     {
-        ConvexSolid first;
-        ConvexSolid second;
+        ConvexContact contact;
+        std::size_t part;      ///< of the block
+        std::size_t otherPart; ///< of the neighbour
     };
     const Pair& pairOf(std::size_t index) const
     {
@@ -115,21 +125,30 @@ private:
     double outsideOf(const Pair& pair, const Places& places) const;
     double wayApart(const KnownPair& pair, const Places& places) const;
     bool isFollowed(const KnownPair& pair, const Places& places) const;
-    bool isConvexPair(int block, int neighbour) const;
-    PlacedPair placedPair(int block, int neighbour, const std::vector<Placement<3>>& placements) const;
+    bool isSearched(int block, int neighbour) const;
+    double toleranceOf(int block, int neighbour) const
+    {
+        return std::max(tolerances[static_cast<std::size_t>(block)],
+                        tolerances[static_cast<std::size_t>(neighbour)]);
+    }
     void follow(const KnownPair& pair, const Places& places);
-    void find(int block, int neighbour, const Places& places);
-    std::vector<ConvexContact> contactsTowards(const std::vector<Placement<3>>& heading, int block,
-                                               int neighbour, const Places& places) const;
+    void find(int block, int neighbour, Places& places);
+    std::vector<PartContact> contactsTowards(PlacedSolids& heading, int block, int neighbour,
+                                             Places& places) const;
+    std::vector<PartContact> contactsOfParts(const ConvexSolid& there, const ConvexSolid& otherThere,
+                                             const PartContact& parts, int block, int neighbour,
+                                             Places& places) const;
+    double pressedIn(int block, int neighbour, const std::vector<Placement<3>>& placements) const;
     void dropFar(double margin);
-    Pair pairOfContact(const ConvexContact& contact, int block, int neighbour) const;
+    Pair pairOfContact(const PartContact& found, int block, int neighbour) const;
+    int featureOf(const PartContact& found, int block, int neighbour) const;
     /// \param swingOfCorner, swingOfFace of the blocks of its corner and of its face
     ContactPoint<3> pointAt(const std::vector<Placement<3>>& placements, const Swing<3>& swingOfCorner,
                             const Swing<3>& swingOfFace, std::size_t index) const;
     ContactPoint<3> measured(ContactPoint<3> point, const Pair& pair,
                              const std::vector<Placement<3>>& placements, const Swing<3>& swingOfCorner,
                              const Swing<3>& swingOfFace) const;
-    std::vector<std::pair<int, int>> meetingPairs(const Places& places, double margin) const;
+    std::vector<std::pair<int, int>> meetingPairs(const Places& places) const;
     void refuseLostPoints(const KnownPair& pairAsBuilt, const Places& places) const;
     void refuseMeeting(int block, int neighbour, const std::vector<Placement<3>>& now) const;
 
@@ -139,18 +158,21 @@ private:
     std::vector<Pair> pairs;                 ///< one a point as built
     std::vector<std::optional<Pair>> others; ///< the other way round, where the point is a vertex of both
     std::vector<KnownPair> known;            ///< sorted
-    std::vector<ConvexSolid> solids;         ///< as built; without faces where a block is not convex
-    std::vector<double> radii;               ///< of each block about its mass centre [m]
+    std::vector<std::vector<ConvexSolid>>
+        solids;                ///< as built: the convex parts of each block; empty: too many
+    std::vector<double> radii; ///< of each block about its mass centre [m]
     std::vector<char> isLeftOut;
     double blockSize = 1;
-    double tolerance = 1e-6; ///< [m]
+    double tolerance = 1e-6;        ///< [m]
+    std::vector<double> tolerances; ///< of each block: no less than its faces are uneven by [m]
+    double mayEnterFound;           ///< [m]
 
     // Of the last update.
     std::vector<ContactPoint<3>> points;
     std::vector<int> foundIndex; ///< of each point: in `found`, or -1 where it is followed
     std::vector<Pair> found;
     int foundJoints = 0;
-    std::vector<std::pair<int, int>> lookedAt; ///< pairs of convex blocks that points were searched between
+    std::vector<std::pair<int, int>> lookedAt; ///< pairs of blocks that points were searched between
 };
 
 } // namespace drystone

@@ -4,6 +4,9 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
+#include <cmath>
+
 namespace drystone
 {
 
@@ -64,6 +67,27 @@ Vector<3> areaVector(const Polyhedron& polyhedron, const std::vector<int>& face)
         twice += a.cross(b);
     }
     return twice / 2;
+}
+
+double unevenness(const Polyhedron& polyhedron)
+{
+    double farthest = 0;
+    for (const std::vector<int>& face : polyhedron.faces)
+    {
+        const Vector<3> normal = areaVector(polyhedron, face).normalized();
+        Vector<3> middle = Vector<3>::Zero();
+        for (const int vertex : face)
+        {
+            middle +=
+                polyhedron.vertices[static_cast<std::size_t>(vertex)] / static_cast<double>(face.size());
+        }
+        for (const int vertex : face)
+        {
+            const Vector<3>& corner = polyhedron.vertices[static_cast<std::size_t>(vertex)];
+            farthest = std::max(farthest, std::abs(normal.dot(corner - middle)));
+        }
+    }
+    return farthest;
 }
 
 Polyhedron makeBox(const Vector<3>& lower, const Vector<3>& upper)

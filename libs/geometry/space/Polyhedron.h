@@ -37,6 +37,10 @@ VolumeProperties volumeProperties(const Polyhedron& polyhedron);
 /// faces too; for a face that is not plane, of the surface spanned by its edges.
 Vector<3> areaVector(const Polyhedron& polyhedron, const std::vector<int>& face);
 
+/// How far vertices of a face are from its plane at most, that through their mean with the normal of the
+/// area: more than rounding where a file has few decimals [m].
+double unevenness(const Polyhedron& polyhedron);
+
 /// The box between two corners. Faces: bottom, top, front (-y), right (+x), back (+y), left (-x).
 /// \param lower smaller than `upper` in each coordinate [m]
 Polyhedron makeBox(const Vector<3>& lower, const Vector<3>& upper);

@@ -234,13 +234,17 @@ std::vector<Tetrahedron> tetrahedra(const Polyhedron& polyhedron, const Vector<3
 
 bool isConvex(const Polyhedron& polyhedron)
 {
-    const double near = 1e-9 * reachOf(polyhedron);
+    return isConvex(polyhedron, 1e-9 * reachOf(polyhedron));
+}
+
+bool isConvex(const Polyhedron& polyhedron, double within)
+{
     for (const std::vector<int>& face : polyhedron.faces)
     {
         const Vector<3> normal = areaVector(polyhedron, face).normalized();
         for (const Vector<3>& vertex : polyhedron.vertices)
         {
-            if (normal.dot(vertex - polyhedron.vertices[face.front()]) > near)
+            if (normal.dot(vertex - polyhedron.vertices[face.front()]) > within)
             {
                 return false;
             }

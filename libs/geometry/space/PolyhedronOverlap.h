@@ -8,8 +8,9 @@
 namespace drystone
 {
 
-/// Whether every vertex lies behind the plane of every face, to 1e-9 of the extent.
+/// Whether every vertex lies behind the plane of every face, to 1e-9 of the extent, or to a distance [m].
 bool isConvex(const Polyhedron& polyhedron);
+bool isConvex(const Polyhedron& polyhedron, double within);
 
 /// Depth to which two polyhedra overlap [m]: for convex ones the least distance by which one must be moved to
 /// part them, along the normals of their faces and the directions across pairs of their edges (theorem of the

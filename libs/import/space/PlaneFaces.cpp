@@ -173,16 +173,6 @@ std::vector<Polyhedron> placedAt(const Net& net, const std::vector<int>& nodeOf,
 
 } // namespace
 
-double unevenness(const Polyhedron& mesh)
-{
-    double most = 0;
-    for (const std::vector<int>& face : mesh.faces)
-    {
-        most = std::max(most, unevennessOf(mesh.vertices, face));
-    }
-    return most;
-}
-
 PlaneFaces makePlane(std::vector<Polyhedron>& blocks, double tolerance, Corners cornersOfBlocks)
 {
     constexpr double exact = 1e-9; // of the tolerance: what rounding of doubles leaves alone

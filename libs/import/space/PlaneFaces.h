@@ -34,7 +34,4 @@ enum class Corners
 /// order n. \param tolerance [m]
 PlaneFaces makePlane(std::vector<Polyhedron>& blocks, double tolerance, Corners cornersOfBlocks);
 
-/// Farthest distance of a corner from the plane of its face [m].
-double unevenness(const Polyhedron& mesh);
-
 } // namespace drystone

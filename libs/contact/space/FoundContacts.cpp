@@ -1,0 +1,349 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Contacts in space that are found: between convex parts of blocks that were not built on each other, or
+/// have left that.
+#include "contact/AlmostJoints.h"
+#include "contact/space/MovingContacts.h"
+#include "core/Error.h"
+#include "geometry/Box.h"
+#include "geometry/space/PolyhedronOverlap.h"
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace drystone
+{
+namespace
+{
+
+/// In mean block sizes: how far blocks may enter each other between which nothing is found before a run ends.
+constexpr double unsearchedMayEnter = 1e-3;
+
+/// In mean block sizes: blocks that a step leaves deeper in each other have met otherwise than was foreseen,
+/// and a point that is farther behind a face now does not come from there.
+constexpr double overlooked = 1e-5;
+
+/// Points of two blocks within so many mean block sizes whose normals have at least this cosine are one.
+constexpr double onePoint = 1e-4;
+constexpr double oneNormal = 0.99;
+
+/// Where blocks are heading deeper into each other than this part of the thinner one, the way out may be on
+/// the far side: what meets is then chosen where they are.
+constexpr double trustedPart = 0.25;
+
+/// Features that are found are numbered from here on; points that are followed have the numbers below.
+constexpr int firstFound = 1 << 30;
+constexpr int mostFeatures = 1 << 13; // vertices or edges of a block
+
+/// Whether the boxes about two solids are within a distance.
+bool areNear(const ConvexSolid& one, const ConvexSolid& other, double distance)
+{
+    Box<3> box;
+    Box<3> otherBox;
+    for (const Vector<3>& vertex : one.vertices)
+    {
+        extend(box, vertex);
+    }
+    for (const Vector<3>& vertex : other.vertices)
+    {
+        extend(otherBox, vertex);
+    }
+    return meet(enlarged(box, distance), otherBox);
+}
+
+/// What the parts before one have: their numbers follow each other.
+struct Counted
+{
+    int vertices = 0;
+    int edges = 0;
+    int faces = 0;
+};
+
+Counted before(const std::vector<ConvexSolid>& parts, std::size_t part)
+{
+    Counted counted;
+    for (std::size_t i = 0; i < part; ++i)
+    {
+        counted.vertices += static_cast<int>(parts[i].vertices.size());
+        counted.edges += static_cast<int>(parts[i].edges.size());
+        counted.faces += static_cast<int>(parts[i].faces.size());
+    }
+    return counted;
+}
+
+} // namespace
+
+bool MovingContacts<3>::isSearched(int block, int neighbour) const
+{
+    return parts(block) > 0 && parts(neighbour) > 0;
+}
+
+/// The number of what meets: of a corner, or of two edges.
+int MovingContacts<3>::featureOf(const PartContact& meeting, int block, int neighbour) const
+{
+    const ConvexContact& contact = meeting.contact;
+    const auto& own = solids[static_cast<std::size_t>(contact.isOfFirst ? block : neighbour)];
+    const auto& other = solids[static_cast<std::size_t>(contact.isOfFirst ? neighbour : block)];
+    const std::size_t ownPart = contact.isOfFirst ? meeting.part : meeting.otherPart;
+    const std::size_t otherPart = contact.isOfFirst ? meeting.otherPart : meeting.part;
+    const Counted ownBefore = before(own, ownPart);
+    const bool isCorner = contact.from == contact.to;
+    const int edge = isCorner ? -1 : ownBefore.edges + edgeBetween(own[ownPart], contact.from, contact.to);
+    const int otherEdge = isCorner ? -1 : before(other, otherPart).edges + contact.edge;
+    const int first = isCorner ? ownBefore.vertices + contact.from : contact.isOfFirst ? edge : otherEdge;
+    const int second = isCorner ? 0 : contact.isOfFirst ? otherEdge : edge;
+    const int kind = isCorner ? (contact.isOfFirst ? 0 : 1) : contact.isEdgeOnEdge ? 3 : 2;
+    return firstFound + (kind * mostFeatures + first) * mostFeatures + second;
+}
+
+MovingContacts<3>::Pair MovingContacts<3>::pairOfContact(const PartContact& meeting, int block,
+                                                         int neighbour) const
+{
+    const ConvexContact& contact = meeting.contact;
+    Pair pair;
+    pair.cornerBlock = contact.isOfFirst ? block : neighbour;
+    pair.faceBlock = contact.isOfFirst ? neighbour : block;
+    const ConvexSolid& own = solids[static_cast<std::size_t>(pair.cornerBlock)]
+                                   [contact.isOfFirst ? meeting.part : meeting.otherPart];
+    const ConvexSolid& other = solids[static_cast<std::size_t>(pair.faceBlock)]
+                                     [contact.isOfFirst ? meeting.otherPart : meeting.part];
+    const Vector<3>& from = own.vertices[static_cast<std::size_t>(contact.from)];
+    const Vector<3>& to = own.vertices[static_cast<std::size_t>(contact.to)];
+    const std::vector<int>& face = other.faces[static_cast<std::size_t>(contact.face)];
+    pair.corner = from + contact.part * (to - from);
+    pair.onFace = other.vertices[static_cast<std::size_t>(face.front())];
+    pair.outward = other.normals[static_cast<std::size_t>(contact.face)];
+    pair.shear = frameOf(pair.outward).col(1);
+    if (contact.isEdgeOnEdge)
+    {
+        const ConvexSolid::Edge& edge = other.edges[static_cast<std::size_t>(contact.edge)];
+        pair.onFace = other.vertices[static_cast<std::size_t>(edge.from)];
+        pair.edge = (to - from).normalized();
+        pair.otherEdge = (other.vertices[static_cast<std::size_t>(edge.to)] - pair.onFace).normalized();
+        // Between the normals of the faces beside it: that of both edges is there.
+        pair.outward = (other.normals[static_cast<std::size_t>(edge.face)]
+                        + other.normals[static_cast<std::size_t>(edge.otherFace)])
+                           .normalized();
+        pair.shear = pair.otherEdge;
+    }
+    return pair;
+}
+
+/// Lists what two blocks that were not built on each other, or have left that, touch each other with.
+void MovingContacts<3>::find(int block, int neighbour, Places& places)
+{
+    if (!isSearched(block, neighbour))
+    {
+        refuseMeeting(block, neighbour, places.now);
+        return;
+    }
+    lookedAt.emplace_back(block, neighbour);
+    const std::size_t first = points.size();
+    for (PlacedSolids& heading : places.headings)
+    {
+        for (const PartContact& meeting : contactsTowards(heading, block, neighbour, places))
+        {
+            Pair pair = pairOfContact(meeting, block, neighbour);
+            const auto& facing = solids[static_cast<std::size_t>(pair.faceBlock)];
+            const std::size_t facingPart = meeting.contact.isOfFirst ? meeting.otherPart : meeting.part;
+            ContactPoint<3> point;
+            point.block = block;
+            point.neighbour = neighbour;
+            point.joint = static_cast<int>(known.size()) + foundJoints;
+            point.feature = {pair.cornerBlock, featureOf(meeting, block, neighbour),
+                             before(facing, facingPart).faces + meeting.contact.face};
+            point =
+                measured(point, pair, places.now, places.forth[static_cast<std::size_t>(pair.cornerBlock)],
+                         places.forth[static_cast<std::size_t>(pair.faceBlock)]);
+            const auto isSame = [&](const ContactPoint<3>& other)
+            {
+                return other.feature == point.feature
+                       || ((other.position - point.position).norm() <= onePoint * blockSize
+                           && other.normal.dot(point.normal) > oneNormal);
+            };
+            if (std::any_of(points.begin() + static_cast<std::ptrdiff_t>(first), points.end(), isSame))
+            {
+                continue; // of an earlier heading, of another part, or beside one: how the two share a force
+                          // would not be determined
+            }
+            found.push_back(std::move(pair));
+            points.push_back(point);
+            foundIndex.push_back(static_cast<int>(found.size()) - 1);
+        }
+    }
+    foundJoints += points.size() > first ? 1 : 0;
+}
+
+/// What meets where two blocks are heading.
+std::vector<MovingContacts<3>::PartContact>
+MovingContacts<3>::contactsTowards(PlacedSolids& heading, int block, int neighbour, Places& places) const
+{
+    const std::vector<ConvexSolid>& own = heading.of(block);
+    const std::vector<ConvexSolid>& ofNeighbour = heading.of(neighbour);
+    std::vector<PartContact> contacts;
+    for (std::size_t part = 0; part < own.size(); ++part)
+    {
+        for (std::size_t otherPart = 0; otherPart < ofNeighbour.size(); ++otherPart)
+        {
+            const bool isOfOnePart = own.size() == 1 && ofNeighbour.size() == 1;
+            if (isOfOnePart || areNear(own[part], ofNeighbour[otherPart], places.margin))
+            {
+                const std::vector<PartContact> ofParts = contactsOfParts(
+                    own[part], ofNeighbour[otherPart], {{}, part, otherPart}, block, neighbour, places);
+                contacts.insert(contacts.end(), ofParts.begin(), ofParts.end());
+            }
+        }
+    }
+    return contacts;
+}
+
+/// A point that is behind a face already did not come from there, and deep in each other the way out may be
+/// on the far side: then, and where nothing was found before, what meets along the axis that parts the blocks
+/// now is taken too, there and where they are. \param parts which they are
+std::vector<MovingContacts<3>::PartContact>
+MovingContacts<3>::contactsOfParts(const ConvexSolid& there, const ConvexSolid& otherThere,
+                                   const PartContact& parts, int block, int neighbour, Places& places) const
+{
+    const double within = toleranceOf(block, neighbour);
+    const PartingAxis axis = partingAxis(there, otherThere, within, true);
+    if (axis.isAnEdgeAtMost)
+    {
+        return {};
+    }
+    std::vector<PartContact> contacts;
+    const auto take = [&](const std::vector<ConvexContact>& more)
+    {
+        for (const ConvexContact& contact : more)
+        {
+            contacts.push_back({contact, parts.part, parts.otherPart});
+        }
+    };
+    const double trusted = trustedPart * std::min(there.thickness, otherThere.thickness);
+    if (axis.distance >= -trusted)
+    {
+        take(contactsAlong(axis, there, otherThere, within));
+    }
+    const auto isBehind = [&](const PartContact& contact, double depth)
+    {
+        const Pair pair = pairOfContact(contact, block, neighbour);
+        const double gap =
+            measured({}, pair, places.now, places.forth[static_cast<std::size_t>(pair.cornerBlock)],
+                     places.forth[static_cast<std::size_t>(pair.faceBlock)])
+                .gap;
+        return gap < -depth - std::max(within, overlooked * blockSize);
+    };
+    const bool isAsForeseen =
+        axis.distance >= -trusted
+        && std::none_of(contacts.begin(), contacts.end(),
+                        [&](const PartContact& contact) { return isBehind(contact, 0); });
+    const bool wasOverlooked = contacts.empty() && places.headings.size() > 1;
+    if (isAsForeseen && !wasOverlooked)
+    {
+        return contacts;
+    }
+    const ConvexSolid& here = places.here.of(block)[parts.part];
+    const ConvexSolid& otherHere = places.here.of(neighbour)[parts.otherPart];
+    const PartingAxis now = partingAxis(here, otherHere, within, false);
+    take(contactsAlong(now, there, otherThere, within));
+    std::erase_if(contacts, [&](const PartContact& contact)
+                  { return isBehind(contact, std::max(0.0, -now.distance)); });
+    take(contactsAlong(now, here, otherHere, within));
+    return contacts;
+}
+
+/// By how much the points between two blocks are pressed in at most, or are to be [m].
+double MovingContacts<3>::pressedIn(int block, int neighbour,
+                                    const std::vector<Placement<3>>& placements) const
+{
+    const auto pairOfBlocks = [](const ContactPoint<3>& point)
+    { return std::pair(point.block, point.neighbour); };
+    const std::pair wanted(block, neighbour);
+    const auto first = std::lower_bound(points.begin(), points.end(), wanted,
+                                        [&](const ContactPoint<3>& point, const std::pair<int, int>& pair)
+                                        { return pairOfBlocks(point) < pair; });
+    double deepest = 0;
+    for (auto point = first; point != points.end() && pairOfBlocks(*point) == wanted; ++point)
+    {
+        const auto index = static_cast<std::size_t>(point - points.begin());
+        deepest = std::max(deepest, -pointAt(placements, index).gap);
+    }
+    return deepest;
+}
+
+bool MovingContacts<3>::isOverlapping(const std::vector<Placement<3>>& placements) const
+{
+    PlacedSolids there(solids, centroids, placements);
+    const auto depthOf = [&](const std::pair<int, int>& pair)
+    {
+        double depth = 0;
+        const double within = toleranceOf(pair.first, pair.second);
+        for (const ConvexSolid& own : there.of(pair.first))
+        {
+            for (const ConvexSolid& other : there.of(pair.second))
+            {
+                const PartingAxis axis = partingAxis(own, other, within, true);
+                depth = axis.isAnEdgeAtMost ? depth : std::max(depth, -axis.distance);
+            }
+        }
+        return depth;
+    };
+    return std::any_of(
+        lookedAt.begin(), lookedAt.end(),
+        [&](const std::pair<int, int>& pair)
+        {
+            const double depth = depthOf(pair);
+            const double error = std::max(toleranceOf(pair.first, pair.second), overlooked * blockSize);
+            return depth > error && depth > error + pressedIn(pair.first, pair.second, placements);
+        });
+}
+
+/// Takes away points that were found and are farther apart than the margin. \throws FatalError where they
+/// are too deep in each other
+void MovingContacts<3>::dropFar(double margin)
+{
+    std::size_t kept = 0;
+    for (std::size_t index = 0; index < points.size(); ++index)
+    {
+        const ContactPoint<3>& point = points[index];
+        if (foundIndex[index] >= 0)
+        {
+            if (point.gap > margin)
+            {
+                continue;
+            }
+            if (point.gap < -mayEnterFound)
+            {
+                throw FatalError(fmt::format(
+                    "{} and {} have run {:.3g} m into each other, {:.2g} of the mean block size: it is not "
+                    "known on which side they met. Give a shorter deltaT, or with adjustTimeStep a smaller "
+                    "maxDisplacement or maxDeltaT; where joints are elastic, stiffer ones.",
+                    blockName(assembly, point.block), blockName(assembly, point.neighbour), -point.gap,
+                    -point.gap / blockSize));
+            }
+        }
+        points[kept] = point;
+        foundIndex[kept] = foundIndex[index];
+        ++kept;
+    }
+    points.resize(kept);
+    foundIndex.resize(kept);
+}
+
+void MovingContacts<3>::refuseMeeting(int block, int neighbour, const std::vector<Placement<3>>& now) const
+{
+    const double depth = overlapDepth(
+        placedShape(assembly.blocks[static_cast<std::size_t>(block)], now[static_cast<std::size_t>(block)]),
+        placedShape(assembly.blocks[static_cast<std::size_t>(neighbour)],
+                    now[static_cast<std::size_t>(neighbour)]));
+    if (depth > unsearchedMayEnter * blockSize)
+    {
+        throw FatalError(
+            fmt::format("{} and {}, which shared no contact point at the start, have run into "
+                        "each other ({:.3g} m deep). New contact points are found between blocks "
+                        "of not too many convex parts: it ends here. Divide those that have more.",
+                        blockName(assembly, block), blockName(assembly, neighbour), depth));
+    }
+}
+
+} // namespace drystone
