@@ -78,6 +78,22 @@ Eigen::Vector3d toVector(const std::array<double, 3>& components)
     return {components[0], components[1], components[2]};
 }
 
+/// In space directions have all components: (0 1) is upwards in the plane.
+void requireThirdComponents(const Dictionary& dictionary)
+{
+    if (const Entry* direction = dictionary.find("direction"))
+    {
+        direction->as<Vector<3>>();
+    }
+    if (const Dictionary* components = dictionary.findDict("components"))
+    {
+        for (const std::string& name : components->keywords())
+        {
+            requireThirdComponents(components->subDict(name));
+        }
+    }
+}
+
 } // namespace
 
 constexpr const char* noLength = "The direction has no length. Write for instance `direction (1 0 0);`.";
@@ -124,9 +140,14 @@ void declare(Options& options, GroundMotionSettings& settings)
         });
 }
 
-GroundMotion readGroundMotion(const Dictionary& dictionary, const std::filesystem::path& caseDirectory)
+GroundMotion readGroundMotion(const Dictionary& dictionary, const std::filesystem::path& caseDirectory,
+                              int dimensions)
 {
     const auto settings = readOptions<GroundMotionSettings>(dictionary);
+    if (dimensions == 3)
+    {
+        requireThirdComponents(dictionary);
+    }
     GroundMotion motion;
     const auto add = [&](const std::array<double, 3>& direction, const AccelerationMaker& acceleration,
                          const Dictionary& described)
@@ -216,9 +237,11 @@ void setGroundMotion(Effects<Dim>& effects, GroundMotion motion)
 template<int Dim>
 EffectType<Dim> groundMotionType()
 {
-    return fileEffectType<Dim>(
-        "groundMotion", [](const Dictionary& dictionary, const EffectSource<Dim>& source)
-        { return std::make_shared<MovingGround<Dim>>(readGroundMotion(dictionary, source.caseDirectory)); });
+    return fileEffectType<Dim>("groundMotion",
+                               [](const Dictionary& dictionary, const EffectSource<Dim>& source) {
+                                   return std::make_shared<MovingGround<Dim>>(
+                                       readGroundMotion(dictionary, source.caseDirectory, Dim));
+                               });
 }
 
 template class MovingGround<2>;

@@ -71,8 +71,10 @@ struct GroundMotionSettings
 void declare(Options& options, GroundMotionSettings& settings);
 
 /// The motion that constant/groundMotion describes, with its records read.
+/// \param dimensions of the case: in space a direction needs all three numbers
 /// \throws FatalIOError for what is wrong with the dictionary or with a file it names
-GroundMotion readGroundMotion(const Dictionary& dictionary, const std::filesystem::path& caseDirectory);
+GroundMotion readGroundMotion(const Dictionary& dictionary, const std::filesystem::path& caseDirectory,
+                              int dimensions);
 
 /// Each block feels -m a, with the mean acceleration of the ground over the step times the factor.
 template<int Dim>

@@ -168,7 +168,7 @@ FunctionPlan<Dim> planGroundMotion(PlainSettings<Dim> settings)
             requireCaseFile(output.caseDirectory, "constant/groundMotion",
                             "The function groundMotion of system/controlDict lists it: where the ground does "
                             "not move, leave the function out."));
-        GroundMotion motion = readGroundMotion(dictionary, output.caseDirectory);
+        GroundMotion motion = readGroundMotion(dictionary, output.caseDirectory, Dim);
         return std::make_unique<GroundMotionFunction<Dim>>(std::move(output), std::move(motion));
     };
     return settings.plan;

@@ -45,7 +45,8 @@ Box<Dim> boxOf(const Assembly<Dim>& assembly)
 template<int Dim>
 constexpr int up = Dim - 1;
 
-/// Rejects a structure that the ground would cut into.
+/// Rejects a structure that the ground would cut into. Supports of it, which the ground does not touch, may
+/// have been measured to no more than what counts as a joint.
 template<int Dim>
 void rejectBlocksUnderGround(const Assembly<Dim>& assembly, const SourceLocation& place)
 {
@@ -53,7 +54,10 @@ void rejectBlocksUnderGround(const Assembly<Dim>& assembly, const SourceLocation
     const double tolerance = 1e-9 * (box.upper - box.lower).maxCoeff();
     for (std::size_t i = 0; i < assembly.blocks.size(); ++i)
     {
-        if (boxOf(assembly.blocks[i]).lower[up<Dim>] < -tolerance)
+        const double allowed = assembly.blocks[i].support >= 0
+                                   ? std::max(tolerance, assembly.jointTolerance.value_or(0))
+                                   : tolerance;
+        if (boxOf(assembly.blocks[i]).lower[up<Dim>] < -allowed)
         {
             throw FatalIOError(
                 fmt::format("Block {} reaches below {} = 0, where the ground lies. Raise the structure, "

@@ -219,6 +219,10 @@ Assembly<Dim> makeStructure(const Dictionary& dictionary, const std::filesystem:
         throw FatalIOError("This texture has no blocks: reduce its openings or voids, or add blocks.",
                            dictionary.locationOf("texture"));
     }
+    if (blockTexture.jointTolerance) // else that of an imported file stays
+    {
+        blockTexture.texture.assembly.jointTolerance = blockTexture.jointTolerance;
+    }
     for (const auto& [name, addSupport] : blockTexture.supports)
     {
         addSupport(blockTexture.texture.assembly, name, blockTexture.texture.unit);
@@ -228,10 +232,6 @@ Assembly<Dim> makeStructure(const Dictionary& dictionary, const std::filesystem:
     for (const auto& [name, addZone] : blockTexture.zones) // ground may take blocks of the texture away
     {
         addZone(blockTexture.texture.assembly, name);
-    }
-    if (blockTexture.jointTolerance) // else that of an imported file stays
-    {
-        blockTexture.texture.assembly.jointTolerance = blockTexture.jointTolerance;
     }
     return std::move(blockTexture.texture.assembly);
 }

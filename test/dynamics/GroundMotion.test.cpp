@@ -150,7 +150,7 @@ namespace
 
 GroundMotion motionOf(const std::string& text, const std::filesystem::path& caseDirectory = "")
 {
-    return readGroundMotion(Dictionary::readString(text, "constant/groundMotion"), caseDirectory);
+    return readGroundMotion(Dictionary::readString(text, "constant/groundMotion"), caseDirectory, 2);
 }
 
 std::string refusalOf(const std::string& text, const std::filesystem::path& caseDirectory = "")
@@ -273,4 +273,17 @@ TEST(GroundMotionDictionary, EveryTypeDescribesItsKeys)
     const std::string text =
         annotatedDictionary("groundMotion", "How the ground moves.", describeOptions<GroundMotionSettings>());
     EXPECT_THAT(text, testing::AllOf(HasSubstr("rectangularPulse"), HasSubstr("peakAcceleration")));
+}
+
+// Upwards in the plane, level in space if a zero were added.
+TEST(GroundMotionFile, ADirectionOfTwoNumbersIsRefusedInSpace)
+{
+    const std::string ofOne = "direction (0 1); acceleration { type constant; value 1; }";
+    for (const std::string& text : {ofOne, "components { east { " + ofOne + " } }"})
+    {
+        const Dictionary dictionary = Dictionary::readString(text, "constant/groundMotion");
+        EXPECT_EQ(readGroundMotion(dictionary, ".", 2).components[0].direction, Eigen::Vector3d(0, 1, 0));
+        EXPECT_THAT([&] { readGroundMotion(dictionary, ".", 3); },
+                    testing::ThrowsMessage<FatalError>(HasSubstr("Give x, y and z (up)")));
+    }
 }

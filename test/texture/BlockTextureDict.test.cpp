@@ -182,4 +182,17 @@ TEST(BlockTextureDict, FaultsOfSupportsAreNamed)
         HasSubstr("Block 0 reaches below y = 0"));
 }
 
+// A support that was measured reaches under the ground by what counts as a joint; a free block may not.
+TEST(BlockTextureDict, SupportsMayReachUnderTheGroundByTheToleranceOfJoints)
+{
+    const std::string block = "texture { type polygons; blocks ( ((0 -1e-5) (1 -1e-5) (1 1) (0 1)) ); } ";
+    const std::string fixed = "a { type blocks; blocks (0); }";
+    const std::string slab = "b { type ground; }";
+    EXPECT_EQ(structure(block + "jointTolerance 1e-4; supports { " + fixed + slab + " }").blocks.size(), 2u);
+    EXPECT_THAT(report(block + "jointTolerance 1e-6; supports { " + fixed + slab + " }"),
+                HasSubstr("Block 0 reaches below y = 0"));
+    EXPECT_THAT(report(block + "jointTolerance 1e-4; supports { " + slab + " }"),
+                HasSubstr("Block 0 reaches below y = 0"));
+}
+
 } // namespace
