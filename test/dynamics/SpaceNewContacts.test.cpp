@@ -196,8 +196,35 @@ Block<3> stoneAt(const Vector<3>& place, std::mt19937& random)
 namespace
 {
 
+/// An angle, turned at random.
+Block<3> angleAt(const Vector<3>& place, std::mt19937& random)
+{
+    std::uniform_real_distribution<double> symmetric(-1, 1);
+    const double width = 0.3 + 0.05 * symmetric(random);
+    const double height = 0.25 + 0.05 * symmetric(random);
+    const double leg = 0.1 + 0.02 * symmetric(random);
+    std::vector<Vector<3>> front, back;
+    for (const Vector<2>& corner : {Vector<2>(0, 0), Vector<2>(width, 0), Vector<2>(width, leg),
+                                    Vector<2>(leg, leg), Vector<2>(leg, height), Vector<2>(0, height)})
+    {
+        front.emplace_back(corner.x() - width / 2, corner.y() - height / 2, -0.08);
+        back.emplace_back(corner.x() - width / 2, corner.y() - height / 2, 0.08);
+    }
+    Block<3> angle;
+    angle.shape = makePrism(front, back);
+    angle.support = -1;
+    const Vector<3> turn = 2 * Vector<3>(symmetric(random), symmetric(random), symmetric(random));
+    for (Vector<3>& vertex : angle.shape.vertices)
+    {
+        vertex = turned(turn, vertex) + place;
+    }
+    return angle;
+}
+
+using Stone = Block<3> (*)(const Vector<3>& place, std::mt19937& random);
+
 /// Eight stones above a pit of five boxes.
-Assembly<3> stonesAboveAPit(unsigned seed)
+Assembly<3> stonesAboveAPit(unsigned seed, Stone stone)
 {
     using spaceScenes::boxBlock;
     std::mt19937 random(seed);
@@ -207,19 +234,20 @@ Assembly<3> stonesAboveAPit(unsigned seed)
         boxBlock({-0.5, -0.5, -0.2}, {0.5, 0.5, 0}, 0), boxBlock({-0.7, -0.7, 0}, {-0.5, 0.7, 1}, 0),
         boxBlock({0.5, -0.7, 0}, {0.7, 0.7, 1}, 0), boxBlock({-0.5, -0.7, 0}, {0.5, -0.5, 1}, 0),
         boxBlock({-0.5, 0.5, 0}, {0.5, 0.7, 1}, 0)};
-    for (int stone = 0; stone < 8; ++stone)
+    for (int i = 0; i < 8; ++i)
     {
-        assembly.blocks.push_back(stoneAt({0.2 * (stone % 2 ? 1 : -1), 0.1, 0.4 + 0.5 * stone}, random));
+        assembly.blocks.push_back(stone({0.2 * (i % 2 ? 1 : -1), 0.1, 0.4 + 0.5 * i}, random));
     }
     return assembly;
 }
 
 /// Neither enter each other nor gain energy, by either law.
-void fallIntoAPit(unsigned seed, double theta = 1, double restitution = 0)
+void fallIntoAPit(unsigned seed, double theta = 1, double restitution = 0, Stone stone = stoneAt)
 {
     constexpr double timeStep = 2e-3;
-    DynamicCase<3> scene = spaceScenes::sceneOf(stonesAboveAPit(seed), theta, 0.5, {0, 0, -spaceScenes::g},
-                                                seed % 2 ? FlowRule::associative : FlowRule::nonAssociative);
+    DynamicCase<3> scene =
+        spaceScenes::sceneOf(stonesAboveAPit(seed, stone), theta, 0.5, {0, 0, -spaceScenes::g},
+                             seed % 2 ? FlowRule::associative : FlowRule::nonAssociative);
     if (restitution > 0)
     {
         scene.contact.restitution = Restitution{restitution};
@@ -263,6 +291,23 @@ TEST(SpaceNewContacts, StonesThatReboundGainNoEnergyEither)
     for (unsigned seed = 0; seed < 2; ++seed)
     {
         fallIntoAPit(seed, 0.5, 0.3);
+    }
+    fallIntoAPit(2, 1, 0.3);
+}
+
+TEST(SpaceNewContacts, NorDoStonesThatAreNotConvex)
+{
+    for (unsigned seed = 0; seed < 2; ++seed)
+    {
+        fallIntoAPit(seed, 1, 0, angleAt);
+    }
+}
+
+TEST(NightlySpaceNewContacts, ManyStonesThatAreNotConvexFallIntoPits)
+{
+    for (unsigned seed = 2; seed < 20; ++seed)
+    {
+        fallIntoAPit(seed, 1, 0, angleAt);
     }
 }
 

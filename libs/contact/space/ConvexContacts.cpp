@@ -401,30 +401,38 @@ std::vector<ConvexContact> contactsAtCorners(const std::vector<Corner>& corners,
 std::vector<ConvexContact> contactsOfFace(const ConvexSolid& solid, int face, bool isOfFirst,
                                           const ConvexSolid& other, double tolerance)
 {
-    const auto with = [&](int otherFace)
-    {
-        const std::vector<Corner> polygon = sharedPolygon(solid, face, other, otherFace, tolerance);
-        return contactsAtCorners(cornersApart(polygon, asOnePoint * tolerance), solid, face, isOfFirst, other,
-                                 otherFace);
-    };
     const Vector<3>& normal = solid.normals[static_cast<std::size_t>(face)];
-    std::vector<ConvexContact> contacts = with(faceLookingAt(other, normal, tolerance));
-    if (!contacts.empty())
+    const Vector<3>& onFace = pointOf(solid, face);
+    std::vector<ConvexContact> contacts;
+    double nearest = infinite;
+    const auto add = [&](int otherFace)
+    {
+        const std::vector<Corner> corners =
+            cornersApart(sharedPolygon(solid, face, other, otherFace, tolerance), asOnePoint * tolerance);
+        for (const Corner& corner : corners)
+        {
+            nearest = std::min(nearest, normal.dot(corner.place - onFace));
+        }
+        for (const ConvexContact& contact :
+             contactsAtCorners(corners, solid, face, isOfFirst, other, otherFace))
+        {
+            if (std::find(contacts.begin(), contacts.end(), contact) == contacts.end())
+            {
+                contacts.push_back(contact);
+            }
+        }
+    };
+    add(faceLookingAt(other, normal, tolerance));
+    if (nearest <= leastAlong(other, normal, onFace) + tolerance)
     {
         return contacts;
     }
-    // What is foremost is beside the face: any other that looks at it may enter it at its rim.
+    // What is foremost is beside the face: any other that looks at it may enter it at its rim, and deeper.
     for (int otherFace = 0; otherFace < static_cast<int>(other.faces.size()); ++otherFace)
     {
         if (other.normals[static_cast<std::size_t>(otherFace)].dot(normal) < 0)
         {
-            for (const ConvexContact& contact : with(otherFace))
-            {
-                if (std::find(contacts.begin(), contacts.end(), contact) == contacts.end())
-                {
-                    contacts.push_back(contact);
-                }
-            }
+            add(otherFace);
         }
     }
     return contacts;

@@ -156,20 +156,32 @@ void MovingContacts<3>::find(int block, int neighbour, Places& places)
             point =
                 measured(point, pair, places.now, places.forth[static_cast<std::size_t>(pair.cornerBlock)],
                          places.forth[static_cast<std::size_t>(pair.faceBlock)]);
+            if (point.gap > places.margin)
+            {
+                continue;
+            }
             const auto isSame = [&](const ContactPoint<3>& other)
             {
                 return other.feature == point.feature
                        || ((other.position - point.position).norm() <= onePoint * blockSize
                            && other.normal.dot(point.normal) > oneNormal);
             };
-            if (std::any_of(points.begin() + static_cast<std::ptrdiff_t>(first), points.end(), isSame))
+            // Of an earlier heading, of another part, or beside one: how the two share a force would not be
+            // determined. The nearer face is met first.
+            const auto there =
+                std::find_if(points.begin() + static_cast<std::ptrdiff_t>(first), points.end(), isSame);
+            if (there == points.end())
             {
-                continue; // of an earlier heading, of another part, or beside one: how the two share a force
-                          // would not be determined
+                found.push_back(std::move(pair));
+                points.push_back(point);
+                foundIndex.push_back(static_cast<int>(found.size()) - 1);
             }
-            found.push_back(std::move(pair));
-            points.push_back(point);
-            foundIndex.push_back(static_cast<int>(found.size()) - 1);
+            else if (point.gap < there->gap)
+            {
+                const auto index = static_cast<std::size_t>(there - points.begin());
+                found[static_cast<std::size_t>(foundIndex[index])] = std::move(pair);
+                *there = point;
+            }
         }
     }
     foundJoints += points.size() > first ? 1 : 0;
@@ -298,36 +310,22 @@ bool MovingContacts<3>::isOverlapping(const std::vector<Placement<3>>& placement
         });
 }
 
-/// Takes away points that were found and are farther apart than the margin. \throws FatalError where they
-/// are too deep in each other
-void MovingContacts<3>::dropFar(double margin)
+/// \throws FatalError where blocks are too deep in each other at points that were found
+void MovingContacts<3>::refuseDeepPoints() const
 {
-    std::size_t kept = 0;
     for (std::size_t index = 0; index < points.size(); ++index)
     {
         const ContactPoint<3>& point = points[index];
-        if (foundIndex[index] >= 0)
+        if (foundIndex[index] >= 0 && point.gap < -mayEnterFound)
         {
-            if (point.gap > margin)
-            {
-                continue;
-            }
-            if (point.gap < -mayEnterFound)
-            {
-                throw FatalError(fmt::format(
-                    "{} and {} have run {:.3g} m into each other, {:.2g} of the mean block size: it is not "
-                    "known on which side they met. Give a shorter deltaT, or with adjustTimeStep a smaller "
-                    "maxDisplacement or maxDeltaT; where joints are elastic, stiffer ones.",
-                    blockName(assembly, point.block), blockName(assembly, point.neighbour), -point.gap,
-                    -point.gap / blockSize));
-            }
+            throw FatalError(fmt::format(
+                "{} and {} have run {:.3g} m into each other, {:.2g} of the mean block size: it is not "
+                "known on which side they met. Give a shorter deltaT, or with adjustTimeStep a smaller "
+                "maxDisplacement or maxDeltaT; where joints are elastic, stiffer ones.",
+                blockName(assembly, point.block), blockName(assembly, point.neighbour), -point.gap,
+                -point.gap / blockSize));
         }
-        points[kept] = point;
-        foundIndex[kept] = foundIndex[index];
-        ++kept;
     }
-    points.resize(kept);
-    foundIndex.resize(kept);
 }
 
 void MovingContacts<3>::refuseMeeting(int block, int neighbour, const std::vector<Placement<3>>& now) const

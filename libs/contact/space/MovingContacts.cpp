@@ -303,7 +303,7 @@ MovingContacts<3>::update(const std::vector<Placement<3>>& now,
     }
     findBefore({static_cast<int>(now.size()), 0});
     measure(now, points);
-    dropFar(margin);
+    refuseDeepPoints();
     return points;
 }
 

@@ -139,7 +139,7 @@ private:
                                              const PartContact& parts, int block, int neighbour,
                                              Places& places) const;
     double pressedIn(int block, int neighbour, const std::vector<Placement<3>>& placements) const;
-    void dropFar(double margin);
+    void refuseDeepPoints() const;
     Pair pairOfContact(const PartContact& found, int block, int neighbour) const;
     int featureOf(const PartContact& found, int block, int neighbour) const;
     /// \param swingOfCorner, swingOfFace of the blocks of its corner and of its face
