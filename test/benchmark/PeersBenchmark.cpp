@@ -14,7 +14,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include <limits>
+#include <algorithm>
+#include <array>
 
 namespace drystone
 {
@@ -37,7 +38,7 @@ const std::vector<Problem>& problems()
             list.push_back(
                 {fmt::format("wall {} limit", wall), [wall] { return limitAnalysisOf(paperWall(wall)); }});
         }
-        for (const int size : {20, 40})
+        for (const int size : {20, 40, 80})
         {
             list.push_back(
                 {fmt::format("square {} limit", size), [size] { return limitAnalysisOf(squareWall(size)); }});
@@ -83,6 +84,13 @@ std::vector<Peer> contestants()
     {
         all.push_back(peer);
     }
+    for (const std::optional<Peer>& peer : {ecos(), qoco(), piqp(), highsSimplex(), highsInteriorPoint()})
+    {
+        if (peer)
+        {
+            all.push_back(*peer);
+        }
+    }
     return all;
 }
 
@@ -97,7 +105,13 @@ void solve(benchmark::State& state)
     std::optional<PeerAnswer> answer;
     for (auto _ : state)
     {
-        answer = peer.solve(program, 1e-8);
+        // The least of five for what takes less than a second.
+        constexpr int turns = 5;
+        for (int turn = 0; turn < turns && (turn == 0 || (answer && answer->seconds < 1)); ++turn)
+        {
+            std::optional<PeerAnswer> again = peer.solve(program, 1e-8);
+            answer = !answer || (again && again->seconds < answer->seconds) ? std::move(again) : answer;
+        }
         state.SetIterationTime(answer ? answer->seconds : 0);
     }
     if (!answer)
@@ -128,7 +142,10 @@ void allPairs(benchmark::internal::Benchmark* benchmark)
             const bool stepsOnly = solvers[solver].law == ContactLaw::Coulomb
                                    || name == nameOf(SolverType::augmentedLagrangian)
                                    || name == nameOf(SolverType::gaussSeidel);
-            const bool limitOnly = name == "GLPK" || name == "Clp";
+            constexpr std::array ofLimitAnalysis{"GLPK", "Clp", "HiGHS simplex", "HiGHS interior point",
+                                                 "ECOS", "QOCO"};
+            const bool limitOnly =
+                std::find(ofLimitAnalysis.begin(), ofLimitAnalysis.end(), name) != ofLimitAnalysis.end();
             if (isStep ? !limitOnly : !stepsOnly)
             {
                 benchmark->Args({static_cast<long>(problem), static_cast<long>(solver)});

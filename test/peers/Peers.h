@@ -48,8 +48,12 @@ std::optional<Peer> cvxopt();
 /// ECOS on limit analysis, as a package of R (Debian's r-cran-ecosolver), through files; for benchmarks, not
 /// among installedPeers.
 std::optional<Peer> ecos();
-/// QOCO on limit analysis, through its library, which nobody has unless he built it; likewise for benchmarks.
+/// For benchmarks likewise, what Debian has no package of and nobody has unless he built it. QOCO on limit
+/// analysis, PIQP on all programs of the plane without strengths, HiGHS as GLPK.
 std::optional<Peer> qoco();
+std::optional<Peer> piqp();
+std::optional<Peer> highsSimplex();
+std::optional<Peer> highsInteriorPoint();
 /// Siconos' block Gauss-Seidel on steps with Coulomb's law, plane and space.
 std::optional<Peer> siconosGaussSeidel();
 /// Siconos' method of Lemke on plane steps with Coulomb's law.
