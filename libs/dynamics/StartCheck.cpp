@@ -4,6 +4,7 @@
 
 #include "contact/AlmostJoints.h"
 #include "contact/Penetration.h"
+#include "core/Degrees.h"
 
 #include <fmt/format.h>
 
@@ -63,10 +64,7 @@ void questionRotation(const BlockStart<Dim>& start, const SourceLocation& place)
     if (std::abs(angle) > EIGEN_PI / 2)
     {
         printWarning(
-            fmt::format("A rotation of {:g} rad is {:.4g} degrees. Angles are in rad: {:g} degrees would be "
-                        "`rotation {}{:.9g}{};`.",
-                        angle, angle * 180 / EIGEN_PI, angle, Dim == 2 ? "" : "(0 0 ", angle * EIGEN_PI / 180,
-                        Dim == 2 ? "" : ")"),
+            doubtAboutDegrees(angle, Dim == 2 ? "rotation " : "rotation (0 0 ", Dim == 2 ? ";" : ");"),
             place);
     }
 }

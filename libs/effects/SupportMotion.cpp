@@ -2,6 +2,9 @@
 /// Supports that move in a prescribed way.
 #include "effects/SupportMotion.h"
 
+#include "core/Degrees.h"
+#include "core/Error.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -193,6 +196,44 @@ void declare(Options& options, SupportMotionFile<Dim>& file)
     options.each(file.supports, "of the support with this name");
 }
 
+namespace
+{
+
+/// Says what has no effect, and which angles are probably in degrees. \param given the motion of one support
+template<int Dim>
+void questionMotion(const SupportMotionSettings<Dim>& settings, const Dictionary& given)
+{
+    const bool translates = !settings.displacement.empty() || !settings.velocity.empty();
+    const bool turns = !settings.rotation.empty() || !settings.angularVelocity.empty();
+    const auto warnIfGiven = [&given](const char* key, const char* without)
+    {
+        if (given.find(key))
+        {
+            printWarning(fmt::format("{} has no effect without {}.", key, without), given.locationOf(key));
+        }
+    };
+    if (!translates)
+    {
+        warnIfGiven("direction", "displacement or velocity");
+    }
+    if (!turns)
+    {
+        warnIfGiven("axis", "rotation or angularVelocity");
+        warnIfGiven("centre", "rotation or angularVelocity");
+    }
+    double farthest = 0;
+    for (const auto& [time, angle] : settings.rotation)
+    {
+        farthest = std::abs(angle) > std::abs(farthest) ? angle : farthest;
+    }
+    if (std::abs(farthest) > 2 * EIGEN_PI)
+    {
+        printWarning(doubtAboutDegrees(farthest, "(time ", ")"), given.locationOf("rotation"));
+    }
+}
+
+} // namespace
+
 template<int Dim>
 std::vector<SupportMotion<Dim>> readSupportMotions(const Dictionary& dictionary,
                                                    const Assembly<Dim>& assembly)
@@ -215,6 +256,7 @@ std::vector<SupportMotion<Dim>> readSupportMotions(const Dictionary& dictionary,
                                dictionary.locationOf(name));
         }
         SupportMotion<Dim> motion;
+        questionMotion(settings, dictionary.subDict(name));
         motion.support = static_cast<int>(found - supports.begin());
         motion.direction = settings.direction.norm() > 0 ? Vector<Dim>(settings.direction.normalized())
                                                          : Vector<Dim>(Vector<Dim>::Zero());

@@ -5,6 +5,7 @@
 #include "effects/Deletion.h"
 #include "effects/SupportMotion.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -334,4 +335,26 @@ TEST(Deletion, ABlockOutsideFromTheStartIsNotComputed)
     ASSERT_NO_FATAL_FAILURE(run(scene, motion, 1e-2, 1));
     EXPECT_EQ(motion.state.placements[1].translation.x(), 0);
     EXPECT_EQ(motion.state.velocity.norm(), 0);
+}
+
+TEST(SupportMotion, WhatHasNoEffectAndDegreesAreQuestioned)
+{
+    const Assembly<2> assembly = ground(-1, 1);
+    const auto warnings = [&](const std::string& motion)
+    {
+        testing::internal::CaptureStderr();
+        readSupportMotions(Dictionary::readString("ground { " + motion + " }", "constant/supportMotion"),
+                           assembly);
+        return testing::internal::GetCapturedStderr();
+    };
+    using testing::AllOf;
+    using testing::HasSubstr;
+    EXPECT_EQ(warnings("direction (1 0); velocity ((0 0) (1 1));"), "");
+    EXPECT_EQ(warnings("centre (1 0); rotation ((0 0) (1 3));"), "");
+    EXPECT_THAT(warnings("rotation ((0 0) (1 90));"),
+                AllOf(HasSubstr("`(time 1.57079633)`"), HasSubstr("constant/supportMotion/ground/rotation")));
+    EXPECT_THAT(warnings("direction (1 0); rotation ((0 0) (1 1));"),
+                HasSubstr("direction has no effect without displacement or velocity"));
+    EXPECT_THAT(warnings("direction (1 0); velocity ((0 0) (1 1)); centre (1 0);"),
+                HasSubstr("centre has no effect without rotation or angularVelocity"));
 }
