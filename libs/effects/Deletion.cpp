@@ -4,6 +4,9 @@
 
 #include "effects/ContactProperties.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <functional>
 
@@ -74,6 +77,24 @@ template<int Dim>
 std::vector<EffectField> BlockDeletion<Dim>::blockFields(const EffectState& state) const
 {
     return {{"deleted", {state.flags.begin(), state.flags.end()}}};
+}
+
+template<int Dim>
+std::string BlockDeletion<Dim>::stepText(const EffectState& before, const EffectState& after) const
+{
+    std::vector<std::size_t> leaving;
+    for (std::size_t block = 0; block < after.flags.size(); ++block)
+    {
+        if (after.flags[block] && !(block < before.flags.size() && before.flags[block]))
+        {
+            leaving.push_back(block);
+        }
+    }
+    return leaving.empty()
+               ? ""
+               : fmt::format("Deletion: block{} {} left the box, {} are out and computed no further",
+                             leaving.size() > 1 ? "s" : "", fmt::join(leaving, " "),
+                             std::count(after.flags.begin(), after.flags.end(), true));
 }
 
 template<int Dim>

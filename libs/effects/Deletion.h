@@ -33,6 +33,7 @@ public:
     std::vector<int> leaveOut(const Structure<Dim>& structure, const std::vector<Placement<Dim>>& placements,
                               EffectState& state) const override;
     std::vector<EffectField> blockFields(const EffectState& state) const override;
+    std::string stepText(const EffectState& before, const EffectState& after) const override;
 
 private:
     Deletion<Dim> settings;

@@ -358,3 +358,17 @@ TEST(SupportMotion, WhatHasNoEffectAndDegreesAreQuestioned)
     EXPECT_THAT(warnings("direction (1 0); velocity ((0 0) (1 1)); centre (1 0);"),
                 HasSubstr("centre has no effect without rotation or angularVelocity"));
 }
+
+TEST(Deletion, TheLogSaysWhichBlocksLeave)
+{
+    const BlockDeletion<2> deletion(Deletion<2>{{{-1, -1}, {1, 1}}});
+    EffectState before, after;
+    before.flags = {false, true, false, false};
+    after.flags = {true, true, false, true};
+    EXPECT_EQ(deletion.stepText(before, after),
+              "Deletion: blocks 0 3 left the box, 3 are out and computed no further");
+    EXPECT_EQ(deletion.stepText(after, after), "");
+    before.flags[0] = true;
+    EXPECT_EQ(deletion.stepText(before, after),
+              "Deletion: block 3 left the box, 3 are out and computed no further");
+}
