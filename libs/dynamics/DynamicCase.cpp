@@ -18,21 +18,48 @@ namespace drystone
 namespace
 {
 
-/// Warns of a contactOverlap that no step looks at: points give way by Coulomb's law and with theta 1 only.
-template<int Dim>
-void warnOfUnusedOverlap(const DynamicCase<Dim>& scene, const std::filesystem::path& caseDirectory)
+/// Whether the steps of the case choose their length.
+bool adjustsTimeStep(const std::filesystem::path& caseDirectory)
 {
-    const bool isAssociative = scene.flowRule() == FlowRule::associative;
-    if (scene.schemes.contactOverlap != Schemes().contactOverlap
-        && (isAssociative || scene.schemes.timeIntegration.theta < 1))
+    const Dictionary control = Dictionary::readFileIfPresent(caseDirectory / "system/controlDict");
+    return control.find("adjustTimeStep") && control.get<bool>("adjustTimeStep");
+}
+
+/// Warns of settings that no step looks at. Points give way by Coulomb's law and with theta 1 only.
+template<int Dim>
+void warnOfUnused(const DynamicCase<Dim>& scene, const std::filesystem::path& caseDirectory)
+{
+    const std::filesystem::path file = caseDirectory / "system/schemes";
+    const auto warn = [&file](const char* key, const std::string& why)
     {
-        printWarningOnce(
-            fmt::format("contactOverlap is not used: with {} contact points do not give way. Remove it, or "
-                        "choose {}.",
-                        isAssociative ? "the associative flow rule" : "theta below 1",
-                        isAssociative ? "`flowRule nonAssociative;` in constant/contactProperties"
-                                      : "theta 1"),
-            Dictionary::readFile(caseDirectory / "system/schemes").locationOf("contactOverlap"));
+        printWarningOnce(fmt::format("{} is not used: {}.", key, why),
+                         Dictionary::readFile(file).locationOf(key));
+    };
+    const Schemes& schemes = scene.schemes;
+    const bool isAssociative = scene.flowRule() == FlowRule::associative;
+    const double theta = schemes.timeIntegration.theta;
+    if (schemes.contactOverlap != Schemes().contactOverlap && (isAssociative || theta < 1))
+    {
+        warn("contactOverlap",
+             fmt::format("with {} contact points do not give way. Remove it, or choose {}",
+                         isAssociative ? "the associative flow rule" : "theta below 1",
+                         isAssociative ? "`flowRule nonAssociative;` in constant/contactProperties"
+                                       : "theta 1"));
+    }
+    if (schemes.impacts != Schemes().impacts && theta == 1 && scene.restitution() == 0)
+    {
+        warn("impacts",
+             "with theta 1 and without restitution what meets is stopped by the step itself. Remove "
+             "it, or give restitution in constant/contactProperties");
+    }
+    for (const auto& [key, isGiven] :
+         {std::pair("maxDisplacement", schemes.maxDisplacement != Schemes().maxDisplacement),
+          std::pair("maxDeltaT", schemes.maxDeltaT != Schemes().maxDeltaT)})
+    {
+        if (isGiven && !adjustsTimeStep(caseDirectory))
+        {
+            warn(key, "deltaT is fixed. Remove it, or set `adjustTimeStep yes;` in system/controlDict");
+        }
     }
 }
 
@@ -75,7 +102,7 @@ DynamicCase<Dim> readDynamicCase(const std::filesystem::path& caseDirectory,
     const CaseEffects<Dim> read = readCaseEffects(caseDirectory, types);
     scene.contact = read.contact;
     addLeftOut(scene);
-    warnOfUnusedOverlap(scene, caseDirectory);
+    warnOfUnused(scene, caseDirectory);
     scene.effectNames = effectNames(read);
     scene.gravity = readGravity<Dim>(caseDirectory);
     scene.jointFriction = frictionOfJoints(scene.contact, assembly);

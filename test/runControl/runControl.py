@@ -446,6 +446,21 @@ class RunControl(CaseTest):
                                done.stdout + done.stderr)
             self.assertEqual(warned.group(1) if warned else "", says)
 
+    def testOtherSettingsThatNoStepLooksAtAreWarnedOf(self):
+        case = self.copy("unused")
+        for schemes, says in (("impacts stepStart;", "impacts is not used"),
+                              ("impacts stepStart; timeIntegration { type theta; theta 0.5; }", ""),
+                              ("maxDeltaT 0.01;", "maxDeltaT is not used: deltaT is fixed"),
+                              ("maxDisplacement 0.01;", "maxDisplacement is not used: deltaT is fixed")):
+            self.write(case, "system/schemes", header % "schemes" + schemes + "\n")
+            done = self.run_(case, "-dry-run")
+            warned = re.search(r"\w+ is not used(: deltaT is fixed)?(?=(?s:.*)schemes\S* at line 2)",
+                               done.stdout + done.stderr)
+            self.assertEqual(warned.group(0) if warned else "", says)
+        self.control(case, adjustTimeStep="yes")
+        done = self.run_(case, "-dry-run")
+        self.assertNotIn("is not used", done.stdout + done.stderr)
+
     def testPostProcessGivesTheRowsOfTheRunAtTheTimesThatWereWritten(self):
         functions = "{ energy {} blockMotion { blocks (1 2); } contactForces {} residuals {} }"
         case = self.copy("post", startFrom="startTime", functions=functions)
