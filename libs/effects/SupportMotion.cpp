@@ -167,7 +167,8 @@ void declare(Options& options, SupportMotionSettings<Dim>& settings)
         .example("((0 0) (2 0.05))");
     options
         .optional("velocity", settings.velocity,
-                  "instead: times [s] and velocities [m/s]; a time that stands twice is a jump")
+                  "instead: times [s] and velocities [m/s], zero after the last; a time that stands twice is "
+                  "a jump")
         .example("((0 0) (0.5 1) (1 0))");
     declareAxis(options, settings);
     options.optional("centre", settings.centre, "of rotation, as built; it moves with the support")
@@ -177,7 +178,9 @@ void declare(Options& options, SupportMotionSettings<Dim>& settings)
         .optional("rotation", settings.rotation,
                   "times [s] and angles [rad] about the centre, straight between them; the first is 0")
         .example("((0 0) (2 0.01))");
-    options.optional("angularVelocity", settings.angularVelocity, "instead: times [s] and velocities [rad/s]")
+    options
+        .optional("angularVelocity", settings.angularVelocity,
+                  "instead: times [s] and velocities [rad/s], zero after the last")
         .example("((0 0) (0.5 0.1) (1 0))");
     options.check("direction",
                   [&settings]
