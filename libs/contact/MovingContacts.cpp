@@ -3,6 +3,7 @@
 #include "contact/MovingContacts.h"
 
 #include "contact/EdgeNormal.h"
+#include "geometry/PackedMatrix.h"
 #include "geometry/PolygonShape.h"
 
 #include <Eigen/Geometry>
@@ -219,8 +220,7 @@ void MovingContacts<2>::measure(const std::vector<Placement<2>>& placements,
 {
     assert(placements.size() == centroids.size());
     points.resize(found.size());
-    // A list that needs no allocation of its own kind, which takes longer than to fill it.
-    std::vector<Eigen::Matrix<double, 2, 2, Eigen::DontAlign>> rotations;
+    std::vector<PackedMatrix<2>> rotations;
     rotations.reserve(placements.size());
     for (const Placement<2>& placement : placements)
     {

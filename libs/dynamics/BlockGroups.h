@@ -5,15 +5,12 @@
 
 #include "conic/ProgramPart.h"
 #include "dynamics/Step.h"
+#include "geometry/PackedMatrix.h"
 
 #include <algorithm>
 
 namespace drystone
 {
-
-/// Lists of them need no allocation of their own kind, which takes longer than what they are used for.
-template<int Dim>
-using PackedMatrix = Eigen::Matrix<double, Dim, Dim, Eigen::DontAlign>;
 
 /// Blocks of a step in groups that each move as one rigid body, some of them held as one with the ground. The
 /// displacements of the blocks follow from those of the groups: with r the turn of a group, u the

@@ -34,7 +34,6 @@ constexpr double trustedPart = 0.25;
 
 /// Features that are found are numbered from here on; points that are followed have the numbers below.
 constexpr int firstFound = 1 << 30;
-constexpr int mostFeatures = 1 << 13; // vertices or edges of a block
 
 /// Whether the boxes about two solids are within a distance.
 bool areNear(const ConvexSolid& one, const ConvexSolid& other, double distance)

@@ -33,10 +33,8 @@ constexpr double mayTurn = 0.1;
 /// In mean block sizes: how far blocks that are followed may enter each other before a run ends.
 constexpr double mayEnter = 1e-3;
 
-/// Blocks of more convex parts are followed only, or of more edges: their numbers tell points from each
-/// other.
+/// Blocks of more convex parts are followed only.
 constexpr std::size_t mostParts = 100;
-constexpr std::size_t mostEdges = 1 << 13;
 
 constexpr double sameVertex = 1e-6; // in mean block sizes
 
@@ -113,8 +111,9 @@ const std::vector<int>& faceUnder(const Polyhedron& shape, const Vector<3>& poin
     return *best;
 }
 
-/// A block as convex solids. \param within by which vertices may be off a plane [m]
-std::vector<ConvexSolid> solidsOf(const Polyhedron& shape, double within)
+/// A block as convex solids. \param within by which vertices may be off a plane [m] \return empty where they
+/// are too many, or have more edges than can be told from each other
+std::vector<ConvexSolid> solidsOf(const Polyhedron& shape, double within, std::size_t mostEdges)
 {
     std::vector<ConvexSolid> solids;
     std::size_t edges = 0;
@@ -150,7 +149,7 @@ MovingContacts<3>::MovingContacts(const Assembly<3>& structure, const MovingCont
         // be beyond a plane by some times as much.
         constexpr double timesUneven = 3;
         tolerances.push_back(std::max(tolerance, timesUneven * unevenness(block.shape)));
-        solids.push_back(solidsOf(block.shape, tolerances.back()));
+        solids.push_back(solidsOf(block.shape, tolerances.back(), mostFeatures));
     }
     for (ContactPoint<3>& point : asBuilt)
     {

@@ -74,6 +74,9 @@ public:
     std::size_t parts(int block) const { return solids[static_cast<std::size_t>(block)].size(); }
 
 private:
+    /// Vertices or edges of a block are less: their numbers tell points from each other.
+    static constexpr int mostFeatures = 1 << 13;
+
     /// A corner of one block against the plane of a face of another, or an edge against an edge; as built.
     struct Pair
     {
