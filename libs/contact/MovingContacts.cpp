@@ -3,6 +3,7 @@
 #include "contact/MovingContacts.h"
 
 #include "contact/EdgeNormal.h"
+#include "contact/Penetration.h"
 #include "geometry/PackedMatrix.h"
 #include "geometry/PolygonShape.h"
 
@@ -53,6 +54,7 @@ MovingContacts<2>::MovingContacts(const Assembly<2>& assembly, const MovingConta
     const double size = meanBlockSize(assembly);
     pointTolerance = options.tolerance * size;
     skin = options.skin * size;
+    mayEnter = options.mayEnter * size;
 
     first.push_back(0);
     for (std::size_t b = 0; b < blocks; ++b)
@@ -187,15 +189,51 @@ void MovingContacts<2>::findNeighbours(double margin)
     found.clear();
     cornerAndEdge.clear();
     joints = 0;
+    lastMargin = margin;
     for (const auto& [block, neighbour] : neighbours)
     {
-        // Asked of every pair in the list, so that its reserve cannot change the result.
-        const bool isLeftOut = !leftOut.empty() && (leftOut[block] || leftOut[neighbour]);
-        if (!isLeftOut && !(isFixed[block] && isFixed[neighbour]) && meet(reaches[block], reaches[neighbour]))
+        if (isLookedAt(block, neighbour))
         {
             findPoints(block, neighbour, margin);
         }
     }
+}
+
+/// Asked of every pair in the list, so that its reserve cannot change the result.
+bool MovingContacts<2>::isLookedAt(int block, int neighbour) const
+{
+    const bool isLeftOut = !leftOut.empty() && (leftOut[block] || leftOut[neighbour]);
+    return !isLeftOut && !(isFixed[block] && isFixed[neighbour]) && meet(reaches[block], reaches[neighbour]);
+}
+
+Polygon MovingContacts<2>::outlineOf(const Outlines& outlines, int block) const
+{
+    return {outlines.corner.begin() + first[block], outlines.corner.begin() + first[block + 1]};
+}
+
+double MovingContacts<2>::overlookedDepth(const std::vector<Placement<2>>& placements) const
+{
+    if (lastMargin <= *std::min_element(deepest.begin(), deepest.end()))
+    {
+        return 0;
+    }
+    Outlines there = placedNow;
+    place(there, placements);
+    double deepestOfAll = 0;
+    for (const auto& [block, neighbour] : neighbours)
+    {
+        if (lastMargin > std::min(deepest[block], deepest[neighbour]) && isLookedAt(block, neighbour)
+            && meet(there.box[block], there.box[neighbour]))
+        {
+            const double depth = overlapDepth(outlineOf(there, block), outlineOf(there, neighbour));
+            if (depth > deepestOfAll
+                && depth > overlapDepth(outlineOf(placedNow, block), outlineOf(placedNow, neighbour)))
+            {
+                deepestOfAll = depth;
+            }
+        }
+    }
+    return deepestOfAll;
 }
 
 namespace

@@ -17,8 +17,8 @@ struct MovingContactOptions
 {
     double tolerance = 1e-6; ///< least length of a shared piece, relative to the mean block size
     double skin = 0.1; ///< reserve of the neighbour list, relative to the mean block size: time, not result
-    /// In space: how far blocks may enter each other where points were found between them, relative to the
-    /// mean block size. Rigid ones do by errors only, elastic ones by what their joints give way.
+    /// How far blocks may enter each other in a step, relative to the mean block size. Rigid ones do by
+    /// errors only, elastic ones by what their joints give way.
     double mayEnter = 1e-2;
 };
 
@@ -94,10 +94,19 @@ public:
     /// One of them, by its index.
     ContactPoint<2> pointAt(const std::vector<Placement<2>>& placements, std::size_t index) const;
 
+    /// By how much blocks are deepest in each other that the last update has looked at and whose features it
+    /// may have chosen wrongly, the margin being more than a quarter of the thinner block [m]. Only where
+    /// that is more than it was, and 0 for steps in which no point travels by an eighth of a thickness.
+    double overlookedDepth(const std::vector<Placement<2>>& placements) const;
+
+    /// Whether that is more than blocks may enter each other by.
+    bool isTooDeep(double overlookedDepth) const { return overlookedDepth > mayEnter; }
+
     /// The margin that lists every pair of blocks that can meet within a step: twice the farthest that any
     /// point of a block travels. Features are chosen well as long as no block travels farther in a step than
-    /// a quarter of its thickness. \param velocities (ux uy rz) of each block [m/s, rad/s] \param timeStep
-    /// [s] \param acceleration bound on what the loads add to the velocity [m/s2], for instance gravity
+    /// a quarter of its thickness; what was overlooked otherwise, overlookedDepth tells. \param velocities
+    /// (ux uy rz) of each block [m/s, rad/s] \param timeStep [s] \param acceleration bound on what the loads
+    /// add to the velocity [m/s2], for instance gravity
     double marginFor(const std::vector<Vector<3>>& velocities, double timeStep, double acceleration) const;
 
     /// Has a block touch nothing from the next update on. \param block index of the block
@@ -141,6 +150,8 @@ private:
     ContactPoint<2> pointAt(const std::vector<Placement<2>>& placements, const Eigen::Matrix2d& turned,
                             const Eigen::Matrix2d& turnedEdge, std::size_t index) const;
     void findNeighbours(double margin);
+    bool isLookedAt(int block, int neighbour) const;
+    Polygon outlineOf(const Outlines& outlines, int block) const;
     void findPoints(int block, int neighbour, double margin);
     // The choice of features.
     void matchEdges(int blockEdge, int neighbourEdge, double lowest, double margin);
@@ -174,6 +185,7 @@ private:
     std::vector<double> deepest;         ///< overlap beyond which a block's contacts are not trusted [m]
     double pointTolerance = 0;           ///< [m]
     double skin = 0;                     ///< [m]
+    double mayEnter = 0;                 ///< [m]
 
     // Of the last update.
     Outlines placedNow, aheadStorage;
@@ -182,6 +194,7 @@ private:
     std::vector<BoundingBox> reaches; ///< of each block, now and ahead, with half the margin
     std::vector<BoundingBox> fat;     ///< reach at the last search, with half the skin
     std::vector<std::pair<int, int>> neighbours;
+    double lastMargin = 0;                  ///< [m]
     int pairBlock = -1, pairNeighbour = -1; ///< pair being looked at
     std::vector<Candidate> candidates;
     std::vector<ContactPoint<2>> found;

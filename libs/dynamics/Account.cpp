@@ -10,47 +10,21 @@ namespace drystone
 namespace
 {
 
-/// Where the energy of the step went.
+/// The part of the algorithmic loss that a motion without impacts has.
 template<int Dim>
-StepEnergy energyOf(Step<Dim>& step)
+double smoothLoss(const Step<Dim>& step)
 {
-    const ThetaStep& result = step.solved.result;
-    StepEnergy energy =
-        stepEnergy(result, step.mass, step.load, step.solved.velocity, step.velocityAtEnd, step.scheme);
-    energy.algorithmicLoss += step.lostInStopping - step.keptInFlight;
     constexpr double byLoads = 4; // twice the change of velocity, squared
     const double smooth = byLoads * (step.scheme.theta - 0.5) * step.scheme.timeStep * step.scheme.timeStep
                           * inverseSquareOf(step.mass, step.load);
-    step.motion.smoothLoss += std::min(energy.algorithmicLoss, smooth);
-    // Points close and slide by A'y and by what the supports do, which work against the same forces.
-    double workOfSupports = step.solved.workOfSupports;
-    for (Eigen::Index row = 0; row < step.bySupports.size(); row += Dim)
-    {
-        const double normalWork = result.contactForce[row] * step.bySupports[row];
-        const double shearWork = result.contactForce.template segment<Dim - 1>(row + 1).dot(
-            step.bySupports.template segment<Dim - 1>(row + 1));
-        energy.normalLoss += normalWork;
-        energy.frictionLoss += shearWork;
-        workOfSupports += normalWork + shearWork;
-    }
-    energy.externalWork = (step.load - step.scene.deadLoad).dot(result.displacement) + workOfSupports;
-    if constexpr (Dim == 3) // moments of the dead load, which have no potential
-    {
-        for (Eigen::Index row = Dim; row < result.displacement.size(); row += freedomCount<Dim>)
-        {
-            energy.externalWork += step.scene.deadLoad.template segment<3>(row).dot(
-                result.displacement.template segment<3>(row));
-        }
-    }
-    const std::function<Eigen::VectorXd()> opening = [&step, &result]
-    { return openingAtEnd(step, result.displacement, result.contactForce); };
-    const EffectContext<Dim> context = contextOf(step);
-    const EffectSolution solution{result.displacement, result.contactForce, opening};
-    for (const auto& effect : step.scene.effects)
-    {
-        effect->account(context, solution, energy);
-    }
-    return energy;
+    return std::min(step.energy.algorithmicLoss, smooth);
+}
+
+/// Work that contacts have done on the blocks [J].
+template<int Dim>
+double createdByContact(const Step<Dim>& step)
+{
+    return -(step.energy.normalLoss + step.energy.frictionLoss);
 }
 
 /// Forces and gaps, where the next step starts.
@@ -92,6 +66,65 @@ void keepContacts(Step<Dim>& step)
 } // namespace
 
 template<int Dim>
+void measureEnergy(Step<Dim>& step)
+{
+    const StageTimer timer(step.motion.stageTimes, Stage::account);
+    const ThetaStep& result = step.solved.result;
+    StepEnergy& energy = step.energy;
+    energy = stepEnergy(result, step.mass, step.load, step.solved.velocity, step.velocityAtEnd, step.scheme);
+    energy.algorithmicLoss += step.lostInStopping - step.keptInFlight;
+    // Points close and slide by A'y and by what the supports do, which work against the same forces.
+    double workOfSupports = step.solved.workOfSupports;
+    for (Eigen::Index row = 0; row < step.bySupports.size(); row += Dim)
+    {
+        const double normalWork = result.contactForce[row] * step.bySupports[row];
+        const double shearWork = result.contactForce.template segment<Dim - 1>(row + 1).dot(
+            step.bySupports.template segment<Dim - 1>(row + 1));
+        energy.normalLoss += normalWork;
+        energy.frictionLoss += shearWork;
+        workOfSupports += normalWork + shearWork;
+    }
+    energy.externalWork = (step.load - step.scene.deadLoad).dot(result.displacement) + workOfSupports;
+    if constexpr (Dim == 3) // moments of the dead load, which have no potential
+    {
+        for (Eigen::Index row = Dim; row < result.displacement.size(); row += freedomCount<Dim>)
+        {
+            energy.externalWork += step.scene.deadLoad.template segment<3>(row).dot(
+                result.displacement.template segment<3>(row));
+        }
+    }
+    const std::function<Eigen::VectorXd()> opening = [&step, &result]
+    { return openingAtEnd(step, result.displacement, result.contactForce); };
+    const EffectContext<Dim> context = contextOf(step);
+    const EffectSolution solution{result.displacement, result.contactForce, opening};
+    for (const auto& effect : step.scene.effects)
+    {
+        effect->account(context, solution, energy);
+    }
+}
+
+template<int Dim>
+bool createsEnergy(const Step<Dim>& step)
+{
+    constexpr double mostCreated = 0.1; // of the energy that the blocks had, or got from outside
+    constexpr double closed = 1e-4;     // of a block, against the forces
+    const StepEnergy& energy = step.energy;
+    const double created = createdByContact(step);
+    if (!(created > 0) || step.program.hasCompliance()) // whose points may appear with an overlap
+    {
+        return false;
+    }
+    const double had = 0.5 * squareOf(step.mass, step.solved.velocity);
+    double forces = 0;
+    for (Eigen::Index row = 0; row < step.solved.result.contactForce.size(); row += Dim)
+    {
+        forces += std::abs(step.solved.result.contactForce[row]);
+    }
+    return created > mostCreated * (had + std::abs(energy.loadWork) + std::abs(energy.externalWork))
+           && created > closed * step.scene.blockSize * forces;
+}
+
+template<int Dim>
 void account(Step<Dim>& step)
 {
     const StageTimer timer(step.motion.stageTimes, Stage::account);
@@ -101,11 +134,12 @@ void account(Step<Dim>& step)
     {
         motion.effectCalls = effectCalls(step);
     }
-    StepEnergy energy = energyOf(step);
+    motion.smoothLoss += smoothLoss(step);
+    motion.created += std::max(0.0, createdByContact(step) - step.energy.algorithmicLoss);
     motion.effectStates = std::move(step.effectStates);
-    energy.externalWork -= leaveOutBlocks(scene, motion);
+    step.energy.externalWork -= leaveOutBlocks(scene, motion);
     motion.energy.impactLoss += step.solved.lostInImpacts;
-    keepLedger(motion.energy, scene, energy, motion.state);
+    keepLedger(motion.energy, scene, step.energy, motion.state);
     motion.largestKinetic = std::max(motion.largestKinetic, motion.energy.kinetic);
     motion.restitutionShare = step.solved.restitutionShare;
     motion.slides = step.solved.slides;
@@ -115,7 +149,11 @@ void account(Step<Dim>& step)
     keepContacts(step);
 }
 
+template void measureEnergy(Step<2>& step);
+template bool createsEnergy(const Step<2>& step);
 template void account(Step<2>& step);
+template void measureEnergy(Step<3>& step);
+template bool createsEnergy(const Step<3>& step);
 template void account(Step<3>& step);
 
 } // namespace drystone

@@ -29,34 +29,11 @@ StepWork allowedWork(const DynamicCase<Dim>& scene)
     return work;
 }
 
-/// A change of ground or supports so soon, as a part of a step, is where the last step has ended, but for
-/// rounding.
-constexpr double leastPart = 1e-6;
+/// That contact gives a block within a step, beyond what it was turning by [rad].
+constexpr double farthestTurn = 1;
 
-/// The next step of a run with adjustTimeStep [s]. \param timeStep the last one
-template<int Dim>
-double nextTimeStep(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, double timeStep)
-{
-    const double now = motion.state.time;
-    double fastest = 0;
-    for (const BlockVector<Dim>& velocity : velocitiesOfAllBlocks(scene, motion.state, now, now))
-    {
-        fastest =
-            std::max(fastest, velocity.template head<Dim>().norm()
-                                  + scene.blockSize * velocity.template tail<rotationCount<Dim>>().norm());
-    }
-    StepBounds bounds;
-    for (const auto& effect : scene.effects)
-    {
-        bounds.tighten(effect->stepBounds(now));
-    }
-    const double reach = scene.schemes.maxDisplacement * scene.blockSize;
-    double allowed = std::min({scene.schemes.maxDeltaT, 1.2 * timeStep, bounds.longest});
-    allowed = fastest * allowed > reach ? reach / fastest : allowed;
-    // Nothing that moves ground or supports is stepped over: equal steps end where it changes next.
-    const double left = bounds.nextChange - now;
-    return left < leastPart * allowed || !std::isfinite(left) ? allowed : left / std::ceil(left / allowed);
-}
+/// Of a step that is chosen, over the last one.
+constexpr double mostGrowth = 1.2;
 
 /// Adds a step to the use of effects. \param provedBefore steps at rest before it \param since CPU time at
 /// its start [s]
@@ -76,6 +53,25 @@ void countUse(Motion<Dim>& motion, long provedBefore, double since)
         use.calls[i].steps += motion.effectCalls[i] > 0 ? 1 : 0;
         use.calls[i].places += motion.effectCalls[i];
     }
+}
+
+/// Whether contact turns a block farther from where it was heading than its place can be followed from
+/// tangents of its turn: what was found so may have gained several times its energy.
+template<int Dim>
+bool turnsTooFar(const Step<Dim>& step)
+{
+    const Eigen::VectorXd& displacement = step.solved.result.displacement;
+    const Eigen::VectorXd& velocity = step.motion.state.velocity;
+    for (Eigen::Index row = Dim; row < displacement.size(); row += freedomCount<Dim>)
+    {
+        const auto turn = [row](const Eigen::VectorXd& of)
+        { return of.template segment<rotationCount<Dim>>(row); };
+        if ((turn(displacement) - step.scheme.timeStep * turn(velocity)).norm() > farthestTurn)
+        {
+            return true;
+        }
+    }
+    return false;
 }
 
 /// \param overlooking see Step: tries of this step before
@@ -106,12 +102,35 @@ double takeStep(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeS
     {
         return step.solved.length < 1 ? step.solved.length : 0;
     }
-    if (step.overlooking.size() < mostLooks && overlooksContacts(step))
+    const auto refuse = [&motion](StepFault fault)
     {
-        step.overlooking.push_back(step.solved.result.displacement);
-        return takeStep(scene, motion, timeStep, impacts, std::move(step.overlooking));
+        motion.attempt.fault = fault;
+        return 0.0; // to be tried shorter
+    };
+    if (turnsTooFar(step))
+    {
+        return refuse(StepFault::turnsTooFar);
     }
+    if (const double depth = overlookedDepth(step); depth > 0)
+    {
+        if (Dim == 3 && step.overlooking.size() < mostLooks)
+        {
+            step.overlooking.push_back(step.solved.result.displacement);
+            return takeStep(scene, motion, timeStep, impacts, std::move(step.overlooking));
+        }
+        if (motion.contacts->isTooDeep(depth))
+        {
+            return refuse(StepFault::entersTooDeep);
+        }
+    }
+    const DynamicState<Dim> start = motion.state;
     move(step);
+    measureEnergy(step);
+    if (createsEnergy(step))
+    {
+        motion.state = start;
+        return refuse(StepFault::createsEnergy);
+    }
     account(step);
     return 1;
 }
@@ -123,6 +142,35 @@ double advanceUnparted(const DynamicCase<Dim>& scene, Motion<Dim>& motion, doubl
                        const ImpactChoice& impacts)
 {
     return takeStep(scene, motion, timeStep, impacts, {});
+}
+
+template<int Dim>
+void chooseTimeStep(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, double wanted, Time& time)
+{
+    const double now = motion.state.time;
+    double fastest = 0;
+    for (const BlockVector<Dim>& velocity : velocitiesOfAllBlocks(scene, motion.state, now, now))
+    {
+        fastest =
+            std::max(fastest, velocity.template head<Dim>().norm()
+                                  + scene.blockSize * velocity.template tail<rotationCount<Dim>>().norm());
+    }
+    const auto boundsAt = [&scene](double instant)
+    {
+        StepBounds bounds;
+        for (const auto& effect : scene.effects)
+        {
+            bounds.tighten(effect->stepBounds(instant));
+        }
+        return bounds;
+    };
+    const double reach = scene.schemes.maxDisplacement * scene.blockSize;
+    double allowed = std::min({scene.schemes.maxDeltaT, wanted, boundsAt(now).longest});
+    allowed = fastest * allowed > reach ? reach / fastest : allowed;
+    // Nothing that moves ground or supports is stepped over. A change so soon is where the last step has
+    // ended, but for rounding.
+    constexpr double soon = 1e-3; // of a step
+    time.setDeltaT(allowed, boundsAt(now + soon * allowed).nextChange);
 }
 
 template<int Dim>
@@ -177,14 +225,16 @@ bool advance(const DynamicCase<Dim>& scene, Motion<Dim>& motion, Time& time)
     {
         verifyStep(scene, *before, taken.timeStep, motion);
     }
+    double wanted = time.wantedDeltaT();
     if (taken.timeStep < time.deltaT())
     {
         time.shortenStep(taken.timeStep);
+        wanted = taken.timeStep;
     }
     motion.state.time = time.value(); // the sum of the steps may differ from it in the last digit
     if (time.controls().adjustTimeStep)
     {
-        time.setDeltaT(nextTimeStep(scene, motion, taken.timeStep));
+        chooseTimeStep(scene, motion, mostGrowth * wanted, time);
     }
     return true;
 }
@@ -194,10 +244,12 @@ template double advanceUnparted(const DynamicCase<2>& scene, Motion<2>& motion, 
 template bool advance(const DynamicCase<2>& scene, Motion<2>& motion, double timeStep);
 template ShortenedStep advanceOrShorten(const DynamicCase<2>& scene, Motion<2>& motion, double timeStep);
 template bool advance(const DynamicCase<2>& scene, Motion<2>& motion, Time& time);
+template void chooseTimeStep(const DynamicCase<2>& scene, const Motion<2>& motion, double wanted, Time& time);
 template double advanceUnparted(const DynamicCase<3>& scene, Motion<3>& motion, double timeStep,
                                 const ImpactChoice& impacts);
 template bool advance(const DynamicCase<3>& scene, Motion<3>& motion, double timeStep);
 template ShortenedStep advanceOrShorten(const DynamicCase<3>& scene, Motion<3>& motion, double timeStep);
 template bool advance(const DynamicCase<3>& scene, Motion<3>& motion, Time& time);
+template void chooseTimeStep(const DynamicCase<3>& scene, const Motion<3>& motion, double wanted, Time& time);
 
 } // namespace drystone

@@ -46,8 +46,14 @@ struct ShortenedStep
 template<int Dim>
 ShortenedStep advanceOrShorten(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeStep);
 
+/// Sets the step of a run with adjustTimeStep: as long as is wanted [s], or shorter such that no block moves
+/// by more than maxDisplacement, effects are resolved, and steps end where the motion of ground or supports
+/// changes.
+template<int Dim>
+void chooseTimeStep(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, double wanted, Time& time);
+
 /// The step of a run that ends at time.value(), shortened if it is not solved. With adjustTimeStep the next
-/// step is chosen such that no block moves by more than maxDisplacement. \return whether it was solved;
+/// is chosen, at most 1.2 times as long as this was meant to be. \return whether it was solved;
 /// otherwise the time is that of the start of the step again
 template<int Dim>
 bool advance(const DynamicCase<Dim>& scene, Motion<Dim>& motion, Time& time);

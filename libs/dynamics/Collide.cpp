@@ -127,9 +127,11 @@ Colliding collidingPoints(const Step<Dim>& step, const Eigen::VectorXd& closing)
     const bool mayCarry = isReduced(step) && !isByErrors(step);
     const auto carries = [&](std::size_t point)
     { return mayCarry || result.contactForce[Dim * static_cast<Eigen::Index>(point)] > force; };
-    const auto collides = [&](std::size_t point) { return carries(point) && speedOf(point) > slowest; };
+    // Points that bonds hold are together already.
+    const auto mayMeet = [&](std::size_t point) { return carries(point) && !isBonded(step.program, point); };
+    const auto collides = [&](std::size_t point) { return mayMeet(point) && speedOf(point) > slowest; };
     const auto returns = [&](std::size_t point)
-    { return mayReturn && carries(point) && speedOf(point) < -slowest; };
+    { return mayReturn && mayMeet(point) && speedOf(point) < -slowest; };
     std::vector<std::size_t> points(static_cast<std::size_t>(step.program.points()));
     std::iota(points.begin(), points.end(), 0);
     const auto mayCollide = [&](std::size_t point) { return collides(point) || returns(point); };
@@ -173,6 +175,21 @@ Colliding collidingPoints(const Step<Dim>& step, const Eigen::VectorXd& closing)
     return colliding;
 }
 
+/// Points that bonds hold take part in every impact: what moves one block moves those that are bonded to it.
+template<int Dim>
+void addBonded(const StepProgram<Dim>& program, std::vector<std::size_t>& meeting)
+{
+    for (std::size_t point = 0; program.hasStrength() && point < program.contacts.size(); ++point)
+    {
+        if (isBonded(program, point))
+        {
+            meeting.push_back(point);
+        }
+    }
+    std::sort(meeting.begin(), meeting.end());
+    meeting.erase(std::unique(meeting.begin(), meeting.end()), meeting.end());
+}
+
 /// Gives the blocks the velocities that they have after an impact. \return whether it was solved and has
 /// changed them
 template<int Dim>
@@ -187,10 +204,18 @@ bool takeImpact(Step<Dim>& step, std::vector<std::size_t> meeting)
     {
         setColumns(arrival, step.arrivals);
     }
-    Impact impact =
-        impactOf<Dim>({step.mass, solved.velocity, arrival, meeting, step.bySupports, scene.restitution(),
-                       slowestRebound(step), timeStep, &solved.result.contactForce},
-                      step.settings);
+    addBonded(arrival, meeting);
+    Impact impact = impactOf<Dim>({.mass = step.mass,
+                                   .velocity = solved.velocity,
+                                   .program = arrival,
+                                   .meeting = meeting,
+                                   .closingBySupports = step.bySupports,
+                                   .restitution = scene.restitution(),
+                                   .slowestRebound = slowestRebound(step),
+                                   .timeStep = timeStep,
+                                   .timeOfBonds = std::max(timeStep, step.impacts.wholeStep),
+                                   .stepForce = &solved.result.contactForce},
+                                  step.settings);
     countWork(step, impact.iterations, impact.factorisations, impact.programs);
     solved.isSolved = impact.isSolved;
     if (!solved.isSolved)

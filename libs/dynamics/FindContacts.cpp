@@ -52,18 +52,15 @@ void findContacts(Step<Dim>& step)
 }
 
 template<int Dim>
-bool overlooksContacts(const Step<Dim>& step)
+double overlookedDepth(const Step<Dim>& step)
 {
-    if constexpr (Dim == 3)
-    {
-        return step.motion.contacts && step.solved.isSolved
-               && step.motion.contacts->isOverlapping(placementsAfter(step, step.solved.result.displacement));
-    }
-    return false;
+    return step.motion.contacts && step.solved.isSolved
+               ? step.motion.contacts->overlookedDepth(placementsAfter(step, step.solved.result.displacement))
+               : 0;
 }
 
-template bool overlooksContacts(const Step<2>& step);
-template bool overlooksContacts(const Step<3>& step);
+template double overlookedDepth(const Step<2>& step);
+template double overlookedDepth(const Step<3>& step);
 template void findContacts(Step<2>& step);
 template void findContacts(Step<3>& step);
 

@@ -22,6 +22,36 @@ constexpr double restitutionKnown = 1e-3;
 /// A gain that is rounding of the kinetic energy, as a share of it.
 constexpr double roundingOfEnergy = 8 * std::numeric_limits<double>::epsilon();
 
+} // namespace
+
+template<int Dim>
+bool isBonded(const StepProgram<Dim>& program, std::size_t point)
+{
+    return program.hasStrength()
+           && (program.strength[point].cohesion > 0 || program.strength[point].tension > 0);
+}
+
+namespace
+{
+
+/// No impulse is larger than so many times all momentum that there is: bonds that are stronger hold, and only
+/// cost digits [N].
+template<int Dim>
+double strongestBond(const ImpactProblem<Dim>& problem, const StepProgram<Dim>& impact)
+{
+    constexpr double leverage = 1e3;
+    const double bySupports = problem.closingBySupports.size() > 0
+                                  ? problem.closingBySupports.template lpNorm<Eigen::Infinity>()
+                                  : 0;
+    double forces = 0;
+    for (int body = 0; body < impact.bodies; ++body)
+    {
+        forces += impact.load.template segment<Dim>(freedomCount<Dim> * body).norm()
+                  + impact.inertia[static_cast<std::size_t>(body)](0, 0) * bySupports;
+    }
+    return leverage * forces;
+}
+
 /// The program of the impact: a step of theta 1 without loads whose gaps are -dt k e u_n-.
 template<int Dim>
 StepProgram<Dim> impactProgram(const ImpactProblem<Dim>& problem, const ImpactGroups& groups,
@@ -38,6 +68,7 @@ StepProgram<Dim> impactProgram(const ImpactProblem<Dim>& problem, const ImpactGr
     }
     impact.load = timeStep * times(inertia, problem.velocity);
     impact.gap = Eigen::VectorXd::Zero(Dim * static_cast<Eigen::Index>(problem.meeting.size()));
+    const double strongest = strongestBond(problem, impact);
     for (std::size_t i = 0; i < problem.meeting.size(); ++i)
     {
         const std::size_t point = problem.meeting[i];
@@ -45,7 +76,15 @@ StepProgram<Dim> impactProgram(const ImpactProblem<Dim>& problem, const ImpactGr
         impact.friction.push_back(program.friction[point]);
         const auto row = Dim * static_cast<Eigen::Index>(i);
         const auto there = Dim * static_cast<Eigen::Index>(point);
-        const double rebound = problem.restitution * closing[there];
+        const bool isBond = isBonded(program, point);
+        if (program.hasStrength())
+        {
+            Strength strength = program.strength[point];
+            strength.cohesion = std::min(strength.cohesion * problem.timeOfBonds / timeStep, strongest);
+            strength.tension = std::min(strength.tension * problem.timeOfBonds / timeStep, strongest);
+            impact.strength.push_back(strength);
+        }
+        const double rebound = isBond ? 0 : problem.restitution * closing[there];
         impact.gap[row] =
             rebound > problem.slowestRebound ? -timeStep * share[groups.ofPoint[i]] * rebound : 0;
         if (problem.closingBySupports.size() > 0)
@@ -313,9 +352,11 @@ Impact impactOf(const ImpactProblem<Dim>& problem, const StepSettings& settings)
     return impact;
 }
 
+template bool isBonded(const StepProgram<2>& program, std::size_t point);
 template Impact impactOf(const ImpactProblem<2>& problem, const StepSettings& settings);
 template Eigen::VectorXd closingVelocity(const StepProgram<2>& program, const Eigen::VectorXd& velocity,
                                          const Eigen::VectorXd& closingBySupports, double timeStep);
+template bool isBonded(const StepProgram<3>& program, std::size_t point);
 template Impact impactOf(const ImpactProblem<3>& problem, const StepSettings& settings);
 template Eigen::VectorXd closingVelocity(const StepProgram<3>& program, const Eigen::VectorXd& velocity,
                                          const Eigen::VectorXd& closingBySupports, double timeStep);

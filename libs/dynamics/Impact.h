@@ -21,6 +21,7 @@ struct ImpactProblem
     double restitution = 0;                   ///< e, 0 to 1
     double slowestRebound = 0;                ///< points that would part slower do not part at all [m/s]
     double timeStep = 1;                      ///< of the step [s]; scales the program only
+    double timeOfBonds = 0;                   ///< in which bonds may carry their strength as an impulse [s]
     /// Of all points of the program in the step, where the search for impulses begins [N]; null: from none.
     const Eigen::VectorXd* stepForce = nullptr;
 };
@@ -61,11 +62,19 @@ struct Impact
 /// without penetration are convex, so both stay satisfied, and the energy along the segment is a parabola
 /// whose root is exact to rounding, however accurately the programs are solved.
 ///
+/// Bonds that take part hold their points together without rebound, by impulses up to their strength times
+/// the length of the whole step, as in steps of theta 1, which are an impact and a step in one: an instant
+/// would break them however strong they are.
+///
 /// Friction: with the associative law of a step a joint opens by mu |u_t| dt, which the next step takes into
 /// account as a gap and which vanishes with dt; in an impact it would throw the blocks apart at mu |u_t|,
 /// however short the step: other physics.
 template<int Dim>
 Impact impactOf(const ImpactProblem<Dim>& problem, const StepSettings& settings);
+
+/// Whether a bond holds a point of a program.
+template<int Dim>
+bool isBonded(const StepProgram<Dim>& program, std::size_t point);
 
 /// By how much the points of a program close per time, two a point [m/s]: A'v and what the supports do.
 /// \param closingBySupports over the step [m]; or empty

@@ -61,6 +61,7 @@ struct Motion
     /// if velocities changed by twice what the loads alone do: impacts change them by more.
     double smoothLoss = 0;
     double largestKinetic = 0;               ///< in this run [J]
+    double created = 0;                      ///< in this run, by contacts in steps with a gain of energy [J]
     StageTimes stageTimes;                   ///< of this run
     std::optional<RestProof<Dim>> restProof; ///< of where the blocks were last seen at rest, with `automatic`
     /// Whether each block, fixed ones too, was simulated in the last step, or held by a proof; empty: all

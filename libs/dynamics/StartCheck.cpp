@@ -70,12 +70,14 @@ void questionRotation(const BlockStart<Dim>& start, const SourceLocation& place)
 }
 
 template<int Dim>
-void questionSpeeds(const Assembly<Dim>& assembly, const InitialState<Dim>& start, double deltaT)
+void questionSpeeds(const Assembly<Dim>& assembly, const InitialState<Dim>& start,
+                    const TimeControls& controls)
 {
     if (start.places.empty())
     {
         return;
     }
+    const double deltaT = controls.deltaT;
     const double size = meanBlockSize(assembly);
     const std::vector<int> free = freeIndices(assembly);
     std::string fastest;
@@ -108,18 +110,21 @@ void questionSpeeds(const Assembly<Dim>& assembly, const InitialState<Dim>& star
                                        fastest, deltaT),
                            place);
     }
-    if (!fastest.empty())
+    if (!fastest.empty() && !controls.adjustTimeStep)
     {
         printWarning(
             fmt::format("{} in a step of deltaT {:g} s: what it meets within a step is not seen. Usual "
-                        "is a small part of a radian and of a block: give a deltaT of at most {:.1g} s.",
+                        "is a small part of a radian and of a block: give a deltaT of at most {:.1g} s, or "
+                        "`adjustTimeStep yes;`.",
                         fastest, deltaT, 0.1 * deltaT / worst),
             place);
     }
 }
 
-template void questionSpeeds(const Assembly<2>& assembly, const InitialState<2>& start, double deltaT);
-template void questionSpeeds(const Assembly<3>& assembly, const InitialState<3>& start, double deltaT);
+template void questionSpeeds(const Assembly<2>& assembly, const InitialState<2>& start,
+                             const TimeControls& controls);
+template void questionSpeeds(const Assembly<3>& assembly, const InitialState<3>& start,
+                             const TimeControls& controls);
 template void refuseStartOverlaps(const Assembly<2>& assembly, const std::vector<Placement<2>>& placements,
                                   const std::vector<SourceLocation>& places);
 template void refuseStartOverlaps(const Assembly<3>& assembly, const std::vector<Placement<3>>& placements,

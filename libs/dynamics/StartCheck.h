@@ -4,6 +4,7 @@
 
 #include "assembly/Assembly.h"
 #include "dynamics/InitialMotion.h"
+#include "runControl/Time.h"
 
 namespace drystone
 {
@@ -20,10 +21,11 @@ void refuseStartOverlaps(const Assembly<Dim>& assembly, const std::vector<Placem
 template<int Dim>
 void questionRotation(const BlockStart<Dim>& start, const SourceLocation& place);
 
-/// Warns of the block that turns by more than a radian, or moves by more than a mean block size, in a step:
-/// whatever it meets in between is not seen. \param deltaT of a step [s]
+/// Warns of the block that turns by more than a radian, or moves by more than a mean block size, in a step
+/// of deltaT: whatever it meets in between is not seen. With adjustTimeStep the first step is chosen shorter.
 /// \throws FatalIOError where it is so far that nothing can be computed, as of a velocity of 1e200 m/s
 template<int Dim>
-void questionSpeeds(const Assembly<Dim>& assembly, const InitialState<Dim>& start, double deltaT);
+void questionSpeeds(const Assembly<Dim>& assembly, const InitialState<Dim>& start,
+                    const TimeControls& controls);
 
 } // namespace drystone

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dynamics/Motion.h"
+#include "effects/StepEnergy.h"
 
 namespace drystone
 {
@@ -105,6 +106,9 @@ struct Step
     Eigen::VectorXd velocityAtEnd; ///< in space angular velocities in axes that have not turned in the step
     double keptInFlight = 0;       ///< algorithmic loss that blocks in free flight do not have [J]
     double lostInStopping = 0;     ///< by bodies that stand still and had a velocity left [J]
+
+    // measureEnergy
+    StepEnergy energy;
 };
 
 /// Whether a program of the case has impacts of their own; otherwise it is the plastic impact itself.
@@ -124,10 +128,10 @@ EffectContext<Dim> contextOf(const Step<Dim>& step);
 template<int Dim>
 void findContacts(Step<Dim>& step);
 
-/// Whether the step that is solved ends with blocks of space in each other, between which other corners and
-/// edges meet than were foreseen.
+/// By how much the step that is solved ends with blocks in each other, between which other corners and edges
+/// meet than were foreseen [m].
 template<int Dim>
-bool overlooksContacts(const Step<Dim>& step);
+double overlookedDepth(const Step<Dim>& step);
 
 /// Makes the program of the rigid step, and a guess of its solution from the last one.
 template<int Dim>
@@ -169,6 +173,16 @@ bool review(Step<Dim>& step);
 /// Moves the blocks by finite rotations and gives them their velocities.
 template<int Dim>
 void move(Step<Dim>& step);
+
+/// Measures where the energy of the step went.
+template<int Dim>
+void measureEnergy(Step<Dim>& step);
+
+/// Whether contacts have done work on the blocks, more than a tenth of the energy that they had or got, and
+/// than closing a ten thousandth of a block takes: as where blocks turn too far in a step, or are found in
+/// each other.
+template<int Dim>
+bool createsEnergy(const Step<Dim>& step);
 
 /// Keeps the ledger of energy, stops blocks that effects leave out, and leaves contact points and forces for
 /// the next step.

@@ -21,6 +21,16 @@ struct BlockVelocity
     Turn<Dim> angular = noTurn<Dim>(); ///< [rad/s], positive counter-clockwise; in space along its axis
 };
 
+/// Why a step whose programs are solved is not taken: what is found from tangents of turns, and contacts from
+/// where blocks are heading, holds for steps that are not too long only.
+enum class StepFault
+{
+    none,
+    turnsTooFar,   ///< contact turns a block by more than a radian
+    entersTooDeep, ///< blocks end in each other
+    createsEnergy  ///< contact does work on the blocks
+};
+
 /// How hard the solver worked on a step, and how well the step is solved.
 struct StepResiduals
 {
@@ -33,6 +43,7 @@ struct StepResiduals
     int programs = 0;     ///< cone programs solved for the step: more than one with non-associative friction
     int retries = 0;      ///< attempts that did not converge before this one
     double flowError = 0; ///< of Coulomb's law: by how much mu |u_t| is missed where a point slides [m]
+    StepFault fault = StepFault::none; ///< of an attempt that is not taken
 };
 
 /// The state at the end of a step. Nothing is owned: the views are valid while an observer is called, not

@@ -62,9 +62,15 @@ struct Problem
     const ParameterSearchSettings& settings;
     const Evaluator& evaluator;
     nlopt_opt optimiser = nullptr;
-    std::optional<Evaluation> best;
+    std::optional<Evaluation> best = {};
     bool isInterrupted = false;
-    std::exception_ptr error;
+    std::exception_ptr error = {};
+    /// Points that the stage may look at, and has: some algorithms go on beyond what they are given.
+    int mostPoints = std::numeric_limits<int>::max();
+    int points = 0;
+    std::vector<double> lastPoint = {};
+
+    bool isExhausted() const { return points > mostPoints; }
 
     std::vector<double> variablesAt(const double* scaled) const
     {
@@ -88,10 +94,17 @@ struct Problem
 
     std::optional<Evaluation> at(const double* scaled)
     {
-        if (isInterrupted || error)
+        if (isInterrupted || error || isExhausted())
         {
             return {}; // some algorithms request further points for a while
         }
+        std::vector<double> point(scaled, scaled + settings.variables.size());
+        if (point != lastPoint && ++points > mostPoints)
+        {
+            stop();
+            return {};
+        }
+        lastPoint = std::move(point);
         try
         {
             std::optional<Evaluation> found = evaluator(variablesAt(scaled));
@@ -158,7 +171,7 @@ SearchEnd bisect(const SearchStage& stage, Problem& problem)
         {
             std::rethrow_exception(problem.error);
         }
-        return SearchEnd::interrupted;
+        return problem.isExhausted() ? SearchEnd::evaluations : SearchEnd::interrupted;
     };
     const auto atLow = at(0);
     const auto atHigh = atLow ? at(1) : atLow;
@@ -203,6 +216,8 @@ SearchEnd bisect(const SearchStage& stage, Problem& problem)
 /// \return how the stage ended
 SearchEnd carryOut(const SearchStage& stage, Problem& problem, std::vector<double> scaled)
 {
+    problem.points = 0;
+    problem.mostPoints = stage.maximumEvaluations;
     if (stage.algorithm == SearchAlgorithm::bisection)
     {
         return bisect(stage, problem);
@@ -269,6 +284,10 @@ SearchEnd carryOut(const SearchStage& stage, Problem& problem, std::vector<doubl
     if (problem.isInterrupted)
     {
         return SearchEnd::interrupted;
+    }
+    if (problem.isExhausted())
+    {
+        return SearchEnd::evaluations;
     }
     switch (result)
     {
@@ -340,7 +359,7 @@ SearchOutcome searchBest(const ParameterSearchSettings& settings, const std::vec
         return last;
     };
     SearchOutcome outcome;
-    Problem problem{settings, remembering, nullptr, {}, false, {}};
+    Problem problem{.settings = settings, .evaluator = remembering};
     std::vector<double> from = start;
     for (const SearchStage& stage : settings.search)
     {

@@ -187,9 +187,9 @@ struct SamplesInProcess::Cases
             answer ? std::vector<LimitAnalysis>{*answer} : solveLimitAnalyses(structure, &symbolic);
         for (const LimitAnalysis& each : answers)
         {
-            if (each.status == CollapseStatus::notConverged)
+            if (!hasAnswer(each))
             {
-                throw NotConverged{"limitAnalysis did not converge"};
+                throw NotConverged{"limitAnalysis has no answer"};
             }
         }
         takeFigures(structure, answers);

@@ -141,8 +141,14 @@ StatisticResult evaluateDistribution(const DistributionSettings& settings, const
         result.remarks.emplace_back("No sample has a number: there is no distribution");
         return result;
     }
+    if (known == 1)
+    {
+        result.remarks.emplace_back("One sample has a number: no deviation, error or interval is known");
+    }
     std::sort(sorted.begin(), sorted.end());
-    const auto [mean, deviation] = moments(sorted);
+    const bool isOne = known == 1; // which says nothing of how others differ from it
+    const auto [mean, ofSamples] = moments(sorted);
+    const double deviation = isOne ? none : ofSamples;
     const double error = deviation / std::sqrt(static_cast<double>(known));
     result.rows.push_back({"mean", mean, error, mean - 1.96 * error, mean + 1.96 * error});
     result.rows.push_back({"standardDeviation", deviation, none, none, none});
@@ -153,8 +159,8 @@ StatisticResult evaluateDistribution(const DistributionSettings& settings, const
         // The number of samples below the fractile is binomial: its interval is one of order statistics.
         const double spread = 1.96 * std::sqrt(part * (1 - part) / static_cast<double>(known));
         result.rows.push_back({fmt::format("fractile{:g}", part), fractile(sorted, part), none,
-                               fractile(sorted, std::max(part - spread, 0.0)),
-                               fractile(sorted, std::min(part + spread, 1.0))});
+                               isOne ? none : fractile(sorted, std::max(part - spread, 0.0)),
+                               isOne ? none : fractile(sorted, std::min(part + spread, 1.0))});
     }
     if (sorted.front() > 0 && deviation > 0)
     {

@@ -37,8 +37,14 @@ std::string statusText(const LimitAnalysisCase<Dim>& structure, const LimitAnaly
         return structure.movement ? "unbounded (no force moves the support in this direction)"
                                   : "unbounded (no load of this direction makes it collapse)";
     case CollapseStatus::upperBound:
-        return "upper bound (no collapse by Coulomb's law was found; forces and mechanism are those of the "
-               "associative law)";
+        return std::isfinite(result.alpha) ? "upper bound (no collapse by Coulomb's law was found; forces "
+                                             "and mechanism are those of the "
+                                             "associative law)"
+                                           : "no answer (no collapse by Coulomb's law was found, and by the "
+                                             "associative law, which wedges "
+                                             "blocks that slide, there is none: more starts in "
+                                             "system/solution/limitAnalysis/nonAssociative "
+                                             "may find one)";
     case CollapseStatus::notConverged:
         break;
     }
@@ -255,7 +261,7 @@ void printLimitAnalysis(const LimitAnalysisCase<Dim>& structure, const std::vect
                 printLine(sentence);
             }
         }
-        if (result.status == CollapseStatus::upperBound)
+        if (result.status == CollapseStatus::upperBound && std::isfinite(result.alpha))
         {
             info("Collapse load multiplier alpha <= {:.9g}", result.alpha);
         }

@@ -204,6 +204,16 @@ void printIntegrationError(const DynamicCase<Dim>& scene, const Motion<Dim>& mot
              "of the largest kinetic energy. It is proportional to deltaT; theta 0.5 is of second order.\n",
              theta, motion.smoothLoss, 100 * motion.smoothLoss / motion.largestKinetic);
     }
+    constexpr double noticeable = 0.01;
+    if (traitsOf(scene.effects).isCompliant && motion.created > noticeable * motion.largestKinetic + fall)
+    {
+        printWarning(
+            fmt::format("Elastic contact points have created {:.3g} J, {:.2g}% of the largest kinetic "
+                        "energy: where a corner passes an edge, points appear with the overlap that others "
+                        "had. Stiffer joints "
+                        "are entered less.",
+                        motion.created, 100 * motion.created / motion.largestKinetic));
+    }
 }
 
 template<int Dim>
@@ -350,12 +360,42 @@ void printStopOrEnd(const Time& time)
     std::fflush(stdout);
 }
 
+namespace
+{
+
+std::string textOf(StepFault fault)
+{
+    switch (fault)
+    {
+    case StepFault::turnsTooFar:
+        return "contact turned a block by more than a radian";
+    case StepFault::entersTooDeep:
+        return "blocks ended in each other";
+    case StepFault::createsEnergy:
+        return "contact did work on the blocks";
+    case StepFault::none:
+        break;
+    }
+    return "";
+}
+
+} // namespace
+
 template<int Dim>
 std::string unsolvedStep(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const Time& time)
 {
     if (motion.work.isUsedUp())
     {
         return stepWithoutEnd(scene, motion, time);
+    }
+    if (motion.attempt.fault != StepFault::none)
+    {
+        return fmt::format(
+            "The step at time {} was solved, but {}, also when it was made shorter {} times: as "
+            "steps do that are too long for a motion so fast, or from a state that cannot be "
+            "right. The state at its start has been written. Restart from an earlier one with a "
+            "smaller deltaT.",
+            time.name(), textOf(motion.attempt.fault), motion.attempt.retries);
     }
     return fmt::format(
         "The step at time {} was not solved to tolerance {:g}, nor when it was made shorter {} times "

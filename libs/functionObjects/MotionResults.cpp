@@ -6,6 +6,7 @@
 #include "contact/ContactState.h"
 #include "core/Log.h"
 #include "core/WholeFile.h"
+#include "dynamics/Advance.h"
 #include "dynamics/InitialMotion.h"
 #include "dynamics/StartCheck.h"
 #include "functionObjects/KeptResults.h"
@@ -69,6 +70,16 @@ void questionSteps(const Time& time)
     }
 }
 
+/// With adjustTimeStep: from deltaT, or that which was wanted when the state was written.
+template<int Dim>
+void chooseFirstTimeStep(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, Time& time)
+{
+    if (time.controls().adjustTimeStep)
+    {
+        chooseTimeStep(scene, motion, time.wantedDeltaT(), time);
+    }
+}
+
 } // namespace
 
 template<int Dim>
@@ -103,7 +114,7 @@ Motion<Dim> startOrContinue(const std::filesystem::path& caseDirectory, const Dy
                 time.controlDict().locationOf(isGiven ? "startTime" : "startFrom"));
         }
         InitialState<Dim> start = readInitialMotion(caseDirectory, startName, scene.assembly);
-        questionSpeeds(scene.assembly, start, time.controls().deltaT);
+        questionSpeeds(scene.assembly, start, time.controls());
         auto& [initial, places] = start;
         initial.time = time.startValue();
         if (!scene.schemes.smallDisplacements) // whose geometry is the one as built
@@ -111,13 +122,17 @@ Motion<Dim> startOrContinue(const std::filesystem::path& caseDirectory, const Dy
             refuseStartOverlaps(scene.assembly, initial.placements, places);
         }
         questionSteps(time);
-        return startMotion(scene, std::move(initial));
+        Motion<Dim> motion = startMotion(scene, std::move(initial));
+        chooseFirstTimeStep(scene, motion, time);
+        return motion;
     }
 
     const State saved = readState(file);
     time.resume(timeOf(saved));
     compareWithInput(saved, inputOfMotion(caseDirectory, scene.assembly, time), time);
-    return motionOf(scene, saved);
+    Motion<Dim> motion = motionOf(scene, saved);
+    chooseFirstTimeStep(scene, motion, time);
+    return motion;
 }
 
 template<int Dim>

@@ -68,6 +68,7 @@ TimeState timeOf(const State& saved)
     time.detourEnd = stateScalar(saved, "timeDetourEnd");
     // Older versions did not keep it, and most motions begin at 0.
     time.beginning = saved.scalars.contains("timeBeginning") ? stateScalar(saved, "timeBeginning") : 0;
+    time.wanted = saved.scalars.contains("deltaTWanted") ? stateScalar(saved, "deltaTWanted") : 0;
     return time;
 }
 
@@ -163,6 +164,7 @@ State stateOf(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const Ti
                      {"timeOriginIndex", static_cast<double>(now.originIndex)},
                      {"timeDetourEnd", now.detourEnd},
                      {"timeBeginning", now.beginning},
+                     {"deltaTWanted", now.wanted},
                      {"stepLength", time.value() - time.previousValue()}};
     visitResiduals(motion.residuals,
                    [&](const char* name, auto value) { state.scalars[name] = static_cast<double>(value); });

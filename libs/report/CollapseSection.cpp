@@ -76,8 +76,9 @@ std::string verdict(const LimitAnalysis& answer)
     case CollapseStatus::unbounded:
         return "unbounded: no load of this direction makes it collapse";
     case CollapseStatus::upperBound:
-        return "no collapse by Coulomb's law was found: alpha is at most that of the associative law, as the "
-               "log says";
+        return "no collapse by Coulomb's law was found: alpha is at most that of the associative law, which "
+               "may "
+               "be infinite, as the log says";
     case CollapseStatus::notConverged:
         break;
     }

@@ -258,6 +258,7 @@ void Time::resume(const TimeState& saved)
     beginning = saved.beginning;
     count = saved.index;
     step = saved.deltaT;
+    wanted = saved.wanted;
     origin = saved.origin;
     originIndex = saved.originIndex;
     detourEnd = saved.detourEnd;
@@ -266,6 +267,7 @@ void Time::resume(const TimeState& saved)
         origin = now;
         originIndex = count;
         step = settings.deltaT;
+        wanted = 0;
         detourEnd = now;
     }
     lastStep = 0;
@@ -305,6 +307,7 @@ bool Time::reread()
             origin = now;
             originIndex = count;
             step = settings.deltaT;
+            wanted = 0;
             detourEnd = now;
         }
         if (otherOutput)
@@ -338,7 +341,7 @@ bool Time::loop()
     // The first step is the user's, and any may have been chosen before controlDict was edited.
     if (settings.adjustTimeStep && (hasChanged || stepsDone == 0))
     {
-        setDeltaT(step);
+        setDeltaT(wantedDeltaT(), nextChange);
     }
 
     beforeStep = state();
@@ -409,27 +412,37 @@ TimePoint Time::point()
     return {now, lastStep, count, cpuTime(), clockTime(), isWriteTime()};
 }
 
-double Time::fittingStep(double wanted) const
+double Time::fittingStep(double length) const
 {
-    double remaining = output.timeToNextWrite(now, wanted);
+    double remaining = output.timeToNextWrite(now, length);
     if (timeToOtherInstant)
     {
-        remaining = std::min(remaining, timeToOtherInstant(now, wanted));
+        remaining = std::min(remaining, timeToOtherInstant(now, length));
     }
     if (settings.stopAt == StopAt::endTime && settings.endTime > now)
     {
         remaining = std::min(remaining, settings.endTime - now);
     }
+    // No step is made between a change and an instant that is nearly the same: in the shortest steps the last
+    // digits of the places of blocks would be velocities.
+    constexpr double nearly = 1e-3;
+    const double toChange = nextChange - now;
+    if (toChange > nearly * length && toChange < remaining - nearly * length)
+    {
+        remaining = toChange;
+    }
     if (!std::isfinite(remaining) || remaining <= 0)
     {
-        return wanted;
+        return length;
     }
-    return remaining / std::max(1.0, std::ceil(remaining / wanted - 1e-9));
+    return remaining / std::max(1.0, std::ceil(remaining / length - 1e-9));
 }
 
-void Time::setDeltaT(double wanted)
+void Time::setDeltaT(double length, double changeAt)
 {
-    const double fitting = fittingStep(wanted);
+    wanted = length;
+    nextChange = changeAt;
+    const double fitting = fittingStep(length);
     if (fitting == step && detourEnd <= now)
     {
         return;
@@ -459,6 +472,7 @@ void Time::abandonStep()
 {
     now = beforeStep.value;
     step = beforeStep.deltaT;
+    wanted = beforeStep.wanted;
     count = beforeStep.index;
     origin = beforeStep.origin;
     originIndex = beforeStep.originIndex;

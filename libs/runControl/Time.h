@@ -18,6 +18,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -127,6 +128,7 @@ struct TimeState
     long originIndex = 0;
     double detourEnd = 0; ///< later than `value` while a step is being made in parts: where the parts end
     double beginning = 0; ///< when the motion began, in this run or one that it continues [s]
+    double wanted = 0;    ///< deltaT before it was shortened so that steps end on an instant; 0: the same [s]
 };
 
 /// The name of a time directory, as OpenFOAM names it: `0.05`, `1e-05`.
@@ -162,7 +164,7 @@ public:
     /// Continue as a run that was never interrupted. To be called before the first step with what `state`
     /// was when the state was written; a deltaT that controlDict has changed since is taken from there.
     void resume(const TimeState& saved);
-    TimeState state() const { return {now, step, count, origin, originIndex, detourEnd, beginning}; }
+    TimeState state() const { return {now, step, count, origin, originIndex, detourEnd, beginning, wanted}; }
     /// Name of the directory of the time at which the motion began.
     std::string beginningName() const { return timeName(beginning, settings.timeFormat, namePrecision); }
 
@@ -181,8 +183,12 @@ public:
     TimePoint point();
 
     /// Change the length of the steps to come, with adjustTimeStep; shortened so that steps end on the
-    /// instants of adjustableRunTime, those of `stopAlsoAt` and the end time.
-    void setDeltaT(double wanted);
+    /// instants of adjustableRunTime, those of `stopAlsoAt`, the end time and the next change of what acts,
+    /// or a thousandth of a step beside that. \param changeAt when that is [s]
+    void setDeltaT(double length, double changeAt = std::numeric_limits<double>::infinity());
+    /// What that was asked for last, not shortened: steps after an instant need not grow from a short one
+    /// [s].
+    double wantedDeltaT() const { return wanted > 0 ? wanted : step; }
     /// With adjustTimeStep steps end on these instants too: given a time and the length of a step, how long
     /// until the next one [s], infinite when there is none. To be called before the first step.
     void stopAlsoAt(std::function<double(double value, double deltaT)> timeToNext);
@@ -205,8 +211,8 @@ private:
     bool reread();
     void startOutput();
     void sharpenName();
-    /// The longest step up to `wanted` of which a whole number ends on the next instant to stop at.
-    double fittingStep(double wanted) const;
+    /// The longest step up to `length` of which a whole number ends on the next instant to stop at.
+    double fittingStep(double length) const;
 
     std::filesystem::path file;
     std::filesystem::file_time_type fileTime;
@@ -219,8 +225,10 @@ private:
     std::string startDirectory;
     double beginning = 0; ///< see TimeState
     double now = 0;
-    double step = 0;     ///< of the steps to come
-    double lastStep = 0; ///< of the current step
+    double step = 0;                                             ///< of the steps to come
+    double wanted = 0;                                           ///< see TimeState
+    double nextChange = std::numeric_limits<double>::infinity(); ///< see setDeltaT
+    double lastStep = 0;                                         ///< of the current step
     long count = 0;
     double origin = 0;
     long originIndex = 0;

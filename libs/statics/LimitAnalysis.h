@@ -8,6 +8,7 @@
 #include "statics/StaticProgram.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
@@ -32,7 +33,8 @@ enum class CollapseStatus
     unstable = 1,     ///< it cannot carry the dead load
     unbounded = 2,    ///< no load of this direction makes it collapse
     notConverged = 3, ///< the solver did not reach its tolerance: there is no answer
-    upperBound = 4    ///< it collapses at alpha or less, by Coulomb's law, but no such collapse was found
+    upperBound = 4 ///< it collapses at alpha or less, by Coulomb's law, but no such collapse was found; alpha
+                   ///< is infinite where the associative law has no collapse: whether it has one is not known
 };
 
 /// With Coulomb's law collapse is not unique: what a search from several starts has met (NonAssociative.h).
@@ -73,6 +75,13 @@ struct LimitAnalysis
     std::optional<CoulombRange>
         coulomb; ///< for the non-associative flow rule; the rest is of its lowest collapse
 };
+
+/// Whether it says anything about the multiplier.
+inline bool hasAnswer(const LimitAnalysis& analysis)
+{
+    return analysis.status != CollapseStatus::notConverged
+           && (analysis.status != CollapseStatus::upperBound || std::isfinite(analysis.alpha));
+}
 
 /// How many blocks were simulated where not all were.
 inline int simulatedBlocks(const LimitAnalysis& result)

@@ -435,10 +435,17 @@ LimitAnalysis solveNonAssociative(const ConeProgram<Rows, Forces>& program,
     result.coulomb = search.range;
     if (!found.exists())
     {
-        if (result.status == CollapseStatus::optimal)
+        // What is carried without friction is carried by any law. What the associative law carries, as
+        // friction and dilatancy wedge it, Coulomb's need not.
+        const bool isBounded = result.status == CollapseStatus::optimal;
+        if (isBounded || result.status == CollapseStatus::unbounded)
         {
-            result.status = CollapseStatus::upperBound;
             result.coulomb->safe = safeMultiplier(program, solver, result);
+            if (isBounded || std::isfinite(result.coulomb->safe) || result.coulomb->safe < 0)
+            {
+                result.status = CollapseStatus::upperBound;
+                result.alpha = isBounded ? result.alpha : std::numeric_limits<double>::infinity();
+            }
         }
         return result;
     }

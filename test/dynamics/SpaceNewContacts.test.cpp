@@ -321,6 +321,55 @@ TEST(NightlySpaceNewContacts, HundredsOfStonesFallIntoPits)
     }
 }
 
+// Steps of half of a block: which corners and edges meet is seen in the end only, and where it is not seen in
+// eight looks the step is taken shorter. Nothing else acts: momenta stay, and energy does not grow.
+TEST(SpaceNewContacts, BoxesThrownAtEachOtherStepSoFarAsTheyCanBeFollowed)
+{
+    constexpr double timeStep = 5e-3;
+    int shortened = 0;
+    for (unsigned seed = 0; seed < 60; ++seed)
+    {
+        std::mt19937 random(seed);
+        std::uniform_real_distribution<double> symmetric(-1, 1);
+        const auto any = [&] { return Vector<3>(symmetric(random), symmetric(random), symmetric(random)); };
+        Assembly<3> assembly;
+        for (const Vector<3>& size : {Vector<3>(0.3, 0.1, 0.2), Vector<3>(0.2, 0.3, 0.1)})
+        {
+            const double side = assembly.blocks.empty() ? -0.2 : 0.2;
+            assembly.blocks.push_back(spaceScenes::boxBlock(-size / 2, size / 2));
+            const Vector<3> turn = any();
+            for (Vector<3>& vertex : assembly.blocks.back().shape.vertices)
+            {
+                vertex = turned(turn, vertex) + Vector<3>(side, 0, 0);
+            }
+        }
+        const DynamicCase<3> scene = spaceScenes::sceneOf(
+            assembly, 1, 0.6, Vector<3>::Zero(), seed % 2 ? FlowRule::associative : FlowRule::nonAssociative);
+        Motion<3> motion = startMotion(scene, stateAtRest(scene.assembly));
+        motion.state.velocity << Vector<3>(20, 0, 0), 80 * any(), Vector<3>(-20, 0, 0), 80 * any();
+        const double energy = kineticEnergy(scene, motion.state);
+        const auto momentum = [&]() -> Vector<3>
+        {
+            return scene.mass[0] * motion.state.velocity.head<3>()
+                   + scene.mass[6] * motion.state.velocity.segment<3>(6);
+        };
+        const Vector<3> atFirst = momentum();
+        for (double time = 0; time < 0.05;)
+        {
+            const ShortenedStep step = advanceOrShorten(scene, motion, timeStep);
+            ASSERT_TRUE(step.isSolved) << "seed " << seed;
+            time += step.timeStep;
+            shortened += step.timeStep < timeStep;
+            // The mean block size is 0.18 m.
+            EXPECT_LE(penetration(scene.assembly, motion.state.placements).depth, 1.8e-3)
+                << "seed " << seed << " at " << time;
+        }
+        EXPECT_LE((momentum() - atFirst).norm(), 1e-6 * scene.mass[0] * 20) << "seed " << seed;
+        EXPECT_LE(kineticEnergy(scene, motion.state), energy * (1 + 1e-9)) << "seed " << seed;
+    }
+    EXPECT_GT(shortened, 0) << "or the scene does not show it";
+}
+
 // Let go from 0.35 rad, more than its critical 0.29: it comes to lie on the side that did not touch at the
 // start.
 TEST(SpaceNewContacts, ATiltedBoxFallsOnItsSide)

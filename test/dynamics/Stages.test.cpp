@@ -202,6 +202,8 @@ TEST(Stages, MoveAndAccountGiveAFallItsPlaceVelocityAndEnergy)
     EXPECT_NEAR(motion.state.placements[1].translation.y(), -g * timeStep * timeStep, 1e-15);
     EXPECT_DOUBLE_EQ(motion.state.time, timeStep);
     EXPECT_EQ(motion.energy.kinetic, 0) << "the ledger is kept by account";
+    measureEnergy(step);
+    EXPECT_FALSE(createsEnergy(step));
     account(step);
     EXPECT_NEAR(motion.energy.kinetic, 0.5 * scene.mass[0] * std::pow(g * timeStep, 2), 1e-9);
     EXPECT_LT(relativeImbalance(motion.energy), 1e-12);

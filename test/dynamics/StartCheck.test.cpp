@@ -56,12 +56,15 @@ protected:
 
 TEST_F(StartCheck, QuestionsSpeedsThatNoStepResolves)
 {
-    const auto warning = [this](const std::string& start, double deltaT)
+    const auto warning = [this](const std::string& start, double deltaT, bool adjustTimeStep = false)
     {
         std::ofstream(directory / "0/motion") << "1\n{\n    " << start << "\n}\n";
         const InitialState<2> initial = readInitialMotion(directory, "0", assembly);
         testing::internal::CaptureStderr();
-        questionSpeeds(assembly, initial, deltaT);
+        TimeControls controls;
+        controls.deltaT = deltaT;
+        controls.adjustTimeStep = adjustTimeStep;
+        questionSpeeds(assembly, initial, controls);
         return testing::internal::GetCapturedStderr();
     };
     EXPECT_THAT(warning("angularVelocity 1e6;", 0.01),
@@ -70,6 +73,7 @@ TEST_F(StartCheck, QuestionsSpeedsThatNoStepResolves)
     EXPECT_THAT(warning("velocity (0 1e3);", 0.01), HasSubstr("Block 1 moves by 10 m"));
     EXPECT_EQ(warning("velocity (0 10); angularVelocity -20;", 0.01), "");
     EXPECT_EQ(warning("angularVelocity 1e6;", 1e-8), "");
+    EXPECT_EQ(warning("angularVelocity 1e6;", 0.01, true), "") << "the first step is shorter";
 }
 
 TEST_F(StartCheck, RefusesAStartInTheGroundWithBothNamesAndTheDepth)

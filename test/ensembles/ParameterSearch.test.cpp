@@ -218,6 +218,27 @@ TEST(ParameterSearch, StopsAtOnceWhenAskedAndAsksForTheSamePointsAgain)
     }
 }
 
+// CRS2_LM made 7 of 5, as it went on until its population was full.
+TEST(ParameterSearch, LooksAtNoMorePointsThanItMay)
+{
+    for (const auto& [name, algorithm] : namesOf(SearchAlgorithm()))
+    {
+        if (algorithm == SearchAlgorithm::bisection)
+        {
+            continue;
+        }
+        for (const std::size_t most : {1u, 5u, 23u})
+        {
+            const auto settings = settingsOf(fmt::format("objective {{ goal minimise; value f; }} search ( "
+                                                         "{{ algorithm {}; maximumEvaluations {}; }} );",
+                                                         name, most));
+            std::vector<std::vector<double>> all;
+            EXPECT_EQ(search(settings, bowl, &all).end, SearchEnd::evaluations) << name << ' ' << most;
+            EXPECT_EQ(all.size(), most) << name;
+        }
+    }
+}
+
 TEST(ParameterSearch, AnErrorOfTheEvaluationPassesThroughNLopt)
 {
     const auto settings =

@@ -474,6 +474,29 @@ TEST_F(TimeCase, EndsAdjustedStepsWhereOthersAskAndAtTheEndTime)
     EXPECT_NEAR(times.back(), 0.5, 1e-15);
 }
 
+TEST_F(TimeCase, EndsAdjustedStepsOnChangesOrOnWriteTimesBesideThem)
+{
+    control("deltaT 0.03; endTime 1; adjustTimeStep on; writeControl adjustableRunTime; writeInterval 0.2;");
+    Time time(directory, ControlDict::required);
+    // The change at 0.200001 is as good as the write time, and no step leads from the one to the other.
+    const std::vector<double> changes{0.07, 0.11, 0.200001, 0.5, 0.999999};
+    std::vector<double> times{0};
+    time.setDeltaT(0.03, changes[0]);
+    while (time.loop())
+    {
+        times.push_back(time.value());
+        EXPECT_GT(times.back() - times[times.size() - 2], 0.01);
+        const auto next = std::upper_bound(changes.begin(), changes.end(), time.value() + 3e-5);
+        EXPECT_DOUBLE_EQ(time.wantedDeltaT(), 0.03);
+        time.setDeltaT(0.03, next == changes.end() ? std::numeric_limits<double>::infinity() : *next);
+    }
+    for (const double instant : {0.07, 0.11, 0.2, 0.4, 0.5, 0.6, 0.8, 1.0})
+    {
+        EXPECT_THAT(times, testing::Contains(testing::DoubleNear(instant, 1e-14)));
+    }
+    EXPECT_EQ(times.size(), 1u + 3 + 2 + 3 + 7 + 4 + 4 + 7 + 7);
+}
+
 TEST_F(TimeCase, NamesWhatIsWrongWithAControlDict)
 {
     EXPECT_THAT(failure("endTime 1;"), HasSubstr("deltaT"));

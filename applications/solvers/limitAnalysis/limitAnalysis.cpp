@@ -25,11 +25,6 @@ using namespace drystone;
 namespace
 {
 
-bool hasNoAnswer(const LimitAnalysis& result)
-{
-    return result.status == CollapseStatus::notConverged;
-}
-
 /// From where the picture of the mechanism is seen.
 Vector<3> viewOf(const CommandLine& commandLine, int dimensions)
 {
@@ -70,7 +65,7 @@ int runIn(const CommandLine& commandLine)
         const double used = cpuTime() - start;
         printLimitAnalysis(structure, results);
         writeLimitAnalysisProgram(directory, structure, results.front());
-        if (std::any_of(results.begin(), results.end(), hasNoAnswer))
+        if (!std::all_of(results.begin(), results.end(), hasAnswer))
         {
             removeLimitAnalysisTable(directory);
             return 2;

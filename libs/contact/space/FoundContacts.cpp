@@ -282,7 +282,7 @@ double MovingContacts<3>::pressedIn(int block, int neighbour,
     return deepest;
 }
 
-bool MovingContacts<3>::isOverlapping(const std::vector<Placement<3>>& placements) const
+double MovingContacts<3>::overlookedDepth(const std::vector<Placement<3>>& placements) const
 {
     PlacedSolids there(solids, centroids, placements);
     const auto depthOf = [&](const std::pair<int, int>& pair)
@@ -299,14 +299,17 @@ bool MovingContacts<3>::isOverlapping(const std::vector<Placement<3>>& placement
         }
         return depth;
     };
-    return std::any_of(
-        lookedAt.begin(), lookedAt.end(),
-        [&](const std::pair<int, int>& pair)
+    double deepest = 0;
+    for (const auto& pair : lookedAt)
+    {
+        const double depth = depthOf(pair);
+        const double error = std::max(toleranceOf(pair.first, pair.second), overlooked * blockSize);
+        if (depth > error && depth > error + pressedIn(pair.first, pair.second, placements))
         {
-            const double depth = depthOf(pair);
-            const double error = std::max(toleranceOf(pair.first, pair.second), overlooked * blockSize);
-            return depth > error && depth > error + pressedIn(pair.first, pair.second, placements);
-        });
+            deepest = std::max(deepest, depth);
+        }
+    }
+    return deepest;
 }
 
 /// \throws FatalError where blocks are too deep in each other at points that were found

@@ -50,10 +50,13 @@ public:
                                                const std::vector<std::vector<Placement<3>>>& headings,
                                                double margin);
 
-    /// Whether blocks between which the last update has found points, or looked for some, are in each other
-    /// by more than 1e-5 of the mean block size and what these points are pressed in by: a step to there has
-    /// overlooked contacts, since which corners and edges meet was foreseen otherwise.
-    bool isOverlapping(const std::vector<Placement<3>>& placements) const;
+    /// By how much blocks between which the last update has found points, or looked for some, are deepest in
+    /// each other beyond 1e-5 of the mean block size and what these points are pressed in by [m]; mostly 0. A
+    /// step to there has overlooked contacts, since which corners and edges meet was foreseen otherwise.
+    double overlookedDepth(const std::vector<Placement<3>>& placements) const;
+
+    /// Whether that is more than blocks may enter each other by, so that no update could follow.
+    bool isTooDeep(double overlookedDepth) const { return overlookedDepth > mayEnterFound; }
 
     /// The points of the last update, were the blocks placed so. \param points overwritten
     void measure(const std::vector<Placement<3>>& placements, std::vector<ContactPoint<3>>& points) const;
