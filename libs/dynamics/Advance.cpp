@@ -93,6 +93,10 @@ double takeStep(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeS
     {
         beginAgain(step);
         solve(step);
+        if (!step.solved.isSolved && leaveAllOverlaps(step))
+        {
+            solve(step);
+        }
         while (collide(step))
         {
             solve(step);

@@ -62,7 +62,37 @@ void contribute(Step<Dim>& step)
     }
 }
 
+template<int Dim>
+bool leaveAllOverlaps(Step<Dim>& step)
+{
+    StepProgram<Dim>& program = step.program;
+    if (program.hasCompliance())
+    {
+        return false;
+    }
+    bool isAny = false;
+    for (std::size_t point = 0; point < step.points.size(); ++point)
+    {
+        const Eigen::Index row = Dim * static_cast<Eigen::Index>(point);
+        const double overlap =
+            -step.points[point].gap - (step.gapsOfEffects.size() > 0 ? step.gapsOfEffects[row] : 0);
+        if (overlap > 0)
+        {
+            if (step.gapsOfEffects.size() == 0)
+            {
+                step.gapsOfEffects = Eigen::VectorXd::Zero(program.gap.size());
+            }
+            step.gapsOfEffects[row] += overlap;
+            program.gap[row] += overlap;
+            isAny = true;
+        }
+    }
+    return isAny;
+}
+
 template void contribute(Step<2>& step);
+template bool leaveAllOverlaps(Step<2>& step);
 template void contribute(Step<3>& step);
+template bool leaveAllOverlaps(Step<3>& step);
 
 } // namespace drystone

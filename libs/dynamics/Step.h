@@ -141,6 +141,12 @@ void assemble(Step<Dim>& step);
 template<int Dim>
 void contribute(Step<Dim>& step);
 
+/// Lets all overlaps stay that there are when the step begins. A stone that is wedged between others, as a
+/// hook in a hook, cannot leave one by the associative law, whose program begins each step by Coulomb's: it
+/// has no solution then, however small the overlap is. \return whether there was any to be closed
+template<int Dim>
+bool leaveAllOverlaps(Step<Dim>& step);
+
 /// Solves the program as it stands.
 template<int Dim>
 void solve(Step<Dim>& step);

@@ -169,6 +169,8 @@ public:
         }
     }
 
+    /// Whether the forces at the end of a path are asked for their mechanism where its own is none.
+    bool takesMechanisms = false;
     CoulombRange range;
     CoulombPair lowest;
     CoulombPair fall;  ///< the lowest, on whose mechanism the live load does no work
@@ -297,12 +299,26 @@ private:
             return false;
         }
         CoulombPair pair{found.multiplier, std::move(found.contactForce), std::move(found.mechanism), {}};
-        if (!consider(pair))
+        if (!consider(pair) && !(takesMechanisms && takeMechanism(pair)))
         {
             return false;
         }
         descend(std::move(pair));
         return true;
+    }
+
+    /// Where a stone slides between others nothing but rounding holds its motion across in the end of a path
+    /// in space: its forces are right, and they tell the mechanism. \return whether that is a pair
+    bool takeMechanism(CoulombPair& pair)
+    {
+        std::optional<VectorXd> mechanism = mechanismOf<Rows, Forces>(
+            given, pair.contactForce,
+            [this](const Program& program) { return solve(program, solverSettings); });
+        if (mechanism)
+        {
+            pair.mechanism = std::move(*mechanism);
+        }
+        return mechanism && consider(pair);
     }
 
     /// From a pair to lower ones: the least multiplier with its mechanism held, then another mechanism of
@@ -416,10 +432,14 @@ LimitAnalysis solveNonAssociative(const ConeProgram<Rows, Forces>& program,
             return start < settings.starts
                    || (start < settings.starts + furtherStarts && !search.lowest.exists());
         };
-        for (int start = 0; goesOn(start); ++start)
+        const auto follow = [&]
         {
-            search.go(start);
-        }
+            for (int start = 0; goesOn(start); ++start)
+            {
+                search.go(start);
+            }
+        };
+        follow();
         if (!search.lowest.exists() && !search.fall.exists())
         {
             search.takeAssociativeForces();
@@ -427,6 +447,11 @@ LimitAnalysis solveNonAssociative(const ConeProgram<Rows, Forces>& program,
         if (!search.lowest.exists() && !search.fall.exists())
         {
             search.takeStepsFromRest();
+        }
+        if (!search.lowest.exists() && !search.fall.exists())
+        {
+            search.takesMechanisms = true;
+            follow();
         }
     }
     const CoulombPair& found = search.lowest.exists() ? search.lowest

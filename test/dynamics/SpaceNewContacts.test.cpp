@@ -321,6 +321,32 @@ TEST(NightlySpaceNewContacts, HundredsOfStonesFallIntoPits)
     }
 }
 
+// A hook that falls into a hook is wedged there: by the associative law, with which each step begins, it
+// could not leave an overlap of 1e-10 m, and no step was solved however short. It rests as in the plane.
+TEST(SpaceNewContacts, AHookThatFallsIntoAHookHangsAtRest)
+{
+    Block<2> fixed;
+    fixed.outline = {{0.8, 1.5}, {0.8, 1.9}, {0.6, 1.9}, {0.6, 1.7},
+                     {0.2, 1.7}, {0.2, 2.2}, {0, 2.2},   {0, 1.5}};
+    fixed.support = 0;
+    Block<2> hook;
+    hook.outline = {{0.4, 1.8}, {0.5, 1.8}, {0.5, 2.1}, {0.9, 2.1},
+                    {0.9, 0.9}, {1.1, 0.9}, {1.1, 2.3}, {0.4, 2.3}};
+    hook.support = -1;
+    Assembly<2> assembly;
+    assembly.supports.push_back({"hook", "hook"});
+    assembly.blocks = {fixed, hook};
+    const DynamicCase<3> scene = spaceScenes::sceneOf(extruded(assembly), 1, 0.6, {0, 0, -spaceScenes::g});
+    Motion<3> motion = startMotion(scene, stateAtRest(scene.assembly));
+    for (int step = 1; step <= 300; ++step)
+    {
+        ASSERT_TRUE(advanceOrShorten(scene, motion, 5e-3).isSolved) << step;
+    }
+    // Its stem leans on the corner of the other, and its tip stands in the corner: atan(3/4).
+    EXPECT_NEAR(motion.state.placements[1].rotation.norm(), 0.643501, 1e-4);
+    EXPECT_LE(kineticEnergy(scene, motion.state), 1e-9);
+}
+
 // Steps of half of a block: which corners and edges meet is seen in the end only, and where it is not seen in
 // eight looks the step is taken shorter. Nothing else acts: momenta stay, and energy does not grow.
 TEST(SpaceNewContacts, BoxesThrownAtEachOtherStepSoFarAsTheyCanBeFollowed)

@@ -140,6 +140,38 @@ TEST(CoulombInSpace, BoxesThatNoPathAnswersAreAnsweredByStepsFromRest)
 
 // In the first of these rows, as in some small walls that slide as a whole, every path ends without a
 // collapse.
+// A box of weight W between two walls is drawn upwards 0.09 m beside its centre: N = 0.09 P/0.3 on either
+// wall and P = W/(1 - 0.6 mu). By the associative law it wedges; that was said of Coulomb's, too.
+TEST(CoulombInSpace, ABoxIsDrawnOutOfASlotInWhichItWedgesByTheAssociativeLaw)
+{
+    Assembly<3> assembly;
+    assembly.blocks = {{makeBox({0, 0, 0}, {0.4, 0.5, 0.5}), 0},
+                       {makeBox({0.6, 0, 0}, {1, 0.5, 0.5}), 0},
+                       {makeBox({0.4, 0, 0.2}, {0.6, 0.5, 0.9}), -1}};
+    assembly.supports = {{"walls", "blocks"}};
+    LoadVectors loads = test::pushed(assembly, {0, 0, 1});
+    const double weight = -loads.dead[2];
+    loads.live << 0, 0, weight, 0, -0.09 * weight, 0;
+    for (const double mu : {0.1, 0.2, 0.3, 0.4, 0.6})
+    {
+        SCOPED_TRACE(mu);
+        const SpaceConeProgram program = test::programOf(assembly, findContactPoints(assembly), mu, loads);
+        const LimitAnalysis result = solveNonAssociative(program);
+        EXPECT_TRUE(std::isinf(result.coulomb->associative));
+        ASSERT_EQ(result.status, CollapseStatus::optimal);
+        const Eigen::VectorXd mechanism = result.mechanism / program.liveLoad.dot(result.mechanism);
+        EXPECT_LE(coulombResiduals(program, result.alpha, result.contactForce, mechanism).worst(), 1e-6);
+        // It may slide out askew, with less friction.
+        EXPECT_LE(result.alpha, 1.01 / (1 - 0.6 * mu));
+        EXPECT_GE(result.alpha, 1);
+    }
+    // What is carried without friction is carried by any law.
+    loads.live *= -1;
+    assembly.blocks.push_back({makeBox({0.4, 0, 0}, {0.6, 0.5, 0.2}), 0});
+    const SpaceConeProgram pressed = test::programOf(assembly, findContactPoints(assembly), 0.3, loads);
+    EXPECT_EQ(solveNonAssociative(pressed).status, CollapseStatus::unbounded);
+}
+
 TEST(CoulombInSpace, BoxesInARowSlideAtMu)
 {
     test::Chance chance(18);
