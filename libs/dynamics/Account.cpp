@@ -143,6 +143,7 @@ void account(Step<Dim>& step)
     motion.largestKinetic = std::max(motion.largestKinetic, motion.energy.kinetic);
     motion.restitutionShare = step.solved.restitutionShare;
     motion.slides = step.solved.slides;
+    motion.overlapsLeft = step.overlapsLeft;
     motion.collisions = step.solved.collides ? motion.collisions + 1 : 0;
     motion.effectUse.sticking += step.solved.sticks ? 1 : 0;
     motion.residuals = motion.attempt;

@@ -29,6 +29,10 @@ StepWork allowedWork(const DynamicCase<Dim>& scene)
     return work;
 }
 
+/// Steps after one that was solved only as its overlaps stayed, in which they stay too: what such steps take in
+/// vain is some hundred factorisations.
+constexpr int stepsWithOverlaps = 20;
+
 /// That contact gives a block within a step, beyond what it was turning by [rad].
 constexpr double farthestTurn = 1;
 
@@ -89,6 +93,11 @@ double takeStep(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeS
     findContacts(step);
     assemble(step);
     contribute(step);
+    if (motion.overlapsLeft > 0)
+    {
+        leaveAllOverlaps(step);
+        step.overlapsLeft = motion.overlapsLeft - 1;
+    }
     do
     {
         beginAgain(step);
@@ -96,6 +105,7 @@ double takeStep(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeS
         if (!step.solved.isSolved && leaveAllOverlaps(step))
         {
             solve(step);
+            step.overlapsLeft = stepsWithOverlaps;
         }
         while (collide(step))
         {

@@ -69,6 +69,7 @@ struct Motion
     std::vector<char> isAwake;
     std::vector<int> bodies; ///< in which body each block was simulated, -1: in none; empty: each was its own
     bool slides = false;     ///< see Step.h, of the last step
+    int overlapsLeft = 0;    ///< steps to come that close no overlaps, since one was not solved otherwise
     int collisions = 0;      ///< steps in a row up to the last one in which points collided, see Step.h
     std::vector<double> effectCalls; ///< of the last step, see EffectCalls.h, with `automatic`; else empty
     EffectUse effectUse;             ///< of this run

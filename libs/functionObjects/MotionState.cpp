@@ -144,6 +144,10 @@ Motion<Dim> motionOf(const DynamicCase<Dim>& scene, const State& saved)
         motion.slides = stateScalar(saved, "stepSlides") != 0;
         motion.collisions = static_cast<int>(stateScalar(saved, "stepCollisions"));
     }
+    if (saved.scalars.contains("stepOverlapsLeft"))
+    {
+        motion.overlapsLeft = static_cast<int>(stateScalar(saved, "stepOverlapsLeft"));
+    }
     for (std::size_t i = 0; i < scene.effects.size(); ++i)
     {
         scene.effects[i]->restore(saved.arrays, motion.effectStates[i]);
@@ -173,6 +177,10 @@ State stateOf(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const Ti
     {
         state.scalars["stepSlides"] = motion.slides ? 1 : 0;
         state.scalars["stepCollisions"] = motion.collisions;
+    }
+    if (motion.overlapsLeft > 0)
+    {
+        state.scalars["stepOverlapsLeft"] = motion.overlapsLeft;
     }
     auto& translation = state.arrays["translation"];
     auto& rotation = state.arrays["rotation"];
