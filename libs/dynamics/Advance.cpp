@@ -20,6 +20,7 @@ constexpr int mostHalvings = 10;
 
 /// How often a step is taken again because it overlooked contacts.
 constexpr std::size_t mostLooks = 8;
+constexpr double mostWorkOfLooks = 0.3; ///< of what a step may take: no further look after that
 
 template<int Dim>
 StepWork allowedWork(const DynamicCase<Dim>& scene)
@@ -127,7 +128,8 @@ double takeStep(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeS
     }
     if (const double depth = overlookedDepth(step); depth > 0)
     {
-        if (Dim == 3 && step.overlooking.size() < mostLooks)
+        const bool isExpensive = motion.work.done > mostWorkOfLooks * motion.work.most;
+        if (Dim == 3 && step.overlooking.size() < mostLooks && !isExpensive)
         {
             step.overlooking.push_back(step.solved.result.displacement);
             return takeStep(scene, motion, timeStep, impacts, std::move(step.overlooking));
