@@ -30,8 +30,8 @@ StepWork allowedWork(const DynamicCase<Dim>& scene)
     return work;
 }
 
-/// Steps after one that was solved only as its overlaps stayed, in which they stay too: what such steps take in
-/// vain is some hundred factorisations.
+/// Steps after one that was solved only as its overlaps stayed, in which they stay too: what such steps take
+/// in vain is some hundred factorisations.
 constexpr int stepsWithOverlaps = 20;
 
 /// That contact gives a block within a step, beyond what it was turning by [rad].

@@ -25,7 +25,7 @@ void declare(Options& options, Deletion<Dim>& deletion)
                   [&deletion]
                   {
                       const auto& [lower, upper] = deletion.box;
-                      return std::equal(lower.begin(), lower.end(), upper.begin(), std::less<>())
+                      return (lower.array() < upper.array()).all()
                                  ? ""
                                  : "The box is empty: give its lower left corner, then its upper right one.";
                   });
@@ -57,8 +57,7 @@ std::vector<int> BlockDeletion<Dim>::leaveOut(const Structure<Dim>& structure,
                                               EffectState& state) const
 {
     std::vector<int> leaving;
-    const Eigen::Map<const Vector<Dim>> lower(settings.box.first.data());
-    const Eigen::Map<const Vector<Dim>> upper(settings.box.second.data());
+    const auto& [lower, upper] = settings.box;
     for (std::size_t block = 0; block < structure.free.size(); ++block)
     {
         const Vector<Dim> centre = structure.blocks[block].centroid + placements[block].translation;

@@ -11,7 +11,8 @@ namespace drystone
 template<int Dim>
 struct Deletion
 {
-    std::pair<std::array<double, Dim>, std::array<double, Dim>> box; ///< lower and upper corner [m]
+    std::pair<Vector<Dim>, Vector<Dim>> box{Vector<Dim>::Zero(),
+                                            Vector<Dim>::Zero()}; ///< lower, upper corner [m]
 };
 
 template<int Dim>

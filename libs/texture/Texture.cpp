@@ -204,11 +204,35 @@ void refuseSecondSupport(const Assembly<Dim>& assembly, const std::string& name,
     }
 }
 
+/// Textures of space are no typing errors in the plane.
+void refuseTextureOfSpace(const Dictionary& dictionary)
+{
+    const Entry* texture = dictionary.find("texture");
+    const Entry* type =
+        texture && texture->isDictionary() ? dictionary.subDict("texture").find("type") : nullptr;
+    const auto isOneOf = [name = type ? type->as<std::string>() : ""](const auto& registry)
+    {
+        return std::any_of(registry.models.begin(), registry.models.end(),
+                           [&](const auto& model) { return model.name == name; });
+    };
+    if (isOneOf(textureTypes<3>()) && !isOneOf(textureTypes<2>()))
+    {
+        throw FatalIOError(
+            fmt::format("The texture {} is one of space: write `dimensions 3;`, or choose another.",
+                        type->as<std::string>()),
+            type->location());
+    }
+}
+
 } // namespace
 
 template<int Dim>
 Assembly<Dim> makeStructure(const Dictionary& dictionary, const std::filesystem::path& caseDirectory)
 {
+    if (Dim == 2)
+    {
+        refuseTextureOfSpace(dictionary);
+    }
     BlockTexture<Dim> blockTexture = readOptions<BlockTexture<Dim>>(dictionary);
     if (blockTexture.texture.readBlocks)
     {
