@@ -18,10 +18,6 @@ namespace
 
 constexpr int mostHalvings = 10;
 
-/// How often a step is taken again because it overlooked contacts.
-constexpr std::size_t mostLooks = 8;
-constexpr double mostWorkOfLooks = 0.3; ///< of what a step may take: no further look after that
-
 template<int Dim>
 StepWork allowedWork(const DynamicCase<Dim>& scene)
 {
@@ -67,7 +63,8 @@ bool turnsTooFar(const Step<Dim>& step)
 {
     const Eigen::VectorXd& displacement = step.solved.result.displacement;
     const Eigen::VectorXd& velocity = step.motion.state.velocity;
-    for (Eigen::Index row = Dim; row < displacement.size(); row += freedomCount<Dim>)
+    const bool isFollowed = step.motion.contacts.has_value();
+    for (Eigen::Index row = Dim; isFollowed && row < displacement.size(); row += freedomCount<Dim>)
     {
         const auto turn = [row](const Eigen::VectorXd& of)
         { return of.template segment<rotationCount<Dim>>(row); };
@@ -77,6 +74,16 @@ bool turnsTooFar(const Step<Dim>& step)
         }
     }
     return false;
+}
+
+/// Whether contacts that a step has overlooked are looked for again where it has led.
+template<int Dim>
+bool mayLookAgain(const Step<Dim>& step)
+{
+    constexpr std::size_t mostLooks = 8;
+    constexpr double mostWork = 0.3; // of what the step may take
+    const StepWork& work = step.motion.work;
+    return Dim == 3 && step.overlooking.size() < mostLooks && work.done <= mostWork * work.most;
 }
 
 /// \param overlooking see Step: tries of this step before
@@ -117,35 +124,28 @@ double takeStep(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeS
     {
         return step.solved.length < 1 ? step.solved.length : 0;
     }
-    const auto refuse = [&motion](StepFault fault)
+    StepFault fault = turnsTooFar(step) ? StepFault::turnsTooFar : StepFault::none;
+    if (const double depth = fault == StepFault::none ? overlookedDepth(step) : 0; depth > 0)
     {
-        motion.attempt.fault = fault;
-        return 0.0; // to be tried shorter
-    };
-    if (turnsTooFar(step))
-    {
-        return refuse(StepFault::turnsTooFar);
-    }
-    if (const double depth = overlookedDepth(step); depth > 0)
-    {
-        const bool isExpensive = motion.work.done > mostWorkOfLooks * motion.work.most;
-        if (Dim == 3 && step.overlooking.size() < mostLooks && !isExpensive)
+        if (mayLookAgain(step))
         {
             step.overlooking.push_back(step.solved.result.displacement);
             return takeStep(scene, motion, timeStep, impacts, std::move(step.overlooking));
         }
-        if (motion.contacts->isTooDeep(depth))
-        {
-            return refuse(StepFault::entersTooDeep);
-        }
+        fault = motion.contacts->isTooDeep(depth) ? StepFault::entersTooDeep : StepFault::none;
     }
     const DynamicState<Dim> start = motion.state;
-    move(step);
-    measureEnergy(step);
-    if (createsEnergy(step))
+    if (fault == StepFault::none)
+    {
+        move(step);
+        measureEnergy(step);
+        fault = createsEnergy(step) ? StepFault::createsEnergy : StepFault::none;
+    }
+    if (fault != StepFault::none)
     {
         motion.state = start;
-        return refuse(StepFault::createsEnergy);
+        motion.attempt.fault = fault;
+        return 0; // to be tried shorter
     }
     account(step);
     return 1;

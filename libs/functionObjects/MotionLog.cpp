@@ -297,11 +297,24 @@ void printStageTimes(const StageTimes& times)
 namespace
 {
 
+/// Of the step that was abandoned [s].
+double abandonedStep(const Time& time)
+{
+    return time.state().deltaT;
+}
+
+/// What to make smaller for shorter steps.
+std::string shorterSteps(const Time& time)
+{
+    return time.controls().adjustTimeStep ? "a smaller maxDeltaT or maxDisplacement in system/schemes"
+                                          : "a smaller deltaT";
+}
+
 /// By how far the velocities now and the loads would take the block that is fastest in one step [m].
 template<int Dim>
 double farthestInOneStep(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const Time& time)
 {
-    const double timeStep = time.controls().deltaT;
+    const double timeStep = abandonedStep(time);
     Motion<Dim> copy = motion;
     const Eigen::VectorXd load = Step<Dim>(scene, copy, timeStep, {}).load;
     double farthest = 0;
@@ -324,11 +337,11 @@ std::string stepWithoutEnd(const DynamicCase<Dim>& scene, const Motion<Dim>& mot
         "({} shorter attempts, up to {} contact points of {} blocks).\n\n"
         "In a step of {:g} s the fastest block moves by {:.3g} m, {:.3g} times the mean block size. The "
         "state "
-        "at its start has been written: begin from there with a smaller deltaT, so that blocks move by a "
-        "small "
-        "part of their size in a step, or raise maximumFactorisations in system/solution/contactDynamics.",
+        "at its start has been written: begin from there with {}, so that blocks move by a small part of "
+        "their size in a step, or raise maximumFactorisations in system/solution/contactDynamics.",
         time.name(), scene.solution.maximumFactorisations, motion.work.attempts - 1, motion.work.mostPoints,
-        scene.mass.size() / freedomCount<Dim>, time.controls().deltaT, farthest, farthest / scene.blockSize);
+        scene.mass.size() / freedomCount<Dim>, abandonedStep(time), farthest, farthest / scene.blockSize,
+        shorterSteps(time));
 }
 
 } // namespace
@@ -393,18 +406,18 @@ std::string unsolvedStep(const DynamicCase<Dim>& scene, const Motion<Dim>& motio
         return fmt::format(
             "The step at time {} was solved, but {}, also when it was made shorter {} times: as "
             "steps do that are too long for a motion so fast, or from a state that cannot be "
-            "right. The state at its start has been written. Restart from an earlier one with a "
-            "smaller deltaT.",
-            time.name(), textOf(motion.attempt.fault), motion.attempt.retries);
+            "right. The state at its start has been written. Restart from an earlier one with {}.",
+            time.name(), textOf(motion.attempt.fault), motion.attempt.retries, shorterSteps(time));
     }
-    return fmt::format(
-        "The step at time {} was not solved to tolerance {:g}, nor when it was made shorter {} times "
-        "(residual "
-        "{:.3g}). The state at its start has been written. Raise tolerance or {} in "
-        "system/solution/contactDynamics, or restart from it with a smaller deltaT.",
-        time.name(), scene.solution.tolerance, motion.attempt.retries, worst(motion.attempt),
-        scene.solution.solver == SolverType::gaussSeidel ? "maximumSweeps, or choose another solver,"
-                                                         : "maximumIterations");
+    return fmt::format("The step at time {} was not solved to tolerance {:g}, nor when it was made shorter "
+                       "{} times (residual "
+                       "{:.3g}). The state at its start has been written. Raise tolerance or {} in "
+                       "system/solution/contactDynamics, or restart from it with {}.",
+                       time.name(), scene.solution.tolerance, motion.attempt.retries, worst(motion.attempt),
+                       scene.solution.solver == SolverType::gaussSeidel
+                           ? "maximumSweeps, or choose another solver,"
+                           : "maximumIterations",
+                       shorterSteps(time));
 }
 
 template void printAddedEffects(const DynamicCase<2>& scene);
