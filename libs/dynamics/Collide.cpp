@@ -21,7 +21,7 @@ namespace
 constexpr double slowImpact = 1e-6;
 
 /// Nor do those that close slower than velocities are known, in tolerances of the solver: on a table that
-/// turns fast each step would begin with an impact, to which the bonds of joints are no strength.
+/// turns fast each step would begin with an impact.
 constexpr double velocityError = 10;
 
 /// Points that would part slower after an impact do not part at all: their flight would be too short [m/s].

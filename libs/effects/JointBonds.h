@@ -23,7 +23,7 @@ namespace drystone
 ///
 /// An impact within a step is met by T dt at most, so that the shorter the step, the weaker the impact that
 /// breaks a bond: between rigid blocks its force has no limit. Where impacts are instants of their own
-/// (restitution, or a theta below 1) bonds pass none of their impulses but what presses and rubs.
+/// (restitution, or a theta below 1) they are met by as much, dt the whole step (Impact.h).
 template<int Dim>
 struct Bond
 {

@@ -386,8 +386,8 @@ TEST(SpaceNewContacts, BoxesThrownAtEachOtherStepSoFarAsTheyCanBeFollowed)
             ASSERT_TRUE(step.isSolved) << "seed " << seed;
             time += step.timeStep;
             shortened += step.timeStep < timeStep;
-            // The mean block size is 0.18 m.
-            EXPECT_LE(penetration(scene.assembly, motion.state.placements).depth, 1.8e-3)
+            // A hundredth, and what looks for overlooked contacts leave out.
+            EXPECT_LE(penetration(scene.assembly, motion.state.placements).depth, 1.01e-2 * scene.blockSize)
                 << "seed " << seed << " at " << time;
         }
         EXPECT_LE((momentum() - atFirst).norm(), 1e-6 * scene.mass[0] * 20) << "seed " << seed;
