@@ -102,6 +102,9 @@ public:
     /// Whether that is more than blocks may enter each other by.
     bool isTooDeep(double overlookedDepth) const { return overlookedDepth > mayEnter; }
 
+    /// For space, where overlookedDepth leaves out what points are pressed in by.
+    bool isAnyTooDeep(const std::vector<ContactPoint<2>>&) const { return false; }
+
     /// The margin that lists every pair of blocks that can meet within a step: twice the farthest that any
     /// point of a block travels. Features are chosen well as long as no block travels farther in a step than
     /// a quarter of its thickness; what was overlooked otherwise, overlookedDepth tells. \param velocities

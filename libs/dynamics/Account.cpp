@@ -33,11 +33,7 @@ void keepContacts(Step<Dim>& step)
 {
     Motion<Dim>& motion = step.motion;
     const ThetaStep& result = step.solved.result;
-    motion.points = std::move(step.points);
-    if (motion.contacts)
-    {
-        motion.contacts->measure(motion.state.placements, motion.points);
-    }
+    motion.points = std::move(step.pointsAtEnd);
     motion.contactForces.resize(motion.points.size());
     for (std::size_t i = 0; i < motion.points.size(); ++i)
     {

@@ -139,7 +139,10 @@ double takeStep(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeS
     {
         move(step);
         measureEnergy(step);
-        fault = createsEnergy(step) ? StepFault::createsEnergy : StepFault::none;
+        fault = createsEnergy(step) ? StepFault::createsEnergy
+                : motion.contacts && motion.contacts->isAnyTooDeep(step.pointsAtEnd)
+                    ? StepFault::entersTooDeep
+                    : StepFault::none;
     }
     if (fault != StepFault::none)
     {

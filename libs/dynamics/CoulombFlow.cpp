@@ -136,12 +136,9 @@ bool solveFlow(ThetaStep& step, StepProgram<Dim> program, ConeSolution start, co
         }
         const bool isRight =
             !relinearise || relinearise(step.displacement, step.contactForce, program) <= effort.gapTolerance;
-        if (isRight && step.certificate.worst() <= settings.solver.tolerance)
+        if (isRight && step.certificate.worst() <= settings.solver.tolerance
+            && (!relinearise || keepMomenta(step, program, relinearise)))
         {
-            if (relinearise)
-            {
-                keepMomenta(step, program, relinearise);
-            }
             return true;
         }
         if (!relinearise)

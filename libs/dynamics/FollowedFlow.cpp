@@ -203,13 +203,10 @@ bool followFlow(ThetaStep& step, const StepProgram<Dim>& program, const ConeSolu
     solution.status = SolveStatus::optimal;
     ThetaStep taken = step;
     takeOver(taken, flow.program, std::move(solution), settings, overlap, overlap);
-    const bool isRight = taken.certificate.worst() <= settings.solver.tolerance;
+    const bool isRight = taken.certificate.worst() <= settings.solver.tolerance
+                         && (!relinearise || keepMomenta(taken, flow.program, relinearise));
     if (isRight)
     {
-        if (relinearise)
-        {
-            keepMomenta(taken, flow.program, relinearise);
-        }
         step = std::move(taken);
     }
     return isRight;

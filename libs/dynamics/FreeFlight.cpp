@@ -7,6 +7,7 @@
 #include <Eigen/Cholesky>
 
 #include <algorithm>
+#include <optional>
 
 namespace drystone
 {
@@ -18,26 +19,28 @@ constexpr double flightForce = 1e-3;
 
 /// The turn of a block of space by theta 1/2, r = dt (w0 + w1)/2 (see turnMomenta): J0 w1 = exp(-r)(J0 w0 +
 /// dt m) in turn with r, each time nearer by the part of a radian that the block turns in a step. \param
-/// tensor J0 \param velocity w0 \param moment m
-Vector<3> turnByTheMean(const Eigen::Matrix3d& tensor, const Vector<3>& velocity, const Vector<3>& moment,
-                        double timeStep)
+/// tensor J0 \param velocity w0 \param moment m \return none where it turns too far for that
+std::optional<Vector<3>> turnByTheMean(const Eigen::Matrix3d& tensor, const Vector<3>& velocity,
+                                       const Vector<3>& moment, double timeStep)
 {
     constexpr int mostRounds = 100;
     constexpr double lastDigits = 1e-15;
+    constexpr double found = 1e-9; // [rad]
     const Vector<3> momentum = tensor * velocity + timeStep * moment;
     Vector<3> turn = timeStep * velocity;
+    double change = 0;
     for (int round = 0; round < mostRounds; ++round)
     {
         const Vector<3> next =
             0.5 * timeStep * (velocity + tensor.llt().solve(turned(Vector<3>(-turn), momentum)));
-        const double change = (next - turn).norm();
+        change = (next - turn).norm();
         turn = next;
         if (change <= lastDigits * turn.norm())
         {
             break;
         }
     }
-    return turn;
+    return change <= found ? std::optional(turn) : std::nullopt;
 }
 
 } // namespace
@@ -86,9 +89,17 @@ Eigen::VectorXd flightOf(const Step<Dim>& step, const ThetaStep& result, const E
         {
             const Eigen::Index row = freedomCount<Dim> * body + Dim;
             const Vector<3> moment = step.load.template segment<3>(row) - byContacts.template segment<3>(row);
-            flight.segment<3>(row) = turnByTheMean(step.mass.tensors[static_cast<std::size_t>(body)],
-                                                   velocity.segment<3>(row), moment, step.scheme.timeStep)
-                                     - result.displacement.segment<3>(row);
+            const std::optional<Vector<3>> turn =
+                turnByTheMean(step.mass.tensors[static_cast<std::size_t>(body)], velocity.segment<3>(row),
+                              moment, step.scheme.timeStep);
+            if (turn)
+            {
+                flight.segment<3>(row) = *turn - result.displacement.segment<3>(row);
+            }
+            else // as the step has it
+            {
+                flight.segment<freedomCount<Dim>>(freedomCount<Dim> * body).setZero();
+            }
         }
         isAny = isAny || flies[static_cast<std::size_t>(body)];
     }

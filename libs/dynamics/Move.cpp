@@ -87,12 +87,9 @@ void fly(Step<Dim>& step, const std::vector<Placement<Dim>>& start)
     }
 }
 
-} // namespace
-
 template<int Dim>
-void move(Step<Dim>& step)
+void moveBlocks(Step<Dim>& step)
 {
-    const StageTimer timer(step.motion.stageTimes, Stage::move);
     DynamicState<Dim>& state = step.motion.state;
     StepSolution& solved = step.solved;
     const bool isAnyFlying = solved.flight.size() > 0;
@@ -119,6 +116,23 @@ void move(Step<Dim>& step)
         step.keptInFlight += flies ? (step.scheme.theta - 0.5)
                                          * squareOf(step.mass, body, change.segment<freedomCount<Dim>>(row))
                                    : 0;
+    }
+}
+
+} // namespace
+
+template<int Dim>
+void move(Step<Dim>& step)
+{
+    const StageTimer timer(step.motion.stageTimes, Stage::move);
+    moveBlocks(step);
+    if (step.motion.contacts)
+    {
+        step.motion.contacts->measure(step.motion.state.placements, step.pointsAtEnd);
+    }
+    else
+    {
+        step.pointsAtEnd = step.points;
     }
 }
 

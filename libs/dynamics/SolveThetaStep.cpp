@@ -43,6 +43,10 @@ constexpr double nearlySolved = 1000; // times the tolerance
 /// Of an impact it is so much of the velocities that blocks have, but no more than this part of their change.
 constexpr double shareOfChange = 0.3;
 
+/// An impact that changes velocities by little more than this part of the largest is not made of programs
+/// without end.
+constexpr double negligibleVelocity = 1e-5;
+
 /// The largest |u_t| of the solution of the last program, -z_t of z = g - A'y, at points that carry a force.
 template<int Dim>
 double largestSlip(const ThetaStep& step, double tolerance)
@@ -192,16 +196,19 @@ template<int Dim>
 void StepSearch<Dim>::flyFreely()
 {
     step.displacement = displacementUnder(program, program.load);
+    step.status = SolveStatus::optimal;
     if constexpr (Dim == 3)
     {
         if (relinearise) // blocks that turn
         {
             step.contactForce.resize(0);
             relinearise(step.displacement, step.contactForce, program);
-            keepMomenta(step, program, relinearise);
+            if (!keepMomenta(step, program, relinearise))
+            {
+                step.status = SolveStatus::notConverged;
+            }
         }
     }
-    step.status = SolveStatus::optimal;
 }
 
 /// Whether the blocks stay at rest, by forces near those of the guess.
@@ -377,6 +384,8 @@ bool StepSearch<Dim>::meetsFlow(bool isBalanced)
     const double share = step.programs < programsToLargerShare ? shareOfStep : largerShareOfStep;
     const double small = isImpact ? std::min(shareOfChange * moved, share * farthest) : share * moved;
     const double certified = tolerance * std::max(farthest, gap.template lpNorm<Eigen::Infinity>());
+    const double negligible =
+        isImpact && step.programs > programsToLargerShare ? negligibleVelocity * farthest : 0;
     const bool isExact =
         !isImpact
         && (step.programs < programsToExactFlow || (!isBalanced && step.programs < programsToLargerShare));
@@ -387,7 +396,7 @@ bool StepSearch<Dim>::meetsFlow(bool isBalanced)
         fixedPoint = {};
         imposed.setZero();
     }
-    return change <= (isExact ? exact : std::max({exact, certified, small}));
+    return change <= (isExact ? exact : std::max({exact, certified, small, negligible}));
 }
 
 /// Whether the gaps at the end of the motion are those of the linearised program; the next is linearised
@@ -452,9 +461,10 @@ ThetaStep StepSearch<Dim>::solve()
         if (stands)
         {
             step.slip = largestSlip<Dim>(step, settings.solver.tolerance);
-            if (relinearise && isBalanced && settings.keepsMomenta)
+            if (relinearise && isBalanced && settings.keepsMomenta
+                && !keepMomenta(step, program, relinearise))
             {
-                keepMomenta(step, program, relinearise);
+                step.status = SolveStatus::notConverged;
             }
             return std::move(step);
         }

@@ -108,6 +108,8 @@ struct Step
     double keptInFlight = 0;       ///< algorithmic loss that blocks in free flight do not have [J]
     double lostInStopping = 0;     ///< by bodies that stand still and had a velocity left [J]
 
+    std::vector<ContactPoint<Dim>> pointsAtEnd;
+
     // measureEnergy
     StepEnergy energy;
 };
@@ -177,7 +179,7 @@ bool collide(Step<Dim>& step);
 template<int Dim>
 bool review(Step<Dim>& step);
 
-/// Moves the blocks by finite rotations and gives them their velocities.
+/// Moves the blocks by finite rotations, gives them their velocities and measures the contact points there.
 template<int Dim>
 void move(Step<Dim>& step);
 

@@ -2,6 +2,9 @@
 /// The theta step: its program, the motion of its forces, and what it does to velocities and energy.
 #include "dynamics/ThetaStep.h"
 
+#include <algorithm>
+#include <limits>
+
 namespace drystone
 {
 
@@ -17,24 +20,35 @@ Eigen::VectorXd displacementUnder(const StepProgram<Dim>& program, Eigen::Vector
 }
 
 template<int Dim>
-void keepMomenta(ThetaStep& step, StepProgram<Dim>& program, const Relinearisation<Dim>& relinearise)
+bool keepMomenta(ThetaStep& step, StepProgram<Dim>& program, const Relinearisation<Dim>& relinearise)
 {
-    // Each leaves the square of the last, in effect; in space the part by which a block turns in a step.
+    // Each leaves the square of the last, in effect; in space the part by which a block turns in a step,
+    // times the ratio of its moments of inertia: where that is more than one, a part of each change.
     constexpr int mostRounds = Dim == 2 ? 4 : 40;
     constexpr double lastDigits = 1e-15;
+    constexpr double kept = 1e-9; // [m, rad], and of the displacement
+    constexpr double slow = 0.9;
+    double part = 1;
+    double before = std::numeric_limits<double>::infinity();
+    double size = 0;
     for (int round = 0; round < mostRounds; ++round)
     {
         Eigen::VectorXd displacement =
             displacementUnder(program, program.load - applyEquilibrium(program, step.contactForce));
-        const double change = (displacement - step.displacement).lpNorm<Eigen::Infinity>();
-        if (change <= lastDigits * displacement.lpNorm<Eigen::Infinity>())
+        const double change = (displacement - step.displacement).template lpNorm<Eigen::Infinity>();
+        size = displacement.template lpNorm<Eigen::Infinity>();
+        if (change <= lastDigits * size)
         {
-            return;
+            return true;
         }
-        step.displacement = std::move(displacement);
+        part = Dim == 3 && change > slow * before && change > kept * std::max(1.0, size) ? 0.5 * part : part;
+        before = change;
+        step.displacement = part == 1 ? std::move(displacement)
+                                      : Eigen::VectorXd((1 - part) * step.displacement + part * displacement);
         step.closing = applyTransposed(program, step.displacement);
         relinearise(step.displacement, step.contactForce, program);
     }
+    return Dim == 2 || before <= kept * std::max(1.0, size);
 }
 
 template<int Dim>
@@ -105,7 +119,7 @@ StepEnergy stepEnergy(const ThetaStep& step, const MassMatrix<Dim>& mass, const 
 }
 
 template Eigen::VectorXd displacementUnder(const StepProgram<2>& program, Eigen::VectorXd rows);
-template void keepMomenta(ThetaStep& step, StepProgram<2>& program, const Relinearisation<2>& relinearise);
+template bool keepMomenta(ThetaStep& step, StepProgram<2>& program, const Relinearisation<2>& relinearise);
 template void setColumns(StepProgram<2>& program, const std::vector<ContactColumns<2>>& columns);
 template StepProgram<2> thetaStepProgram<2>(const MassMatrix<2>& mass, const Eigen::VectorXd& velocity,
                                             const Eigen::VectorXd& load,
@@ -118,7 +132,7 @@ template StepEnergy stepEnergy(const ThetaStep& step, const MassMatrix<2>& mass,
                                const Eigen::VectorXd& velocityBefore, const Eigen::VectorXd& velocityAfter,
                                const ThetaScheme& scheme);
 template Eigen::VectorXd displacementUnder(const StepProgram<3>& program, Eigen::VectorXd rows);
-template void keepMomenta(ThetaStep& step, StepProgram<3>& program, const Relinearisation<3>& relinearise);
+template bool keepMomenta(ThetaStep& step, StepProgram<3>& program, const Relinearisation<3>& relinearise);
 template void setColumns(StepProgram<3>& program, const std::vector<ContactColumns<3>>& columns);
 template StepProgram<3> thetaStepProgram<3>(const MassMatrix<3>& mass, const Eigen::VectorXd& velocity,
                                             const Eigen::VectorXd& load,

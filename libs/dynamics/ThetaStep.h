@@ -150,9 +150,10 @@ Eigen::VectorXd displacementUnder(const StepProgram<Dim>& program, Eigen::Vector
 
 /// With theta below 1 lever arms are those on the way to where the step takes the blocks. They are then right
 /// to the tolerance of the gaps, and angular momentum with them: here both become exact, by displacements
-/// that are less than that tolerance.
+/// that are less than that tolerance. \return false where a block of space turns too far in the step for
+/// that: its turn is then not found
 template<int Dim>
-void keepMomenta(ThetaStep& step, StepProgram<Dim>& program, const Relinearisation<Dim>& relinearise);
+bool keepMomenta(ThetaStep& step, StepProgram<Dim>& program, const Relinearisation<Dim>& relinearise);
 
 /// Moves the blocks by the displacements of a step and gives them v1 = (y/dt - (1 - theta) v0)/theta.
 /// Rotations are finite. In space v1 so computed is in axes that have not turned in the step, those in which

@@ -331,6 +331,8 @@ double farthestInOneStep(const DynamicCase<Dim>& scene, const Motion<Dim>& motio
 template<int Dim>
 std::string stepWithoutEnd(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const Time& time)
 {
+    constexpr double strict =
+        1e-10; // below, last digits of forces that are not unique take many factorisations
     const double farthest = farthestInOneStep(scene, motion, time);
     return fmt::format(
         "The step after time {} takes more than the maximumFactorisations of {} that a step may have "
@@ -338,10 +340,12 @@ std::string stepWithoutEnd(const DynamicCase<Dim>& scene, const Motion<Dim>& mot
         "In a step of {:g} s the fastest block moves by {:.3g} m, {:.3g} times the mean block size. The "
         "state "
         "at its start has been written: begin from there with {}, so that blocks move by a small part of "
-        "their size in a step, or raise maximumFactorisations in system/solution/contactDynamics.",
+        "their size in a step, or raise {} in system/solution/contactDynamics.",
         time.name(), scene.solution.maximumFactorisations, motion.work.attempts - 1, motion.work.mostPoints,
         scene.mass.size() / freedomCount<Dim>, abandonedStep(time), farthest, farthest / scene.blockSize,
-        shorterSteps(time));
+        shorterSteps(time),
+        scene.solution.tolerance < strict ? fmt::format("tolerance, which is {:g},", scene.solution.tolerance)
+                                          : "maximumFactorisations");
 }
 
 } // namespace

@@ -439,6 +439,9 @@ LimitAnalysis solveNonAssociative(const ConeProgram<Rows, Forces>& program,
                 search.go(start);
             }
         };
+        // What wedges by the associative law mostly slides out with a mechanism of which a path knows the
+        // forces.
+        search.takesMechanisms = result.status == CollapseStatus::unbounded;
         follow();
         if (!search.lowest.exists() && !search.fall.exists())
         {
@@ -448,7 +451,7 @@ LimitAnalysis solveNonAssociative(const ConeProgram<Rows, Forces>& program,
         {
             search.takeStepsFromRest();
         }
-        if (!search.lowest.exists() && !search.fall.exists())
+        if (!search.lowest.exists() && !search.fall.exists() && !search.takesMechanisms)
         {
             search.takesMechanisms = true;
             follow();

@@ -312,6 +312,18 @@ double MovingContacts<3>::overlookedDepth(const std::vector<Placement<3>>& place
     return deepest;
 }
 
+bool MovingContacts<3>::isAnyTooDeep(const std::vector<ContactPoint<3>>& measured) const
+{
+    for (std::size_t index = 0; index < measured.size(); ++index)
+    {
+        if (foundIndex[index] >= 0 && measured[index].gap < -mayEnterFound)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
 /// \throws FatalError where blocks are too deep in each other at points that were found
 void MovingContacts<3>::refuseDeepPoints() const
 {

@@ -58,6 +58,9 @@ public:
     /// Whether that is more than blocks may enter each other by, so that no update could follow.
     bool isTooDeep(double overlookedDepth) const { return overlookedDepth > mayEnterFound; }
 
+    /// Likewise of one that is found. \param measured the points of the last update, elsewhere
+    bool isAnyTooDeep(const std::vector<ContactPoint<3>>& measured) const;
+
     /// The points of the last update, were the blocks placed so. \param points overwritten
     void measure(const std::vector<Placement<3>>& placements, std::vector<ContactPoint<3>>& points) const;
 
