@@ -39,10 +39,10 @@ enum class Jumps
     refused
 };
 
-/// What is wrong with a table that is given.
+/// What is wrong with a table, where it is given.
 std::string faultIn(const Table& table, Jumps jumps)
 {
-    if (table.size() < 2)
+    if (table.size() == 1)
     {
         return "The table needs two points or more: ((time value) (time value)).";
     }
@@ -62,7 +62,7 @@ std::string faultIn(const Table& table, Jumps jumps)
 /// not jump.
 std::string faultInBeginning(const Table& table, std::string_view key)
 {
-    if (table.size() < 2 || table.front().second == 0)
+    if (table.empty() || table.front().second == 0)
     {
         return "";
     }
@@ -93,19 +93,6 @@ std::string faultIn(const SupportMotionSettings<Dim>& settings)
     if (!settings.rotation.empty() && !settings.angularVelocity.empty())
     {
         return "Give either rotation or angularVelocity: each follows from the other.";
-    }
-    const auto faultOf = [](const Table& table, Jumps jumps)
-    { return table.empty() ? std::string() : faultIn(table, jumps); };
-    for (const std::string& fault :
-         {faultOf(settings.displacement, Jumps::refused), faultOf(settings.velocity, Jumps::allowed),
-          faultOf(settings.rotation, Jumps::refused), faultOf(settings.angularVelocity, Jumps::allowed),
-          faultInBeginning(settings.displacement, "displacement"),
-          faultInBeginning(settings.rotation, "rotation")})
-    {
-        if (!fault.empty())
-        {
-            return fault;
-        }
     }
     return "";
 }
@@ -191,6 +178,20 @@ void declare(Options& options, SupportMotionSettings<Dim>& settings)
                                  : "The direction has no length: give one such as `direction (0 -1 0);`.";
                   });
     options.check("displacement", [&settings] { return faultIn(settings); });
+    const auto checkPlaces = [&options](const char* key, const Table& table)
+    {
+        options.check(key,
+                      [&table, key]
+                      {
+                          const std::string fault = faultIn(table, Jumps::refused);
+                          return fault.empty() ? faultInBeginning(table, key) : fault;
+                      });
+    };
+    checkPlaces("displacement", settings.displacement);
+    checkPlaces("rotation", settings.rotation);
+    options.check("velocity", [&settings] { return faultIn(settings.velocity, Jumps::allowed); });
+    options.check("angularVelocity",
+                  [&settings] { return faultIn(settings.angularVelocity, Jumps::allowed); });
 }
 
 template<int Dim>
