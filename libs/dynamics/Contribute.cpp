@@ -7,20 +7,26 @@ namespace drystone
 namespace
 {
 
-/// Lets an overlap that is there when a step begins stay for now, all but what the loads would move a block
-/// in the step from rest. Closed at once, an overlap d would throw the blocks apart with d/dt, the faster the
-/// shorter the step. Overlaps that steps leave are smaller than the tolerance and are closed. \return whether
-/// there was any
+/// Lets an overlap that is there when a step begins stay for now, all but so much of it: in `gapsOfEffects`,
+/// beside what is there. \param tolerance, reach what of it is closed \return whether there was any
 template<int Dim>
-bool leaveOverlaps(StepProgram<Dim>& program, double tolerance, double reach)
+bool leaveOverlaps(Step<Dim>& step, double tolerance, double reach)
 {
+    StepProgram<Dim>& program = step.program;
     bool isAny = false;
-    for (int point = 0; point < program.points(); ++point)
+    for (std::size_t point = 0; point < step.points.size(); ++point)
     {
-        const double left = -program.gap[Dim * point] - tolerance - reach;
+        const Eigen::Index row = Dim * static_cast<Eigen::Index>(point);
+        const double own = step.gapsOfEffects.size() > 0 ? step.gapsOfEffects[row] : 0;
+        const double left = -step.points[point].gap - own - tolerance - reach;
         if (left > 0)
         {
-            program.gap[Dim * point] += left;
+            if (step.gapsOfEffects.size() == 0)
+            {
+                step.gapsOfEffects = Eigen::VectorXd::Zero(program.gap.size());
+            }
+            step.gapsOfEffects[row] += left;
+            program.gap[row] += left;
             isAny = true;
         }
     }
@@ -37,10 +43,13 @@ void contribute(Step<Dim>& step)
     StepProgram<Dim>& program = step.program;
     const double timeStep = step.scheme.timeStep;
     const Eigen::VectorXd gap = program.gap;
-    // Points that give way overlap by what their forces press them together.
+    // Closed at once, an overlap d would throw the blocks apart with d/dt, the faster the shorter the step:
+    // all stays but what the loads would move a block in the step from rest. Overlaps that steps leave are
+    // smaller than the tolerance and are closed. Points that give way overlap by what their forces press them
+    // together.
     const bool isOverlapLeft =
         !traitsOf(scene.effects).isCompliant
-        && leaveOverlaps(program, step.settings.contactTolerance, step.acceleration * timeStep * timeStep);
+        && leaveOverlaps(step, step.settings.contactTolerance, step.acceleration * timeStep * timeStep);
     step.effectStates = step.motion.effectStates;
     if (!scene.effects.empty() || isOverlapLeft)
     {
@@ -65,29 +74,7 @@ void contribute(Step<Dim>& step)
 template<int Dim>
 bool leaveAllOverlaps(Step<Dim>& step)
 {
-    StepProgram<Dim>& program = step.program;
-    if (program.hasCompliance())
-    {
-        return false;
-    }
-    bool isAny = false;
-    for (std::size_t point = 0; point < step.points.size(); ++point)
-    {
-        const Eigen::Index row = Dim * static_cast<Eigen::Index>(point);
-        const double overlap =
-            -step.points[point].gap - (step.gapsOfEffects.size() > 0 ? step.gapsOfEffects[row] : 0);
-        if (overlap > 0)
-        {
-            if (step.gapsOfEffects.size() == 0)
-            {
-                step.gapsOfEffects = Eigen::VectorXd::Zero(program.gap.size());
-            }
-            step.gapsOfEffects[row] += overlap;
-            program.gap[row] += overlap;
-            isAny = true;
-        }
-    }
-    return isAny;
+    return !step.program.hasCompliance() && leaveOverlaps(step, 0, 0);
 }
 
 template void contribute(Step<2>& step);

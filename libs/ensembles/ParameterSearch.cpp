@@ -159,12 +159,7 @@ double missOf(unsigned, const double* scaled, double*, void* data)
 SearchEnd bisect(const SearchStage& stage, Problem& problem)
 {
     const double sign = problem.settings.objective.sign();
-    int evaluations = 0;
-    const auto at = [&](double place)
-    {
-        ++evaluations;
-        return problem.at(&place);
-    };
+    const auto at = [&](double place) { return problem.at(&place); };
     const auto stopped = [&]
     {
         if (problem.error)
@@ -198,10 +193,6 @@ SearchEnd bisect(const SearchStage& stage, Problem& problem)
         if (middle == missing || middle == meeting)
         {
             break;
-        }
-        if (evaluations >= stage.maximumEvaluations)
-        {
-            return SearchEnd::evaluations;
         }
         const auto between = at(middle);
         if (!between)

@@ -463,13 +463,13 @@ LimitAnalysis solveNonAssociative(const ConeProgram<Rows, Forces>& program,
     result.coulomb = search.range;
     if (!found.exists())
     {
-        // What is carried without friction is carried by any law. What the associative law carries, as
-        // friction and dilatancy wedge it, Coulomb's need not.
+        // A load that needs no friction is feasible by any law. One that is feasible by the associative law,
+        // as friction and dilatancy wedge the blocks, need not be by Coulomb's.
         const bool isBounded = result.status == CollapseStatus::optimal;
         if (isBounded || result.status == CollapseStatus::unbounded)
         {
             result.coulomb->safe = safeMultiplier(program, solver, result);
-            if (isBounded || std::isfinite(result.coulomb->safe) || result.coulomb->safe < 0)
+            if (isBounded || result.coulomb->safe < std::numeric_limits<double>::infinity())
             {
                 result.status = CollapseStatus::upperBound;
                 result.alpha = isBounded ? result.alpha : std::numeric_limits<double>::infinity();

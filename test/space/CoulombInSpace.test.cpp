@@ -165,7 +165,7 @@ TEST(CoulombInSpace, ABoxIsDrawnOutOfASlotInWhichItWedgesByTheAssociativeLaw)
         EXPECT_LE(result.alpha, 1.01 / (1 - 0.6 * mu));
         EXPECT_GE(result.alpha, 1);
     }
-    // What is carried without friction is carried by any law.
+    // A load that needs no friction is feasible by any law.
     loads.live *= -1;
     assembly.blocks.push_back({makeBox({0.4, 0, 0}, {0.6, 0.5, 0.2}), 0});
     const SpaceConeProgram pressed = test::programOf(assembly, findContactPoints(assembly), 0.3, loads);

@@ -312,33 +312,40 @@ double MovingContacts<3>::overlookedDepth(const std::vector<Placement<3>>& place
     return deepest;
 }
 
+namespace
+{
+
+/// The first point that was found and is farther behind its face than blocks may enter each other; the end
+/// where there is none. \param found one a point, below 0 where it was built \param mayEnter [m]
+std::vector<ContactPoint<3>>::const_iterator firstTooDeep(const std::vector<ContactPoint<3>>& points,
+                                                          const std::vector<int>& found, double mayEnter)
+{
+    return std::find_if(points.begin(), points.end(),
+                        [&](const ContactPoint<3>& point) {
+                            return found[static_cast<std::size_t>(&point - points.data())] >= 0
+                                   && point.gap < -mayEnter;
+                        });
+}
+
+} // namespace
+
 bool MovingContacts<3>::isAnyTooDeep(const std::vector<ContactPoint<3>>& measured) const
 {
-    for (std::size_t index = 0; index < measured.size(); ++index)
-    {
-        if (foundIndex[index] >= 0 && measured[index].gap < -mayEnterFound)
-        {
-            return true;
-        }
-    }
-    return false;
+    return firstTooDeep(measured, foundIndex, mayEnterFound) != measured.end();
 }
 
 /// \throws FatalError where blocks are too deep in each other at points that were found
 void MovingContacts<3>::refuseDeepPoints() const
 {
-    for (std::size_t index = 0; index < points.size(); ++index)
+    const auto point = firstTooDeep(points, foundIndex, mayEnterFound);
+    if (point != points.end())
     {
-        const ContactPoint<3>& point = points[index];
-        if (foundIndex[index] >= 0 && point.gap < -mayEnterFound)
-        {
-            throw FatalError(fmt::format(
-                "{} and {} have run {:.3g} m into each other, {:.2g} of the mean block size: it is not "
-                "known on which side they met. Give a shorter deltaT, or with adjustTimeStep a smaller "
-                "maxDisplacement or maxDeltaT; where joints are elastic, stiffer ones.",
-                blockName(assembly, point.block), blockName(assembly, point.neighbour), -point.gap,
-                -point.gap / blockSize));
-        }
+        throw FatalError(fmt::format(
+            "{} and {} have run {:.3g} m into each other, {:.2g} of the mean block size: it is not "
+            "known on which side they met. Give a shorter deltaT, or with adjustTimeStep a smaller "
+            "maxDisplacement or maxDeltaT; where joints are elastic, stiffer ones.",
+            blockName(assembly, point->block), blockName(assembly, point->neighbour), -point->gap,
+            -point->gap / blockSize));
     }
 }
 

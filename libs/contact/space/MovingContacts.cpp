@@ -112,7 +112,7 @@ const std::vector<int>& faceUnder(const Polyhedron& shape, const Vector<3>& poin
 }
 
 /// A block as convex solids. \param within by which vertices may be off a plane [m] \return empty where they
-/// are too many, or have more edges than can be told from each other
+/// are too many, or have more edges than can be distinguished
 std::vector<ConvexSolid> solidsOf(const Polyhedron& shape, double within, std::size_t mostEdges)
 {
     std::vector<ConvexSolid> solids;
