@@ -43,6 +43,8 @@ struct Strength
     double tension = 0;                                        ///< >= 0
     double crushing = std::numeric_limits<double>::infinity(); ///< > 0; infinite: no limit
 
+    /// Whether it holds what would part or slip: not crushing, which takes away only.
+    bool isBond() const { return cohesion > 0 || tension > 0; }
     bool isBounded() const { return crushing < std::numeric_limits<double>::infinity(); }
 };
 

@@ -49,6 +49,20 @@ struct IsNamedVector<std::vector<std::pair<NamePattern, Value>>> : std::true_typ
     using Inner = Value;
 };
 
+/// A value of nothing but zeros, which those of Eigen are not by themselves.
+template<class Value>
+Value blank()
+{
+    if constexpr (FixedVector<Value>)
+    {
+        return Value::Zero();
+    }
+    else
+    {
+        return Value{};
+    }
+}
+
 void assignName(std::string& name, const Entry& entry);
 void assignName(NamePattern& name, const Entry& entry);
 

@@ -175,14 +175,14 @@ private:
         {
             using Inner = typename detail::IsOptional<Value>::Inner;
             // Bound to a field of its own, which becomes the value once it has been read.
-            auto inner = std::make_shared<Inner>();
+            auto inner = std::make_shared<Inner>(detail::blank<Inner>());
             bind(option, *inner);
             option.about.allowAbsence();
             option.about.defaultText.clear();
             option.readValue =
                 [inner, &field, readInner = option.readValue](const Entry& entry, const Option& self)
             {
-                *inner = Inner{};
+                *inner = detail::blank<Inner>();
                 readInner(entry, self);
                 field = std::move(*inner);
             };

@@ -131,8 +131,8 @@ bool followTo(FollowedFlow<Dim>& flow, ConeSolution& solution, double stiffness,
     {
         isReached = closeOverlaps(flow, path, solution, stiffness);
     }
-    flow.step.iterations += path.factorisations;
-    flow.step.factorisations += path.factorisations;
+    flow.step.iterations += path.factorisations();
+    flow.step.factorisations += path.factorisations();
     return isReached;
 }
 

@@ -27,8 +27,7 @@ constexpr double roundingOfEnergy = 8 * std::numeric_limits<double>::epsilon();
 template<int Dim>
 bool isBonded(const StepProgram<Dim>& program, std::size_t point)
 {
-    return program.hasStrength()
-           && (program.strength[point].cohesion > 0 || program.strength[point].tension > 0);
+    return program.hasStrength() && program.strength[point].isBond();
 }
 
 namespace

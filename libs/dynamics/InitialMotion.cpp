@@ -48,8 +48,7 @@ Placement<Dim> placementOf(const BlockStart<Dim>& start, const Block<Dim>& block
     Placement<Dim> placement{start.displacement, start.rotation};
     if (start.about)
     {
-        const Vector<Dim> arm =
-            blockMass(block).centroid - Eigen::Map<const Vector<Dim>>(start.about->data());
+        const Vector<Dim> arm = blockMass(block).centroid - *start.about;
         placement.translation += turned(start.rotation, arm) - arm;
     }
     return placement;

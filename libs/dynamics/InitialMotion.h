@@ -25,11 +25,10 @@ struct BlockStart
 {
     Vector<Dim> displacement = Vector<Dim>::Zero(); ///< of the mass centre [m]
     Turn<Dim> rotation = noTurn<Dim>();             ///< [rad]
-    std::optional<std::array<double, Dim>> about =
-        {};                                     ///< point of the block, as built, that it turns about
-                                                ///< before it is displaced [m]; absent: its mass centre
-    Vector<Dim> velocity = Vector<Dim>::Zero(); ///< of the mass centre, relative to the ground [m/s]
-    Turn<Dim> angularVelocity = noTurn<Dim>();  ///< [rad/s]
+    std::optional<Vector<Dim>> about = {};          ///< point of the block, as built, that it turns about
+                                                    ///< before it is displaced [m]; absent: its mass centre
+    Vector<Dim> velocity = Vector<Dim>::Zero();     ///< of the mass centre, relative to the ground [m/s]
+    Turn<Dim> angularVelocity = noTurn<Dim>();      ///< [rad/s]
 };
 template<int Dim>
 void declare(Options& options, BlockStart<Dim>& start);

@@ -34,7 +34,7 @@ void setGapsAsBuilt(const DynamicCase<Dim>& scene, Motion<Dim>& motion)
         {
             // Of the generator's numbers themselves: std::uniform_real_distribution differs among libraries.
             const double share = std::ldexp(double(random() >> 11), -53);
-            const bool isHeld = !strengths.empty() && (strengths[i].cohesion > 0 || strengths[i].tension > 0);
+            const bool isHeld = !strengths.empty() && strengths[i].isBond();
             point.gap = isHeld ? 0 : scene.schemes.initialGaps->perturbation * share;
         }
         point.gap -= columns[i].onBlock.col(0).dot(displacementOf(point.block))

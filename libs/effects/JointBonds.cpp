@@ -26,12 +26,6 @@ constexpr double bondReach = 1e-3;
 /// more than the error allowed in gaps.
 constexpr double yieldsBy = 1e-2;
 
-template<int Dim>
-bool isOne(const Bond<Dim>& bond)
-{
-    return bond.strength.cohesion > 0 || bond.strength.tension > 0;
-}
-
 /// Where a point of a block as built is now.
 template<int Dim>
 Vector<Dim> placed(const Vector<Dim>& position, int block, const std::vector<BlockMass<Dim>>& blocks,
@@ -68,7 +62,7 @@ std::vector<Bond<Dim>> jointBonds(const ContactProperties& properties, const Ass
     {
         const Strength strength{laws[i].cohesion, laws[i].tension};
         bonds.push_back({points[i].block, points[i].neighbour, points[i].position, strength});
-        isAny = isAny || strength.cohesion > 0 || strength.tension > 0;
+        isAny = isAny || strength.isBond();
     }
     return isAny ? bonds : std::vector<Bond<Dim>>();
 }
@@ -194,7 +188,7 @@ int JointBonds<Dim>::broken(const EffectState& state) const
     int count = 0;
     for (std::size_t bond = 0; bond < bonds.size(); ++bond)
     {
-        count += isOne(bonds[bond]) && state.flags[bond] ? 1 : 0;
+        count += bonds[bond].strength.isBond() && state.flags[bond] ? 1 : 0;
     }
     return count;
 }
@@ -320,7 +314,9 @@ template<int Dim>
 std::string JointBonds<Dim>::startText(const Structure<Dim>&, const EffectState& state) const
 {
     return fmt::format("Bonds: {} at the ends of joints, {} of them broken",
-                       std::count_if(bonds.begin(), bonds.end(), isOne<Dim>), broken(state));
+                       std::count_if(bonds.begin(), bonds.end(),
+                                     [](const Bond<Dim>& bond) { return bond.strength.isBond(); }),
+                       broken(state));
 }
 
 template<int Dim>

@@ -282,7 +282,7 @@ typename MotionResults<Dim>::Frames MotionResults<Dim>::framesNow() const
         for (const Strength& strength : strengthsOf(scene, motion))
         {
             cohesion.push_back(strength.cohesion);
-            isHeld.values.push_back(strength.cohesion > 0 || strength.tension > 0);
+            isHeld.values.push_back(strength.isBond());
         }
         pointFields.push_back(std::move(isHeld));
     }

@@ -78,7 +78,7 @@ public:
                 {Sliding::coulomb, stiffnesses[stage], pathTolerance, mostChanges * given.points()},
                 symbolic);
             const bool isReached = path.follow(moving);
-            factorisations += path.factorisations;
+            factorisations += path.factorisations();
             if (!isReached)
             {
                 return stiffnesses[stage] > stiffEnough ? std::optional(step) : std::nullopt;

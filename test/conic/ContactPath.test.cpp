@@ -160,12 +160,12 @@ TEST(ContactPath, GoesOnFromItsOwnForcesByOneFactorisation)
     last.displacement = first.displacement();
     ContactPath<3, 2> second(program, last, settings, symbolic);
     ASSERT_TRUE(second.follow(program));
-    EXPECT_EQ(second.factorisations, 1);
+    EXPECT_EQ(second.factorisations(), 1);
     EXPECT_EQ(second.pivots, 0);
     // Nor do gaps that are a little different take another one.
     program.gap.array() += 1e-12;
     ASSERT_TRUE(second.follow(program));
-    EXPECT_EQ(second.factorisations, 1);
+    EXPECT_EQ(second.factorisations(), 1);
     EXPECT_LT(
         errorOf(program, Sliding::coulomb, settings.stiffness, second.displacement(), second.contactForce()),
         1e-7);

@@ -214,7 +214,7 @@ TEST(ContactPathInSpace, FollowsRandomStacks)
         if (path.follow(program))
         {
             ++solved;
-            factorisations += path.factorisations;
+            factorisations += path.factorisations();
             EXPECT_LT(errorOf(program, stiffness, path.displacement(), path.contactForce()), 1e-6)
                 << "stack " << trial;
         }

@@ -1,6 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Starts of 0/motion: inside another block they are refused, and a rotation may name its point.
 #include "Scenes.h"
+#include "SpaceScenes.h"
 
 #include "contact/Penetration.h"
 #include "core/Error.h"
@@ -123,6 +124,22 @@ TEST_F(StartCheck, TurnsABlockAboutAPointThatIsNamed)
     ASSERT_EQ(report("rotation 0.1; about (-0.25 0); displacement (1 2);"), "no error");
     EXPECT_LT((placedOutline(assembly.blocks[1], state.placements[1])[0] - Vector<2>(0.75, 2)).norm(), 1e-14);
     EXPECT_THAT(report("about (-0.25 0);"), HasSubstr("no rotation"));
+}
+
+TEST_F(StartCheck, APointOfSpaceHasThreeComponents)
+{
+    Assembly<3> tower;
+    tower.blocks.push_back(spaceScenes::boxBlock({0, 0, 0}, {1, 1, 2}));
+    std::ofstream(directory / "0/motion") << "0\n{\n    rotation (0 0.1 0);\n    about (0.5 0);\n}\n";
+    try
+    {
+        readInitialMotion(directory, "0", tower);
+        FAIL() << "(0.5 0) may be a place of the plane that was not thought over";
+    }
+    catch (const FatalIOError& error)
+    {
+        EXPECT_THAT(error.report(), AllOf(HasSubstr("3"), HasSubstr("0/motion/0/about at line 4")));
+    }
 }
 
 TEST_F(StartCheck, QuestionsRotationsThatLookLikeDegrees)

@@ -39,6 +39,43 @@ TEST(PolyhedronFault, SolidsHaveNone)
     EXPECT_EQ(faultText(makePrism(bottom, top)), "");
 }
 
+/// The faces of two solids, those of the second with their normals out of it or into it.
+Polyhedron together(Polyhedron first, const Polyhedron& second, bool isSecondTurned)
+{
+    const auto offset = static_cast<int>(first.vertices.size());
+    first.vertices.insert(first.vertices.end(), second.vertices.begin(), second.vertices.end());
+    for (std::vector<int> face : second.faces)
+    {
+        for (int& vertex : face)
+        {
+            vertex += offset;
+        }
+        if (isSecondTurned)
+        {
+            std::reverse(face.begin(), face.end());
+        }
+        first.faces.push_back(face);
+    }
+    return first;
+}
+
+TEST(PolyhedronFault, ACavityIsNone)
+{
+    const Polyhedron inner = makeBox({0.25, 0.25, 0.25}, {0.75, 0.5, 0.75});
+    EXPECT_EQ(faultText(together(cube(), inner, true)), "");
+    EXPECT_NEAR(volumeProperties(together(cube(), inner, true)).volume, 1 - 0.0625, 1e-15);
+    EXPECT_THAT(faultText(together(cube(), inner, false)), HasSubstr("solids apart from each other"));
+}
+
+TEST(PolyhedronFault, SolidsApartFromEachOtherAreNoBlock)
+{
+    const Polyhedron other = makeBox({1.5, 0, 0}, {2, 0.5, 1});
+    EXPECT_THAT(faultText(together(cube(), other, false)),
+                HasSubstr("solids apart from each other, with face 0 and with face 6"));
+    // The volume of the smaller would be taken from that of the larger.
+    EXPECT_THAT(faultText(together(cube(), other, true)), HasSubstr("face 6 are turned inside"));
+}
+
 TEST(PolyhedronFault, AFaceIsNamedThatIsTurnedInside)
 {
     Polyhedron shape = cube();

@@ -1,9 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "conic/coulomb/ContactPath.h"
 
-#include <Eigen/LU>
-#include <Eigen/QR>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -21,10 +18,6 @@ constexpr double negligibleForce = 1e-9;
 /// differ in it, so that they do not change their states at one instant.
 constexpr double margin = 1e-6;
 
-/// Changes of rank 1 from which the matrix is factorised anew: a solve costs a tenth of a factorisation or
-/// less, and each change adds a product to it.
-constexpr std::size_t mostChanges = 24;
-
 /// Ends of a path at which it goes on from their pieces, at most: nearly all are right then. In space as many
 /// as Newton's method may take steps.
 constexpr int mostEnds(int forces)
@@ -38,11 +31,6 @@ constexpr double farthestBack = -0.2;
 /// Where corrections gain nothing any more, the error that may be left in overlaps, as a share of the
 /// largest.
 constexpr double asGoodAsItGets = 0.5;
-
-/// What a solution of the linear system may leave of the right-hand side, and the directions tried to
-/// have it so.
-constexpr double acceptedLoss = 1e-10;
-constexpr int mostDirections = 30;
 
 template<int Rows, int Forces>
 bool haveSameColumns(const std::vector<ConeColumns<Rows, Forces>>& some,
@@ -58,7 +46,10 @@ bool haveSameColumns(const std::vector<ConeColumns<Rows, Forces>>& some,
 template<int Rows, int Forces>
 ContactPath<Rows, Forces>::ContactPath(const Program& program, const ConeSolution& startAt,
                                        const ContactPathSettings& with, SymbolicAnalysis& symbolic)
-    : settings(with), system(program, with.sliding, symbolic), start(startAt.displacement)
+    : settings(with),
+      system(program, with.sliding, symbolic),
+      matrix(system, with.stiffness),
+      start(startAt.displacement)
 {
     if (!program.hasInertia() || program.hasMultiplier() || program.hasCompliance() || program.hasCrushing()
         || (program.hasStrength() && settings.sliding == Sliding::associative))
@@ -75,7 +66,6 @@ ContactPath<Rows, Forces>::ContactPath(const Program& program, const ConeSolutio
     }
     laws = slidingLaws(program, settings.sliding);
     enough = settings.tolerance * system.scaledRows(program.load).template lpNorm<Eigen::Infinity>();
-    rho = VectorXd::Constant(program.points(), settings.stiffness);
     x = VectorXd::Zero(program.load.size());
     gap = (program.gap.size() > 0 ? program.gap : VectorXd::Zero(Forces * program.points()))
           - applyTransposed(program, start);
@@ -185,7 +175,7 @@ void ContactPath<Rows, Forces>::findPieces()
         states[point] = stateOf<Forces>(laws[point], trialOf(point));
     }
     findForces();
-    isFactorised = false;
+    matrix.forget();
 }
 
 template<int Rows, int Forces>
@@ -197,119 +187,39 @@ Eigen::VectorXd ContactPath<Rows, Forces>::residual() const
 template<int Rows, int Forces>
 bool ContactPath<Rows, Forces>::factorise()
 {
-    pieces.resize(states.size());
+    std::vector<PointForce<Forces>> pieces(states.size());
     for (std::size_t point = 0; point < states.size(); ++point)
     {
         pieces[point] = onPiece(point);
     }
-    changes.clear();
-    ++factorisations;
-    isFactorised = system.factorise(rho, pieces);
-    return isFactorised;
+    return matrix.factorise(pieces);
 }
 
-/// S^-1 b from S0^-1 b, one change after the other (Sherman & Morrison).
+/// D of the point becomes `derivative`, u v' more than it was. \return whether there is a matrix for the new
+/// piece
 template<int Rows, int Forces>
-Eigen::VectorXd ContactPath<Rows, Forces>::corrected(VectorXd solved) const
-{
-    for (const Change& change : changes)
-    {
-        const double along = change.v.dot(system.closing(change.point, solved));
-        solved -= along / change.determinant * change.solved;
-    }
-    return solved;
-}
-
-template<int Rows, int Forces>
-Eigen::VectorXd ContactPath<Rows, Forces>::solve(const VectorXd& rows)
-{
-    return corrected(system.solve(rows));
-}
-
-/// S times a direction, in the states of now.
-template<int Rows, int Forces>
-Eigen::VectorXd ContactPath<Rows, Forces>::times(const VectorXd& direction) const
-{
-    VectorXd change = settings.stiffness * system.closings(direction);
-    for (std::size_t point = 0; point < laws.size(); ++point)
-    {
-        const auto row = Forces * static_cast<Eigen::Index>(point);
-        change.template segment<Forces>(row) =
-            (onPiece(point).derivative * change.template segment<Forces>(row)).eval();
-    }
-    return direction + system.forcesOnBodies(change);
-}
-
-/// LU without exchange of rows between blocks may lose all digits where blocks slide freely. What it leaves
-/// is then of few dimensions, and the method of generalised minimal residuals (Saad & Schultz 1986), with LU
-/// as its preconditioner, ends in as many steps.
-template<int Rows, int Forces>
-Eigen::VectorXd ContactPath<Rows, Forces>::solveExactly(const VectorXd& rows)
-{
-    VectorXd solved = solve(rows);
-    const double size = rows.norm();
-    if (!((rows - times(solved)).norm() > acceptedLoss * size))
-    {
-        return solved;
-    }
-    Eigen::MatrixXd basis(rows.size(), mostDirections + 1);
-    Eigen::MatrixXd directions(rows.size(), mostDirections);
-    Eigen::MatrixXd projected = Eigen::MatrixXd::Zero(mostDirections + 1, mostDirections);
-    basis.col(0) = rows / size;
-    for (int step = 0; step < mostDirections; ++step)
-    {
-        directions.col(step) = solve(basis.col(step));
-        VectorXd next = times(directions.col(step));
-        for (int pass = 0; pass < 2; ++pass)
-        {
-            const VectorXd along = basis.leftCols(step + 1).transpose() * next;
-            next -= basis.leftCols(step + 1) * along;
-            projected.col(step).head(step + 1) += along;
-        }
-        const double left = next.norm();
-        projected(step + 1, step) = left;
-        VectorXd target = VectorXd::Zero(step + 2);
-        target[0] = size;
-        const Eigen::MatrixXd matrix = projected.topLeftCorner(step + 2, step + 1);
-        const VectorXd shares = matrix.colPivHouseholderQr().solve(target);
-        const double residualLeft = (target - matrix * shares).norm();
-        if (!(residualLeft > acceptedLoss * size) || step + 1 == mostDirections || !(left > 0))
-        {
-            return directions.leftCols(step + 1) * shares;
-        }
-        basis.col(step + 1) = next / left;
-    }
-    return solved;
-}
-
-/// D of the point changes by u v'. \return whether there is a matrix for the new piece
-template<int Rows, int Forces>
-bool ContactPath<Rows, Forces>::changePiece(int point, const Force& u, const Force& v, VectorXd& direction,
-                                            VectorXd& rate)
+bool ContactPath<Rows, Forces>::changePiece(int point, const Force& u, const Force& v,
+                                            const Derivative& derivative, VectorXd& direction, VectorXd& rate)
 {
     if (u.isZero(0))
     {
         return true;
     }
-    if (changes.size() >= mostChanges)
+    if (matrix.isFull())
     {
         direction.resize(0);
         return factorise();
     }
-    VectorXd rows = VectorXd::Zero(x.size());
-    system.addForce(point, rho[point] * u, rows);
-    Change change{point, v, solve(rows), 1};
-    change.determinant += v.dot(system.closing(point, change.solved));
-    if (change.determinant == 0 || !std::isfinite(change.determinant))
+    const auto* change = matrix.change(point, u, v, derivative);
+    if (!change)
     {
         return false;
     }
-    // With S' = S + rho A u (A v)' and r0 - A D dw less by A u (v'dw): the new direction and rate of w.
+    // With S' = S + k A u (A v)' and r0 - A D dw less by A u (v'dw): the new direction and rate of w.
     const double share =
-        v.dot(rate.template segment<Forces>(Forces * point)) / (rho[point] * change.determinant);
-    direction -= share * change.solved;
-    rate -= share * settings.stiffness * system.closings(change.solved);
-    changes.push_back(std::move(change));
+        v.dot(rate.template segment<Forces>(Forces * point)) / (settings.stiffness * change->determinant);
+    direction -= share * change->solved;
+    rate -= share * settings.stiffness * system.closings(change->solved);
     return true;
 }
 
@@ -340,7 +250,8 @@ bool ContactPath<Rows, Forces>::cross(const Exit& exit, VectorXd& direction, Vec
     if constexpr (Forces > 2)
     {
         const Force across(0, -here.direction[1], here.direction[0]);
-        if (!changePiece(exit.point, (here.turning - before.turning) * across, across, direction, rate))
+        if (!changePiece(exit.point, (here.turning - before.turning) * across, across,
+                         forceOn<Forces>(law, here, trial).derivative, direction, rate))
         {
             return false;
         }
@@ -350,10 +261,10 @@ bool ContactPath<Rows, Forces>::cross(const Exit& exit, VectorXd& direction, Vec
         }
     }
     // The law is continuous: its derivative changes by a multiple of the side's normal.
-    const Eigen::Matrix<double, Forces, Forces> difference =
-        forceOn<Forces>(law, beyond, trial).derivative - forceOn<Forces>(law, here, trial).derivative;
+    const Derivative derivative = forceOn<Forces>(law, beyond, trial).derivative;
+    const Derivative difference = derivative - forceOn<Forces>(law, here, trial).derivative;
     const Force& v = exit.side.normal;
-    return changePiece(exit.point, difference * v / v.squaredNorm(), v, direction, rate);
+    return changePiece(exit.point, difference * v / v.squaredNorm(), v, derivative, direction, rate);
 }
 
 /// \param rate of w, by t \param sense in which t goes \param farthest that it may go \param last where the
@@ -442,7 +353,7 @@ bool ContactPath<Rows, Forces>::walk(const VectorXd& residualOfStart, const Vect
                 forceChange.template segment<Forces>(row) =
                     onPiece(point).derivative * change.template segment<Forces>(row);
             }
-            direction = solveExactly(residualOfStart - system.forcesOnBodies(forceChange));
+            direction = matrix.solve(residualOfStart - system.forcesOnBodies(forceChange));
             rate = change + settings.stiffness * system.closings(direction);
         }
         double sense = 1;
@@ -535,7 +446,7 @@ bool ContactPath<Rows, Forces>::polish()
             ofPieces.template segment<Forces>(Forces * static_cast<Eigen::Index>(point)) =
                 onPiece(point).force;
         }
-        const VectorXd moved = solveExactly(load - x - system.forcesOnBodies(ofPieces));
+        const VectorXd moved = matrix.solve(load - x - system.forcesOnBodies(ofPieces));
         x += moved;
         w += settings.stiffness * system.closings(moved);
     }
@@ -546,9 +457,9 @@ template<int Rows, int Forces>
 bool ContactPath<Rows, Forces>::follow(const Program& program)
 {
     mostPivots = pivots + settings.maximumPivots;
-    if (pieces.empty() || !haveSameColumns(program.contacts, given))
+    if (!haveSameColumns(program.contacts, given))
     {
-        isFactorised = false;
+        matrix.forget();
         given = program.contacts;
         system.setColumns(program);
     }
@@ -561,13 +472,13 @@ bool ContactPath<Rows, Forces>::follow(const Program& program)
     {
         const VectorXd change = settings.stiffness * (system.closings(x) - gap) - w;
         const VectorXd residualOfStart = residual();
-        if (!(isFactorised || factorise()) || !walk(residualOfStart, change))
+        if (!(matrix.isFactorised() || factorise()) || !walk(residualOfStart, change))
         {
             return false;
         }
         const VectorXd end = x;
         const VectorXd trialAtEnd = w;
-        if (polish() || (!changes.empty() && factorise() && polish()))
+        if (polish() || (matrix.isChanged() && factorise() && polish()))
         {
             return true;
         }

@@ -3,7 +3,7 @@
 /// a point between open, sticking and sliding: Coulomb's law, or the associative one, from a warm start.
 #pragma once
 
-#include "conic/coulomb/ContactSystem.h"
+#include "conic/coulomb/PieceMatrix.h"
 
 namespace drystone
 {
@@ -63,19 +63,13 @@ public:
     const VectorXd& contactForce() const { return force; }
 
     int pivots = 0;
-    int factorisations = 0;
+    int factorisations() const { return matrix.factorisations; }
 
 private:
     using Force = Eigen::Matrix<double, Forces, 1>;
 
-    /// What has changed in a point since the factorisation: D by u v', and so S by rho A u (A v)'.
-    struct Change
-    {
-        int point;
-        Force v;
-        VectorXd solved;    ///< S^-1 rho A u, S before the change
-        double determinant; ///< of S after the change over that before
-    };
+    using Derivative = typename PieceMatrix<Rows, Forces>::Derivative;
+
     /// Where the path leaves its piece.
     struct Exit
     {
@@ -89,10 +83,6 @@ private:
     void findPieces();
     VectorXd residual() const;
     bool factorise();
-    VectorXd solve(const VectorXd& rows);
-    VectorXd times(const VectorXd& direction) const;
-    VectorXd solveExactly(const VectorXd& rows);
-    VectorXd corrected(VectorXd solved) const;
     bool walk(const VectorXd& residualOfStart, const VectorXd& change);
     Exit firstExit(const VectorXd& rate, double sense, double farthest, const Exit& last) const;
     Force trialOf(std::size_t point) const
@@ -107,26 +97,24 @@ private:
     void turnTangent(std::size_t point);
     bool followTangents();
     bool cross(const Exit& exit, VectorXd& direction, VectorXd& rate);
-    bool changePiece(int point, const Force& u, const Force& v, VectorXd& direction, VectorXd& rate);
+    bool changePiece(int point, const Force& u, const Force& v, const Derivative& derivative,
+                     VectorXd& direction, VectorXd& rate);
     bool isRounding(const VectorXd& left) const;
     bool polish();
 
     const ContactPathSettings settings;
     ContactSystem<Rows, Forces> system;
+    PieceMatrix<Rows, Forces> matrix;             ///< of `states`
     std::vector<ConeColumns<Rows, Forces>> given; ///< of the program
     std::vector<SlidingLaw> laws;
     VectorXd start;
     VectorXd load; ///< of x with y = start + L'^-1 x
     VectorXd gap;  ///< likewise
     double enough; ///< of the residual
-    VectorXd rho;  ///< k of each point
     VectorXd x, w;
     VectorXd force; ///< law(w)
     std::vector<PointState<Forces>> states;
-    std::vector<PieceSides<Forces>> sides;  ///< of `states`
-    std::vector<PointForce<Forces>> pieces; ///< of `states`, when it was factorised
-    bool isFactorised = false;
-    std::vector<Change> changes; ///< since then
+    std::vector<PieceSides<Forces>> sides; ///< of `states`
     int mostPivots = 0;
 };
 

@@ -31,6 +31,9 @@ public:
     /// long
     ContactSystem(const ConeProgram<Rows, Forces>& program, Sliding slidingLaw, SymbolicAnalysis& symbolic);
 
+    /// R b.
+    Eigen::Index rows() const { return Rows * static_cast<Eigen::Index>(root.size()); }
+
     /// Those of the program, of the same bodies and points.
     void setColumns(const ConeProgram<Rows, Forces>& program);
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 namespace drystone
 {
@@ -237,12 +238,122 @@ Fault faultOfVolume(const Polyhedron& polyhedron)
     return {};
 }
 
+/// Faces that hang together by their edges, a list each, where every edge has its two.
+std::vector<std::vector<int>> shellsOf(const Polyhedron& polyhedron)
+{
+    std::map<std::pair<int, int>, int> faceOfEdge;
+    const auto forEdges = [&](int face, const auto& visit)
+    {
+        const std::vector<int>& corners = polyhedron.faces[static_cast<std::size_t>(face)];
+        for (std::size_t i = 0; i < corners.size(); ++i)
+        {
+            visit(corners[i], corners[(i + 1) % corners.size()]);
+        }
+    };
+    const auto count = static_cast<int>(polyhedron.faces.size());
+    for (int face = 0; face < count; ++face)
+    {
+        forEdges(face, [&](int from, int to) { faceOfEdge[{from, to}] = face; });
+    }
+    std::vector<std::vector<int>> shells;
+    std::vector<bool> isTaken(polyhedron.faces.size(), false);
+    for (int start = 0; start < count; ++start)
+    {
+        if (isTaken[static_cast<std::size_t>(start)])
+        {
+            continue;
+        }
+        isTaken[static_cast<std::size_t>(start)] = true;
+        std::vector<int> shell{start};
+        for (std::size_t next = 0; next < shell.size(); ++next)
+        {
+            forEdges(shell[next],
+                     [&](int from, int to)
+                     {
+                         const int face = faceOfEdge.at({to, from});
+                         if (!isTaken[static_cast<std::size_t>(face)])
+                         {
+                             isTaken[static_cast<std::size_t>(face)] = true;
+                             shell.push_back(face);
+                         }
+                     });
+        }
+        shells.push_back(std::move(shell));
+    }
+    return shells;
+}
+
+/// The same vertices with some of the faces.
+Polyhedron withFaces(const Polyhedron& polyhedron, const std::vector<int>& faces)
+{
+    Polyhedron part{polyhedron.vertices, {}};
+    for (const int face : faces)
+    {
+        part.faces.push_back(polyhedron.faces[static_cast<std::size_t>(face)]);
+    }
+    return part;
+}
+
+/// Whether a closed surface goes round a point that is not on it: the solid angles of its faces are then 4 pi
+/// together, otherwise nothing (each of triangles from one corner: A. van Oosterom, J. Strackee, The solid
+/// angle of a plane triangle, IEEE Trans. Biomed. Eng. 30 (1983), eq. 8).
+bool isWithin(const Polyhedron& surface, const Vector<3>& point)
+{
+    double angle = 0;
+    for (const std::vector<int>& face : surface.faces)
+    {
+        const auto from = [&](std::size_t corner) -> Vector<3>
+        { return surface.vertices[static_cast<std::size_t>(face[corner])] - point; };
+        const Vector<3> a = from(0);
+        for (std::size_t corner = 1; corner + 1 < face.size(); ++corner)
+        {
+            const Vector<3> b = from(corner);
+            const Vector<3> c = from(corner + 1);
+            const double lengths = a.norm() * b.norm() * c.norm() + a.dot(b) * c.norm() + a.dot(c) * b.norm()
+                                   + b.dot(c) * a.norm();
+            angle += 2 * std::atan2(a.dot(b.cross(c)), lengths);
+        }
+    }
+    return angle > 2 * std::numbers::pi;
+}
+
+/// A block is one solid: of its shells one goes round it, and others are cavities within that.
+Fault faultOfShells(const Polyhedron& polyhedron)
+{
+    const std::vector<std::vector<int>> shells = shellsOf(polyhedron);
+    const auto isOuter = [&](const std::vector<int>& shell)
+    { return volumeProperties(withFaces(polyhedron, shell)).volume > 0; };
+    const auto outer = std::find_if(shells.begin(), shells.end(), isOuter);
+    for (auto shell = shells.begin(); shells.size() > 1 && shell != shells.end(); ++shell)
+    {
+        const int face = shell->front();
+        if (shell != outer && isOuter(*shell))
+        {
+            return PolyhedronFault{
+                face, fmt::format("it consists of solids apart from each other, with face {} and with face "
+                                  "{}: give each as a block of its own",
+                                  outer->front(), face)};
+        }
+        const auto corner =
+            static_cast<std::size_t>(polyhedron.faces[static_cast<std::size_t>(face)].front());
+        if (shell != outer && !isWithin(withFaces(polyhedron, *outer), polyhedron.vertices[corner]))
+        {
+            return PolyhedronFault{
+                face, fmt::format("the faces joined with face {} are turned inside, and no cavity: they lie "
+                                  "apart from the solid. Give them as a block of their own, the vertices of "
+                                  "each in reverse order",
+                                  face)};
+        }
+    }
+    return {};
+}
+
 } // namespace
 
 std::optional<PolyhedronFault> findFault(const Polyhedron& polyhedron)
 {
-    for (const auto& faultOf :
-         {faultOfVertices, faultOfIndices, faultOfEdges, faultOfPlanes, faultOfVolume, faultOfCrossings})
+    for (const auto& faultOf : {faultOfVertices, faultOfIndices, faultOfEdges, faultOfPlanes, faultOfVolume,
+                                faultOfCrossings, faultOfShells})
     {
         if (Fault fault = faultOf(polyhedron))
         {

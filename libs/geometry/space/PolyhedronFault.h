@@ -25,7 +25,7 @@ struct PolyhedronFault
 /// that is not finite, vertices that coincide or belong to no face, a face with a vertex that does not exist
 /// or that is there twice, that is not plane (to 1e-5 of the extent of the block) or crosses itself, an edge
 /// without a second face (not closed), faces that are turned differently, all faces turned inwards, an edge
-/// that crosses another face. Time is of order edges times faces.
+/// that crosses another face, solids apart from each other. Time is of order edges times faces.
 std::optional<PolyhedronFault> findFault(const Polyhedron& polyhedron);
 
 } // namespace drystone
