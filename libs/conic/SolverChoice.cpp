@@ -89,38 +89,18 @@ std::string nameOf(SolverType solver)
 namespace
 {
 
+/// The best of what the solvers that are tried one after the other have found, with the work of them all.
 template<int Rows, int Forces>
-ConeSolution solveAsChosen(const ConeProgram<Rows, Forces>& program, const SolverChoice& choice,
-                           const ConeSolution& start, SymbolicAnalysis* kept)
+class BestSolution
 {
-    AugmentedLagrangianSettings multipliers{choice.tolerance, choice.maximumIterations};
-    if (program.hasCompliance()) // which no other solver takes
+public:
+    BestSolution(const ConeProgram<Rows, Forces>& ofProgram, bool mayGoOn)
+        : program(ofProgram), goesOn(mayGoOn)
     {
-        return choice.solver == SolverType::gaussSeidel
-                   ? solveGaussSeidel(program, start, {choice.tolerance, choice.maximumSweeps})
-                   : solveElasticNewton(program, start, {choice.tolerance, choice.maximumIterations}, kept);
-    }
-    switch (choice.solver)
-    {
-    case SolverType::interiorPoint:
-        return solveInteriorPoint(program, interiorPointSettings(choice), kept);
-    case SolverType::augmentedLagrangian:
-        return solveAugmentedLagrangian(program, start, multipliers, kept);
-    case SolverType::gaussSeidel:
-        return solveGaussSeidel(program, start, {choice.tolerance, choice.maximumSweeps});
-    case SolverType::automatic:
-        break;
     }
 
-    // From the last step if it is near; else by the interior point, and the last digits from there.
-    const bool canStart = program.hasInertia() && !program.hasMultiplier() && !program.hasCrushing();
-    ConeSolution solution; // the best so far
-    double error = std::numeric_limits<double>::infinity();
-    InteriorStart interior; // passed on the way
-    int iterations = 0;
-    int factorisations = 0;
-    bool isStartLost = false;
-    const auto finished = [&](const ConeSolution& solved)
+    /// \return whether that ends the search
+    bool take(const ConeSolution& solved)
     {
         if (!solved.interior.isEmpty())
         {
@@ -128,17 +108,74 @@ ConeSolution solveAsChosen(const ConeProgram<Rows, Forces>& program, const Solve
         }
         const bool isSolved = solved.status == SolveStatus::optimal;
         const double itsError = isSolved ? 0 : certifyOptimal(program, solved).worst();
-        if (isSolved || itsError < error || solution.contactForce.size() == 0)
+        if (isSolved || itsError < error || best.contactForce.size() == 0)
         {
-            solution = solved;
+            best = solved;
             error = itsError;
         }
-        solution.interior = interior;
-        solution.iterations = iterations += solved.iterations;
-        solution.factorisations = factorisations += solved.factorisations;
-        solution.isStartLost = isStartLost;
-        return solution.status == SolveStatus::optimal || !canStart;
-    };
+        best.interior = interior;
+        best.iterations = iterations += solved.iterations;
+        best.factorisations = factorisations += solved.factorisations;
+        best.isStartLost = isStartLost;
+        return best.status == SolveStatus::optimal || !goesOn;
+    }
+
+    void loseStart() { isStartLost = true; }
+
+    /// What is solved to a larger tolerance than that of the choice.
+    void goOn()
+    {
+        best.status = SolveStatus::notConverged;
+        error = certifyOptimal(program, best).worst();
+    }
+
+    ConeSolution best;
+
+private:
+    const ConeProgram<Rows, Forces>& program;
+    const bool goesOn;
+    double error = std::numeric_limits<double>::infinity();
+    InteriorStart interior; ///< passed on the way
+    int iterations = 0;
+    int factorisations = 0;
+    bool isStartLost = false;
+};
+
+/// Whether a program can be solved from near a solution, and to the last digits: one with inertia alone.
+template<int Rows, int Forces>
+bool isStepInTime(const ConeProgram<Rows, Forces>& program)
+{
+    return program.hasInertia() && !program.hasMultiplier() && !program.hasCrushing();
+}
+
+/// The digits that the interior point does not reach. \param from where multipliers begin
+template<int Rows, int Forces>
+void findLastDigits(const ConeProgram<Rows, Forces>& program, const SolverChoice& choice,
+                    const ConeSolution& from, SymbolicAnalysis* kept, BestSolution<Rows, Forces>& found)
+{
+    // Which penalty keeps the most digits depends on how stiff the contacts are beside the inertia.
+    AugmentedLagrangianSettings multipliers{choice.tolerance, choice.maximumIterations};
+    multipliers.stop = StopWhen::settled;
+    for (const double penalty : penaltiesOfLastDigits)
+    {
+        multipliers.penalty = penalty;
+        if (found.take(solveAugmentedLagrangian(program, from, multipliers, kept)))
+        {
+            return;
+        }
+    }
+    if (isStepInTime(program) && choice.tolerance < attainable && choice.tolerance >= lastDigits)
+    {
+        found.take(solveInteriorPoint(program, interiorPointSettings(choice), kept));
+    }
+}
+
+/// From the last step if it is near; else by the interior point, and the last digits from there.
+template<int Rows, int Forces>
+ConeSolution solveAutomatically(const ConeProgram<Rows, Forces>& program, const SolverChoice& choice,
+                                const ConeSolution& start, SymbolicAnalysis* kept)
+{
+    const bool canStart = isStepInTime(program);
     const bool isStarted = canStart && start.contactForce.size() == Forces * program.points()
                            && start.displacement.size() == program.load.size();
     if constexpr (Forces == 2)
@@ -151,47 +188,58 @@ ConeSolution solveAsChosen(const ConeProgram<Rows, Forces>& program, const Solve
             }
         }
     }
+    BestSolution<Rows, Forces> found(program, canStart);
     if (isStarted && choice.isNearTried && certifyOptimal(program, start).worst() <= nearby)
     {
-        multipliers.maximumIterations = std::min(mostStepsFromNearby, choice.maximumIterations);
+        AugmentedLagrangianSettings multipliers{choice.tolerance,
+                                                std::min(mostStepsFromNearby, choice.maximumIterations)};
         multipliers.penalty = penaltyFromNearby;
         multipliers.stop = choice.tolerance >= attainable ? StopWhen::certified : StopWhen::settled;
-        if (finished(solveAugmentedLagrangian(program, start, multipliers, kept)))
+        if (found.take(solveAugmentedLagrangian(program, start, multipliers, kept)))
         {
-            return solution;
+            return std::move(found.best);
         }
-        isStartLost = true;
+        found.loseStart();
     }
     SolverChoice within = choice; // of what the interior point reaches
     within.tolerance = canStart ? std::max(choice.tolerance, attainable) : choice.tolerance;
-    const ConeSolution* near = isStarted && !program.hasStrength() ? &start : nullptr;
     InteriorPointSettings ofRough = interiorPointSettings(within);
     ofRough.arithmetic = canStart ? Arithmetic::standard : Arithmetic::adaptive;
-    const ConeSolution rough = solveInteriorPoint(program, ofRough, kept, near);
-    if (finished(rough) && (within.tolerance == choice.tolerance || !canStart))
+    const ConeSolution rough =
+        solveInteriorPoint(program, ofRough, kept, isStarted && !program.hasStrength() ? &start : nullptr);
+    if (found.take(rough) && (within.tolerance == choice.tolerance || !canStart))
     {
-        return solution;
+        return std::move(found.best);
     }
-    solution.status = SolveStatus::notConverged; // at the tolerance of the choice
-    error = certifyOptimal(program, solution).worst();
+    found.goOn();
     // Where the interior point has come to nothing, from where the step begins.
-    const ConeSolution& from = certifyOptimal(program, rough).worst() <= astray ? rough : start;
-    // Which penalty keeps the most digits depends on how stiff the contacts are beside the inertia.
-    multipliers.maximumIterations = choice.maximumIterations;
-    multipliers.stop = StopWhen::settled;
-    for (const double penalty : penaltiesOfLastDigits)
+    const bool isRoughStart = certifyOptimal(program, rough).worst() <= astray;
+    findLastDigits(program, choice, isRoughStart ? rough : start, kept, found);
+    return std::move(found.best);
+}
+
+template<int Rows, int Forces>
+ConeSolution solveAsChosen(const ConeProgram<Rows, Forces>& program, const SolverChoice& choice,
+                           const ConeSolution& start, SymbolicAnalysis* kept)
+{
+    if (program.hasCompliance()) // which no other solver takes
     {
-        multipliers.penalty = penalty;
-        if (finished(solveAugmentedLagrangian(program, from, multipliers, kept)))
-        {
-            return solution;
-        }
+        return choice.solver == SolverType::gaussSeidel
+                   ? solveGaussSeidel(program, start, {choice.tolerance, choice.maximumSweeps})
+                   : solveElasticNewton(program, start, {choice.tolerance, choice.maximumIterations}, kept);
     }
-    if (canStart && choice.tolerance < attainable && choice.tolerance >= lastDigits)
+    switch (choice.solver)
     {
-        finished(solveInteriorPoint(program, interiorPointSettings(choice), kept));
+    case SolverType::interiorPoint:
+        return solveInteriorPoint(program, interiorPointSettings(choice), kept);
+    case SolverType::augmentedLagrangian:
+        return solveAugmentedLagrangian(program, start, {choice.tolerance, choice.maximumIterations}, kept);
+    case SolverType::gaussSeidel:
+        return solveGaussSeidel(program, start, {choice.tolerance, choice.maximumSweeps});
+    case SolverType::automatic:
+        break;
     }
-    return solution;
+    return solveAutomatically(program, choice, start, kept);
 }
 
 } // namespace

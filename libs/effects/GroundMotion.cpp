@@ -78,18 +78,18 @@ Eigen::Vector3d toVector(const std::array<double, 3>& components)
     return {components[0], components[1], components[2]};
 }
 
-/// In space directions have all components: (0 1) is upwards in the plane.
-void requireThirdComponents(const Dictionary& dictionary)
+/// In space directions have all components, since (0 1) is upwards in the plane; there they lie in it.
+void requireComponents(const Dictionary& dictionary, int dimensions)
 {
     if (const Entry* direction = dictionary.find("direction"))
     {
-        direction->as<Vector<3>>();
+        dimensions == 3 ? void(direction->as<Vector<3>>()) : void(direction->as<Vector<2>>());
     }
     if (const Dictionary* components = dictionary.findDict("components"))
     {
         for (const std::string& name : components->keywords())
         {
-            requireThirdComponents(components->subDict(name));
+            requireComponents(components->subDict(name), dimensions);
         }
     }
 }
@@ -144,10 +144,7 @@ GroundMotion readGroundMotion(const Dictionary& dictionary, const std::filesyste
                               int dimensions)
 {
     const auto settings = readOptions<GroundMotionSettings>(dictionary);
-    if (dimensions == 3)
-    {
-        requireThirdComponents(dictionary);
-    }
+    requireComponents(dictionary, dimensions);
     GroundMotion motion;
     const auto add = [&](const std::array<double, 3>& direction, const AccelerationMaker& acceleration,
                          const Dictionary& described)

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 
 namespace drystone
@@ -57,102 +58,137 @@ double intensityAt(const Curve& curve, double level)
     return HUGE_VAL;
 }
 
+/// The responses of all samples.
+struct Responses
+{
+    std::map<std::string, Curve> curves;
+    std::map<double, std::vector<double>> stripes; ///< at each intensity, in ascending order
+    double largest = 0;
+    long failed = 0;
+};
+
+Responses responsesOf(const FractilesSettings& settings, const SampleTable& table)
+{
+    const std::vector<double> intensities = valuesOf(settings.intensity, table);
+    const std::vector<double> values = valuesOf(settings.response, table);
+    const auto column = static_cast<std::size_t>(
+        std::find(table.names.begin(), table.names.end(), settings.curve) - table.names.begin());
+    Responses responses;
+    for (std::size_t row = 0; row < table.rows(); ++row)
+    {
+        const bool isKnown = !table.isFailed[row] && std::isfinite(values[row]);
+        const double response = isKnown ? values[row] : HUGE_VAL;
+        responses.failed += !isKnown;
+        responses.curves[table.texts[column][row]][intensities[row]] = response;
+        responses.stripes[intensities[row]].push_back(response);
+        responses.largest = isKnown ? std::max(responses.largest, response) : responses.largest;
+    }
+    for (auto& [intensity, stripe] : responses.stripes)
+    {
+        std::sort(stripe.begin(), stripe.end());
+    }
+    return responses;
+}
+
+/// Those of the settings, or ten up to the largest response.
+std::vector<double> levelsOf(const FractilesSettings& settings, double largest)
+{
+    constexpr int count = 10;
+    std::vector<double> levels = settings.levels;
+    for (int i = 1; i <= count && settings.levels.empty() && largest > 0; ++i)
+    {
+        levels.push_back(largest * i / count);
+    }
+    return levels;
+}
+
+/// The responses of a curve as far as they are finite, from the origin.
+PlotCurve drawn(const Curve& curve)
+{
+    PlotCurve line{"", {0}, {0}, CurveLine::solid, CurveMarker::none, "#bbbbbb"};
+    for (const auto& [intensity, response] : curve)
+    {
+        if (std::isfinite(response))
+        {
+            line.x.push_back(response);
+            line.y.push_back(intensity);
+        }
+    }
+    return line;
+}
+
+/// Fractiles of the response at each intensity: the table, and a curve of the picture each.
+void addStripes(const FractilesSettings& settings, const Responses& responses, StatisticTable& table,
+                Plot& plot)
+{
+    table.columns = {settings.intensity};
+    std::vector<PlotCurve> lines;
+    for (const double part : settings.fractiles)
+    {
+        table.columns.push_back(fmt::format("{}{:g}", settings.response, 100 * part));
+        PlotCurve& line = lines.emplace_back();
+        line.name = fmt::format("{:g}% of the response", 100 * part);
+        line.marker = CurveMarker::none;
+    }
+    for (const auto& [intensity, stripe] : responses.stripes)
+    {
+        std::vector<double>& row = table.rows.emplace_back(1, intensity);
+        for (std::size_t k = 0; k < lines.size(); ++k)
+        {
+            row.push_back(fractile(stripe, settings.fractiles[k]));
+            if (std::isfinite(row.back()))
+            {
+                lines[k].x.push_back(row.back());
+                lines[k].y.push_back(intensity);
+            }
+        }
+    }
+    std::move(lines.begin(), lines.end(), std::back_inserter(plot.curves));
+}
+
+/// Fractiles of the intensity at which the curves reach a level.
+void addLevel(const FractilesSettings& settings, const Responses& responses, double level,
+              std::vector<StatisticRow>& rows)
+{
+    std::vector<double> reached;
+    for (const auto& [text, curve] : responses.curves)
+    {
+        reached.push_back(intensityAt(curve, level));
+    }
+    std::sort(reached.begin(), reached.end());
+    for (const double part : settings.fractiles)
+    {
+        rows.push_back(
+            {fmt::format("{}At{}{:.4g}Fractile{:g}", settings.intensity, settings.response, level, part),
+             fractile(reached, part), std::nan(""), std::nan(""), std::nan("")});
+    }
+}
+
 StatisticResult evaluateFractiles(const FractilesSettings& settings, const std::string& name,
                                   const SampleTable& table)
 {
-    StatisticResult result;
-    const std::vector<double> intensities = valuesOf(settings.intensity, table);
-    const std::vector<double> responses = valuesOf(settings.response, table);
-    const auto column = static_cast<std::size_t>(
-        std::find(table.names.begin(), table.names.end(), settings.curve) - table.names.begin());
-    std::map<std::string, Curve> curves;
-    std::map<double, std::vector<double>> stripes;
-    double largest = 0;
-    long failed = 0;
-    for (std::size_t row = 0; row < table.rows(); ++row)
-    {
-        const bool isKnown = !table.isFailed[row] && std::isfinite(responses[row]);
-        failed += !isKnown;
-        const double response = isKnown ? responses[row] : HUGE_VAL;
-        curves[table.texts[column][row]][intensities[row]] = response;
-        stripes[intensities[row]].push_back(response);
-        largest = isKnown ? std::max(largest, response) : largest;
-    }
+    const Responses responses = responsesOf(settings, table);
     const double none = std::nan("");
-    result.rows.push_back({"curves", static_cast<double>(curves.size()), none, none, none});
-    result.rows.push_back({"failed", static_cast<double>(failed), none, none, none});
-    if (failed > 0)
+    StatisticResult result;
+    result.rows.push_back({"curves", static_cast<double>(responses.curves.size()), none, none, none});
+    result.rows.push_back({"failed", static_cast<double>(responses.failed), none, none, none});
+    if (responses.failed > 0)
     {
         result.remarks.push_back(
-            fmt::format("{} samples without a response count as larger than any", failed));
-    }
-    std::vector<double> levels = settings.levels;
-    for (int i = 1; levels.size() < 10 && settings.levels.empty() && largest > 0; ++i)
-    {
-        levels.push_back(largest * i / 10);
+            fmt::format("{} samples without a response count as larger than any", responses.failed));
     }
     Plot plot;
-    plot.title = fmt::format("{}: {} curves", name, curves.size());
+    plot.title = fmt::format("{}: {} curves", name, responses.curves.size());
     plot.x.label = settings.response;
     plot.y.label = settings.intensity;
-    for (const auto& [text, curve] : curves)
+    for (const auto& [text, curve] : responses.curves)
     {
-        PlotCurve drawn{"", {0}, {0}, CurveLine::solid, CurveMarker::none, "#bbbbbb"};
-        for (const auto& [intensity, response] : curve)
-        {
-            if (std::isfinite(response))
-            {
-                drawn.x.push_back(response);
-                drawn.y.push_back(intensity);
-            }
-        }
-        plot.curves.push_back(std::move(drawn));
+        plot.curves.push_back(drawn(curve));
     }
-    result.table.columns = {settings.intensity};
-    for (const double part : settings.fractiles)
+    addStripes(settings, responses, result.table, plot);
+    for (const double level : levelsOf(settings, responses.largest))
     {
-        result.table.columns.push_back(fmt::format("{}{:g}", settings.response, 100 * part));
-    }
-    std::vector<PlotCurve> fractiles(settings.fractiles.size());
-    for (std::size_t k = 0; k < fractiles.size(); ++k)
-    {
-        fractiles[k].name = fmt::format("{:g}% of the response", 100 * settings.fractiles[k]);
-        fractiles[k].marker = CurveMarker::none;
-    }
-    for (auto& [intensity, stripe] : stripes)
-    {
-        std::sort(stripe.begin(), stripe.end());
-        std::vector<double> row{intensity};
-        for (std::size_t k = 0; k < fractiles.size(); ++k)
-        {
-            const double response = fractile(stripe, settings.fractiles[k]);
-            row.push_back(response);
-            if (std::isfinite(response))
-            {
-                fractiles[k].x.push_back(response);
-                fractiles[k].y.push_back(intensity);
-            }
-        }
-        result.table.rows.push_back(std::move(row));
-    }
-    for (PlotCurve& curve : fractiles)
-    {
-        plot.curves.push_back(std::move(curve));
-    }
-    for (const double level : levels)
-    {
-        std::vector<double> reached;
-        for (const auto& [text, curve] : curves)
-        {
-            reached.push_back(intensityAt(curve, level));
-        }
-        std::sort(reached.begin(), reached.end());
-        for (const double part : settings.fractiles)
-        {
-            result.rows.push_back(
-                {fmt::format("{}At{}{:.4g}Fractile{:g}", settings.intensity, settings.response, level, part),
-                 fractile(reached, part), none, none, none});
-        }
+        addLevel(settings, responses, level, result.rows);
     }
     result.pictures.emplace_back("", std::move(plot));
     return result;

@@ -204,24 +204,17 @@ SearchEnd bisect(const SearchStage& stage, Problem& problem)
     return SearchEnd::converged;
 }
 
-/// \return how the stage ended
-SearchEnd carryOut(const SearchStage& stage, Problem& problem, std::vector<double> scaled)
+/// NLopt's algorithm of a stage, with the objective, bounds, constraints and ends. \param limits of the
+/// constraints, which the algorithm refers to
+std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)> optimiserOf(const SearchStage& stage, Problem& problem,
+                                                                   unsigned count, std::vector<Limit>& limits)
 {
-    problem.points = 0;
-    problem.mostPoints = stage.maximumEvaluations;
-    if (stage.algorithm == SearchAlgorithm::bisection)
-    {
-        return bisect(stage, problem);
-    }
     const ParameterSearchSettings& settings = problem.settings;
-    const auto count = static_cast<unsigned>(scaled.size());
-    const std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)> optimiser(
+    std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)> optimiser(
         nlopt_create(algorithmOf(stage.algorithm, !settings.constraints.empty()), count), nlopt_destroy);
-    problem.optimiser = optimiser.get();
     nlopt_set_min_objective(optimiser.get(), objectiveOf, &problem);
     nlopt_set_lower_bounds1(optimiser.get(), 0);
     nlopt_set_upper_bounds1(optimiser.get(), 1);
-    std::vector<Limit> limits;
     limits.reserve(2 * settings.constraints.size());
     for (std::size_t i = 0; i < settings.constraints.size(); ++i)
     {
@@ -246,7 +239,7 @@ SearchEnd carryOut(const SearchStage& stage, Problem& problem, std::vector<doubl
         nlopt_set_xtol_abs1(optimiser.get(), stage.tolerance);
         nlopt_set_ftol_abs(optimiser.get(), stage.objectiveTolerance);
         std::vector<double> steps;
-        for (std::size_t i = 0; i < scaled.size(); ++i)
+        for (unsigned i = 0; i < count; ++i)
         {
             steps.push_back(settings.variables[i].second.firstStep);
         }
@@ -261,25 +254,12 @@ SearchEnd carryOut(const SearchStage& stage, Problem& problem, std::vector<doubl
         nlopt_set_population(optimiser.get(), static_cast<unsigned>(stage.population));
     }
     nlopt_srand(static_cast<unsigned long>(settings.seed));
+    return optimiser;
+}
 
-    double least = 0;
-    const nlopt_result result = nlopt_optimize(optimiser.get(), scaled.data(), &least);
-    // The end point of a local algorithm, which need not be the best point it visited.
-    const bool isChecked = !isGlobal(stage.algorithm) && !settings.constraints.empty();
-    const auto last = isChecked ? problem.at(scaled.data()) : std::nullopt;
-    problem.optimiser = nullptr;
-    if (problem.error)
-    {
-        std::rethrow_exception(problem.error);
-    }
-    if (problem.isInterrupted)
-    {
-        return SearchEnd::interrupted;
-    }
-    if (problem.isExhausted())
-    {
-        return SearchEnd::evaluations;
-    }
+/// \param isAstray whether the algorithm has ended at a point that violates more than the best one
+SearchEnd endOf(nlopt_result result, bool isAstray)
+{
     switch (result)
     {
     case NLOPT_MAXEVAL_REACHED:
@@ -290,10 +270,40 @@ SearchEnd carryOut(const SearchStage& stage, Problem& problem, std::vector<doubl
     case NLOPT_XTOL_REACHED:
     // Steps have become as small as rounding: no improvement is possible.
     case NLOPT_ROUNDOFF_LIMITED:
-        return last && last->violation > problem.best->violation ? SearchEnd::astray : SearchEnd::converged;
+        return isAstray ? SearchEnd::astray : SearchEnd::converged;
     default:
         return SearchEnd::failed;
     }
+}
+
+/// \return how the stage ended
+SearchEnd carryOut(const SearchStage& stage, Problem& problem, std::vector<double> scaled)
+{
+    problem.points = 0;
+    problem.mostPoints = stage.maximumEvaluations;
+    if (stage.algorithm == SearchAlgorithm::bisection)
+    {
+        return bisect(stage, problem);
+    }
+    std::vector<Limit> limits;
+    const auto optimiser = optimiserOf(stage, problem, static_cast<unsigned>(scaled.size()), limits);
+    problem.optimiser = optimiser.get();
+    double least = 0;
+    const nlopt_result result = nlopt_optimize(optimiser.get(), scaled.data(), &least);
+    // The end point of a local algorithm, which need not be the best point it visited.
+    const bool isChecked = !isGlobal(stage.algorithm) && !problem.settings.constraints.empty();
+    const auto last = isChecked ? problem.at(scaled.data()) : std::nullopt;
+    problem.optimiser = nullptr;
+    if (problem.error)
+    {
+        std::rethrow_exception(problem.error);
+    }
+    if (problem.isInterrupted)
+    {
+        return SearchEnd::interrupted;
+    }
+    return problem.isExhausted() ? SearchEnd::evaluations
+                                 : endOf(result, last && last->violation > problem.best->violation);
 }
 
 } // namespace

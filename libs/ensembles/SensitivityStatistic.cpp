@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace drystone
 {
@@ -68,37 +69,129 @@ std::vector<Indices> indicesOf(const std::vector<std::vector<double>>& points,
     return indices;
 }
 
+/// The values of a sample at each of its points.
+struct Points
+{
+    std::vector<std::vector<double>> complete; ///< as indicesOf takes them
+    std::size_t leftOut = 0;                   ///< with a sample that failed or is not finite
+};
+
+/// Rows are complete points as long as none is missing, which is so when all samples are there.
+Points pointsOf(const std::vector<double>& values, const SampleTable& table)
+{
+    const auto runs = static_cast<std::ptrdiff_t>(table.sensitivityRuns);
+    Points points;
+    for (std::ptrdiff_t begin = 0; begin + runs <= static_cast<std::ptrdiff_t>(values.size()); begin += runs)
+    {
+        const std::vector<double> point(values.begin() + begin, values.begin() + begin + runs);
+        const bool isKnown =
+            std::all_of(point.begin(), point.end(), [](double value) { return std::isfinite(value); })
+            && std::none_of(table.isFailed.begin() + begin, table.isFailed.begin() + begin + runs,
+                            [](char failed) { return failed != 0; });
+        if (isKnown)
+        {
+            points.complete.push_back(point);
+        }
+        points.leftOut += !isKnown;
+    }
+    return points;
+}
+
+/// The indices of points drawn again and again from those that there are: first and total, of each variable.
+struct Replicates
+{
+    std::vector<std::vector<double>> first;
+    std::vector<std::vector<double>> total;
+};
+
+Replicates drawnAgain(const std::vector<std::vector<double>>& points, const SensitivitySettings& settings)
+{
+    const std::size_t variables = points.front().size() - 2;
+    Replicates replicates{std::vector<std::vector<double>>(variables),
+                          std::vector<std::vector<double>>(variables)};
+    for (int replicate = 0; replicate < settings.bootstrap; ++replicate)
+    {
+        std::vector<std::size_t> drawn(points.size());
+        for (std::size_t i = 0; i < drawn.size(); ++i)
+        {
+            drawn[i] =
+                static_cast<std::size_t>(uniform(static_cast<std::uint64_t>(settings.seed), Stream::bootstrap,
+                                                 static_cast<std::uint32_t>(replicate), i)
+                                         * static_cast<double>(points.size()));
+        }
+        const std::vector<Indices> indices = indicesOf(points, drawn);
+        for (std::size_t k = 0; k < variables; ++k)
+        {
+            replicates.first[k].push_back(indices[k].first);
+            replicates.total[k].push_back(indices[k].total);
+        }
+    }
+    return replicates;
+}
+
+/// A row of the table, with what the replicates say of its scatter where they are many enough.
+StatisticRow rowOf(const std::string& quantity, double value, std::vector<double> replicates)
+{
+    constexpr std::size_t leastReplicates = 20;
+    if (replicates.size() < leastReplicates)
+    {
+        return {quantity, value, std::nan(""), std::nan(""), std::nan("")};
+    }
+    const auto count = static_cast<double>(replicates.size());
+    double mean = 0;
+    double squares = 0;
+    for (const double drawn : replicates)
+    {
+        mean += drawn / count;
+    }
+    for (const double drawn : replicates)
+    {
+        squares += std::pow(drawn - mean, 2);
+    }
+    std::sort(replicates.begin(), replicates.end());
+    return {quantity, value, std::sqrt(squares / (count - 1)), fractile(replicates, 0.025),
+            fractile(replicates, 0.975)};
+}
+
+/// A bar for each variable, the largest on top.
+Plot barsOf(const std::vector<Indices>& indices, const std::vector<std::string>& names)
+{
+    constexpr double half = 0.3; // of a bar's width, beside a distance of 1
+    Plot plot;
+    plot.subtitle = "bar: total index; filled part to its mark: first order";
+    plot.x.label = "part of the variance";
+    plot.y.label = "variable";
+    plot.x.lower = 0;
+    std::vector<std::size_t> order(indices.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return indices[a].total < indices[b].total; });
+    for (std::size_t place = 0; place < order.size(); ++place)
+    {
+        const std::size_t k = order[place];
+        const auto y = static_cast<double>(place + 1);
+        const double first = std::max(indices[k].first, 0.0);
+        plot.curves.push_back({names[k],
+                               {0, indices[k].total, indices[k].total, 0, 0, first, first},
+                               {y - half, y - half, y + half, y + half, y - half, y - half, y + half},
+                               CurveLine::solid,
+                               CurveMarker::none,
+                               {}});
+    }
+    return plot;
+}
+
 StatisticResult evaluateSensitivity(const SensitivitySettings& settings, const std::string& name,
                                     const SampleTable& table)
 {
     StatisticResult result;
-    const auto runs = static_cast<std::size_t>(table.sensitivityRuns);
-    const std::vector<double> values = valuesOf(settings.value, table);
-    std::vector<std::vector<double>> points;
-    std::size_t left = 0;
-    // Rows are complete points as long as none is missing, which is so when all samples are there.
-    for (std::size_t begin = 0; begin + runs <= values.size(); begin += runs)
-    {
-        const std::vector<double> point(values.begin() + static_cast<std::ptrdiff_t>(begin),
-                                        values.begin() + static_cast<std::ptrdiff_t>(begin + runs));
-        const bool isKnown =
-            std::all_of(point.begin(), point.end(), [](double value) { return std::isfinite(value); })
-            && std::none_of(table.isFailed.begin() + static_cast<std::ptrdiff_t>(begin),
-                            table.isFailed.begin() + static_cast<std::ptrdiff_t>(begin + runs),
-                            [](char failed) { return failed != 0; });
-        if (isKnown)
-        {
-            points.push_back(point);
-        }
-        left += !isKnown;
-    }
-    const double none = std::nan("");
-    result.rows.push_back({"points", static_cast<double>(points.size()), none, none, none});
-    result.rows.push_back({"pointsLeftOut", static_cast<double>(left), none, none, none});
-    if (left > 0)
+    const auto [points, leftOut] = pointsOf(valuesOf(settings.value, table), table);
+    result.rows.push_back(rowOf("points", static_cast<double>(points.size()), {}));
+    result.rows.push_back(rowOf("pointsLeftOut", static_cast<double>(leftOut), {}));
+    if (leftOut > 0)
     {
         result.remarks.push_back(
-            fmt::format("{} points with a sample that failed or is not finite are left out", left));
+            fmt::format("{} points with a sample that failed or is not finite are left out", leftOut));
     }
     if (static_cast<long>(table.rows()) < table.asked)
     {
@@ -111,75 +204,16 @@ StatisticResult evaluateSensitivity(const SensitivitySettings& settings, const s
         return result;
     }
     std::vector<std::size_t> all(points.size());
-    for (std::size_t i = 0; i < all.size(); ++i)
-    {
-        all[i] = i;
-    }
+    std::iota(all.begin(), all.end(), 0);
     const std::vector<Indices> indices = indicesOf(points, all);
-    std::vector<std::vector<double>> firsts(indices.size());
-    std::vector<std::vector<double>> totals(indices.size());
-    for (int replicate = 0; replicate < settings.bootstrap; ++replicate)
+    const Replicates replicates = drawnAgain(points, settings);
+    for (std::size_t k = 0; k < indices.size(); ++k)
     {
-        std::vector<std::size_t> drawn(points.size());
-        for (std::size_t i = 0; i < drawn.size(); ++i)
-        {
-            drawn[i] =
-                static_cast<std::size_t>(uniform(static_cast<std::uint64_t>(settings.seed), Stream::bootstrap,
-                                                 static_cast<std::uint32_t>(replicate), i)
-                                         * static_cast<double>(points.size()));
-        }
-        const std::vector<Indices> again = indicesOf(points, drawn);
-        for (std::size_t k = 0; k < again.size(); ++k)
-        {
-            firsts[k].push_back(again[k].first);
-            totals[k].push_back(again[k].total);
-        }
+        result.rows.push_back(rowOf("first_" + table.names[k], indices[k].first, replicates.first[k]));
+        result.rows.push_back(rowOf("total_" + table.names[k], indices[k].total, replicates.total[k]));
     }
-    const auto row = [&](const std::string& quantity, double value, std::vector<double>& again)
-    {
-        double mean = 0;
-        double squares = 0;
-        for (const double drawn : again)
-        {
-            mean += drawn / static_cast<double>(again.size());
-        }
-        for (const double drawn : again)
-        {
-            squares += std::pow(drawn - mean, 2);
-        }
-        std::sort(again.begin(), again.end());
-        const bool isDrawn = again.size() >= 20;
-        result.rows.push_back(
-            {quantity, value, isDrawn ? std::sqrt(squares / static_cast<double>(again.size() - 1)) : none,
-             isDrawn ? fractile(again, 0.025) : none, isDrawn ? fractile(again, 0.975) : none});
-    };
-    Plot plot;
+    Plot plot = barsOf(indices, table.names);
     plot.title = fmt::format("{}: Sobol' indices of {}", name, settings.value);
-    plot.subtitle = "bar: total index; filled part to its mark: first order";
-    plot.x.label = "part of the variance";
-    plot.y.label = "variable";
-    plot.x.lower = 0;
-    std::vector<std::size_t> order(indices.size());
-    for (std::size_t k = 0; k < order.size(); ++k)
-    {
-        row("first_" + table.names[k], indices[k].first, firsts[k]);
-        row("total_" + table.names[k], indices[k].total, totals[k]);
-        order[k] = k;
-    }
-    std::sort(order.begin(), order.end(),
-              [&](std::size_t a, std::size_t b) { return indices[a].total < indices[b].total; });
-    for (std::size_t place = 0; place < order.size(); ++place)
-    {
-        const std::size_t k = order[place];
-        const auto y = static_cast<double>(place + 1);
-        const double first = std::max(indices[k].first, 0.0);
-        plot.curves.push_back({table.names[k],
-                               {0, indices[k].total, indices[k].total, 0, 0, first, first},
-                               {y - 0.3, y - 0.3, y + 0.3, y + 0.3, y - 0.3, y - 0.3, y + 0.3},
-                               CurveLine::solid,
-                               CurveMarker::none,
-                               {}});
-    }
     result.pictures.emplace_back("", std::move(plot));
     return result;
 }

@@ -42,25 +42,32 @@ std::string thrustText(const std::vector<ContactPoint<2>>& points, const std::ve
         "# x[m] y[m] normalForce[N] shearForce[N] moment[Nm] eccentricity[m] block[-] neighbour[-]\n";
     for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end)
     {
-        Vector<2> middle = Vector<2>::Zero();
+        // The middle is that of the ends: between them hinges of crushing add points near one of them.
+        const Vector<2> direction = tangent(points[begin]);
+        const auto along = [&](std::size_t i, const Vector<2>& from)
+        { return direction.dot(points[i].position - from); };
+        const Vector<2> first = points[begin].position;
         Vector<2> force = Vector<2>::Zero();
+        double lower = 0;
+        double upper = 0;
         for (end = begin; end < points.size() && points[end].joint == points[begin].joint; ++end)
         {
-            middle += points[end].position;
             force += forces[end];
+            lower = std::min(lower, along(end, first));
+            upper = std::max(upper, along(end, first));
         }
-        middle /= static_cast<double>(end - begin);
+        const Vector<2> middle = first + (lower + upper) / 2 * direction;
         double moment = 0;
         for (std::size_t i = begin; i < end; ++i)
         {
-            moment += forces[i].x() * tangent(points[i]).dot(points[i].position - middle);
+            moment += forces[i].x() * along(i, middle);
         }
         if (force.norm() <= 1e-6 * largest)
         {
             continue;
         }
         const double eccentricity = force.x() != 0 ? moment / force.x() : 0;
-        const Vector<2> pressure = middle + eccentricity * tangent(points[begin]);
+        const Vector<2> pressure = middle + eccentricity * direction;
         text += fmt::format("{:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {} {}\n", pressure.x(), pressure.y(),
                             force.x(), force.y(), moment, eccentricity, points[begin].block,
                             points[begin].neighbour);

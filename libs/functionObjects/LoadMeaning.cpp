@@ -86,8 +86,10 @@ std::vector<std::string> loadMeaning(const LimitAnalysisCase<Dim>& structure, co
     {
         if (dead.norm() > 0)
         {
-            sentences.push_back(fmt::format("The support bears {}, {:.4g} of the dead load",
-                                            forceText(result.alpha), result.alpha / dead.norm()));
+            sentences.push_back(fmt::format(
+                "The support {} {}{}, {:.4g} of the dead load", result.alpha < 0 ? "presses with" : "bears",
+                forceText(std::abs(result.alpha)), result.alpha < 0 ? " along its movement" : "",
+                std::abs(result.alpha) / dead.norm()));
         }
         return sentences;
     }

@@ -2,6 +2,7 @@
 /// Blocks from the outlines of a drawing.
 #include "import/Drawing.h"
 
+#include "core/Error.h"
 #include "core/Log.h"
 #include "geometry/BroadPhase.h"
 #include "geometry/PolygonShape.h"
@@ -21,12 +22,13 @@ namespace
 
 constexpr std::size_t mostCorners = 5000; // of a block: checks take time of the order of their square
 
-Polygon inMetres(const DrawnOutline& drawn, double scale, double tolerance, const ImportedFile& file)
+Polygon inMetres(const DrawnOutline& drawn, double scale, const DrawingSettings& settings,
+                 const ImportedFile& file)
 {
     Polygon outline;
     for (const Vector<2>& corner : drawn.corners)
     {
-        outline.emplace_back(scale * corner);
+        outline.emplace_back(scale * corner + settings.offset);
         if (!(outline.back().cwiseAbs().maxCoeff() <= farthestCoordinate))
         {
             refuse(file, drawn.line,
@@ -37,7 +39,7 @@ Polygon inMetres(const DrawnOutline& drawn, double scale, double tolerance, cons
         }
     }
     const BoundingBox box = boundingBox(outline);
-    const double near = std::max(tolerance, 1e-6 * (box.upper - box.lower).norm());
+    const double near = std::max(settings.tolerance.value_or(0), 1e-6 * (box.upper - box.lower).norm());
     Polygon distinct;
     for (const Vector<2>& corner : outline)
     {
@@ -66,10 +68,66 @@ std::vector<std::pair<double, double>> fromLeastCorner(const Polygon& outline)
     return corners;
 }
 
+bool isOnLayer(const DrawnOutline& drawn, const std::string& layer)
+{
+    return layer == drawn.layer || layer == zoneName(drawn.layer);
+}
+
+/// A layer without outlines is a mistyped one, or not drawn yet: its blocks would be missing without a word.
+void refuseUnknownLayers(const Drawing& drawing, const DrawingSettings& settings, const ImportedFile& file)
+{
+    for (const std::string& layer : settings.layers)
+    {
+        if (std::none_of(drawing.outlines.begin(), drawing.outlines.end(),
+                         [&](const DrawnOutline& drawn) { return isOnLayer(drawn, layer); }))
+        {
+            std::set<std::string> known;
+            for (const DrawnOutline& drawn : drawing.outlines)
+            {
+                known.insert(zoneName(drawn.layer));
+            }
+            refuse(file, 0, unknownWordMessage("layer", layer, {known.begin(), known.end()}));
+        }
+    }
+}
+
+/// An outline in metres, counter-clockwise. \throws FatalIOError where it is no block
+Polygon soundOutline(const DrawnOutline& drawn, double scale, const DrawingSettings& settings,
+                     std::size_t block, const ImportedFile& file)
+{
+    Polygon outline = inMetres(drawn, scale, settings, file);
+    if (outline.size() > mostCorners)
+    {
+        refuse(file, drawn.line,
+               fmt::format("This outline has {} corners, more than {}: simplify it.", outline.size(),
+                           mostCorners));
+    }
+    if (const std::string fault = outlineFault(outline); !fault.empty())
+    {
+        refuse(file, drawn.line, fmt::format("The outline of block {} {}.", block, fault));
+    }
+    if (areaProperties(outline).area < 0)
+    {
+        std::reverse(outline.begin(), outline.end());
+    }
+    return outline;
+}
+
 } // namespace
 
 Assembly<2> drawnBlocks(const Drawing& drawing, const DrawingSettings& settings, const ImportedFile& file)
 {
+    if (drawing.outlines.empty())
+    {
+        refuse(file, 0,
+               fmt::format("There is no closed outline in this drawing.{}",
+                           drawing.ignored.empty()
+                               ? ""
+                               : fmt::format(" Left out are {}. Join lines to closed polylines, and draw "
+                                             "copies and curves as such.",
+                                             fmt::join(drawing.ignored, ", "))));
+    }
+    refuseUnknownLayers(drawing, settings, file);
     const double scale = settings.scale.value_or(drawing.unit.value_or(1));
     Assembly<2> assembly;
     ZoneList zones;
@@ -79,29 +137,14 @@ Assembly<2> drawnBlocks(const Drawing& drawing, const DrawingSettings& settings,
     std::set<std::vector<std::pair<double, double>>> known;
     for (const DrawnOutline& drawn : drawing.outlines)
     {
-        const auto isOf = [&](const std::string& layer)
-        { return layer == drawn.layer || layer == zoneName(drawn.layer); };
-        if (!settings.layers.empty() && std::none_of(settings.layers.begin(), settings.layers.end(), isOf))
+        if (!settings.layers.empty()
+            && std::none_of(settings.layers.begin(), settings.layers.end(),
+                            [&](const std::string& layer) { return isOnLayer(drawn, layer); }))
         {
             ++elsewhere;
             continue;
         }
-        Polygon outline = inMetres(drawn, scale, settings.tolerance.value_or(0), file);
-        if (outline.size() > mostCorners)
-        {
-            refuse(file, drawn.line,
-                   fmt::format("This outline has {} corners, more than {}: simplify it.", outline.size(),
-                               mostCorners));
-        }
-        if (const std::string fault = outlineFault(outline); !fault.empty())
-        {
-            refuse(file, drawn.line,
-                   fmt::format("The outline of block {} {}.", assembly.blocks.size(), fault));
-        }
-        if (areaProperties(outline).area < 0)
-        {
-            std::reverse(outline.begin(), outline.end());
-        }
+        Polygon outline = soundOutline(drawn, scale, settings, assembly.blocks.size(), file);
         if (!known.insert(fromLeastCorner(outline)).second)
         {
             firstTwice = twice++ == 0 ? drawn.line : firstTwice;
@@ -122,10 +165,6 @@ Assembly<2> drawnBlocks(const Drawing& drawing, const DrawingSettings& settings,
     {
         info("Import: left out {} outlines that are drawn more than once, the first in line {}", twice,
              firstTwice);
-    }
-    if (assembly.blocks.empty())
-    {
-        refuse(file, 0, "There is no closed outline in this drawing, or none on the layers that are named.");
     }
     info("Import: a unit of the drawing is {:g} m, {}", scale,
          settings.scale ? "as `scale` says"

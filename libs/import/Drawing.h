@@ -50,6 +50,7 @@ Drawing readSvg(const ImportedFile& file);
 struct DrawingSettings
 {
     std::optional<double> scale = {};     ///< metres a unit of the drawing; absent: as the file says, or 1
+    Vector<2> offset = Vector<2>::Zero(); ///< added to coordinates in metres
     double thickness = 1;                 ///< out of plane [m]
     std::optional<double> tolerance = {}; ///< [m]; absent: joints are closed as JointClosure.h has it
     std::vector<std::string> layers = {}; ///< that have blocks; empty: all
@@ -57,7 +58,7 @@ struct DrawingSettings
 
 /// The blocks of a drawing, in its order, layers as zones. Corners nearer to each other than 1e-6 of the
 /// outline's extent, or than the tolerance, are one. \throws FatalIOError with the line of an outline that is
-/// no simple polygon, and when there is none
+/// no simple polygon, and when there is none, or none of a layer that is named
 Assembly<2> drawnBlocks(const Drawing& drawing, const DrawingSettings& settings, const ImportedFile& file);
 
 } // namespace drystone

@@ -105,6 +105,9 @@ std::pair<ImportedFile, ImportFormat> open(const Import<Dim>& settings, const fs
     return {std::move(source), format};
 }
 
+constexpr const char* docOfOffset =
+    "added to all coordinates, as where a drawing begins below the ground, which is at 0";
+
 template<int Dim>
 void printZones(const Assembly<Dim>& assembly)
 {
@@ -132,6 +135,7 @@ void declare(Options& options, Import<2>& settings)
                   "metres a unit of the drawing; absent: as the file says ($INSUNITS, width), or 1")
         .above(0)
         .example("0.001");
+    options.optional("offset", settings.drawing.offset, docOfOffset).unit("m");
     options.optional("thickness", settings.drawing.thickness, "out of plane").unit("m").above(0);
     options.optional("layers", settings.drawing.layers, "layers that have blocks; all if absent")
         .example("(stones)");
@@ -153,6 +157,7 @@ void declare(Options& options, Import<3>& settings)
     declareFile(options, settings);
     options.optional("scale", settings.solid.scale, "metres a unit of the file").above(0);
     options.optional("up", settings.solid.up, "axis of the file that points upwards");
+    options.optional("offset", settings.solid.offset, docOfOffset).unit("m");
     options
         .optional(
             "tolerance", settings.solid.tolerance,

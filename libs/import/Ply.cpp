@@ -171,6 +171,71 @@ private:
     bool isSingle = false;
 };
 
+Format formatOf(const ImportedFile& file, int number, std::string_view name)
+{
+    if (name == "ascii")
+    {
+        return Format::ascii;
+    }
+    if (name != "binary_little_endian" && name != "binary_big_endian")
+    {
+        refuse(file, number,
+               fmt::format("Unknown format {}: it is ascii, binary_little_endian or binary_big_endian.",
+                           shown(name)));
+    }
+    return name == "binary_little_endian" ? Format::little : Format::big;
+}
+
+/// \param line without its first word
+Element elementOf(const ImportedFile& file, int number, std::string_view line)
+{
+    Element element{std::string(nextWord(line)), 0, {}};
+    const int count = integerOf(file, number, nextWord(line));
+    if (count < 0)
+    {
+        refuse(file, number, fmt::format("There cannot be {} elements.", count));
+    }
+    element.count = static_cast<std::size_t>(count);
+    return element;
+}
+
+/// \param line without its first word
+Property propertyOf(const ImportedFile& file, int number, std::string_view line)
+{
+    Property property;
+    std::string_view type = nextWord(line);
+    const bool isList = type == "list";
+    std::string_view countType;
+    if (isList)
+    {
+        countType = nextWord(line);
+        property.count = typeOf(countType);
+        type = nextWord(line);
+    }
+    const std::optional<Type> known = typeOf(type);
+    if (!known || (isList && !property.count))
+    {
+        refuse(file, number,
+               fmt::format("Unknown type {}: it is char, uchar, short, ushort, int, uint, float, double or "
+                           "a list.",
+                           shown(known ? countType : type)));
+    }
+    property.type = *known;
+    property.name = nextWord(line);
+    return property;
+}
+
+/// The first byte after a line, whose end LineReader has passed.
+std::size_t endOf(std::string_view line, const ImportedFile& file)
+{
+    auto end = static_cast<std::size_t>(line.data() + line.size() - file.bytes.data());
+    for (const char ending : {'\r', '\n'})
+    {
+        end += end < file.bytes.size() && file.bytes[end] == ending ? 1 : 0;
+    }
+    return end;
+}
+
 Header readHeader(const ImportedFile& file)
 {
     Header header;
@@ -188,29 +253,12 @@ Header readHeader(const ImportedFile& file)
         const std::string_view word = nextWord(line);
         if (word == "format")
         {
-            const std::string_view name = nextWord(line);
-            if (name != "ascii" && name != "binary_little_endian" && name != "binary_big_endian")
-            {
-                refuse(
-                    file, number,
-                    fmt::format("Unknown format {}: it is ascii, binary_little_endian or binary_big_endian.",
-                                shown(name)));
-            }
-            header.format = name == "ascii"                  ? Format::ascii
-                            : name == "binary_little_endian" ? Format::little
-                                                             : Format::big;
+            header.format = formatOf(file, number, nextWord(line));
             hasFormat = true;
         }
         else if (word == "element")
         {
-            Element element{std::string(nextWord(line)), 0, {}};
-            const int count = integerOf(file, number, nextWord(line));
-            if (count < 0)
-            {
-                refuse(file, number, fmt::format("There cannot be {} elements.", count));
-            }
-            element.count = static_cast<std::size_t>(count);
-            header.elements.push_back(std::move(element));
+            header.elements.push_back(elementOf(file, number, line));
         }
         else if (word == "property")
         {
@@ -218,28 +266,7 @@ Header readHeader(const ImportedFile& file)
             {
                 refuse(file, number, "This property belongs to no element.");
             }
-            Property property;
-            std::string_view type = nextWord(line);
-            const bool isList = type == "list";
-            std::string_view countType;
-            if (isList)
-            {
-                countType = nextWord(line);
-                property.count = typeOf(countType);
-                type = nextWord(line);
-            }
-            const std::optional<Type> known = typeOf(type);
-            if (!known || (isList && !property.count))
-            {
-                refuse(file, number,
-                       fmt::format(
-                           "Unknown type {}: it is char, uchar, short, ushort, int, uint, float, double or "
-                           "a list.",
-                           shown(known ? countType : type)));
-            }
-            property.type = *known;
-            property.name = nextWord(line);
-            header.elements.back().properties.push_back(std::move(property));
+            header.elements.back().properties.push_back(propertyOf(file, number, line));
         }
         else if (word == "end_header")
         {
@@ -247,10 +274,7 @@ Header readHeader(const ImportedFile& file)
             {
                 refuse(file, number, "The header has no line `format`.");
             }
-            header.end = static_cast<std::size_t>(line.data() + line.size() - file.bytes.data());
-            // The end of the line, which LineReader has passed.
-            header.end += header.end < file.bytes.size() && file.bytes[header.end] == '\r' ? 1 : 0;
-            header.end += header.end < file.bytes.size() && file.bytes[header.end] == '\n' ? 1 : 0;
+            header.end = endOf(line, file);
             header.lines = number;
             return header;
         }
@@ -269,12 +293,61 @@ int axisOf(const Property& property)
                : -1;
 }
 
+bool isOfVertices(const Element& element, const Property& property)
+{
+    return element.name == "face" && (property.name == "vertex_indices" || property.name == "vertex_index");
+}
+
+/// The values of a list, or nothing where it is not one of vertices. \param number of its element
+template<class Source>
+std::vector<int> readList(Source& source, const ImportedFile& file, const Element& element,
+                          const Property& property, std::size_t number)
+{
+    const bool isFace = isOfVertices(element, property);
+    const double count = source.take(*property.count);
+    if (!(count >= 0) || count != std::floor(count) || (isFace && count < 3))
+    {
+        refuse(file, source.line(),
+               fmt::format("{} {} has a list of {} values.", shown(element.name), number, count));
+    }
+    std::vector<int> face;
+    for (double k = 0; k < count; ++k)
+    {
+        const double index = source.take(property.type);
+        if (!isFace)
+        {
+            continue;
+        }
+        if (!(index >= 0 && index < 2147483647.0) || index != std::floor(index))
+        {
+            refuse(file, source.line(), fmt::format("Face {} has the vertex {}.", number, index));
+        }
+        face.push_back(static_cast<int>(index));
+    }
+    return face;
+}
+
+void refuseUnknownVertices(const Solid& solid, const ImportedFile& file)
+{
+    for (std::size_t i = 0; i < solid.faces.size(); ++i)
+    {
+        for (const int vertex : solid.faces[i])
+        {
+            if (static_cast<std::size_t>(vertex) >= solid.vertices.size())
+            {
+                refuse(file, 0,
+                       fmt::format("Face {} has vertex {}, but there are {} vertices, numbered from 0.", i,
+                                   vertex, solid.vertices.size()));
+            }
+        }
+    }
+}
+
 template<class Source>
 Solids readData(const ImportedFile& file, const Header& header)
 {
     Source source(file, header);
     Solid solid;
-    std::vector<std::vector<int>>& faces = solid.faces;
     double largest = 0;
     // Counts of the header are not believed: what is there is appended until the file ends.
     for (const Element& element : header.elements)
@@ -288,41 +361,20 @@ Solids readData(const ImportedFile& file, const Header& header)
             Vector<3> vertex = Vector<3>::Zero();
             for (const Property& property : element.properties)
             {
-                if (!property.count)
+                if (property.count)
                 {
-                    const double value = source.take(property.type);
-                    if (const int axis = axisOf(property); axis >= 0)
+                    std::vector<int> face = readList(source, file, element, property, i);
+                    if (isOfVertices(element, property))
                     {
-                        vertex[axis] = value;
-                        largest = std::max(largest, std::abs(value));
+                        solid.faces.push_back(std::move(face));
                     }
                     continue;
                 }
-                const double count = source.take(*property.count);
-                const bool isFace = element.name == "face"
-                                    && (property.name == "vertex_indices" || property.name == "vertex_index");
-                if (!(count >= 0) || count != std::floor(count) || (isFace && count < 3))
+                const double value = source.take(property.type);
+                if (const int axis = axisOf(property); axis >= 0)
                 {
-                    refuse(file, source.line(),
-                           fmt::format("{} {} has a list of {} values.", shown(element.name), i, count));
-                }
-                std::vector<int> face;
-                for (double k = 0; k < count; ++k)
-                {
-                    const double index = source.take(property.type);
-                    if (!isFace)
-                    {
-                        continue;
-                    }
-                    if (!(index >= 0 && index < 2147483647.0) || index != std::floor(index))
-                    {
-                        refuse(file, source.line(), fmt::format("Face {} has the vertex {}.", i, index));
-                    }
-                    face.push_back(static_cast<int>(index));
-                }
-                if (isFace)
-                {
-                    faces.push_back(std::move(face));
+                    vertex[axis] = value;
+                    largest = std::max(largest, std::abs(value));
                 }
             }
             if (element.name == "vertex")
@@ -331,19 +383,8 @@ Solids readData(const ImportedFile& file, const Header& header)
             }
         }
     }
-    for (std::size_t i = 0; i < faces.size(); ++i)
-    {
-        for (const int vertex : faces[i])
-        {
-            if (static_cast<std::size_t>(vertex) >= solid.vertices.size())
-            {
-                refuse(file, 0,
-                       fmt::format("Face {} has vertex {}, but there are {} vertices, numbered from 0.", i,
-                                   vertex, solid.vertices.size()));
-            }
-        }
-    }
-    if (faces.empty())
+    refuseUnknownVertices(solid, file);
+    if (solid.faces.empty())
     {
         refuse(file, 0, "Faces have no list vertex_indices or vertex_index.");
     }

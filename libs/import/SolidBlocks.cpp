@@ -46,16 +46,19 @@ struct Tally
     int dropped = 0; ///< faces that are a line or a point
 };
 
+/// A place of the file in metres, z upwards.
+Vector<3> inMetres(const Vector<3>& ofFile, const SolidSettings& settings)
+{
+    const Vector<3> place = settings.scale * ofFile;
+    return (settings.up == UpAxis::y ? Vector<3>(place.x(), -place.z(), place.y()) : place) + settings.offset;
+}
+
 Polyhedron placed(const Solid& solid, const SolidSettings& settings, const ImportedFile& file)
 {
     Polyhedron shape{{}, solid.faces};
     for (const Vector<3>& vertex : solid.vertices)
     {
-        Vector<3> place = settings.scale * vertex;
-        if (settings.up == UpAxis::y)
-        {
-            place = {place.x(), -place.z(), place.y()};
-        }
+        const Vector<3> place = inMetres(vertex, settings);
         if (!(place.cwiseAbs().maxCoeff() <= farthestCoordinate))
         {
             refuse(file, solid.line,
@@ -162,9 +165,7 @@ StatedJoint<3> jointOf(const SolidInterface& interface, const std::vector<Block<
     Vector<3> centre = Vector<3>::Zero();
     for (const Vector<3>& point : interface.points)
     {
-        const Vector<3> scaled = settings.scale * point;
-        joint.points.push_back(settings.up == UpAxis::y ? Vector<3>(scaled.x(), -scaled.z(), scaled.y())
-                                                        : scaled);
+        joint.points.push_back(inMetres(point, settings));
         centre += joint.points.back();
     }
     centre /= static_cast<double>(joint.points.size());

@@ -42,6 +42,7 @@ struct SolidSettings
 {
     double scale = 1; ///< metres a unit of the file
     UpAxis up = UpAxis::z;
+    Vector<3> offset = Vector<3>::Zero(); ///< added to coordinates in metres, z upwards
     std::optional<double> tolerance = {}; ///< [m]; absent: see solidBlocks
     Interfaces interfaces = Interfaces::ignored;
 };

@@ -53,6 +53,14 @@ Solids readBinary(const ImportedFile& file)
                         count, lengthOfHeader + 4 + triangle * static_cast<std::size_t>(count),
                         file.bytes.size()));
     }
+    if (bytes.remaining() >= triangle * (static_cast<std::size_t>(count) + 1))
+    {
+        refuse(
+            file, 0,
+            fmt::format("The file says that it has {} triangles, but it has bytes for {}: write it anew, one "
+                        "solid after the other in one count.",
+                        count, bytes.remaining() / triangle));
+    }
     Solids solids;
     Solid solid;
     double largest = 0;

@@ -187,9 +187,15 @@ private:
             if (!isGroup && !isShape)
             {
                 const std::string_view sheet = name == "style" ? node.text().get() : "";
-                if (sheet.find("display") != sheet.npos || sheet.find("visibility") != sheet.npos)
+                const auto says = [&](std::string_view property)
+                { return sheet.find(property) != sheet.npos; };
+                if (says("display") || says("visibility"))
                 {
                     ++others["style, whose `display` and `visibility` are not read"];
+                }
+                if (says("transform"))
+                {
+                    ++others["style, whose `transform` is not read"];
                 }
                 constexpr std::size_t mostNames = 100;
                 static constexpr std::array<std::string_view, 6> silent{
@@ -206,6 +212,13 @@ private:
             {
                 ++hidden;
                 continue;
+            }
+            const std::string_view moved = styleProperty(node.attribute("style").value(), "transform");
+            if (appearance.isDisplayed && !moved.empty() && moved != "none")
+            {
+                refuse(file, line,
+                       "The style of this element has a transform, which is not read here: write it as an "
+                       "attribute, `transform=\"...\"`, without units.");
             }
             const SvgTransform transform = level.transform * transformOf(node, line);
             if (isGroup)

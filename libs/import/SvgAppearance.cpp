@@ -7,13 +7,10 @@
 
 namespace drystone
 {
-namespace
-{
 
-/// What an element says of a property: in its style, or else by its attribute.
-std::string_view propertyOf(std::string_view style, std::string_view name, std::string_view attribute)
+std::string_view styleProperty(std::string_view style, std::string_view name)
 {
-    std::string_view found = trimmed(attribute);
+    std::string_view found;
     while (!style.empty())
     {
         const std::string_view one = style.substr(0, style.find(';'));
@@ -26,6 +23,16 @@ std::string_view propertyOf(std::string_view style, std::string_view name, std::
         }
     }
     return found;
+}
+
+namespace
+{
+
+/// What an element says of a property: in its style, or else by its attribute.
+std::string_view propertyOf(std::string_view style, std::string_view name, std::string_view attribute)
+{
+    const std::string_view ofStyle = styleProperty(style, name);
+    return ofStyle.empty() ? trimmed(attribute) : ofStyle;
 }
 
 } // namespace

@@ -27,4 +27,7 @@ struct SvgAppearance
     SvgAppearance of(const SvgVisibility& own) const;
 };
 
+/// What a style says of a property, empty where it does not.
+std::string_view styleProperty(std::string_view style, std::string_view name);
+
 } // namespace drystone

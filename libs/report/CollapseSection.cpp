@@ -112,8 +112,9 @@ std::string meaningOfAlpha(const LimitAnalysisCase<Dim>& structure)
     if (structure.movement)
     {
         return fmt::format(
-            "Support {} moves, and there is no live load: alpha is the least reaction [N] with which "
-            "the structure resists its movement, negative where it drives it. Forces between the "
+            "Support {} moves, and there is no live load: alpha is the least reaction [N] of the support "
+            "against its own movement: positive where it gives way to the structure, negative where it "
+            "has to push. Forces between the "
             "blocks balance the loads without tension and with friction, and a mechanism in which the "
             "support moves shows that the reaction is not less (Portioli and Cascini 2016).",
             structure.assembly.supports[static_cast<std::size_t>(structure.movement->support)].name);

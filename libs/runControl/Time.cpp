@@ -127,11 +127,16 @@ std::string faultOfStep(const SteppedTimeControls& controls)
                : "";
 }
 
+constexpr const char* endsBefore =
+    "endTime lies before startTime.\n\nA run goes forward in time: give a later endTime.";
+
+/// Where the run is to start from another time, startTime may be any.
 std::string faultOfEnd(const TimeControls& controls, double endTime)
 {
-    return controls.stopAt != StopAt::endTime || endTime >= controls.startTime
-               ? ""
-               : "endTime lies before startTime.\n\nA run goes forward in time: give a later endTime.";
+    return controls.startFrom == StartFrom::startTime && controls.stopAt == StopAt::endTime
+                   && endTime < controls.startTime
+               ? endsBefore
+               : "";
 }
 
 } // namespace
@@ -203,7 +208,12 @@ Time::Time(const fs::path& caseDirectory, ControlDict presence)
     dictionary = Dictionary::readFileIfPresent(file);
     settings = readControls(dictionary, presence);
 
-    findStart(timeDirectories(caseDirectory));
+    const std::vector<TimeDirectory> times = timeDirectories(caseDirectory);
+    findStart(times);
+    if (times.empty() && settings.stopAt == StopAt::endTime && settings.endTime < settings.startTime)
+    {
+        throw FatalIOError(endsBefore, dictionary.locationOf("endTime"));
+    }
     now = origin = beginning = begin;
     step = settings.deltaT;
     namePrecision = settings.timePrecision;

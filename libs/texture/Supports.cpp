@@ -60,9 +60,11 @@ void rejectBlocksUnderGround(const Assembly<Dim>& assembly, const SourceLocation
         if (boxOf(assembly.blocks[i]).lower[up<Dim>] < -allowed)
         {
             throw FatalIOError(
-                fmt::format("Block {} reaches below {} = 0, where the ground lies. Raise the structure, "
-                            "or fix blocks of it with \"type blocks;\" instead.",
-                            i, Dim == 2 ? "y" : "z"),
+                fmt::format(
+                    "Block {} reaches below {} = 0, where the ground lies, down to {:.6g} m. Raise the "
+                    "structure by as much (`offset ({} {:.6g});` in an import), or fix blocks of it "
+                    "with \"type blocks;\" instead.",
+                    i, Dim == 2 ? "y" : "z", box.lower[up<Dim>], Dim == 2 ? "0" : "0 0", -box.lower[up<Dim>]),
                 place);
         }
     }

@@ -135,106 +135,173 @@ std::size_t columnIndex(const RecordText& text, std::size_t line, const Column& 
                                : fmt::format("The titles are:{}.", list));
 }
 
+/// The rows of a file, and what its first one says.
+struct Table
+{
+    const RecordText& text;
+    std::size_t first = 0; ///< line that is no comment
+    char separator = ' ';
+    std::size_t width = 0;                ///< columns of the first row that are not empty
+    std::vector<std::string_view> titles; ///< none where that has a number
+
+    bool isTitled() const { return !titles.empty(); }
+    std::string unitOf(std::size_t column) const
+    {
+        return column < titles.size() ? titleAndUnit(titles[column]).second : "";
+    }
+};
+
+Table tableOf(const RecordText& text)
+{
+    Table table{text, 0, ' ', 0, {}};
+    while (table.first < text.lines.size() && skipped(text.lines[table.first]))
+    {
+        ++table.first;
+    }
+    if (table.first == text.lines.size())
+    {
+        text.refuse(0, "The record holds comments only.", "Get a complete copy of it.");
+    }
+    const std::string_view row = text.lines[table.first];
+    for (const char candidate : {'\t', ',', ';'}) // the last one found counts
+    {
+        table.separator = row.find(candidate) != std::string_view::npos ? candidate : table.separator;
+    }
+    const std::vector<std::string_view> content = cells(row, table.separator);
+    table.width = static_cast<std::size_t>(
+        std::count_if(content.begin(), content.end(), [](std::string_view cell) { return !cell.empty(); }));
+    if (std::none_of(content.begin(), content.end(),
+                     [&](std::string_view cell)
+                     { return numberOf(withDecimalPoint(cell, table.separator)).has_value(); }))
+    {
+        table.titles = content;
+    }
+    return table;
+}
+
+/// A step that is declared is one, of a file without times.
+void refuseTimeStep(const Table& table, double timeStep)
+{
+    if (!(timeStep > 0 && std::isfinite(timeStep)))
+    {
+        table.text.refuse(table.first,
+                          fmt::format("The declared time step is {} s; a time step is positive.", timeStep),
+                          "Correct `timeStep`.");
+    }
+    const auto times = std::find_if(table.titles.begin(), table.titles.end(), isOfTimes);
+    if (times != table.titles.end())
+    {
+        table.text.refuse(table.first,
+                          fmt::format("The column '{}' has the times of this file, and timeStep {} is given.",
+                                      *times, timeStep),
+                          "Remove `timeStep`.");
+    }
+}
+
+std::size_t accelerationColumn(const Table& table, const CsvLayout& layout)
+{
+    if (layout.accelerationColumn)
+    {
+        return columnIndex(table.text, table.first, *layout.accelerationColumn, table.titles);
+    }
+    if (layout.timeStep != 0 && table.width > 1)
+    {
+        table.text.refuse(
+            table.first,
+            fmt::format(
+                "The file has {} columns, and timeStep {} says that none of them has the times: which "
+                "of them has the accelerations is not known.",
+                table.width, layout.timeStep),
+            "Write for instance `accelerationColumn 1;` (counted from 0); or remove `timeStep` where the "
+            "first "
+            "column has the times.");
+    }
+    return layout.timeStep != 0 ? 0 : 1;
+}
+
+/// Where a row has its time and its acceleration, and in which units.
+struct Columns
+{
+    bool hasTimes;
+    std::size_t time; ///< where there are times
+    std::size_t acceleration;
+    double second; ///< the unit of times [s]
+    double factor; ///< the unit of accelerations [m/s2]
+
+    std::size_t needed() const { return std::max(hasTimes ? time : 0, acceleration) + 1; }
+};
+
+void addRow(const Table& table, std::size_t line, const Columns& columns, double timeStep, Record& record)
+{
+    const auto row = cells(table.text.lines[line], table.separator);
+    if (row.size() < columns.needed())
+    {
+        table.text.refuse(line,
+                          fmt::format("The row has {} columns; column {} (counted from 0) is wanted.",
+                                      row.size(), columns.needed() - 1),
+                          columns.hasTimes && row.size() == 1
+                              ? "Complete the row, or, where the file has accelerations alone, give their "
+                                "interval, for instance `timeStep 0.01;`."
+                              : "Complete the row, or correct the choice of columns.");
+    }
+    const auto value = [&](std::size_t column, double unit)
+    { return finiteNumber(table.text, line, withDecimalPoint(row[column], table.separator), unit) * unit; };
+    const double time = columns.hasTimes ? value(columns.time, columns.second)
+                                         : static_cast<double>(record.times.size()) * timeStep;
+    if (!record.times.empty() && !(time > record.times.back()))
+    {
+        table.text.refuse(
+            line, fmt::format("The time {} s is not after the one before, {} s.", time, record.times.back()),
+            "Times must increase from row to row.");
+    }
+    record.times.push_back(time);
+    record.accelerations.push_back(value(columns.acceleration, columns.factor));
+}
+
 } // namespace
 
 Record readCsvRecord(const std::filesystem::path& file, const CsvLayout& layout)
 {
     RecordText text;
     load(file, text);
-
-    std::size_t first = 0;
-    while (first < text.lines.size() && skipped(text.lines[first]))
+    const Table table = tableOf(text);
+    const bool hasTimes = layout.timeStep == 0;
+    if (!hasTimes)
     {
-        ++first;
+        refuseTimeStep(table, layout.timeStep);
     }
-    if (first == text.lines.size())
-    {
-        text.refuse(0, "The record holds comments only.", "Get a complete copy of it.");
-    }
-    char separator = ' ';
-    for (const char candidate : {'\t', ',', ';'})
-    { // the last one found counts
-        if (text.lines[first].find(candidate) != std::string_view::npos)
-        {
-            separator = candidate;
-        }
-    }
-
-    const auto firstCells = cells(text.lines[first], separator);
-    const bool titled = std::none_of(firstCells.begin(), firstCells.end(),
-                                     [&](std::string_view cell)
-                                     { return numberOf(withDecimalPoint(cell, separator)).has_value(); });
-    const auto titles = titled ? firstCells : std::vector<std::string_view>{};
-    const bool equalSteps = layout.timeStep != 0;
-    if (equalSteps && !(layout.timeStep > 0 && std::isfinite(layout.timeStep)))
-    {
-        text.refuse(first,
-                    fmt::format("The declared time step is {} s; a time step is positive.", layout.timeStep),
-                    "Correct `timeStep`.");
-    }
-    if (const auto times = std::find_if(titles.begin(), titles.end(), isOfTimes);
-        equalSteps && times != titles.end())
-    {
-        text.refuse(first,
-                    fmt::format("The column '{}' has the times of this file, and timeStep {} is given.",
-                                *times, layout.timeStep),
-                    "Remove `timeStep`.");
-    }
-    const std::size_t timeColumn = equalSteps ? 0 : columnIndex(text, first, layout.timeColumn, titles);
-    const std::size_t valueColumn = columnIndex(text, first, layout.accelerationColumn, titles);
-    const std::string unitFound =
-        titled && valueColumn < titles.size() ? titleAndUnit(titles[valueColumn]).second : "";
+    Columns columns{hasTimes, 0, 0, 1, 1};
+    columns.time = hasTimes ? columnIndex(text, table.first, layout.timeColumn, table.titles) : 0;
+    columns.acceleration = accelerationColumn(table, layout);
 
     Record record;
     record.file = file;
     record.title = file.filename().string();
     // Numbers of a table without any unit are SI, as all others of a case; what is printed of the record says
     // so.
+    const std::string unitFound = table.unitOf(columns.acceleration);
     record.unitIsAssumed = layout.unit.empty() && unitFound.empty();
-    record.unit = record.unitIsAssumed ? "m/s2" : settledUnit(text, first, layout.unit, unitFound);
-    const double factor = accelerationUnit(record.unit);
-    const std::string unitOfTimes =
-        !equalSteps && timeColumn < titles.size() ? titleAndUnit(titles[timeColumn]).second : "";
-    const double second = timeUnit(unitOfTimes);
-    if (second == 0)
+    record.unit = record.unitIsAssumed ? "m/s2" : settledUnit(text, table.first, layout.unit, unitFound);
+    columns.factor = accelerationUnit(record.unit);
+    const std::string unitOfTimes = hasTimes ? table.unitOf(columns.time) : "";
+    columns.second = timeUnit(unitOfTimes);
+    if (columns.second == 0)
     {
-        text.refuse(first, fmt::format("The times are in '{}', which is not a unit of time.", unitOfTimes),
+        text.refuse(table.first,
+                    fmt::format("The times are in '{}', which is not a unit of time.", unitOfTimes),
                     "Give them in s, ms, us, min or h.");
     }
-    const std::size_t needed = std::max(equalSteps ? 0 : timeColumn, valueColumn) + 1;
-    for (std::size_t i = titled ? first + 1 : first; i < text.lines.size(); ++i)
+    for (std::size_t line = table.isTitled() ? table.first + 1 : table.first; line < text.lines.size();
+         ++line)
     {
-        if (skipped(text.lines[i]))
+        if (!skipped(text.lines[line]))
         {
-            continue;
+            addRow(table, line, columns, layout.timeStep, record);
         }
-        const auto row = cells(text.lines[i], separator);
-        if (row.size() < needed)
-        {
-            text.refuse(i,
-                        fmt::format("The row has {} columns; column {} (counted from 0) is wanted.",
-                                    row.size(), needed - 1),
-                        !equalSteps && row.size() == 1
-                            ? "Complete the row, or, where the file has accelerations alone, give their "
-                              "interval, for instance `timeStep 0.01;`."
-                            : "Complete the row, or correct the choice of columns.");
-        }
-        const auto value = [&](std::size_t column, double unitFactor = 1)
-        { return finiteNumber(text, i, withDecimalPoint(row[column], separator), unitFactor); };
-        const double time = equalSteps ? static_cast<double>(record.times.size()) * layout.timeStep
-                                       : value(timeColumn, second) * second;
-        if (!record.times.empty() && !(time > record.times.back()))
-        {
-            text.refuse(
-                i, fmt::format("The time {} s is not after the one before, {} s.", time, record.times.back()),
-                "Times must increase from row to row.");
-        }
-        record.times.push_back(time);
-        record.accelerations.push_back(value(valueColumn, factor) * factor);
     }
     if (record.times.empty())
     {
-        text.refuse(first, "The record has titles and no values.", "Get a complete copy of it.");
+        text.refuse(table.first, "The record has titles and no values.", "Get a complete copy of it.");
     }
     return record;
 }

@@ -28,116 +28,146 @@ int rateForGsl(double time, const double state[], double rate[], void* problem)
     return GSL_SUCCESS;
 }
 
-} // namespace
-
-EventOutcome integrateToEvent(const EventProblem& problem, double start, std::vector<double> state,
-                              double end, const EventTolerance& tolerance)
+/// GSL's method of order 8 for a problem, with steps that it chooses.
+class Integrator
 {
-    const std::size_t size = state.size();
-    gsl_odeiv2_system system{rateForGsl, nullptr, size, const_cast<EventProblem*>(&problem)};
-    const std::unique_ptr<gsl_odeiv2_step, FreeStepper> step(
-        gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, size));
-    const std::unique_ptr<gsl_odeiv2_control, FreeStepper> control(
-        gsl_odeiv2_control_y_new(tolerance.absolute, tolerance.relative));
-    const std::unique_ptr<gsl_odeiv2_evolve, FreeStepper> evolve(gsl_odeiv2_evolve_alloc(size));
+public:
+    Integrator(const EventProblem& ofEvent, std::size_t size, const EventTolerance& tolerance)
+        : problem(ofEvent),
+          system{rateForGsl, nullptr, size, const_cast<EventProblem*>(&ofEvent)},
+          step(gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, size)),
+          control(gsl_odeiv2_control_y_new(tolerance.absolute, tolerance.relative)),
+          evolve(gsl_odeiv2_evolve_alloc(size))
+    {
+    }
 
-    double time = start;
-    double length = std::min(tolerance.longestStep, 1e-3);
-    while (time < end)
+    /// One step towards `end`. \param length that is tried, and then that the next should have
+    void advance(double end, double& time, double& length, std::vector<double>& state)
     {
         const double before = time;
-        const std::vector<double> stateBefore = state;
-        length = std::min(length, tolerance.longestStep);
         const int status = gsl_odeiv2_evolve_apply(evolve.get(), control.get(), step.get(), &system, &time,
                                                    end, &length, state.data());
         if (status != GSL_SUCCESS || !(time > before))
         {
             throw std::runtime_error("the integration tolerance asks for steps too short to advance time");
         }
-        if (problem.event(time, state.data()) >= 0)
+    }
+
+    double event(double time, const std::vector<double>& state) const
+    {
+        return problem.event(time, state.data());
+    }
+
+    /// The state after one step of a given length.
+    std::vector<double> after(double time, std::vector<double> state, double length)
+    {
+        if (length > 0)
+        {
+            std::vector<double> error(state.size());
+            gsl_odeiv2_step_apply(step.get(), time, length, state.data(), error.data(), nullptr, nullptr,
+                                  &system);
+        }
+        return state;
+    }
+
+private:
+    const EventProblem& problem;
+    gsl_odeiv2_system system;
+    std::unique_ptr<gsl_odeiv2_step, FreeStepper> step;
+    std::unique_ptr<gsl_odeiv2_control, FreeStepper> control;
+    std::unique_ptr<gsl_odeiv2_evolve, FreeStepper> evolve;
+};
+
+/// Two parts of a step between which the event's function passes zero downwards, and its values there.
+struct Bracket
+{
+    double low;
+    double high;
+    double lowValue;  ///< > 0 if there is a bracket
+    double highValue; ///< <= 0
+};
+
+/// An event at the very start (a block that has just hit the ground) is not the one sought: a point inside
+/// is, where the function is positive.
+template<class Event>
+Bracket bracketOf(const Event& event, double length)
+{
+    constexpr int mostHalvings = 80;
+    Bracket bracket{0, length, event(0), event(length)};
+    for (int halving = 0; bracket.lowValue <= 0 && halving < mostHalvings; ++halving)
+    {
+        const double middle = 0.5 * bracket.high;
+        const double value = event(middle);
+        (value > 0 ? bracket.low : bracket.high) = middle;
+        (value > 0 ? bracket.lowValue : bracket.highValue) = value;
+    }
+    return bracket;
+}
+
+/// The Illinois variant of the false position: always bracketed, and faster than bisection. \param scale of
+/// the instants that are distinguished \return the upper end of what is left
+template<class Event>
+double zeroWithin(const Event& event, Bracket bracket, double scale)
+{
+    constexpr int mostIterations = 100;
+    constexpr double rounding = 1e-16;
+    auto& [low, high, lowValue, highValue] = bracket;
+    const auto isInside = [&bracket](double part) { return part > bracket.low && part < bracket.high; };
+    int side = 0; // that moved last: 1 the lower
+    for (int iteration = 0; iteration < mostIterations && high - low > rounding * scale; ++iteration)
+    {
+        double middle = (low * highValue - high * lowValue) / (highValue - lowValue);
+        middle = isInside(middle) ? middle : 0.5 * (low + high);
+        if (!isInside(middle))
+        {
+            break;
+        }
+        const double value = event(middle);
+        const bool isBefore = value > 0;
+        const int moves = isBefore ? 1 : -1;
+        (isBefore ? low : high) = middle;
+        (isBefore ? lowValue : highValue) = value;
+        if (side == moves)
+        {
+            (isBefore ? highValue : lowValue) *= 0.5;
+        }
+        side = moves;
+        if (value == 0)
+        {
+            break;
+        }
+    }
+    return high;
+}
+
+} // namespace
+
+EventOutcome integrateToEvent(const EventProblem& problem, double start, std::vector<double> state,
+                              double end, const EventTolerance& tolerance)
+{
+    constexpr double firstStep = 1e-3;
+    Integrator integrator(problem, state.size(), tolerance);
+    double time = start;
+    double length = firstStep;
+    while (time < end)
+    {
+        const double before = time;
+        const std::vector<double> stateBefore = state;
+        length = std::min(length, tolerance.longestStep);
+        integrator.advance(end, time, length, state);
+        if (integrator.event(time, state) >= 0)
         {
             continue;
         }
-
-        // The event lies within this step. `after` gives the state at a part of it.
-        std::vector<double> trial(size);
-        std::vector<double> error(size);
-        const auto after = [&](double h)
-        {
-            trial = stateBefore;
-            if (h > 0)
-            {
-                gsl_odeiv2_step_apply(step.get(), before, h, trial.data(), error.data(), nullptr, nullptr,
-                                      &system);
-            }
-            return problem.event(before + h, trial.data());
-        };
-        double high = time - before;
-        double low = 0;
-        double highValue = after(high);
-        double lowValue = after(0);
-        // An event at the very start (a block that has just hit the ground) is not the one sought: look for a
-        // point inside where the function is positive. If there is none, the event happens at once.
-        for (int halving = 0; lowValue <= 0 && halving < 80; ++halving)
-        {
-            const double middle = 0.5 * high;
-            const double value = after(middle);
-            if (value > 0)
-            {
-                low = middle;
-                lowValue = value;
-            }
-            else
-            {
-                high = middle;
-                highValue = value;
-            }
-        }
-        if (lowValue <= 0)
+        const auto eventAfter = [&](double part)
+        { return integrator.event(before + part, integrator.after(before, stateBefore, part)); };
+        const Bracket bracket = bracketOf(eventAfter, time - before);
+        if (bracket.lowValue <= 0) // at once
         {
             return {before, stateBefore, true};
         }
-        // Illinois variant of the false position: always bracketed, and faster than bisection
-        int side = 0;
-        for (int iteration = 0; iteration < 100 && high - low > 1e-16 * (1 + before); ++iteration)
-        {
-            double middle = (low * highValue - high * lowValue) / (highValue - lowValue);
-            if (!(middle > low && middle < high))
-            {
-                middle = 0.5 * (low + high);
-            }
-            if (!(middle > low && middle < high))
-            {
-                break;
-            }
-            const double value = after(middle);
-            if (value > 0)
-            {
-                low = middle;
-                lowValue = value;
-                if (side == 1)
-                {
-                    highValue *= 0.5;
-                }
-                side = 1;
-            }
-            else
-            {
-                high = middle;
-                highValue = value;
-                if (side == -1)
-                {
-                    lowValue *= 0.5;
-                }
-                side = -1;
-                if (value == 0)
-                {
-                    break;
-                }
-            }
-        }
-        after(high);
-        return {before + high, trial, true};
+        const double part = zeroWithin(eventAfter, bracket, 1 + before);
+        return {before + part, integrator.after(before, stateBefore, part), true};
     }
     return {end, state, false};
 }

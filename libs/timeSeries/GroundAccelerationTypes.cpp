@@ -259,7 +259,7 @@ DescribedAcceleration preparedRecord(const RecordMotion& motion, const std::file
         layout.timeStep = motion.timeStep;
         layout.unit = unit;
         layout.timeColumn = motion.timeColumn.value_or(0);
-        layout.accelerationColumn = motion.accelerationColumn.value_or(motion.timeStep > 0 ? 0 : 1);
+        layout.accelerationColumn = motion.accelerationColumn;
         record = readCsvRecord(file, layout);
     }
     const std::size_t count = record.times.size();
@@ -351,7 +351,8 @@ void declare(Options& options, RecordMotion& settings)
         "of a csv file: its position counted from 0, or its title; the first one when absent; in "
         "seconds, or in the unit of its title, as in `time [ms]`");
     options.optional("accelerationColumn", settings.accelerationColumn,
-                     "of a csv file: its position counted from 0, or its title; the second one when absent");
+                     "of a csv file: its position counted from 0, or its title; absent: the second one, with "
+                     "timeStep the only one");
     options
         .optional("timeStep", settings.timeStep, "of a csv file without a column of times; 0 when it has one")
         .unit("s")
@@ -374,6 +375,19 @@ void declare(Options& options, RecordMotion& settings)
                       }
                       return "";
                   });
+    const auto ofCsvOnly = [&settings](bool isGiven, std::string_view key)
+    {
+        return isGiven && settings.format == RecordFormat::PEER_AT2 ? fmt::format(
+                   "A record in the format PEER_AT2 has its interval in its header, and no columns: "
+                   "remove {}, or write `format csv;`.",
+                   key)
+                                                                    : std::string();
+    };
+    options.check("timeStep", [=, &settings] { return ofCsvOnly(settings.timeStep > 0, "timeStep"); });
+    options.check("timeColumn",
+                  [=, &settings] { return ofCsvOnly(settings.timeColumn.has_value(), "timeColumn"); });
+    options.check("accelerationColumn", [=, &settings]
+                  { return ofCsvOnly(settings.accelerationColumn.has_value(), "accelerationColumn"); });
     options.check("unit",
                   [&settings]() -> std::string
                   {

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -51,7 +52,7 @@ using Column = std::variant<int, std::string>;
 struct CsvLayout
 {
     Column timeColumn = 0;
-    Column accelerationColumn = 1;
+    std::optional<Column> accelerationColumn = {}; ///< none: the second one, with `timeStep` the only one
     /// Interval of equally spaced values, for a file without a column of times [s]; 0: times are in
     /// `timeColumn`, in the unit of its title, as in `time [ms]`, else in seconds
     double timeStep = 0;

@@ -228,6 +228,14 @@ TEST(GroundMotionDictionary, SaysWhatIsWrongAndWhere)
         HasSubstr("remove one"));
     EXPECT_THAT(refusalOf("direction (1 0 0); acceleration { type record; file x; format AT2; }"),
                 HasSubstr("PEER_AT2"));
+    // What only files of another format have.
+    for (const std::string key : {"timeStep 0.02;", "timeColumn time;", "accelerationColumn 0;"})
+    {
+        EXPECT_THAT(
+            refusalOf("direction (1 0 0); acceleration { type record; file x; format PEER_AT2; " + key
+                      + " }"),
+            testing::AllOf(HasSubstr("remove " + key.substr(0, key.find(' '))), HasSubstr("`format csv;`")));
+    }
 }
 
 TEST_F(GroundMotionTest, DictionaryReadsARecordRelativeToTheCase)
@@ -273,6 +281,23 @@ TEST(GroundMotionDictionary, EveryTypeDescribesItsKeys)
     const std::string text =
         annotatedDictionary("groundMotion", "How the ground moves.", describeOptions<GroundMotionSettings>());
     EXPECT_THAT(text, testing::AllOf(HasSubstr("rectangularPulse"), HasSubstr("peakAcceleration")));
+}
+
+// What is out of the plane would move nothing, or be a part of the motion less.
+TEST(GroundMotionFile, ADirectionOutOfThePlaneIsRefusedThere)
+{
+    for (const std::string direction : {"(0 0 1)", "(1 0 1)"})
+    {
+        const std::string ofOne = "direction " + direction + "; acceleration { type constant; value 1; }";
+        for (const std::string& text : {ofOne, "components { up { " + ofOne + " } }"})
+        {
+            const Dictionary dictionary = Dictionary::readString(text, "constant/groundMotion");
+            EXPECT_EQ(readGroundMotion(dictionary, ".", 3).components.size(), 1u);
+            EXPECT_THAT(
+                [&] { readGroundMotion(dictionary, ".", 2); },
+                testing::ThrowsMessage<FatalError>(HasSubstr("third component of direction must be 0")));
+        }
+    }
 }
 
 // Upwards in the plane, level in space if a zero were added.

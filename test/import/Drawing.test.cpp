@@ -405,6 +405,21 @@ TEST(Svg, FaultsAreNamedWithTheirLine)
     EXPECT_THAT(reportOfSvg(deep), HasSubstr("nested deeper"));
 }
 
+TEST(Svg, ATransformInAStyleIsNotPassedOver)
+{
+    const std::string rect = "<rect width=\"1\" height=\"1\" ";
+    const std::string moved = "style=\"fill: red; transform: translate(1px, 0)\"";
+    EXPECT_THAT(reportOf([&] { readVector(rect + moved + "/>"); }), HasSubstr("`transform=\"...\"`"));
+    EXPECT_THAT(reportOf([&] { readVector("<g " + moved + ">" + rect + "/></g>"); }),
+                HasSubstr("`transform=\"...\"`"));
+    EXPECT_EQ(readVector(rect + "style=\"transform: none\"/>").outlines.size(), 1u);
+    EXPECT_EQ(
+        readVector(rect + "style=\"transform: scale(2); display: none\"/>" + rect + "/>").outlines.size(),
+        1u);
+    EXPECT_THAT(readVector("<style>.a { transform: scale(2) }</style>" + rect + "class=\"a\"/>").ignored,
+                testing::ElementsAre(HasSubstr("style, whose `transform` is not read")));
+}
+
 TEST(Drawing, OutlinesThatAreNoBlocksAreNamedWithTheirLine)
 {
     Drawing drawing;
@@ -416,6 +431,36 @@ TEST(Drawing, OutlinesThatAreNoBlocksAreNamedWithTheirLine)
     EXPECT_EQ(drawnBlocks(drawing, settings, fileOf("")).blocks.size(), 1u);
     settings.scale = 1e9;
     EXPECT_THAT(reportOf([&] { drawnBlocks(drawing, settings, fileOf("")); }), HasSubstr("smaller scale"));
+}
+
+TEST(Drawing, ALayerWithoutOutlinesIsRefusedBesideOthers)
+{
+    Drawing drawing;
+    drawing.outlines = {{{{0, 0}, {1, 0}, {1, 1}}, "stone", 3}, {{{2, 0}, {3, 0}, {3, 1}}, "brick", 9}};
+    DrawingSettings settings;
+    settings.layers = {"stone", "brik"};
+    EXPECT_THAT(reportOf([&] { drawnBlocks(drawing, settings, fileOf("")); }),
+                AllOf(HasSubstr("brik. Did you mean brick?"), HasSubstr("brick stone")));
+    settings.layers = {"stone", "brick"};
+    EXPECT_EQ(drawnBlocks(drawing, settings, fileOf("")).blocks.size(), 2u);
+}
+
+TEST(Drawing, WithoutOutlinesSaysWhatThereIs)
+{
+    Drawing drawing;
+    drawing.ignored = {"4 entities LINE", "1 open polylines"};
+    EXPECT_THAT(reportOf([&] { drawnBlocks(drawing, {}, fileOf("")); }),
+                AllOf(HasSubstr("no closed outline"), HasSubstr("4 entities LINE, 1 open polylines")));
+}
+
+TEST(Drawing, AnOffsetIsInMetres)
+{
+    Drawing drawing;
+    drawing.outlines = {{{{0, -200}, {100, -200}, {0, 0}}, "", 0}};
+    DrawingSettings settings;
+    settings.scale = 0.01;
+    settings.offset = {1, 2};
+    EXPECT_TRUE(drawnBlocks(drawing, settings, fileOf("")).blocks[0].outline[1].isApprox(Vector<2>(2, 0)));
 }
 
 // An array of inserts without a distance between them drew 9,086 outlines in one place, each pair of which

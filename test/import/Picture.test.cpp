@@ -2,6 +2,10 @@
 /// Stones of pictures that are drawn with letters.
 #include "import/plane/Picture.h"
 
+#include "ImportTesting.h"
+#include "import/plane/Photograph.h"
+
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -87,6 +91,27 @@ TEST(Picture, WhatOpensToTheOutsideOrToTwoStonesIsNoHole)
 TEST(Picture, WithoutStonesHasNone)
 {
     EXPECT_EQ(stonesOf({"...", "..."}).count, 0);
+}
+
+// A point that is not in the picture makes its scale wrong.
+TEST(Photograph, PointsOfKnownDistanceAreInThePicture)
+{
+    const std::filesystem::path tutorial =
+        std::filesystem::path(DRYSTONE_SOURCE_DIR) / "tutorials/limitAnalysis/photographedRubble";
+    Photograph photograph;
+    photograph.file = "constant/triSurface/wall.png";
+    photograph.distance = 3.5;
+    const auto report = [&](const Vector<2>& first, const Vector<2>& second)
+    {
+        photograph.points = {first, second};
+        return test::reportOf([&] { makeAssembly(photograph, tutorial, {}); });
+    };
+    EXPECT_EQ(report({30, 295}, {450, 295}), "no error");
+    for (const Vector<2>& outside : {Vector<2>(45000, 295), Vector<2>(450, 2950), Vector<2>(-450, 295)})
+    {
+        EXPECT_THAT(report({30, 295}, outside),
+                    testing::HasSubstr("outside of this picture of 480 x 320 pixels"));
+    }
 }
 
 } // namespace

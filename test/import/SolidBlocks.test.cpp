@@ -254,6 +254,10 @@ TEST(SolidBlocks, ScaleAndUpAxis)
     const VolumeProperties volume = volumeProperties(assembly.blocks.front().shape);
     EXPECT_NEAR(volume.volume, 6, 1e-12);
     EXPECT_LE((volume.centroid - Vector<3>(0.5, -1.5, 1)).norm(), 1e-12);
+    settings.offset = {10, 20, 30};
+    const Assembly<3> moved = solidBlocks(solidsOf({makeBox({0, 0, 0}, {1000, 2000, 3000})}), settings, file);
+    EXPECT_LE((volumeProperties(moved.blocks.front().shape).centroid - Vector<3>(10.5, 18.5, 31)).norm(),
+              1e-12);
 }
 
 TEST(SolidBlocks, FaultsNameTheBlock)

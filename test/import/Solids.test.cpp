@@ -223,6 +223,11 @@ TEST(Stl, BothFormsSayTheSame)
     EXPECT_THAT(reportOf([&] { readStl(fileOf("solid x\nendsolid x\n")); }), HasSubstr("no triangle"));
     EXPECT_THAT(reportOf([&] { readStl(fileOf(binaryStl({cube}).substr(0, 300))); }),
                 HasSubstr("complete copy"));
+    // A count that was not raised when a second solid was added.
+    std::string two = binaryStl({cube, cube});
+    two.replace(80, 4, binaryStl({cube}), 80, 4);
+    EXPECT_THAT(reportOf([&] { readStl(fileOf(two)); }),
+                AllOf(HasSubstr("12 triangles"), HasSubstr("for 24")));
 }
 
 /// A mesh as COMPAS writes it. \param wrapping `data` or `value`

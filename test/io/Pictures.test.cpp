@@ -174,6 +174,38 @@ TEST(MechanismPicture, DrawsALoadAtItsPlaceOnTheMovedBlock)
     EXPECT_EQ(built[0][0], built[0][2]);
 }
 
+TEST(MechanismPicture, DrawsASupportThatSinksWhereItIs)
+{
+    Assembly<2> assembly;
+    assembly.supports.push_back({"pad", "blocks"});
+    assembly.blocks.push_back({{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 1, -1});
+    assembly.blocks.push_back({{{0, -0.5}, {1, -0.5}, {1, 0}, {0, 0}}, 1, 0});
+    const Vector<2> down(0, -0.2);
+    const std::string svg = mechanismSvg(assembly, {{down, 0}, {down, 0}}, {});
+    keep("sinking.svg", svg);
+    ASSERT_TRUE(parsed(svg));
+    // Lowest and highest y of the polygons with a style, downwards.
+    const auto rangeOf = [&](const std::string& style)
+    {
+        const std::size_t end = svg.find(style);
+        const std::size_t begin = svg.rfind("points=\"", end);
+        std::istringstream points(svg.substr(begin + 8, end - begin));
+        Vector<2> range(HUGE_VAL, -HUGE_VAL);
+        double x = 0, y = 0;
+        for (char comma = 0; points >> x >> comma >> y;)
+        {
+            range = {std::min(range[0], y), std::max(range[1], y)};
+        }
+        return range;
+    };
+    const Vector<2> pad = rangeOf("url(#fixed)");
+    const Vector<2> block = rangeOf("stroke=\"#3b2a22\"");
+    EXPECT_GT(block[1] - block[0], 50);
+    EXPECT_NEAR(pad[0], block[1], 0.011); // the block still stands on it
+    const Vector<2> built = rangeOf("stroke-dasharray=\"5 4\"");
+    EXPECT_NEAR(built[0], pad[0] - 0.2 * (block[1] - block[0]), 0.03);
+}
+
 TEST(MechanismPicture, OfALargeWallIsAreasWithoutJointsBelowAMegabyte)
 {
     const Assembly<2> wall = test::wall(160, 160);

@@ -509,7 +509,13 @@ TEST_F(TimeCase, NamesWhatIsWrongWithAControlDict)
     EXPECT_THAT(failure("endTime 1; deltaT 0.1; startFrom lastTime;"), HasSubstr("latestTime"));
     EXPECT_THAT(failure("endTime 1; deltaT 0.1; writeInterval 0.5;"), HasSubstr("whole number"));
     EXPECT_THAT(failure("endTime 1; deltaT 0.1; writeControl writeTime;"), HasSubstr("function objects"));
-    EXPECT_THAT(failure("startTime 2; endTime 1; deltaT 0.1;"), HasSubstr("endTime lies before startTime"));
+    EXPECT_THAT(failure("startTime 2;\nendTime 1; deltaT 0.1;"),
+                testing::AllOf(HasSubstr("endTime lies before startTime"), HasSubstr("at line 2.")));
+    fs::create_directories(directory / "0.5"); // from where a run starts unless it says startTime
+    EXPECT_THAT(failure("startTime 2; endTime 1; deltaT 0.1;"), "no failure");
+    EXPECT_THAT(failure("startTime 2; endTime 1; deltaT 0.1; startFrom firstTime;"), "no failure");
+    EXPECT_THAT(failure("startTime 2; endTime 1; deltaT 0.1; startFrom startTime;"),
+                HasSubstr("endTime lies before startTime"));
     EXPECT_THAT(failure("endTime 1; deltaT nan;"), HasSubstr("deltaT"));
     EXPECT_THAT(failure("endTime 1; deltaT 0.1; functions { energy { type energy; } }"), "no failure");
 }

@@ -421,6 +421,14 @@ TEST(CsvReader, RefusesATimeStepBesideAColumnOfTimes)
 TEST(CsvReader, NamesTheTimeStepWhereThereIsOneColumn)
 {
     EXPECT_THAT(csvRefusal("0\n1\n", {0, 1, 0, "g"}), HasSubstr("`timeStep 0.01;`"));
+    // Which of two columns has the accelerations is not guessed; one that is empty is none.
+    for (const std::string rows : {"0.00, 0.1\n0.01, 0.2\n", "count, a [g]\n1, 0.1\n2, 0.2\n"})
+    {
+        EXPECT_THAT(csvRefusal(rows, {.timeStep = 0.01, .unit = "g"}),
+                    AllOf(HasSubstr("2 columns"), HasSubstr("`accelerationColumn 1;`")));
+        EXPECT_EQ(csv(rows, {0, 1, 0.01, "g"}).accelerations.at(1), 0.2 * accelerationUnit("g"));
+    }
+    EXPECT_EQ(csv("0.1,\n0.2,\n", {.timeStep = 0.01, .unit = "g"}).times.at(1), 0.01);
 }
 
 TEST(CsvReader, RefusesBrokenRecordsWithTheirLine)

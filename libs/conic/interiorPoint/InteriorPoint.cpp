@@ -243,6 +243,75 @@ bool answerWithoutForces(const ConeProgram<Rows, Forces>& program, double tolera
     return true;
 }
 
+/// Where the multiplier has passed what structures bear: without limit if that is proved, else again with
+/// room for it. \param solve for an aim \return whether it is proved to have no limit
+template<int Rows, int Forces, class Solve>
+bool isWithoutLimit(const ConeProgram<Rows, Forces>& program, const InteriorPointSettings& settings,
+                    SymbolicAnalysis& symbolic, const Solve& solve, Proved& proved)
+{
+    ConeSolution& growing = proved.solution;
+    if (isLargeMultiplierCarried(program, settings, symbolic, growing)
+        && proveUnbounded(program, settings, symbolic, growing))
+    {
+        return true;
+    }
+    // First in units of what breaks a point, then as iterates only passed such a multiplier.
+    const std::vector<double> expected =
+        program.hasStrength() ? std::vector<double>{growing.multiplier, 0} : std::vector<double>{0};
+    for (const double multiplier : expected)
+    {
+        Proved farther = solve({Sought::farther, multiplier});
+        addWork(farther.solution, proved.solution);
+        proved = std::move(farther);
+        if (proved.worst <= settings.tolerance)
+        {
+            break;
+        }
+    }
+    return false;
+}
+
+/// Where the iterations have found no optimum: that nothing balances the loads, or any multiple of the live
+/// load, or what extended precision, an active set and upper bounds say. \param solution gets the work, and
+/// what is answered with its status
+template<int Rows, int Forces>
+void answerWithoutOptimum(const ConeProgram<Rows, Forces>& program, const InteriorPointSettings& settings,
+                          SymbolicAnalysis& symbolic, ConeSolution& solution)
+{
+    // Least r with r + A c = f + alpha L: where it does not vanish, y = Mbar^-1 r proves that nothing
+    // balances f, since the optimality conditions are -A'y in the dual cone, L'y = 0 and f'y = r' Mbar^-1 r >
+    // 0.
+    const ConeProgram<Rows, Forces> moving = withUnitInertia(program);
+    const Proved moved = solveToCertificate(
+        moving, settings, {Sought::fall}, symbolic,
+        [&](const ConeSolution& found) { return certifyInfeasible(program, found.displacement).worst(); });
+    addWork(solution, moved.solution);
+    if (moved.worst <= settings.tolerance)
+    {
+        solution.status = SolveStatus::infeasible;
+        solution.displacement = moved.solution.displacement;
+        return;
+    }
+    answerInExtendedPrecision(program, settings, symbolic, solution);
+    if (solution.status != SolveStatus::notConverged)
+    {
+        return;
+    }
+    if (isBalanceAlone(program) && !program.hasCrushing())
+    {
+        answerExactly(program, moving, moved.solution, settings, symbolic, solution);
+    }
+    if (!program.hasMultiplier())
+    {
+        return;
+    }
+    proveUnbounded(program, settings, symbolic, solution);
+    if (solution.status == SolveStatus::notConverged)
+    {
+        boundMultiplier(program, settings, solution);
+    }
+}
+
 template<int Rows, int Forces>
 ConeSolution solveAndProve(const ConeProgram<Rows, Forces>& program, const InteriorPointSettings& settings,
                            SymbolicAnalysis* kept, const ConeSolution* near)
@@ -274,29 +343,12 @@ ConeSolution solveAndProve(const ConeProgram<Rows, Forces>& program, const Inter
             [&](ConeSolution& found) { return worstOfOptimum(program, found); }, near);
     };
     Proved proved = solveFor({Sought::solution});
-    if (proved.solution.status == SolveStatus::unbounded)
-    {
-        ConeSolution& growing = proved.solution;
-        if (isLargeMultiplierCarried(program, settings, symbolic, growing)
-            && proveUnbounded(program, settings, symbolic, growing))
-        {
-            return std::move(growing);
-        }
-        // First in units of what breaks a point, then as iterates only passed such a multiplier.
-        const std::vector<double> expected =
-            program.hasStrength() ? std::vector<double>{growing.multiplier, 0} : std::vector<double>{0};
-        for (const double multiplier : expected)
-        {
-            Proved farther = solveFor({Sought::farther, multiplier});
-            addWork(farther.solution, proved.solution);
-            proved = std::move(farther);
-            if (proved.worst <= settings.tolerance)
-            {
-                break;
-            }
-        }
-    }
     ConeSolution& solution = proved.solution;
+    if (solution.status == SolveStatus::unbounded
+        && isWithoutLimit(program, settings, symbolic, solveFor, proved))
+    {
+        return std::move(solution);
+    }
     if (proved.worst > settings.tolerance && answerWithoutForces(program, settings.tolerance, solution))
     {
         return std::move(solution);
@@ -312,45 +364,14 @@ ConeSolution solveAndProve(const ConeProgram<Rows, Forces>& program, const Inter
         {
             boundMultiplier(program, settings, solution);
         }
-        return std::move(solution);
     }
-    if (program.hasInertia())
+    else if (program.hasInertia())
     {
         answerInExtendedPrecision(program, settings, symbolic, solution);
-        return std::move(solution);
     }
-
-    // Least r with r + A c = f + alpha L: where it does not vanish, y = Mbar^-1 r proves that nothing
-    // balances f, since the optimality conditions are -A'y in the dual cone, L'y = 0 and f'y = r' Mbar^-1 r >
-    // 0.
-    const ConeProgram<Rows, Forces> moving = withUnitInertia(program);
-    const Proved moved = solveToCertificate(
-        moving, settings, {Sought::fall}, symbolic,
-        [&](const ConeSolution& found) { return certifyInfeasible(program, found.displacement).worst(); });
-    addWork(solution, moved.solution);
-    if (moved.worst <= settings.tolerance)
+    else
     {
-        solution.status = SolveStatus::infeasible;
-        solution.displacement = moved.solution.displacement;
-        return std::move(solution);
-    }
-    answerInExtendedPrecision(program, settings, symbolic, solution);
-    if (solution.status != SolveStatus::notConverged)
-    {
-        return std::move(solution);
-    }
-    if (isBalanceAlone(program) && !program.hasCrushing())
-    {
-        answerExactly(program, moving, moved.solution, settings, symbolic, solution);
-    }
-    if (!program.hasMultiplier())
-    {
-        return std::move(solution);
-    }
-    proveUnbounded(program, settings, symbolic, solution);
-    if (solution.status == SolveStatus::notConverged)
-    {
-        boundMultiplier(program, settings, solution);
+        answerWithoutOptimum(program, settings, symbolic, solution);
     }
     return std::move(solution);
 }

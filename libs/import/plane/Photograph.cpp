@@ -139,6 +139,17 @@ Assembly<2> makeAssembly(const Photograph& photograph, const std::filesystem::pa
     }
     const ImportedFile file = readSource(path);
     const Raster<std::uint8_t> picture = readPng(file);
+    for (const Vector<2>& point : {photograph.points.first, photograph.points.second})
+    {
+        if (!(point.minCoeff() >= 0 && point.x() <= picture.width && point.y() <= picture.height))
+        {
+            refuse(
+                file, 0,
+                fmt::format("The point ({:g} {:g}) of `points` lies outside of this picture of {} x {} "
+                            "pixels, so that its scale would be wrong: measure it from the top left corner.",
+                            point.x(), point.y(), picture.width, picture.height));
+        }
+    }
     StoneSettings settings = photograph.labels;
     settings.areLight = photograph.stones == Stones::light;
     const StoneRaster stones = labelStones(picture, settings);

@@ -196,28 +196,39 @@ std::vector<Piece> outlinePieces(const Assembly<2>& assembly, double tolerance)
     return pieces;
 }
 
-void paintFixedBlocks(Canvas& drawing, const Assembly<2>& assembly, const PlaneView& view)
+/// Of what is drawn as it was built.
+const ShapeStyle builtLine{.stroke = "#222222", .strokeWidth = 1, .dash = {5, 4}};
+
+/// Supports where they are, since some of them sink or are moved, with a hatch.
+void paintSupports(Canvas& drawing, const Assembly<2>& assembly, const std::vector<Placement<2>>& placements,
+                   const PlaneView& view)
 {
     // The hatch is one strip behind all of them, because the joints between ground segments have no meaning.
-    for (const Block<2>& block : assembly.blocks)
+    for (std::size_t i = 0; i < assembly.blocks.size(); ++i)
     {
-        if (block.support >= 0)
+        if (assembly.blocks[i].support >= 0)
         {
-            drawing.polygon(view(block.outline), {.fill = "url(#fixed)"});
+            drawing.polygon(view(placedOutline(assembly.blocks[i], placements[i])), {.fill = "url(#fixed)"});
         }
     }
-    for (const Block<2>& block : assembly.blocks)
+    for (std::size_t index = 0; index < assembly.blocks.size(); ++index)
     {
+        const Block<2>& block = assembly.blocks[index];
         if (block.support < 0)
         {
             continue;
         }
+        const Polygon outline = placedOutline(block, placements[index]);
         if (assembly.supports[static_cast<std::size_t>(block.support)].type != "ground")
         {
-            drawing.polygon(view(block.outline), {.stroke = "#333333", .strokeWidth = 1.2});
+            drawing.polygon(view(outline), {.stroke = "#333333", .strokeWidth = 1.2});
+            if (outline != block.outline)
+            {
+                drawing.polygon(view(block.outline), builtLine);
+            }
             continue;
         }
-        // Of the ground only the surface is drawn: the edges on top.
+        // Of the ground only the surface is drawn: the edges on top as built.
         double top = block.outline.empty() ? 0 : block.outline.front().y();
         for (const Vector<2>& vertex : block.outline)
         {
@@ -225,11 +236,11 @@ void paintFixedBlocks(Canvas& drawing, const Assembly<2>& assembly, const PlaneV
         }
         for (std::size_t i = 0; i < block.outline.size(); ++i)
         {
-            const Vector<2>& from = block.outline[i];
-            const Vector<2>& to = block.outline[(i + 1) % block.outline.size()];
-            if (from.y() == top && to.y() == top)
+            const std::size_t next = (i + 1) % block.outline.size();
+            if (block.outline[i].y() == top && block.outline[next].y() == top)
             {
-                drawing.line(view(from), view(to), {.stroke = "#333333", .strokeWidth = 1.6});
+                drawing.line(view(outline[i]), view(outline[next]),
+                             {.stroke = "#333333", .strokeWidth = 1.6});
             }
         }
     }
@@ -437,14 +448,13 @@ Canvas drawnMechanism(const Assembly<2>& assembly, const std::vector<Placement<2
     }
     drawing.defineHatch("fixed", "#9a9a9a", 7);
     drawing.beginClip("view", page.corner, page.room.x(), page.room.y());
-    paintFixedBlocks(drawing, assembly, view);
+    paintSupports(drawing, assembly, placements, view);
     paintBlocks(drawing, assembly, placements, moved, view, blockSize);
     if (furthest > 0)
     {
         for (const Piece& piece : outlinePieces(assembly, 1e-6 * blockSize))
         {
-            drawing.line(view(piece.from), view(piece.to),
-                         {.stroke = "#222222", .strokeWidth = 1, .dash = {5, 4}});
+            drawing.line(view(piece.from), view(piece.to), builtLine);
         }
     }
     double largestForce = 0;
@@ -470,7 +480,7 @@ Canvas drawnMechanism(const Assembly<2>& assembly, const std::vector<Placement<2
     if (furthest > 0)
     {
         x = paintClayLegend(drawing, {x, y}) + 18;
-        drawing.line({x, y + 7}, {x + 30, y + 7}, {.stroke = "#222222", .strokeWidth = 1, .dash = {5, 4}});
+        drawing.line({x, y + 7}, {x + 30, y + 7}, builtLine);
         drawing.text({x + 36, y + 11}, "as built", {.size = 12});
         x += 36 + textWidth("as built", 12) + 18;
     }

@@ -68,6 +68,87 @@ double excessOver(const StressLimits& limits, double area, const std::array<Vect
     return excess + excessOver(limits, area / 4, middle, middleRates, enough / 4, divisions - 1);
 }
 
+/// What the points of all patches say of a mechanism.
+struct PointRates
+{
+    std::vector<StressLimits> limits;
+    std::vector<Vector<3>> closing; ///< A'y, for a unit of work of the live load
+    std::vector<double> rate;       ///< d(closing) [W/m2]
+    double dissipated = 0;          ///< at the points, by which small differences are judged
+};
+
+/// \param closing A'y of all points, likewise
+PointRates pointRates(const SpaceConeProgram& program, const std::vector<PatchCells>& patches,
+                      const Eigen::VectorXd& closing)
+{
+    PointRates points;
+    std::size_t point = 0;
+    for (const PatchCells& patch : patches)
+    {
+        for (const double area : vertexAreas(patch))
+        {
+            const Strength& whole = program.strength[point];
+            StressLimits limits{program.friction[point], whole};
+            limits.strength.cohesion = area > 0 ? whole.cohesion / area : 0;
+            limits.strength.tension = area > 0 ? whole.tension / area : 0;
+            limits.strength.crushing =
+                area > 0 ? whole.crushing / area : std::numeric_limits<double>::infinity();
+            points.closing.emplace_back(closing.segment<3>(3 * static_cast<Eigen::Index>(point)));
+            points.rate.push_back(rateOf(limits, points.closing.back()));
+            points.dissipated += area * points.rate.back();
+            points.limits.push_back(limits);
+            ++point;
+        }
+    }
+    return points;
+}
+
+/// Of a cell by which its points dissipate more than its area does: as in vertexAreas, triangles about the
+/// centroid, whose function is shared out to the corners. \param first point of the patch \param enough
+/// differences that do not matter
+double lessInCell(const PatchCells& patch, const std::vector<int>& cell, const PointRates& points,
+                  std::size_t first, double enough)
+{
+    const auto at = [first](int vertex) { return first + static_cast<std::size_t>(vertex); };
+    Polygon outline;
+    for (const int vertex : cell)
+    {
+        outline.push_back(patch.vertices[static_cast<std::size_t>(vertex)]);
+    }
+    const Vector<2> centroid = areaProperties(outline).centroid;
+    const std::size_t corners = cell.size();
+    std::vector<double> parts(corners); // area of the triangle from each corner to the next
+    double area = 0;
+    for (std::size_t i = 0; i < corners; ++i)
+    {
+        parts[i] = std::abs(cross(outline[i] - centroid, outline[(i + 1) % corners] - centroid)) / 2;
+        area += parts[i];
+    }
+    if (!(area > 0))
+    {
+        return 0;
+    }
+    Vector<3> atCentroid = Vector<3>::Zero();
+    double sharedRate = 0;
+    for (std::size_t i = 0; i < corners; ++i)
+    {
+        const double share = (parts[i] + parts[(i + corners - 1) % corners]) / (2 * area);
+        atCentroid += share * points.closing[at(cell[i])];
+        sharedRate += share * points.rate[at(cell[i])];
+    }
+    const StressLimits& limits = points.limits[at(cell[0])];
+    const double rate = rateOf(limits, atCentroid);
+    double less = area / 3 * (sharedRate - rate);
+    for (std::size_t i = 0; i < corners; ++i)
+    {
+        const std::size_t from = at(cell[i]);
+        const std::size_t to = at(cell[(i + 1) % corners]);
+        less += excessOver(limits, parts[i], {points.closing[from], points.closing[to], atCentroid},
+                           {points.rate[from], points.rate[to], rate}, enough, mostDivisions);
+    }
+    return std::max(0.0, less);
+}
+
 } // namespace
 
 std::vector<std::vector<double>> dissipatedLessByCell(const SpaceConeProgram& program,
@@ -75,6 +156,7 @@ std::vector<std::vector<double>> dissipatedLessByCell(const SpaceConeProgram& pr
                                                       const Eigen::VectorXd& liveLoad,
                                                       const Eigen::VectorXd& mechanism)
 {
+    constexpr double negligible = 1e-5; // of what a point dissipates on average
     std::vector<std::vector<double>> less;
     for (const PatchCells& patch : patches)
     {
@@ -85,80 +167,16 @@ std::vector<std::vector<double>> dissipatedLessByCell(const SpaceConeProgram& pr
     {
         return less;
     }
-    const Eigen::VectorXd closing = applyTransposed(program, mechanism) / work;
-    double dissipated = 0; // at the points, by which small differences are judged
-    std::vector<StressLimits> ofPoint;
-    std::vector<double> rates;
+    const PointRates points = pointRates(program, patches, applyTransposed(program, mechanism) / work);
+    const double enough =
+        negligible * points.dissipated / static_cast<double>(std::max<std::size_t>(1, points.rate.size()));
     std::size_t first = 0;
-    for (const PatchCells& patch : patches)
-    {
-        const std::vector<double> areas = vertexAreas(patch);
-        for (std::size_t vertex = 0; vertex < areas.size(); ++vertex)
-        {
-            const std::size_t point = first + vertex;
-            const double area = areas[vertex];
-            const Strength& whole = program.strength[point];
-            StressLimits limits{program.friction[point], whole};
-            limits.strength.cohesion = area > 0 ? whole.cohesion / area : 0;
-            limits.strength.tension = area > 0 ? whole.tension / area : 0;
-            limits.strength.crushing =
-                area > 0 ? whole.crushing / area : std::numeric_limits<double>::infinity();
-            rates.push_back(rateOf(limits, closing.segment<3>(3 * static_cast<Eigen::Index>(point))));
-            dissipated += area * rates.back();
-            ofPoint.push_back(limits);
-        }
-        first += areas.size();
-    }
-    const double enough = 1e-5 * dissipated / static_cast<double>(std::max<std::size_t>(1, first));
-
-    first = 0;
     for (std::size_t joint = 0; joint < patches.size(); ++joint)
     {
         const PatchCells& patch = patches[joint];
-        const auto closingAt = [&](int vertex) -> Vector<3>
-        { return closing.segment<3>(3 * (static_cast<Eigen::Index>(first) + vertex)); };
-        const auto rateAt = [&](int vertex) { return rates[first + static_cast<std::size_t>(vertex)]; };
         for (std::size_t k = 0; k < patch.cells.size(); ++k)
         {
-            const std::vector<int>& cell = patch.cells[k];
-            // As in vertexAreas: triangles about the centroid, whose function is shared out to the corners.
-            Polygon outline;
-            for (const int vertex : cell)
-            {
-                outline.push_back(patch.vertices[static_cast<std::size_t>(vertex)]);
-            }
-            const Vector<2> centroid = areaProperties(outline).centroid;
-            const std::size_t corners = cell.size();
-            std::vector<double> parts(corners); // area of the triangle from each corner to the next
-            double area = 0;
-            for (std::size_t i = 0; i < corners; ++i)
-            {
-                parts[i] = std::abs(cross(outline[i] - centroid, outline[(i + 1) % corners] - centroid)) / 2;
-                area += parts[i];
-            }
-            if (!(area > 0))
-            {
-                continue;
-            }
-            Vector<3> atCentroid = Vector<3>::Zero();
-            double sharedRate = 0;
-            for (std::size_t i = 0; i < corners; ++i)
-            {
-                const double share = (parts[i] + parts[(i + corners - 1) % corners]) / (2 * area);
-                atCentroid += share * closingAt(cell[i]);
-                sharedRate += share * rateAt(cell[i]);
-            }
-            const StressLimits& limits = ofPoint[first + static_cast<std::size_t>(cell[0])];
-            const double rate = rateOf(limits, atCentroid);
-            double ofCell = area / 3 * (sharedRate - rate);
-            for (std::size_t i = 0; i < corners; ++i)
-            {
-                const int from = cell[i];
-                const int to = cell[(i + 1) % corners];
-                ofCell += excessOver(limits, parts[i], {closingAt(from), closingAt(to), atCentroid},
-                                     {rateAt(from), rateAt(to), rate}, enough, mostDivisions);
-            }
-            less[joint][k] = std::max(0.0, ofCell);
+            less[joint][k] = lessInCell(patch, patch.cells[k], points, first, enough);
         }
         first += patch.vertices.size();
     }
