@@ -93,12 +93,16 @@ double dualConeViolation(const ConeProgram<Rows, Forces>& program, const Eigen::
         }
         const auto opening = z.template segment<Forces>(Forces * point);
         const double slip = opening.template tail<Forces - 1>().norm();
+        const double mu = program.friction[point];
+        if (mu * slip <= opening[0]) // in the cone; not where one is not a number
+        {
+            continue;
+        }
         // The distance from the cone, for any friction coefficient: from its surface, or from its vertex
         // where that is nearest.
-        const double mu = program.friction[point];
         const bool isNearSurface = slip + mu * opening[0] >= 0;
         const double excess =
-            isNearSurface ? (mu * slip - opening[0]) / std::sqrt(1 + mu * mu) : std::hypot(slip, opening[0]);
+            isNearSurface ? (mu * slip - opening[0]) / std::sqrt(1 + mu * mu) : opening.norm();
         result = std::isnan(excess) ? infinite : std::max(result, excess);
     }
     return result;
@@ -134,6 +138,23 @@ StrengthWork strengthWork(const ConeProgram<Rows, Forces>& program, const Eigen:
         work.size += lost;
     }
     return work;
+}
+
+/// How far the loads would carry free bodies: the measure of a displacement when nothing moves [m].
+template<int Rows, int Forces>
+double farthestFall(const ConeProgram<Rows, Forces>& program, double lever)
+{
+    double farthest = 0;
+    for (int body = 0; body < program.bodies; ++body)
+    {
+        const auto& inertia = program.inertia[static_cast<std::size_t>(body)];
+        const Eigen::Matrix<double, Rows, 1> load = program.load.template segment<Rows>(Rows * body);
+        const Eigen::Matrix<double, Rows, 1> fall =
+            inertia.isDiagonal(0) ? Eigen::Matrix<double, Rows, 1>(load.cwiseQuotient(inertia.diagonal()))
+                                  : Eigen::Matrix<double, Rows, 1>(inertia.ldlt().solve(load));
+        farthest = std::max(farthest, largest<Rows, Forces>(fall, lever));
+    }
+    return farthest;
 }
 
 /// The program whose sets are the directions in which those of `program` have no end: its cones, and nothing
@@ -218,27 +239,18 @@ Certificate certifyOptimal(const ConeProgram<Rows, Forces>& program, const ConeS
         differenceScale =
             std::max({differenceScale, magnitude(gap, c), smallMultiplier * forceScale * largestGap});
     }
-    if (program.hasInertia())
-    {
-        // How far the loads would carry free bodies: the measure of a displacement when nothing moves.
-        for (int body = 0; body < program.bodies; ++body)
-        {
-            const auto& inertia = program.inertia[body];
-            const Eigen::Matrix<double, Rows, 1> load = program.load.template segment<Rows>(Rows * body);
-            const Eigen::Matrix<double, Rows, 1> fall =
-                inertia.isDiagonal(0) ? Eigen::Matrix<double, Rows, 1>(load.cwiseQuotient(inertia.diagonal()))
-                                      : Eigen::Matrix<double, Rows, 1>(inertia.ldlt().solve(load));
-            displacementScale = std::max(displacementScale, largest<Rows, Forces>(fall, lever));
-        }
-        differenceScale = std::max(differenceScale, forceScale * displacementScale);
-    }
     const StrengthWork strength = strengthWork(program, z);
     difference -= strength.least;
     differenceScale = std::max(differenceScale, strength.size);
+    const double openings = dualConeViolation(program, z);
+    if (program.hasInertia() && (openings != 0 || difference != 0)) // what is zero needs no scale
+    {
+        displacementScale = std::max(displacementScale, farthestFall(program, lever));
+        differenceScale = std::max(differenceScale, forceScale * displacementScale);
+    }
     certificate.primalResidual = std::max(relative(largest<Rows, Forces>(imbalance, 1 / lever), forceScale),
                                           relative(coneViolation(program, c), forceScale));
-    certificate.dualResidual =
-        std::max(certificate.dualResidual, relative(dualConeViolation(program, z), displacementScale));
+    certificate.dualResidual = std::max(certificate.dualResidual, relative(openings, displacementScale));
     certificate.gap = relative(std::abs(difference), differenceScale);
     return certificate;
 }
