@@ -380,7 +380,7 @@ const Registry<LoadMaker<Dim>>& loadTypes()
         all.models.push_back(model<LoadMaker<Dim>, CombinedSettings>(
             "combined", "loads of `cases`, each times a factor", makeCombined<Dim>));
         all.models.push_back(model<LoadMaker<Dim>, SupportMovementSettings<Dim>>(
-            "supportMovement", "settlement of a support, of limitAnalysis, instead of a live load",
+            "supportMovement", "settlement of a support, of limitAnalysis, in place of the live load only",
             [](const SupportMovementSettings<Dim>&, const Dictionary& dictionary) -> LoadMaker<Dim>
             {
                 return [place = dictionary.locationOf("type")](const LoadContext<Dim>&) -> Eigen::VectorXd
@@ -393,7 +393,9 @@ const Registry<LoadMaker<Dim>>& loadTypes()
                 };
             }));
         all.models.push_back(model<LoadMaker<Dim>, MovingLoadSettings<Dim>>(
-            "moving", "a load that moves over the structure, of limitAnalysis: a multiplier for each place",
+            "moving",
+            "a load that moves over the structure, of limitAnalysis, as the live load only: a multiplier for "
+            "each place",
             [](const MovingLoadSettings<Dim>&, const Dictionary& dictionary) -> LoadMaker<Dim>
             {
                 return [place = dictionary.locationOf("type")](const LoadContext<Dim>&) -> Eigen::VectorXd

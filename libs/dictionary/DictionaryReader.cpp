@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -100,10 +101,35 @@ private:
 
     void carryOut(const std::vector<Statement>& statements)
     {
+        std::map<std::string_view, const Statement*> first; // of each keyword between these brackets
         for (const Statement& statement : statements)
         {
+            const bool isKeyed =
+                statement.kind == Statement::Kind::entry || statement.kind == Statement::Kind::dictionary;
+            if (isKeyed && expansion == Expansion::all && !isModeGiven)
+            {
+                const auto [earlier, isFirst] = first.try_emplace(statement.keyword.text, &statement);
+                if (!isFirst)
+                {
+                    warnOfRepetition(*earlier->second, statement);
+                }
+            }
             carryOut(statement);
         }
+    }
+
+    /// To give an entry again is how a file that is included is overridden; twice in one place it is a
+    /// mistake more often than not.
+    void warnOfRepetition(const Statement& earlier, const Statement& statement)
+    {
+        const bool areMerged =
+            earlier.kind == Statement::Kind::dictionary && statement.kind == Statement::Kind::dictionary;
+        printWarningOnce(
+            fmt::format("{} is given twice, first at line {}; {}. Remove one of them, or write `#inputMode "
+                        "merge` before them.",
+                        statement.keyword.text, earlier.keyword.line,
+                        areMerged ? "what both have is taken together" : "the last one counts"),
+            locationOf(reading, statement.keyword));
     }
 
     void carryOut(const Statement& statement)
@@ -372,6 +398,7 @@ private:
     void setInputMode(const Statement& statement)
     {
         const std::string word(statement.value.empty() ? "" : statement.value.front().text);
+        isModeGiven = true;
         if (word == "merge" || word == "default")
         {
             mode = InputMode::merge;
@@ -404,6 +431,7 @@ private:
     Expansion expansion;
     DictionaryReading reading;
     InputMode mode = InputMode::merge;
+    bool isModeGiven = false;
 };
 
 } // namespace

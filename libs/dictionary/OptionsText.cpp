@@ -91,7 +91,7 @@ void append(Lines& lines, const Lines& added, const std::string& before)
     }
 }
 
-/// \param shown families of models whose alternatives have been listed in this dictionary
+/// \param shown models that were listed with their keys, as `family/name`
 Lines membersText(const std::vector<OptionDescription>& options, std::set<std::string>& shown);
 
 /// `{ ... }` with the keys of a sub-dictionary or of one of its models.
@@ -167,21 +167,32 @@ Lines membersText(const std::vector<OptionDescription>& options, std::set<std::s
             append(lines, bracketed(option, nullptr, shown), before);
             continue;
         }
-        append(lines, bracketed(option, &option.alternatives.front(), shown), before);
-        if (option.alternatives.size() > 1 && !shown.insert(option.type).second)
+        // Those that are listed here are so for what they have inside, too.
+        std::vector<const OptionDescription::Alternative*> listed;
+        std::vector<std::string> asAbove;
+        for (const OptionDescription::Alternative& alternative : option.alternatives)
         {
-            std::vector<std::string> names;
-            for (std::size_t i = 1; i < option.alternatives.size(); ++i)
+            if (shown.insert(option.type + "/" + alternative.name).second || listed.empty())
             {
-                names.push_back(option.alternatives[i].name);
+                listed.push_back(&alternative);
             }
-            lines.push_back(fmt::format("// or with type {}, as above", fmt::join(names, " ")));
-            continue;
+            else
+            {
+                asAbove.push_back(alternative.name);
+            }
         }
-        for (std::size_t i = 1; i < option.alternatives.size(); ++i)
+        for (const OptionDescription::Alternative* alternative : listed)
         {
-            lines.emplace_back("// or");
-            append(lines, bracketed(option, &option.alternatives[i], shown), "// ");
+            const bool isFirst = alternative == listed.front();
+            if (!isFirst)
+            {
+                lines.emplace_back("// or");
+            }
+            append(lines, bracketed(option, alternative, shown), isFirst ? before : "// ");
+        }
+        if (!asAbove.empty())
+        {
+            lines.push_back(fmt::format("// or with type {}, as above", fmt::join(asAbove, " ")));
         }
     }
     return lines;
@@ -220,7 +231,7 @@ std::string helpLine(int indentation, const std::string& name, const std::string
                             describedAt, widthOfHelp);
 }
 
-/// \param shown models that were listed with their keys, as `family/name`
+/// \param shown likewise
 std::string helpText(const std::vector<OptionDescription>& options, int indentation,
                      std::set<std::string>& shown)
 {

@@ -167,6 +167,7 @@ private:
     bool reachesFlow();
     bool solveProgram();
     bool isOfNoUse() const;
+    bool beginsFromPlace();
     bool meetsFlow(bool isBalanced);
     bool meetsGaps();
     SymbolicAnalysis& analysis() { return symbolic ? *symbolic : ownAnalysis; }
@@ -365,6 +366,22 @@ bool StepSearch<Dim>::isOfNoUse() const
                || step.programs == maximumPrograms);
 }
 
+/// Where blocks are wedged, to linearise about a motion that they do not take makes overlaps of second order,
+/// which no motion can open. Then the first program of the associative law is linearised where the blocks are
+/// instead (by Coulomb's law what follows forces finds such steps). \return whether it was not
+template<int Dim>
+bool StepSearch<Dim>::beginsFromPlace()
+{
+    if (isCoulomb || !relinearise || !isGuessed || step.programs != 1 || isImpact)
+    {
+        return false;
+    }
+    program.gap = gap;
+    relinearise(Eigen::VectorXd(Eigen::VectorXd::Zero(expected.size())), start.contactForce, program);
+    gap = program.gap;
+    return true;
+}
+
 /// Whether the gaps that the motion opens by Coulomb's law are those that the program had; the next has new
 /// ones.
 template<int Dim>
@@ -444,6 +461,10 @@ ThetaStep StepSearch<Dim>::solve()
         const bool isBalanced = solveProgram();
         if (isOfNoUse())
         {
+            if (beginsFromPlace())
+            {
+                continue;
+            }
             return std::move(step);
         }
         start.displacement = step.displacement;

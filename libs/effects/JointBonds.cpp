@@ -335,6 +335,17 @@ EffectType<Dim> bondsType()
         [](const EffectSource<Dim>& source) -> std::shared_ptr<const Effect<Dim>>
         {
             std::vector<Bond<Dim>> bonds = jointBonds(source.contact, source.structure.assembly);
+            if (Dim == 3 && !bonds.empty() && source.solver == SolverType::gaussSeidel)
+            {
+                const ContactProperties& contact = source.contact;
+                throw FatalIOError(
+                    "In space gaussSeidel solves joints that have friction alone: set `solver "
+                    "automatic;` for contactDynamics in system/solution, or remove cohesion and "
+                    "tension.",
+                    contact.locations.of(contact.cohesion  ? "cohesion"
+                                         : contact.tension ? "tension"
+                                                           : "joints"));
+            }
             return bonds.empty() ? nullptr : std::make_shared<JointBonds<Dim>>(std::move(bonds));
         },
         {});

@@ -59,12 +59,16 @@ void rejectBlocksUnderGround(const Assembly<Dim>& assembly, const SourceLocation
                                    : tolerance;
         if (boxOf(assembly.blocks[i]).lower[up<Dim>] < -allowed)
         {
+            const double lowest = box.lower[up<Dim>];
             throw FatalIOError(
                 fmt::format(
-                    "Block {} reaches below {} = 0, where the ground lies, down to {:.6g} m. Raise the "
-                    "structure by as much (`offset ({} {:.6g});` in an import), or fix blocks of it "
-                    "with \"type blocks;\" instead.",
-                    i, Dim == 2 ? "y" : "z", box.lower[up<Dim>], Dim == 2 ? "0" : "0 0", -box.lower[up<Dim>]),
+                    "Block {} reaches below {} = 0, where the ground lies, down to {:.6g} m. {}, or raise "
+                    "the structure by as much (`offset ({} {:.6g});` in an import).",
+                    i, Dim == 2 ? "y" : "z", lowest,
+                    assembly.blocks[i].support >= 0
+                        ? "It is a support that the texture has of its own: leave the ground out"
+                        : "Fix blocks with \"type blocks;\" instead",
+                    Dim == 2 ? "0" : "0 0", -lowest),
                 place);
         }
     }

@@ -89,9 +89,18 @@ std::vector<Example> examples()
             "One sub-dictionary for each effect that is simulated; without friction contacts "
             "are frictionless.",
             {"friction"}),
+        example<CaseEffects<3>>("space/constant/contactProperties",
+                                "One sub-dictionary for each effect that is simulated in space; without "
+                                "friction contacts are frictionless.",
+                                {"friction"}),
         example<LoadCases<2>>("constant/loads",
                               "Dead load, and the live load that limit analysis multiplies by alpha.",
                               {"dead", "live"}),
+        example<LoadCases<3>>(
+            "space/constant/loads",
+            "Dead load, and the live load that limit analysis multiplies by alpha, in space. "
+            "z is up.",
+            {"dead", "live"}),
         example<GroundMotionSettings>(
             "constant/groundMotion",
             "How the ground moves; without this file it does not. Results are relative to "

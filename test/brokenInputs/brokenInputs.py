@@ -589,6 +589,12 @@ brokenInputs = [
                "jointPoints { type adaptive; }@@\ncohesion { strength 1e4; }\nfriction", r"remove supportMovement",
                earlier=boxInSpace, files={"constant/loads": "dead { type gravity; }\nlive { type supportMovement; support ground; "
                                    "direction (0 0 -1); }\n"}),
+    inMotionEffect("sweepsOfBondsInSpace", "", "", r"set `solver automatic;`", lines=(2,), earlier=boxInSpace,
+                   files={"constant/contactProperties": "friction { type Coulomb; mu 0.6; }\ncohesion { strength 1e4; }\n",
+                          "system/solution": "contactDynamics { solver gaussSeidel; }\n"}),
+    Broken("blockTexture", "vaultWithinItself", dictionary, says=(r"block 12 is no solid", r"beside each other"), lines=(2,),
+           files={dictionary: "dimensions 3;\ntexture { type barrelVault; profile pointed; offset 2.908; radius 3.75; "
+                              "thickness 0.88125; voussoirs 26; length 1.882; }\nsupports { ground { type ground; } }\n"}),
     # Supports that move.
     inSupportMotion("unknownSupport", "roof { direction (1 0); velocity ((0 0) (1 1)); }\n", r"no support roof",
                     r"ground", lines=(1,)),

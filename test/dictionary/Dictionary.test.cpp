@@ -279,6 +279,25 @@ TEST(Dictionary, MacrosFindTheirEntryFromTheInnermostScopeOutwards)
     EXPECT_THAT(reportOfReading("a { $a; }"), HasSubstr("There is no entry a "));
 }
 
+TEST(Dictionary, WhatIsGivenTwiceInOnePlaceIsWarnedOf)
+{
+    const auto warned = [](const std::string& text)
+    {
+        testing::internal::CaptureStderr();
+        Dictionary::readString(text, "constant/x");
+        return testing::internal::GetCapturedStderr();
+    };
+    EXPECT_THAT(warned("friction\n{\n    mu 0.65;\n    mu 0.3;\n}"),
+                AllOf(HasSubstr("mu is given twice, first at line 3; the last one counts"),
+                      HasSubstr("constant/x/friction/mu at line 4")));
+    EXPECT_THAT(warned("live { a 1; }\nlive { b 2; }"), HasSubstr("taken together"));
+    // Overriding what comes from elsewhere is what merging is for, and it may be asked for.
+    EXPECT_EQ(warned("base { mu 0.65; }\nfriction { $base; mu 0.3; }"), "");
+    EXPECT_EQ(warned("#inputMode merge\nmu 0.65;\nmu 0.3;"), "");
+    EXPECT_EQ(warned("a { mu 1; }\nb { mu 1; }"), "");
+    EXPECT_EQ(warned("m on; #if $m\na 1;\n#else\na 2;\n#endif"), "");
+}
+
 TEST(Dictionary, DirectivesMergeRemoveAndChoose)
 {
     EXPECT_EQ(expanded("a 1; #inputMode protect\n a 2;", "a"), "1");

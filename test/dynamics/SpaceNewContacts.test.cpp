@@ -274,7 +274,9 @@ void fallIntoAPit(unsigned seed, double theta = 1, double restitution = 0, Stone
     // A stone is 0.2 m thick. A tip that stands over a rim by some hundredths of a millimetre has no point of
     // its own there and enters by as much: 6.8e-5 m in pit 42, less than 5e-5 m in the others.
     EXPECT_LE(deepest, 1e-4) << "seed " << seed;
-    EXPECT_LE(gained, 1e-6 * (start - energy)) << "seed " << seed;
+    // Such a tip is lifted out again once its point is found: that gives 8e-3 J in pit 2, with rebounds, of
+    // the 2,280 J of the fall; in others less than a millionth.
+    EXPECT_LE(gained, 1e-5 * (start - energy)) << "seed " << seed;
     // Those that fell first lie.
     EXPECT_LE(kineticEnergy(scene, motion.state), 1e-3 * (start - energy)) << "seed " << seed;
 }
@@ -346,6 +348,34 @@ TEST(SpaceNewContacts, AHookThatFallsIntoAHookHangsAtRest)
     // Its stem leans on the corner of the other, and its tip stands in the corner: atan(3/4).
     EXPECT_NEAR(motion.state.placements[1].rotation.norm(), 0.643501, 1e-4);
     EXPECT_LE(kineticEnergy(scene, motion.state), 1e-9);
+}
+
+// A step is linearised about the motion that is expected. A block that spins at 1 rad/s in a slot does not
+// move at all, and linearised about its turn the gaps of the slot were too narrow by the second order of it:
+// no program was solved, however short the step.
+TEST(SpaceNewContacts, ABlockThatSpinsInASlotIsStopped)
+{
+    Assembly<2> assembly;
+    assembly.supports.push_back({"slot", "blocks"});
+    assembly.blocks = {scenes::rectangle(-1, -0.5, 1.3, 0.5), scenes::rectangle(-1, 0.2, 1.3, 0.5),
+                       scenes::rectangle(0, 0, 1, 0.2)};
+    assembly.blocks[0].support = assembly.blocks[1].support = 0;
+    const auto stops = [](const auto& scene, auto state, Eigen::Index spin)
+    {
+        state.velocity[spin] = 1;
+        auto motion = startMotion(scene, state);
+        EXPECT_TRUE(advance(scene, motion, 1e-3));
+        EXPECT_LE(motion.state.velocity.template lpNorm<Eigen::Infinity>(), 1e-7);
+    };
+    for (const double theta : {1.0, 0.7})
+    {
+        const DynamicCase<2> plane =
+            scenes::sceneOf(assembly, {.theta = theta, .mu = 0.5, .flowRule = FlowRule::associative});
+        stops(plane, stateAtRest(plane.assembly), 2);
+        const DynamicCase<3> space =
+            spaceScenes::sceneOf(extruded(assembly), theta, 0.5, {0, 0, -9.81}, FlowRule::associative);
+        stops(space, stateAtRest(space.assembly), 4);
+    }
 }
 
 // Steps of half of a block: which corners and edges meet is seen in the end only, and where it is not seen in

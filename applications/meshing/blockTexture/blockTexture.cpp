@@ -10,6 +10,7 @@
 #include "core/Log.h"
 #include "core/WholeFile.h"
 #include "geometry/PolygonShape.h"
+#include "geometry/space/PolyhedronFault.h"
 #include "io/VtkLibrary.h"
 #include "runControl/Application.h"
 #include "texture/Texture.h"
@@ -17,6 +18,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 
 using namespace drystone;
 
@@ -33,10 +35,15 @@ std::string faultOf(const Block<2>& block)
 std::string faultOf(const Block<3>& block)
 {
     const double volume = blockMass(block).volume; // with room for products of more than three lengths
-    return std::isnormal(volume * volume) ? "" : fmt::format("has a volume of {:g} m3", volume);
+    if (!std::isnormal(volume * volume))
+    {
+        return fmt::format("has a volume of {:g} m3", volume);
+    }
+    const std::optional<PolyhedronFault> fault = findFault(block.shape);
+    return fault ? fmt::format("is no solid: {}", fault->text) : "";
 }
 
-/// Lengths so small or large that no numbers are left for the shapes of blocks.
+/// Lengths so small or large that no numbers are left for the shapes of blocks, or that do not go together.
 template<int Dim>
 void refuseShapes(const Assembly<Dim>& assembly, const Dictionary& dictionary)
 {
@@ -44,10 +51,12 @@ void refuseShapes(const Assembly<Dim>& assembly, const Dictionary& dictionary)
     {
         if (const std::string fault = faultOf(assembly.blocks[block]); !fault.empty())
         {
-            throw FatalIOError(fmt::format("This texture makes no blocks: block {} {}.\n\nIts lengths are in "
-                                           "metres; correct those that are too small or too large.",
-                                           block, fault),
-                               dictionary.locationOf("texture"));
+            throw FatalIOError(
+                fmt::format("This texture makes no blocks: block {} {}.\n\nIts lengths are in "
+                            "metres; correct those that are too small or too large, also beside "
+                            "each other.",
+                            block, fault),
+                dictionary.locationOf("texture"));
         }
     }
 }
