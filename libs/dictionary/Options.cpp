@@ -73,6 +73,34 @@ private:
     std::vector<FatalIOError> collected;
 };
 
+/// How a key that is missing may be written, where that is known: a sentence. \param types of the models that
+/// it chooses from, if any
+std::string exampleOfMissing(const OptionDescription& about, const std::vector<std::string>& types)
+{
+    if (about.form == Form::value && !about.exampleText.empty())
+    {
+        return fmt::format(" Write for example `{} {};`.", about.key, about.exampleText);
+    }
+    const std::string body = types.empty() ? "..." : "type ...;";
+    std::string example = fmt::format("{} {{ {} }}", about.key, body);
+    if (about.form == Form::namedDictionaries)
+    {
+        example = fmt::format("{} {{ {} {{ {} }} }}", about.key,
+                              about.exampleText.empty() ? "name" : about.exampleText, body);
+    }
+    else if (about.form == Form::dictionaryList)
+    {
+        example = fmt::format("{} ( {{ {} }} );", about.key, body);
+    }
+    else if (types.empty())
+    {
+        return "";
+    }
+    return types.empty()
+               ? fmt::format(" Write for example `{}`.", example)
+               : fmt::format(" Write `{}` with one of the types {}.", example, fmt::join(types, " "));
+}
+
 } // namespace
 
 Option& Options::add(OptionDescription::Presence presence, std::string_view key, std::string_view doc)
@@ -234,19 +262,10 @@ void Options::readFrom(const Dictionary& dictionary) const
         }
         else if (about.presence == Presence::required && !faults.suggest(about.key))
         {
-            std::string message = fmt::format(
-                "The {} {} is missing: {}{}.",
+            const std::string message = fmt::format(
+                "The {} {} is missing: {}{}.{}",
                 about.form == Form::value || about.form == Form::dictionaryList ? "entry" : "sub-dictionary",
-                about.key, about.doc, about.unitText());
-            if (!about.exampleText.empty())
-            {
-                message += fmt::format(" Write for example `{} {};`.", about.key, about.exampleText);
-            }
-            else if (const std::vector<std::string> types = typesOf(option); !types.empty())
-            {
-                message += fmt::format(" Write `{} {{ type ...; }}` with one of the types {}.", about.key,
-                                       fmt::join(types, " "));
-            }
+                about.key, about.doc, about.unitText(), exampleOfMissing(about, typesOf(option)));
             faults.collectFrom([&] { throw FatalIOError(message, dictionary.location()); });
         }
     }

@@ -257,13 +257,15 @@ const Registry<FunctionPlan<Dim>>& functionTypes()
         {model<FunctionPlan<Dim>, PlainSettings<Dim>>(
              "energy",
              "the energy ledger and its imbalance; impactLoss is the work of normal forces, by "
-             "the associative law negative where sliding opens joints",
+             "the associative law negative where sliding opens joints, frictionLoss that of shear "
+             "forces, which give back a little where a joint that rocks shears back",
              planPlain<Dim, EnergyFunction<Dim>>),
          model<FunctionPlan<Dim>, BlockMotionSettings<Dim>>(
              "blockMotion", "placement and velocity of some blocks", planBlockMotion<Dim>),
          model<FunctionPlan<Dim>, ContactForcesSettings<Dim>>(
              "contactForces",
-             "contact points and reactions of supports, means over the step with the impulses of impacts",
+             "contact points and reactions of supports, means over the step with the impulses of "
+             "impacts; what a body loses that stops with theta below 1 is in no force",
              planContactForces<Dim>),
          model<FunctionPlan<Dim>, PlainSettings<Dim>>("residuals", "convergence of the solver",
                                                       planPlain<Dim, ResidualsFunction<Dim>>),
