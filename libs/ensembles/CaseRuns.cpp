@@ -200,8 +200,21 @@ std::string faultOfScript(const fs::path& caseDirectory, const std::string& appl
                : "";
 }
 
-ApplicationRun runInCase(const std::string& application, const fs::path& caseDirectory,
-                         const std::vector<std::string>& options)
+namespace
+{
+
+/// A program with its arguments, and the files that it writes to.
+struct Command
+{
+    std::vector<std::string> words; ///< the program first
+    std::string directory;          ///< that it runs in; empty: that of the caller
+    std::string log;
+    std::string errors;
+};
+
+/// A script of the case runs there; an application is told where it is.
+Command commandOf(const std::string& application, const fs::path& caseDirectory,
+                  const std::vector<std::string>& options)
 {
     const bool isScript = application.find('/') != std::string::npos;
     const std::string program =
@@ -216,21 +229,80 @@ ApplicationRun runInCase(const std::string& application, const fs::path& caseDir
             fmt::format("The application {} was not found with the others: {}. Build all of them.",
                         application, program));
     }
-    const std::string log =
-        fs::absolute(caseDirectory / ("log." + fs::path(application).filename().string())).string();
-    const std::string errors = log + ".errors";
-    const std::string directory = caseDirectory.string();
-    std::vector<const char*> arguments{program.c_str()};
-    if (!isScript)
+    Command command;
+    command.log = fs::absolute(caseDirectory / ("log." + fs::path(application).filename().string())).string();
+    command.errors = command.log + ".errors";
+    command.words = {program};
+    if (isScript)
     {
-        arguments.insert(arguments.end(), {"-case", directory.c_str()});
-        for (const std::string& option : options)
+        command.directory = caseDirectory.string();
+    }
+    else
+    {
+        command.words.insert(command.words.end(), {"-case", caseDirectory.string()});
+        command.words.insert(command.words.end(), options.begin(), options.end());
+    }
+    return command;
+}
+
+/// In the child, between fork and exec: only functions that are safe in signal handlers may be called.
+/// \param arguments ending with null
+[[noreturn]] void become(const Command& command, const std::vector<char*>& arguments)
+{
+    constexpr int notStarted = 127;
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (!command.directory.empty() && ::chdir(command.directory.c_str()) != 0)
+    {
+        ::_exit(notStarted);
+    }
+    const int output = ::open(command.log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
+    const int complaints = ::open(command.errors.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
+    const int input = ::open("/dev/null", O_RDONLY);
+    if (output < 0 || complaints < 0 || input < 0)
+    {
+        ::_exit(notStarted);
+    }
+    ::dup2(input, 0);
+    ::dup2(output, 1);
+    ::dup2(complaints, 2);
+    ::execv(arguments.front(), arguments.data());
+    ::_exit(notStarted);
+}
+
+/// Waits for a process, and hands on the signal that asks this one to stop. \return its status, as waitpid
+/// has it, and whether it was interrupted
+std::pair<int, bool> waitFor(pid_t child)
+{
+    constexpr int longestWait = 10; // [ms]
+    bool isInterrupted = false;
+    int status = 0;
+    int wait = 0;
+    while (::waitpid(child, &status, WNOHANG) == 0)
+    {
+        if (stopSignal() != 0 && !isInterrupted)
         {
-            arguments.push_back(option.c_str());
+            isInterrupted = true;
+            ::kill(child, stopSignal());
         }
+        wait = std::min(wait + 1, longestWait);
+        ::poll(nullptr, 0, wait);
+    }
+    return {status, isInterrupted || stopSignal() != 0};
+}
+
+} // namespace
+
+ApplicationRun runInCase(const std::string& application, const fs::path& caseDirectory,
+                         const std::vector<std::string>& options)
+{
+    constexpr int linesOfErrors = 12;
+    Command command = commandOf(application, caseDirectory, options);
+    std::vector<char*> arguments;
+    for (std::string& word : command.words)
+    {
+        arguments.push_back(word.data());
     }
     arguments.push_back(nullptr);
-
     const pid_t child = ::fork();
     if (child < 0)
     {
@@ -238,46 +310,17 @@ ApplicationRun runInCase(const std::string& application, const fs::path& caseDir
     }
     if (child == 0)
     {
-        // Between fork and exec only functions that are safe in signal handlers may be called.
-        ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-        if (isScript && ::chdir(directory.c_str()) != 0)
-        {
-            ::_exit(127);
-        }
-        const int output = ::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
-        const int complaints = ::open(errors.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
-        const int input = ::open("/dev/null", O_RDONLY);
-        if (output < 0 || complaints < 0 || input < 0)
-        {
-            ::_exit(127);
-        }
-        ::dup2(input, 0);
-        ::dup2(output, 1);
-        ::dup2(complaints, 2);
-        ::execv(program.c_str(), const_cast<char* const*>(arguments.data()));
-        ::_exit(127);
+        become(command, arguments);
     }
-
+    const auto [status, isInterrupted] = waitFor(child);
     ApplicationRun run;
-    int status = 0;
-    int wait = 0; // [ms]
-    while (::waitpid(child, &status, WNOHANG) == 0)
-    {
-        if (stopSignal() != 0 && !run.isInterrupted)
-        {
-            run.isInterrupted = true;
-            ::kill(child, stopSignal());
-        }
-        wait = std::min(wait + 1, 10);
-        ::poll(nullptr, 0, wait);
-    }
-    run.isInterrupted = run.isInterrupted || stopSignal() != 0;
+    run.isInterrupted = isInterrupted;
     run.status = WIFSIGNALED(status) ? exitStatusOfSignal(WTERMSIG(status)) : WEXITSTATUS(status);
-    run.errorOutput = lastLines(errors, 12);
+    run.errorOutput = lastLines(command.errors, linesOfErrors);
     std::error_code ignored;
     if (run.errorOutput.empty())
     {
-        fs::remove(errors, ignored);
+        fs::remove(command.errors, ignored);
     }
     return run;
 }

@@ -81,6 +81,67 @@ void reportHoles(const std::vector<int>& filled, double scale)
          stones.size() > most ? fmt::format(" and {} more", stones.size() - most) : "");
 }
 
+/// \throws FatalIOError for a point that is not in the picture: its scale would be wrong
+void refusePointsOutside(const Photograph& photograph, const Raster<std::uint8_t>& picture,
+                         const ImportedFile& file)
+{
+    for (const Vector<2>& point : {photograph.points.first, photograph.points.second})
+    {
+        if (!(point.minCoeff() >= 0 && point.x() <= picture.width && point.y() <= picture.height))
+        {
+            refuse(
+                file, 0,
+                fmt::format("The point ({:g} {:g}) of `points` lies outside of this picture of {} x {} "
+                            "pixels, so that its scale would be wrong: measure it from the top left corner.",
+                            point.x(), point.y(), picture.width, picture.height));
+        }
+    }
+}
+
+StoneRaster stonesOf(const Photograph& photograph, const Raster<std::uint8_t>& picture,
+                     const ImportedFile& file)
+{
+    StoneSettings settings = photograph.labels;
+    settings.areLight = photograph.stones == Stones::light;
+    StoneRaster stones = labelStones(picture, settings);
+    if (stones.count == 0)
+    {
+        refuse(file, 0,
+               "There is no stone in this picture: check `stones` (dark or light), `threshold` and "
+               "`leastArea`.");
+    }
+    if (static_cast<std::size_t>(stones.count) > mostStones)
+    {
+        refuse(
+            file, 0,
+            fmt::format("There are {} stones in this picture, more than {}: a larger `leastArea` leaves out "
+                        "specks.",
+                        stones.count, mostStones));
+    }
+    return stones;
+}
+
+/// Outlines that are blocks and do not overlap. \param tolerance of the borders, halved until they are so
+/// [pixels]
+std::vector<Polygon> soundOutlines(const StoneRaster& stones, double& tolerance, const ImportedFile& file)
+{
+    constexpr int mostHalvings = 4;
+    std::vector<Polygon> outlines = stoneOutlines(stones.labels, stones.count, tolerance);
+    for (int halving = 0; (firstFault(outlines) >= 0 || doOverlap(outlines)) && halving < mostHalvings;
+         ++halving)
+    {
+        tolerance = halving + 1 < mostHalvings ? tolerance / 2 : 0;
+        outlines = stoneOutlines(stones.labels, stones.count, tolerance);
+    }
+    if (const int stone = firstFault(outlines); stone >= 0)
+    {
+        refuse(file, 0,
+               fmt::format("The outline of stone {} {}: smooth the picture, or raise `leastArea`.", stone,
+                           outlineFault(outlines[static_cast<std::size_t>(stone)])));
+    }
+    return outlines;
+}
+
 } // namespace
 
 void declare(Options& options, Photograph& photograph)
@@ -139,51 +200,10 @@ Assembly<2> makeAssembly(const Photograph& photograph, const std::filesystem::pa
     }
     const ImportedFile file = readSource(path);
     const Raster<std::uint8_t> picture = readPng(file);
-    for (const Vector<2>& point : {photograph.points.first, photograph.points.second})
-    {
-        if (!(point.minCoeff() >= 0 && point.x() <= picture.width && point.y() <= picture.height))
-        {
-            refuse(
-                file, 0,
-                fmt::format("The point ({:g} {:g}) of `points` lies outside of this picture of {} x {} "
-                            "pixels, so that its scale would be wrong: measure it from the top left corner.",
-                            point.x(), point.y(), picture.width, picture.height));
-        }
-    }
-    StoneSettings settings = photograph.labels;
-    settings.areLight = photograph.stones == Stones::light;
-    const StoneRaster stones = labelStones(picture, settings);
-    const Raster<int>& labels = stones.labels;
-    const int count = stones.count;
-    if (count == 0)
-    {
-        refuse(file, 0,
-               "There is no stone in this picture: check `stones` (dark or light), `threshold` and "
-               "`leastArea`.");
-    }
-    if (static_cast<std::size_t>(count) > mostStones)
-    {
-        refuse(
-            file, 0,
-            fmt::format("There are {} stones in this picture, more than {}: a larger `leastArea` leaves out "
-                        "specks.",
-                        count, mostStones));
-    }
-    constexpr int mostHalvings = 4;
+    refusePointsOutside(photograph, picture, file);
+    const StoneRaster stones = stonesOf(photograph, picture, file);
     double tolerance = photograph.tolerance;
-    std::vector<Polygon> outlines = stoneOutlines(labels, count, tolerance);
-    for (int halving = 0; (firstFault(outlines) >= 0 || doOverlap(outlines)) && halving < mostHalvings;
-         ++halving)
-    {
-        tolerance = halving + 1 < mostHalvings ? tolerance / 2 : 0;
-        outlines = stoneOutlines(labels, count, tolerance);
-    }
-    if (const int stone = firstFault(outlines); stone >= 0)
-    {
-        refuse(file, 0,
-               fmt::format("The outline of stone {} {}: smooth the picture, or raise `leastArea`.", stone,
-                           outlineFault(outlines[static_cast<std::size_t>(stone)])));
-    }
+    const std::vector<Polygon> outlines = soundOutlines(stones, tolerance, file);
     BoundingBox box;
     std::size_t corners = 0;
     for (const Polygon& outline : outlines)
@@ -196,7 +216,7 @@ Assembly<2> makeAssembly(const Photograph& photograph, const std::filesystem::pa
     }
     const double scale = photograph.distance / (photograph.points.second - photograph.points.first).norm();
     info("Import: {}, {} x {} pixels of {:.4g} m: {} stones with {} corners, borders within {:g} pixels",
-         file.name, picture.width, picture.height, scale, count, corners, tolerance);
+         file.name, picture.width, picture.height, scale, stones.count, corners, tolerance);
     reportHoles(stones.filled, scale);
     if (tolerance < photograph.tolerance)
     {

@@ -8,6 +8,7 @@
 #include "io/ClayColour.h"
 #include "io/MarkLegend.h"
 #include "io/PicturePage.h"
+#include "io/plane/BuiltOutline.h"
 #include "io/plane/ThrustLine.h"
 
 #include <Eigen/Geometry>
@@ -99,101 +100,6 @@ Area shownArea(const Assembly<2>& assembly, const std::vector<Placement<2>>& pla
         area = Area(area.min() - Vector<2>::Constant(0.5), area.max() + Vector<2>::Constant(0.5));
     }
     return area;
-}
-
-/// Edges of the structure as built that belong to one block only: its outline and those of its openings.
-/// Edges are compared by the line they cover, because blocks of a masonry bond share only parts of edges.
-struct Piece
-{
-    Vector<2> from;
-    Vector<2> to;
-};
-
-std::vector<Piece> outlinePieces(const Assembly<2>& assembly, double tolerance)
-{
-    struct Edge
-    {
-        Vector<2> from;
-        Vector<2> to;
-        Vector<2> lower;
-        Vector<2> upper;
-    };
-    std::vector<Edge> edges;
-    for (const Block<2>& block : assembly.blocks)
-    {
-        if (block.support >= 0)
-        {
-            continue;
-        }
-        for (std::size_t i = 0; i < block.outline.size(); ++i)
-        {
-            const Vector<2>& from = block.outline[i];
-            const Vector<2>& to = block.outline[(i + 1) % block.outline.size()];
-            edges.push_back({from, to, from.cwiseMin(to), from.cwiseMax(to)});
-        }
-    }
-    std::vector<std::size_t> byLeftEnd(edges.size());
-    for (std::size_t i = 0; i < edges.size(); ++i)
-    {
-        byLeftEnd[i] = i;
-    }
-    std::sort(byLeftEnd.begin(), byLeftEnd.end(),
-              [&](std::size_t a, std::size_t b) { return edges[a].lower.x() < edges[b].lower.x(); });
-    double widest = 0;
-    for (const Edge& edge : edges)
-    {
-        widest = std::max(widest, edge.upper.x() - edge.lower.x());
-    }
-
-    std::vector<Piece> pieces;
-    for (const Edge& edge : edges)
-    {
-        const Vector<2> along = edge.to - edge.from;
-        const double length = along.norm();
-        if (length <= tolerance)
-        {
-            continue;
-        }
-        // Intervals of this edge, as fractions, that lie on an edge of another block.
-        std::vector<std::pair<double, double>> covered;
-        const auto first =
-            std::lower_bound(byLeftEnd.begin(), byLeftEnd.end(), edge.lower.x() - widest - tolerance,
-                             [&](std::size_t i, double x) { return edges[i].lower.x() < x; });
-        for (auto it = first; it != byLeftEnd.end() && edges[*it].lower.x() <= edge.upper.x() + tolerance;
-             ++it)
-        {
-            const Edge& other = edges[*it];
-            if (other.lower.y() > edge.upper.y() + tolerance || other.upper.y() < edge.lower.y() - tolerance
-                || along.dot(other.to - other.from) >= 0) // neighbours run in the opposite direction
-            {
-                continue;
-            }
-            const auto distance = [&](const Vector<2>& p)
-            { return std::abs(cross(along, p - edge.from)) / length; };
-            if (distance(other.from) > tolerance || distance(other.to) > tolerance)
-            {
-                continue;
-            }
-            covered.emplace_back(along.dot(other.to - edge.from) / (length * length),
-                                 along.dot(other.from - edge.from) / (length * length));
-        }
-        std::sort(covered.begin(), covered.end());
-        double position = 0;
-        const auto add = [&](double end)
-        {
-            if ((end - position) * length > tolerance)
-            {
-                pieces.push_back({edge.from + position * along, edge.from + end * along});
-            }
-        };
-        for (const auto& [begin, end] : covered)
-        {
-            add(std::min(begin, 1.0));
-            position = std::max(position, end);
-        }
-        add(1);
-    }
-    return pieces;
 }
 
 /// Of what is drawn as it was built.
@@ -452,7 +358,7 @@ Canvas drawnMechanism(const Assembly<2>& assembly, const std::vector<Placement<2
     paintBlocks(drawing, assembly, placements, moved, view, blockSize);
     if (furthest > 0)
     {
-        for (const Piece& piece : outlinePieces(assembly, 1e-6 * blockSize))
+        for (const OutlinePiece& piece : builtOutline(assembly, 1e-6 * blockSize))
         {
             drawing.line(view(piece.from), view(piece.to), builtLine);
         }
