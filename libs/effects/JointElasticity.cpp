@@ -118,7 +118,8 @@ template<int Dim>
 EffectType<Dim> elasticityType()
 {
     return effectType<Dim, Elasticity>("elasticity",
-                                       "contact points that give way under force, in motion; absent: rigid",
+                                       "contact points that give way under force, in motion with theta 1 and "
+                                       "without restitution, cohesion and tension; absent: rigid",
                                        [](const Elasticity& elasticity, const EffectSource<Dim>& source)
                                        {
                                            refuseCombinations(source);

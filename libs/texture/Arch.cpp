@@ -202,7 +202,7 @@ void declareSection(Options& options, Arch& arch)
         .unit("m")
         .above(0)
         .example("0.15");
-    options.required("voussoirs", arch.voussoirs, "their number")
+    options.required("voussoirs", arch.voussoirs, "their number; of a pointed arch even")
         .atLeast(1)
         .atMost(maximumBlocks)
         .example("27");

@@ -40,7 +40,7 @@ void declare(Options& options, Column& column)
         .below(1);
     options.optional("at", column.at, "axes of the columns in plan").unit("m");
     options.optional("architrave", column.architrave,
-                     "one beam over all columns, along the line of the first and the "
+                     "one beam over all columns, at least two, along the line of the first and the "
                      "last; absent: none");
     options.check("at",
                   [&column]() -> std::string
