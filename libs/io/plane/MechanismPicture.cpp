@@ -327,6 +327,38 @@ double paintThrust(Canvas& drawing, const Assembly<2>& assembly, const std::vect
     return largest;
 }
 
+/// What colours, marks and lines mean, under the picture. \param isMoving whether blocks are where they were
+/// not built \param largestForce of the thrust [N]
+void paintLegend(PicturePage& page, const MechanismPicture& picture, const std::vector<JointMark>& marks,
+                 bool isMoving, double largestForce)
+{
+    Canvas& drawing = page.drawing;
+    const double y = page.legend();
+    double x = page.corner.x() + 4;
+    if (isMoving)
+    {
+        x = paintClayLegend(drawing, {x, y}) + 18;
+        drawing.line({x, y + 7}, {x + 30, y + 7}, builtLine);
+        drawing.text({x + 36, y + 11}, "as built", {.size = 12});
+        x += 36 + textWidth("as built", 12) + 18;
+    }
+    x = paintMarkLegend(drawing, marks, {x, y});
+    if (!picture.thrust.empty())
+    {
+        // A scale of forces: the width of the largest one and of a tenth of it.
+        for (const double share : {1.0, 0.1})
+        {
+            const std::string label = forceLabel(share * largestForce);
+            drawing.line(
+                {x, y + 7}, {x + 24, y + 7},
+                {.stroke = std::string(thrustColour), .strokeWidth = thrustWidth(share), .opacity = 0.85});
+            drawing.text({x + 30, y + 11}, label, {.size = 12});
+            x += 30 + textWidth(label, 12) + 18;
+        }
+        drawing.text({x, y + 11}, "line of thrust, reactions", {.size = 12});
+    }
+}
+
 } // namespace
 
 Canvas drawnMechanism(const Assembly<2>& assembly, const std::vector<Placement<2>>& placements,
@@ -381,30 +413,7 @@ Canvas drawnMechanism(const Assembly<2>& assembly, const std::vector<Placement<2
     }
     drawing.endClip();
 
-    const double y = page.legend();
-    double x = view.corner.x() + 4;
-    if (furthest > 0)
-    {
-        x = paintClayLegend(drawing, {x, y}) + 18;
-        drawing.line({x, y + 7}, {x + 30, y + 7}, builtLine);
-        drawing.text({x + 36, y + 11}, "as built", {.size = 12});
-        x += 36 + textWidth("as built", 12) + 18;
-    }
-    x = paintMarkLegend(drawing, marks, {x, y});
-    if (!picture.thrust.empty())
-    {
-        // A scale of forces: the width of the largest one and of a tenth of it.
-        for (const double share : {1.0, 0.1})
-        {
-            const std::string label = forceLabel(share * largestForce);
-            drawing.line(
-                {x, y + 7}, {x + 24, y + 7},
-                {.stroke = std::string(thrustColour), .strokeWidth = thrustWidth(share), .opacity = 0.85});
-            drawing.text({x + 30, y + 11}, label, {.size = 12});
-            x += 30 + textWidth(label, 12) + 18;
-        }
-        drawing.text({x, y + 11}, "line of thrust, reactions", {.size = 12});
-    }
+    paintLegend(page, picture, marks, furthest > 0, largestForce);
     paintNotes(page, picture, loadOnPage);
     return drawing;
 }
