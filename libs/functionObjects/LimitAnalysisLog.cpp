@@ -122,7 +122,10 @@ void printWholeJoints(const LimitAnalysisCase<3>& structure, const LimitAnalysis
         return;
     }
     const Eigen::VectorXd& live = liveLoadOf(structure, result);
-    const double less = dissipatedLess(structure.program, structure.patches, live, result.mechanism);
+    const double less =
+        sumOf(dissipatedLessByCell(structure.program, structure.patches, live, result.mechanism));
+    const double carriedLess = sumOf(
+        carriedLessByCell(structure.program, structure.patches, live, result.mechanism, result.contactForce));
     const AdaptivePoints* adaptive = jointPointsOf<AdaptivePoints>(structure.contact);
     if (adaptive && less > adaptive->tolerance * std::abs(result.alpha))
     {
@@ -132,6 +135,18 @@ void printWholeJoints(const LimitAnalysisCase<3>& structure, const LimitAnalysis
                         "no more are added.",
                         adaptive->tolerance, result.alpha - std::copysign(less, live.dot(result.mechanism)),
                         100 * less / std::abs(result.alpha), structure.points.size()));
+        return;
+    }
+    const double tolerance = adaptive ? adaptive->tolerance : AdaptivePoints().tolerance;
+    if (carriedLess > std::max(less, 2 * tolerance * std::abs(result.alpha)))
+    {
+        printWarning(fmt::format(
+            "The stress that joints bear over their faces carries less than their {} contact points: by an "
+            "estimate {:.2g}% less than alpha. {}",
+            structure.points.size(), 100 * carriedLess / std::abs(result.alpha),
+            jointPointsOf<PointGrid>(structure.contact)
+                ? "Give a finer grid, or `jointPoints { type adaptive; }`."
+                : "No more points are added; `jointPoints { type grid; }` may have more."));
         return;
     }
     if (less > worthSaying * std::abs(result.alpha))

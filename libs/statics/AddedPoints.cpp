@@ -54,11 +54,11 @@ std::optional<double> refinementTolerance(const LimitAnalysisCase<3>& structure)
                                              : std::nullopt;
 }
 
-/// What joints dissipate less over their cells in the answer that is farthest from the bound of its
-/// mechanism; empty: in none by more than the tolerance, or there are as many points as may be.
-std::vector<std::vector<double>> farthestFromItsBound(const LimitAnalysisCase<3>& structure,
-                                                      const std::vector<LimitAnalysis>& results,
-                                                      double tolerance)
+/// What joints dissipate less over their cells, or carry less, in the answer that is farthest from whole
+/// faces; empty: in none by more than the tolerance, or there are as many points as may be.
+std::vector<std::vector<double>> farthestFromFaces(const LimitAnalysisCase<3>& structure,
+                                                   const std::vector<LimitAnalysis>& results,
+                                                   double tolerance)
 {
     std::size_t corners = 0;
     for (const PatchCells& patch : structure.patches)
@@ -75,18 +75,19 @@ std::vector<std::vector<double>> farthestFromItsBound(const LimitAnalysisCase<3>
         {
             continue;
         }
-        std::vector<std::vector<double>> less = dissipatedLessByCell(
-            structure.program, structure.patches, liveLoadOf(structure, result), result.mechanism);
-        double sum = 0;
-        for (const std::vector<double>& ofPatch : less)
+        const Eigen::VectorXd& live = liveLoadOf(structure, result);
+        const auto consider = [&](std::vector<std::vector<double>> less)
         {
-            sum = std::accumulate(ofPatch.begin(), ofPatch.end(), sum);
-        }
-        if (sum > largest * std::abs(result.alpha))
-        {
-            largest = sum / std::abs(result.alpha);
-            farthest = std::move(less);
-        }
+            const double sum = sumOf(less);
+            if (sum > largest * std::abs(result.alpha))
+            {
+                largest = sum / std::abs(result.alpha);
+                farthest = std::move(less);
+            }
+        };
+        consider(dissipatedLessByCell(structure.program, structure.patches, live, result.mechanism));
+        consider(carriedLessByCell(structure.program, structure.patches, live, result.mechanism,
+                                   result.contactForce));
     }
     return farthest;
 }
@@ -129,7 +130,7 @@ bool addPoints(LimitAnalysisCase<3>& structure, const std::vector<LimitAnalysis>
     bool isAny = addAt(std::max(exact, looseHinges));
     if (!isAny && refinement)
     {
-        const std::vector<std::vector<double>> less = farthestFromItsBound(structure, results, *refinement);
+        const std::vector<std::vector<double>> less = farthestFromFaces(structure, results, *refinement);
         if (!less.empty())
         {
             refineJoints(joints, less);

@@ -34,13 +34,27 @@ std::vector<std::vector<double>> dissipatedLessByCell(const SpaceConeProgram& pr
                                                       const Eigen::VectorXd& liveLoad,
                                                       const Eigen::VectorXd& mechanism);
 
-/// Their sum.
-double dissipatedLess(const SpaceConeProgram& program, const std::vector<PatchCells>& patches,
-                      const Eigen::VectorXd& liveLoad, const Eigen::VectorXd& mechanism);
+/// The same seen from the forces: by how much less work they do where stress can carry them. No mechanism
+/// tells of that where a joint opens at its points, as where it is twisted and slides on its corners: all its
+/// force is at the corners then, each of which stands for a quarter of the face. Of a part of area a round a
+/// vertex, with the stress bounded by N, a force c needs c_n / N at least, and as near to the vertex as may
+/// be, that is the part shrunk towards the vertex by sqrt(c_n / (N a)), with the centre q on the way to the
+/// part's own. The work done there is c . A'y at q, linear over a joint. What it is less is no bound, but
+/// falls with the square of the size of cells as the error of the multiplier does. \param contactForce of the
+/// answer (n, t1, t2) \return one value >= 0 for each cell; all 0 without crushing
+std::vector<std::vector<double>> carriedLessByCell(const SpaceConeProgram& program,
+                                                   const std::vector<PatchCells>& patches,
+                                                   const Eigen::VectorXd& liveLoad,
+                                                   const Eigen::VectorXd& mechanism,
+                                                   const Eigen::VectorXd& contactForce);
+
+/// Of all cells.
+double sumOf(const std::vector<std::vector<double>>& less);
 
 /// Divides the cells at which most is dissipated in excess, those that have four fifths of it together: a
 /// cell's excess falls with the square of its size, so that each time about two fifths are left (the marking
-/// of adaptive finite elements, Doerfler 1996). \param less of one mechanism, see dissipatedLessByCell
+/// of adaptive finite elements, Doerfler 1996). \param less of one mechanism, see dissipatedLessByCell and
+/// carriedLessByCell
 void refineJoints(JointPoints<3>& joints, const std::vector<std::vector<double>>& less);
 
 } // namespace drystone

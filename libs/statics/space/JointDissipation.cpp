@@ -103,50 +103,137 @@ PointRates pointRates(const SpaceConeProgram& program, const std::vector<PatchCe
     return points;
 }
 
-/// Of a cell by which its points dissipate more than its area does: as in vertexAreas, triangles about the
-/// centroid, whose function is shared out to the corners. \param first point of the patch \param enough
-/// differences that do not matter
-double lessInCell(const PatchCells& patch, const std::vector<int>& cell, const PointRates& points,
-                  std::size_t first, double enough)
+/// A cell as triangles about its centroid, as in vertexAreas, whose function is shared out to the corners.
+struct Triangles
 {
-    const auto at = [first](int vertex) { return first + static_cast<std::size_t>(vertex); };
+    std::vector<double> parts; ///< area of the triangle from each corner to the next [m2]
+    double area = 0;
+
+    /// Of the cell that a corner stands for.
+    double areaOf(std::size_t corner) const
+    {
+        return (parts[corner] + parts[(corner + parts.size() - 1) % parts.size()]) / 2;
+    }
+};
+
+Triangles trianglesOf(const PatchCells& patch, const std::vector<int>& cell)
+{
     Polygon outline;
     for (const int vertex : cell)
     {
         outline.push_back(patch.vertices[static_cast<std::size_t>(vertex)]);
     }
     const Vector<2> centroid = areaProperties(outline).centroid;
-    const std::size_t corners = cell.size();
-    std::vector<double> parts(corners); // area of the triangle from each corner to the next
-    double area = 0;
-    for (std::size_t i = 0; i < corners; ++i)
+    Triangles triangles;
+    for (std::size_t i = 0; i < cell.size(); ++i)
     {
-        parts[i] = std::abs(cross(outline[i] - centroid, outline[(i + 1) % corners] - centroid)) / 2;
-        area += parts[i];
+        const Vector<2> next = outline[(i + 1) % cell.size()] - centroid;
+        triangles.parts.push_back(std::abs(cross(outline[i] - centroid, next)) / 2);
+        triangles.area += triangles.parts.back();
     }
-    if (!(area > 0))
+    return triangles;
+}
+
+/// Of a cell by which its points dissipate more than its area does. \param first point of the patch \param
+/// enough differences that do not matter
+double lessInCell(const PatchCells& patch, const std::vector<int>& cell, const PointRates& points,
+                  std::size_t first, double enough)
+{
+    const auto at = [first](int vertex) { return first + static_cast<std::size_t>(vertex); };
+    const Triangles triangles = trianglesOf(patch, cell);
+    if (!(triangles.area > 0))
     {
         return 0;
     }
     Vector<3> atCentroid = Vector<3>::Zero();
     double sharedRate = 0;
-    for (std::size_t i = 0; i < corners; ++i)
+    for (std::size_t i = 0; i < cell.size(); ++i)
     {
-        const double share = (parts[i] + parts[(i + corners - 1) % corners]) / (2 * area);
+        const double share = triangles.areaOf(i) / triangles.area;
         atCentroid += share * points.closing[at(cell[i])];
         sharedRate += share * points.rate[at(cell[i])];
     }
     const StressLimits& limits = points.limits[at(cell[0])];
     const double rate = rateOf(limits, atCentroid);
-    double less = area / 3 * (sharedRate - rate);
-    for (std::size_t i = 0; i < corners; ++i)
+    double less = triangles.area / 3 * (sharedRate - rate);
+    for (std::size_t i = 0; i < cell.size(); ++i)
     {
         const std::size_t from = at(cell[i]);
-        const std::size_t to = at(cell[(i + 1) % corners]);
-        less += excessOver(limits, parts[i], {points.closing[from], points.closing[to], atCentroid},
+        const std::size_t to = at(cell[(i + 1) % cell.size()]);
+        less += excessOver(limits, triangles.parts[i], {points.closing[from], points.closing[to], atCentroid},
                            {points.rate[from], points.rate[to], rate}, enough, mostDivisions);
     }
     return std::max(0.0, less);
+}
+
+/// The part of a cell that one of its vertices stands for.
+struct VertexPart
+{
+    std::size_t cell;
+    double area;    ///< [m2]
+    Vector<3> away; ///< closing at its centre less that at the vertex
+};
+
+/// Of each vertex. \param closing of each, linear over the patch
+std::vector<std::vector<VertexPart>> partsOfVertices(const PatchCells& patch,
+                                                     const std::vector<Vector<3>>& closing)
+{
+    std::vector<std::vector<VertexPart>> parts(patch.vertices.size());
+    for (std::size_t k = 0; k < patch.cells.size(); ++k)
+    {
+        const std::vector<int>& cell = patch.cells[k];
+        const auto at = [&](std::size_t i) -> const Vector<3>&
+        { return closing[static_cast<std::size_t>(cell[i % cell.size()])]; };
+        const Triangles triangles = trianglesOf(patch, cell);
+        if (!(triangles.area > 0))
+        {
+            continue;
+        }
+        Vector<3> atCentroid = Vector<3>::Zero();
+        for (std::size_t i = 0; i < cell.size(); ++i)
+        {
+            atCentroid += triangles.areaOf(i) / triangles.area * at(i);
+        }
+        for (std::size_t i = 0; i < cell.size(); ++i)
+        {
+            const std::size_t before = i + cell.size() - 1;
+            // Two halves of triangles, each with the vertex, the middle of an edge and the centroid.
+            const auto centre = [&](std::size_t other) -> Vector<3>
+            { return (at(i) + (at(i) + at(other)) / 2 + atCentroid) / 3; };
+            const double area = triangles.areaOf(i);
+            const Vector<3> sum = triangles.parts[i] / 2 * centre(i + 1)
+                                  + triangles.parts[before % cell.size()] / 2 * centre(before);
+            parts[static_cast<std::size_t>(cell[i])].push_back(
+                {k, area, area > 0 ? Vector<3>(sum / area - at(i)) : Vector<3>(Vector<3>::Zero())});
+        }
+    }
+    return parts;
+}
+
+/// Adds to cells by how much less work a force does where stress can carry it, beside its vertex: first in
+/// the parts where it does the most. \param used share of what the vertex bears
+void addCarriedLess(std::vector<VertexPart> parts, const Vector<3>& force, double used,
+                    std::vector<double>& ofCells)
+{
+    double needed = 0;
+    for (const VertexPart& part : parts)
+    {
+        needed += used * part.area;
+    }
+    std::sort(parts.begin(), parts.end(),
+              [&](const VertexPart& a, const VertexPart& b)
+              { return force.dot(a.away) > force.dot(b.away); });
+    double left = needed;
+    for (const VertexPart& part : parts)
+    {
+        const double taken = std::min(left, part.area);
+        if (!(taken > 0))
+        {
+            break;
+        }
+        ofCells[part.cell] -= taken / needed * std::sqrt(taken / part.area) * force.dot(part.away);
+        left -= taken;
+    }
 }
 
 } // namespace
@@ -183,13 +270,53 @@ std::vector<std::vector<double>> dissipatedLessByCell(const SpaceConeProgram& pr
     return less;
 }
 
-double dissipatedLess(const SpaceConeProgram& program, const std::vector<PatchCells>& patches,
-                      const Eigen::VectorXd& liveLoad, const Eigen::VectorXd& mechanism)
+std::vector<std::vector<double>> carriedLessByCell(const SpaceConeProgram& program,
+                                                   const std::vector<PatchCells>& patches,
+                                                   const Eigen::VectorXd& liveLoad,
+                                                   const Eigen::VectorXd& mechanism,
+                                                   const Eigen::VectorXd& contactForce)
+{
+    std::vector<std::vector<double>> less;
+    for (const PatchCells& patch : patches)
+    {
+        less.emplace_back(patch.cells.size(), 0.0);
+    }
+    const double work = std::abs(liveLoad.dot(mechanism));
+    if (!(work > 0) || !program.hasCrushing())
+    {
+        return less;
+    }
+    const Eigen::VectorXd closingOfAll = applyTransposed(program, mechanism) / work;
+    std::size_t point = 0;
+    for (std::size_t joint = 0; joint < patches.size(); ++joint)
+    {
+        const PatchCells& patch = patches[joint];
+        std::vector<Vector<3>> closing;
+        for (std::size_t vertex = 0; vertex < patch.vertices.size(); ++vertex)
+        {
+            closing.emplace_back(closingOfAll.segment<3>(3 * static_cast<Eigen::Index>(point + vertex)));
+        }
+        for (std::vector<VertexPart>& parts : partsOfVertices(patch, closing))
+        {
+            const Vector<3> force = contactForce.segment<3>(3 * static_cast<Eigen::Index>(point));
+            const double used = std::clamp(force[0] / program.strength[point].crushing, 0.0, 1.0);
+            addCarriedLess(std::move(parts), force, used, less[joint]);
+            ++point;
+        }
+        for (double& ofCell : less[joint])
+        {
+            ofCell = std::max(0.0, ofCell);
+        }
+    }
+    return less;
+}
+
+double sumOf(const std::vector<std::vector<double>>& less)
 {
     double sum = 0;
-    for (const std::vector<double>& ofPatch : dissipatedLessByCell(program, patches, liveLoad, mechanism))
+    for (const std::vector<double>& ofPatch : less)
     {
-        sum += std::accumulate(ofPatch.begin(), ofPatch.end(), 0.0);
+        sum = std::accumulate(ofPatch.begin(), ofPatch.end(), sum);
     }
     return sum;
 }
