@@ -31,6 +31,48 @@ void declare(Options& options, Deletion<Dim>& deletion)
                   });
 }
 
+namespace
+{
+
+/// Whether a mass centre is outside.
+template<int Dim>
+bool isOutside(const Deletion<Dim>& deletion, const Vector<Dim>& centre)
+{
+    const auto& [lower, upper] = deletion.box;
+    return (centre.array() < lower.array()).any() || (centre.array() > upper.array()).any();
+}
+
+/// A box that leaves out blocks where they were built is a mistyped one more often than not.
+template<int Dim>
+void questionBox(const Deletion<Dim>& deletion, const Structure<Dim>& structure, const SourceLocation& place)
+{
+    constexpr std::size_t most = 10;
+    std::vector<std::size_t> outside;
+    for (std::size_t block = 0; block < structure.free.size(); ++block)
+    {
+        if (structure.free[block] >= 0 && isOutside(deletion, structure.blocks[block].centroid))
+        {
+            outside.push_back(block);
+        }
+    }
+    if (!outside.empty())
+    {
+        const std::size_t count = outside.size();
+        outside.resize(std::min(count, most));
+        printWarningOnce(
+            fmt::format("{} of {} free blocks ({}{}) are outside of the box where they were built: unless "
+                        "0/motion starts them inside, they are computed no further from the start. Enlarge "
+                        "the box.",
+                        count,
+                        std::count_if(structure.free.begin(), structure.free.end(),
+                                      [](int body) { return body >= 0; }),
+                        fmt::join(outside, " "), count > most ? " ..." : ""),
+            place);
+    }
+}
+
+} // namespace
+
 template<int Dim>
 void BlockDeletion<Dim>::start(const Structure<Dim>& structure, const std::vector<Placement<Dim>>&,
                                EffectState& state) const
@@ -57,13 +99,10 @@ std::vector<int> BlockDeletion<Dim>::leaveOut(const Structure<Dim>& structure,
                                               EffectState& state) const
 {
     std::vector<int> leaving;
-    const auto& [lower, upper] = settings.box;
     for (std::size_t block = 0; block < structure.free.size(); ++block)
     {
         const Vector<Dim> centre = structure.blocks[block].centroid + placements[block].translation;
-        const bool isOutside =
-            (centre.array() < lower.array()).any() || (centre.array() > upper.array()).any();
-        if (isOutside && structure.free[block] >= 0 && !state.flags[block])
+        if (isOutside(settings, centre) && structure.free[block] >= 0 && !state.flags[block])
         {
             state.flags[block] = true;
             leaving.push_back(static_cast<int>(block));
@@ -110,6 +149,7 @@ EffectType<Dim> deletionType()
                     "set `smallDisplacements no;` in system/schemes.",
                     source.contact.locations.of("deletion"));
             }
+            questionBox(deletion, source.structure, source.contact.locations.of("deletion"));
             return std::make_shared<BlockDeletion<Dim>>(deletion);
         });
 }

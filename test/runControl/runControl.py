@@ -157,6 +157,14 @@ class RunControl(CaseTest):
         self.run_(parts)
         self.assertEqual(self.state(parts), self.state(once))
 
+    def testABoxThatLeavesOutBlocksWhereTheyWereBuiltIsDoubted(self):
+        case = self.copy("box", endTime="0.01")
+        contact = header % "contactProperties" + "friction { type Coulomb; mu 0.3; }\ndeletion { box ((%s -10) (50 50)); }\n"
+        self.write(case, "constant/contactProperties", contact % "30")
+        self.assertRegex(self.run_(case).stderr, r"(\d+) of \1 free blocks \(.*\) are outside of the box")
+        self.write(case, "constant/contactProperties", contact % "-30")
+        self.assertNotIn("outside of the box", self.run_(case).stderr)
+
     def testARunWithAMovingSupportAndBlocksThatLeaveTheBoxInPartsEndsInTheSameBytes(self):
         contact = (header % "contactProperties" + "friction { type Coulomb; mu 0.3; flowRule nonAssociative; }\n"
                    "deletion { box ((0 -10) (10 10)); }\n")
