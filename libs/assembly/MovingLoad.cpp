@@ -8,7 +8,10 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <map>
+#include <numeric>
 
 namespace drystone
 {
@@ -41,14 +44,17 @@ struct Landing
     std::vector<int> blocks;
 };
 
+/// \param among blocks in ascending order
 template<int Dim>
-Landing landingOf(const Assembly<Dim>& assembly, const Vector<Dim>& from, const Vector<Dim>& direction)
+Landing landingOf(const Assembly<Dim>& assembly, const std::vector<int>& among, const Vector<Dim>& from,
+                  const Vector<Dim>& direction)
 {
     const double tolerance = widthOfAJoint(assembly);
     Landing landing;
-    for (std::size_t i = 0; i < assembly.blocks.size(); ++i)
+    for (const int i : among)
     {
-        const std::optional<double> entry = entryOf(assembly.blocks[i], from, direction, tolerance);
+        const std::optional<double> entry =
+            entryOf(assembly.blocks[static_cast<std::size_t>(i)], from, direction, tolerance);
         if (!entry || *entry > landing.distance + tolerance)
         {
             continue;
@@ -58,9 +64,17 @@ Landing landingOf(const Assembly<Dim>& assembly, const Vector<Dim>& from, const 
             landing.blocks.clear();
         }
         landing.distance = std::min(landing.distance, *entry);
-        landing.blocks.push_back(static_cast<int>(i));
+        landing.blocks.push_back(i);
     }
     return landing;
+}
+
+template<int Dim>
+Landing landingOf(const Assembly<Dim>& assembly, const Vector<Dim>& from, const Vector<Dim>& direction)
+{
+    std::vector<int> all(assembly.blocks.size());
+    std::iota(all.begin(), all.end(), 0);
+    return landingOf<Dim>(assembly, all, from, direction);
 }
 
 enum class Choice
@@ -75,53 +89,228 @@ struct Ray
 {
     Vector<Dim> from = Vector<Dim>::Zero();
     Vector<Dim> direction = Vector<Dim>::Zero(); ///< of unit length
+    double share = 1;                            ///< of the force of the axle
+    Landing landing = {};
 };
 
-/// Where on [-1, 1] the middles of `count` equal parts lie.
-double middleOf(int part, int count)
+/// The force of an axle, spread: at u in [-1, 1] of the loaded length L a ray begins at u L/2 and goes along
+/// f + u s a, with f the direction of the force, a the path's across it and s the spread: at the depth t it
+/// is at u (L/2 + s t), so that the force is uniform over L + 2 s t. In space the same across the path, with
+/// v.
+template<int Dim>
+struct SpreadAxle
 {
-    return (2.0 * part + 1) / count - 1;
+    SpreadAxle(const MovingLoadSettings<Dim>& given, const Vector<Dim>& at) : settings(given), place(at)
+    {
+        force = settings.value.normalized();
+        path = (settings.to - settings.from).normalized();
+        const Vector<Dim> level = path - path.dot(force) * force;
+        along = level.norm() > 0 ? Vector<Dim>(level.normalized()) : Vector<Dim>(Vector<Dim>::Zero());
+    }
+
+    Ray<Dim> ray(double u, [[maybe_unused]] double v, double share) const
+    {
+        Vector<Dim> from = place + u * settings.loadedLength / 2 * path;
+        Vector<Dim> direction = force + u * settings.spread * along;
+        if constexpr (Dim == 3)
+        {
+            const Vector<3> across = force.cross(along);
+            from += v * settings.loadedWidth / 2 * across;
+            direction += v * settings.spread * across;
+        }
+        return {from, direction.normalized(), share, {}};
+    }
+
+    const MovingLoadSettings<Dim>& settings;
+    Vector<Dim> place;
+    Vector<Dim> force;
+    Vector<Dim> path;
+    Vector<Dim> along;
+};
+
+/// The blocks that a spread axle can meet: those near its rays.
+template<int Dim>
+std::vector<int> blocksBelow(const Assembly<Dim>& assembly, const SpreadAxle<Dim>& axle)
+{
+    Box<Dim> box;
+    extend<Dim>(box, axle.place);
+    for (const Block<Dim>& block : assembly.blocks)
+    {
+        const Box<Dim> own = boundingBox(block);
+        extend<Dim>(box, own.lower);
+        extend<Dim>(box, own.upper);
+    }
+    const double farthest = (box.upper - box.lower).norm();
+    const double tolerance = widthOfAJoint(assembly);
+    Box<Dim> swept;
+    for (const double u : {-1.0, 1.0})
+    {
+        for (const double v : {-1.0, 1.0})
+        {
+            const Ray<Dim> ray = axle.ray(u, v, 1);
+            extend<Dim>(swept, ray.from);
+            extend<Dim>(swept, Vector<Dim>(ray.from + 2 * farthest * ray.direction));
+        }
+    }
+    std::vector<int> below;
+    for (std::size_t i = 0; i < assembly.blocks.size(); ++i)
+    {
+        const Box<Dim> own = boundingBox(assembly.blocks[i]);
+        if ((own.lower.array() <= swept.upper.array() + tolerance).all()
+            && (own.upper.array() >= swept.lower.array() - tolerance).all())
+        {
+            below.push_back(static_cast<int>(i));
+        }
+    }
+    return below;
 }
 
-/// Equal parts of an axle: at u in [-1, 1] of the loaded length L the ray begins at u L/2 and goes along
-/// f + u s a, with f the direction of the force, a the path's across it and s the spread: at the depth t it
-/// is at u (L/2 + s t), so that the force is uniform over L + 2 s t. In space the same across the path.
+/// Cuts the force of an axle where the block changes that it meets, so that each block has its share.
 template<int Dim>
-std::vector<Ray<Dim>> raysOf(const MovingLoadSettings<Dim>& settings, const Vector<Dim>& place)
+class Cutting
 {
-    const Vector<Dim> force = settings.value.normalized();
+public:
+    Cutting(const Assembly<Dim>& ofBlocks, const SpreadAxle<Dim>& ofForce, Choice which)
+        : assembly(ofBlocks), axle(ofForce), choice(which), below(blocksBelow(ofBlocks, ofForce))
+    {
+    }
+
+    std::vector<Ray<Dim>> rays()
+    {
+        if constexpr (Dim == 2)
+        {
+            addStrip(0, 1);
+        }
+        else
+        {
+            for (int i = 0; i < strips; ++i)
+            {
+                const double low = 2.0 * i / strips - 1;
+                const double high = 2.0 * (i + 1) / strips - 1;
+                addStrips(low, blocksOf(cutsOf(low)), high, blocksOf(cutsOf(high)), mostHalvingsOfStrips);
+            }
+        }
+        return std::move(found);
+    }
+
+private:
+    /// Rays along a strip, and the least of a block; strips; and how often what is between two is halved.
+    static constexpr int parts = Dim == 2 ? 100 : 24;
+    static constexpr int leastOfABlock = Dim == 2 ? 20 : 1;
+    static constexpr int strips = 24;
+    static constexpr int mostHalvings = 30;
+    static constexpr int mostHalvingsOfStrips = 16;
+
+    /// From where to where along a strip a block is met, or none (-1).
+    struct Cut
+    {
+        int block;
+        double begin;
+        double end;
+    };
+
+    Ray<Dim> landed(double u, double v, double share) const
+    {
+        Ray<Dim> ray = axle.ray(u, v, share);
+        ray.landing = landingOf<Dim>(assembly, below, ray.from, ray.direction);
+        return ray;
+    }
+
+    int blockAt(double u, double v) const
+    {
+        const Landing landing = landed(u, v, 1).landing;
+        return landing.blocks.empty()     ? -1
+               : choice == Choice::lowest ? landing.blocks.front()
+                                          : landing.blocks.back();
+    }
+
+    std::vector<Cut> cutsOf(double v) const
+    {
+        std::vector<Cut> cuts{{blockAt(-1, v), -1, -1}};
+        for (int i = 1; i <= parts; ++i)
+        {
+            addCuts(v, cuts.back().end, cuts.back().block, 2.0 * i / parts - 1, mostHalvings, cuts);
+        }
+        return cuts;
+    }
+
+    /// Goes on from `low`, where `block` is met, to `high`.
+    void addCuts(double v, double low, int block, double high, int halvings, std::vector<Cut>& cuts) const
+    {
+        const int other = blockAt(high, v);
+        if (other == block || halvings == 0)
+        {
+            cuts.back().end = high;
+            if (other != block)
+            {
+                cuts.back().end = (low + high) / 2;
+                cuts.push_back({other, (low + high) / 2, high});
+            }
+            return;
+        }
+        addCuts(v, low, block, (low + high) / 2, halvings - 1, cuts);
+        addCuts(v, (low + high) / 2, cuts.back().block, high, halvings - 1, cuts);
+    }
+
+    static std::vector<int> blocksOf(const std::vector<Cut>& cuts)
+    {
+        std::vector<int> blocks;
+        for (const Cut& cut : cuts)
+        {
+            blocks.push_back(cut.block);
+        }
+        return blocks;
+    }
+
+    /// Strips between two, finer where the blocks that they meet change.
+    void addStrips(double low, const std::vector<int>& atLow, double high, const std::vector<int>& atHigh,
+                   int halvings)
+    {
+        const double middle = (low + high) / 2;
+        if (atLow == atHigh || halvings == 0)
+        {
+            addStrip(middle, (high - low) / 2);
+            return;
+        }
+        const std::vector<int> between = blocksOf(cutsOf(middle));
+        addStrips(low, atLow, middle, between, halvings - 1);
+        addStrips(middle, between, high, atHigh, halvings - 1);
+    }
+
+    /// \param share of the force
+    void addStrip(double v, double share)
+    {
+        for (const Cut& cut : cutsOf(v))
+        {
+            const double length = cut.end - cut.begin;
+            const int count = std::max(leastOfABlock, static_cast<int>(std::ceil(length / 2 * parts - 1e-9)));
+            for (int i = 0; cut.block >= 0 && length > 0 && i < count; ++i)
+            {
+                const double u = cut.begin + (i + 0.5) / count * length;
+                found.push_back(landed(u, v, share * length / 2 / count));
+            }
+        }
+    }
+
+    const Assembly<Dim>& assembly;
+    const SpreadAxle<Dim>& axle;
+    Choice choice;
+    std::vector<int> below;
+    std::vector<Ray<Dim>> found;
+};
+
+/// The parts of an axle's force, those that fall past all blocks left out.
+template<int Dim>
+std::vector<Ray<Dim>> raysOf(const Assembly<Dim>& assembly, const MovingLoadSettings<Dim>& settings,
+                             const Vector<Dim>& place, Choice choice)
+{
     if (settings.spread == 0 && settings.loadedLength == 0 && settings.loadedWidth == 0)
     {
-        return {{place, force}};
+        const Vector<Dim> direction = settings.value.normalized();
+        return {{place, direction, 1, landingOf<Dim>(assembly, place, direction)}};
     }
-    const Vector<Dim> path = (settings.to - settings.from).normalized();
-    const Vector<Dim> level = path - path.dot(force) * force;
-    const Vector<Dim> along = level.norm() > 0 ? Vector<Dim>(level.normalized()) : Vector<Dim>::Zero();
-    std::vector<Ray<Dim>> rays;
-    if constexpr (Dim == 2)
-    {
-        constexpr int count = 400;
-        for (int i = 0; i < count; ++i)
-        {
-            const double u = middleOf(i, count);
-            rays.push_back({place + u * settings.loadedLength / 2 * path,
-                            (force + u * settings.spread * along).normalized()});
-        }
-    }
-    else
-    {
-        constexpr int count = 24;
-        const Vector<3> across = force.cross(along);
-        for (int i = 0; i < count * count; ++i)
-        {
-            const double u = middleOf(i / count, count);
-            const double v = middleOf(i % count, count);
-            rays.push_back(
-                {place + u * settings.loadedLength / 2 * path + v * settings.loadedWidth / 2 * across,
-                 (force + settings.spread * (u * along + v * across)).normalized()});
-        }
-    }
-    return rays;
+    const SpreadAxle<Dim> axle(settings, place);
+    return Cutting<Dim>(assembly, axle, choice).rays();
 }
 
 /// The load of the axles at a position, each on one of the blocks that it meets.
@@ -145,11 +334,13 @@ LoadPosition<Dim> loadAt(const Assembly<Dim>& assembly, const MovingLoadSettings
     {
         all += factor;
         const Vector<Dim> from = position.place + offset * along;
-        const std::vector<Ray<Dim>> rays = raysOf(settings, from);
+        const std::vector<Ray<Dim>> rays = raysOf(assembly, settings, from, choice);
+        // Parallel forces on a block are one, at their centre.
+        std::map<int, std::pair<double, Vector<Dim>>> onBlocks;
         std::vector<int> carrying;
         for (const Ray<Dim>& ray : rays)
         {
-            const Landing landing = landingOf<Dim>(assembly, ray.from, ray.direction);
+            const Landing& landing = ray.landing;
             if (landing.blocks.empty())
             {
                 continue;
@@ -159,15 +350,20 @@ LoadPosition<Dim> loadAt(const Assembly<Dim>& assembly, const MovingLoadSettings
             {
                 continue;
             }
-            const Eigen::VectorXd load =
-                pointLoad(assembly, block, Vector<Dim>(ray.from + landing.distance * ray.direction),
-                          Vector<Dim>(factor / static_cast<double>(rays.size()) * settings.value));
-            met += factor / static_cast<double>(rays.size());
-            position.live = position.live.size() == 0 ? load : Eigen::VectorXd(position.live + load);
-            if (std::find(carrying.begin(), carrying.end(), block) == carrying.end())
+            const auto [onBlock, isNew] = onBlocks.try_emplace(block, 0.0, Vector<Dim>::Zero());
+            onBlock->second.first += ray.share;
+            onBlock->second.second += ray.share * (ray.from + landing.distance * ray.direction);
+            if (isNew)
             {
                 carrying.push_back(block);
             }
+        }
+        for (const auto& [block, parts] : onBlocks)
+        {
+            const Eigen::VectorXd load = pointLoad(assembly, block, Vector<Dim>(parts.second / parts.first),
+                                                   Vector<Dim>(factor * parts.first * settings.value));
+            met += factor * parts.first;
+            position.live = position.live.size() == 0 ? load : Eigen::VectorXd(position.live + load);
         }
         position.blocks.insert(position.blocks.end(), carrying.begin(), carrying.end());
         if (!carrying.empty())

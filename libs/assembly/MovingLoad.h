@@ -58,10 +58,12 @@ struct LoadPosition
 ///
 /// With `spread` or `loadedLength` the force of an axle is uniform, at a depth t below the path, over
 /// loadedLength + 2 spread t along the path, and in space over loadedWidth + 2 spread t across it, all of it
-/// in the direction of `value`: the dispersal of codes through fill (1:2 is `spread 0.5`). It is divided into
-/// equal forces, each of which goes along its own ray through the fill to the first block in its way; what
-/// meets a fixed block or none loads nothing. 400 of them in the plane: the share of a block is right to
-/// 1/400; in space 24 x 24.
+/// in the direction of `value`: the dispersal of codes through fill (1:2 is `spread 0.5`). Each part of it
+/// goes along its own ray through the fill to the first block in its way; what meets a fixed block or none
+/// loads nothing. It is cut where the block changes that rays meet, in the plane by halving, in space in
+/// strips along the path that are finer where the blocks of two differ: the share of a block is right to what
+/// it may be beside a joint, unless a block is narrower than a hundredth, in space a 24th, of the loaded
+/// length.
 template<int Dim>
 std::vector<LoadPosition<Dim>> movingLoad(const Assembly<Dim>& assembly,
                                           const MovingLoadSettings<Dim>& settings);
