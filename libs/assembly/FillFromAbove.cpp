@@ -8,9 +8,42 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace drystone
 {
+namespace
+{
+
+/// Some places of a piece, none on its border, where blocks often end.
+std::vector<Vector<2>> placesInside(const SurfacePiece<2>& piece)
+{
+    constexpr int count = 10;
+    std::vector<Vector<2>> places;
+    for (int i = 0; i < count; ++i)
+    {
+        places.emplace_back(piece.corners[0]
+                            + (i + 0.5) / count * Vector<2>(piece.corners[1] - piece.corners[0]));
+    }
+    return places;
+}
+
+std::vector<Vector<3>> placesInside(const SurfacePiece<3>& piece)
+{
+    constexpr int count = 5;
+    const auto& [a, b, c] = piece.corners;
+    std::vector<Vector<3>> places;
+    for (int i = 0; i < count; ++i)
+    {
+        for (int j = 0; i + j < count; ++j)
+        {
+            places.emplace_back(a + (i + 1.0 / 3) / count * (b - a) + (j + 1.0 / 3) / count * (c - a));
+        }
+    }
+    return places;
+}
+
+} // namespace
 
 template<int Dim>
 FillFromAbove<Dim>::FillFromAbove(const Assembly<Dim>& structure, std::optional<double> levelOfFill)
@@ -22,6 +55,8 @@ FillFromAbove<Dim>::FillFromAbove(const Assembly<Dim>& structure, std::optional<
         extend<Dim>(all, boxes.back().lower);
         extend<Dim>(all, boxes.back().upper);
     }
+    every.resize(boxes.size());
+    std::iota(every.begin(), every.end(), std::size_t{0});
 }
 
 template<int Dim>
@@ -34,7 +69,7 @@ bool FillFromAbove<Dim>::reaches(const std::vector<SurfacePiece<Dim>>& pieces) c
     {
         for (const auto& [place, weight] : quadratureOf(piece))
         {
-            const double opposite = weight > 0 ? firstBlockAlong(place, outwards) : 0;
+            const double opposite = weight > 0 ? firstBlockAlong(every, place, outwards) : 0;
             if (opposite > width && (std::isinf(opposite) || isOpenAbove(place, opposite * outwards)))
             {
                 return true;
@@ -46,24 +81,60 @@ bool FillFromAbove<Dim>::reaches(const std::vector<SurfacePiece<Dim>>& pieces) c
 }
 
 template<int Dim>
+bool FillFromAbove<Dim>::isSheltered(const std::vector<SurfacePiece<Dim>>& pieces) const
+{
+    Box<Dim> above;
+    for (const SurfacePiece<Dim>& piece : pieces)
+    {
+        for (const Vector<Dim>& corner : piece.corners)
+        {
+            extend<Dim>(above, corner);
+        }
+    }
+    above.upper[Dim - 1] = all.upper[Dim - 1];
+    std::vector<std::size_t> near;
+    for (std::size_t block = 0; block < boxes.size(); ++block)
+    {
+        if (meet<Dim>(above, boxes[block]))
+        {
+            near.push_back(block);
+        }
+    }
+    const auto isBelowABlock = [&](const Vector<Dim>& place)
+    {
+        const double cover = firstBlockAlong(near, place, up);
+        return cover > width && std::isfinite(cover)
+               && (!level || cover < *level - place.dot(up) - width); // else it stands on the fill
+    };
+    return std::any_of(pieces.begin(), pieces.end(),
+                       [&](const SurfacePiece<Dim>& piece)
+                       {
+                           const auto places = placesInside(piece);
+                           return piece.weight > 0
+                                  && std::any_of(places.begin(), places.end(), isBelowABlock);
+                       });
+}
+
+template<int Dim>
 bool FillFromAbove<Dim>::isOpenAbove(const Vector<Dim>& place, const Vector<Dim>& toOpposite) const
 {
     constexpr std::array<double, 3> parts{0.25, 0.5, 0.75};
     return std::any_of(parts.begin(), parts.end(),
                        [&](double part)
                        {
-                           const double cover = firstBlockAlong(place + part * toOpposite, up);
+                           const double cover = firstBlockAlong(every, place + part * toOpposite, up);
                            return std::isinf(cover) || (level && cover > *level - place.dot(up) + width);
                        });
 }
 
 template<int Dim>
-double FillFromAbove<Dim>::firstBlockAlong(const Vector<Dim>& from, const Vector<Dim>& direction) const
+double FillFromAbove<Dim>::firstBlockAlong(const std::vector<std::size_t>& among, const Vector<Dim>& from,
+                                           const Vector<Dim>& direction) const
 {
     const Vector<Dim> end = from + (all.upper - all.lower).norm() * direction;
     const Box<Dim> way = enlarged<Dim>({from.cwiseMin(end), from.cwiseMax(end)}, width);
     double first = std::numeric_limits<double>::infinity();
-    for (std::size_t block = 0; block < boxes.size(); ++block)
+    for (const std::size_t block : among)
     {
         if (!meet<Dim>(way, boxes[block]))
         {

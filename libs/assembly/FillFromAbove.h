@@ -27,16 +27,21 @@ public:
     /// taken away from its face, and so is pressed as the face is: the answer is that of the whole face.
     bool reaches(const std::vector<SurfacePiece<Dim>>& pieces) const;
 
+    /// Whether another block stands above part of a face that looks up, below the level and apart from it.
+    bool isSheltered(const std::vector<SurfacePiece<Dim>>& pieces) const;
+
 private:
     bool isOpenAbove(const Vector<Dim>& place, const Vector<Dim>& toOpposite) const;
     /// How far along a ray, of unit length, the first block begins [m]; infinite where it meets none.
-    double firstBlockAlong(const Vector<Dim>& from, const Vector<Dim>& direction) const;
+    double firstBlockAlong(const std::vector<std::size_t>& among, const Vector<Dim>& from,
+                           const Vector<Dim>& direction) const;
 
     const Assembly<Dim>& assembly;
     std::optional<double> level;
     double width; ///< of a joint [m]
     std::vector<Box<Dim>> boxes;
-    Box<Dim> all; ///< around them
+    std::vector<std::size_t> every; ///< block
+    Box<Dim> all;                   ///< around them
     const Vector<Dim> up = Vector<Dim>::Unit(Dim - 1);
 };
 

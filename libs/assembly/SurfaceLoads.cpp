@@ -39,7 +39,7 @@ struct Tractions
 {
     std::vector<PressedPiece<Dim>> pieces;
     std::function<double(const Vector<Dim>& place)> pressure; ///< linear over each piece [Pa]
-    std::string remark;                                       ///< for the log; empty: none
+    std::vector<std::string> remarks;                         ///< for the log
 };
 
 /// The integral of tractions over each piece in the forces and moments of its block.
@@ -338,6 +338,33 @@ std::vector<std::vector<SurfacePiece<Dim>>> facesOf(const std::vector<SurfacePie
     return all;
 }
 
+/// What the log says of some faces.
+struct FacesOfRemark
+{
+    double area = 0; ///< projected [m2]
+    std::vector<int> blocks;
+
+    void add(int block, double ofFace)
+    {
+        area += ofFace;
+        if (blocks.empty() || blocks.back() != block)
+        {
+            blocks.push_back(block);
+        }
+    }
+};
+
+/// `block 3`, `blocks 3 4 and 20 more`.
+std::string named(const std::vector<int>& blocks)
+{
+    constexpr std::size_t most = 8;
+    const std::size_t shown = std::min(most, blocks.size());
+    const std::size_t more = blocks.size() - shown;
+    return fmt::format("block{} {}{}", blocks.size() == 1 ? "" : "s",
+                       fmt::join(blocks.begin(), blocks.begin() + static_cast<std::ptrdiff_t>(shown), " "),
+                       more > 0 ? fmt::format(" and {} more", more) : "");
+}
+
 template<int Dim>
 Tractions<Dim> tractionsOf(const Assembly<Dim>& assembly, const std::vector<SurfacePiece<Dim>>& exposed,
                            const BackfillSettings<Dim>& settings)
@@ -347,8 +374,8 @@ Tractions<Dim> tractionsOf(const Assembly<Dim>& assembly, const std::vector<Surf
     tractions.pressure = [settings, up](const Vector<Dim>& place)
     { return settings.unitWeight * (settings.level.value_or(0) - place.dot(up)) + settings.surcharge; };
     const FillFromAbove<Dim> fill(assembly, settings.level);
-    double leftOut = 0; // [m2]
-    std::vector<int> blocksLeftOut;
+    FacesOfRemark withoutEarthPressure;
+    FacesOfRemark sheltered;
     for (const std::vector<SurfacePiece<Dim>>& face :
          facesOf(settings.level ? partBelow(exposed, up, *settings.level) : exposed, widthOfAJoint(assembly)))
     {
@@ -369,8 +396,11 @@ Tractions<Dim> tractionsOf(const Assembly<Dim>& assembly, const std::vector<Surf
         const bool isReached = !isPressed || !isBare || fill.reaches(face);
         if (!isReached)
         {
-            leftOut += area * sideways.norm();
-            blocksLeftOut.push_back(face.front().block);
+            withoutEarthPressure.add(face.front().block, area * sideways.norm());
+        }
+        if (isBare && normal.dot(up) > sameDirection && fill.isSheltered(face))
+        {
+            sheltered.add(face.front().block, area * normal.dot(up));
         }
         const double lateral = isReached ? settings.lateralCoefficient : 0;
         for (const SurfacePiece<Dim>& piece : face)
@@ -378,18 +408,20 @@ Tractions<Dim> tractionsOf(const Assembly<Dim>& assembly, const std::vector<Surf
             tractions.pieces.push_back({piece, -(std::max(0.0, normal.dot(up)) * up + lateral * sideways)});
         }
     }
-    if (!blocksLeftOut.empty())
+    if (!withoutEarthPressure.blocks.empty())
     {
-        blocksLeftOut.erase(std::unique(blocksLeftOut.begin(), blocksLeftOut.end()), blocksLeftOut.end());
-        constexpr std::size_t most = 8;
-        const std::size_t shown = std::min(most, blocksLeftOut.size());
-        const std::size_t more = blocksLeftOut.size() - shown;
-        tractions.remark = fmt::format(
-            "Backfill: no earth pressure on {:.4g} m2 of faces, vertical projection, which the fill cannot "
-            "reach from above, of block{} {}{}",
-            leftOut, blocksLeftOut.size() == 1 ? "" : "s",
-            fmt::join(blocksLeftOut.begin(), blocksLeftOut.begin() + static_cast<std::ptrdiff_t>(shown), " "),
-            more > 0 ? fmt::format(" and {} more", more) : "");
+        tractions.remarks.push_back(
+            fmt::format("Backfill: no earth pressure on {:.4g} m2 of faces, vertical projection, which the "
+                        "fill cannot reach from above, of {}",
+                        withoutEarthPressure.area, named(withoutEarthPressure.blocks)));
+    }
+    if (!sheltered.blocks.empty())
+    {
+        tractions.remarks.push_back(
+            fmt::format("Backfill: {:.4g} m2 of faces, horizontal projection, bear all the fill up to its "
+                        "level though other blocks stand above them, of {}; leave them out by `blocks`, "
+                        "`zones` or `box` where it does not come to them",
+                        sheltered.area, named(sheltered.blocks)));
     }
     return tractions;
 }
@@ -429,9 +461,9 @@ LoadMaker<Dim> surfaceLoad(const Settings& settings, const Dictionary& dictionar
         {
             printWarningOnce("A pressure of 0 is no load.", places.of("value"));
         }
-        if (!tractions.remark.empty())
+        for (const std::string& remark : tractions.remarks)
         {
-            printLine(tractions.remark);
+            printLine(remark);
         }
         return integrated(context.assembly, tractions);
     };

@@ -64,7 +64,8 @@ Eigen::VectorXd pressureLoad(const Assembly<Dim>& assembly, const std::vector<Su
 /// its weight on the horizontal projection, of faces that look up, and earth pressure on the vertical one,
 /// also of faces that lean over the fill. The earth pressure is left out on faces that the fill would have to
 /// rise to: level with them another block stands opposite, and all between is covered, as under an arch or in
-/// an opening.
+/// an opening. The weight is not: on a face above which another block stands, apart from it, it is that of
+/// all above the face, and the log says so.
 template<int Dim>
 Eigen::VectorXd backfillLoad(const Assembly<Dim>& assembly, const std::vector<SurfacePiece<Dim>>& exposed,
                              const BackfillSettings<Dim>& settings);

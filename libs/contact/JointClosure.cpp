@@ -178,7 +178,7 @@ void printClosure(const Assembly<Dim>& assembly)
         const std::string reason =
             assembly.jointTolerance ? "the jointTolerance that is stated"
             : closure.rounding > 0
-                ? fmt::format("as coordinates written to {:.3g} m explain", closure.rounding)
+                ? fmt::format("which is what rounding of coordinates to {:.3g} m makes", closure.rounding)
                 : "1e-6 of the mean block size";
         info("Joints: {} {} up to {:.3g} m from meeting; {} those within {:.3g} m, {}", closure.joints,
              Dim == 2 ? "closed whose faces were" : "taken as they are whose faces are", closure.largest,

@@ -1,6 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Loads on faces against hand calculations.
 #include "assembly/SurfaceLoads.h"
+#include "assembly/FillFromAbove.h"
 
 #include <gtest/gtest.h>
 
@@ -235,6 +236,38 @@ TEST(SurfaceLoads, EarthPressureIsLeftOutWhereTheFillWouldHaveToRise)
         EXPECT_NEAR(sideways(piers(0.5), 0), 0.5 * 20000 * 2, 1e-6) << lean;
         EXPECT_NEAR(sideways(piers(0.5), 1), -0.5 * 20000 * 2, 1e-6) << lean;
     }
+}
+
+TEST(FillFromAbove, AFaceIsShelteredBelowABlockThatIsApartFromIt)
+{
+    // A ledge of 1 m beside a stem, on which a slab reaches over half of it; in space all of it 1 m deep.
+    const Assembly<2> plane{{{{{0, 0}, {2, 0}, {2, 1}, {0, 1}}, 1},
+                             {{{0, 1}, {1, 1}, {1, 2}, {0, 2}}, 1},
+                             {{{0, 2}, {1.5, 2}, {1.5, 2.5}, {0, 2.5}}, 1}},
+                            {}};
+    const SurfacePiece<2> ledge{0, {0, 1}, {Vector<2>(2, 1), Vector<2>(0, 1)}, 1};
+    const SurfacePiece<2> top{2, {0, 1}, {Vector<2>(1.5, 2.5), Vector<2>(0, 2.5)}, 1};
+    EXPECT_TRUE(FillFromAbove<2>(plane, std::nullopt).isSheltered({ledge}));
+    EXPECT_TRUE(FillFromAbove<2>(plane, 3).isSheltered({ledge}));
+    EXPECT_FALSE(FillFromAbove<2>(plane, 2).isSheltered({ledge})); // the slab stands on the fill
+    EXPECT_FALSE(FillFromAbove<2>(plane, 3).isSheltered({top}));
+    const auto box = [](const Vector<3>& from, const Vector<3>& to) -> Block<3>
+    {
+        return {makePrism({{from[0], to[1], from[2]},
+                           {to[0], to[1], from[2]},
+                           {to[0], to[1], to[2]},
+                           {from[0], to[1], to[2]}},
+                          {{from[0], from[1], from[2]},
+                           {to[0], from[1], from[2]},
+                           {to[0], from[1], to[2]},
+                           {from[0], from[1], to[2]}}),
+                -1};
+    };
+    const Assembly<3> space{
+        {box({0, 0, 0}, {2, 1, 1}), box({0, 0, 1}, {1, 1, 2}), box({0, 0, 2}, {1.5, 1, 2.5})}, {}};
+    const SurfacePiece<3> half{0, {0, 0, 1}, {Vector<3>(0, 0, 1), Vector<3>(2, 0, 1), Vector<3>(2, 1, 1)}, 1};
+    EXPECT_TRUE(FillFromAbove<3>(space, 3).isSheltered({half}));
+    EXPECT_FALSE(FillFromAbove<3>(space, 2).isSheltered({half}));
 }
 
 TEST(SurfaceLoads, WhatIsTakenAwayIsPressedAsItsFaceIs)
