@@ -77,11 +77,20 @@ Landing landingOf(const Assembly<Dim>& assembly, const Vector<Dim>& from, const 
     return landingOf<Dim>(assembly, all, from, direction);
 }
 
+/// Which of the blocks that are met together carries, by its index.
 enum class Choice
 {
     lowest,
     highest
 };
+
+/// \return -1 where there is none
+int carrierOf(const Landing& landing, Choice choice)
+{
+    return landing.blocks.empty()     ? -1
+           : choice == Choice::lowest ? landing.blocks.front()
+                                      : landing.blocks.back();
+}
 
 /// A part of an axle's force on its way to the blocks.
 template<int Dim>
@@ -108,7 +117,7 @@ struct SpreadAxle
         along = level.norm() > 0 ? Vector<Dim>(level.normalized()) : Vector<Dim>(Vector<Dim>::Zero());
     }
 
-    Ray<Dim> ray(double u, [[maybe_unused]] double v, double share) const
+    Ray<Dim> ray(double u, [[maybe_unused]] double v) const
     {
         Vector<Dim> from = place + u * settings.loadedLength / 2 * path;
         Vector<Dim> direction = force + u * settings.spread * along;
@@ -118,7 +127,7 @@ struct SpreadAxle
             from += v * settings.loadedWidth / 2 * across;
             direction += v * settings.spread * across;
         }
-        return {from, direction.normalized(), share, {}};
+        return {from, direction.normalized()};
     }
 
     const MovingLoadSettings<Dim>& settings;
@@ -141,23 +150,21 @@ std::vector<int> blocksBelow(const Assembly<Dim>& assembly, const SpreadAxle<Dim
         extend<Dim>(box, own.upper);
     }
     const double farthest = (box.upper - box.lower).norm();
-    const double tolerance = widthOfAJoint(assembly);
     Box<Dim> swept;
     for (const double u : {-1.0, 1.0})
     {
         for (const double v : {-1.0, 1.0})
         {
-            const Ray<Dim> ray = axle.ray(u, v, 1);
+            const Ray<Dim> ray = axle.ray(u, v);
             extend<Dim>(swept, ray.from);
             extend<Dim>(swept, Vector<Dim>(ray.from + 2 * farthest * ray.direction));
         }
     }
+    const Box<Dim> way = enlarged<Dim>(swept, widthOfAJoint(assembly));
     std::vector<int> below;
     for (std::size_t i = 0; i < assembly.blocks.size(); ++i)
     {
-        const Box<Dim> own = boundingBox(assembly.blocks[i]);
-        if ((own.lower.array() <= swept.upper.array() + tolerance).all()
-            && (own.upper.array() >= swept.lower.array() - tolerance).all())
+        if (meet<Dim>(way, boundingBox(assembly.blocks[i])))
         {
             below.push_back(static_cast<int>(i));
         }
@@ -183,11 +190,15 @@ public:
         }
         else
         {
-            for (int i = 0; i < strips; ++i)
+            double low = -1;
+            std::vector<int> atLow = blocksOf(cutsOf(low));
+            for (int i = 1; i <= strips; ++i)
             {
-                const double low = 2.0 * i / strips - 1;
-                const double high = 2.0 * (i + 1) / strips - 1;
-                addStrips(low, blocksOf(cutsOf(low)), high, blocksOf(cutsOf(high)), mostHalvingsOfStrips);
+                const double high = 2.0 * i / strips - 1;
+                std::vector<int> atHigh = blocksOf(cutsOf(high));
+                addStrips(low, atLow, high, atHigh, mostHalvingsOfStrips);
+                low = high;
+                atLow = std::move(atHigh);
             }
         }
         return std::move(found);
@@ -209,47 +220,43 @@ private:
         double end;
     };
 
-    Ray<Dim> landed(double u, double v, double share) const
+    Ray<Dim> landed(double u, double v) const
     {
-        Ray<Dim> ray = axle.ray(u, v, share);
+        Ray<Dim> ray = axle.ray(u, v);
         ray.landing = landingOf<Dim>(assembly, below, ray.from, ray.direction);
         return ray;
     }
 
-    int blockAt(double u, double v) const
-    {
-        const Landing landing = landed(u, v, 1).landing;
-        return landing.blocks.empty()     ? -1
-               : choice == Choice::lowest ? landing.blocks.front()
-                                          : landing.blocks.back();
-    }
+    int blockAt(double u, double v) const { return carrierOf(landed(u, v).landing, choice); }
 
     std::vector<Cut> cutsOf(double v) const
     {
         std::vector<Cut> cuts{{blockAt(-1, v), -1, -1}};
         for (int i = 1; i <= parts; ++i)
         {
-            addCuts(v, cuts.back().end, cuts.back().block, 2.0 * i / parts - 1, mostHalvings, cuts);
+            addCuts(v, 2.0 * i / parts - 1, mostHalvings, cuts);
         }
         return cuts;
     }
 
-    /// Goes on from `low`, where `block` is met, to `high`.
-    void addCuts(double v, double low, int block, double high, int halvings, std::vector<Cut>& cuts) const
+    /// Goes on from the end of the last cut to `high`.
+    void addCuts(double v, double high, int halvings, std::vector<Cut>& cuts) const
     {
-        const int other = blockAt(high, v);
-        if (other == block || halvings == 0)
+        const int block = blockAt(high, v);
+        if (block == cuts.back().block)
         {
             cuts.back().end = high;
-            if (other != block)
-            {
-                cuts.back().end = (low + high) / 2;
-                cuts.push_back({other, (low + high) / 2, high});
-            }
             return;
         }
-        addCuts(v, low, block, (low + high) / 2, halvings - 1, cuts);
-        addCuts(v, (low + high) / 2, cuts.back().block, high, halvings - 1, cuts);
+        const double middle = (cuts.back().end + high) / 2;
+        if (halvings == 0)
+        {
+            cuts.back().end = middle;
+            cuts.push_back({block, middle, high});
+            return;
+        }
+        addCuts(v, middle, halvings - 1, cuts);
+        addCuts(v, high, halvings - 1, cuts);
     }
 
     static std::vector<int> blocksOf(const std::vector<Cut>& cuts)
@@ -286,8 +293,8 @@ private:
             const int count = std::max(leastOfABlock, static_cast<int>(std::ceil(length / 2 * parts - 1e-9)));
             for (int i = 0; cut.block >= 0 && length > 0 && i < count; ++i)
             {
-                const double u = cut.begin + (i + 0.5) / count * length;
-                found.push_back(landed(u, v, share * length / 2 / count));
+                found.push_back(landed(cut.begin + (i + 0.5) / count * length, v));
+                found.back().share = share * length / 2 / count;
             }
         }
     }
@@ -340,19 +347,14 @@ LoadPosition<Dim> loadAt(const Assembly<Dim>& assembly, const MovingLoadSettings
         std::vector<int> carrying;
         for (const Ray<Dim>& ray : rays)
         {
-            const Landing& landing = ray.landing;
-            if (landing.blocks.empty())
-            {
-                continue;
-            }
-            const int block = choice == Choice::lowest ? landing.blocks.front() : landing.blocks.back();
-            if (assembly.blocks[block].support >= 0)
+            const int block = carrierOf(ray.landing, choice);
+            if (block < 0 || assembly.blocks[block].support >= 0)
             {
                 continue;
             }
             const auto [onBlock, isNew] = onBlocks.try_emplace(block, 0.0, Vector<Dim>::Zero());
             onBlock->second.first += ray.share;
-            onBlock->second.second += ray.share * (ray.from + landing.distance * ray.direction);
+            onBlock->second.second += ray.share * (ray.from + ray.landing.distance * ray.direction);
             if (isNew)
             {
                 carrying.push_back(block);
@@ -369,12 +371,9 @@ LoadPosition<Dim> loadAt(const Assembly<Dim>& assembly, const MovingLoadSettings
         if (!carrying.empty())
         {
             const Landing middle = landingOf<Dim>(assembly, from, direction);
-            const int block = middle.blocks.empty()      ? carrying.front()
-                              : choice == Choice::lowest ? middle.blocks.front()
-                                                         : middle.blocks.back();
-            position.axles.push_back(
-                {middle.blocks.empty() ? from : Vector<Dim>(from + middle.distance * direction), block,
-                 factor});
+            const int block = carrierOf(middle, choice);
+            position.axles.push_back({block < 0 ? from : Vector<Dim>(from + middle.distance * direction),
+                                      block < 0 ? carrying.front() : block, factor});
         }
     }
     position.beside = 1 - met / all;

@@ -212,7 +212,7 @@ struct Command
     std::string errors;
 };
 
-/// A script of the case runs there; an application is told where it is.
+/// A script of the case runs there; an application gets its directory as an option.
 Command commandOf(const std::string& application, const fs::path& caseDirectory,
                   const std::vector<std::string>& options)
 {

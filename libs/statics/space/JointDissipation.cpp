@@ -236,6 +236,16 @@ void addCarriedLess(std::vector<VertexPart> parts, const Vector<3>& force, doubl
     }
 }
 
+std::vector<std::vector<double>> nothingOfCells(const std::vector<PatchCells>& patches)
+{
+    std::vector<std::vector<double>> nothing;
+    for (const PatchCells& patch : patches)
+    {
+        nothing.emplace_back(patch.cells.size(), 0.0);
+    }
+    return nothing;
+}
+
 } // namespace
 
 std::vector<std::vector<double>> dissipatedLessByCell(const SpaceConeProgram& program,
@@ -244,11 +254,7 @@ std::vector<std::vector<double>> dissipatedLessByCell(const SpaceConeProgram& pr
                                                       const Eigen::VectorXd& mechanism)
 {
     constexpr double negligible = 1e-5; // of what a point dissipates on average
-    std::vector<std::vector<double>> less;
-    for (const PatchCells& patch : patches)
-    {
-        less.emplace_back(patch.cells.size(), 0.0);
-    }
+    std::vector<std::vector<double>> less = nothingOfCells(patches);
     const double work = std::abs(liveLoad.dot(mechanism));
     if (!(work > 0) || !program.hasStrength())
     {
@@ -276,11 +282,7 @@ std::vector<std::vector<double>> carriedLessByCell(const SpaceConeProgram& progr
                                                    const Eigen::VectorXd& mechanism,
                                                    const Eigen::VectorXd& contactForce)
 {
-    std::vector<std::vector<double>> less;
-    for (const PatchCells& patch : patches)
-    {
-        less.emplace_back(patch.cells.size(), 0.0);
-    }
+    std::vector<std::vector<double>> less = nothingOfCells(patches);
     const double work = std::abs(liveLoad.dot(mechanism));
     if (!(work > 0) || !program.hasCrushing())
     {
