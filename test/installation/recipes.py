@@ -18,7 +18,7 @@ libraries = {
     "libgsl-dev": ("gsl", "gsl"), "libnlopt-dev": ("nlopt", "nlopt"), "libpolyclipping-dev": ("polyclipping", None),
     "voro++-dev": ("voropp", "voro"), "libvtk9-dev": ("vtk", "vtk-base"), "libdeflate-dev": ("libdeflate", "libdeflate"),
     "libpugixml-dev": ("pugixml", "pugixml"), "libpng-dev": ("libpng", "libpng"),
-    "libcairo2-dev": ("cairo", "cairo"),
+    "libcairo2-dev": ("cairo", "cairo"), "libjemalloc-dev": ("jemalloc", "jemalloc"),
 }
 # Tools, and a package that only Debian's VTK asks for.
 notLibraries = {"g++", "cmake", "ninja-build", "ccache", "git", "libvtk9.1-qt"}

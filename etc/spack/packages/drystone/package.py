@@ -40,6 +40,7 @@ class Drystone(CMakePackage):
     depends_on("pugixml")
     depends_on("libpng")
     depends_on("cairo@1.16: +pdf +png")
+    depends_on("jemalloc@5:")
 
     generator("ninja")
 
