@@ -1,6 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "statics/CoulombCheck.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace drystone
@@ -43,12 +44,14 @@ CoulombResiduals coulombResiduals(const ConeProgram<Rows, Forces>& program, doub
 {
     using Shear = Eigen::Matrix<double, Forces - 1, 1>;
     const double lever = meanLeverArm(program);
-    const VectorXd load = program.load + alpha * program.liveLoad;
-    const double largestForce = contactForce.lpNorm<Eigen::Infinity>();
+    const double largestLoad =
+        std::max(largestOf<Rows, Forces>(program.load, 1 / lever),
+                 std::abs(alpha) * largestOf<Rows, Forces>(program.liveLoad, 1 / lever));
+    const double largestForce = std::max(contactForce.lpNorm<Eigen::Infinity>(), largestLoad);
     const double largestRate = largestOf<Rows, Forces>(mechanism, lever);
 
     CoulombResiduals residuals;
-    VectorXd unbalanced = load;
+    VectorXd unbalanced = program.load + alpha * program.liveLoad;
     double dissipated = 0; ///< at the limits
     double excess = 0;     ///< of it over what the forces do
     for (int point = 0; point < program.points(); ++point)
@@ -97,9 +100,8 @@ CoulombResiduals coulombResiduals(const ConeProgram<Rows, Forces>& program, doub
             residuals.flow = std::max(residuals.flow, relative(-opening, largestRate));
         }
     }
-    residuals.balance = std::max(
-        relative(largestOf<Rows, Forces>(unbalanced, 1 / lever), largestOf<Rows, Forces>(load, 1 / lever)),
-        std::abs(program.liveLoad.dot(mechanism) - liveWork));
+    residuals.balance = std::max(relative(largestOf<Rows, Forces>(unbalanced, 1 / lever), largestLoad),
+                                 std::abs(program.liveLoad.dot(mechanism) - liveWork));
     residuals.mismatch =
         relative(std::abs(excess), std::max(dissipated, std::abs(program.load.dot(mechanism))));
     return residuals;

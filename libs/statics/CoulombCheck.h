@@ -16,8 +16,9 @@ namespace drystone
 ///     g >= 0 unless n = N,  g <= 0 unless n = -T,  t = (C + mu n) s/|s| unless s = 0      flow
 ///     sum_k (C + mu n) |s| - t's = 0, and sum_k of n g but for -T and N at their limits   mismatch
 ///
-/// Forces are relative to the largest contact force, loads to the largest load on a body (moments by the mean
-/// lever arm), rates to the largest rate of a body, powers to what the dead load does. Of two figures of
+/// Loads are relative to the largest dead or live load on a body (moments by the mean lever arm), forces to
+/// the largest contact force, or that load where it is larger (a stone that is lifted out of a slot presses
+/// on nothing), rates to the largest rate of a body, powers to what the dead load does. Of two figures of
 /// which one has to vanish the lesser counts: the rate at which a point opens and what it presses with; its
 /// slip and what its shear lacks of the limit against it.
 struct CoulombResiduals

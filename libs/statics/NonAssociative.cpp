@@ -4,9 +4,11 @@
 #include "conic/coulomb/CollapsePath.h"
 #include "conic/form/Form.h"
 #include "statics/CoulombExchange.h"
+#include "statics/PairRefinement.h"
 #include "statics/StepFromRest.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -41,6 +43,10 @@ constexpr double remainingDilatancy = 0.1;
 
 /// Tolerance of programs whose forces are nothing but a start.
 constexpr double startTolerance = 1e-6;
+
+/// Pairs that obey the law to this are refined, with points of less slip than each of these in turn at rest.
+constexpr double nearlyPair = 1e-3;
+constexpr std::array<double, 3> slidesFrom{1e-6, 1e-4, 1e-2};
 
 /// Exchanges of forces and mechanism after a path, while each lowers the multiplier by this share.
 constexpr int mostExchanges = 8;
@@ -135,7 +141,7 @@ public:
         if (mechanism)
         {
             CoulombPair pair{associativePair.alpha, associativePair.contactForce, std::move(*mechanism), {}};
-            if (consider(pair))
+            if (consider(pair) || refine(pair))
             {
                 ++range.converged;
                 descend(std::move(pair));
@@ -159,8 +165,8 @@ public:
             }
             ++range.starts;
             std::optional<CoulombPair> pair = pairFromRest<Rows, Forces>(
-                given, associativePair.alpha, *forces,
-                [this](const CoulombPair& tried) { return consider(tried); }, effort.factorisations);
+                given, associativePair.alpha, *forces, [this](CoulombPair& tried) { return consider(tried); },
+                effort.factorisations);
             if (pair)
             {
                 ++range.converged;
@@ -171,6 +177,8 @@ public:
 
     /// Whether the forces at the end of a path are asked for their mechanism where its own is none.
     bool takesMechanisms = false;
+    /// Whether what is nearly a pair is refined.
+    bool refines = false;
     CoulombRange range;
     CoulombPair lowest;
     CoulombPair fall;  ///< the lowest, on whose mechanism the live load does no work
@@ -247,8 +255,8 @@ private:
                    : std::nullopt;
     }
 
-    /// Takes a pair that meets the tolerance. \return whether it does
-    bool consider(CoulombPair pair)
+    /// Judges a pair, and takes it if it meets the tolerance. \return whether it does
+    bool consider(CoulombPair& pair)
     {
         pair.residuals = coulombResiduals(given, pair.alpha, pair.contactForce, pair.mechanism);
         if (!(pair.residuals.worst() <= searchSettings.tolerance))
@@ -260,7 +268,7 @@ private:
         {
             if (!below.exists() || pair.alpha > below.alpha)
             {
-                below = std::move(pair);
+                below = pair;
             }
             return false;
         }
@@ -269,7 +277,7 @@ private:
         latestPair = pair;
         if (!(pair.alpha >= lowest.alpha))
         {
-            lowest = std::move(pair);
+            lowest = pair;
         }
         return true;
     }
@@ -299,7 +307,7 @@ private:
             return false;
         }
         CoulombPair pair{found.multiplier, std::move(found.contactForce), std::move(found.mechanism), {}};
-        if (!consider(pair) && !(takesMechanisms && takeMechanism(pair)))
+        if (!consider(pair) && !refine(pair) && !(takesMechanisms && takeMechanism(pair)))
         {
             return false;
         }
@@ -318,7 +326,26 @@ private:
         {
             pair.mechanism = std::move(*mechanism);
         }
-        return mechanism && consider(pair);
+        return mechanism && (consider(pair) || refine(pair));
+    }
+
+    /// Takes the pair to its last digits, where it is near one. \return whether that is one
+    bool refine(CoulombPair& pair)
+    {
+        if (!refines || !(pair.residuals.worst() <= nearlyPair))
+        {
+            return false;
+        }
+        for (const double slides : slidesFrom)
+        {
+            std::optional<CoulombPair> refined = refinedPair<Rows, Forces>(given, pair, slides);
+            if (refined && consider(*refined))
+            {
+                pair = std::move(*refined);
+                return true;
+            }
+        }
+        return false;
     }
 
     /// From a pair to lower ones: the least multiplier with its mechanism held, then another mechanism of
@@ -451,7 +478,13 @@ LimitAnalysis solveNonAssociative(const ConeProgram<Rows, Forces>& program,
         {
             search.takeStepsFromRest();
         }
-        if (!search.lowest.exists() && !search.fall.exists() && !search.takesMechanisms)
+        // Pairs of motion from rest are lower, where there are such.
+        search.refines = true;
+        if (!search.lowest.exists() && !search.fall.exists())
+        {
+            search.takeAssociativeForces();
+        }
+        if (!search.lowest.exists() && !search.fall.exists())
         {
             search.takesMechanisms = true;
             follow();

@@ -101,7 +101,7 @@ private:
 template<int Rows, int Forces>
 std::optional<CoulombPair> pairFrom(Steps<Rows, Forces>& steps, std::size_t firstStage,
                                     const VectorXd& liveLoad, double begins,
-                                    const std::function<bool(const CoulombPair&)>& isPair)
+                                    const std::function<bool(CoulombPair&)>& isPair)
 {
     double stands = -std::numeric_limits<double>::infinity();
     double moves = begins;
@@ -143,9 +143,9 @@ std::optional<CoulombPair> pairFrom(Steps<Rows, Forces>& steps, std::size_t firs
 } // namespace
 
 template<int Rows, int Forces>
-std::optional<CoulombPair>
-pairFromRest(const ConeProgram<Rows, Forces>& given, double begins, const VectorXd& forces,
-             const std::function<bool(const CoulombPair&)>& isPair, int& factorisations)
+std::optional<CoulombPair> pairFromRest(const ConeProgram<Rows, Forces>& given, double begins,
+                                        const VectorXd& forces,
+                                        const std::function<bool(CoulombPair&)>& isPair, int& factorisations)
 {
     Steps<Rows, Forces> steps(given, forces);
     std::optional<CoulombPair> pair;
@@ -162,11 +162,11 @@ pairFromRest(const ConeProgram<Rows, Forces>& given, double begins, const Vector
 
 template std::optional<CoulombPair> pairFromRest(const PlaneConeProgram& given, double begins,
                                                  const VectorXd& forces,
-                                                 const std::function<bool(const CoulombPair&)>& isPair,
+                                                 const std::function<bool(CoulombPair&)>& isPair,
                                                  int& factorisations);
 template std::optional<CoulombPair> pairFromRest(const SpaceConeProgram& given, double begins,
                                                  const VectorXd& forces,
-                                                 const std::function<bool(const CoulombPair&)>& isPair,
+                                                 const std::function<bool(CoulombPair&)>& isPair,
                                                  int& factorisations);
 
 } // namespace drystone

@@ -23,8 +23,8 @@ namespace drystone
 /// and mechanism \param factorisations those taken are added \return the pair, L'y = 1; none where no step
 /// leads to one
 template<int Rows, int Forces>
-std::optional<CoulombPair>
-pairFromRest(const ConeProgram<Rows, Forces>& given, double begins, const Eigen::VectorXd& forces,
-             const std::function<bool(const CoulombPair&)>& isPair, int& factorisations);
+std::optional<CoulombPair> pairFromRest(const ConeProgram<Rows, Forces>& given, double begins,
+                                        const Eigen::VectorXd& forces,
+                                        const std::function<bool(CoulombPair&)>& isPair, int& factorisations);
 
 } // namespace drystone

@@ -199,6 +199,50 @@ TEST(CoulombInSpace, BoxesInARowSlideAtMu)
     }
 }
 
+// All slide on the ground at mu. The shears that the solver finds are off that by 1e-5 of their directions.
+TEST(CoulombInSpace, BoxesInThreeLayersSlideAtMu)
+{
+    Assembly<3> assembly;
+    assembly.supports = {{"ground", "ground"}};
+    assembly.blocks = {{makeBox({-2, -2, -0.5}, {5, 5, 0}), 0}};
+    for (const auto& [from, to] : {std::pair{Vector<3>(0, 0, 0), Vector<3>(0.4, 0.2, 0.2)},
+                                   {Vector<3>(0.4, 0, 0), Vector<3>(0.8, 0.2, 0.2)},
+                                   {Vector<3>(0, 0.2, 0), Vector<3>(0.4, 0.4, 0.2)},
+                                   {Vector<3>(0.4, 0.2, 0), Vector<3>(0.8, 0.4, 0.2)},
+                                   {Vector<3>(0.2, 0, 0.2), Vector<3>(0.6, 0.2, 0.4)},
+                                   {Vector<3>(0.2, 0.2, 0.2), Vector<3>(0.6, 0.4, 0.4)},
+                                   {Vector<3>(0.1, 0.1, 0.4), Vector<3>(0.5, 0.3, 0.6)}})
+    {
+        assembly.blocks.push_back({makeBox(from, to), -1});
+    }
+    for (const Vector<3>& direction :
+         {Vector<3>(1, 0, 0), Vector<3>(0, 1, 0), Vector<3>(1, 1, 0).normalized()})
+    {
+        SCOPED_TRACE(direction.transpose());
+        const SpaceConeProgram program =
+            test::programOf(assembly, findContactPoints(assembly), 0.3, test::pushed(assembly, direction));
+        const LimitAnalysis result = solveNonAssociative(program);
+        expectCoulomb(program, result);
+        EXPECT_NEAR(result.alpha, 0.3, 1e-6);
+    }
+}
+
+// A box between two walls lifted by its own weight: nothing presses at its least multiplier, which is 1.
+TEST(CoulombInSpace, ABoxIsLiftedOutOfASlotByItsWeight)
+{
+    Assembly<3> assembly;
+    assembly.blocks = {{makeBox({0, 0, 0}, {0.4, 0.5, 0.5}), 0},
+                       {makeBox({0.6, 0, 0}, {1, 0.5, 0.5}), 0},
+                       {makeBox({0.4, 0, 0}, {0.6, 0.5, 0.2}), 0},
+                       {makeBox({0.4, 0, 0.2}, {0.6, 0.5, 0.9}), -1}};
+    assembly.supports = {{"walls", "blocks"}};
+    const SpaceConeProgram program =
+        test::programOf(assembly, findContactPoints(assembly), 0.3, test::pushed(assembly, {0, 0, 1}));
+    const LimitAnalysis result = solveNonAssociative(program);
+    ASSERT_EQ(result.status, CollapseStatus::optimal);
+    EXPECT_NEAR(result.alpha, 1, 1e-6);
+}
+
 TEST(CoulombInSpace, TheLWallIsNoHigherThanTheLowestKnown)
 {
     const SpaceConeProgram program = reference("wallL316", 0.65, {0, -1, 0});
