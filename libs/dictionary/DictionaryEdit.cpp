@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <vector>
 
 namespace drystone
@@ -421,6 +422,125 @@ std::string withEntryRemoved(const std::string& text, const std::filesystem::pat
     return result;
 }
 
+namespace
+{
+
+/// Calls use(name) for the name of every file that statements include, in the order of the text.
+template<class Use>
+void forIncludedNames(const std::vector<Statement>& statements, const Use& use)
+{
+    const auto isInclude = [](const Token& token)
+    { return token.text == "#include" || token.text == "#includeIfPresent" || token.text == "#sinclude"; };
+    for (const Statement& statement : statements)
+    {
+        const Token* before = &statement.keyword;
+        for (const Token& token : statement.value)
+        {
+            if (isInclude(*before) && token.kind == TokenKind::string)
+            {
+                use(token.text);
+            }
+            before = &token;
+        }
+        forIncludedNames(statement.body, use);
+        forIncludedNames(statement.otherwise, use);
+    }
+}
+
+} // namespace
+
+std::string withIncludesFromOutside(const std::string& text, const std::filesystem::path& file,
+                                    const std::filesystem::path& caseDirectory)
+{
+    namespace fs = std::filesystem;
+    if (text.find("include") == std::string::npos || text.find("..") == std::string::npos)
+    {
+        return text;
+    }
+    const SourceFile source{file.string(), text};
+    std::string result = text;
+    try
+    {
+        const fs::path folder = fs::absolute(file).lexically_normal().parent_path();
+        const fs::path ofCase = (fs::absolute(caseDirectory) / "").lexically_normal().parent_path();
+        std::size_t grown = 0;
+        forIncludedNames(
+            parseStatements(source),
+            [&](std::string_view name)
+            {
+                const fs::path path = (folder / name).lexically_normal();
+                if (name.starts_with("..") && path.lexically_relative(ofCase).string().starts_with(".."))
+                {
+                    const auto place = static_cast<std::size_t>(name.data() - source.text.data());
+                    result.replace(place + grown, name.size(), path.string());
+                    grown += path.string().size() - name.size();
+                }
+            });
+    }
+    catch (const FatalError&)
+    {
+        return text;
+    }
+    return result;
+}
+
+namespace
+{
+
+/// The dictionary with the files that it includes; nothing where one of them cannot be read.
+std::optional<Dictionary> withIncludedFiles(const std::filesystem::path& file)
+{
+    try
+    {
+        return Dictionary::readFile(file);
+    }
+    catch (const FatalError&)
+    {
+        return std::nullopt;
+    }
+}
+
+/// What has to be set for an entry whose sub-dictionary comes from an included file: that sub-dictionary with
+/// the entry alone, which is merged with the other. For others the path and the value as they are.
+std::pair<std::string, std::string> nearestEntry(const Dictionary& asWritten,
+                                                 const std::filesystem::path& file, std::string_view path,
+                                                 std::string_view value)
+{
+    std::vector<std::string> keywords = keywordsOf(path);
+    std::string set(value);
+    const std::optional<Dictionary> whole = withIncludedFiles(file);
+    while (whole && keywords.size() > 1)
+    {
+        const std::string parent = fmt::format("{}", fmt::join(keywords.begin(), keywords.end() - 1, "/"));
+        const Entry* included = whole->findPath(parent);
+        if (asWritten.findPath(parent) || !included || !included->isDictionary())
+        {
+            break;
+        }
+        set = fmt::format("{{ {} {} }}", keywords.back(),
+                          isDictionaryText(set) ? set : fmt::format("{};", checkedValue(set, path)));
+        keywords.pop_back();
+    }
+    return {fmt::format("{}", fmt::join(keywords, "/")), set};
+}
+
+/// An entry that is not there is no fault, but may be a typing error, or somewhere else.
+void warnOfAbsent(const std::filesystem::path& file, const std::string& path)
+{
+    const std::optional<Dictionary> whole = withIncludedFiles(file);
+    if (const Entry* included = whole ? whole->findPath(path) : nullptr)
+    {
+        printWarning(fmt::format("{} comes from another file, which {} includes, and stays. Remove it there.",
+                                 path, file.filename().string()),
+                     included->location());
+        return;
+    }
+    printWarning(fmt::format("There is no entry {}: nothing is removed.", path),
+                 {file.lexically_normal().string(), "", 0});
+}
+
+} // namespace
+
 void editFile(const std::filesystem::path& file, std::string_view givenPath, EntryEdit edit,
               std::string_view value)
 {
@@ -435,8 +555,21 @@ void editFile(const std::filesystem::path& file, std::string_view givenPath, Ent
     }
     std::ifstream stream(file, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(stream), {}};
-    writeWholeFile(file, edit == EntryEdit::remove ? withEntryRemoved(text, file, path)
-                                                   : withEntrySet(text, file, path, value));
+    // A link stays one: what it leads to may be shared by several cases.
+    const std::filesystem::path target = std::filesystem::canonical(file);
+    if (edit == EntryEdit::remove)
+    {
+        const std::string left = withEntryRemoved(text, file, path);
+        if (left == text)
+        {
+            warnOfAbsent(file, path);
+            return;
+        }
+        writeWholeFile(target, left);
+        return;
+    }
+    const auto [set, itsValue] = nearestEntry(asWritten, file, path, value);
+    writeWholeFile(target, withEntrySet(text, file, set, itsValue));
 }
 
 } // namespace drystone

@@ -22,15 +22,22 @@ std::string withEntrySet(const std::string& text, const std::filesystem::path& f
 std::string withEntryRemoved(const std::string& text, const std::filesystem::path& file,
                              std::string_view path);
 
+/// The text of a file of a case as it has to be elsewhere, in a copy of the case: the names of included files
+/// that lead out of the case, `#include "../../shared/mu"`, become absolute. A text that is no dictionary
+/// stays as it is. \param file that the text is of \param caseDirectory of the case
+std::string withIncludesFromOutside(const std::string& text, const std::filesystem::path& file,
+                                    const std::filesystem::path& caseDirectory);
+
 /// What to do with an entry of a file.
 enum class EntryEdit
 {
     set,   ///< give it a value; one that is not there is added
     add,   ///< one that is there stays as it is, with a warning
-    remove ///< one that is not there is no fault
+    remove ///< one that is not there is warned of
 };
 
-/// Edit a file, which is then written whole or not at all.
+/// Edit a file, which is then written whole or not at all; of a symbolic link, the file that it leads to. An
+/// entry that an included file has stays there: a value that is set is added to this one, and overrides it.
 /// \param path as above; points may stand between keywords where no entry has a name with points
 /// \param value ignored for EntryEdit::remove
 /// \throws FatalError as above, and when the file cannot be written

@@ -118,7 +118,7 @@ QuantityPlan makeReturnTime(const ReturnTime& settings, const Dictionary& dictio
             run.start = housner.start;
             run.endTime = study->endTime;
             run.untilVerdict = false;
-            const RockingHistory history = rockingMotion(housner.block, ConstantAcceleration(0), run);
+            const RockingHistory history = rockingMotion(housner.block, *housnerGround(*study), run);
             if (history.impacts.size() < count)
             {
                 throw FatalError(fmt::format(

@@ -6,6 +6,7 @@
 #include "core/Log.h"
 #include "core/Signals.h"
 #include "core/WholeFile.h"
+#include "dictionary/DictionaryEdit.h"
 #include "runControl/Case.h"
 
 #include <fmt/format.h>
@@ -45,7 +46,25 @@ bool isLeftOut(const fs::path& path)
     return end != name.c_str() && *end == 0 && time != 0 && fs::is_directory(path);
 }
 
-void copyInto(const fs::path& from, const fs::path& to)
+/// A copy of a file, whose included files are where those of the file are.
+void copyFile(const fs::path& file, const fs::path& to, const fs::path& caseDirectory)
+{
+    constexpr std::uintmax_t largestDictionary = 1 << 20; // with includes; records and the like are larger
+    if (fs::file_size(file) <= largestDictionary)
+    {
+        std::ifstream stream(file, std::ios::binary);
+        const std::string text{std::istreambuf_iterator<char>(stream), {}};
+        const std::string there = withIncludesFromOutside(text, file, caseDirectory);
+        if (there != text)
+        {
+            writeWholeFile(to, there);
+            return;
+        }
+    }
+    fs::copy_file(file, to, fs::copy_options::overwrite_existing);
+}
+
+void copyInto(const fs::path& from, const fs::path& to, const fs::path& caseDirectory)
 {
     fs::create_directories(to);
     for (const fs::directory_entry& entry : fs::directory_iterator(from))
@@ -56,11 +75,11 @@ void copyInto(const fs::path& from, const fs::path& to)
         }
         if (entry.is_directory())
         {
-            copyInto(entry.path(), to / entry.path().filename());
+            copyInto(entry.path(), to / entry.path().filename(), caseDirectory);
         }
         else if (entry.is_regular_file())
         {
-            fs::copy_file(entry.path(), to / entry.path().filename(), fs::copy_options::overwrite_existing);
+            copyFile(entry.path(), to / entry.path().filename(), caseDirectory);
         }
     }
 }
@@ -114,7 +133,7 @@ void copyCase(const fs::path& caseDirectory, const fs::path& target)
     try
     {
         fs::remove_all(target);
-        copyInto(caseDirectory, target);
+        copyInto(caseDirectory, target, caseDirectory);
     }
     catch (const fs::filesystem_error& error)
     {

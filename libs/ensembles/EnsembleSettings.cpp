@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 namespace drystone
@@ -76,6 +77,20 @@ bool EnsembleSettings::runs(std::string_view application) const
     return std::find(applications.begin(), applications.end(), application) != applications.end();
 }
 
+namespace
+{
+
+/// Of a column that samples.dat has anyway.
+std::string faultOfColumn(const std::string& name)
+{
+    static constexpr std::array taken{"sample", "status", "attempts", "cpuTime"};
+    return std::find(taken.begin(), taken.end(), name) == taken.end()
+               ? ""
+               : fmt::format("samples.dat has a column {} of its own: choose another name.", name);
+}
+
+} // namespace
+
 void declare(Options& options, EnsembleSettings& settings)
 {
     options
@@ -110,6 +125,10 @@ void declare(Options& options, EnsembleSettings& settings)
                           {
                               return fault;
                           }
+                          if (std::string fault = faultOfColumn(name); !fault.empty())
+                          {
+                              return fault;
+                          }
                           if (!places.insert(variable.place.file + ":" + variable.place.entry).second)
                           {
                               return fmt::format("Two variables set {} of {}: remove one of them.",
@@ -129,6 +148,10 @@ void declare(Options& options, EnsembleSettings& settings)
                       for (const auto& [name, result] : settings.results)
                       {
                           if (std::string fault = faultOfNextName(name, names); !fault.empty())
+                          {
+                              return fault;
+                          }
+                          if (std::string fault = faultOfColumn(name); !fault.empty())
                           {
                               return fault;
                           }

@@ -65,6 +65,7 @@ struct Responses
     std::map<double, std::vector<double>> stripes; ///< at each intensity, in ascending order
     double largest = 0;
     long failed = 0;
+    long repeated = 0; ///< samples at an intensity at which their curve has another one
 };
 
 Responses responsesOf(const FractilesSettings& settings, const SampleTable& table)
@@ -79,7 +80,10 @@ Responses responsesOf(const FractilesSettings& settings, const SampleTable& tabl
         const bool isKnown = !table.isFailed[row] && std::isfinite(values[row]);
         const double response = isKnown ? values[row] : HUGE_VAL;
         responses.failed += !isKnown;
-        responses.curves[table.texts[column][row]][intensities[row]] = response;
+        const auto [place, isNew] =
+            responses.curves[table.texts[column][row]].try_emplace(intensities[row], response);
+        place->second = std::max(place->second, response);
+        responses.repeated += !isNew;
         responses.stripes[intensities[row]].push_back(response);
         responses.largest = isKnown ? std::max(responses.largest, response) : responses.largest;
     }
@@ -176,6 +180,13 @@ StatisticResult evaluateFractiles(const FractilesSettings& settings, const std::
     {
         result.remarks.push_back(
             fmt::format("{} samples without a response count as larger than any", responses.failed));
+    }
+    if (responses.repeated > 0)
+    {
+        result.remarks.push_back(
+            fmt::format("{} samples have the curve and the intensity of another one: the "
+                        "largest response is that of the curve",
+                        responses.repeated));
     }
     Plot plot;
     plot.title = fmt::format("{}: {} curves", name, responses.curves.size());

@@ -153,18 +153,20 @@ std::optional<FragilityFit> fitStripes(const std::vector<Stripe>& stripes)
     return fitOf(*best, likelihood(*best).hessian);
 }
 
-std::optional<FragilityFit> fitTruncated(const std::vector<double>& failing, long standing, double limit)
+std::optional<FragilityFit> fitTruncated(const std::vector<double>& failing,
+                                         const std::vector<double>& standing)
 {
     if (failing.empty())
     {
         return {};
     }
     const auto [least, most] = std::minmax_element(failing.begin(), failing.end());
-    if (standing == 0 && *least == *most)
+    if (standing.empty() && *least == *most)
     {
         return {};
     }
-    // In a = -ln(theta)/beta and b = 1/beta: sum of ln b - (a + b ln x)^2/2 and of ln Phi(-(a + b ln limit)).
+    // In a = -ln(theta)/beta and b = 1/beta: sum of ln b - (a + b ln x)^2/2 and of ln Phi(-(a + b ln s)), s
+    // stood at.
     const LikelihoodFunction likelihood = [&](const Eigen::Vector2d& at)
     {
         Likelihood sum;
@@ -183,7 +185,10 @@ std::optional<FragilityFit> fitTruncated(const std::vector<double>& failing, lon
             sum.hessian -= direction * direction.transpose();
             sum.hessian(1, 1) -= 1 / (b * b);
         }
-        sum.addProbability(static_cast<double>(standing), -1, {1, standing > 0 ? std::log(limit) : 0}, at);
+        for (const double intensity : standing)
+        {
+            sum.addProbability(1, -1, {1, std::log(intensity)}, at);
+        }
         return sum;
     };
     double mean = 0;
@@ -195,8 +200,45 @@ std::optional<FragilityFit> fitTruncated(const std::vector<double>& failing, lon
     return best ? std::optional(fitOf(*best, likelihood(*best).hessian)) : std::nullopt;
 }
 
+namespace
+{
+
+/// As many runs as there are, each one of those of all stripes.
+std::vector<Stripe> resampledRuns(const std::vector<Stripe>& stripes, std::uint64_t seed,
+                                  std::uint32_t replicate)
+{
+    std::vector<Stripe> drawn;
+    std::vector<std::pair<std::size_t, bool>> runs; // stripe, and whether it exceeded
+    for (std::size_t i = 0; i < stripes.size(); ++i)
+    {
+        drawn.push_back({stripes[i].intensity, 0, 0});
+        for (long run = 0; run < stripes[i].runs; ++run)
+        {
+            runs.emplace_back(i, run < stripes[i].exceeded);
+        }
+    }
+    for (std::size_t number = 0; number < runs.size(); ++number)
+    {
+        const double place =
+            uniform(seed, Stream::bootstrap, replicate, number) * static_cast<double>(runs.size());
+        const auto& [stripe, exceeded] = runs[static_cast<std::size_t>(place)];
+        ++drawn[stripe].runs;
+        drawn[stripe].exceeded += exceeded;
+    }
+    drawn.erase(
+        std::remove_if(drawn.begin(), drawn.end(), [](const Stripe& stripe) { return stripe.runs == 0; }),
+        drawn.end());
+    return drawn;
+}
+
+} // namespace
+
 std::vector<Stripe> resampled(const std::vector<Stripe>& stripes, std::uint64_t seed, std::uint32_t replicate)
 {
+    if (std::any_of(stripes.begin(), stripes.end(), [](const Stripe& stripe) { return stripe.runs == 1; }))
+    {
+        return resampledRuns(stripes, seed, replicate);
+    }
     std::vector<Stripe> drawn = stripes;
     std::uint64_t number = 0;
     for (Stripe& stripe : drawn)

@@ -33,13 +33,16 @@ struct FragilityFit
 /// failed lies below one that stood, or failures do not grow with the intensity
 std::optional<FragilityFit> fitStripes(const std::vector<Stripe>& stripes);
 
-/// Likelihood of intensities at which structures failed, and of others that stood at the highest one tried
-/// (Baker's equation 6). \param failing intensities, above 0 \param standing how many stood \param limit that
-/// they stood at. \return nothing where it has no maximum: none failed, or all at one intensity and none
-/// stood
-std::optional<FragilityFit> fitTruncated(const std::vector<double>& failing, long standing, double limit);
+/// Likelihood of intensities at which structures failed, and of others that stood at the highest one at which
+/// they were tried (Baker's equation 6, where that is one for all). \param failing intensities, above 0
+/// \param standing highest intensity of each that stood. \return nothing where it has no maximum: none
+/// failed, or all at one intensity and none stood
+std::optional<FragilityFit> fitTruncated(const std::vector<double>& failing,
+                                         const std::vector<double>& standing);
 
-/// Each run of a stripe drawn again with replacement. \param replicate number of the drawing
+/// Each run of a stripe drawn again with replacement; where a stripe is one run, which drawn again is always
+/// itself, as many runs as there are from those of all stripes, as pairs of intensity and outcome (Efron &
+/// Tibshirani 1993, section 9.5). \param replicate number of the drawing
 std::vector<Stripe> resampled(const std::vector<Stripe>& stripes, std::uint64_t seed,
                               std::uint32_t replicate);
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace drystone
 {
@@ -47,7 +48,7 @@ void declare(Options& options, FragilitySettings& settings)
     options.optional(
         "method", settings.method,
         "multipleStripe: samples at each intensity; truncatedIDA: the lowest intensity at which each "
-        "curve fails, or that it stands at the highest one");
+        "curve fails, or the highest at which a curve that stands was tried");
     options
         .optional("curve", settings.curve,
                   "of truncatedIDA: the variable that samples of one curve have in common")
@@ -124,34 +125,37 @@ std::vector<Stripe> stripesOf(const Observations& observations)
     return sorted;
 }
 
-/// The lowest intensity at which each curve fails.
+/// The curves: those that fail by the lowest intensity at which they do, the others by the highest at which
+/// they were tried.
 struct Truncated
 {
     std::vector<double> failing;
-    long standing = 0;
-    double limit = 0; ///< highest intensity tried
+    std::vector<double> standing;
+    std::size_t repeated = 0; ///< samples at an intensity at which their curve has another one
 };
 
 Truncated truncatedOf(const Observations& observations)
 {
+    struct Tried
+    {
+        double failing = HUGE_VAL;
+        double highest = 0;
+        std::set<double> intensities;
+    };
     Truncated result;
-    std::map<std::string, double> lowest; // infinite where a curve stands
+    std::map<std::string, Tried> curves;
     for (std::size_t i = 0; i < observations.intensity.size(); ++i)
     {
-        result.limit = std::max(result.limit, observations.intensity[i]);
-        auto& least = lowest.try_emplace(observations.curve[i], HUGE_VAL).first->second;
-        least = observations.exceeded[i] ? std::min(least, observations.intensity[i]) : least;
+        const double intensity = observations.intensity[i];
+        Tried& curve = curves[observations.curve[i]];
+        result.repeated += !curve.intensities.insert(intensity).second;
+        curve.highest = std::max(curve.highest, intensity);
+        curve.failing = observations.exceeded[i] ? std::min(curve.failing, intensity) : curve.failing;
     }
-    for (const auto& [curve, intensity] : lowest)
+    for (const auto& [name, curve] : curves)
     {
-        if (std::isfinite(intensity))
-        {
-            result.failing.push_back(intensity);
-        }
-        else
-        {
-            ++result.standing;
-        }
+        const bool fails = std::isfinite(curve.failing);
+        (fails ? result.failing : result.standing).push_back(fails ? curve.failing : curve.highest);
     }
     return result;
 }
@@ -160,8 +164,7 @@ Truncated truncatedOf(const Observations& observations)
 Truncated resampledCurves(const Truncated& truncated, std::uint64_t seed, std::uint32_t replicate)
 {
     Truncated drawn;
-    drawn.limit = truncated.limit;
-    const std::size_t curves = truncated.failing.size() + static_cast<std::size_t>(truncated.standing);
+    const std::size_t curves = truncated.failing.size() + truncated.standing.size();
     for (std::size_t i = 0; i < curves; ++i)
     {
         const double place = uniform(seed, Stream::bootstrap, replicate, i) * static_cast<double>(curves);
@@ -172,10 +175,32 @@ Truncated resampledCurves(const Truncated& truncated, std::uint64_t seed, std::u
         }
         else
         {
-            ++drawn.standing;
+            drawn.standing.push_back(truncated.standing[chosen - truncated.failing.size()]);
         }
     }
     return drawn;
+}
+
+/// The part of the curves that have failed up to each intensity at which some do, where others were not tried
+/// as far (Kaplan & Meier 1958).
+std::vector<std::pair<double, double>> failedParts(Truncated truncated)
+{
+    std::sort(truncated.failing.begin(), truncated.failing.end());
+    std::sort(truncated.standing.begin(), truncated.standing.end());
+    std::vector<std::pair<double, double>> parts;
+    double standing = 1;
+    for (std::size_t i = 0; i < truncated.failing.size(); ++i)
+    {
+        const double intensity = truncated.failing[i];
+        const auto triedSoFar =
+            truncated.standing.end()
+            - std::lower_bound(truncated.standing.begin(), truncated.standing.end(), intensity);
+        const double left =
+            static_cast<double>(truncated.failing.size() - i) + static_cast<double>(triedSoFar);
+        standing *= 1 - 1 / left;
+        parts.emplace_back(intensity, 1 - standing);
+    }
+    return parts;
 }
 
 std::optional<FragilityFit> fitOf(FragilityMethod method, const Observations& observations)
@@ -185,7 +210,7 @@ std::optional<FragilityFit> fitOf(FragilityMethod method, const Observations& ob
         return fitStripes(stripesOf(observations));
     }
     const Truncated truncated = truncatedOf(observations);
-    return fitTruncated(truncated.failing, truncated.standing, truncated.limit);
+    return fitTruncated(truncated.failing, truncated.standing);
 }
 
 /// Fits of samples that are drawn again: of stripes run by run, of curves curve by curve.
@@ -212,7 +237,7 @@ std::vector<FragilityFit> bootstrap(const FragilitySettings& settings, const Obs
         }
         // Each curve is one that failed, or one that stood: draw as many as there are.
         const Truncated drawn = resampledCurves(truncated, seed, number);
-        add(fitTruncated(drawn.failing, drawn.standing, drawn.limit));
+        add(fitTruncated(drawn.failing, drawn.standing));
     }
     return fits;
 }
@@ -312,18 +337,14 @@ void draw(StatisticResult& result, const std::string& name, const FragilitySetti
     }
     else
     {
-        Truncated truncated = truncatedOf(observations);
-        std::sort(truncated.failing.begin(), truncated.failing.end());
-        const double curves =
-            static_cast<double>(truncated.failing.size()) + static_cast<double>(truncated.standing);
-        for (std::size_t i = 0; i < truncated.failing.size(); ++i)
+        const Truncated truncated = truncatedOf(observations);
+        const auto curves = static_cast<double>(truncated.failing.size() + truncated.standing.size());
+        double failed = 0;
+        for (const auto& [intensity, part] : failedParts(truncated))
         {
-            const double intensity = truncated.failing[i];
-            const double part = static_cast<double>(i + 1) / curves;
             parts.x.push_back(intensity);
             parts.y.push_back(part);
-            result.table.rows.push_back(
-                {intensity, curves, static_cast<double>(i + 1), part, fit.probability(intensity)});
+            result.table.rows.push_back({intensity, curves, ++failed, part, fit.probability(intensity)});
         }
     }
     plot.curves.push_back(std::move(parts));
@@ -343,6 +364,16 @@ StatisticResult evaluateFragility(const FragilitySettings& settings, const std::
         result.remarks.push_back(
             fmt::format("{} is not above 0 in all samples: there is no lognormal curve", settings.intensity));
         return result;
+    }
+    if (settings.method == FragilityMethod::truncatedIDA)
+    {
+        if (const std::size_t repeated = truncatedOf(standing).repeated; repeated > 0)
+        {
+            result.remarks.push_back(
+                fmt::format("{} samples have the curve and the intensity of another one: a "
+                            "curve fails there if one of them does",
+                            repeated));
+        }
     }
     const auto fitAndAdd = [&](const std::string& suffix, const Observations& observations, bool isDrawn)
     {

@@ -4,6 +4,7 @@
 #include "core/Error.h"
 #include "effects/GroundMotion.h"
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -34,13 +35,59 @@ private:
     double factor;
 };
 
+[[noreturn]] void refuse(const std::string& reason)
+{
+    throw FatalError("Housner's equation is about another case: " + reason);
+}
+
+/// The block begins at rest, or turned and turning about the corner that it stands on.
+void requireRocking(const HousnerCase& housner, const Placement<2>& placement, const Vector<2>& velocity)
+{
+    constexpr double share = 1e-6; // of sizes and velocities, as they are written in files
+    const auto& [block, start, index] = housner;
+    const double turns = start.rotation != 0 ? start.rotation : start.angularVelocity;
+    const Vector<2> corner(turns < 0 ? block.width / 2 : -block.width / 2,
+                           -block.height / 2); // from the centre
+    const double size = std::hypot(block.width, block.height);
+    const Vector<2> displacement = corner - Eigen::Rotation2Dd(start.rotation) * corner;
+    if ((placement.translation - displacement).norm() > share * size)
+    {
+        refuse(
+            fmt::format("its block stands on a corner, which a rotation of {:g} about it displaces by ({:g} "
+                        "{:g}): give that in 0/motion, not ({:g} {:g}).",
+                        start.rotation, displacement.x(), displacement.y(), placement.translation.x(),
+                        placement.translation.y()));
+    }
+    const Vector<2> arm = Eigen::Rotation2Dd(start.rotation) * Vector<2>(-corner);
+    const Vector<2> ofRocking = start.angularVelocity * Vector<2>(-arm.y(), arm.x());
+    if ((velocity - ofRocking).norm() > share * std::max(velocity.norm(), ofRocking.norm()))
+    {
+        refuse(fmt::format(
+            "its block turns about a corner, with a velocity of ({:g} {:g}) at the angular velocity "
+            "{:g}: give that in 0/motion, not ({:g} {:g}).",
+            ofRocking.x(), ofRocking.y(), start.angularVelocity, velocity.x(), velocity.y()));
+    }
+}
+
 } // namespace
+
+std::unique_ptr<GroundAcceleration> housnerGround(const AccuracyCase<2>& study)
+{
+    const auto components = groundMotionOf(study.scene->effects).components;
+    if (components.empty())
+    {
+        return std::make_unique<ConstantAcceleration>(0);
+    }
+    if (components.size() != 1 || std::abs(components.front().direction.y()) > 1e-12)
+    {
+        throw FatalError("Housner's equation is for a ground that moves along x alone.");
+    }
+    return std::make_unique<ScaledMotion>(components.front().acceleration, components.front().direction.x());
+}
 
 HousnerCase housnerCase(const AccuracyCase<2>& study)
 {
     const DynamicCase<2>& scene = *study.scene;
-    const auto refuse = [](const std::string& reason)
-    { throw FatalError("Housner's equation is about another case: " + reason); };
     HousnerCase result;
     int freeBlocks = 0;
     for (std::size_t block = 0; block < scene.assembly.blocks.size(); ++block)
@@ -86,8 +133,17 @@ HousnerCase housnerCase(const AccuracyCase<2>& study)
         refuse("impacts are plastic and there is no damping: remove restitution, elasticity and damping.");
     }
     result.block = {high.x() - low.x(), high.y() - low.y(), -gravity.y()};
-    result.start = {study.start.time, study.start.placements[static_cast<std::size_t>(result.index)].rotation,
-                    study.start.velocity[2]};
+    const double friction = scene.contact.friction ? scene.contact.friction->mu : 0;
+    if (friction < result.block.width / result.block.height)
+    {
+        refuse(
+            fmt::format("its block does not slide: give it a friction of at least its width over its height, "
+                        "{:g}.",
+                        result.block.width / result.block.height));
+    }
+    const Placement<2>& placement = study.start.placements[static_cast<std::size_t>(result.index)];
+    result.start = {study.start.time, placement.rotation, study.start.velocity[2]};
+    requireRocking(result, placement, study.start.velocity.head<2>());
     return result;
 }
 
@@ -95,30 +151,35 @@ double housnerThreshold(const AccuracyCase<2>& study, const IntensityPlan& plan,
                         const Criterion<2>& criterion, double unit)
 {
     const HousnerCase housner = housnerCase(study);
-    const auto components = groundMotionOf(study.scene->effects).components;
-    if (components.size() != 1 || std::abs(components.front().direction.y()) > 1e-12)
+    const std::shared_ptr<const GroundAcceleration> ground = housnerGround(study);
+    if (!(ground->peak() > 0))
     {
-        throw FatalError("Housner's equation is for a ground that moves along x alone.");
+        throw FatalError("The threshold by Housner's equation is that of a motion of the ground along x.");
     }
     if (criterion.figure.name != "rotation")
     {
         throw FatalError(
             "By Housner's equation a block overturns: take `criterion { type rotation; limit 1; }`.");
     }
+    if (criterion.limit < housner.block.slenderness())
+    {
+        throw FatalError(
+            fmt::format("By Housner's equation a block overturns, which is to exceed {:g} rad: take "
+                        "`criterion {{ type rotation; limit 1; }}`.",
+                        housner.block.slenderness()));
+    }
     if (housner.start.rotation != 0 || housner.start.angularVelocity != 0)
     {
         throw FatalError("The threshold by Housner's equation is that of a block at rest: remove 0/motion.");
     }
-    const auto& ground = components.front();
-    const double perUnit = unit * ground.direction.x() / ground.acceleration->peak();
+    const double perUnit = unit / ground->peak();
     const std::vector<double> first = plan.next({});
     const auto [low, high] = std::minmax_element(first.begin(), first.end());
     try
     {
         return overturningThreshold(
             housner.block,
-            [&](double intensity)
-            { return std::make_unique<ScaledMotion>(ground.acceleration, intensity * perUnit); },
+            [&](double intensity) { return std::make_unique<ScaledMotion>(ground, intensity * perUnit); },
             *low, *high);
     }
     catch (const std::domain_error&)

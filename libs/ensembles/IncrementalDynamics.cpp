@@ -169,6 +169,8 @@ IncrementalRun runAt(const IncrementalDynamics<Dim>& study, const StudyMotion& g
     run.intensity = intensity;
     run.factor = scaled.factor;
     run.endTime = time.value();
+    double before = 0;
+    double now = 0;
     while (time.loop())
     {
         if (stopSignal() != 0)
@@ -186,7 +188,9 @@ IncrementalRun runAt(const IncrementalDynamics<Dim>& study, const StudyMotion& g
             break;
         }
         ++run.steps;
-        run.largest = std::max(run.largest, study.criterion.figure.at(study.start.state, motion));
+        before = now;
+        now = study.criterion.figure.at(study.start.state, motion);
+        run.largest = std::max(run.largest, now);
         if (run.verdict == Verdict::stands)
         {
             run.endTime = time.value();
@@ -200,6 +204,9 @@ IncrementalRun runAt(const IncrementalDynamics<Dim>& study, const StudyMotion& g
             }
         }
     }
+    constexpr double share = 0.1;
+    run.isGrowing = run.verdict == Verdict::stands && now == run.largest
+                    && (now - before) * static_cast<double>(run.steps) > share * study.criterion.limit;
     run.cpuTime = threadCpuTime() - cpuTimeBefore;
     return run;
 }

@@ -81,7 +81,10 @@ struct IncrementalRun
     double endTime = 0;       ///< when the run ended; with `meets`, when the criterion was met [s]
     long steps = 0;           ///< solved
     double worstResidual = 0; ///< of any step: primal, dual or gap
-    double cpuTime = 0;       ///< [s]
+    /// Of a run that stands: the quantity ends with its largest value, at a rate at which it would gain a
+    /// tenth of the limit in another run.
+    bool isGrowing = false;
+    double cpuTime = 0; ///< [s]
 };
 
 /// One run from the start at an intensity. A pure function of its arguments except for `cpuTime` and a signal

@@ -204,11 +204,11 @@ template<int Dim>
 void printRun(const IncrementalDynamics<Dim>& study, std::size_t motion, const IncrementalRun& run,
               const std::string& timeLeft)
 {
-    info("{}intensity = {:.9g} {}  {} = {:.4g} {}  {}{}  ({} steps, residual {:.2g}, {:.2f} s; {})",
+    info("{}intensity = {:.9g} {}  {} = {:.4g} {}  {}{}{}  ({} steps, residual {:.2g}, {:.2f} s; {})",
          study.motions.size() > 1 ? study.motions[motion].name + ": " : "", run.intensity,
          nameOf(study.intensity.unit), study.criterion.figure.name, run.largest, study.criterion.figure.unit,
          textOf(run.verdict), run.verdict == Verdict::stands ? "" : fmt::format(" at {:g} s", run.endTime),
-         run.steps, run.worstResidual, run.cpuTime, timeLeft);
+         run.isGrowing ? ", still growing" : "", run.steps, run.worstResidual, run.cpuTime, timeLeft);
     std::fflush(stdout); // for those who follow the log
 }
 
@@ -256,6 +256,22 @@ void printLeast(const IncrementalDynamics<Dim>& study, const std::vector<Increme
         if (!least.isMonotone)
         {
             info("{}At some higher accelerations the structure stands again: see the table", name);
+        }
+        else if (least.kind == LeastIntensity::Kind::found && study.intensity.isBisection)
+        {
+            info("{}A bisection finds one change of the verdict: whether lower accelerations meet the "
+                 "criterion "
+                 "too, as those of one-sine pulses may, `type step` shows",
+                 name);
+        }
+        const auto growing = std::count_if(finished.begin(), finished.end(),
+                                           [](const IncrementalRun& run) { return run.isGrowing; });
+        if (growing > 0)
+        {
+            info(
+                "{}In {} of the runs that stand {} still grows at endTime {:g} s: with a later one the least "
+                "acceleration may be lower",
+                name, growing, study.criterion.figure.name, study.controls.endTime);
         }
         const auto failed =
             std::count_if(finished.begin(), finished.end(),

@@ -14,7 +14,7 @@ namespace drystone
 namespace
 {
 
-constexpr std::size_t columns = 9;
+constexpr std::size_t columns = 10;
 
 template<int Dim>
 std::string headingOf(const std::filesystem::path& caseDirectory, const IncrementalDynamics<Dim>& study)
@@ -31,16 +31,16 @@ std::string headingOf(const std::filesystem::path& caseDirectory, const Incremen
     }
     return text
            + fmt::format("\n# motion[-] intensity[{}] factor[-] verdict[-] {}[{}] endTime[s] steps[-] "
-                         "residual[-] cpuTime[s]\n",
+                         "residual[-] cpuTime[s] isGrowing[-]\n",
                          nameOf(study.intensity.unit), study.criterion.figure.name,
                          study.criterion.figure.unit);
 }
 
 std::string rowOf(std::size_t motion, const IncrementalRun& run)
 {
-    return fmt::format("{} {} {} {} {} {} {} {} {:.3g}\n", motion, run.intensity, run.factor,
+    return fmt::format("{} {} {} {} {} {} {} {} {:.3g} {:d}\n", motion, run.intensity, run.factor,
                        static_cast<int>(run.verdict), run.largest, run.endTime, run.steps, run.worstResidual,
-                       run.cpuTime);
+                       run.cpuTime, run.isGrowing);
 }
 
 } // namespace
@@ -80,6 +80,7 @@ IncrementalHistory<Dim>::IncrementalHistory(const std::filesystem::path& caseDir
         run.steps = static_cast<long>(row[6]);
         run.worstResidual = row[7];
         run.cpuTime = row[8];
+        run.isGrowing = row[9] != 0;
         curves[motion].push_back(run);
         text += rowOf(motion, run);
     }

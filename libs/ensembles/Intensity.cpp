@@ -161,7 +161,7 @@ IntensityPlan planBisection(const BisectionSettings& settings)
                 return {at(below + (above - below) / 2)};
             },
             // Both ends, then halves until one step is left.
-            2 + static_cast<long>(std::ceil(std::log2(static_cast<double>(last))))};
+            2 + static_cast<long>(std::ceil(std::log2(static_cast<double>(last)))), true};
 }
 
 struct IntensityList
@@ -231,8 +231,11 @@ const Registry<IntensityPlan>& intensityTypes()
     static const Registry<IntensityPlan> registry{
         "intensity",
         {model<IntensityPlan, EqualStepsSettings>("step", "equal steps", planSteps),
-         model<IntensityPlan, BisectionSettings>("bisection", "halves a bracket of the least that meets it",
-                                                 planBisection),
+         model<IntensityPlan, BisectionSettings>(
+             "bisection",
+             "halves a bracket, which finds the least that meets it if the verdict changes "
+             "once only",
+             planBisection),
          model<IntensityPlan, IntensityList>("list", "these", planList)}};
     return registry;
 }

@@ -59,7 +59,8 @@ struct IntensityPlan
     /// \return intensities of runs that may be concurrent; empty at the end
     std::function<std::vector<double>(const std::vector<Trial>& trials)> next;
 
-    long mostRuns = 0; ///< that this takes, for one motion of the ground
+    long mostRuns = 0;        ///< that this takes, for one motion of the ground
+    bool isBisection = false; ///< takes the verdict to change once
 };
 
 /// All types: step, bisection, list.

@@ -154,8 +154,16 @@ double missOf(unsigned, const double* scaled, double*, void* data)
                  : std::numeric_limits<double>::infinity();
 }
 
+/// Whether the objective of a point lies between those of two others, to rounding.
+bool isBetween(const Evaluation& found, const Evaluation& one, const Evaluation& other)
+{
+    const auto [low, high] = std::minmax(one.objective, other.objective);
+    const double rounding = 1e-9 * std::max(std::abs(low), std::abs(high));
+    return found.objective >= low - rounding && found.objective <= high + rounding;
+}
+
 /// Halves the range between a feasible point and an infeasible one with the better objective, beginning with
-/// the bounds.
+/// the bounds. The objective has to grow, or fall, all along the range.
 SearchEnd bisect(const SearchStage& stage, Problem& problem)
 {
     const double sign = problem.settings.objective.sign();
@@ -179,7 +187,10 @@ SearchEnd bisect(const SearchStage& stage, Problem& problem)
     const Evaluation& worse = isLowBetter ? *atHigh : *atLow;
     if (better.violation == 0)
     {
-        return SearchEnd::converged;
+        const auto middle = at(0.5);
+        return !middle                               ? stopped()
+               : isBetween(*middle, *atLow, *atHigh) ? SearchEnd::converged
+                                                     : SearchEnd::notMonotone;
     }
     if (worse.violation > 0)
     {
@@ -198,6 +209,10 @@ SearchEnd bisect(const SearchStage& stage, Problem& problem)
         if (!between)
         {
             return stopped();
+        }
+        if (!isBetween(*between, *atLow, *atHigh))
+        {
+            return SearchEnd::notMonotone;
         }
         (between->violation > 0 ? missing : meeting) = middle;
     }

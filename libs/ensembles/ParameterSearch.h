@@ -34,7 +34,8 @@ enum class SearchEnd
     astray,      ///< it met it at an infeasible point, although a feasible one is known
     evaluations, ///< the last algorithm used all its evaluations
     failed,      ///< NLopt failed
-    interrupted  ///< by a signal
+    interrupted, ///< by a signal
+    notMonotone  ///< of a bisection: the objective does not grow or fall all the way between the bounds
 };
 
 /// The result of a search.

@@ -46,6 +46,7 @@ std::string outcomeText(const ParameterSearchSettings& settings, const Evaluatio
 bool isShort(const SearchOutcome& outcome)
 {
     return outcome.end == SearchEnd::failed || outcome.end == SearchEnd::astray
+           || outcome.end == SearchEnd::notMonotone
            || (outcome.end == SearchEnd::evaluations && !isGlobal(outcome.stages.back().first));
 }
 
@@ -57,6 +58,10 @@ const char* statusText(const SearchOutcome& outcome)
         return "converged";
     case SearchEnd::astray:
         return "not converged: the last algorithm ended at a point that violates the constraints";
+    case SearchEnd::notMonotone:
+        return "not converged: the objective does not grow, or fall, all the way from one bound to the "
+               "other, "
+               "as bisection needs: take COBYLA or DIRECT";
     case SearchEnd::evaluations:
         return isShort(outcome) ? "not converged: raise maximumEvaluations" : "all evaluations made";
     case SearchEnd::failed:
@@ -65,6 +70,21 @@ const char* statusText(const SearchOutcome& outcome)
         break;
     }
     return "interrupted";
+}
+
+/// Whether every result has a number for points at which there is none.
+bool hasOtherwise(const ParameterSearchSettings& settings)
+{
+    return std::all_of(settings.results.begin(), settings.results.end(),
+                       [](const auto& result) { return result.second.otherwise.has_value(); });
+}
+
+/// Whether no point was computed, as applications refused their input: a bound may be such a point, but if
+/// two are, the case is at fault.
+bool areInputErrors(const std::vector<SearchRecord>& records)
+{
+    return std::all_of(records.begin(), records.end(),
+                       [](const SearchRecord& record) { return record.exitStatus == 1; });
 }
 
 } // namespace
@@ -207,11 +227,13 @@ SearchOutcome carryOut(const ParameterSearch& search, SearchHistory& history)
         {
             return {};
         }
-        if (!run.failure.empty() && run.failureStatus == 1 && history.records().empty())
+        if (!run.failure.empty() && run.failureStatus == 1 && areInputErrors(history.records())
+            && (!history.records().empty() || !hasOtherwise(settings)))
         {
             throw FatalError(
-                fmt::format("The first point of the search cannot be computed: {}.\n{}\n\nAt {}.",
-                            run.failure, run.errorOutput, pointText(settings, variables)));
+                fmt::format("The first point{} of the search cannot be computed: {}.\n{}\n\nAt {}.",
+                            history.records().empty() ? "" : "s", run.failure, run.errorOutput,
+                            pointText(settings, variables)));
         }
         const std::string reason =
             run.failure.empty()

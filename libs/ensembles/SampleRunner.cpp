@@ -26,6 +26,21 @@ std::string firstLine(const std::string& text)
     return text.substr(0, text.find('\n'));
 }
 
+/// The first line of what an application says, without the one that says that it is an error.
+std::string firstLineOfError(const std::string& text)
+{
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);)
+    {
+        line.erase(0, line.find_first_not_of(' '));
+        if (!line.empty() && !line.starts_with("-->"))
+        {
+            return line;
+        }
+    }
+    return firstLine(text);
+}
+
 } // namespace
 
 SampleRunner::SampleRunner(const Ensemble& of, fs::path folder) : ensemble(of), scratch(std::move(folder))
@@ -99,7 +114,7 @@ SampleOutcome SampleRunner::runByApplications(const std::vector<SampleValue>& va
                                                        : SampleStatus::failed;
         SampleOutcome outcome{status, std::vector<double>(count, std::nan("")),
                               fmt::format("{} ended with exit status {}: {}", done.application, done.status,
-                                          firstLine(done.errorOutput))};
+                                          firstLineOfError(done.errorOutput))};
         const int signal = done.status - 128;
         outcome.isFromOutside =
             isCutShort || signal == SIGKILL || signal == SIGTERM || signal == SIGHUP || signal == SIGINT;

@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <numeric>
+#include <set>
 #include <sstream>
 
 namespace drystone
@@ -20,11 +22,17 @@ namespace drystone
 namespace
 {
 
-bool hasNumbers(const Distribution& distribution)
+/// Whether it has numbers, and not always the same one.
+bool varies(const Distribution& distribution)
 {
+    const std::vector<SampleValue>& choices = distribution.choices;
     return !distribution.isSeed
-           && std::none_of(distribution.choices.begin(), distribution.choices.end(),
-                           [](const SampleValue& choice) { return std::isnan(choice.number); });
+           && std::none_of(choices.begin(), choices.end(),
+                           [](const SampleValue& choice) { return std::isnan(choice.number); })
+           && (choices.empty()
+               || std::any_of(choices.begin(), choices.end(),
+                              [&](const SampleValue& choice)
+                              { return choice.number != choices.front().number; }));
 }
 
 } // namespace
@@ -47,6 +55,7 @@ Sampler::Sampler(const std::vector<Named<EnsembleVariable>>& allVariables,
     if (!correlations.empty())
     {
         chooseFactor(correlations, dictionary.locationOf("correlations"));
+        stratifyCorrelated();
     }
 }
 
@@ -119,6 +128,45 @@ void Sampler::stratify()
     }
 }
 
+/// The parts of correlated variables: in each sample that which has the place of its correlated value among
+/// those of all samples, so that each part is taken once (Iman & Conover 1982).
+void Sampler::stratifyCorrelated()
+{
+    if (design.type != DesignType::latinHypercube)
+    {
+        return;
+    }
+    std::vector<std::vector<double>> correlated;
+    for (long sample = 0; sample < design.samples; ++sample)
+    {
+        correlated.push_back(point(sample, false));
+        correlate(correlated.back());
+    }
+    std::vector<std::uint32_t> order(correlated.size());
+    for (std::size_t k = 0; k < variables.size(); ++k)
+    {
+        if (isUncorrelated(k))
+        {
+            continue;
+        }
+        std::iota(order.begin(), order.end(), 0);
+        std::sort(order.begin(), order.end(),
+                  [&](std::uint32_t a, std::uint32_t b)
+                  { return std::pair(correlated[a][k], a) < std::pair(correlated[b][k], b); });
+        for (std::uint32_t place = 0; place < order.size(); ++place)
+        {
+            strata[k][order[place]] = place;
+        }
+    }
+}
+
+/// Whether a variable keeps its probabilities to the last bit.
+bool Sampler::isUncorrelated(std::size_t variable) const
+{
+    const auto k = static_cast<Eigen::Index>(variable);
+    return factor.row(k).head(k).isZero(0);
+}
+
 /// The Cholesky factor of the correlations that the normal variables must have (Nataf's model), so that the
 /// variables have those that the user states.
 void Sampler::chooseFactor(const std::vector<Correlation>& correlations, const SourceLocation& place)
@@ -146,16 +194,23 @@ void Sampler::chooseFactor(const std::vector<Correlation>& correlations, const S
         }
         return found - names.begin();
     };
+    std::set<std::pair<std::ptrdiff_t, std::ptrdiff_t>> pairs;
     for (const Correlation& correlation : correlations)
     {
         const auto i = indexOf(correlation.one);
         const auto j = indexOf(correlation.other);
         const Distribution& one = *variables[static_cast<std::size_t>(i)].second.distribution;
         const Distribution& other = *variables[static_cast<std::size_t>(j)].second.distribution;
-        if (i == j || !hasNumbers(one) || !hasNumbers(other))
+        if (i == j || !varies(one) || !varies(other))
         {
             throw FatalIOError(fmt::format("{} and {} cannot be correlated: two different variables with "
-                                           "numbers can.",
+                                           "numbers, more than one each, can.",
+                                           correlation.one, correlation.other),
+                               place);
+        }
+        if (!pairs.insert(std::minmax(i, j)).second)
+        {
+            throw FatalIOError(fmt::format("There are two correlations of {} and {}: remove one.",
                                            correlation.one, correlation.other),
                                place);
         }
@@ -294,8 +349,7 @@ void Sampler::correlate(std::vector<double>& probabilities) const
     }
     for (Eigen::Index k = 0; k < normal.size(); ++k)
     {
-        // Variables without correlations keep their probabilities to the last bit.
-        if (factor.row(k).head(k).isZero(0))
+        if (isUncorrelated(static_cast<std::size_t>(k)))
         {
             continue;
         }
@@ -361,7 +415,7 @@ std::vector<SampleValue> Sampler::at(long sample) const
     {
         probabilities = point(sample, false);
     }
-    if (factor.size() > 0)
+    if (factor.size() > 0 && design.type != DesignType::latinHypercube) // whose parts are correlated
     {
         correlate(probabilities);
     }

@@ -35,6 +35,8 @@ private:
     void countSamples();
     void stratify();
     void chooseFactor(const std::vector<Correlation>& correlations, const SourceLocation& place);
+    void stratifyCorrelated();
+    bool isUncorrelated(std::size_t variable) const;
     std::vector<double> point(long index, bool isSecond) const;
     std::vector<SampleValue> gridPoint(long sample) const;
     void correlate(std::vector<double>& probabilities) const;

@@ -8,6 +8,7 @@
 #include "ensembles/StatisticTypes.h"
 
 #include <fmt/format.h>
+#include <gsl/gsl_cdf.h>
 
 #include <algorithm>
 #include <cmath>
@@ -109,6 +110,30 @@ Plot histogram(const std::string& name, const std::string& value, const std::vec
     return plot;
 }
 
+/// A part of independent samples, as an interval of 95% between two of them in ascending order: the number of
+/// samples below the fractile is binomial. A side is not a number where even the least, or the largest, of
+/// them may be beyond it.
+std::pair<double, double> fractileInterval(const std::vector<double>& sorted, double part, long independent)
+{
+    constexpr double outside = 0.025;
+    const auto count = static_cast<unsigned>(independent);
+    unsigned below = 0; // largest number with P(B < below) <= 2.5%
+    while (below < count && gsl_cdf_binomial_P(below, part, count) <= outside)
+    {
+        ++below;
+    }
+    unsigned above = below; // least number with P(B < above) >= 97.5%
+    while (above < count && gsl_cdf_binomial_P(above, part, count) < 1 - outside)
+    {
+        ++above;
+    }
+    // Samples that depend on each other have the scatter of fewer.
+    const auto sampleAt = [&](unsigned number)
+    { return fractile(sorted, count > 1 ? static_cast<double>(number) / (count - 1) : 0.5); };
+    const double none = std::nan("");
+    return {below > 0 ? sampleAt(below - 1) : none, above < count ? sampleAt(above) : none};
+}
+
 StatisticResult evaluateDistribution(const DistributionSettings& settings, const std::string& name,
                                      const SampleTable& table)
 {
@@ -146,21 +171,39 @@ StatisticResult evaluateDistribution(const DistributionSettings& settings, const
         result.remarks.emplace_back("One sample has a number: no deviation, error or interval is known");
     }
     std::sort(sorted.begin(), sorted.end());
-    const bool isOne = known == 1; // which says nothing of how others differ from it
+    const long independent = table.sensitivityRuns > 0 ? std::max(1L, known / table.sensitivityRuns) : known;
+    if (independent < known)
+    {
+        result.remarks.push_back(fmt::format(
+            "The {} runs of a point differ in one variable each: errors and intervals are those of {} "
+            "independent samples",
+            table.sensitivityRuns, independent));
+    }
+    const bool isOne = independent == 1; // which says nothing of how others differ from it
+    const auto degrees = static_cast<double>(std::max(independent - 1, 1L));
+    const double quantile = gsl_cdf_tdist_Pinv(0.975, degrees);
     const auto [mean, ofSamples] = moments(sorted);
     const double deviation = isOne ? none : ofSamples;
-    const double error = deviation / std::sqrt(static_cast<double>(known));
-    result.rows.push_back({"mean", mean, error, mean - 1.96 * error, mean + 1.96 * error});
+    const double error = deviation / std::sqrt(static_cast<double>(independent));
+    result.rows.push_back({"mean", mean, error, mean - quantile * error, mean + quantile * error});
     result.rows.push_back({"standardDeviation", deviation, none, none, none});
     result.rows.push_back({"minimum", sorted.front(), none, none, none});
     result.rows.push_back({"maximum", sorted.back(), none, none, none});
+    bool isOpen = false;
     for (const double part : settings.fractiles)
     {
-        // The number of samples below the fractile is binomial: its interval is one of order statistics.
-        const double spread = 1.96 * std::sqrt(part * (1 - part) / static_cast<double>(known));
-        result.rows.push_back({fmt::format("fractile{:g}", part), fractile(sorted, part), none,
-                               isOne ? none : fractile(sorted, std::max(part - spread, 0.0)),
-                               isOne ? none : fractile(sorted, std::min(part + spread, 1.0))});
+        const auto [lower, upper] =
+            isOne ? std::pair{none, none} : fractileInterval(sorted, part, independent);
+        isOpen = isOpen || (!isOne && (std::isnan(lower) || std::isnan(upper)));
+        result.rows.push_back(
+            {fmt::format("fractile{:g}", part), fractile(sorted, part), none, lower, upper});
+    }
+    if (isOpen)
+    {
+        result.remarks.push_back(fmt::format("Of {} samples some fractiles have an interval that is open on "
+                                             "one side, where even the outermost "
+                                             "sample may lie beyond them: take more samples",
+                                             independent));
     }
     if (sorted.front() > 0 && deviation > 0)
     {
@@ -169,12 +212,14 @@ StatisticResult evaluateDistribution(const DistributionSettings& settings, const
                        [](double x) { return std::log(x); });
         const auto [centre, beta] = moments(logarithms);
         const double theta = std::exp(centre);
-        const double logError = beta / std::sqrt(static_cast<double>(known));
-        result.rows.push_back({"lognormalMedian", theta, theta * logError, theta * std::exp(-1.96 * logError),
-                               theta * std::exp(1.96 * logError)});
-        const double betaError = beta / std::sqrt(2.0 * static_cast<double>(std::max(known - 1, 1L)));
-        result.rows.push_back(
-            {"lognormalBeta", beta, betaError, beta - 1.96 * betaError, beta + 1.96 * betaError});
+        const double logError = beta / std::sqrt(static_cast<double>(independent));
+        result.rows.push_back({"lognormalMedian", theta, theta * logError,
+                               theta * std::exp(-quantile * logError),
+                               theta * std::exp(quantile * logError)});
+        // Of normal logarithms (n - 1) s^2/sigma^2 is a chi-squared variable.
+        result.rows.push_back({"lognormalBeta", beta, beta / std::sqrt(2 * degrees),
+                               beta * std::sqrt(degrees / gsl_cdf_chisq_Pinv(0.975, degrees)),
+                               beta * std::sqrt(degrees / gsl_cdf_chisq_Pinv(0.025, degrees))});
     }
     result.pictures.emplace_back("", histogram(name, settings.value, sorted, result.table));
     return result;
@@ -185,7 +230,10 @@ StatisticResult evaluateDistribution(const DistributionSettings& settings, const
 Model<Statistic> distributionStatistic()
 {
     return model<Statistic, DistributionSettings>(
-        "distribution", "mean, deviation, fractiles and histogram of a value",
+        "distribution",
+        "mean, deviation, fractiles and histogram of a value; errors and intervals are those of samples "
+        "drawn "
+        "independently, and mostly too wide for latinHypercube and sobol",
         [](const DistributionSettings& settings, const Dictionary& dictionary)
         {
             Statistic statistic;

@@ -4,6 +4,8 @@
 #include "core/WholeFile.h"
 #include "dictionary/Dictionary.h"
 
+#include <filesystem>
+#include <fmt/format.h>
 #include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -206,6 +208,73 @@ TEST(DictionaryEdit, AValueStaysApartFromWhatFollowsIt)
 TEST(DictionaryEdit, ADictionaryThatFollowsItsKeyCloselyBecomesAValueApartFromIt)
 {
     EXPECT_EQ(withEntrySet("a{ b 1; }\n", "file", "a", "2"), "a 2;\n");
+}
+
+class FileEdit : public testing::Test
+{
+protected:
+    void SetUp() override
+    {
+        std::filesystem::create_directories(folder);
+        write("shared", "common 42;\nsub { a 1; inner { b 2; } }\n");
+        write("mine", "#include \"shared\"\nown 1;\n");
+    }
+    void TearDown() override { std::filesystem::remove_all(folder); }
+
+    void write(const std::string& name, const std::string& content) const
+    {
+        std::ofstream(folder / name) << content;
+    }
+    std::string valueOf(const std::string& name, const std::string& path) const
+    {
+        return Dictionary::readFile(folder / name).lookupPath(path).valueText();
+    }
+
+    std::filesystem::path folder =
+        std::filesystem::path(testing::TempDir()) / fmt::format("drystoneFileEdit{}", getpid());
+};
+
+TEST_F(FileEdit, OfALinkChangesTheFileItLeadsTo)
+{
+    std::filesystem::create_symlink("mine", folder / "link");
+    editFile(folder / "link", "own", EntryEdit::set, "2");
+    EXPECT_TRUE(std::filesystem::is_symlink(folder / "link"));
+    EXPECT_EQ(valueOf("mine", "own"), "2");
+}
+
+TEST_F(FileEdit, OfAnIncludedEntryOverridesIt)
+{
+    editFile(folder / "mine", "sub/a", EntryEdit::set, "77");
+    editFile(folder / "mine", "sub/inner/c", EntryEdit::set, "{ d 5; }");
+    EXPECT_EQ(valueOf("mine", "sub/a"), "77");
+    EXPECT_EQ(valueOf("mine", "sub/inner/b"), "2");
+    EXPECT_EQ(valueOf("mine", "sub/inner/c/d"), "5");
+    EXPECT_EQ(valueOf("shared", "sub/a"), "1");
+    EXPECT_THROW(editFile(folder / "mine", "nowhere/a", EntryEdit::set, "77"), FatalIOError);
+}
+
+TEST(DictionaryEdit, IncludesThatLeadOutOfACaseBecomeAbsolute)
+{
+    const std::string content = "#include \"../system/a\"\n#include \"../../shared/mu\" // ../x\nb { c 1;\n"
+                                "#includeIfPresent \"../../other\"\n}\n#include \"a\"\n";
+    EXPECT_EQ(withIncludesFromOutside(content, "/home/me/case/constant/contactProperties", "/home/me/case"),
+              "#include \"../system/a\"\n#include \"/home/me/shared/mu\" // ../x\nb { c 1;\n"
+              "#includeIfPresent \"/home/me/other\"\n}\n#include \"a\"\n");
+    EXPECT_EQ(withIncludesFromOutside("not { #include \"../../x\"", "/c/constant/a", "/c"),
+              "not { #include \"../../x\"");
+}
+
+TEST_F(FileEdit, RemovingWhatIsNotInTheFileIsWarnedOf)
+{
+    for (const auto& [path, expected] : {std::pair{"common", "comes from another file"},
+                                         {"sub/a", "comes from another file"},
+                                         {"nowhere", "There is no entry nowhere"}})
+    {
+        testing::internal::CaptureStderr();
+        editFile(folder / "mine", path, EntryEdit::remove, "");
+        EXPECT_THAT(testing::internal::GetCapturedStderr(), testing::HasSubstr(expected)) << path;
+    }
+    EXPECT_EQ(valueOf("mine", "common"), "42");
 }
 
 } // namespace

@@ -7,6 +7,7 @@
 #include "assembly/Loads.h"
 #include "assembly/Materials.h"
 #include "core/Error.h"
+#include "effects/GroundMotion.h"
 
 #include <Eigen/Geometry>
 #include <gmock/gmock.h>
@@ -182,6 +183,54 @@ TEST(AccuracyCost, HousnersEquationIsForOneUprightBlockAlone)
     study = rockingCase();
     study->scene->assembly.blocks.push_back({rectangle(2, 0, 0.5, 2), 1, -1});
     EXPECT_THROW(housnerCase(*study), FatalError);
+}
+
+TEST(AccuracyCost, HousnersEquationHasTheMotionOfTheGround)
+{
+    const auto study = rockingCase();
+    GroundMotion ground;
+    ground.components.emplace_back();
+    ground.components.back().acceleration = std::make_shared<ConstantAcceleration>(1);
+    ground.components.back().direction = {-1, 0, 0};
+    study->scene->effects.push_back(std::make_shared<MovingGround<2>>(ground));
+    const Quantity quantity = returnOf(1, study);
+    const Measurement run = quantity.measure(settingWith(0.001, 0.5), {});
+    ASSERT_EQ(run.end, RunEnd::done);
+    EXPECT_NEAR(run.value / quantity.housner(), 1, 1e-4);
+    EXPECT_LT(quantity.housner(), 0.9 * returnOf(1, rockingCase()).housner());
+
+    ground.components.back().direction = {0, 1, 0};
+    study->scene->effects.back() = std::make_shared<MovingGround<2>>(ground);
+    EXPECT_THROW(quantity.housner(), FatalError);
+}
+
+TEST(AccuracyCost, HousnersEquationIsForABlockOnItsCornerThatDoesNotSlide)
+{
+    const auto faultOf = [](const AccuracyCase<2>& study)
+    {
+        try
+        {
+            housnerCase(study);
+        }
+        catch (const FatalError& error)
+        {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    auto study = rockingCase();
+    EXPECT_EQ(faultOf(*study), "");
+    study->start.placements[1].translation.y() += 0.1;
+    EXPECT_THAT(faultOf(*study), testing::HasSubstr("stands on a corner"));
+    study = rockingCase();
+    study->start.velocity[0] = 1;
+    EXPECT_THAT(faultOf(*study), testing::HasSubstr("turns about a corner"));
+    study = rockingCase();
+    study->start.velocity[2] = 0.3;
+    EXPECT_THAT(faultOf(*study), testing::HasSubstr("turns about a corner"));
+    study = rockingCase();
+    study->scene->contact.friction->mu = 0.05;
+    EXPECT_THAT(faultOf(*study), testing::HasSubstr("does not slide"));
 }
 
 TEST(AccuracyCost, AFailedRunMakesThePointNoAnswer)

@@ -298,6 +298,48 @@ TEST(Nataf, CorrelatesTheSamples)
     EXPECT_NEAR(correlationOf(sampler), 0.6, 0.01);
 }
 
+TEST(Nataf, OfStepsAgreesWithTheClosedForms)
+{
+    const Distribution coin = distributionOf("type list; values (0 1);");
+    const Distribution normal = distributionOf("type normal; mean 3; standardDeviation 2;");
+    for (const double wanted : {-0.8, 0.3, 0.8, 0.98})
+    {
+        EXPECT_NEAR(*natafCorrelation(coin, coin, wanted), std::sin(M_PI / 2 * wanted), 1e-8);
+    }
+    EXPECT_NEAR(*natafCorrelation(coin, normal, 0.7), 0.7 * std::sqrt(2 * M_PI) / 2, 1e-8);
+}
+
+TEST(Nataf, CorrelatesStepsOfAnyWeights)
+{
+    for (const char* distribution :
+         {"type discrete; values (1 7); weights (95 5);", "type list; values (1 2 3 4 5);"})
+    {
+        const Sampler sampler =
+            samplerOf(variables({distribution, distribution})
+                      + "correlations ((v0 v1 0.8)); design { type sobol; samples 16384; }");
+        EXPECT_NEAR(correlationOf(sampler), 0.8, 0.01) << distribution;
+    }
+}
+
+TEST(Sampler, OfACorrelatedLatinHypercubeTakesEachPartOfEachVariableOnce)
+{
+    constexpr long samples = 200;
+    const std::string uniformOne = "type uniform; minimum 0; maximum 1;";
+    const Sampler sampler = samplerOf(variables({uniformOne, uniformOne, uniformOne})
+                                      + "correlations ((v0 v1 0.5) (v1 v2 -0.3)); "
+                                        "design { type latinHypercube; samples 200; }");
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+        std::set<long> parts;
+        for (long sample = 0; sample < samples; ++sample)
+        {
+            parts.insert(static_cast<long>(samples * sampler.at(sample)[k].number));
+        }
+        EXPECT_EQ(parts.size(), samples) << k;
+    }
+    EXPECT_NEAR(correlationOf(sampler), 0.5, 0.1);
+}
+
 TEST(Sampler, RefusesWhatIsImpossible)
 {
     const auto faultOf = [](const std::string& text)
@@ -319,6 +361,11 @@ TEST(Sampler, RefusesWhatIsImpossible)
     EXPECT_THAT(faultOf(two + "correlations ((v0 v0 0.5));" + design), HasSubstr("cannot be correlated"));
     EXPECT_THAT(faultOf(two + "correlations ((v0 v1 2));" + design),
                 HasSubstr("cannot have the correlation"));
+    EXPECT_THAT(faultOf(two + "correlations ((v0 v1 0.5) (v1 v0 -0.3));" + design),
+                HasSubstr("two correlations of v1 and v0: remove one"));
+    EXPECT_THAT(faultOf(variables({"type list; values (3);", "type list; values (3 4);"})
+                        + "correlations ((v0 v1 0.5));" + design),
+                HasSubstr("more than one each"));
     EXPECT_THAT(faultOf(two + "correlations ((v0 v1 0.5)); design { type grid; }"), HasSubstr("drawn"));
     EXPECT_THAT(faultOf("variables { v { file a; entry b; } } " + design), HasSubstr("no distribution"));
     EXPECT_THAT(faultOf(two + "design { type table; file nowhere; }"), HasSubstr("no table"));

@@ -127,6 +127,20 @@ TEST(IncrementalDynamics, KnownRunsAreNotRepeated)
     }
 }
 
+TEST(IncrementalDynamics, ARunThatStandsMayStillGrow)
+{
+    IncrementalDynamics<2> study = studyOf({.mu = 0.3, .intensity = "type list; values (0.2 0.5);"});
+    const double slides = runAt(study, study.motions.front(), 0.5).largest;
+    study.stopWhenMet = false;
+    study.criterion.limit = 1.2 * runAt(study, study.motions.front(), 0.5).largest;
+    EXPECT_GT(study.criterion.limit, 1.2 * slides);
+    const IncrementalCurve curve = carryOut(study).at(0);
+    EXPECT_EQ(curve[0].verdict, Verdict::stands);
+    EXPECT_FALSE(curve[0].isGrowing);
+    EXPECT_EQ(curve[1].verdict, Verdict::stands);
+    EXPECT_TRUE(curve[1].isGrowing);
+}
+
 TEST(IncrementalDynamics, MirroredGroundGivesTheSameThreshold)
 {
     IncrementalDynamics<2> study = studyOf({.width = 0.5, .height = 2, .mu = 2});

@@ -195,6 +195,19 @@ TEST(ParameterSearch, BisectionFindsWhereConstraintsEndToHoldFromEitherSide)
     EXPECT_EQ(search(settings, [](const auto&) { return -1; }).end, SearchEnd::failed) << "none hold";
 }
 
+TEST(ParameterSearch, BisectionSaysThatAnObjectiveDoesNotGrowAllTheWay)
+{
+    for (const char* value : {"abs(x - 0.1)", "-abs(x - 0.1)"})
+    {
+        const auto settings = settingsOf(
+            fmt::format("objective {{ goal minimise; value \"{}\"; }} constraints {{ stands {{ value f; "
+                        "atLeast 0; }} }} search ( {{ algorithm bisection; }} );",
+                        value),
+            1);
+        EXPECT_EQ(search(settings, [](const auto&) { return 1; }).end, SearchEnd::notMonotone) << value;
+    }
+}
+
 TEST(ParameterSearch, StopsAtOnceWhenAskedAndAsksForTheSamePointsAgain)
 {
     for (const auto& [name, algorithm] : namesOf(SearchAlgorithm()))

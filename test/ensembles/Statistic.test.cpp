@@ -89,14 +89,14 @@ TEST(Fragility, OfStripesIsThatOfBaker)
 
 TEST(Fragility, OfTruncatedCurvesIsThatOfBaker)
 {
-    const auto fit = fitTruncated({.31, .42, .55, .61, .80}, 3, .9);
+    const auto fit = fitTruncated({.31, .42, .55, .61, .80}, {.9, .9, .9});
     ASSERT_TRUE(fit);
     EXPECT_NEAR(fit->theta, 0.726176, 1e-6);
     EXPECT_NEAR(fit->beta, 0.550963, 1e-6);
     EXPECT_NEAR(fit->logThetaError, 0.215601, 1e-5); // of the second derivatives by differences
     EXPECT_NEAR(fit->logBetaError, 0.346890, 1e-5);
     // Without curves that stand it is mean and deviation of the logarithms.
-    const auto all = fitTruncated({0.5, 2}, 0, 2);
+    const auto all = fitTruncated({0.5, 2}, {});
     ASSERT_TRUE(all);
     EXPECT_NEAR(all->theta, 1, 1e-12);
     EXPECT_NEAR(all->beta, std::log(2), 1e-12);
@@ -126,9 +126,9 @@ TEST(Fragility, HasNoMaximumWhereItHasNone)
     EXPECT_FALSE(fitStripes({{0.1, 10, 10}, {0.2, 10, 10}}));
     EXPECT_FALSE(fitStripes({{0.1, 10, 6}, {0.2, 10, 3}})); // fewer fail in a stronger motion
     EXPECT_FALSE(fitStripes({}));
-    EXPECT_FALSE(fitTruncated({}, 8, 1));
-    EXPECT_FALSE(fitTruncated({0.5, 0.5}, 0, 1));
-    EXPECT_TRUE(fitTruncated({0.5}, 3, 1));
+    EXPECT_FALSE(fitTruncated({}, {1, 1}));
+    EXPECT_FALSE(fitTruncated({0.5, 0.5}, {}));
+    EXPECT_TRUE(fitTruncated({0.5}, {1, 1, 1}));
 }
 
 TEST(FragilityStatistic, CountsStripesAndDrawsABand)
@@ -182,6 +182,69 @@ TEST(FragilityStatistic, OfCurvesTakesTheLowestIntensityThatFails)
     EXPECT_NEAR(rowOf(result, "beta").value, 0.550963, 1e-6);
 }
 
+// Curves that stand were tried up to different intensities: what is known of each is that it stood there.
+TEST(FragilityStatistic, OfCurvesTriedToDifferentIntensitiesHasTheirStrengths)
+{
+    constexpr double median = 0.65;
+    constexpr double beta = 0.4;
+    SampleTable table = tableOf({}, {});
+    for (int curve = 0; curve < 100; ++curve)
+    {
+        const double strength = median * std::exp(beta * normalQuantile((curve + 0.5) / 100));
+        for (double intensity = 0.02; intensity < (curve % 2 == 0 ? 0.6 : 2) + 1e-9; intensity += 0.02)
+        {
+            table.columns[0].push_back(intensity);
+            table.columns[1].push_back(intensity >= strength);
+            table.texts[0].push_back(std::to_string(curve));
+            table.isFailed.push_back(0);
+        }
+    }
+    const StatisticResult result = evaluated(
+        "type fragility; intensity x; exceeded \"y > 0.5\"; method truncatedIDA; curve x; bootstrap 100;",
+        table);
+    EXPECT_NEAR(rowOf(result, "theta").value, median + 0.01, 0.01); // the next of steps of 0.02 above
+    EXPECT_NEAR(rowOf(result, "beta").value, beta, 0.02);
+    // What has failed of all grows as the curve, though most curves were not tried beyond 0.6.
+    for (const std::vector<double>& row : result.table.rows)
+    {
+        EXPECT_NEAR(row[3], row[4], 0.05) << row[0];
+    }
+}
+
+TEST(FragilityStatistic, SaysThatCurvesHaveSeveralSamplesAtAnIntensity)
+{
+    SampleTable table = tableOf({0.1, 0.1, 0.2, 0.1, 0.2}, {0, 1, 1, 0, 0});
+    table.texts[0] = {"a", "a", "a", "b", "b"};
+    for (const char* text :
+         {"type fragility; intensity x; exceeded \"y > 0.5\"; method truncatedIDA; curve x;",
+          "type fractiles; intensity x; response y; curve x;"})
+    {
+        EXPECT_THAT(
+            evaluated(text, table).remarks,
+            testing::Contains(HasSubstr("1 samples have the curve and the intensity of another one")));
+    }
+}
+
+// A stripe of one run drawn again is itself: runs of all stripes are drawn.
+TEST(FragilityStatistic, HasABandWhereEachSampleHasAnIntensityOfItsOwn)
+{
+    std::vector<double> x;
+    std::vector<double> y;
+    for (int i = 0; i < 300; ++i)
+    {
+        x.push_back(0.2 + 1.8 * (i + 0.5) / 300);
+        const double probability = normalProbability(std::log(x.back() / 0.65) / 0.4);
+        y.push_back(uniform(7, Stream::sample, 0, static_cast<std::uint64_t>(i)) < probability);
+    }
+    const StatisticResult result =
+        evaluated("type fragility; intensity x; exceeded \"y > 0.5\"; bootstrap 500;", tableOf(x, y));
+    for (const char* name : {"theta", "beta"})
+    {
+        const StatisticRow row = rowOf(result, name);
+        EXPECT_NEAR((row.upper - row.lower) / (4 * row.standardError), 1, 0.3) << name;
+    }
+}
+
 TEST(FragilityStatistic, SaysWhereThereIsNoCurve)
 {
     const StatisticResult result =
@@ -223,6 +286,42 @@ TEST(DistributionStatistic, HasMomentsAndFractiles)
     EXPECT_FALSE(plotSvg(result.pictures.front().second).empty());
     EXPECT_NEAR(rowOf(evaluated("type distribution; value \"10 * y + x\";", table), "minimum").value,
                 11 * values[2], 1e-9);
+}
+
+TEST(DistributionStatistic, OfFewSamplesHasTheIntervalsOfFew)
+{
+    const StatisticResult three = evaluated("type distribution; value y;", tableOf({1, 2, 3}, {1, 2, 3}));
+    // Student's t of two degrees of freedom: 4.3027 standard errors.
+    EXPECT_NEAR(rowOf(three, "mean").upper, 2 + 4.30265 / std::sqrt(3), 1e-5);
+    // Of three samples all are above the fractile of 5% in 86 of 100 cases.
+    EXPECT_TRUE(std::isnan(rowOf(three, "fractile0.05").lower));
+    EXPECT_THAT(three.remarks, testing::Contains(HasSubstr("open on one side")));
+    std::vector<double> values;
+    for (int i = 1; i <= 20; ++i)
+    {
+        values.push_back(i);
+    }
+    // Of twenty the median is between the 6th and the 15th (Conover 1999, table A3).
+    const StatisticRow median =
+        rowOf(evaluated("type distribution; value y;", tableOf(values, values)), "fractile0.5");
+    EXPECT_EQ(median.lower, 6);
+    EXPECT_EQ(median.upper, 15);
+}
+
+// The runs of a point of sensitivity are as good as one sample.
+TEST(DistributionStatistic, OfSensitivityCountsPoints)
+{
+    std::vector<double> values;
+    for (int point = 0; point < 25; ++point)
+    {
+        values.insert(values.end(), 4, point);
+    }
+    SampleTable table = tableOf(values, values);
+    table.sensitivityRuns = 4;
+    const StatisticResult result = evaluated("type distribution; value y;", table);
+    const StatisticRow mean = rowOf(result, "mean");
+    EXPECT_NEAR(mean.standardError, rowOf(result, "standardDeviation").value / 5, 1e-12);
+    EXPECT_THAT(result.remarks, testing::Contains(HasSubstr("25 independent samples")));
 }
 
 TEST(SensitivityStatistic, OfIshigamisFunctionIsTheClosedForm)

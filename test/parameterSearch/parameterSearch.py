@@ -137,6 +137,30 @@ class ParameterSearch(CaseTest):
         self.assertIn("The first point of the search cannot be computed", done.stderr)
         self.assertIn("valu", done.stderr)
 
+    def testAnUnreadableFirstPointCountsWhereOtherwiseIsGivenButNotASecondOne(self):
+        case = self.case("badBound", otherwise="otherwise -1;", algorithm="bisection",
+                         constraints="constraints { rubs { value alpha; atLeast 0.3; } }")
+        dictionary = os.path.join(case, "system/parameterSearchDict")
+        with open(dictionary, encoding="utf-8") as file:
+            text = file.read()
+        text = text.replace('file "constant/loads"; entry angle; bounds (0 90);',
+                            'file "constant/contactProperties"; entry "friction/mu"; bounds (-0.5 0.5);')
+        with open(dictionary, "w", encoding="utf-8") as file:
+            file.write(text.replace("minimise; value alpha;", "minimise; value angle;"))
+        self.assertIn("At 1 of", self.run_(case).stdout)
+        faulty = self.case("badBounds", otherwise="otherwise -1;")
+        with open(os.path.join(faulty, "constant/g"), "a", encoding="utf-8") as file:
+            file.write("valu 3;\n")
+        self.assertIn("The first points of the search cannot be computed", self.run_(faulty, status=1).stderr)
+
+    def testACopyIncludesWhatTheCaseIncludesFromOutside(self):
+        case = self.case("sharing")
+        shared = os.path.join(self.root.name, "shared")
+        os.rename(os.path.join(case, "constant/g"), shared)
+        with open(os.path.join(case, "constant/g"), "w", encoding="utf-8") as file:
+            file.write('#include "../../shared"\n')
+        self.assertRegex(self.run_(case).stdout, r"Least alpha = 0\.54075")
+
     def testConstraintsThatNothingMeetsGiveNoAnswer(self):
         case = self.case("infeasible", constraints="constraints { strong { value alpha; atLeast 100; } }",
                          algorithm="COBYLA")
