@@ -353,8 +353,38 @@ void addOldResults(HtmlPage& page, std::vector<std::string> warnings)
     }
 }
 
+void addSections(HtmlPage& page, const std::vector<ReportSection>& sections)
+{
+    for (const ReportSection& section : sections)
+    {
+        page.heading(section.heading);
+        for (const std::string& sentence : section.sentences)
+        {
+            page.paragraph(sentence);
+        }
+        if (!section.rows.empty())
+        {
+            page.table(section.head, section.rows);
+        }
+    }
+}
+
+/// Of a case without blocks.
+std::string studyText(const fs::path& caseDirectory, std::vector<std::string> warnings,
+                      const std::vector<ReportSection>& sections)
+{
+    HtmlPage page(caseName(caseDirectory));
+    addOldResults(page, std::move(warnings));
+    addSections(page, sections);
+    addPictures(page, caseDirectory);
+    addWarnings(page, caseDirectory);
+    addRepetition(page, caseDirectory);
+    return page.text();
+}
+
 template<int Dim>
-std::string reportText(const fs::path& caseDirectory, std::vector<std::string> warnings)
+std::string reportText(const fs::path& caseDirectory, std::vector<std::string> warnings,
+                       const std::vector<ReportSection>& sections)
 {
     const Assembly<Dim> assembly = readAssembly<Dim>(caseDirectory);
     HtmlPage page(caseName(caseDirectory));
@@ -365,6 +395,7 @@ std::string reportText(const fs::path& caseDirectory, std::vector<std::string> w
     addStructure(page, caseDirectory, assembly);
     addCollapse<Dim>(page, caseDirectory);
     addMotion(page, caseDirectory, assembly);
+    addSections(page, sections);
     addPictures(page, caseDirectory);
     addHistories(page, caseDirectory);
     addWarnings(page, caseDirectory);
@@ -380,7 +411,8 @@ fs::path reportFile(const fs::path& caseDirectory)
     return (caseDirectory / "report.html").lexically_normal();
 }
 
-void writeReport(const fs::path& caseDirectory, const fs::path& file, std::vector<std::string> warnings)
+void writeReport(const fs::path& caseDirectory, const fs::path& file, std::vector<std::string> warnings,
+                 const std::vector<ReportSection>& sections)
 {
     std::error_code none;
     if (!fs::is_directory(caseDirectory / "postProcessing", none)
@@ -391,9 +423,11 @@ void writeReport(const fs::path& caseDirectory, const fs::path& file, std::vecto
             "or a study first.",
             caseDirectory.string()));
     }
-    writeWholeFile(file, assemblyDimensions(caseDirectory) == 3
-                             ? reportText<3>(caseDirectory, std::move(warnings))
-                             : reportText<2>(caseDirectory, std::move(warnings)));
+    const bool hasBlocks = fs::exists(caseDirectory / "constant/assembly/blocks", none);
+    const auto text = !hasBlocks && !sections.empty()          ? studyText
+                      : assemblyDimensions(caseDirectory) == 3 ? reportText<3>
+                                                               : reportText<2>;
+    writeWholeFile(file, text(caseDirectory, std::move(warnings), sections));
     info("Wrote {}\n", file.string());
 }
 

@@ -163,6 +163,25 @@ results { alpha { table "postProcessing/limitAnalysis/0/limitAnalysis.dat"; colu
         self.edit(case, "system/ensembleDict", "variables/mu/distribution/maximum", "0.5")
         self.checkWarns(case, "other input: .*variables of system/ensembleDict have changed")
 
+    def testHasTheAnswersOfStudiesAlsoWithoutBlocks(self):
+        case = self.wall()
+        with open(os.path.join(case, "system/ensembleDict"), "w", encoding="utf-8") as file:
+            file.write("""applications (blockTexture limitAnalysis);
+variables { mu { file "constant/contactProperties"; entry "friction/mu"; distribution { type uniform; minimum -0.05; maximum 0.4; } } }
+design { type random; samples 40; seed 3; }
+results { alpha { table "postProcessing/limitAnalysis/0/limitAnalysis.dat"; column alpha; } }
+failures { maximumPart 1; }
+statistics { capacity { type distribution; value alpha; } }
+""")
+        for folder in ("VTK", "postProcessing", "constant/assembly"):
+            shutil.rmtree(os.path.join(case, folder), ignore_errors=True)
+        self.runApplication("ensemble", case)
+        self.run_(case)
+        page = self.read(case, "report.html")
+        self.assertIn("Study: ensemble", page)
+        self.assertRegex(page, r"40 samples; done: \d+, an application ended with an error: \d+")
+        self.assertIn("lognormalMedian", page)
+
     def testOfACaseWithoutResultsSaysWhatToRun(self):
         case = self.wall()
         shutil.rmtree(os.path.join(case, "VTK"))

@@ -2,8 +2,11 @@
 /// report: one self-contained page of a case and its results.
 #include "core/Log.h"
 #include "ensembles/KeptStudies.h"
+#include "ensembles/StudyAnswers.h"
 #include "report/CaseReport.h"
 #include "runControl/Application.h"
+
+#include <fmt/format.h>
 
 using namespace drystone;
 
@@ -14,8 +17,14 @@ int run(const CommandLine& commandLine)
 {
     const std::filesystem::path& directory = commandLine.caseDirectory;
     const auto output = commandLine.get("output");
+    std::vector<ReportSection> studies;
+    for (StudyAnswer& answer : answersOfStudies(directory))
+    {
+        studies.push_back({fmt::format("Study: {}", answer.study), std::move(answer.sentences),
+                           std::move(answer.head), std::move(answer.rows)});
+    }
     writeReport(directory, output ? std::filesystem::path(*output) : reportFile(directory),
-                compareStudies(directory));
+                compareStudies(directory), studies);
     printExecutionTime();
     printEnd();
     return 0;

@@ -1,0 +1,232 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+#include "ensembles/StudyAnswers.h"
+
+#include "core/WholeFile.h"
+#include "ensembles/Ensemble.h"
+#include "ensembles/Intensity.h"
+#include "ensembles/ParameterSearch.h"
+#include "runControl/CaseFiles.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <sstream>
+
+namespace drystone
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+
+/// A table of words: its heading without `#` and units, and its rows.
+struct WordTable
+{
+    std::vector<std::string> head;
+    std::vector<std::string> units; ///< of the columns, empty where there is none
+    std::vector<std::string> remarks;
+    std::vector<std::vector<std::string>> rows;
+};
+
+/// Of blanks between cells, or of commas. The last line with `#` that has as many words as the rows is the
+/// heading.
+WordTable readWords(const fs::path& file, char separator)
+{
+    const auto cellsOf = [separator](std::string line)
+    {
+        if (separator != ' ')
+        {
+            std::replace(line.begin(), line.end(), ' ', '_');
+            std::replace(line.begin(), line.end(), separator, ' ');
+        }
+        std::vector<std::string> cells;
+        std::istringstream words(line);
+        for (std::string word; words >> word;)
+        {
+            cells.push_back(word);
+        }
+        return cells;
+    };
+    WordTable table;
+    std::istringstream lines(contentOfFile(file));
+    for (std::string line; std::getline(lines, line);)
+    {
+        const bool isRemark = line.starts_with("# ");
+        if (isRemark)
+        {
+            table.remarks.push_back(line.substr(2));
+        }
+        const std::vector<std::string> cells = cellsOf(isRemark ? line.substr(2) : line);
+        if (isRemark || (separator != ' ' && table.head.empty()))
+        {
+            table.head = cells;
+        }
+        else if (cells.size() == table.head.size())
+        {
+            table.rows.push_back(cells);
+        }
+    }
+    for (std::string& name : table.head)
+    {
+        const std::size_t bracket = name.find('[');
+        table.units.push_back(bracket == name.npos ? ""
+                                                   : name.substr(bracket + 1, name.size() - bracket - 2));
+        name = name.substr(0, bracket);
+    }
+    return table;
+}
+
+/// A number with six digits; nothing for what is not known.
+std::string numberText(const std::string& cell)
+{
+    char* end = nullptr;
+    const double value = std::strtod(cell.c_str(), &end);
+    return *end != 0 ? cell : std::isnan(value) ? "" : fmt::format("{:.6g}", value);
+}
+
+/// Cells of a row in the columns of these names.
+std::vector<std::string> cellsOf(const WordTable& table, const std::vector<std::string>& row,
+                                 const std::vector<std::string>& names)
+{
+    std::vector<std::string> cells;
+    for (const std::string& name : names)
+    {
+        const auto column = std::find(table.head.begin(), table.head.end(), name) - table.head.begin();
+        const auto at = static_cast<std::size_t>(column);
+        cells.push_back(at < row.size() ? numberText(row[at]) : "");
+    }
+    return cells;
+}
+
+StudyAnswer answerOfEnsemble(const fs::path& folder)
+{
+    StudyAnswer answer;
+    const WordTable samples = readWords(folder / "samples.dat", ' ');
+    std::map<int, long> counts;
+    for (const std::vector<std::string>& row : samples.rows)
+    {
+        ++counts[std::atoi(cellsOf(samples, row, {"status"}).front().c_str())];
+    }
+    std::vector<std::string> parts;
+    for (const auto& [status, count] : counts)
+    {
+        if (status >= 0 && status < sampleStatuses)
+        {
+            parts.push_back(fmt::format("{}: {}", textOf(static_cast<SampleStatus>(status)), count));
+        }
+    }
+    if (!parts.empty())
+    {
+        answer.sentences.push_back(
+            fmt::format("{} samples; {}.", samples.rows.size(), fmt::join(parts, ", ")));
+    }
+    const WordTable statistics = readWords(folder / "statistics.dat", ' ');
+    answer.head = {"statistic", "quantity", "value", "standard error", "95% from", "to"};
+    for (const std::vector<std::string>& row : statistics.rows)
+    {
+        answer.rows.push_back(
+            cellsOf(statistics, row, {"statistic", "quantity", "value", "standardError", "lower", "upper"}));
+    }
+    return answer;
+}
+
+StudyAnswer answerOfIncrementalDynamics(const fs::path& folder)
+{
+    static constexpr std::array meanings{"the least that meets the criterion; the one below does not",
+                                         "the lowest tried meets it already", "none that was tried meets it",
+                                         "not known: a run below did not converge"};
+    StudyAnswer answer;
+    const WordTable table = readWords(folder / "leastIntensity.dat", ' ');
+    for (const std::string& remark : table.remarks)
+    {
+        if (remark.starts_with("motion "))
+        {
+            answer.sentences.push_back(remark + ".");
+        }
+    }
+    const std::string unit = table.units.size() > 1 ? table.units[1] : "";
+    answer.head = {"motion", fmt::format("peak acceleration [{}]", unit), fmt::format("below [{}]", unit),
+                   "runs", "meaning"};
+    for (const std::vector<std::string>& row : table.rows)
+    {
+        answer.rows.push_back(cellsOf(table, row, {"motion", "leastIntensity", "below", "runs"}));
+        const auto kind = static_cast<std::size_t>(std::atoi(cellsOf(table, row, {"kind"}).front().c_str()));
+        answer.rows.back().emplace_back(kind < meanings.size() ? meanings[kind] : "");
+    }
+    return answer;
+}
+
+StudyAnswer answerOfParameterSearch(const fs::path& folder)
+{
+    StudyAnswer answer;
+    const WordTable table = readWords(folder / "best.dat", ' ');
+    answer.head = {"quantity", "value at the best point"};
+    for (const std::vector<std::string>& row : table.rows)
+    {
+        for (std::size_t column = 0; column < row.size(); ++column)
+        {
+            if (table.head[column] == "end")
+            {
+                const bool isConverged =
+                    std::atoi(row[column].c_str()) == static_cast<int>(SearchEnd::converged);
+                answer.sentences.emplace_back(isConverged ? "The search has converged."
+                                                          : "The search has not converged.");
+                continue;
+            }
+            answer.rows.push_back({table.head[column], numberText(row[column])});
+        }
+    }
+    return answer;
+}
+
+StudyAnswer answerOfAccuracyCost(const fs::path& folder)
+{
+    static const std::vector<std::string> names{"sweep",      "quantity",  "deltaT", "theta",
+                                                "solver",     "tolerance", "value",  "medianError",
+                                                "worstError", "cpuTime"};
+    StudyAnswer answer;
+    const WordTable table = readWords(folder / "accuracyCost.csv", ',');
+    for (const std::string& name : names)
+    {
+        const auto column = std::find(table.head.begin(), table.head.end(), name) - table.head.begin();
+        const std::string unit =
+            column < std::ssize(table.head) ? table.units[static_cast<std::size_t>(column)] : "";
+        answer.head.push_back(unit.empty() ? name : fmt::format("{} [{}]", name, unit));
+    }
+    for (const std::vector<std::string>& row : table.rows)
+    {
+        answer.rows.push_back(cellsOf(table, row, names));
+    }
+    return answer;
+}
+
+} // namespace
+
+std::vector<StudyAnswer> answersOfStudies(const fs::path& caseDirectory)
+{
+    static const std::vector<std::pair<std::string, StudyAnswer (*)(const fs::path&)>> studies{
+        {"accuracyCost", answerOfAccuracyCost},
+        {"ensemble", answerOfEnsemble},
+        {"incrementalDynamics", answerOfIncrementalDynamics},
+        {"parameterSearch", answerOfParameterSearch}};
+    std::vector<StudyAnswer> answers;
+    for (const auto& [study, answerOf] : studies)
+    {
+        for (const std::string& time : namesIn(caseDirectory / "postProcessing" / study))
+        {
+            StudyAnswer answer = answerOf(caseDirectory / "postProcessing" / study / time);
+            if (!answer.rows.empty() || !answer.sentences.empty())
+            {
+                answer.study = study;
+                answers.push_back(std::move(answer));
+            }
+        }
+    }
+    return answers;
+}
+
+} // namespace drystone
