@@ -79,12 +79,14 @@ void printGoverning(const std::vector<LimitAnalysis>& results)
 /// What is known of the collapses by Coulomb's law: each is an upper bound of the least.
 void printCoulombRange(const CoulombRange& range, const LimitAnalysis& result)
 {
+    constexpr int manyStarts = 10;
     if (range.converged > 0)
     {
         info("Coulomb's law: lowest of the collapses found, alpha {} to {} ({} of {} starts "
-             "converged); "
+             "converged{}); "
              "associative, an upper bound: {}",
              alphaText(range.lowest), alphaText(range.highest), range.converged, range.starts,
+             range.starts < manyStarts ? ", of which more may find lower ones" : "",
              alphaText(range.associative));
     }
     else
