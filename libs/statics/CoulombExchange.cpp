@@ -83,90 +83,174 @@ ConeProgram<Rows, Forces> ratesProgram(const ConeProgram<Rows, Forces>& given, c
 
 } // namespace
 
-template<int Rows, int Forces>
-std::optional<LeastPair> leastPair(const ConeProgram<Rows, Forces>& given, const CoulombPair& pair,
-                                   const ProgramSolver<Rows, Forces>& solve)
+namespace
 {
-    const VectorXd closing = applyTransposed(given, pair.mechanism);
-    const double still = stillRate * closing.template lpNorm<Eigen::Infinity>();
-    ConeProgram<Rows, Forces> suited = given;
-    suited.liveLoad = -given.liveLoad;
-    VectorXd constant = VectorXd::Zero(Forces * given.points());
-    for (int point = 0; point < given.points(); ++point)
+
+/// The forces that a mechanism allows: those of points that open or crush stay as they are; at points that
+/// slide, t = (C + mu n) d against the slip, so that one column is left, with the constant part as a load; all
+/// others are free within their limits.
+template<int Rows, int Forces>
+class SuitedForces
+{
+public:
+    SuitedForces(const ConeProgram<Rows, Forces>& structure, const CoulombPair& pair)
+        : program(structure),
+          constant(VectorXd::Zero(Forces * structure.points())),
+          given(structure),
+          closing(applyTransposed(structure, pair.mechanism)),
+          still(stillRate * closing.template lpNorm<Eigen::Infinity>())
+    {
+        for (int point = 0; point < given.points(); ++point)
+        {
+            restrict(point, pair.contactForce.template segment<Forces>(Forces * point));
+        }
+        program.load -= applyEquilibrium(given, constant);
+        leaveOutPointsWithoutSay();
+    }
+
+    /// F k of the structure. \param ofProgram those of `program`
+    VectorXd contactForce(const VectorXd& ofProgram) const
+    {
+        VectorXd forces = constant;
+        for (std::size_t i = 0; i < kept.size(); ++i)
+        {
+            auto force = forces.template segment<Forces>(Forces * kept[i]);
+            const auto from = ofProgram.template segment<Forces>(static_cast<Eigen::Index>(Forces * i));
+            const auto slip = closing.template segment<Forces - 1>(Forces * kept[i] + 1);
+            const double size = slip.norm();
+            if (size > still)
+            {
+                force[0] = from[0];
+                force.template tail<Forces - 1>() +=
+                    given.friction[static_cast<std::size_t>(kept[i])] * from[0] * slip / size;
+            }
+            else
+            {
+                force = from;
+            }
+        }
+        return forces;
+    }
+
+    ConeProgram<Rows, Forces> program; ///< of the forces that are left, with the live load of the structure
+
+private:
+    void restrict(int point, const Eigen::Matrix<double, Forces, 1>& force)
     {
         const auto at = static_cast<std::size_t>(point);
         const auto slip = closing.template segment<Forces - 1>(Forces * point + 1);
         const double size = slip.norm();
-        auto& columns = suited.contacts[at];
+        auto& columns = program.contacts[at];
         if (std::abs(closing[Forces * point]) > still)
         {
-            constant.template segment<Forces>(Forces * point) =
-                pair.contactForce.template segment<Forces>(Forces * point);
+            constant.template segment<Forces>(Forces * point) = force;
             columns.onFirst.setZero();
             columns.onSecond.setZero();
         }
         else if (size > still)
         {
             const Eigen::Matrix<double, Forces - 1, 1> direction = slip / size;
-            const double friction = given.friction[at];
             for (auto* side : {&columns.onFirst, &columns.onSecond})
             {
-                side->col(0) += friction * side->template rightCols<Forces - 1>() * direction;
+                side->col(0) +=
+                    given.friction[at] * side->template rightCols<Forces - 1>() * direction;
             }
             if (given.hasStrength())
             {
                 constant.template segment<Forces - 1>(Forces * point + 1) =
                     given.strength[at].cohesion * direction;
-                suited.strength[at].cohesion = 0;
+                program.strength[at].cohesion = 0;
             }
-            suited.friction[at] = 0;
+            program.friction[at] = 0;
         }
     }
-    suited.load -= applyEquilibrium(given, constant);
-    // Columns without force have no say, and their points are left out.
-    std::vector<int> kept;
-    for (int point = 0; point < given.points(); ++point)
+
+    void leaveOutPointsWithoutSay()
     {
-        const auto& columns = suited.contacts[static_cast<std::size_t>(point)];
-        if (!columns.onFirst.isZero(0) || !columns.onSecond.isZero(0))
+        for (int point = 0; point < given.points(); ++point)
         {
-            const auto to = kept.size();
-            suited.contacts[to] = columns;
-            suited.friction[to] = suited.friction[static_cast<std::size_t>(point)];
-            if (given.hasStrength())
+            const auto from = static_cast<std::size_t>(point);
+            const auto& columns = program.contacts[from];
+            if (!columns.onFirst.isZero(0) || !columns.onSecond.isZero(0))
             {
-                suited.strength[to] = suited.strength[static_cast<std::size_t>(point)];
+                const auto to = kept.size();
+                program.contacts[to] = columns;
+                program.friction[to] = program.friction[from];
+                if (given.hasStrength())
+                {
+                    program.strength[to] = program.strength[from];
+                }
+                kept.push_back(point);
             }
-            kept.push_back(point);
         }
+        program.contacts.resize(kept.size());
+        program.friction.resize(kept.size());
+        program.strength.resize(given.hasStrength() ? kept.size() : 0);
     }
-    suited.contacts.resize(kept.size());
-    suited.friction.resize(kept.size());
-    suited.strength.resize(given.hasStrength() ? kept.size() : 0);
-    const ConeSolution solved = solve(suited);
+
+    VectorXd constant; ///< F k of the structure
+    std::vector<int> kept;
+    const ConeProgram<Rows, Forces>& given;
+    VectorXd closing; ///< A'y
+    double still;     ///< rates below
+};
+
+} // namespace
+
+template<int Rows, int Forces>
+std::vector<Eigen::Matrix<double, Rows, Rows>> inertiaOfPoints(const ConeProgram<Rows, Forces>& given)
+{
+    using Inertia = Eigen::Matrix<double, Rows, Rows>;
+    constexpr double least = 1e-3; // of a body whose points do not feel all its motions
+    std::vector<Inertia> ofBodies(static_cast<std::size_t>(given.bodies), Inertia::Zero());
+    const auto add = [&ofBodies](int body, const Eigen::Matrix<double, Rows, Forces>& part)
+    {
+        if (body >= 0)
+        {
+            ofBodies[static_cast<std::size_t>(body)] += part * part.transpose();
+        }
+    };
+    for (const ConeColumns<Rows, Forces>& columns : given.contacts)
+    {
+        add(columns.first, columns.onFirst);
+        add(columns.second, columns.onSecond);
+    }
+    for (Inertia& inertia : ofBodies)
+    {
+        inertia += least * inertia.diagonal().maxCoeff() * Inertia::Identity();
+    }
+    return ofBodies;
+}
+
+template<int Rows, int Forces>
+std::optional<LeastPair> leastPair(const ConeProgram<Rows, Forces>& given, const CoulombPair& pair,
+                                   const ProgramSolver<Rows, Forces>& solve)
+{
+    SuitedForces<Rows, Forces> suited(given, pair);
+    suited.program.liveLoad = -given.liveLoad;
+    const ConeSolution solved = solve(suited.program);
     if (solved.status != SolveStatus::optimal)
     {
         return std::nullopt;
     }
-    CoulombPair least{-solved.multiplier, std::move(constant), pair.mechanism, {}};
-    for (std::size_t i = 0; i < kept.size(); ++i)
-    {
-        auto force = least.contactForce.template segment<Forces>(Forces * kept[i]);
-        const auto from = solved.contactForce.template segment<Forces>(static_cast<Eigen::Index>(Forces * i));
-        const auto slip = closing.template segment<Forces - 1>(Forces * kept[i] + 1);
-        const double size = slip.norm();
-        if (size > still)
-        {
-            force[0] = from[0];
-            force.template tail<Forces - 1>() +=
-                given.friction[static_cast<std::size_t>(kept[i])] * from[0] * slip / size;
-        }
-        else
-        {
-            force = from;
-        }
-    }
-    return LeastPair{std::move(least), solved.displacement};
+    return LeastPair{{-solved.multiplier, suited.contactForce(solved.contactForce), pair.mechanism, {}},
+                     solved.displacement};
+}
+
+template<int Rows, int Forces>
+std::optional<CoulombPair> nearestPair(const ConeProgram<Rows, Forces>& given, const CoulombPair& pair,
+                                       const ProgramSolver<Rows, Forces>& solve)
+{
+    SuitedForces<Rows, Forces> suited(given, pair);
+    suited.program.load += pair.alpha * given.liveLoad;
+    suited.program.liveLoad.resize(0);
+    suited.program.inertia = inertiaOfPoints(given);
+    suited.program.gap = VectorXd::Zero(Forces * suited.program.points());
+    const ConeSolution solved = solve(suited.program);
+    return solved.status == SolveStatus::optimal
+               ? std::optional(CoulombPair{
+                     pair.alpha, suited.contactForce(solved.contactForce), pair.mechanism, {}})
+               : std::nullopt;
 }
 
 template<int Rows, int Forces>
@@ -237,6 +321,12 @@ template std::optional<LeastPair> leastPair(const PlaneConeProgram& given, const
                                             const ProgramSolver<3, 2>& solve);
 template std::optional<LeastPair> leastPair(const SpaceConeProgram& given, const CoulombPair& pair,
                                             const ProgramSolver<6, 3>& solve);
+template std::vector<Eigen::Matrix3d> inertiaOfPoints(const PlaneConeProgram& given);
+template std::vector<Eigen::Matrix<double, 6, 6>> inertiaOfPoints(const SpaceConeProgram& given);
+template std::optional<CoulombPair> nearestPair(const PlaneConeProgram& given, const CoulombPair& pair,
+                                                const ProgramSolver<3, 2>& solve);
+template std::optional<CoulombPair> nearestPair(const SpaceConeProgram& given, const CoulombPair& pair,
+                                                const ProgramSolver<6, 3>& solve);
 template std::optional<Eigen::VectorXd> otherMechanism(const PlaneConeProgram& given, const LeastPair& least,
                                                        const ProgramSolver<3, 2>& solve);
 template std::optional<Eigen::VectorXd> otherMechanism(const SpaceConeProgram& given, const LeastPair& least,

@@ -41,6 +41,19 @@ template<int Rows, int Forces>
 std::optional<LeastPair> leastPair(const ConeProgram<Rows, Forces>& given, const CoulombPair& pair,
                                    const ProgramSolver<Rows, Forces>& solve);
 
+/// For each body the sum of b b' over the columns b of its points, in their units: an inertia against which
+/// points with stiffnesses and bodies out of balance may be weighed, where there is no motion.
+template<int Rows, int Forces>
+std::vector<Eigen::Matrix<double, Rows, Rows>> inertiaOfPoints(const ConeProgram<Rows, Forces>& given);
+
+/// The forces that suit the mechanism of a pair (see leastPair) and leave least out of balance at its
+/// multiplier: r = f + alpha L - A c with the least r' M^-1 r, M of inertiaOfPoints. There are such where
+/// rounding of the mechanism, as of the direction in which blocks slide, leaves leastPair none; judge whether
+/// they are in balance. \return none where that program is not solved
+template<int Rows, int Forces>
+std::optional<CoulombPair> nearestPair(const ConeProgram<Rows, Forces>& given, const CoulombPair& pair,
+                                       const ProgramSolver<Rows, Forces>& solve);
+
 /// Of the mechanisms that forces of a least multiplier allow, one that moves points as little as may be
 /// which keep the multiplier from being less:
 ///

@@ -45,7 +45,7 @@ constexpr double remainingDilatancy = 0.1;
 constexpr double startTolerance = 1e-6;
 
 /// Pairs that obey the law to this are refined, with points of less slip than each of these in turn at rest.
-constexpr double nearlyPair = 1e-3;
+constexpr double nearlyPair = 1e-2;
 constexpr std::array<double, 3> slidesFrom{1e-6, 1e-4, 1e-2};
 
 /// Exchanges of forces and mechanism after a path, while each lowers the multiplier by this share.
@@ -302,11 +302,12 @@ private:
         {
             considerFall(found);
         }
-        if (found.end != PathEnd::collapse)
+        const double power = given.liveLoad.dot(found.mechanism);
+        if ((found.end != PathEnd::collapse && found.end != PathEnd::unfinished) || power == 0)
         {
             return false;
         }
-        CoulombPair pair{found.multiplier, std::move(found.contactForce), std::move(found.mechanism), {}};
+        CoulombPair pair{found.multiplier, std::move(found.contactForce), found.mechanism / power, {}};
         if (!consider(pair) && !refine(pair) && !(takesMechanisms && takeMechanism(pair)))
         {
             return false;
@@ -336,12 +337,27 @@ private:
         {
             return false;
         }
+        const ProgramSolver<Rows, Forces> solver = [this](const Program& program)
+        { return solve(program, solverSettings); };
         for (const double slides : slidesFrom)
         {
             std::optional<CoulombPair> refined = refinedPair<Rows, Forces>(given, pair, slides);
-            if (refined && consider(*refined))
+            if (!refined)
+            {
+                return false;
+            }
+            if (consider(*refined))
             {
                 pair = std::move(*refined);
+                return true;
+            }
+            // Where the mechanism is right the forces that suit it are many, not all of them within their limits.
+            std::optional<CoulombPair> within = refined->residuals.flow <= searchSettings.tolerance
+                                                    ? nearestPair<Rows, Forces>(given, *refined, solver)
+                                                    : std::nullopt;
+            if (within && consider(*within))
+            {
+                pair = std::move(*within);
                 return true;
             }
         }

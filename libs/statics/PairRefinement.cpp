@@ -15,7 +15,12 @@ using Eigen::VectorXd;
 
 constexpr int mostSteps = 20;
 constexpr double solved = 1e-11;  // of the equations, in units of the largest force and rate
-constexpr double damping = 1e-10; // of changes in the same units: what the equations leave open stays
+constexpr double roundingOfRoles = 1e-9;
+constexpr int mostRoundsOfRoles = 6; // of roles
+
+/// Of changes in the same units: what the equations leave open stays.
+constexpr double leastDamping = 1e-10;
+constexpr double largestDamping = 1e-2;
 
 /// Points that press with less than this share of the largest force press with nothing.
 constexpr double pressesFrom = 1e-5;
@@ -109,23 +114,62 @@ public:
         residual.conservativeResize(row);
     }
 
-    /// One step of Levenberg and Marquardt. \return whether it could be taken
+    /// One step of Levenberg and Marquardt, damped until it lessens what is left of the equations. \return
+    /// whether there is one
     bool step()
     {
+        const double before = residual.norm();
         Eigen::SparseMatrix<double> derivative(residual.size(), unknowns.size());
         derivative.setFromTriplets(entries.begin(), entries.end());
-        Eigen::SparseMatrix<double> normal = derivative.transpose() * derivative;
-        for (Eigen::Index i = 0; i < unknowns.size(); ++i)
+        const Eigen::SparseMatrix<double> normal = derivative.transpose() * derivative;
+        const VectorXd gradient = derivative.transpose() * residual;
+        const VectorXd from = unknowns;
+        for (; damping <= largestDamping; damping *= 100)
         {
-            normal.coeffRef(i, i) += damping;
+            Eigen::SparseMatrix<double> damped = normal;
+            for (Eigen::Index i = 0; i < unknowns.size(); ++i)
+            {
+                damped.coeffRef(i, i) += damping;
+            }
+            const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(damped);
+            if (factor.info() == Eigen::Success)
+            {
+                unknowns = from - factor.solve(gradient);
+                linearise();
+                if (residual.norm() < before)
+                {
+                    damping = std::max(leastDamping, damping / 100);
+                    return true;
+                }
+            }
         }
-        Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(normal);
-        if (factor.info() != Eigen::Success)
+        unknowns = from;
+        linearise();
+        return false;
+    }
+
+    /// Points that pull press no longer, and open ones that close are closed. \return whether any has changed
+    bool changeRoles()
+    {
+        bool isChanged = false;
+        const VectorXd closing = applyTransposed(given, pair().mechanism);
+        for (int point = 0; point < given.points(); ++point)
         {
-            return false;
+            Role& role = roles[static_cast<std::size_t>(point)];
+            if (role.presses && !given.hasStrength() && unknowns[Forces * point] < -roundingOfRoles)
+            {
+                role.presses = false;
+                role.opens = true;
+                unknowns.segment<Forces>(Forces * point).setZero();
+                isChanged = true;
+            }
+            else if (role.opens && closing[Forces * point] > roundingOfRoles * rateUnit)
+            {
+                role.opens = false;
+                isChanged = true;
+            }
         }
-        unknowns -= factor.solve(derivative.transpose() * residual);
-        return unknowns.allFinite();
+        return isChanged;
     }
 
     double error() const { return residual.template lpNorm<Eigen::Infinity>(); }
@@ -246,6 +290,7 @@ private:
     std::vector<Role> roles;
     VectorXd unknowns;
     VectorXd residual;
+    double damping = leastDamping;
     std::vector<Eigen::Triplet<double>> entries;
 };
 
@@ -260,16 +305,15 @@ std::optional<CoulombPair> refinedPair(const ConeProgram<Rows, Forces>& given, c
         return std::nullopt;
     }
     PairEquations<Rows, Forces> equations(given, pair, slidesFrom);
-    for (int step = 0; step < mostSteps; ++step)
+    for (int round = 0; round < mostRoundsOfRoles; ++round)
     {
         equations.linearise();
-        if (equations.error() <= solved)
+        for (int step = 0; step < mostSteps && equations.error() > solved && equations.step(); ++step)
+        {
+        }
+        if (!equations.changeRoles())
         {
             break;
-        }
-        if (!equations.step())
-        {
-            return std::nullopt;
         }
     }
     return equations.pair();

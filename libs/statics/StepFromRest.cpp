@@ -41,27 +41,9 @@ public:
     Steps(const ConeProgram<Rows, Forces>& structure, const VectorXd& forces)
         : given(structure), moving(structure)
     {
-        using Inertia = Eigen::Matrix<double, Rows, Rows>;
-        constexpr double least = 1e-3; // of a body whose points do not feel all its motions
         moving.liveLoad.resize(0);
         moving.gap = VectorXd::Zero(Forces * given.points());
-        moving.inertia.assign(static_cast<std::size_t>(given.bodies), Inertia::Zero());
-        const auto add = [this](int body, const Eigen::Matrix<double, Rows, Forces>& part)
-        {
-            if (body >= 0)
-            {
-                moving.inertia[static_cast<std::size_t>(body)] += part * part.transpose();
-            }
-        };
-        for (const ConeColumns<Rows, Forces>& columns : given.contacts)
-        {
-            add(columns.first, columns.onFirst);
-            add(columns.second, columns.onSecond);
-        }
-        for (Inertia& inertia : moving.inertia)
-        {
-            inertia += least * inertia.diagonal().maxCoeff() * Inertia::Identity();
-        }
+        moving.inertia = inertiaOfPoints(given);
         start.displacement = VectorXd::Zero(given.load.size());
         start.contactForce = forces;
     }

@@ -230,6 +230,33 @@ TEST(MovingContacts, AsBuiltTheyAreThePointsOfTheWall)
     }
 }
 
+// On springs blocks overlap by more than they are turned against each other: their own corners touch, however
+// long the edge that they have sunk into.
+TEST(MovingContacts, ABlockThatHasSunkIntoALongEdgeTouchesItByItsOwnCorners)
+{
+    for (const double halfWidth : {1.0, 4.0, 10.0, 40.0})
+    {
+        const Assembly<2> assembly =
+            assemblyOf({rectangle(-halfWidth, -1, halfWidth, 0), rectangle(0, 0, 0.5, 1)});
+        for (const double rotation : {0.0, 1e-6, -1e-6, 1e-4, -1e-4, 1e-3, -1e-3})
+        {
+            SCOPED_TRACE(testing::Message() << halfWidth << " " << rotation);
+            MovingContacts<2> contacts(assembly);
+            Placements placements = atRest(assembly);
+            placements[1] = {{1e-4, -1e-3}, rotation};
+            Placements ahead = placements;
+            ahead[1].rotation *= -1;
+            const std::vector<ContactPoint<2>> points = contacts.update(placements, ahead, 1e-2);
+            ASSERT_EQ(points.size(), 2u);
+            for (const ContactPoint<2>& point : points)
+            {
+                EXPECT_NEAR(std::abs(point.position.x() - 0.25), 0.25, 2e-3);
+                EXPECT_NEAR(point.gap, -1e-3, 6e-4);
+            }
+        }
+    }
+}
+
 TEST(MovingContacts, AsBuiltTheyAreThePointsOfBlocksOfAnyShape)
 {
     const std::vector<std::vector<Polygon>> cases{
