@@ -346,6 +346,7 @@ private:
             {
                 return false;
             }
+            refined->alpha = std::min(refined->alpha, range.associative); // which it exceeds by rounding alone
             if (consider(*refined))
             {
                 pair = std::move(*refined);
