@@ -258,6 +258,7 @@ private:
     /// Judges a pair, and takes it if it meets the tolerance. \return whether it does
     bool consider(CoulombPair& pair)
     {
+        pair.alpha = std::min(pair.alpha, range.associative); // which it exceeds by rounding alone
         pair.residuals = coulombResiduals(given, pair.alpha, pair.contactForce, pair.mechanism);
         if (!(pair.residuals.worst() <= searchSettings.tolerance))
         {
@@ -346,7 +347,6 @@ private:
             {
                 return false;
             }
-            refined->alpha = std::min(refined->alpha, range.associative); // which it exceeds by rounding alone
             if (consider(*refined))
             {
                 pair = std::move(*refined);
