@@ -352,6 +352,24 @@ TEST(SpaceTextures, ATaperedColumnIsAFrustum)
     EXPECT_NEAR(freeVolume(column), 1.5 * 2 * (a * a + a * b + b * b) / 3, 1e-12);
 }
 
+TEST(SpaceTextures, AnArchitraveLiesOnAllColumnsInWhateverOrderTheyAreGiven)
+{
+    const auto beam = [](const std::string& places)
+    {
+        return structure("type column; radius 0.3; drums 2; drumHeight 0.5; at (" + places
+                         + "); architrave { width 0.6; height 0.5; overhang 0.4; }")
+            .blocks[6]
+            .shape;
+    };
+    const Polyhedron inOrder = beam("(-1.2 0) (0 0) (1.2 0)");
+    EXPECT_NEAR(volumeProperties(inOrder).volume, 3.2 * 0.6 * 0.5, 1e-12);
+    for (const std::string places : {"(-1.2 0) (1.2 0) (0 0)", "(0 0) (1.2 0) (-1.2 0)",
+                                     "(0 0) (-1.2 0) (1.2 0)", "(1.2 0) (0 0) (-1.2 0)"})
+    {
+        EXPECT_EQ(beam(places), inOrder) << places;
+    }
+}
+
 TEST(SpaceTextures, FaultsAreNamed)
 {
     EXPECT_THAT(report("type boxes; blocks ( ((0 0 0) (1 1 1)) ((0 0 1) (1 1 0.5)) );"),
