@@ -130,15 +130,13 @@ void declare(Options& options, RunningBond& bond)
     options.optional("firstCourse", bond.firstCourse,
                      "half: the bottom course starts and ends with half a block; full: it does not");
     options.optional("openings", bond.openings, "doors and windows; blocks are cut at the jambs");
-    options.check(
-        "courses",
-        [&bond]() -> std::string
-        {
-            return bond.length * bond.courses > maximumBlocks ? fmt::format(
-                       "A wall of {:g} units by {} courses has more than {} blocks: make it smaller.",
-                       bond.length, bond.courses, maximumBlocks)
-                                                              : "";
-        });
+    options.check("courses",
+                  [&bond]
+                  {
+                      return countFault(
+                          bond.length * bond.courses,
+                          fmt::format("A wall of {:g} units by {} courses", bond.length, bond.courses));
+                  });
     checkOpenings(options, bond.openings,
                   [&bond](const auto& opening) { return openingFault(bond, opening); });
     options.question("openings", [&bond] { return openingDoubt(bond); });

@@ -324,6 +324,11 @@ brokenInputs = [
     inTexture("negativeSize", "(0.4 0.175)", "(-0.4 0.175)", r"-0\.4", r"unit"),
     inTexture("archOfNothing", "", "", r"has no shape", r"at least 1e-06 m", lines=(1,),
               content="dimensions 2; texture { type arch; radius 1; thickness 1e-300; voussoirs 27; }\n"),
+    inTexture("archOfSheets", "", "", r"are 3\.1e-07 m thin", r"give at most 31415", lines=(1,),
+              content="dimensions 2; texture { type arch; radius 1; thickness 0.1; voussoirs 10000000; }\n"),
+    inTexture("vaultOfTooManyBlocks", "", "", r"more than 10000000 blocks: make it smaller", lines=(1,),
+              content="dimensions 3; texture { type barrelVault; radius 1e6; thickness 1; voussoirs 10000000; length 1; "
+                      "slices 10000000; }\n"),
     inTexture("zeroThickness", "thickness   1;", "thickness   0;", r"thickness"),
     inTexture("notANumber", "(0.4 0.175)", "(nan 0.175)", r"nan"),
     inTexture("infiniteLength", "length      5;", "length      inf;", r"inf"),

@@ -414,6 +414,26 @@ TEST(SpaceTextures, FaultsAreNamed)
                 HasSubstr("below twice the radius"));
 }
 
+// One limit for all that count blocks, before any is made.
+TEST(SpaceTextures, MoreBlocksThanAStructureHasAreRefusedAtOnce)
+{
+    const std::string many = "more than 10000000 blocks: make it smaller";
+    const std::string arch = "radius 1; thickness 0.1; ";
+    EXPECT_THAT(report("type barrelVault; " + arch + "voussoirs 5000; length 1; slices 2001;"),
+                HasSubstr("A vault of 5000 voussoirs by 2001 slices has " + many));
+    EXPECT_THAT(report("type barrelVault; " + arch + "voussoirs 10000000; length 1;"),
+                HasSubstr("give at most 31415."));
+    EXPECT_THAT(report("type extrusion; of { type arch; " + arch + "voussoirs 10000000; }"),
+                HasSubstr("10000000 voussoirs are 3.1e-07 m thin, in an arch that is 0.1 m thick"));
+    EXPECT_THAT(
+        report("type tower; around 100000; courses 101; innerRadius 1; outerRadius 2; courseHeight 1;"),
+        HasSubstr(many));
+    EXPECT_THAT(
+        report("type dome; " + arch + "around 1000; rows 9000; cap 10; drum { height 1; courses 1001; }"),
+        HasSubstr(many));
+    EXPECT_THAT(report(bond("flemish", 1000, 4000)), HasSubstr("This plan of walls has " + many));
+}
+
 TEST(SpaceTextures, DimensionsSelectThePlaneOrSpace)
 {
     const auto dimensions = [](const std::string& text)

@@ -5,6 +5,8 @@
 #include "texture/Limits.h"
 #include "texture/space/Ring.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -62,6 +64,13 @@ void declare(Options& options, Column& column)
     options.optional("at", column.at, "axes of the columns in plan").unit("m");
     options.optional("architrave", column.architrave,
                      "one beam over all columns, at least two, which stand in one line; absent: none");
+    options.check("at",
+                  [&column]
+                  {
+                      return countFault(
+                          static_cast<double>(column.at.size()) * column.drums,
+                          fmt::format("A row of {} columns of {} drums", column.at.size(), column.drums));
+                  });
     options.check("at",
                   [&column]() -> std::string
                   {

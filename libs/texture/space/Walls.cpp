@@ -72,6 +72,20 @@ Block<3> blockOf(const WallInPlan& wall, const Brick& brick, double lower, doubl
     return {makePrism(bottom, top)};
 }
 
+/// About how many bricks the bond has, openings and junctions included.
+double brickCount(const Walls& walls)
+{
+    const double inLength = walls.bond == Bond::flemish                                 ? 3
+                            : walls.bond == Bond::header || walls.bond == Bond::english ? 2
+                                                                                        : walls.leaves;
+    double length = 0;
+    for (const auto& [name, line] : walls.walls)
+    {
+        length += line.length;
+    }
+    return inLength * length * walls.courses;
+}
+
 } // namespace
 
 void declare(Options& options, WallLine& wall)
@@ -134,15 +148,10 @@ void declare(Options& options, Walls& walls)
     options.check("walls",
                   [&walls]() -> std::string
                   {
-                      double blocks = 0;
-                      for (const auto& [name, line] : walls.walls)
+                      if (std::string fault = countFault(brickCount(walls), "This plan of walls");
+                          !fault.empty())
                       {
-                          blocks += 4 * line.length * walls.courses;
-                      }
-                      if (blocks > 4.0 * maximumBlocks)
-                      {
-                          return fmt::format("These walls have more than {} bricks: make them smaller.",
-                                             maximumBlocks);
+                          return fault;
                       }
                       std::string fault;
                       findCrossings(walls, wallsInPlan(walls), fault);
