@@ -47,6 +47,9 @@ TEST(Rubble, StonesAreSolidsWhereCornersOfShortEdgesWouldPassThroughFaces)
                                                                {300, 1, 0, 0.1},
                                                                {300, 3, 0, 0.1},
                                                                {100, 22, 2, 0.3},
+                                                               {100, 23, 2, 0.3},
+                                                               {100, 236, 2, 0.3},
+                                                               {300, 233, 2, 0.1},
                                                                {100, 59, 2, 0.3}})
     {
         expectSolids({{2, 0.5, 2}, stones, seed, relaxations, leastEdge});
