@@ -352,24 +352,6 @@ TEST(SpaceTextures, ATaperedColumnIsAFrustum)
     EXPECT_NEAR(freeVolume(column), 1.5 * 2 * (a * a + a * b + b * b) / 3, 1e-12);
 }
 
-TEST(SpaceTextures, AnArchitraveLiesOnAllColumnsInWhateverOrderTheyAreGiven)
-{
-    const auto beam = [](const std::string& places)
-    {
-        return structure("type column; radius 0.3; drums 2; drumHeight 0.5; at (" + places
-                         + "); architrave { width 0.6; height 0.5; overhang 0.4; }")
-            .blocks[6]
-            .shape;
-    };
-    const Polyhedron inOrder = beam("(-1.2 0) (0 0) (1.2 0)");
-    EXPECT_NEAR(volumeProperties(inOrder).volume, 3.2 * 0.6 * 0.5, 1e-12);
-    for (const std::string places : {"(-1.2 0) (1.2 0) (0 0)", "(0 0) (1.2 0) (-1.2 0)",
-                                     "(0 0) (-1.2 0) (1.2 0)", "(1.2 0) (0 0) (-1.2 0)"})
-    {
-        EXPECT_EQ(beam(places), inOrder) << places;
-    }
-}
-
 TEST(SpaceTextures, FaultsAreNamed)
 {
     EXPECT_THAT(report("type boxes; blocks ( ((0 0 0) (1 1 1)) ((0 0 1) (1 1 0.5)) );"),
@@ -412,26 +394,6 @@ TEST(SpaceTextures, FaultsAreNamed)
     EXPECT_THAT(report("type boxes; blocks ( ((0 0 -0.5) (1 1 1)) );"), HasSubstr("below z = 0"));
     EXPECT_THAT(report("type barrelVault; radius 1; thickness 2; voussoirs 9; length 1;"),
                 HasSubstr("below twice the radius"));
-}
-
-// One limit for all that count blocks, before any is made.
-TEST(SpaceTextures, MoreBlocksThanAStructureHasAreRefusedAtOnce)
-{
-    const std::string many = "more than 10000000 blocks: make it smaller";
-    const std::string arch = "radius 1; thickness 0.1; ";
-    EXPECT_THAT(report("type barrelVault; " + arch + "voussoirs 5000; length 1; slices 2001;"),
-                HasSubstr("A vault of 5000 voussoirs by 2001 slices has " + many));
-    EXPECT_THAT(report("type barrelVault; " + arch + "voussoirs 10000000; length 1;"),
-                HasSubstr("give at most 31415."));
-    EXPECT_THAT(report("type extrusion; of { type arch; " + arch + "voussoirs 10000000; }"),
-                HasSubstr("10000000 voussoirs are 3.1e-07 m thin, in an arch that is 0.1 m thick"));
-    EXPECT_THAT(
-        report("type tower; around 100000; courses 101; innerRadius 1; outerRadius 2; courseHeight 1;"),
-        HasSubstr(many));
-    EXPECT_THAT(
-        report("type dome; " + arch + "around 1000; rows 9000; cap 10; drum { height 1; courses 1001; }"),
-        HasSubstr(many));
-    EXPECT_THAT(report(bond("flemish", 1000, 4000)), HasSubstr("This plan of walls has " + many));
 }
 
 TEST(SpaceTextures, DimensionsSelectThePlaneOrSpace)
