@@ -179,6 +179,25 @@ std::string profileFault(const Arch& arch)
     return {};
 }
 
+/// Voussoirs like sheets of paper are a typing error, and each would have thousands of others within its
+/// bounding box.
+std::string voussoirsFault(const Arch& arch)
+{
+    constexpr double thinnest = 1e-3; // of the arch's thickness
+    if (arch.angle / arch.voussoirs >= 180)
+    {
+        return "A single voussoir cannot span 180 degrees or more: give more voussoirs.";
+    }
+    const double length = std::max(arch.radius, arch.rise) * arch.angle / 180 * EIGEN_PI; // at most
+    const double least = thinnest * arch.thickness;
+    return length < least * arch.voussoirs
+               ? fmt::format("{} voussoirs are {:.2g} m thin, in an arch that is {:g} m thick: give at most "
+                             "{:.0f}.",
+                             arch.voussoirs, length / arch.voussoirs, arch.thickness,
+                             std::floor(length / least))
+               : "";
+}
+
 } // namespace
 
 void declare(Options& options, Arch& arch)
@@ -227,13 +246,7 @@ void declareSection(Options& options, Arch& arch)
                                                arch.radius, arch.thickness, thinnest * arch.radius)
                                  : "";
                   });
-    options.check("voussoirs",
-                  [&arch]() -> std::string
-                  {
-                      return arch.angle / arch.voussoirs >= 180
-                                 ? "A single voussoir cannot span 180 degrees or more: give more voussoirs."
-                                 : "";
-                  });
+    options.check("voussoirs", [&arch] { return voussoirsFault(arch); });
 }
 
 Assembly<2> makeAssembly(const Arch& arch, Abutments abutments)

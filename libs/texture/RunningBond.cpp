@@ -23,22 +23,23 @@ struct Interval
     double to;
 };
 
-/// Keeps the parts of the pieces outside the interval `hole`.
+/// Keeps the parts of the pieces outside the interval `hole`, but those that are rounding.
 void subtract(std::vector<Interval>& pieces, const Interval& hole)
 {
+    constexpr double rounding = 1e-9; // of a unit: 1.1 - 0.6 is not quite 0.5
     std::vector<Interval> left;
     for (const Interval& piece : pieces)
     {
-        if (hole.to <= piece.from || hole.from >= piece.to)
+        if (hole.to <= piece.from + rounding || hole.from >= piece.to - rounding)
         {
             left.push_back(piece);
             continue;
         }
-        if (hole.from > piece.from)
+        if (hole.from > piece.from + rounding)
         {
             left.push_back({piece.from, hole.from});
         }
-        if (hole.to < piece.to)
+        if (hole.to < piece.to - rounding)
         {
             left.push_back({hole.to, piece.to});
         }
@@ -50,7 +51,7 @@ std::string openingFault(const RunningBond& bond, const Opening& opening)
 {
     const Vector<2>& from = opening.from;
     const Vector<2>& to = opening.to;
-    const std::string corners = fmt::format("({:g} {:g})-({:g} {:g})", from.x(), from.y(), to.x(), to.y());
+    const std::string corners = cornersOf(opening);
     if (!(from.x() < to.x()) || !(from.y() < to.y()))
     {
         return corners + " has no area: \"from\" is its lower left corner, \"to\" its upper right one.";
@@ -75,7 +76,7 @@ std::string openingFault(const RunningBond& bond, const Opening& opening)
                + fmt::format(" has a lintel that reaches past an end of the wall, which is {:g} units long.",
                              bond.length);
     }
-    return {};
+    return lintelFault(bond.openings, opening, "units", [](const Opening&, const Opening&) { return true; });
 }
 
 /// An opening may go on above the wall, as one that was drawn for a higher wall: what is there is cut out.
@@ -129,15 +130,13 @@ void declare(Options& options, RunningBond& bond)
     options.optional("firstCourse", bond.firstCourse,
                      "half: the bottom course starts and ends with half a block; full: it does not");
     options.optional("openings", bond.openings, "doors and windows; blocks are cut at the jambs");
-    options.check(
-        "courses",
-        [&bond]() -> std::string
-        {
-            return bond.length * bond.courses > maximumBlocks ? fmt::format(
-                       "A wall of {:g} units by {} courses has more than {} blocks: make it smaller.",
-                       bond.length, bond.courses, maximumBlocks)
-                                                              : "";
-        });
+    options.check("courses",
+                  [&bond]
+                  {
+                      return countFault(
+                          bond.length * bond.courses,
+                          fmt::format("A wall of {:g} units by {} courses", bond.length, bond.courses));
+                  });
     checkOpenings(options, bond.openings,
                   [&bond](const auto& opening) { return openingFault(bond, opening); });
     options.question("openings", [&bond] { return openingDoubt(bond); });

@@ -43,6 +43,27 @@ Model<Texture<3>> spaceModel(std::string name, std::string summary)
                                        });
 }
 
+/// Stones by chance: what came of them that the dictionary does not say.
+Texture<2> planeRubble(const PlaneRubble& rubble, const Dictionary& dictionary)
+{
+    Texture<2> texture{makeAssembly(rubble), 1};
+    if (const std::string loss = lossOfStones(rubble, texture.assembly); !loss.empty())
+    {
+        printWarningOnce(loss, dictionary.locationOf("stones"));
+    }
+    return texture;
+}
+
+Texture<3> spaceRubble(const Rubble& rubble, const Dictionary& dictionary)
+{
+    Texture<3> texture{makeAssembly(rubble), 1};
+    if (const std::string fault = faultOfStones(rubble, texture.assembly); !fault.empty())
+    {
+        throw FatalIOError(fault, dictionary.locationOf("seed"));
+    }
+    return texture;
+}
+
 /// A texture whose blocks are in a file.
 template<int Dim, Declared Settings>
 Model<Texture<Dim>> fileModel(std::string name, std::string summary)
@@ -84,9 +105,7 @@ const Registry<Texture<2>>& textureTypes()
                                         return {makeAssembly(arch), 1};
                                     }),
             model<Texture<2>, PlaneRubble>("rubble", "irregular stones, the Voronoi cells of seeded points",
-                                           [](const PlaneRubble& rubble) -> Texture<2> {
-                                               return {makeAssembly(rubble), 1};
-                                           }),
+                                           planeRubble),
             fileModel<2, Import<2>>("import", "blocks of a drawing that another program made"),
             fileModel<2, Photograph>("image", "stones of a photograph"),
         }};
@@ -125,7 +144,8 @@ const Registry<Texture<3>>& textureTypes()
             spaceModel<Dome>("dome", "rings of blocks between two spheres, on a drum or not"),
             spaceModel<Tower>("tower", "rings of blocks on each other, round or polygonal"),
             spaceModel<Column>("column", "columns of drums, alone or under an architrave"),
-            spaceModel<Rubble>("rubble", "irregular stones, the Voronoi cells of seeded points"),
+            model<Texture<3>, Rubble>("rubble", "irregular stones, the Voronoi cells of seeded points",
+                                      spaceRubble),
             spaceModel<Stair>("stair", "steps that cantilever from a wall"),
             fileModel<3, Import<3>>("import", "blocks of a file that another program made"),
         }};

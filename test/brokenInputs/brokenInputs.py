@@ -40,6 +40,11 @@ texture
 supports { ground { type ground; segment 0.5; } }
 """
 
+# Two walls that meet at the beginning of both, and an opening of the first.
+inCorner = """dimensions 3; texture {{ type walls; unit (0.4 0.2 0.2); courses 6; walls {{ a {{ from (0 0); length 4; }}
+b {{ from (0 0); direction (0 1); length 2; thickness right; }} }} openings ( {{ wall a; {} }} ); }}
+"""
+
 polygons = """dimensions 2;
 texture
 {
@@ -319,6 +324,11 @@ brokenInputs = [
     inTexture("negativeSize", "(0.4 0.175)", "(-0.4 0.175)", r"-0\.4", r"unit"),
     inTexture("archOfNothing", "", "", r"has no shape", r"at least 1e-06 m", lines=(1,),
               content="dimensions 2; texture { type arch; radius 1; thickness 1e-300; voussoirs 27; }\n"),
+    inTexture("archOfSheets", "", "", r"are 3\.1e-07 m thin", r"give at most 31415", lines=(1,),
+              content="dimensions 2; texture { type arch; radius 1; thickness 0.1; voussoirs 10000000; }\n"),
+    inTexture("vaultOfTooManyBlocks", "", "", r"more than 10000000 blocks: make it smaller", lines=(1,),
+              content="dimensions 3; texture { type barrelVault; radius 1e6; thickness 1; voussoirs 10000000; length 1; "
+                      "slices 10000000; }\n"),
     inTexture("zeroThickness", "thickness   1;", "thickness   0;", r"thickness"),
     inTexture("notANumber", "(0.4 0.175)", "(nan 0.175)", r"nan"),
     inTexture("infiniteLength", "length      5;", "length      inf;", r"inf"),
@@ -327,6 +337,16 @@ brokenInputs = [
     inTexture("openingOutside", "(2.5 4)", "(9.5 4)", r"(?i)opening"),
     inTexture("openingInsideOut", "from (1.5 2); to (2.5 4);", "from (2.5 4); to (1.5 2);", r"(?i)opening|from|to"),
     inTexture("negativeOpening", "from (1.5 2)", "from (-1.5 2)", r"-1\.5|from"),
+    inTexture("cutLintel", "( { from (1.5 2); to (2.5 4); } )",
+              "( { from (1.5 2); to (2.5 4); lintel 0.5; } { from (1.8 4); to (2.2 5); } )",
+              r"Opening 0 .* lintel from 1 to 3 units in course 4", r"Move one of the openings"),
+    inTexture("lintelsThatOverlap", "( { from (1.5 2); to (2.5 4); } )",
+              "( { from (1.5 2); to (2.5 4); lintel 0.5; } { from (3 2); to (4 4); lintel 0.5; } )",
+              r"they overlap", r"Shorten the bearings"),
+    inTexture("lintelAtTheCorner", "", "", r"wall b runs through from 0 to 0\.5", r"a course higher or lower", lines=(2,),
+              content=inCorner.format("from (0.6 0); to (2 3); lintel 0.5;")),
+    inTexture("openingWithinAJunction", "", "", r"junction with wall b", r"End the opening before the junction",
+              lines=(2,), content=inCorner.format("from (0.2 0); to (2 3);")),
     inTexture("fourDimensions", "dimensions 2;", "dimensions 4;", r"dimensions is 4"),
     inTexture("spaceTextureInThePlane", "runningBond;", "polyhedra;", r"polyhedra is one of space", r"dimensions 3;"),
     inTexture("planeTextureInSpace", "dimensions 2;", "dimensions 3;", r"Unknown texture type runningBond", r"extrusion",

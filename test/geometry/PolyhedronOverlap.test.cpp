@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -46,6 +47,52 @@ TEST(PolyhedronOverlap, OfBoxesIsTheirCommonBoxHoweverTheyAreTurned)
         EXPECT_NEAR(overlapVolume(a, b), (upper - lower).prod(), 1e-12) << i;
         EXPECT_NEAR(overlapVolume(b, a), (upper - lower).prod(), 1e-12) << i;
         EXPECT_NEAR(overlapDepth(a, b), (upper - lower).minCoeff(), 1e-12) << i;
+    }
+}
+
+/// A stone of rubble. Corner 3 is on the edge from 0 to 2 but for rounding, and ends the lists of both faces.
+Polyhedron stoneWithThreeCornersInALine()
+{
+    return {{{0, 0, 1.85464},
+             {0.307911, 0.281479, 1.72556},
+             {0, 0, 1.47606},
+             {1.38778e-17, 0, 1.68003},
+             {0.304622, 0, 1.47773},
+             {0.424257, 0, 1.59411},
+             {0.418535, 0, 2},
+             {0.28692, 0, 2},
+             {0.367328, 0.155625, 1.57221},
+             {0.397477, 0.223163, 1.71694}},
+            {{0, 1, 2, 3},
+             {2, 4, 5, 6, 7, 0, 3},
+             {2, 8, 4},
+             {8, 5, 4},
+             {6, 5, 8},
+             {6, 8, 9},
+             {8, 1, 9},
+             {1, 6, 9},
+             {1, 8, 2},
+             {1, 0, 7},
+             {1, 7, 6}}};
+}
+
+// The triangle of three corners in a line has a tetrahedron that is flat but for rounding.
+TEST(PolyhedronOverlap, IsThatOfTheSolidsWhereThreeCornersOfAFaceAreInALine)
+{
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> chance(0.5, 1);
+    for (int i = 0; i < 500; ++i)
+    {
+        Polyhedron stone = stoneWithThreeCornersInALine();
+        const Vector<3> scale(chance(random), chance(random), chance(random));
+        for (Vector<3>& vertex : stone.vertices)
+        {
+            vertex = vertex.cwiseProduct(scale);
+        }
+        EXPECT_NEAR(overlapVolume(makeBox({0, 0.3, 0}, {2, 0.5, 2}), stone), 0, 1e-12) << i;
+        EXPECT_NEAR(overlapVolume(makeBox({-1, -1, -1}, {2, 1, 3}), stone), volumeProperties(stone).volume,
+                    1e-12)
+            << i;
     }
 }
 

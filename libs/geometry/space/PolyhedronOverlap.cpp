@@ -215,16 +215,22 @@ double commonVolume(const Tetrahedron& a, const Tetrahedron& b)
     return volume;
 }
 
-/// Tetrahedra from a point to the triangles of the faces.
+/// Tetrahedra from a point to the triangles of the faces. Those that are flat but for rounding, as of three
+/// corners in a line, have no volume, and rounding would decide on which side of their faces they lie.
 std::vector<Tetrahedron> tetrahedra(const Polyhedron& polyhedron, const Vector<3>& apex)
 {
+    const double flat = 1e-12 * std::pow(reachOf(polyhedron), 3);
     std::vector<Tetrahedron> result;
     for (const std::vector<int>& face : polyhedron.faces)
     {
         for (std::size_t i = 1; i + 1 < face.size(); ++i)
         {
-            result.push_back({apex, polyhedron.vertices[face[0]], polyhedron.vertices[face[i]],
-                              polyhedron.vertices[face[i + 1]]});
+            const Tetrahedron one{apex, polyhedron.vertices[face[0]], polyhedron.vertices[face[i]],
+                                  polyhedron.vertices[face[i + 1]]};
+            if (std::abs(signedVolume(one)) > flat)
+            {
+                result.push_back(one);
+            }
         }
     }
     return result;

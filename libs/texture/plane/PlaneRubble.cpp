@@ -5,6 +5,8 @@
 #include "geometry/BroadPhase.h"
 #include "texture/Voronoi.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -174,15 +176,28 @@ Assembly<2> makeAssembly(const PlaneRubble& rubble)
     }
     std::vector<Polygon> cells = planeCells(rubble.size, points);
     mergeShortEdges(cells, rubble.size, rubble.leastJoint * mean);
+    constexpr double flat = 1e-9; // of a mean stone's face: corners of three that are in a line
     Assembly<2> assembly;
     for (Polygon& cell : cells)
     {
-        if (cell.size() >= 3) // a stone whose edges are all short is taken up by its neighbours
+        if (cell.size() >= 3 && std::abs(areaProperties(cell).area) > flat * mean * mean)
         {
             assembly.blocks.push_back({std::move(cell), rubble.thickness});
         }
     }
     return assembly;
+}
+
+std::string lossOfStones(const PlaneRubble& rubble, const Assembly<2>& assembly)
+{
+    const std::size_t left = assembly.blocks.size();
+    return left < static_cast<std::size_t>(rubble.stones) ? fmt::format(
+               "{} of {} stones are left: joints shorter than leastJoint, {:g} of the mean size of "
+               "a stone, shrink to a corner, and the other {} had no face any more. Their "
+               "neighbours take their place. Reduce leastJoint, or give more relaxations, to keep "
+               "all of them.",
+               left, rubble.stones, rubble.leastJoint, rubble.stones - left)
+                                                          : "";
 }
 
 } // namespace drystone

@@ -5,6 +5,8 @@
 #include "assembly/Assembly.h"
 #include "dictionary/Options.h"
 
+#include <string>
+
 namespace drystone
 {
 
@@ -22,7 +24,11 @@ struct PlaneRubble
 void declare(Options& options, PlaneRubble& rubble);
 
 /// The stones, all free, in the order of their points, which depends on the seed alone. Together they fill
-/// the rectangle; stones are convex where no short joint was removed, else nearly so.
+/// the rectangle; stones are convex where no short joint was removed, else nearly so. A stone of which short
+/// joints leave less than three corners, or all in a line, is taken up by its neighbours.
 Assembly<2> makeAssembly(const PlaneRubble& rubble);
+
+/// How many stones short joints have taken away, and how to keep them; empty: none.
+std::string lossOfStones(const PlaneRubble& rubble, const Assembly<2>& assembly);
 
 } // namespace drystone

@@ -5,6 +5,8 @@
 #include "texture/Limits.h"
 #include "texture/space/Extrusion.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace drystone
@@ -19,6 +21,13 @@ void declare(Options& options, BarrelVault& vault)
         .atMost(maximumBlocks);
     options.optional("staggered", vault.staggered,
                      "whether the joints of every second row lie in the middle of those of its neighbours");
+    options.check("slices",
+                  [&vault]
+                  {
+                      return countFault(double(vault.arch.voussoirs) * vault.slices,
+                                        fmt::format("A vault of {} voussoirs by {} slices",
+                                                    vault.arch.voussoirs, vault.slices));
+                  });
 }
 
 Assembly<3> makeAssembly(const BarrelVault& vault)

@@ -5,12 +5,35 @@
 #include "texture/Limits.h"
 #include "texture/space/Ring.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace drystone
 {
+
+namespace
+{
+
+/// The axes at both ends of a row of columns, whatever the order in which they are given.
+std::pair<Vector<2>, Vector<2>> endsOf(const std::vector<Vector<2>>& row)
+{
+    const auto farthestFrom = [&row](const Vector<2>& place)
+    {
+        return *std::max_element(row.begin(), row.end(),
+                                 [&place](const Vector<2>& a, const Vector<2>& b)
+                                 { return (a - place).norm() < (b - place).norm(); });
+    };
+    const Vector<2> one = farthestFrom(row.front());
+    const Vector<2> other = farthestFrom(one);
+    const bool isForward = std::pair(one.x(), one.y()) < std::pair(other.x(), other.y());
+    return isForward ? std::pair(one, other) : std::pair(other, one);
+}
+
+} // namespace
 
 void declare(Options& options, Architrave& architrave)
 {
@@ -40,8 +63,14 @@ void declare(Options& options, Column& column)
         .below(1);
     options.optional("at", column.at, "axes of the columns in plan").unit("m");
     options.optional("architrave", column.architrave,
-                     "one beam over all columns, at least two, along the line of the first and the "
-                     "last; absent: none");
+                     "one beam over all columns, at least two, which stand in one line; absent: none");
+    options.check("at",
+                  [&column]
+                  {
+                      return countFault(
+                          static_cast<double>(column.at.size()) * column.drums,
+                          fmt::format("A row of {} columns of {} drums", column.at.size(), column.drums));
+                  });
     options.check("at",
                   [&column]() -> std::string
                   {
@@ -53,10 +82,11 @@ void declare(Options& options, Column& column)
                       {
                           return {};
                       }
-                      const Vector<2> along = column.at.back() - column.at.front();
-                      const auto isOff = [&](const Vector<2>& place)
+                      const auto [first, last] = endsOf(column.at);
+                      const Vector<2> along = last - first;
+                      const auto isOff = [&, origin = first](const Vector<2>& place)
                       {
-                          const double beside = std::abs(cross(along, place - column.at.front()));
+                          const double beside = std::abs(cross(along, place - origin));
                           return beside > 1e-9 * along.squaredNorm();
                       };
                       if (column.at.size() < 2 || along.norm() == 0
@@ -91,10 +121,11 @@ Assembly<3> makeAssembly(const Column& column)
     }
     if (column.architrave)
     {
-        const Vector<2> along = (column.at.back() - column.at.front()).normalized();
+        const auto [first, last] = endsOf(column.at);
+        const Vector<2> along = (last - first).normalized();
         const Vector<2> across = column.architrave->width / 2 * perpendicular(along);
-        const Vector<2> from = column.at.front() - column.architrave->overhang * along;
-        const Vector<2> to = column.at.back() + column.architrave->overhang * along;
+        const Vector<2> from = first - column.architrave->overhang * along;
+        const Vector<2> to = last + column.architrave->overhang * along;
         std::vector<Vector<3>> below;
         std::vector<Vector<3>> above;
         for (const Vector<2>& corner : {Vector<2>(from - across), Vector<2>(to - across),

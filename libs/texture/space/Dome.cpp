@@ -54,15 +54,19 @@ void declare(Options& options, Dome& dome)
                                  dome.radius, dome.thickness)
                                                                : "";
                   });
+    options.check("rows",
+                  [&dome]
+                  {
+                      const int rings = dome.rows + (dome.drum ? dome.drum->courses : 0);
+                      return countFault(double(rings) * dome.around,
+                                        fmt::format("A dome of {} rings of {} blocks, those of its drum "
+                                                    "included,",
+                                                    rings, dome.around));
+                  });
     options.check(
         "rows",
         [&dome]() -> std::string
         {
-            if (double(dome.rows) * dome.around > maximumBlocks)
-            {
-                return fmt::format("A dome of {} rings of {} blocks has more than {}: make them fewer.",
-                                   dome.rows, dome.around, maximumBlocks);
-            }
             if (dome.cap.has_value() == dome.oculus.has_value())
             {
                 return "A dome has a closing stone or an opening at its top: give either cap or oculus.";

@@ -5,6 +5,8 @@
 #include "assembly/Assembly.h"
 #include "dictionary/Options.h"
 
+#include <string>
+
 namespace drystone
 {
 
@@ -22,8 +24,12 @@ struct Rubble
 void declare(Options& options, Rubble& rubble);
 
 /// The stones, all free, in the order of their points, which depends on the seed alone. Together they fill
-/// the box. They are convex where no edge was removed (see ShortEdges.h); a face that is no longer plane is
-/// split into triangles.
+/// the box; none is lost. They are convex where no edge was removed (see ShortEdges.h); a face that is no
+/// longer plane is split into triangles.
 Assembly<3> makeAssembly(const Rubble& rubble);
+
+/// What is wrong with the first stone that is no solid, and that another seed or leastEdge gives other
+/// stones; empty where all are solids, or so large or small that the size of the wall is to blame.
+std::string faultOfStones(const Rubble& rubble, const Assembly<3>& assembly);
 
 } // namespace drystone

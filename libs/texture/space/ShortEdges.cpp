@@ -4,6 +4,7 @@
 #include "texture/space/ShortEdges.h"
 
 #include "geometry/BroadPhase.h"
+#include "geometry/space/PolyhedronFault.h"
 
 #include <Eigen/Geometry>
 
@@ -51,6 +52,12 @@ struct Complex
     std::vector<Vector<3>> corners;
     std::vector<std::vector<std::vector<int>>> solids; ///< faces of each, by corner
 };
+
+/// Corners that are this near are the same but for rounding [m].
+double sameIn(const Vector<3>& size)
+{
+    return 1e-9 * size.maxCoeff();
+}
 
 /// Corners of different cells that are the same but for rounding get one number.
 Complex complexOf(const std::vector<Polyhedron>& cells, double same)
@@ -210,8 +217,8 @@ std::vector<int> cornersOf(const std::vector<std::vector<int>>& faces)
 /// One solid after the corners have been united; nothing when it is none any more. \param culprits the
 /// corners of the face at fault, before they were united, or of all where no single face is
 std::optional<Polyhedron> rebuilt(const std::vector<std::vector<int>>& faces,
-                                  const std::vector<Vector<3>>& places, Clusters& clusters, double flat,
-                                  std::vector<int>& culprits)
+                                  const std::vector<Vector<3>>& places, const std::vector<int>& roots,
+                                  double flat, std::vector<int>& culprits)
 {
     std::vector<std::vector<int>> parts;
     culprits = cornersOf(faces);
@@ -220,7 +227,7 @@ std::optional<Polyhedron> rebuilt(const std::vector<std::vector<int>>& faces,
         std::vector<int> corners;
         for (const int corner : face)
         {
-            const int root = clusters.rootOf(corner);
+            const int root = roots[corner];
             if (corners.empty() || corners.back() != root)
             {
                 corners.push_back(root);
@@ -275,11 +282,71 @@ std::optional<Polyhedron> rebuilt(const std::vector<std::vector<int>>& faces,
     solid.faces = std::move(parts);
     // Euler's formula for a solid without holes: two surfaces that hang together at a corner are none.
     const bool isOne = solid.vertices.size() + solid.faces.size() == edges.size() / 2 + 2;
-    if (!isClosed || !isOne || solid.faces.size() < 4 || volumeProperties(solid).volume <= 0)
+    // Faces may pass through each other where corners have moved past them.
+    if (!isClosed || !isOne || findFault(solid))
     {
         return std::nullopt;
     }
     return solid;
+}
+
+/// Where the corners have gone.
+struct Shrunk
+{
+    std::vector<int> roots;        ///< cluster of each corner, by its lowest corner
+    std::vector<Vector<3>> places; ///< of clusters, at their roots
+
+    bool isSameAt(int corner, const Shrunk& other) const
+    {
+        return roots[corner] == other.roots[corner]
+               && places[roots[corner]] == other.places[other.roots[corner]];
+    }
+};
+
+/// The ends of short edges together, but for corners that stay.
+Shrunk shrink(const Complex& complex, const std::vector<char>& isFixed, const Vector<3>& size, double least)
+{
+    Clusters clusters(complex.corners.size());
+    for (const std::vector<std::vector<int>>& faces : complex.solids)
+    {
+        for (const std::vector<int>& face : faces)
+        {
+            for (std::size_t k = 0; k < face.size(); ++k)
+            {
+                const int from = face[k];
+                const int to = face[(k + 1) % face.size()];
+                if (isFixed[from] == 0 && isFixed[to] == 0
+                    && (complex.corners[to] - complex.corners[from]).norm() < least)
+                {
+                    clusters.unite(from, to);
+                }
+            }
+        }
+    }
+    Shrunk shrunk{{}, clusterPlaces(complex, clusters, size, sameIn(size))};
+    for (std::size_t i = 0; i < complex.corners.size(); ++i)
+    {
+        shrunk.roots.push_back(clusters.rootOf(static_cast<int>(i)));
+    }
+    return shrunk;
+}
+
+/// Lets the corners of a solid that is none stay: those of the face at fault or, where they do already, all.
+/// \return whether any did not yet
+bool keepCorners(std::vector<char>& isFixed, const std::vector<int>& culprits, const std::vector<int>& all)
+{
+    for (const std::vector<int>& corners : {culprits, all})
+    {
+        if (std::any_of(corners.begin(), corners.end(), [&](int corner) { return isFixed[corner] == 0; }))
+        {
+            for (const int corner : corners)
+            {
+                isFixed[corner] = 1;
+            }
+            return true;
+        }
+    }
+    return false;
 }
 
 } // namespace
@@ -291,61 +358,38 @@ std::vector<Polyhedron> withoutShortEdges(const std::vector<Polyhedron>& cells, 
     {
         return cells;
     }
-    const double same = 1e-9 * size.maxCoeff();
-    const Complex complex = complexOf(cells, same);
+    const Complex complex = complexOf(cells, sameIn(size));
     std::vector<char> isFixed(complex.corners.size(), 0); // corners that are not united with others
-    for (;;)
+    std::vector<std::optional<Polyhedron>> solids(cells.size());
+    Shrunk last;
+    for (bool isSound = false; !isSound;)
     {
-        Clusters clusters(complex.corners.size());
-        for (const std::vector<std::vector<int>>& faces : complex.solids)
-        {
-            for (const std::vector<int>& face : faces)
-            {
-                for (std::size_t k = 0; k < face.size(); ++k)
-                {
-                    const int from = face[k];
-                    const int to = face[(k + 1) % face.size()];
-                    if (isFixed[from] == 0 && isFixed[to] == 0
-                        && (complex.corners[to] - complex.corners[from]).norm() < least)
-                    {
-                        clusters.unite(from, to);
-                    }
-                }
-            }
-        }
-        const std::vector<Vector<3>> places = clusterPlaces(complex, clusters, size, same);
-        std::vector<Polyhedron> solids;
-        bool isSound = true;
+        const Shrunk shrunk = shrink(complex, isFixed, size, least);
+        isSound = true;
         for (std::size_t i = 0; i < cells.size(); ++i)
         {
-            std::vector<int> culprits;
-            std::optional<Polyhedron> solid = rebuilt(complex.solids[i], places, clusters, same, culprits);
-            if (solid)
+            const std::vector<int> corners = cornersOf(complex.solids[i]);
+            if (solids[i]
+                && std::all_of(corners.begin(), corners.end(),
+                               [&](int corner) { return shrunk.isSameAt(corner, last); }))
             {
-                solids.push_back(std::move(*solid));
                 continue;
             }
-            for (const std::vector<int>& corners : {culprits, cornersOf(complex.solids[i])})
+            std::vector<int> culprits;
+            solids[i] = rebuilt(complex.solids[i], shrunk.places, shrunk.roots, sameIn(size), culprits);
+            if (!solids[i] && keepCorners(isFixed, culprits, corners))
             {
-                const bool isNew = std::any_of(corners.begin(), corners.end(),
-                                               [&](int corner) { return isFixed[corner] == 0; });
-                if (isNew)
-                {
-                    isSound = false;
-                    for (const int corner : corners)
-                    {
-                        isFixed[corner] = 1;
-                    }
-                    break;
-                }
+                isSound = false;
             }
-            solids.push_back(cells[i]); // as it was, when all its corners are
         }
-        if (isSound)
-        {
-            return solids;
-        }
+        last = shrunk;
     }
+    std::vector<Polyhedron> all;
+    for (std::size_t i = 0; i < cells.size(); ++i)
+    {
+        all.push_back(solids[i] ? std::move(*solids[i]) : cells[i]); // as it was, when all its corners are
+    }
+    return all;
 }
 
 } // namespace drystone

@@ -44,12 +44,11 @@ void declare(Options& options, Tower& tower)
                        : "The outer radius must be above the inner one: the wall lies between them.";
         });
     options.check("courses",
-                  [&tower]() -> std::string
+                  [&tower]
                   {
-                      return double(tower.courses) * tower.around > maximumBlocks ? fmt::format(
-                                 "A tower of {} courses of {} blocks has more than {}: make them fewer.",
-                                 tower.courses, tower.around, maximumBlocks)
-                                                                                  : "";
+                      return countFault(
+                          double(tower.courses) * tower.around,
+                          fmt::format("A tower of {} courses of {} blocks", tower.courses, tower.around));
                   });
 }
 

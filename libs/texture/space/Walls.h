@@ -88,7 +88,8 @@ void declare(Options& options, Walls& walls);
 /// along the wall. Where two walls meet, the one named first runs through on even courses and the other on
 /// odd ones. A wall's courses are those of its bond on its own if it is the first named where it first meets
 /// another, else they begin with an odd one: joints of a running bond lie at whole bricks where it runs
-/// through, and half a brick further where it does not.
+/// through, and half a brick further where it does not. An opening that goes over the whole of a junction
+/// cuts the other wall too, over the thickness of its own.
 Assembly<3> makeAssembly(const Walls& walls);
 
 } // namespace drystone

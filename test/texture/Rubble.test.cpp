@@ -1,0 +1,109 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Rubble of any seed: all stones are there, each of them a solid, or it is said which are not.
+#include "texture/space/Rubble.h"
+#include "contact/AssemblyChecks.h"
+#include "geometry/PolygonShape.h"
+#include "geometry/space/PolyhedronFault.h"
+#include "texture/Texture.h"
+#include "texture/plane/PlaneRubble.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <tuple>
+
+using namespace drystone;
+using testing::AllOf;
+using testing::HasSubstr;
+
+namespace
+{
+
+void expectSolids(const Rubble& rubble)
+{
+    const std::string name = fmt::format("stones {}; seed {}; relaxations {}; leastEdge {}", rubble.stones,
+                                         rubble.seed, rubble.relaxations, rubble.leastEdge);
+    const Assembly<3> wall = makeAssembly(rubble);
+    EXPECT_EQ(wall.blocks.size(), static_cast<std::size_t>(rubble.stones)) << name;
+    EXPECT_EQ(faultOfStones(rubble, wall), "") << name;
+    EXPECT_TRUE(findOverlaps(wall).empty()) << name;
+    double volume = 0;
+    for (const Block<3>& block : wall.blocks)
+    {
+        volume += volumeProperties(block.shape).volume;
+    }
+    EXPECT_NEAR(volume, rubble.size.prod(), 1e-12) << name;
+}
+
+// Corners that moved past faces, in one or two of a hundred walls.
+TEST(Rubble, StonesAreSolidsWhereCornersOfShortEdgesWouldPassThroughFaces)
+{
+    for (const auto& [stones, seed, relaxations, leastEdge] : {std::tuple(100, 8, 2, 0.1),
+                                                               {300, 5, 2, 0.1},
+                                                               {300, 54, 2, 0.1},
+                                                               {100, 4, 0, 0.1},
+                                                               {300, 1, 0, 0.1},
+                                                               {300, 3, 0, 0.1},
+                                                               {100, 22, 2, 0.3},
+                                                               {100, 23, 2, 0.3},
+                                                               {100, 236, 2, 0.3},
+                                                               {300, 233, 2, 0.1},
+                                                               {100, 59, 2, 0.3}})
+    {
+        expectSolids({{2, 0.5, 2}, stones, seed, relaxations, leastEdge});
+    }
+}
+
+// Faces between cells whose points are nearly at the same distance from a place.
+TEST(Rubble, StonesAreSolidsWhereFacesOfCellsHaveNoArea)
+{
+    for (const auto& [seed, relaxations] : {std::pair(31, 2), {44, 2}, {32, 0}})
+    {
+        expectSolids({{2, 0.5, 2}, 300, seed, relaxations, 0});
+    }
+}
+
+TEST(Rubble, AStoneThatIsNoSolidIsReportedWithWhatToChange)
+{
+    const Rubble rubble{{1, 1, 1}, 1, 17, 2, 0.1};
+    Assembly<3> wall = makeAssembly(rubble);
+    wall.blocks[0].shape.faces.pop_back();
+    EXPECT_THAT(faultOfStones(rubble, wall),
+                AllOf(HasSubstr("Stone 0 of the seed 17 is no solid"), HasSubstr("not closed"),
+                      HasSubstr("Another \"seed\""), HasSubstr("\"leastEdge\" than 0.1")));
+}
+
+TEST(Rubble, StonesOfThePlaneThatShortJointsTakeAwayAreWarnedOf)
+{
+    const auto warning = [](const std::string& settings)
+    {
+        testing::internal::CaptureStderr();
+        makeStructure<2>(
+            Dictionary::readString("texture\n{ type rubble; " + settings + " }", "system/blockTextureDict"));
+        return testing::internal::GetCapturedStderr();
+    };
+    EXPECT_THAT(warning("size (3 2); stones 2000; relaxations 0; leastJoint 0.3;"),
+                AllOf(HasSubstr("1986 of 2000 stones are left"),
+                      HasSubstr("and the other 14 had no face any more"), HasSubstr("Reduce leastJoint"),
+                      HasSubstr("texture/stones at line 2")));
+    EXPECT_EQ(warning("size (3 2); stones 2000; relaxations 0; leastJoint 0;"), "");
+}
+
+TEST(Rubble, StonesOfThePlaneAreNotFlat)
+{
+    for (const int seed : {23, 25, 157})
+    {
+        const Assembly<2> wall = makeAssembly(PlaneRubble{{3, 2}, 1, 300, seed, 0, 0.3});
+        double area = 0;
+        for (const Block<2>& block : wall.blocks)
+        {
+            EXPECT_EQ(outlineFault(block.outline), "") << "seed " << seed;
+            area += areaProperties(block.outline).area;
+        }
+        EXPECT_NEAR(area, 6, 1e-12) << "seed " << seed;
+    }
+}
+
+} // namespace
