@@ -1,5 +1,6 @@
 # Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 """A case directory and the applications that run in it."""
+import re
 import shutil
 import subprocess
 from pathlib import Path
@@ -15,6 +16,11 @@ class RunError(RuntimeError):
     def __init__(self, application, status, text):
         super().__init__(f"{application} ended with exit status {status}:\n{text}")
         self.status = status
+
+
+def isTime(name):
+    """Whether a folder has the name of a time, in any format of controlDict: 0.5, 1e-05."""
+    return re.fullmatch(r"\d+\.?\d*([eE][+-]?\d+)?", name) is not None
 
 
 class Case:
@@ -83,13 +89,18 @@ class Case:
 
     def copy(self, directory, replace=False):
         """A new case with the input of this one: without results, logs and times but 0. With `replace` an older case
-        in its place, as of a cell that is run again, is removed."""
+        in its place, as of a cell that is run again, is removed; not the case itself, nor a folder that it is in."""
+        source, target = self.directory.resolve(), Path(directory).resolve()
+        if target == source or target in source.parents:
+            raise ValueError(f"{directory} is this case, or a folder that it is in: give the copy another place")
+        if source in target.parents:
+            raise ValueError(f"{directory} is in this case: give the copy a place outside")
         if replace and (Path(directory) / "system").is_dir():
             shutil.rmtree(directory)
         def isResult(folder, names):
             atTop = Path(folder) == self.directory
             return [name for name in names if atTop and (
                 name in ("VTK", "postProcessing", "report.html") or name.startswith("log.")
-                or (name != "0" and name.replace(".", "", 1).isdigit()))]
+                or (name != "0" and isTime(name)))]
         shutil.copytree(self.directory, directory, ignore=isResult)
         return Case(directory, self.applications)

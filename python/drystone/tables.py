@@ -33,7 +33,8 @@ def readTable(file):
     """Reads a table. The last row of a run that was killed may be cut off; it is left out.
 
     Raises ValueError for a file that is no such table."""
-    lines = Path(file).read_text(encoding="utf-8").splitlines()
+    text = Path(file).read_text(encoding="utf-8")
+    lines = text[:text.rfind("\n") + 1].splitlines()  # a last line without its end is cut off, be it in a number
     if not lines or not lines[0].startswith("# "):
         raise ValueError(f"{file} is no table: it lacks a heading '# name[unit] ...'")
     headings = [re.fullmatch(r"(.*?)(?:\[(.*)\])?", word).groups() for word in lines[0][2:].split()]

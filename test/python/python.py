@@ -105,6 +105,26 @@ class Package(CaseTest):
         wall.run("limitAnalysis")
         self.assertLess(other.table("limitAnalysis")["alpha"][0], wall.table("limitAnalysis")["alpha"][0])
 
+    def testACopyDoesNotRemoveItsSource(self):
+        wall = self.wall()
+        for place in (wall.directory, wall.directory.parent, wall.directory / "inside"):
+            os.makedirs(wall.directory.parent / "system", exist_ok=True)  # as if it were a case
+            with self.assertRaises(ValueError):
+                wall.copy(place, replace=True)
+        self.assertTrue((wall.directory / "system/blockTextureDict").is_file())
+
+    def testACopyHasNoTimesButZero(self):
+        wall = self.wall()
+        for time in ("0", "1e-05", "0.5", "2"):
+            os.makedirs(wall.directory / time)
+        copy = wall.copy(str(wall.directory) + "Copy")
+        self.assertEqual([name for name in os.listdir(copy.directory) if name[0].isdigit()], ["0"])
+
+    def testARowThatIsCutWithinANumberIsLeftOut(self):
+        file = self.wall().directory / "cut.dat"
+        file.write_text("# Time[s] loss[J]\n0.1 1.5e-08\n0.2 1.6934059", encoding="utf-8")
+        self.assertEqual(list(drystone.readTable(file)["loss"]), [1.5e-08])
+
     @unittest.skipUnless(drystone.hasNumPy, "NumPy is not installed")
     def testTablesAndFramesAreArraysOfNumPy(self):
         import numpy
