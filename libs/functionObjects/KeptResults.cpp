@@ -5,6 +5,7 @@
 #include "core/Log.h"
 #include "core/WholeFile.h"
 #include "functionObjects/LimitAnalysisResults.h"
+#include "functionObjects/MotionState.h"
 #include "runControl/Solution.h"
 
 #include <fmt/format.h>
@@ -66,12 +67,13 @@ const char* const noInput = "does not say from which input it was computed: an o
 
 template<int Dim>
 std::vector<InputFile> inputOfMotion(const std::filesystem::path& caseDirectory,
-                                     const Assembly<Dim>& assembly, const Time& time)
+                                     const Assembly<Dim>& assembly, const Time& time,
+                                     const std::string& beginning)
 {
     std::vector<InputFile> files =
         inputOf(caseDirectory, assembly, "contactDynamics",
                 {"constant/contactProperties", "constant/g", "constant/groundMotion", "constant/loads",
-                 "constant/materialProperties", "constant/supportMotion", time.beginningName() + "/motion",
+                 "constant/materialProperties", "constant/supportMotion", beginning + "/motion",
                  "system/schemes"});
     files.push_back(inputOfSteps(time));
     return files;
@@ -136,6 +138,11 @@ void compareWithInput(const State& start, const std::vector<InputFile>& now, con
             "endTime {} s is reached already: there is nothing to compute. Give a later endTime to continue.",
             controls.endTime);
     }
+}
+
+std::string beginningOf(const std::vector<std::pair<std::string, State>>& states, const Time& time)
+{
+    return time.nameOf(timeOf(states.front().second).beginning);
 }
 
 std::string compareWithInput(const std::vector<std::pair<std::string, State>>& states,
@@ -221,7 +228,9 @@ std::string compareMotion(const std::filesystem::path& caseDirectory, const Asse
                                 {
                                     states.emplace_back(name, readState(caseDirectory / name / "state"));
                                 }
-                                return compareWithInput(states, inputOfMotion(caseDirectory, assembly, time));
+                                return compareWithInput(
+                                    states, inputOfMotion(caseDirectory, assembly, time,
+                                                          beginningOf(states, time)));
                             });
 }
 
@@ -280,9 +289,11 @@ std::vector<std::string> timesOfStates(const std::filesystem::path& caseDirector
 }
 
 template std::vector<InputFile> inputOfMotion(const std::filesystem::path& caseDirectory,
-                                              const Assembly<2>& assembly, const Time& time);
+                                              const Assembly<2>& assembly, const Time& time,
+                                              const std::string& beginning);
 template std::vector<InputFile> inputOfMotion(const std::filesystem::path& caseDirectory,
-                                              const Assembly<3>& assembly, const Time& time);
+                                              const Assembly<3>& assembly, const Time& time,
+                                              const std::string& beginning);
 template std::string compareMotion(const std::filesystem::path& caseDirectory, const Assembly<2>& assembly,
                                    const std::vector<std::string>& times);
 template std::string compareMotion(const std::filesystem::path& caseDirectory, const Assembly<3>& assembly,

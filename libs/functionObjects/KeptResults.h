@@ -17,10 +17,14 @@ namespace drystone
 /// What a motion follows from: the assembly, constant/, the motion that it began with, system/schemes,
 /// contactDynamics in system/solution, and the steps of system/controlDict. What only says how long to run
 /// and what to write is not in it.
-/// \param assembly with closed joints
+/// \param assembly with closed joints \param beginning name of the time at which the motion began
 template<int Dim>
 std::vector<InputFile> inputOfMotion(const std::filesystem::path& caseDirectory,
-                                     const Assembly<Dim>& assembly, const Time& time);
+                                     const Assembly<Dim>& assembly, const Time& time,
+                                     const std::string& beginning);
+
+/// The name of the time at which the motion began that has these states, of which there is one at least.
+std::string beginningOf(const std::vector<std::pair<std::string, State>>& states, const Time& time);
 
 /// The last of them: the steps of controlDict, which may be read again while a run goes on.
 InputFile inputOfSteps(const Time& time);

@@ -129,7 +129,7 @@ Motion<Dim> startOrContinue(const std::filesystem::path& caseDirectory, const Dy
 
     const State saved = readState(file);
     time.resume(timeOf(saved));
-    compareWithInput(saved, inputOfMotion(caseDirectory, scene.assembly, time), time);
+    compareWithInput(saved, inputOfMotion(caseDirectory, scene.assembly, time, time.beginningName()), time);
     Motion<Dim> motion = motionOf(scene, saved);
     chooseFirstTimeStep(scene, motion, time);
     return motion;
@@ -148,7 +148,7 @@ void postProcess(const std::filesystem::path& caseDirectory, const DynamicCase<D
         throw FatalError("There are no results to process: no time directory of this case has a state. Run "
                          "contactDynamics without -postProcess first.");
     }
-    compareWithInput(states, inputOfMotion(caseDirectory, scene.assembly, time));
+    compareWithInput(states, inputOfMotion(caseDirectory, scene.assembly, time, beginningOf(states, time)));
     const Dictionary functions =
         time.controlDict().found("functions") ? time.controlDict().subDict("functions") : Dictionary();
     FunctionList<Dim> list(functions, caseDirectory, states.front().first, {}, 0, scene.assembly);
@@ -177,7 +177,7 @@ MotionResults<Dim>::MotionResults(std::filesystem::path directory, const Dynamic
       motion(currentMotion),
       time(runTime),
       functionList(readFunctions(caseDirectory, scene, time, functionObjects)),
-      input(inputOfMotion(caseDirectory, scene.assembly, time)),
+      input(inputOfMotion(caseDirectory, scene.assembly, time, time.beginningName())),
       states(caseDirectory, time.controls().writeFormat, time.controls().purgeWrite),
       blocks(caseDirectory / "VTK", "blocks", time.startValue()),
       contacts(caseDirectory / "VTK", "contacts", time.startValue())

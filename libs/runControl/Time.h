@@ -166,7 +166,9 @@ public:
     void resume(const TimeState& saved);
     TimeState state() const { return {now, step, count, origin, originIndex, detourEnd, beginning, wanted}; }
     /// Name of the directory of the time at which the motion began.
-    std::string beginningName() const { return timeName(beginning, settings.timeFormat, namePrecision); }
+    std::string beginningName() const { return nameOf(beginning); }
+    /// The name of the directory of a time.
+    std::string nameOf(double time) const { return timeName(time, settings.timeFormat, namePrecision); }
 
     /// Begin the next step, unless the run is to end: the end time is reached, stopAt or a signal says so.
     /// Reads controlDict again when it has changed; a fault in it is reported and the old settings stand.

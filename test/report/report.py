@@ -147,6 +147,17 @@ class Report(CaseTest):
         self.edit(case, "constant/contactProperties", "friction/mu", "0.01")
         self.checkWarns(case, "results at time .*0.5 are those of other input .* constant/contactProperties has changed")
 
+    def testTheStartOfAMotionIsThatOfItsBeginning(self):
+        case = self.caseOf("../../contactDynamics/bouncingBlock")
+        os.makedirs(os.path.join(case, "0"), exist_ok=True)
+        with open(os.path.join(case, "0/motion"), "w", encoding="utf-8") as file:
+            file.write('"1" { displacement (0 1); }\n')
+        self.edit(case, "system/controlDict", "startFrom", "latestTime")
+        self.runApplication("contactDynamics", case)
+        self.checkWarnsOfNothing(case)
+        self.edit(case, "0/motion", "1/displacement", "(0 0.7)")
+        self.checkWarns(case, "results at time .* are those of other input .* 0/motion has changed")
+
     def testWarnsOfSamplesOfOtherInput(self):
         case = self.wall()
         with open(os.path.join(case, "system/ensembleDict"), "w", encoding="utf-8") as file:
