@@ -134,7 +134,8 @@ void account(Step<Dim>& step)
     motion.created += std::max(0.0, createdByContact(step) - step.energy.algorithmicLoss);
     motion.effectStates = std::move(step.effectStates);
     step.energy.externalWork -= leaveOutBlocks(scene, motion);
-    motion.energy.impactLoss += step.solved.lostInImpacts;
+    motion.energy.impactLoss += step.solved.lostInImpacts - step.solved.rubbedInImpacts;
+    motion.energy.frictionLoss += step.solved.rubbedInImpacts;
     keepLedger(motion.energy, scene, step.energy, motion.state);
     motion.largestKinetic = std::max(motion.largestKinetic, motion.energy.kinetic);
     motion.restitutionShare = step.solved.restitutionShare;

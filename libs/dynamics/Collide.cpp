@@ -190,6 +190,26 @@ void addBonded(const StepProgram<Dim>& program, std::vector<std::size_t>& meetin
     meeting.erase(std::unique(meeting.begin(), meeting.end()), meeting.end());
 }
 
+/// What friction takes from the blocks in an impact: P_t (u_t- + u_t+)/2, since the velocities change in
+/// proportion to the impulses [J].
+template<int Dim>
+double rubbedIn(const Impact& impact, const StepProgram<Dim>& arrival, const std::vector<std::size_t>& meeting,
+                const Step<Dim>& step)
+{
+    const Eigen::VectorXd twiceTheMean =
+        closingVelocity(arrival, step.solved.velocity, step.bySupports, step.scheme.timeStep)
+        + closingVelocity(arrival, impact.velocity, step.bySupports, step.scheme.timeStep);
+    double loss = 0;
+    for (std::size_t i = 0; i < meeting.size(); ++i)
+    {
+        const auto own = Dim * static_cast<Eigen::Index>(i) + 1;
+        const auto ofProgram = Dim * static_cast<Eigen::Index>(meeting[i]) + 1;
+        loss += 0.5
+                * impact.impulse.segment<Dim - 1>(own).dot(twiceTheMean.segment<Dim - 1>(ofProgram));
+    }
+    return loss;
+}
+
 /// Gives the blocks the velocities that they have after an impact. \return whether it was solved and has
 /// changed them
 template<int Dim>
@@ -228,6 +248,7 @@ bool takeImpact(Step<Dim>& step, std::vector<std::size_t> meeting)
     }
     ++solved.impacts;
     solved.lostInImpacts += impact.energyLoss;
+    solved.rubbedInImpacts += rubbedIn<Dim>(impact, arrival, meeting, step);
     solved.workOfSupports += impact.workOfSupports;
     solved.restitutionShare = std::min(solved.restitutionShare, impact.restitutionShare);
     solved.velocity = std::move(impact.velocity);
