@@ -258,6 +258,11 @@ ConeProgram<Rows, Forces> readProgramOf(const Dictionary& dictionary)
     if (dictionary.found("liveLoad"))
     {
         program.liveLoad = readVector(dictionary, "liveLoad", rows, ofRows);
+        if (program.liveLoad.isZero(0) && rows > 0)
+        {
+            throw FatalIOError("This live load is zero, whatever its multiplier. Leave it out, or give one.",
+                               dictionary.locationOf("liveLoad"));
+        }
     }
     if (dictionary.found("inertia"))
     {

@@ -34,6 +34,7 @@ using AnyConeProgram = std::variant<PlaneConeProgram, SpaceConeProgram>;
 ///     liveLoad        99(1000 0 0 ...);   // L, R a body; absent: no multiplier alpha
 ///     inertia         33((...) ...);      // Mbar, R x R numbers a body, row by row; absent: no inertia
 ///     gap             348(0 0 ...);       // g, F a contact point; absent: zero
+///     compliance      348(1e-8 1e-8 ...); // diagonal of C, F a contact point, at least 0; absent: rigid
 ///
 /// Numbers are written with as many digits as it takes to read the same double back, so that a program that
 /// has been written and read is the same, bit for bit. Units are the writer's own: the program has none.
@@ -46,7 +47,7 @@ void writeProgram(const std::filesystem::path& file, const ConeProgram<Rows, For
 
 /// \throws FatalIOError with file and line for what is not as above: a missing or an unknown key, a list of
 /// another length, a body that there is not, forces on two bodies that are not opposite, a friction below 0,
-/// an inertia that is not symmetric and positive definite
+/// an inertia that is not symmetric and positive definite, a live load of zeros
 AnyConeProgram readProgram(const std::filesystem::path& file);
 
 /// What a solver calls after each program it is given, to write those that `when` asks for.

@@ -193,8 +193,8 @@ void addBonded(const StepProgram<Dim>& program, std::vector<std::size_t>& meetin
 /// What friction takes from the blocks in an impact: P_t (u_t- + u_t+)/2, since the velocities change in
 /// proportion to the impulses [J].
 template<int Dim>
-double rubbedIn(const Impact& impact, const StepProgram<Dim>& arrival, const std::vector<std::size_t>& meeting,
-                const Step<Dim>& step)
+double rubbedIn(const Impact& impact, const StepProgram<Dim>& arrival,
+                const std::vector<std::size_t>& meeting, const Step<Dim>& step)
 {
     const Eigen::VectorXd twiceTheMean =
         closingVelocity(arrival, step.solved.velocity, step.bySupports, step.scheme.timeStep)
@@ -204,8 +204,7 @@ double rubbedIn(const Impact& impact, const StepProgram<Dim>& arrival, const std
     {
         const auto own = Dim * static_cast<Eigen::Index>(i) + 1;
         const auto ofProgram = Dim * static_cast<Eigen::Index>(meeting[i]) + 1;
-        loss += 0.5
-                * impact.impulse.segment<Dim - 1>(own).dot(twiceTheMean.segment<Dim - 1>(ofProgram));
+        loss += 0.5 * impact.impulse.segment<Dim - 1>(own).dot(twiceTheMean.segment<Dim - 1>(ofProgram));
     }
     return loss;
 }

@@ -70,11 +70,10 @@ std::vector<InputFile> inputOfMotion(const std::filesystem::path& caseDirectory,
                                      const Assembly<Dim>& assembly, const Time& time,
                                      const std::string& beginning)
 {
-    std::vector<InputFile> files =
-        inputOf(caseDirectory, assembly, "contactDynamics",
-                {"constant/contactProperties", "constant/g", "constant/groundMotion", "constant/loads",
-                 "constant/materialProperties", "constant/supportMotion", beginning + "/motion",
-                 "system/schemes"});
+    std::vector<InputFile> files = inputOf(
+        caseDirectory, assembly, "contactDynamics",
+        {"constant/contactProperties", "constant/g", "constant/groundMotion", "constant/loads",
+         "constant/materialProperties", "constant/supportMotion", beginning + "/motion", "system/schemes"});
     files.push_back(inputOfSteps(time));
     return files;
 }
@@ -228,9 +227,8 @@ std::string compareMotion(const std::filesystem::path& caseDirectory, const Asse
                                 {
                                     states.emplace_back(name, readState(caseDirectory / name / "state"));
                                 }
-                                return compareWithInput(
-                                    states, inputOfMotion(caseDirectory, assembly, time,
-                                                          beginningOf(states, time)));
+                                return compareWithInput(states, inputOfMotion(caseDirectory, assembly, time,
+                                                                              beginningOf(states, time)));
                             });
 }
 

@@ -191,7 +191,7 @@ void printSummary(const MotionSummary<Dim>& summary, const Motion<Dim>& motion)
 }
 
 template<int Dim>
-void printIntegrationError(const DynamicCase<Dim>& scene, const Motion<Dim>& motion)
+void printIntegrationError(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, bool isChosen)
 {
     const double theta = scene.schemes.timeIntegration.theta;
     // What rounding moves a structure that stands still by says nothing: the energy of a fall by as little.
@@ -201,8 +201,10 @@ void printIntegrationError(const DynamicCase<Dim>& scene, const Motion<Dim>& mot
     {
         info("Estimated error of the time integration: theta {:g} has dissipated {:.3g} J outside impacts, "
              "{:.2g}% "
-             "of the largest kinetic energy. It is proportional to deltaT; theta 0.5 is of second order.\n",
-             theta, motion.smoothLoss, 100 * motion.smoothLoss / motion.largestKinetic);
+             "of the largest kinetic energy. It is proportional to the steps{}{}\n",
+             theta, motion.smoothLoss, 100 * motion.smoothLoss / motion.largestKinetic,
+             isChosen ? ", which adjustTimeStep chooses up to maxDeltaT" : "",
+             traitsOf(scene.effects).isCompliant ? "." : "; theta 0.5 is of second order.");
     }
     constexpr double noticeable = 0.01;
     if (traitsOf(scene.effects).isCompliant && motion.created > noticeable * motion.largestKinetic + fall)
@@ -429,7 +431,7 @@ template void printScene(const DynamicCase<2>& scene, const Motion<2>& motion, c
                          const std::vector<std::string>& functions);
 template void printStep(const DynamicCase<2>& scene, const Motion<2>& motion, const Time& time);
 template void printSummary(const MotionSummary<2>& summary, const Motion<2>& motion);
-template void printIntegrationError(const DynamicCase<2>& scene, const Motion<2>& motion);
+template void printIntegrationError(const DynamicCase<2>& scene, const Motion<2>& motion, bool isChosen);
 template void printEffectUse(const DynamicCase<2>& scene, const Motion<2>& motion);
 template std::string unsolvedStep(const DynamicCase<2>& scene, const Motion<2>& motion, const Time& time);
 template void printAddedEffects(const DynamicCase<3>& scene);
@@ -437,7 +439,7 @@ template void printScene(const DynamicCase<3>& scene, const Motion<3>& motion, c
                          const std::vector<std::string>& functions);
 template void printStep(const DynamicCase<3>& scene, const Motion<3>& motion, const Time& time);
 template void printSummary(const MotionSummary<3>& summary, const Motion<3>& motion);
-template void printIntegrationError(const DynamicCase<3>& scene, const Motion<3>& motion);
+template void printIntegrationError(const DynamicCase<3>& scene, const Motion<3>& motion, bool isChosen);
 template void printEffectUse(const DynamicCase<3>& scene, const Motion<3>& motion);
 template std::string unsolvedStep(const DynamicCase<3>& scene, const Motion<3>& motion, const Time& time);
 

@@ -87,8 +87,8 @@ namespace
 {
 
 /// The forces that a mechanism allows: those of points that open or crush stay as they are; at points that
-/// slide, t = (C + mu n) d against the slip, so that one column is left, with the constant part as a load; all
-/// others are free within their limits.
+/// slide, t = (C + mu n) d against the slip, so that one column is left, with the constant part as a load;
+/// all others are free within their limits.
 template<int Rows, int Forces>
 class SuitedForces
 {
@@ -152,8 +152,7 @@ private:
             const Eigen::Matrix<double, Forces - 1, 1> direction = slip / size;
             for (auto* side : {&columns.onFirst, &columns.onSecond})
             {
-                side->col(0) +=
-                    given.friction[at] * side->template rightCols<Forces - 1>() * direction;
+                side->col(0) += given.friction[at] * side->template rightCols<Forces - 1>() * direction;
             }
             if (given.hasStrength())
             {
@@ -247,10 +246,9 @@ std::optional<CoulombPair> nearestPair(const ConeProgram<Rows, Forces>& given, c
     suited.program.inertia = inertiaOfPoints(given);
     suited.program.gap = VectorXd::Zero(Forces * suited.program.points());
     const ConeSolution solved = solve(suited.program);
-    return solved.status == SolveStatus::optimal
-               ? std::optional(CoulombPair{
-                     pair.alpha, suited.contactForce(solved.contactForce), pair.mechanism, {}})
-               : std::nullopt;
+    return solved.status == SolveStatus::optimal ? std::optional(
+               CoulombPair{pair.alpha, suited.contactForce(solved.contactForce), pair.mechanism, {}})
+                                                 : std::nullopt;
 }
 
 template<int Rows, int Forces>

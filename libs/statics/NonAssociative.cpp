@@ -352,7 +352,8 @@ private:
                 pair = std::move(*refined);
                 return true;
             }
-            // Where the mechanism is right the forces that suit it are many, not all of them within their limits.
+            // Where the mechanism is right the forces that suit it are many, not all of them within their
+            // limits.
             std::optional<CoulombPair> within = refined->residuals.flow <= searchSettings.tolerance
                                                     ? nearestPair<Rows, Forces>(given, *refined, solver)
                                                     : std::nullopt;

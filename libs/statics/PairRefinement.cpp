@@ -14,7 +14,7 @@ namespace
 using Eigen::VectorXd;
 
 constexpr int mostSteps = 20;
-constexpr double solved = 1e-11;  // of the equations, in units of the largest force and rate
+constexpr double solved = 1e-11; // of the equations, in units of the largest force and rate
 constexpr double roundingOfRoles = 1e-9;
 constexpr int mostRoundsOfRoles = 6; // of roles
 

@@ -176,6 +176,8 @@ TEST(ProgramFile, TellsFaultsWithTheirLine)
     fault = faultAfter("bodies          2", "bodies          3");
     EXPECT_THAT(fault.message, HasSubstr("load has 6 elements, but there are 9"));
     EXPECT_EQ(fault.line, lineOf("load"));
+    fault = faultAfter("gap ", "liveLoad 6(0 0 0 0 0 0);\ngap ");
+    EXPECT_THAT(fault.message, HasSubstr("live load is zero"));
     fault = faultAfter("gap ", "gaps ");
     EXPECT_THAT(fault.message, HasSubstr("Unknown key gaps. Did you mean gap?"));
     EXPECT_EQ(fault.line, lineOf("gap"));

@@ -72,8 +72,8 @@ TEST(ImpactInstants, EveryPointOfAPartedStepHasAnImpulseOfItsOwn)
     }
 }
 
-// A plate that lands flat and sideways: impulses P = (1 + e) m v and mu P, of which friction takes mu P times the
-// mean of its velocities sideways, and the normal forces m v^2 (1 - e^2)/2.
+// A plate that lands flat and sideways: impulses P = (1 + e) m v and mu P, of which friction takes mu P times
+// the mean of its velocities sideways, and the normal forces m v^2 (1 - e^2)/2.
 TEST(ImpactInstants, FrictionOfAnImpactIsFrictionLoss)
 {
     constexpr double mu = 0.2;
@@ -82,10 +82,9 @@ TEST(ImpactInstants, FrictionOfAnImpactIsFrictionLoss)
     {
         Assembly<2> assembly = scenes::ground(-40, 40);
         assembly.blocks.push_back(scenes::rectangle(0, 0, 1, 0.02));
-        const DynamicCase<2> scene = scenes::sceneOf(assembly, {.theta = theta,
-                                                                .mu = mu,
-                                                                .flowRule = FlowRule::nonAssociative,
-                                                                .restitution = restitution});
+        const DynamicCase<2> scene = scenes::sceneOf(
+            assembly,
+            {.theta = theta, .mu = mu, .flowRule = FlowRule::nonAssociative, .restitution = restitution});
         DynamicState<2> start = stateAtRest(scene.assembly);
         start.placements[1].translation.y() = 0.5;
         start.velocity[0] = 6;
@@ -98,7 +97,8 @@ TEST(ImpactInstants, FrictionOfAnImpactIsFrictionLoss)
         const double fall = std::sqrt(2 * g * 0.5);
         const double drag = mu * (1 + restitution) * fall;
         EXPECT_NEAR(motion.energy.frictionLoss / (mass * drag * (6 - drag / 2)), 1, 0.01) << theta;
-        EXPECT_NEAR(motion.energy.impactLoss / (mass * fall * fall * (1 - restitution * restitution) / 2), 1, 0.02)
+        EXPECT_NEAR(motion.energy.impactLoss / (mass * fall * fall * (1 - restitution * restitution) / 2), 1,
+                    0.02)
             << theta;
     }
 }

@@ -171,6 +171,14 @@ TEST(ObjText, DecimalsOnRequestAreStatedByTheReader)
     EXPECT_DOUBLE_EQ(readObj(fileOf(text)).rounding, 1e-3);
 }
 
+TEST(ExportedSolids, DecimalsThatFlattenABlockAreNoticed)
+{
+    Assembly<3> assembly;
+    assembly.blocks = {{makeBox({0, 0, 0}, {4, 4, 4}), -1}, {makeBox({4, 0, 0}, {8, 4, 0.2}), -1}};
+    EXPECT_EQ(flattenedBlock(exportedSolids(assembly), 0), 1);
+    EXPECT_EQ(flattenedBlock(exportedSolids(assembly), 1), -1);
+}
+
 TEST(ExportedSolids, AreWhereThePlacementsPutThem)
 {
     const Assembly<3> assembly = assembliesOfSpace().front();

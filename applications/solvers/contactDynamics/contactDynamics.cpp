@@ -81,7 +81,7 @@ int runIn(const CommandLine& commandLine)
     }
     results.finish();
     progress.clear();
-    printIntegrationError(scene, motion);
+    printIntegrationError(scene, motion, time.controls().adjustTimeStep);
     printEffectUse(scene, motion);
     printStageTimes(motion.stageTimes);
     printSummary(summary, motion);

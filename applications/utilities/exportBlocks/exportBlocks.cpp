@@ -293,6 +293,24 @@ void warnOfLaws(const ContactProperties& properties)
     }
 }
 
+void requireEnoughDecimals(const std::vector<ExportedSolid>& solids, std::string_view format, int decimals)
+{
+    if (format != "obj" && format != "compasJson" && format != "dxf")
+    {
+        throw FatalError(
+            fmt::format("-decimals is of obj, compasJson and dxf; {} has all digits.\n\nLeave -decimals "
+                        "out.",
+                        format));
+    }
+    if (const int block = flattenedBlock(solids, decimals); block >= 0)
+    {
+        throw FatalError(
+            fmt::format("With {} decimals block {} has less than half of its volume.\n\nGive more "
+                        "of them.",
+                        decimals, block));
+    }
+}
+
 template<int Dim>
 int runIn(const CommandLine& commandLine)
 {
@@ -309,6 +327,10 @@ int runIn(const CommandLine& commandLine)
         hasDensities ? readDensities<Dim>(directory, assembly, readGravity<Dim>(directory))
                      : std::vector<double>();
     const std::vector<ExportedSolid> solids = exportedSolids(assembly, placements, densities);
+    if (numbers.decimals)
+    {
+        requireEnoughDecimals(solids, format, *numbers.decimals);
+    }
     std::string text;
     if (format == "obj")
     {

@@ -25,6 +25,37 @@ SolverChoice choiceOf(const CommandLine& commandLine)
     return readOptions<SolverChoice>(Dictionary::readString(text, "command line"));
 }
 
+/// Why a solver takes no program such as this one, and which takes it.
+template<int Rows, int Forces>
+std::string faultOf(const ConeProgram<Rows, Forces>& program, const SolverChoice& choice)
+{
+    const bool isGaussSeidel = choice.solver == SolverType::gaussSeidel;
+    const bool givesWay = program.hasCompliance() && program.points() > 0;
+    if (givesWay && !isGaussSeidel)
+    {
+        bool areAlike = program.compliance.minCoeff() > 0;
+        for (Eigen::Index row = 2; Forces == 3 && row < program.compliance.size(); row += 3)
+        {
+            areAlike = areAlike && program.compliance[row] == program.compliance[row - 1];
+        }
+        return program.hasInertia() && !program.hasMultiplier() && !program.hasStrength() && areAlike
+                   ? ""
+                   : "Programs with a compliance are solved where they have inertia, no live load and no "
+                     "strength, and all points give way, in space alike in all shears. With inertia and "
+                     "without "
+                     "live load -solver gaussSeidel takes others, in space those without strength.";
+    }
+    if (isGaussSeidel && Forces == 3 && program.hasStrength())
+    {
+        return "gaussSeidel takes no strength of points in space. Use -solver interiorPoint.";
+    }
+    if (choice.solver == SolverType::augmentedLagrangian && program.hasCrushing())
+    {
+        return "augmentedLagrangian takes no crushing. Use -solver interiorPoint.";
+    }
+    return "";
+}
+
 template<int Rows, int Forces>
 int solve(const ConeProgram<Rows, Forces>& program, const SolverChoice& choice)
 {
@@ -33,6 +64,10 @@ int solve(const ConeProgram<Rows, Forces>& program, const SolverChoice& choice)
         throw FatalError(
             nameOf(choice.solver)
             + " solves programs with inertia and without live load only. Use -solver interiorPoint.");
+    }
+    if (const std::string fault = faultOf(program, choice); !fault.empty())
+    {
+        throw FatalError(fault);
     }
     info("Bodies: {} in {}, contact points: {}, inertia: {}, multiplier: {}\nSolver: {}, tolerance {:g}\n",
          program.bodies, Forces == 2 ? "the plane" : "space", program.points(),

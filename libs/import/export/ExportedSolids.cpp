@@ -6,6 +6,7 @@
 #include "geometry/space/FacePolygon.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace drystone
@@ -90,6 +91,25 @@ template std::vector<std::vector<std::string>> zonesOfBlocks(const Assembly<2>& 
 template std::vector<std::vector<std::string>> zonesOfBlocks(const Assembly<3>& assembly);
 template std::vector<std::string> layersOf(const Assembly<2>& assembly);
 template std::vector<std::string> layersOf(const Assembly<3>& assembly);
+int flattenedBlock(const std::vector<ExportedSolid>& solids, int decimals)
+{
+    constexpr double least = 0.5;
+    const double unit = std::pow(10, decimals);
+    for (std::size_t block = 0; block < solids.size(); ++block)
+    {
+        Polyhedron rounded = solids[block].shape;
+        for (Vector<3>& vertex : rounded.vertices)
+        {
+            vertex = (vertex * unit).array().round() / unit;
+        }
+        if (!(volumeProperties(rounded).volume > least * volumeProperties(solids[block].shape).volume))
+        {
+            return static_cast<int>(block);
+        }
+    }
+    return -1;
+}
+
 template std::vector<ExportedSolid> exportedSolids(const Assembly<2>& assembly,
                                                    const std::vector<Placement<2>>& placements,
                                                    const std::vector<double>& densities);

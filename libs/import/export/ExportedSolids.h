@@ -27,6 +27,9 @@ std::vector<ExportedSolid> exportedSolids(const Assembly<Dim>& assembly,
                                           const std::vector<Placement<Dim>>& placements = {},
                                           const std::vector<double>& densities = {});
 
+/// The first block that has less than half of its volume where coordinates have so many decimals; -1: none.
+int flattenedBlock(const std::vector<ExportedSolid>& solids, int decimals);
+
 /// The name of its support, if it has one, and those of its zones, for each block.
 template<int Dim>
 std::vector<std::vector<std::string>> zonesOfBlocks(const Assembly<Dim>& assembly);
