@@ -34,7 +34,7 @@ constexpr double inwards = 0.01;
 /// Every so many paths begin with other forces for the dead load, from a random objective.
 constexpr int pathsToOtherForces = 8;
 
-/// Paths besides those asked for, until there is a pair.
+/// Paths besides those asked for, until one has met a pair.
 constexpr int furtherStarts = 4;
 
 /// Dilatancy of blocks that fall: first, and what remains of it in the pair, as a share of the tolerance.
@@ -45,7 +45,7 @@ constexpr double remainingDilatancy = 0.1;
 constexpr double startTolerance = 1e-6;
 
 /// Pairs that obey the law to this are refined, with points of less slip than each of these in turn at rest.
-constexpr double nearlyPair = 1e-2;
+constexpr double nearlyPair = 2e-3;
 constexpr std::array<double, 3> slidesFrom{1e-6, 1e-4, 1e-2};
 
 /// Exchanges of forces and mechanism after a path, while each lowers the multiplier by this share.
@@ -141,7 +141,7 @@ public:
         if (mechanism)
         {
             CoulombPair pair{associativePair.alpha, associativePair.contactForce, std::move(*mechanism), {}};
-            if (consider(pair) || refine(pair))
+            if (take(pair))
             {
                 ++range.converged;
                 descend(std::move(pair));
@@ -159,10 +159,6 @@ public:
         }
         for (const VectorXd* forces : {&associativePair.contactForce, &restingStart.contactForce})
         {
-            if (lowest.exists())
-            {
-                return;
-            }
             ++range.starts;
             std::optional<CoulombPair> pair = pairFromRest<Rows, Forces>(
                 given, associativePair.alpha, *forces, [this](CoulombPair& tried) { return consider(tried); },
@@ -171,14 +167,15 @@ public:
             {
                 ++range.converged;
                 descend(std::move(*pair));
+                return;
             }
         }
     }
 
     /// Whether the forces at the end of a path are asked for their mechanism where its own is none.
     bool takesMechanisms = false;
-    /// Whether what is nearly a pair is refined.
-    bool refines = false;
+    /// Whether all pairs are near the ends of paths, but were not met by them.
+    bool isByRefinement = false;
     CoulombRange range;
     CoulombPair lowest;
     CoulombPair fall;  ///< the lowest, on whose mechanism the live load does no work
@@ -309,7 +306,7 @@ private:
             return false;
         }
         CoulombPair pair{found.multiplier, std::move(found.contactForce), found.mechanism / power, {}};
-        if (!consider(pair) && !refine(pair) && !(takesMechanisms && takeMechanism(pair)))
+        if (!take(pair) && !(takesMechanisms && takeMechanism(pair)))
         {
             return false;
         }
@@ -328,13 +325,27 @@ private:
         {
             pair.mechanism = std::move(*mechanism);
         }
-        return mechanism && (consider(pair) || refine(pair));
+        return mechanism && take(pair);
+    }
+
+    /// Takes a pair, or one near it. \return whether there is one
+    bool take(CoulombPair& pair)
+    {
+        const bool isFirst = !lowest.exists();
+        if (consider(pair))
+        {
+            isByRefinement = false;
+            return true;
+        }
+        const bool isRefined = refine(pair);
+        isByRefinement = isByRefinement || (isRefined && isFirst);
+        return isRefined;
     }
 
     /// Takes the pair to its last digits, where it is near one. \return whether that is one
     bool refine(CoulombPair& pair)
     {
-        if (!refines || !(pair.residuals.worst() <= nearlyPair))
+        if (!(pair.residuals.worst() <= nearlyPair))
         {
             return false;
         }
@@ -473,9 +484,11 @@ LimitAnalysis solveNonAssociative(const ConeProgram<Rows, Forces>& program,
     Search<Rows, Forces> search(program, settings, solver, result);
     if (search.findRest())
     {
-        const auto goesOn = [&](int start) {
+        const auto goesOn = [&](int start)
+        {
             return start < settings.starts
-                   || (start < settings.starts + furtherStarts && !search.lowest.exists());
+                   || (start < settings.starts + furtherStarts
+                       && (!search.lowest.exists() || search.isByRefinement));
         };
         const auto follow = [&]
         {
@@ -488,19 +501,14 @@ LimitAnalysis solveNonAssociative(const ConeProgram<Rows, Forces>& program,
         // forces.
         search.takesMechanisms = result.status == CollapseStatus::unbounded;
         follow();
-        if (!search.lowest.exists() && !search.fall.exists())
+        // Pairs of motion from rest are mostly lower than those that had to be refined.
+        if ((!search.lowest.exists() || search.isByRefinement) && !search.fall.exists())
         {
             search.takeAssociativeForces();
         }
-        if (!search.lowest.exists() && !search.fall.exists())
+        if ((!search.lowest.exists() || search.isByRefinement) && !search.fall.exists())
         {
             search.takeStepsFromRest();
-        }
-        // Pairs of motion from rest are lower, where there are such.
-        search.refines = true;
-        if (!search.lowest.exists() && !search.fall.exists())
-        {
-            search.takeAssociativeForces();
         }
         if (!search.lowest.exists() && !search.fall.exists())
         {

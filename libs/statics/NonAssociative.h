@@ -46,14 +46,15 @@ void declare(Options& options, NonAssociativeSettings& settings);
 /// The result is the lowest pair that meets `tolerance` in CoulombCheck.h (`optimal`, its residuals as the
 /// certificate: balance and yield, flow, mismatch). Its multiplier is that of a collapse, and so an upper
 /// bound on the least of all collapses, which nothing here proves; that of the associative law is one that is
-/// proved. Where no path has met a collapse or a fall, a mechanism is tried that the forces of the
-/// associative collapse allow by Coulomb's law, and where motion from rest begins (StepFromRest.h); at last
-/// what was nearly a pair is refined (PairRefinement.h): blocks that slide as one have shears whose
-/// directions are known to 1e-5 only. Where only falls have been met the lowest of them is the result. Where
-/// all pairs are below zero, which says that some forces at rest are not safe, it is the highest of them.
-/// Without any pair the result is `upperBound`: forces, mechanism and certificate of the associative
-/// collapse, which no pair exceeds. What the friction cones cannot carry is `unstable` with either law;
-/// `unbounded` means that the associative law has no collapse and no other was met.
+/// proved. In space paths often end just before their collapse, as rounding ends them, and blocks that slide
+/// as one have shears whose directions are known to 1e-5 only: what is nearly a pair is refined
+/// (PairRefinement.h). Where no path has met a collapse or a fall itself, a mechanism is tried that the
+/// forces of the associative collapse allow by Coulomb's law, and where motion from rest begins
+/// (StepFromRest.h). Where only falls have been met the lowest of them is the result. Where all pairs are
+/// below zero, which says that some forces at rest are not safe, it is the highest of them. Without any pair
+/// the result is `upperBound`: forces, mechanism and certificate of the associative collapse, which no pair
+/// exceeds. What the friction cones cannot carry is `unstable` with either law; `unbounded` means that the
+/// associative law has no collapse and no other was met.
 ///
 /// Where no pair is met the range says from where on there may be one. A pair of Coulomb's law has
 /// (c - c')'A'y >= 0 for all forces c' with |c'_t| <= C - mu T, -T <= c'_n <= N: where a point opens, c_n is

@@ -13,10 +13,10 @@ namespace
 
 using Eigen::VectorXd;
 
-constexpr int mostSteps = 20;
+constexpr int mostSteps = 10;
 constexpr double solved = 1e-11; // of the equations, in units of the largest force and rate
 constexpr double roundingOfRoles = 1e-9;
-constexpr int mostRoundsOfRoles = 6; // of roles
+constexpr int mostRoundsOfRoles = 3; // of roles
 
 /// Of changes in the same units: what the equations leave open stays.
 constexpr double leastDamping = 1e-10;
@@ -122,15 +122,13 @@ public:
         Eigen::SparseMatrix<double> derivative(residual.size(), unknowns.size());
         derivative.setFromTriplets(entries.begin(), entries.end());
         const Eigen::SparseMatrix<double> normal = derivative.transpose() * derivative;
+        Eigen::SparseMatrix<double> identity(unknowns.size(), unknowns.size());
+        identity.setIdentity();
         const VectorXd gradient = derivative.transpose() * residual;
         const VectorXd from = unknowns;
         for (; damping <= largestDamping; damping *= 100)
         {
-            Eigen::SparseMatrix<double> damped = normal;
-            for (Eigen::Index i = 0; i < unknowns.size(); ++i)
-            {
-                damped.coeffRef(i, i) += damping;
-            }
+            const Eigen::SparseMatrix<double> damped = normal + damping * identity;
             const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(damped);
             if (factor.info() == Eigen::Success)
             {

@@ -17,7 +17,9 @@ namespace drystone
 /// Forces are not unique, and in space a shear that is below its limit by a part d of it may be off the slip
 /// by the angle sqrt(2 d), 1e-5 for 1e-10: so far interior points and paths leave it. The nearest solution is
 /// found by the method of Levenberg and Marquardt (Nocedal & Wright 2006, section 10.3), which goes to a
-/// solution quadratically though the equations have many.
+/// solution quadratically though the equations have many. Points that pull in it are opened, those that close
+/// are closed, and it is found anew. Forces of points that stick may be beyond their limits: nearestPair
+/// (CoulombExchange.h) has those that are not.
 /// \param slidesFrom points whose slip is less than this share of the largest rate stick
 /// \return whatever it ends with: judge it. None where a point crushes, which has no equations here
 template<int Rows, int Forces>
