@@ -5,6 +5,8 @@
 #include "core/Signals.h"
 #include "ensembles/Executor.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <ctime>
 
