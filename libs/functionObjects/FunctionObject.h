@@ -79,7 +79,8 @@ enum class ContactPointTable
 /// The forces at the contact points. Forces are means over the step; impacts, plastic ones and those with
 /// restitution, contribute their impulse divided by the length of the step. The sum of reactions times steps
 /// is therefore the change of momentum that gravity and all other loads do not cause, and during impacts the
-/// largest forces grow as steps become shorter.
+/// largest forces grow as steps become shorter. Their directions are those of the joints at the end of the
+/// step: where a support turns by w in it they are turned by w, with theta 1/2 by half of it.
 ///
 /// contactForces.dat: `Time[s] points[-] open[-] sticking[-] sliding[-] largestNormalForce[N]
 /// largestShearForce[N]`, and for each support its reaction, which is the force on the structure and its

@@ -265,7 +265,9 @@ const Registry<FunctionPlan<Dim>>& functionTypes()
          model<FunctionPlan<Dim>, ContactForcesSettings<Dim>>(
              "contactForces",
              "contact points and reactions of supports, means over the step with the impulses of "
-             "impacts; what a body loses that stops with theta below 1 is in no force",
+             "impacts, in the directions that joints have at its end, from which those of a support "
+             "that turns differ by its turn in a step; what a body loses that stops with theta below 1 is in "
+             "no force",
              planContactForces<Dim>),
          model<FunctionPlan<Dim>, PlainSettings<Dim>>("residuals", "convergence of the solver",
                                                       planPlain<Dim, ResidualsFunction<Dim>>),
