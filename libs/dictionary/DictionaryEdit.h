@@ -22,12 +22,6 @@ std::string withEntrySet(const std::string& text, const std::filesystem::path& f
 std::string withEntryRemoved(const std::string& text, const std::filesystem::path& file,
                              std::string_view path);
 
-/// The text of a file of a case as it has to be elsewhere, in a copy of the case: the names of included files
-/// that lead out of the case, `#include "../../shared/mu"`, become absolute. A text that is no dictionary
-/// stays as it is. \param file that the text is of \param caseDirectory of the case
-std::string withIncludesFromOutside(const std::string& text, const std::filesystem::path& file,
-                                    const std::filesystem::path& caseDirectory);
-
 /// What to do with an entry of a file.
 enum class EntryEdit
 {

@@ -6,7 +6,7 @@
 #include "core/Log.h"
 #include "core/Signals.h"
 #include "core/WholeFile.h"
-#include "dictionary/DictionaryEdit.h"
+#include "dictionary/CopiedIncludes.h"
 #include "runControl/Case.h"
 
 #include <fmt/format.h>

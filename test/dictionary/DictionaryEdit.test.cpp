@@ -2,6 +2,7 @@
 /// Edits of a dictionary's text keep everything but the entry.
 #include "dictionary/DictionaryEdit.h"
 #include "core/WholeFile.h"
+#include "dictionary/CopiedIncludes.h"
 #include "dictionary/Dictionary.h"
 
 #include <filesystem>
