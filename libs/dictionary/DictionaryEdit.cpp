@@ -446,12 +446,17 @@ std::pair<std::string, std::string> nearestEntry(const Dictionary& asWritten,
 {
     std::vector<std::string> keywords = keywordsOf(path);
     std::string set(value);
-    const std::optional<Dictionary> whole = withIncludedFiles(file);
-    while (whole && keywords.size() > 1)
+    const auto parentOf = [&keywords]
+    { return fmt::format("{}", fmt::join(keywords.begin(), keywords.end() - 1, "/")); };
+    if (keywords.size() < 2 || asWritten.findPath(parentOf()))
     {
-        const std::string parent = fmt::format("{}", fmt::join(keywords.begin(), keywords.end() - 1, "/"));
-        const Entry* included = whole->findPath(parent);
-        if (asWritten.findPath(parent) || !included || !included->isDictionary())
+        return {std::string(path), set};
+    }
+    const std::optional<Dictionary> whole = withIncludedFiles(file);
+    while (whole && keywords.size() > 1 && !asWritten.findPath(parentOf()))
+    {
+        const Entry* included = whole->findPath(parentOf());
+        if (!included || !included->isDictionary())
         {
             break;
         }

@@ -90,9 +90,7 @@ public:
     {
         Program dead = given;
         dead.liveLoad.resize(0);
-        InteriorPointSettings settings = solverSettings;
-        settings.tolerance = std::max(solverSettings.tolerance, startTolerance);
-        const ConeSolution resting = solve(dead, settings);
+        const ConeSolution resting = solveRoughly(dead);
         restingStart.contactForce = resting.contactForce;
         return resting.status == SolveStatus::optimal;
     }
@@ -135,9 +133,8 @@ public:
             return;
         }
         ++range.starts;
-        std::optional<VectorXd> mechanism = mechanismOf<Rows, Forces>(
-            given, associativePair.contactForce,
-            [this](const Program& program) { return solve(program, solverSettings); });
+        std::optional<VectorXd> mechanism =
+            mechanismOf<Rows, Forces>(given, associativePair.contactForce, solver());
         if (mechanism)
         {
             CoulombPair pair{associativePair.alpha, associativePair.contactForce, std::move(*mechanism), {}};
@@ -191,6 +188,20 @@ private:
         return solution;
     }
 
+    /// What the exchanges of forces and mechanism solve their programs with.
+    ProgramSolver<Rows, Forces> solver()
+    {
+        return [this](const Program& program) { return solve(program, solverSettings); };
+    }
+
+    /// Of a program whose forces are nothing but a start.
+    ConeSolution solveRoughly(const Program& program)
+    {
+        InteriorPointSettings settings = solverSettings;
+        settings.tolerance = std::max(solverSettings.tolerance, startTolerance);
+        return solve(program, settings);
+    }
+
     CollapsePair path(const Start& start, const CollapsePathSettings& settings)
     {
         CollapsePair pair = followCollapsePath(given, start.contactForce, start.alpha, settings);
@@ -223,9 +234,7 @@ private:
                 dead.gap[Forces * point + shear] = 0.3 * weight * (2 * uniform() - 1);
             }
         }
-        InteriorPointSettings settings = solverSettings;
-        settings.tolerance = std::max(solverSettings.tolerance, startTolerance);
-        const ConeSolution other = solve(dead, settings);
+        const ConeSolution other = solveRoughly(dead);
         return other.status == SolveStatus::optimal ? std::optional(movedInwards(0, other.contactForce))
                                                     : std::nullopt;
     }
@@ -244,9 +253,7 @@ private:
                                            * (given.friction[static_cast<std::size_t>(point)] * slip
                                               + std::max(0.0, -closing[Forces * point]));
         }
-        InteriorPointSettings settings = solverSettings;
-        settings.tolerance = std::max(solverSettings.tolerance, startTolerance);
-        const ConeSolution low = solve(reversed, settings);
+        const ConeSolution low = solveRoughly(reversed);
         return low.status == SolveStatus::optimal
                    ? std::optional(movedInwards(-low.multiplier, low.contactForce))
                    : std::nullopt;
@@ -318,9 +325,7 @@ private:
     /// in space: its forces are right, and they tell the mechanism. \return whether that is a pair
     bool takeMechanism(CoulombPair& pair)
     {
-        std::optional<VectorXd> mechanism = mechanismOf<Rows, Forces>(
-            given, pair.contactForce,
-            [this](const Program& program) { return solve(program, solverSettings); });
+        std::optional<VectorXd> mechanism = mechanismOf<Rows, Forces>(given, pair.contactForce, solver());
         if (mechanism)
         {
             pair.mechanism = std::move(*mechanism);
@@ -345,12 +350,11 @@ private:
     /// Takes the pair to its last digits, where it is near one. \return whether that is one
     bool refine(CoulombPair& pair)
     {
-        if (!(pair.residuals.worst() <= nearlyPair))
+        const double worst = pair.residuals.worst();
+        if (!(worst <= nearlyPair) || worst <= searchSettings.tolerance) // of which one is below zero
         {
             return false;
         }
-        const ProgramSolver<Rows, Forces> solver = [this](const Program& program)
-        { return solve(program, solverSettings); };
         for (const double slides : slidesFrom)
         {
             std::optional<CoulombPair> refined = refinedPair<Rows, Forces>(given, pair, slides);
@@ -366,7 +370,7 @@ private:
             // Where the mechanism is right the forces that suit it are many, not all of them within their
             // limits.
             std::optional<CoulombPair> within = refined->residuals.flow <= searchSettings.tolerance
-                                                    ? nearestPair<Rows, Forces>(given, *refined, solver)
+                                                    ? nearestPair<Rows, Forces>(given, *refined, solver())
                                                     : std::nullopt;
             if (within && consider(*within))
             {
@@ -381,18 +385,16 @@ private:
     /// those forces, in turn, while the multiplier falls.
     void descend(CoulombPair pair)
     {
-        const ProgramSolver<Rows, Forces> solver = [this](const Program& program)
-        { return solve(program, solverSettings); };
         double highest = std::numeric_limits<double>::infinity();
         for (int round = 0; round < mostExchanges; ++round)
         {
-            std::optional<LeastPair> least = leastPair<Rows, Forces>(given, pair, solver);
+            std::optional<LeastPair> least = leastPair<Rows, Forces>(given, pair, solver());
             if (!least || !(least->pair.alpha < highest) || !consider(least->pair))
             {
                 return;
             }
             highest = least->pair.alpha - leastGain * std::abs(least->pair.alpha);
-            std::optional<VectorXd> other = otherMechanism<Rows, Forces>(given, *least, solver);
+            std::optional<VectorXd> other = otherMechanism<Rows, Forces>(given, *least, solver());
             if (!other)
             {
                 return;
@@ -502,11 +504,13 @@ LimitAnalysis solveNonAssociative(const ConeProgram<Rows, Forces>& program,
         search.takesMechanisms = result.status == CollapseStatus::unbounded;
         follow();
         // Pairs of motion from rest are mostly lower than those that had to be refined.
-        if ((!search.lowest.exists() || search.isByRefinement) && !search.fall.exists())
+        const auto isShort = [&]
+        { return (!search.lowest.exists() || search.isByRefinement) && !search.fall.exists(); };
+        if (isShort())
         {
             search.takeAssociativeForces();
         }
-        if ((!search.lowest.exists() || search.isByRefinement) && !search.fall.exists())
+        if (isShort())
         {
             search.takeStepsFromRest();
         }
