@@ -117,16 +117,27 @@ std::pair<double, double> fractileInterval(const std::vector<double>& sorted, do
 {
     constexpr double outside = 0.025;
     const auto count = static_cast<unsigned>(independent);
-    unsigned below = 0; // largest number with P(B < below) <= 2.5%
-    while (below < count && gsl_cdf_binomial_P(below, part, count) <= outside)
+    // The least number up to count with a probability of no more that is high enough; count where none is.
+    const auto least = [&](const auto& isEnough)
     {
-        ++below;
-    }
-    unsigned above = below; // least number with P(B < above) >= 97.5%
-    while (above < count && gsl_cdf_binomial_P(above, part, count) < 1 - outside)
-    {
-        ++above;
-    }
+        unsigned low = 0;
+        unsigned high = count;
+        while (low < high)
+        {
+            const unsigned middle = low + (high - low) / 2;
+            if (isEnough(gsl_cdf_binomial_P(middle, part, count)))
+            {
+                high = middle;
+            }
+            else
+            {
+                low = middle + 1;
+            }
+        }
+        return low;
+    };
+    const unsigned below = least([](double probability) { return probability > outside; });
+    const unsigned above = least([](double probability) { return probability >= 1 - outside; });
     // Samples that depend on each other have the scatter of fewer.
     const auto sampleAt = [&](unsigned number)
     { return fractile(sorted, count > 1 ? static_cast<double>(number) / (count - 1) : 0.5); };
