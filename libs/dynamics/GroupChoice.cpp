@@ -19,7 +19,7 @@ namespace
 
 /// A block that is slower than this part of the fastest is held, if that is proved: the motion of a wall that
 /// breaks dies out into it by powers of ten, and ends where the solver's error begins.
-constexpr double slow = 1e-9;
+constexpr double heldSpeed = 1e-9;
 
 /// See isCreeping.
 constexpr double creeping = 1e-5;
@@ -128,7 +128,7 @@ void GroupChoice<Dim>::holdSlowBlocks()
 {
     const std::vector<double> speeds = motionsOfBlocks<Dim>(current.solved.velocity, current.scene.blockSize);
     const double fastest = speeds.empty() ? 0 : *std::max_element(speeds.begin(), speeds.end());
-    const double held = slow * fastest;
+    const double held = heldSpeed * fastest;
     isSlow.resize(speeds.size());
     creeps.resize(speeds.size());
     for (std::size_t body = 0; body < speeds.size(); ++body)

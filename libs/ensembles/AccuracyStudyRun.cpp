@@ -83,10 +83,10 @@ double workOf(const AccuracyStudy& study, const RunPlan& plan)
 }
 
 /// Carries out runs, shows their progress, and keeps them.
-class Worker
+class RunSequence
 {
 public:
-    Worker(const AccuracyStudy& accuracyStudy, AccuracyRuns& knownRuns)
+    RunSequence(const AccuracyStudy& accuracyStudy, AccuracyRuns& knownRuns)
         : study(accuracyStudy), runs(knownRuns)
     {
         for (std::size_t quantity = 0; quantity < study.quantities.size(); ++quantity)
@@ -183,7 +183,7 @@ private:
 };
 
 /// The reference of a quantity; nothing when a signal has come.
-std::optional<Reference> referenceOf(const AccuracyStudy& study, std::size_t index, Worker& worker)
+std::optional<Reference> referenceOf(const AccuracyStudy& study, std::size_t index, RunSequence& sequence)
 {
     const StudyQuantity& quantity = study.quantities[index];
     const ReferencePlan& plan = quantity.reference;
@@ -203,7 +203,7 @@ std::optional<Reference> referenceOf(const AccuracyStudy& study, std::size_t ind
         std::vector<AccuracyPoint> points;
         for (const RunPlan& runs : referencePlans(study, index))
         {
-            const auto done = worker.carryOut(runs);
+            const auto done = sequence.carryOut(runs);
             if (!done)
             {
                 return {};
@@ -328,7 +328,7 @@ std::string reasonOf(const AccuracyPoint& point, QuantityKind kind)
 AccuracyResults carryOut(const AccuracyStudy& study, AccuracyRuns& runs)
 {
     AccuracyResults results;
-    Worker worker(study, runs);
+    RunSequence sequence(study, runs);
     const auto interrupted = [&results]
     {
         results.isInterrupted = true;
@@ -337,7 +337,7 @@ AccuracyResults carryOut(const AccuracyStudy& study, AccuracyRuns& runs)
     for (std::size_t index = 0; index < study.quantities.size(); ++index)
     {
         const StudyQuantity& quantity = study.quantities[index];
-        const auto reference = referenceOf(study, index, worker);
+        const auto reference = referenceOf(study, index, sequence);
         if (!reference)
         {
             return interrupted();
@@ -365,7 +365,7 @@ AccuracyResults carryOut(const AccuracyStudy& study, AccuracyRuns& runs)
         }
         for (std::size_t number = 0; number < plans.size(); ++number)
         {
-            const auto done = worker.carryOut(plans[number]);
+            const auto done = sequence.carryOut(plans[number]);
             if (!done)
             {
                 return interrupted();
@@ -379,7 +379,7 @@ AccuracyResults carryOut(const AccuracyStudy& study, AccuracyRuns& runs)
                      : fmt::format("{} of {} runs FAILED{}: {}", point.failed, point.runs,
                                    point.runs < point.planned ? ", no more tried" : "",
                                    reasonOf(point, study.quantities[quantity].kind)),
-                 point.cpuTime, number + 1, plans.size(), worker.timeLeft());
+                 point.cpuTime, number + 1, plans.size(), sequence.timeLeft());
             std::fflush(stdout); // a study takes long: its log must show the progress
             result.points.push_back(point);
         }

@@ -209,10 +209,14 @@ std::vector<std::vector<double>> readHistory(const fs::path& file, const std::st
     return rows;
 }
 
+bool isScript(const std::string& application)
+{
+    return application.find('/') != std::string::npos;
+}
+
 std::string faultOfScript(const fs::path& caseDirectory, const std::string& application)
 {
-    const bool isScript = application.find('/') != std::string::npos;
-    return isScript && ::access((caseDirectory / application).c_str(), X_OK) != 0
+    return isScript(application) && ::access((caseDirectory / application).c_str(), X_OK) != 0
                ? fmt::format("The script {} of the case cannot be run: {}. Is it there, and executable "
                              "(chmod +x)?",
                              application, std::strerror(errno))
@@ -235,9 +239,9 @@ struct Command
 Command commandOf(const std::string& application, const fs::path& caseDirectory,
                   const std::vector<std::string>& options)
 {
-    const bool isScript = application.find('/') != std::string::npos;
-    const std::string program =
-        (isScript ? fs::absolute(caseDirectory / application) : applicationFolder() / application).string();
+    const std::string program = (isScript(application) ? fs::absolute(caseDirectory / application)
+                                                       : applicationFolder() / application)
+                                    .string();
     if (const std::string fault = faultOfScript(caseDirectory, application); !fault.empty())
     {
         throw FatalError(fault);
@@ -252,7 +256,7 @@ Command commandOf(const std::string& application, const fs::path& caseDirectory,
     command.log = fs::absolute(caseDirectory / ("log." + fs::path(application).filename().string())).string();
     command.errors = command.log + ".errors";
     command.words = {program};
-    if (isScript)
+    if (isScript(application))
     {
         command.directory = caseDirectory.string();
     }

@@ -46,6 +46,9 @@ struct ApplicationRun
     std::string errorOutput;    ///< on standard error
 };
 
+/// Whether what a study runs is a program of the user's own, in the case: `./prepare`.
+bool isScript(const std::string& application);
+
 /// Why a script that is to run in the case cannot; empty: it can, or is no script but an application.
 std::string faultOfScript(const std::filesystem::path& caseDirectory, const std::string& application);
 

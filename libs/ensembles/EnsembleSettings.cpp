@@ -2,6 +2,8 @@
 /// Declares the keys of system/ensembleDict.
 #include "ensembles/EnsembleSettings.h"
 
+#include "ensembles/CaseRuns.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,12 +20,6 @@ const std::vector<std::string>& knownApplications()
     static const std::vector<std::string> names{"blockTexture",    "checkBlocks",         "limitAnalysis",
                                                 "contactDynamics", "incrementalDynamics", "parameterSearch"};
     return names;
-}
-
-/// A program of the user's own: `./prepare`, in the case.
-bool isScript(const std::string& application)
-{
-    return application.find('/') != std::string::npos;
 }
 
 std::string faultOfApplications(const std::vector<std::string>& applications)

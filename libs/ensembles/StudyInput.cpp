@@ -22,11 +22,6 @@ namespace
 
 namespace fs = std::filesystem;
 
-bool isScript(const std::string& application)
-{
-    return application.find('/') != std::string::npos;
-}
-
 bool hasScript(const StudyRuns& runs)
 {
     return std::any_of(runs.applications.begin(), runs.applications.end(), isScript);

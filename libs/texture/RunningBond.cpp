@@ -2,6 +2,7 @@
 /// Makes the blocks of the texture `runningBond` from its settings.
 #include "texture/RunningBond.h"
 
+#include "texture/Interval.h"
 #include "texture/Limits.h"
 #include "texture/OpeningsCheck.h"
 
@@ -16,12 +17,6 @@ namespace drystone
 
 namespace
 {
-
-struct Interval
-{
-    double from;
-    double to;
-};
 
 /// Keeps the parts of the pieces outside the interval `hole`, but those that are rounding.
 void subtract(std::vector<Interval>& pieces, const Interval& hole)

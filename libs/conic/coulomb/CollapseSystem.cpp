@@ -11,7 +11,7 @@ namespace
 using Eigen::VectorXd;
 
 /// On the diagonal of K, where stiffnesses are of order one: K of a mechanism is singular.
-constexpr double regularisation = 1e-13;
+constexpr double diagonalTerm = 1e-13;
 
 /// The matrix is summed up anew after so many changes for each point, so that rounding does not add up.
 constexpr int changesToSum = 1;
@@ -206,7 +206,7 @@ bool CollapseSystem<Rows, Forces>::factorise()
         for (int body = 0; body < bodyCount; ++body)
         {
             lowerOfK[static_cast<std::size_t>(patternOfK.columnStart[body])] =
-                regularisation * Body::Identity();
+                diagonalTerm * Body::Identity();
         }
         for (std::size_t point = 0; point < derivatives.size(); ++point)
         {

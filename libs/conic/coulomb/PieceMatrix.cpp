@@ -12,7 +12,7 @@ namespace
 
 /// Changes of rank 1 from which the matrix is factorised anew: a solve costs a tenth of a factorisation or
 /// less, and each change adds a product to it.
-constexpr std::size_t mostChanges = 24;
+constexpr std::size_t mostUpdates = 24;
 
 /// What a solution of the linear system may leave of the right-hand side, and the directions tried to
 /// have it so.
@@ -39,7 +39,7 @@ bool PieceMatrix<Rows, Forces>::factorise(const std::vector<PointForce<Forces>>&
 template<int Rows, int Forces>
 bool PieceMatrix<Rows, Forces>::isFull() const
 {
-    return changes.size() >= mostChanges;
+    return changes.size() >= mostUpdates;
 }
 
 template<int Rows, int Forces>

@@ -23,7 +23,7 @@ namespace
 
 /// Bodies up to which the factor, by blocks without supernodes, is the better one (linear/SchurSystem.cpp),
 /// and the memory of all lanes is that of a cache.
-constexpr int mostBodies = 300;
+constexpr int mostBodiesInLanes = 300;
 
 /// That for the processors of the dense kernel in use.
 LaneKernel chooseKernel()
@@ -62,7 +62,7 @@ bool LaneSolver::takes(const PlaneConeProgram& program)
 {
     if (!program.hasMultiplier() || program.hasInertia() || program.gap.size() > 0 || program.hasCompliance()
         || program.hasStrength() || program.points() == 0 || program.bodies == 0
-        || program.bodies > mostBodies)
+        || program.bodies > mostBodiesInLanes)
     {
         return false;
     }

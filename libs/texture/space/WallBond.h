@@ -2,6 +2,7 @@
 /// The bonds of the texture `walls`: which bricks one course of a straight wall consists of.
 #pragma once
 
+#include "texture/Interval.h"
 #include "texture/space/Walls.h"
 
 #include <string>
@@ -9,12 +10,6 @@
 
 namespace drystone
 {
-
-struct Interval
-{
-    double from;
-    double to;
-};
 
 /// A brick in plan, along the wall from where it begins and across it from its line [m].
 struct Brick
