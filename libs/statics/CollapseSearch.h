@@ -40,6 +40,8 @@ public:
 
     /// Whether the forces at the end of a path are asked for their mechanism where its own is none.
     bool takesMechanisms = false;
+    /// Whether paths that have not led to a pair are repeated with a little dilatancy, until there is one.
+    bool wedges = Forces == 2;
     /// Whether all pairs are near the ends of paths, but were not met by them.
     bool isByRefinement = false;
     CoulombRange range;

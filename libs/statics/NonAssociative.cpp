@@ -96,6 +96,7 @@ LimitAnalysis solveNonAssociative(const ConeProgram<Rows, Forces>& program,
         if (!search.lowest.exists() && !search.fall.exists())
         {
             search.takesMechanisms = true;
+            search.wedges = true;
             follow();
         }
     }

@@ -41,7 +41,8 @@ void declare(Options& options, NonAssociativeSettings& settings);
 ///
 /// Where a path ends with blocks that fall under the dead load alone, so that the live load does no work on
 /// the mechanism, it is repeated with a little dilatancy, by which they wedge, and that is taken away again
-/// but for a tenth of the tolerance.
+/// but for a tenth of the tolerance; in space, where that seldom leads to a pair and takes longest, after all
+/// else has been tried.
 ///
 /// The result is the lowest pair that meets `tolerance` in CoulombCheck.h (`optimal`, its residuals as the
 /// certificate: balance and yield, flow, mismatch). Its multiplier is that of a collapse, and so an upper

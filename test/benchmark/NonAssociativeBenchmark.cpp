@@ -1,10 +1,13 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// What Coulomb's law costs in limit analysis, over the associative law: 500 random walls with a window, the
-/// six walls of the paper with more and more paths.
+/// six walls of the paper with more and more paths, a house and a dome that are pushed in five directions.
 ///
 ///     build/test/NonAssociativeBenchmark --benchmark_out=nonAssociative.csv --benchmark_out_format=csv
 #include "coulombWalls/RandomWalls.h"
+#include "dictionary/Dictionary.h"
+#include "space/SpaceStructures.h"
 #include "statics/NonAssociative.h"
+#include "texture/Texture.h"
 
 #include <benchmark/benchmark.h>
 
@@ -89,6 +92,39 @@ BENCHMARK(paperWall)
     ->ArgsProduct({{1, 2, 3, 4, 5, 6}, {1, 2, 8, 32}})
     ->Unit(benchmark::kMillisecond)
     ->Iterations(1);
+
+void buildingInSpace(benchmark::State& state)
+{
+    const bool isHouse = state.range(0) == 0;
+    state.SetLabel(isHouse ? "house with door" : "dome with oculus");
+    const Dictionary dictionary = Dictionary::readFile(std::string(DRYSTONE_SPACE_REFERENCES) + "/"
+                                                       + (isHouse ? "houseWithDoor" : "domeWithOculus"));
+    const Assembly<3> assembly = makeStructure<3>(dictionary.subDict("blockTextureDict"));
+    const auto points = findContactPoints(assembly);
+    const double friction = 0.01 * static_cast<double>(state.range(1));
+    for (auto _ : state)
+    {
+        std::vector<double> ratios;
+        int collapses = 0;
+        LimitAnalysis total;
+        total.coulomb.emplace();
+        for (const double angle : {0.0, 0.7, 1.5707963, 2.3, 3.9})
+        {
+            const auto program = test::programOf(
+                assembly, points, friction, test::pushed(assembly, {std::cos(angle), std::sin(angle), 0}));
+            const double start = processorTime();
+            const LimitAnalysis associative = solveLimitAnalysis(program);
+            const double middle = processorTime();
+            const LimitAnalysis result = solveNonAssociative(program);
+            ratios.push_back((processorTime() - middle) / (middle - start));
+            collapses += result.coulomb->converged > 0;
+            total.alpha += result.alpha;
+            total.coulomb->associative += associative.alpha;
+        }
+        report(state, std::move(ratios), collapses, 0, total);
+    }
+}
+BENCHMARK(buildingInSpace)->ArgsProduct({{0, 1}, {30, 50}})->Unit(benchmark::kSecond)->Iterations(1);
 
 } // namespace
 } // namespace drystone

@@ -495,7 +495,9 @@ CollapsePair followCollapsePath(const ConeProgram<Rows, Forces>& program, const 
         throw std::invalid_argument("followCollapsePath is for dead and live load alone");
     }
     CollapsePath<Rows, Forces> path(program, contactForce, multiplier, settings);
-    const int mostPieces = settings.maximumPieces > 0 ? settings.maximumPieces : 1000 + 10 * program.points();
+    constexpr int piecesOfPoint = Forces == 2 ? 10 : 4;
+    const int mostPieces =
+        settings.maximumPieces > 0 ? settings.maximumPieces : 1000 + piecesOfPoint * program.points();
     PathEnd end = path.follow(mostPieces);
     if (end == PathEnd::collapse && settings.finalDilatancy < settings.dilatancy)
     {

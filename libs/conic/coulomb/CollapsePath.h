@@ -15,7 +15,8 @@ struct CollapsePathSettings
     double finalDilatancy = 0;
     double stiffnessSpread = 0.2; ///< stiffnesses of the points lie between exp(-spread) and exp(spread)
     unsigned seed = 1;            ///< of the random numbers that they are
-    int maximumPieces = 0;        ///< of the path; 0: 1,000 and ten for each contact point
+    /// Of the path; 0: 1,000 and ten for each contact point, in space four.
+    int maximumPieces = 0;
 };
 
 /// Where a path leads.
