@@ -104,8 +104,7 @@ void CollapseSearch<Rows, Forces>::go(int number)
     const CollapsePathSettings settings{.stiffnessSpread = spread,
                                         .seed = static_cast<unsigned>(generator())};
     const Start from = start.value_or(restingStart);
-    range.converged +=
-        follow(from, settings) || (wedges && !lowest.exists() && followWedged(from, settings));
+    range.converged += follow(from, settings) || (wedges && !lowest.exists() && followWedged(from, settings));
 }
 
 template<int Rows, int Forces>
