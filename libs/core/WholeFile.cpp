@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include <cerrno>
+#include <charconv>
+#include <csignal>
 #include <cstring>
 #include <fcntl.h>
 #include <fstream>
@@ -14,6 +16,7 @@
 #include <string>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <vector>
 
 namespace drystone
 {
@@ -100,6 +103,31 @@ void writeFile(const std::filesystem::path& file, std::string_view content)
     if (const int reason = written(file.string(), file.parent_path(), content); reason != 0)
     {
         refuse(file, reason);
+    }
+}
+
+void removeLeftovers(const std::filesystem::path& folder)
+{
+    std::vector<std::filesystem::path> leftovers;
+    std::error_code failure;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, failure))
+    {
+        const std::filesystem::path name = entry.path().filename();
+        const std::string process = name.stem().extension().string(); // `.12979` of `.0.36.12979.tmp`
+        const bool isKind = name.extension() == ".tmp" || name.extension() == ".purged";
+        pid_t number = 0;
+        const bool isNumber =
+            process.size() > 1
+            && std::from_chars(process.data() + 1, process.data() + process.size(), number).ptr
+                   == process.data() + process.size();
+        if (isKind && isNumber && ::kill(number, 0) != 0 && errno == ESRCH)
+        {
+            leftovers.push_back(entry.path());
+        }
+    }
+    for (const std::filesystem::path& leftover : leftovers)
+    {
+        std::filesystem::remove_all(leftover, failure);
     }
 }
 

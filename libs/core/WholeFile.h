@@ -19,6 +19,10 @@ void writeWholeFile(const std::filesystem::path& file, std::string_view content)
 /// The same without the temporary, into a folder that nobody looks at before it takes its name.
 void writeFile(const std::filesystem::path& file, std::string_view content);
 
+/// Removes from a folder what programs that were killed have left there of files, and of folders, that were
+/// to take their name when they were whole: `<name>.<process>.tmp` and `.purged` of processes that are gone.
+void removeLeftovers(const std::filesystem::path& folder);
+
 /// The bytes of a file; none where it cannot be read, which the caller has to tell from an empty one where
 /// that matters.
 std::string contentOfFile(const std::filesystem::path& file);

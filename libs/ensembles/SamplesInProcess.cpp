@@ -350,6 +350,7 @@ struct SamplesInProcess::Cases
         Time time(directory, ControlDict::required);
         const DynamicCase<Dim> scene = readDynamicCase<Dim>(directory);
         Motion<Dim> motion = startOrContinue(directory, scene, time);
+        chooseFirstTimeStep(scene, motion, time);
         std::vector<std::pair<std::size_t, std::unique_ptr<MotionWatch<Dim>>>> watches;
         for (std::size_t i = 0; i < results.size(); ++i)
         {

@@ -59,7 +59,9 @@ template<int Dim>
 FunctionList<Dim>::FunctionList(const Dictionary& dictionary, const std::filesystem::path& caseDirectory,
                                 const std::string& startName, const TimePoint& begin, double startTime,
                                 const Assembly<Dim>& assembly)
-    : title(caseName(caseDirectory)), pictureFormats(readPictureFormats(caseDirectory)), written(begin.value)
+    : title(caseName(caseDirectory)),
+      pictureFormats(readPictureFormats(caseDirectory)),
+      written(begin.value + nearestStep * begin.deltaT)
 {
     for (const Entry& entry : dictionary.entries())
     {

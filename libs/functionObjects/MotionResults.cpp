@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <sstream>
 
 namespace drystone
 {
@@ -70,13 +71,66 @@ void questionSteps(const Time& time)
     }
 }
 
-/// With adjustTimeStep: from deltaT, or that which was wanted when the state was written.
-template<int Dim>
-void chooseFirstTimeStep(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, Time& time)
+/// Whether a table has a row at another time than those of the states.
+bool hasOtherTimes(const std::filesystem::path& table,
+                   const std::vector<std::pair<std::string, State>>& states)
 {
-    if (time.controls().adjustTimeStep)
+    std::istringstream lines(contentOfFile(table));
+    for (std::string line; std::getline(lines, line);)
     {
-        chooseTimeStep(scene, motion, time.wantedDeltaT(), time);
+        double time = 0;
+        std::istringstream words(line);
+        const auto isThere = [&time](const std::pair<std::string, State>& state)
+        {
+            const double then = stateScalar(state.second, "time");
+            constexpr double digitsOfTables = 1e-4;
+            return std::abs(time - then) <= digitsOfTables * std::abs(then);
+        };
+        if (!line.empty() && line.front() != '#' && words >> time
+            && std::none_of(states.begin(), states.end(), isThere))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// `-postProcess` writes into the folders of the first state, where a run that began there has tables of its
+/// own: rows at other times than those of states. \throws FatalError for such a table
+void refuseTablesOfRun(const std::filesystem::path& caseDirectory, const Dictionary& functions,
+                       const std::vector<std::pair<std::string, State>>& states)
+{
+    for (const Entry& function : functions.entries())
+    {
+        const std::filesystem::path folder =
+            postProcessingFolder(caseDirectory, function.keyword(), states.front().first);
+        std::error_code none;
+        for (const auto& entry : std::filesystem::directory_iterator(folder, none))
+        {
+            if (entry.path().extension() == ".dat" && hasOtherTimes(entry.path(), states))
+            {
+                throw FatalError(fmt::format("{} is a table of the run that began at {}, and would be "
+                                             "written over: it has rows between "
+                                             "the states.\n\nRename the folder {} to keep it, or remove it.",
+                                             entry.path().lexically_normal().string(), states.front().first,
+                                             folder.lexically_normal().string()));
+            }
+        }
+    }
+}
+
+/// A directory that was renamed, or copied to begin another motion from the end of this one.
+void refuseOtherTime(const TimeState& saved, const Time& time, const std::filesystem::path& file)
+{
+    if (std::abs(saved.value - time.startValue()) > 0.5 * std::max(saved.deltaT, saved.stepLength))
+    {
+        throw FatalIOError(
+            fmt::format(
+                "The directory {} has the state of time {:g}: it was renamed. Give it the name {} again, to "
+                "continue that motion. To begin another with these places, write them to {}/motion and "
+                "remove the state.",
+                time.startName(), saved.value, time.nameOf(saved.value), time.startName()),
+            {file.string(), "", 1});
     }
 }
 
@@ -122,17 +176,24 @@ Motion<Dim> startOrContinue(const std::filesystem::path& caseDirectory, const Dy
             refuseStartOverlaps(scene.assembly, initial.placements, places);
         }
         questionSteps(time);
-        Motion<Dim> motion = startMotion(scene, std::move(initial));
-        chooseFirstTimeStep(scene, motion, time);
-        return motion;
+        return startMotion(scene, std::move(initial));
     }
 
     const State saved = readState(file);
-    time.resume(timeOf(saved));
+    const TimeState then = timeOf(saved);
+    refuseOtherTime(then, time, file);
+    time.resume(then);
     compareWithInput(saved, inputOfMotion(caseDirectory, scene.assembly, time, time.beginningName()), time);
-    Motion<Dim> motion = motionOf(scene, saved);
-    chooseFirstTimeStep(scene, motion, time);
-    return motion;
+    return motionOf(scene, saved);
+}
+
+template<int Dim>
+void chooseFirstTimeStep(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, Time& time)
+{
+    if (time.controls().adjustTimeStep)
+    {
+        chooseTimeStep(scene, motion, time.wantedDeltaT(), time);
+    }
 }
 
 template<int Dim>
@@ -151,6 +212,7 @@ void postProcess(const std::filesystem::path& caseDirectory, const DynamicCase<D
     compareWithInput(states, inputOfMotion(caseDirectory, scene.assembly, time, beginningOf(states, time)));
     const Dictionary functions =
         time.controlDict().found("functions") ? time.controlDict().subDict("functions") : Dictionary();
+    refuseTablesOfRun(caseDirectory, functions, states);
     FunctionList<Dim> list(functions, caseDirectory, states.front().first, {}, 0, scene.assembly);
     ObservedLists<Dim> lists;
     for (const auto& [name, saved] : states)
@@ -193,6 +255,7 @@ MotionResults<Dim>::MotionResults(std::filesystem::path directory, const Dynamic
     }
     time.stopAlsoAt([this](double value, double deltaT)
                     { return functionList.timeToNextWrite(value, deltaT); });
+    chooseFirstTimeStep(scene, motion, time);
 }
 
 template<int Dim>
@@ -302,11 +365,24 @@ void MotionResults<Dim>::writeFirstFrames()
 {
     requireWritable(caseDirectory);
     requireWritable(caseDirectory / "VTK");
+    removeLeftovers(caseDirectory);
+    removeLeftovers(caseDirectory / "VTK");
     hasState = writeParaViewState(caseDirectory); // so that a motion can be watched while it is computed
-    if (blocks.times().empty() || blocks.times().back() < time.value())
-    {
-        writing.start([this, frames = framesNow()] { write(frames); });
-    }
+    blocks.begin();
+    contacts.begin();
+    // A run that was killed may have written one of the two.
+    writing.start(
+        [this, frames = framesNow()]
+        {
+            if (!blocks.hasFrameAt(frames.time))
+            {
+                blocks.write(frames.time, frames.blocks);
+            }
+            if (!contacts.hasFrameAt(frames.time))
+            {
+                contacts.write(frames.time, frames.contacts);
+            }
+        });
 }
 
 template<int Dim>
@@ -341,6 +417,7 @@ void MotionResults<Dim>::printWritten() const
 
 template Motion<2> startOrContinue(const std::filesystem::path& caseDirectory, const DynamicCase<2>& scene,
                                    Time& time);
+template void chooseFirstTimeStep(const DynamicCase<2>& scene, const Motion<2>& motion, Time& time);
 template void postProcess(const std::filesystem::path& caseDirectory, const DynamicCase<2>& scene,
                           const Time& time);
 template void writePrograms(DynamicCase<2>& scene, const std::filesystem::path& caseDirectory,
@@ -348,6 +425,7 @@ template void writePrograms(DynamicCase<2>& scene, const std::filesystem::path& 
 template class MotionResults<2>;
 template Motion<3> startOrContinue(const std::filesystem::path& caseDirectory, const DynamicCase<3>& scene,
                                    Time& time);
+template void chooseFirstTimeStep(const DynamicCase<3>& scene, const Motion<3>& motion, Time& time);
 template void postProcess(const std::filesystem::path& caseDirectory, const DynamicCase<3>& scene,
                           const Time& time);
 template void writePrograms(DynamicCase<3>& scene, const std::filesystem::path& caseDirectory,

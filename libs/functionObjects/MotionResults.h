@@ -24,6 +24,11 @@ template<int Dim>
 Motion<Dim> startOrContinue(const std::filesystem::path& caseDirectory, const DynamicCase<Dim>& scene,
                             Time& time);
 
+/// With adjustTimeStep: from deltaT, or that which was wanted when the state was written. To be called after
+/// startOrContinue, once the time knows all instants that steps end on; MotionResults does.
+template<int Dim>
+void chooseFirstTimeStep(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, Time& time);
+
 /// `-postProcess`: runs the functions of controlDict on each state stored in the case, in order of time, into
 /// postProcessing/<function>/<first time>/. \throws FatalError when there is no state
 template<int Dim>

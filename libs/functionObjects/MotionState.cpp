@@ -2,7 +2,12 @@
 /// Each number of a motion under its name in a state, and back.
 #include "functionObjects/MotionState.h"
 
+#include "core/Error.h"
+
 #include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
 
 namespace drystone
 {
@@ -52,6 +57,22 @@ void append(std::vector<double>& values, const Eigen::MatrixBase<Derived>& vecto
     values.insert(values.end(), vector.derived().begin(), vector.derived().end());
 }
 
+/// A number of steps. \throws FatalIOError where it is none
+long countOf(const State& saved, const std::string& name)
+{
+    constexpr double most = 1e15; // whole numbers up to there are exact
+    const double value = stateScalar(saved, name);
+    if (!(value >= 0 && value <= most) || value != std::floor(value))
+    {
+        throw FatalIOError(
+            fmt::format("The entry {} of the state is {:g}, which is no number of steps: the file "
+                        "is damaged.\n\nRemove the time directory to start from an earlier one.",
+                        name, value),
+            {saved.file.string(), "", 1});
+    }
+    return static_cast<long>(value);
+}
+
 /// The integers that identify corner and edge of one contact point.
 constexpr std::size_t featureNumbers = 5;
 
@@ -62,15 +83,41 @@ TimeState timeOf(const State& saved)
     TimeState time;
     time.value = stateScalar(saved, "time");
     time.deltaT = stateScalar(saved, "deltaT");
-    time.index = static_cast<long>(stateScalar(saved, "timeIndex"));
+    time.index = countOf(saved, "timeIndex");
     time.origin = stateScalar(saved, "timeOrigin");
-    time.originIndex = static_cast<long>(stateScalar(saved, "timeOriginIndex"));
+    time.originIndex = countOf(saved, "timeOriginIndex");
     time.detourEnd = stateScalar(saved, "timeDetourEnd");
-    // Older versions did not keep it, and most motions begin at 0.
-    time.beginning = saved.scalars.contains("timeBeginning") ? stateScalar(saved, "timeBeginning") : 0;
-    time.wanted = saved.scalars.contains("deltaTWanted") ? stateScalar(saved, "deltaTWanted") : 0;
+    // Older versions did not keep these, and most motions begin at 0.
+    const auto kept = [&saved](const char* name)
+    { return saved.scalars.contains(name) ? stateScalar(saved, name) : 0; };
+    time.beginning = kept("timeBeginning");
+    time.wanted = kept("deltaTWanted");
+    time.given = kept("deltaTGiven");
+    time.stepLength = kept("stepLength");
+    time.writeTimes = static_cast<long>(kept("timeWrites"));
     return time;
 }
+
+namespace
+{
+
+/// A number that identifies something: a whole one. \throws FatalIOError where it is not at least `least` and
+/// less than `end`
+int numberOf(const State& saved, const char* list, double value, int least, int end)
+{
+    if (!(value >= least && value < end) || value != std::floor(value))
+    {
+        throw FatalIOError(
+            fmt::format("The list {} of the state has {:g}, which is no number of this structure: "
+                        "the file is damaged.\n\nRemove the time directory to start from an "
+                        "earlier one.",
+                        list, value),
+            {saved.file.string(), "", 1});
+    }
+    return static_cast<int>(value);
+}
+
+} // namespace
 
 template<int Dim>
 Motion<Dim> motionOf(const DynamicCase<Dim>& scene, const State& saved)
@@ -111,10 +158,14 @@ Motion<Dim> motionOf(const DynamicCase<Dim>& scene, const State& saved)
     {
         ContactPoint<Dim>& point = motion.points[i];
         const double* numbers = &features[featureNumbers * i];
-        point.block = static_cast<int>(numbers[0]);
-        point.neighbour = static_cast<int>(numbers[1]);
-        point.feature = {static_cast<int>(numbers[2]), static_cast<int>(numbers[3]),
-                         static_cast<int>(numbers[4])};
+        const auto number = [&](std::size_t index, int least, int end)
+        { return numberOf(saved, "contactFeature", numbers[index], least, end); };
+        constexpr int least = std::numeric_limits<int>::min(); // of corners and edges, which shapes number
+        constexpr int most = std::numeric_limits<int>::max();
+        point.block = number(0, 0, static_cast<int>(blocks));
+        point.neighbour = number(1, 0, static_cast<int>(blocks));
+        point.feature = {number(2, -1, static_cast<int>(blocks)), number(3, least, most),
+                         number(4, least, most)};
         point.gap = gaps[i];
         point.position = vectorAt<Dim>(positions, i);
         point.normal = vectorAt<Dim>(normals, i);
@@ -169,7 +220,9 @@ State stateOf(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const Ti
                      {"timeDetourEnd", now.detourEnd},
                      {"timeBeginning", now.beginning},
                      {"deltaTWanted", now.wanted},
-                     {"stepLength", time.value() - time.previousValue()}};
+                     {"deltaTGiven", now.given},
+                     {"timeWrites", static_cast<double>(now.writeTimes)},
+                     {"stepLength", now.stepLength}};
     visitResiduals(motion.residuals,
                    [&](const char* name, auto value) { state.scalars[name] = static_cast<double>(value); });
     visitLedger(motion.energy, [&](const char* name, double value) { state.scalars[name] = value; });

@@ -5,6 +5,7 @@
 #include "core/Error.h"
 #include "core/WholeFile.h"
 #include "dictionary/Dictionary.h"
+#include "dictionary/Fingerprint.h"
 
 #include <fmt/compile.h>
 #include <fmt/format.h>
@@ -48,6 +49,32 @@ void addLine(std::string& text, double value)
     }
     *end++ = '\n';
     text.append(line.data(), end);
+}
+
+/// The last line of a state: the fingerprint of what is before it.
+constexpr std::string_view checksumKey = "checksum";
+std::string checksumLine(std::string_view text)
+{
+    return fmt::format("\n{} \"{:016x}\";\n", checksumKey, fingerprint(text));
+}
+
+/// That the file is what was written. States of older versions, and those that were edited on purpose, have
+/// no checksum.
+void refuseDamage(const fs::path& file)
+{
+    const std::string text = contentOfFile(file);
+    const std::size_t line = text.rfind(fmt::format("\n{} \"", checksumKey));
+    if (line == std::string::npos
+        || text.substr(line) == checksumLine(std::string_view(text).substr(0, line)))
+    {
+        return;
+    }
+    throw FatalIOError(
+        "The state is not as it was written: its checksum does not fit. Where it was edited on "
+        "purpose remove the entry checksum; else the file is damaged.",
+        {file.string(), "",
+         static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(line), '\n'))
+             + 2});
 }
 
 /// A state that is no longer kept, for the next one to be written over.
@@ -165,7 +192,7 @@ std::string stateText(const State& state, WriteFormat format)
         }
         text += ");\n";
     }
-    return text;
+    return text + checksumLine(text);
 }
 
 void writeState(const fs::path& caseDirectory, const std::string& timeName, const State& state,
@@ -208,7 +235,7 @@ State readState(const fs::path& file)
         const Dictionary dictionary = Dictionary::readFile(file, Expansion::none);
         for (const Entry& entry : dictionary.entries())
         {
-            if (entry.keyword() == "FoamFile")
+            if (entry.keyword() == "FoamFile" || entry.keyword() == checksumKey)
             {
                 continue;
             }
@@ -249,6 +276,7 @@ State readState(const fs::path& file)
                 state.arrays[entry.keyword()] = entry.as<std::vector<double>>();
             }
         }
+        refuseDamage(file); // after all that has a line of its own
     }
     catch (const FatalIOError& error)
     {

@@ -35,7 +35,8 @@ double stateScalar(const State& state, const std::string& name);
 /// \throws FatalError naming the file when there is none of this name, or it has another size
 const std::vector<double>& stateArray(const State& state, const std::string& name, std::size_t size);
 
-/// The state as a dictionary of `name value;`, `name N(values);` and `name N("text" ...);`.
+/// The state as a dictionary of `name value;`, `name N(values);` and `name N("text" ...);`, with `checksum`
+/// as its last entry: the fingerprint (Fingerprint.h) of all before it.
 ///
 /// \throws FatalError when a value is not finite, or a text holds a quote or a line end
 std::string stateText(const State& state, WriteFormat format);
@@ -49,7 +50,8 @@ void writeState(const std::filesystem::path& caseDirectory, const std::string& t
 
 /// Reads a state of either format.
 ///
-/// \throws FatalError with file and line if the file is not a state, or is truncated
+/// \throws FatalError with file and line if the file is not a state, is truncated, or does not have the
+/// checksum in it. It need not have one
 State readState(const std::filesystem::path& file);
 
 /// Writes the states of one run and keeps only the last ones of them.

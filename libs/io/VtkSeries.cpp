@@ -108,7 +108,19 @@ VtkSeries::VtkSeries(std::filesystem::path seriesFolder, std::string seriesName,
     const auto later = std::find_if(frames.begin(), frames.end(),
                                     [&](const SeriesFrame& frame)
                                     { return frame.time > startTime && !sameTime(frame.time, startTime); });
-    cutFrom(static_cast<std::size_t>(later - frames.begin()));
+    staleFrom = static_cast<std::size_t>(later - frames.begin());
+}
+
+void VtkSeries::begin()
+{
+    cutFrom(staleFrom);
+    staleFrom = frames.size();
+}
+
+bool VtkSeries::hasFrameAt(double time) const
+{
+    return std::any_of(frames.begin(), frames.begin() + static_cast<std::ptrdiff_t>(staleFrom),
+                       [time](const SeriesFrame& frame) { return sameTime(frame.time, time); });
 }
 
 std::filesystem::path VtkSeries::listFile() const
@@ -119,9 +131,9 @@ std::filesystem::path VtkSeries::listFile() const
 std::vector<double> VtkSeries::times() const
 {
     std::vector<double> result;
-    for (const SeriesFrame& frame : frames)
+    for (std::size_t i = 0; i < staleFrom; ++i)
     {
-        result.push_back(frame.time);
+        result.push_back(frames[i].time);
     }
     return result;
 }
@@ -152,6 +164,7 @@ void VtkSeries::write(double time, const PolyData<Dim>& data)
             fmt::format("The time of a frame of {} is not a finite number.", listFile().string()));
     }
     const std::string bytes = vtpBytes(data); // before anything is changed: it may throw
+    begin();
 
     const auto first = std::find_if(frames.begin(), frames.end(),
                                     [&](const SeriesFrame& frame)
@@ -173,6 +186,7 @@ void VtkSeries::write(double time, const PolyData<Dim>& data)
     const SeriesFrame frame{fmt::format("{}_{:06}.vtp", name, number), time};
     writeWholeFile(folder / frame.file, bytes);
     frames.push_back(frame);
+    staleFrom = frames.size();
     appendToList(frame);
 }
 

@@ -30,19 +30,26 @@ std::vector<SeriesFrame> readSeries(const std::filesystem::path& folder, const s
 class VtkSeries
 {
 public:
-    /// Opens the series for writing from startTime on. Frames of an earlier run up to startTime are kept, so
-    /// that a restarted run continues its animation; later ones are removed. Nothing is written before the
-    /// first frame unless frames had to be removed.
+    /// Reads what there is of the series, to be written from startTime on. Frames of an earlier run up to
+    /// startTime are kept, so that a restarted run continues its animation; later ones are removed by
+    /// `begin`.
     ///
-    /// \throws FatalError when the list there was not written by Drystone, or cannot be written
+    /// \throws FatalError when the list there was not written by Drystone
     VtkSeries(std::filesystem::path seriesFolder, std::string seriesName, double startTime);
+
+    /// Removes the frames after startTime, which `write` does too. \throws FatalError when the list cannot be
+    /// written
+    void begin();
+
+    /// Whether a frame of this time is there, up to startTime or since written [s].
+    bool hasFrameAt(double time) const;
 
     /// Adds a frame at a time [s]. Frames of this time or later, if present, are replaced by it.
     /// \throws FatalError as vtpBytes and writeWholeFile; the list is then unchanged
     template<int Dim>
     void write(double time, const PolyData<Dim>& data);
 
-    /// Times of the frames in the list, ascending [s].
+    /// Times of the frames that are kept and those written, ascending [s].
     std::vector<double> times() const;
 
     /// The list itself: `<folder>/<name>.vtp.series`.
@@ -56,6 +63,8 @@ private:
     std::filesystem::path folder;
     std::string name;
     std::vector<SeriesFrame> frames;
+    std::size_t staleFrom =
+        0;                    ///< the first frame after startTime, until these are removed; else their number
     std::size_t listSize = 0; ///< bytes of the list file as we wrote it; 0 when it is not known
 };
 

@@ -10,6 +10,7 @@
 #include "runControl/CaseLock.h"
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -127,6 +128,7 @@ int runApplication(int argc, const char* const* argv, const ApplicationDescripti
 {
     requireProcessor();
     keepFreedMemory();
+    std::signal(SIGXFSZ, SIG_IGN); // a file beyond `ulimit -f` is one that cannot be written, with a message
     return runGuarded(
         [&]
         {

@@ -43,7 +43,7 @@ long OutputControl::intervalsPassed(const TimePoint& now) const
     case WriteControl::timeStep:
         return now.index / std::max(1L, std::lround(settings.writeInterval));
     case WriteControl::writeTime:
-        return writeTimes / std::max(1L, std::lround(settings.writeInterval));
+        return now.writeTimes / std::max(1L, std::lround(settings.writeInterval));
     // Half a step early, so that rounding does not put the write off by a step.
     case WriteControl::runTime:
     case WriteControl::adjustableRunTime:
@@ -60,10 +60,6 @@ long OutputControl::intervalsPassed(const TimePoint& now) const
 
 bool OutputControl::due(const TimePoint& now)
 {
-    if (now.isWriteTime)
-    {
-        ++writeTimes;
-    }
     const long count = intervalsPassed(now);
     const bool isDue = count > passed;
     passed = count;

@@ -52,7 +52,7 @@ struct TimePoint
     long index = 0;    ///< number of steps since time 0
     double cpuTime = 0;
     double clockTime = 0;
-    bool isWriteTime = false; ///< the run writes its state here
+    long writeTimes = 0; ///< at which the run has written its state by now, this one too
 };
 
 /// Tells whether a moment is one to write at. To be asked once a step, in order.
@@ -75,7 +75,6 @@ private:
     OutputSettings settings;
     double start = 0;
     long passed = 0;
-    long writeTimes = 0;
 };
 
 } // namespace drystone

@@ -5,6 +5,7 @@
 
 #include "core/Log.h"
 #include "core/Signals.h"
+#include "dictionary/Fingerprint.h"
 
 #include <algorithm>
 #include <cmath>
@@ -66,6 +67,32 @@ std::string doubtOfApplication(const std::string& application)
                        fmt::join(names, " "));
 }
 
+/// What of controlDict a run takes up when it is started, and is not as it was.
+std::vector<std::string> changesForNextStart(const Dictionary& before, const Dictionary& now)
+{
+    std::vector<std::string> changed;
+    for (const char* key : {"functions", "nThreads", "pictureFormats", "purgeWrite", "writeFormat"})
+    {
+        const auto contentOf = [key](const Dictionary& all)
+        {
+            std::vector<std::string> others;
+            for (const Entry& entry : all.entries())
+            {
+                if (entry.keyword() != key)
+                {
+                    others.push_back(entry.keyword());
+                }
+            }
+            return fingerprint(all, others);
+        };
+        if (contentOf(before) != contentOf(now))
+        {
+            changed.emplace_back(key);
+        }
+    }
+    return changed;
+}
+
 constexpr const char* docOfStep = "length of a time step";
 constexpr const char* docOfEnd = "for `stopAt endTime`";
 
@@ -86,7 +113,9 @@ void declareOutput(Options& options, TimeControls& controls)
         .optional("logFrequency", controls.logFrequency,
                   "one step in so many has its lines in the log; events are printed in any step")
         .atLeast(1);
-    options.optional("purgeWrite", controls.purgeWrite, "number of time directories to keep, 0 for all")
+    options
+        .optional("purgeWrite", controls.purgeWrite,
+                  "number of time directories to keep of those that a run writes, 0 for all")
         .atLeast(0);
     options.optional("writeFormat", controls.writeFormat, "of the restart state");
     options.optional("writePrecision", controls.writePrecision, "significant digits of tables")
@@ -99,7 +128,9 @@ void declareOutput(Options& options, TimeControls& controls)
     declarePictureFormats(options, controls.pictureFormats);
     options.optional("runTimeModifiable", controls.runTimeModifiable,
                      "read this file again when it has changed");
-    options.optional("adjustTimeStep", controls.adjustTimeStep, "let the run choose the length of its steps");
+    options.optional(
+        "adjustTimeStep", controls.adjustTimeStep,
+        "let the run choose the length of its steps, so that some end where it writes, and at endTime");
     options.readElsewhere({"nThreads"}); // ThreadControls.h
     options.readElsewhere({"functions"}, "function objects, each a dictionary with a name of the user's");
     options.check("writeControl",
@@ -258,8 +289,8 @@ Time::Time(const TimeControls& controls, const TimeState& from)
 
 void Time::startOutput()
 {
-    output =
-        OutputControl(settings.output, {now, step, count, cpuTime(), clockTime(), false}, settings.startTime);
+    output = OutputControl(settings.output, {now, lengthToHere(), count, cpuTime(), clockTime(), writeTimes},
+                           settings.startTime);
 }
 
 void Time::resume(const TimeState& saved)
@@ -272,7 +303,11 @@ void Time::resume(const TimeState& saved)
     origin = saved.origin;
     originIndex = saved.originIndex;
     detourEnd = saved.detourEnd;
-    if (!settings.adjustTimeStep && step != settings.deltaT)
+    stepToStart = saved.stepLength;
+    writeTimes = saved.writeTimes;
+    const bool isGivenAnew =
+        settings.adjustTimeStep ? saved.given > 0 && saved.given != settings.deltaT : step != settings.deltaT;
+    if (isGivenAnew)
     {
         origin = now;
         originIndex = count;
@@ -302,6 +337,14 @@ bool Time::reread()
         Dictionary read = Dictionary::readFile(file);
         TimeControls controls = readControls(read, needed);
         info("Reading system/controlDict again: it has changed.");
+        if (const std::vector<std::string> later = changesForNextStart(dictionary, read); !later.empty())
+        {
+            printWarning(
+                fmt::format("{} of system/controlDict {} as when this run was started; the change takes "
+                            "effect when a run is started next.",
+                            fmt::join(later, ", "), later.size() == 1 ? "stays" : "stay"),
+                read.locationOf(later.front()));
+        }
         const bool otherStep = controls.deltaT != settings.deltaT;
         const bool otherOutput = controls.output.writeControl != settings.output.writeControl
                                  || controls.output.writeInterval != settings.output.writeInterval;
@@ -397,7 +440,8 @@ bool Time::isWriteTime()
 {
     if (write == Write::undecided)
     {
-        bool isDue = stepsDone > 0 && output.due({now, lastStep, count, cpuTime(), clockTime(), false});
+        bool isDue = stepsDone > 0 && output.due({now, lastStep, count, cpuTime(), clockTime(), writeTimes});
+        writeTimes += isDue ? 1 : 0;
         if (isDue && settings.stopAt == StopAt::nextWrite)
         {
             lastOne = true;
@@ -419,7 +463,8 @@ bool Time::isWriteTime()
 
 TimePoint Time::point()
 {
-    return {now, lastStep, count, cpuTime(), clockTime(), isWriteTime()};
+    isWriteTime(); // which counts them
+    return {now, lengthToHere(), count, cpuTime(), clockTime(), writeTimes};
 }
 
 double Time::fittingStep(double length) const

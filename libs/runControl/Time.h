@@ -129,6 +129,9 @@ struct TimeState
     double detourEnd = 0; ///< later than `value` while a step is being made in parts: where the parts end
     double beginning = 0; ///< when the motion began, in this run or one that it continues [s]
     double wanted = 0;    ///< deltaT before it was shortened so that steps end on an instant; 0: the same [s]
+    double given = 0;     ///< deltaT of controlDict, 0: not known [s]
+    double stepLength = 0; ///< of the step that led here; 0 where the motion begins [s]
+    long writeTimes = 0;   ///< at which the state was due, this one too
 };
 
 /// The name of a time directory, as OpenFOAM names it: `0.05`, `1e-05`.
@@ -162,9 +165,14 @@ public:
     std::string startName() const { return startDirectory; }
 
     /// Continue as a run that was never interrupted. To be called before the first step with what `state`
-    /// was when the state was written; a deltaT that controlDict has changed since is taken from there.
+    /// was when the state was written; a deltaT that controlDict has changed since is taken from there, with
+    /// adjustTimeStep as the first that is wanted.
     void resume(const TimeState& saved);
-    TimeState state() const { return {now, step, count, origin, originIndex, detourEnd, beginning, wanted}; }
+    TimeState state() const
+    {
+        return {now,       step,   count,           origin,         originIndex, detourEnd,
+                beginning, wanted, settings.deltaT, lengthToHere(), writeTimes};
+    }
     /// Name of the directory of the time at which the motion began.
     std::string beginningName() const { return nameOf(beginning); }
     /// The name of the directory of a time.
@@ -212,6 +220,8 @@ private:
     void findStart(const std::vector<TimeDirectory>& times);
     bool reread();
     void startOutput();
+    /// Of the step that led to the present time, in this run or the one that it continues [s].
+    double lengthToHere() const { return lastStep > 0 ? lastStep : stepToStart; }
     void sharpenName();
     /// The longest step up to `length` of which a whole number ends on the next instant to stop at.
     double fittingStep(double length) const;
@@ -231,6 +241,8 @@ private:
     double wanted = 0;                                           ///< see TimeState
     double nextChange = std::numeric_limits<double>::infinity(); ///< see setDeltaT
     double lastStep = 0;                                         ///< of the current step
+    double stepToStart = 0; ///< of the step that led to where a run continues; 0 where a motion begins [s]
+    long writeTimes = 0;    ///< see TimeState
     long count = 0;
     double origin = 0;
     long originIndex = 0;

@@ -61,7 +61,7 @@ protected:
             now.value = 0.1 * static_cast<double>(index);
             now.deltaT = 0.1;
             now.index = index;
-            now.isWriteTime = index % 5 == 0;
+            now.writeTimes = index / 5;
             StepObservation<2> step;
             step.time = now.value;
             step.timeStep = now.deltaT;

@@ -405,6 +405,10 @@ TEST(VtkSeries, ARestartReplacesFramesFromItsTimeOn)
     VtkSeries series(folder.path(), "blocks",
                      3); // as after a run that was killed after writing its state at 3
     EXPECT_THAT(series.times(), ElementsAre(0, 1, 2, 3));
+    EXPECT_TRUE(series.hasFrameAt(3));
+    EXPECT_FALSE(series.hasFrameAt(4));
+    EXPECT_TRUE(std::filesystem::exists(folder / "blocks_000004.vtp")) << "a dry run removes nothing";
+    series.begin();
     EXPECT_FALSE(std::filesystem::exists(folder / "blocks_000004.vtp"));
     EXPECT_THAT(content(series.listFile()), testing::Not(HasSubstr("blocks_000004")));
     series.write(3, blockFrame(wall));

@@ -526,7 +526,7 @@ TEST(OutputControl, CountsTheWriteTimesOfTheRun)
     std::vector<int> due;
     for (int i = 1; i <= 12; ++i)
     {
-        if (control.due({0.1 * i, 0.1, i, 0, 0, i % 3 == 0}))
+        if (control.due({0.1 * i, 0.1, i, 0, 0, i / 3}))
         {
             due.push_back(i);
         }
@@ -537,11 +537,11 @@ TEST(OutputControl, CountsTheWriteTimesOfTheRun)
 TEST(OutputControl, CountsSecondsOfTheClocks)
 {
     OutputControl cpu({WriteControl::cpuTime, 10}, TimePoint{});
-    EXPECT_FALSE(cpu.due({0, 0, 1, 9.9, 50, false}));
-    EXPECT_TRUE(cpu.due({0, 0, 2, 10.1, 50, false}));
-    EXPECT_FALSE(cpu.due({0, 0, 3, 12, 500, false}));
+    EXPECT_FALSE(cpu.due({0, 0, 1, 9.9, 50, 0}));
+    EXPECT_TRUE(cpu.due({0, 0, 2, 10.1, 50, 0}));
+    EXPECT_FALSE(cpu.due({0, 0, 3, 12, 500, 0}));
     OutputControl none({WriteControl::none, 1}, TimePoint{});
-    EXPECT_FALSE(none.due({5, 1, 5, 5, 5, true}));
+    EXPECT_FALSE(none.due({5, 1, 5, 5, 5, 1}));
 }
 
 TEST_F(TimeCase, AMissingControlDictIsRepairedFromAFileThatExists)

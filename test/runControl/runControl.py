@@ -424,6 +424,96 @@ class RunControl(CaseTest):
         self.write(case, "system/schemes", header % "schemes" + "timeIntegraton { type theta; }\n")
         self.assertIn("timeIntegraton", self.run_(case, "-dry-run", status=1).stderr)
 
+    def testADryRunLeavesTheAnimationOfAnEarlierRun(self):
+        case = self.copy("dryKeeps", startFrom="startTime")
+        self.run_(case)
+        before = self.files(case, "VTK")
+        self.run_(case, "-dry-run")
+        self.assertEqual(self.files(case, "VTK"), before)
+
+    def testAFrameThatAKilledRunLacksIsWrittenWhenItGoesOn(self):
+        once, parts = self.copy("frames"), self.copy("frames.parts", endTime="0.4")
+        self.run_(once)
+        self.run_(parts)
+        os.remove(os.path.join(parts, "VTK/contacts_000002.vtp"))  # as of a run killed between the two
+        for name in (".0.36.4194304.tmp", "VTK/contacts_000008.vtp.4194304.tmp"):  # no process has this number
+            self.write(parts, name, "half")
+        self.control(parts)
+        self.run_(parts)
+        self.assertEqual(self.files(parts, "VTK"), self.files(once, "VTK"))
+        self.assertEqual(self.read(parts, "VTK/contacts.vtp.series"), self.read(once, "VTK/contacts.vtp.series"))
+        self.assertEqual([name for name in os.listdir(parts) if name.endswith(".tmp")], [])
+
+    def testTablesOfARunInPartsHaveTheRowsOfARunInOneGo(self):
+        functions = ("{ seconds { type energy; writeControl runTime; writeInterval 0.01; }\n"
+                     "states { type energy; writeControl writeTime; writeInterval 2; } }")
+        settings = {"deltaT": "0.003", "writeControl": "timeStep", "writeInterval": "3", "functions": functions}
+        once = self.copy("rows", endTime="0.06", **settings)
+        self.run_(once)
+        for end in ("0.009", "0.027", "0.036"):
+            parts = self.copy("rows" + end, endTime=end, **settings)
+            self.run_(parts)
+            self.control(parts, endTime="0.06", **settings)
+            self.run_(parts)
+            for function in ("seconds", "states"):
+                rows = [row for start in ("0", end) for row in self.rowsIfAny(parts, f"{function}/{start}/energy.dat")]
+                self.assertEqual([row[0] for row in rows],
+                                 [row[0] for row in self.rows(once, f"{function}/0/energy.dat")], end)
+
+    def rowsIfAny(self, case, table):
+        there = os.path.exists(os.path.join(case, "postProcessing", table))
+        return self.rows(case, table) if there else []
+
+    def testARenamedTimeIsRefused(self):
+        case = self.copy("renamed", endTime="0.2")
+        self.run_(case)
+        os.rename(os.path.join(case, "0.2"), os.path.join(case, "0.3"))
+        self.control(case)
+        self.assertRegex(self.run_(case, status=1).stderr, r"(?s)0\.3 has the state of time 0\.2.*0\.3/state")
+
+    def testPostProcessWritesOverNoTableOfARun(self):
+        functions = "{ energy { writeControl timeStep; writeInterval 1; } }"
+        case = self.copy("postTwice", endTime="0.2", functions=functions)
+        self.run_(case)
+        self.control(case, functions=functions)
+        self.run_(case)
+        self.run_(case, "-postProcess", status=1)
+        table = self.rows(case, "energy/0.2/energy.dat")
+        self.assertGreater(len(table), 50)
+        os.rename(os.path.join(case, "postProcessing/energy/0.2"), os.path.join(case, "postProcessing/energy/run"))
+        for _ in range(2):  # over its own it may write
+            self.run_(case, "-postProcess")
+        self.assertEqual(len(self.rows(case, "energy/0.2/energy.dat")), 3)
+
+    def testAnotherDeltaTIsTheFirstThatAContinuedRunWants(self):
+        case = self.copy("otherStep", endTime="0.2", adjustTimeStep="yes")
+        self.run_(case)
+        self.control(case, endTime="0.21", adjustTimeStep="yes", deltaT="1e-5",
+                     functions="{ energy { writeControl timeStep; writeInterval 1; } }")
+        self.run_(case)
+        first = float(self.rows(case, "energy/0.2/energy.dat")[0][0])
+        self.assertLess(first - 0.2, 2e-5)
+
+    def testAFileBeyondTheLimitIsOneThatCannotBeWritten(self):
+        case = self.copy("limited")
+        done = subprocess.run(["bash", "-c", 'ulimit -f 4; exec "$@"', "limited",
+                               os.path.join(applications, "contactDynamics"), "-case", case],
+                              capture_output=True, text=True, timeout=120, check=False)
+        self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+        self.assertIn("Cannot write", done.stderr)
+
+    def testWhatAnEditOfControlDictDoesNotReachIsNamed(self):
+        case = self.copy("unreached", endTime="100", deltaT="0.0005", writeInterval="100")
+        process = subprocess.Popen([os.path.join(applications, "contactDynamics"), "-case", case],
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        for line in process.stdout:
+            if line.startswith("Time = 0.1"):
+                self.control(case, endTime="100", deltaT="0.0005", writeInterval="100", stopAt="noWriteNow",
+                             purgeWrite="2", functions="{ energy {} }")
+                break
+        errors = process.communicate(timeout=120)[1]
+        self.assertIn("functions, purgeWrite of system/controlDict stay as when this run was started", errors)
+
     def testATimeWithoutAStartIsNamedWithItsLine(self):
         case = self.copy("noStart", startFrom="startTime", startTime="0.3")
         self.assertRegex(self.run_(case, status=1).stderr,
