@@ -29,7 +29,8 @@ ConvexSolid turnedBox(const Vector<3>& size, const Vector<3>& turn, const Vector
 
 std::vector<ConvexContact> contactsOf(const ConvexSolid& first, const ConvexSolid& second)
 {
-    return contactsAlong(partingAxis(first, second, tolerance, true), first, second, tolerance);
+    return contactsAlong(partingAxis(first, second, tolerance, SharedEdge::rimsMayTouch), first, second,
+                         tolerance);
 }
 
 Vector<3> placeOf(const ConvexContact& contact, const ConvexSolid& first, const ConvexSolid& second)
@@ -121,7 +122,7 @@ TEST(ConvexContacts, EdgesMeetAcrossEachOther)
     const ConvexSolid lower = turnedBox({2, 0.2, 0.2}, {quarter, 0, 0}, {0, 0, 0});
     const ConvexSolid upper =
         turnedBox({0.2, 2, 0.2}, {0, quarter, 0}, {0.3, 0.1, 0.2 * std::sqrt(2.0) + 0.01});
-    const PartingAxis axis = partingAxis(lower, upper, tolerance, true);
+    const PartingAxis axis = partingAxis(lower, upper, tolerance, SharedEdge::rimsMayTouch);
     EXPECT_NEAR(axis.distance, 0.01, 1e-12);
     const std::vector<ConvexContact> contacts = contactsAlong(axis, lower, upper, tolerance);
     ASSERT_EQ(contacts.size(), 1u);
@@ -135,7 +136,7 @@ TEST(ConvexContacts, ACornerAboveAFaceIsOne)
     const Vector<3> turn =
         std::acos(1 / std::sqrt(3.0)) * Vector<3>(1, -1, 0).normalized(); // its diagonal upright
     const ConvexSolid cube = turnedBox({1, 1, 1}, turn, {0, 0, std::sqrt(0.75) + 1e-3});
-    const PartingAxis axis = partingAxis(floor, cube, tolerance, true);
+    const PartingAxis axis = partingAxis(floor, cube, tolerance, SharedEdge::rimsMayTouch);
     EXPECT_NEAR(axis.distance, 1e-3, 1e-12);
     const std::vector<ConvexContact> contacts = contactsAlong(axis, floor, cube, tolerance);
     const auto lowest = std::min_element(contacts.begin(), contacts.end(),
@@ -156,7 +157,7 @@ TEST(ConvexContacts, NoDirectionPartsSolidsMoreThanTheAxis)
     {
         const ConvexSolid first = turnedBox({1, 0.7, 0.5}, 3 * vector(), {0, 0, 0});
         const ConvexSolid second = turnedBox({0.6, 0.9, 0.4}, 3 * vector(), vector());
-        const PartingAxis axis = partingAxis(first, second, tolerance, false);
+        const PartingAxis axis = partingAxis(first, second, tolerance, SharedEdge::mayTouch);
         double most = -1e9;
         for (int sample = 0; sample < 3000; ++sample)
         {

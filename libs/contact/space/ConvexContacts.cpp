@@ -16,7 +16,8 @@ namespace
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Two axes this far from parallel that both part two solids leave them an edge in common at most.
+/// Two faces that part two solids, of directions with less than this cosine: see SharedEdge.
+constexpr double nearlyOneFace = 0.9;
 constexpr double nearlyAcross = 0.25;
 
 /// Corners of a patch within so many tolerances are one point: how they share its force would not be
@@ -26,29 +27,33 @@ constexpr double asOnePoint = 1000;
 /// Edges must part the solids by so many tolerances more than faces do: of a patch the edges say less.
 constexpr double edgesWorseThanFaces = 10;
 
-/// \param isEnoughToPart whether two axes across each other that part the solids are all that is asked for
 PartingAxis faceAxis(const ConvexSolid& first, const ConvexSolid& second, double tolerance,
-                     bool isEnoughToPart)
+                     SharedEdge sharedEdge)
 {
     PartingAxis best;
     best.distance = -infinite;
-    const Vector<3>* parting = nullptr;
+    std::vector<const Vector<3>*> parting; // normals of faces that do, of the first solid and of both
     for (const bool isOfFirst : {true, false})
     {
+        const std::size_t ofOther = parting.size();
         const ConvexSolid& solid = isOfFirst ? first : second;
         const ConvexSolid& other = isOfFirst ? second : first;
         for (int face = 0; face < static_cast<int>(solid.faces.size()); ++face)
         {
             const Vector<3>& normal = solid.normals[static_cast<std::size_t>(face)];
             const double distance = leastAlong(other, normal, pointOf(solid, face));
-            if (isEnoughToPart && distance > -tolerance)
+            if (sharedEdge != SharedEdge::mayTouch && distance > -tolerance)
             {
-                if (parting && std::abs(parting->dot(normal)) < nearlyAcross)
+                for (std::size_t i = 0; i < parting.size(); ++i)
                 {
-                    best.isAnEdgeAtMost = true;
-                    return best;
+                    const bool mayBeRim = i < ofOther && sharedEdge == SharedEdge::rimsMayTouch;
+                    if (std::abs(parting[i]->dot(normal)) < (mayBeRim ? nearlyAcross : nearlyOneFace))
+                    {
+                        best.isAnEdgeAtMost = true;
+                        return best;
+                    }
                 }
-                parting = parting ? parting : &normal;
+                parting.push_back(&normal);
             }
             if (distance > best.distance + (best.isOfFirst == isOfFirst ? 0 : tolerance))
             {
@@ -376,9 +381,9 @@ std::vector<ConvexContact> contactOfEdges(const ConvexSolid& first, const Convex
 } // namespace
 
 PartingAxis partingAxis(const ConvexSolid& first, const ConvexSolid& second, double tolerance,
-                        bool isEnoughToPart)
+                        SharedEdge sharedEdge)
 {
-    PartingAxis axis = faceAxis(first, second, tolerance, isEnoughToPart);
+    PartingAxis axis = faceAxis(first, second, tolerance, sharedEdge);
     if (!axis.isAnEdgeAtMost)
     {
         takeEdges(first, second, tolerance, axis);

@@ -33,15 +33,22 @@ struct PartingAxis
     int face = -1;               ///< also where edges part them more
     int edge = -1;               ///< of the first solid
     int otherEdge = -1;          ///< of the second
-    bool isAnEdgeAtMost = false; ///< two axes across each other part them; nothing else is said then
+    bool isAnEdgeAtMost = false; ///< two faces part them, see SharedEdge; nothing else is said then
 };
 
-/// \param tolerance [m]
-/// \param isEnoughToPart end with `isAnEdgeAtMost` where that is known: blocks across the meeting point of
-/// four
-///        share an edge at most and do not hold each other
+/// What two solids that two faces part, and which therefore share an edge or a corner at most, may be taken
+/// for: blocks across the meeting point of four do not hold each other.
+enum class SharedEdge
+{
+    mayTouch,     ///< as any others
+    rimsMayTouch, ///< apart where both faces are of one solid, or across each other: one may rock on the rim
+                  ///< of the other
+    doesNotTouch  ///< apart, unless both faces have nearly one direction, as those of a ridge
+};
+
+/// \param tolerance [m] \param sharedEdge ends with `isAnEdgeAtMost` where that is what they are
 PartingAxis partingAxis(const ConvexSolid& first, const ConvexSolid& second, double tolerance,
-                        bool isEnoughToPart);
+                        SharedEdge sharedEdge);
 
 /// What meets along an axis: along the normal of a face the corners of the polygon that the face and that of
 /// the other solid which looks at it have in common, seen along the normal: corners of either that lie on the

@@ -217,7 +217,7 @@ MovingContacts<3>::contactsOfParts(const ConvexSolid& there, const ConvexSolid& 
                                    const PartContact& parts, int block, int neighbour, Places& places) const
 {
     const double within = toleranceOf(block, neighbour);
-    const PartingAxis axis = partingAxis(there, otherThere, within, true);
+    const PartingAxis axis = partingAxis(there, otherThere, within, sharedEdgeOf(block, neighbour));
     if (axis.isAnEdgeAtMost)
     {
         return {};
@@ -255,7 +255,7 @@ MovingContacts<3>::contactsOfParts(const ConvexSolid& there, const ConvexSolid& 
     }
     const ConvexSolid& here = places.here.of(block)[parts.part];
     const ConvexSolid& otherHere = places.here.of(neighbour)[parts.otherPart];
-    const PartingAxis now = partingAxis(here, otherHere, within, false);
+    const PartingAxis now = partingAxis(here, otherHere, within, SharedEdge::mayTouch);
     take(contactsAlong(now, there, otherThere, within));
     std::erase_if(contacts, [&](const PartContact& contact)
                   { return isBehind(contact, std::max(0.0, -now.distance)); });
@@ -293,7 +293,8 @@ double MovingContacts<3>::overlookedDepth(const std::vector<Placement<3>>& place
         {
             for (const ConvexSolid& other : there.of(pair.second))
             {
-                const PartingAxis axis = partingAxis(own, other, within, true);
+                const PartingAxis axis =
+                    partingAxis(own, other, within, sharedEdgeOf(pair.first, pair.second));
                 depth = axis.isAnEdgeAtMost ? depth : std::max(depth, -axis.distance);
             }
         }

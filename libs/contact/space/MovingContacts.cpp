@@ -173,6 +173,40 @@ MovingContacts<3>::MovingContacts(const Assembly<3>& structure, const MovingCont
     }
     points = asBuilt;
     foundIndex.assign(points.size(), -1);
+    atEdges = pairsAtEdges();
+}
+
+std::vector<std::pair<int, int>> MovingContacts<3>::pairsAtEdges() const
+{
+    const std::vector<Placement<3>> built(assembly.blocks.size());
+    const Places places{
+        built, tolerance, swingsOf(built, 1), swingsOf(built, -1), PlacedSolids(solids, centroids, built),
+        {}};
+    std::vector<std::pair<int, int>> touching = meetingPairs(places);
+    const auto isKnown = [this](const std::pair<int, int>& pair)
+    {
+        return std::binary_search(
+            known.begin(), known.end(), KnownPair{pair.first, pair.second, 0, 0},
+            [](const KnownPair& one, const KnownPair& other)
+            { return std::pair(one.block, one.neighbour) < std::pair(other.block, other.neighbour); });
+    };
+    const auto touches = [this](const std::pair<int, int>& pair)
+    {
+        const double within = toleranceOf(pair.first, pair.second);
+        for (const ConvexSolid& own : solids[static_cast<std::size_t>(pair.first)])
+        {
+            for (const ConvexSolid& other : solids[static_cast<std::size_t>(pair.second)])
+            {
+                if (partingAxis(own, other, within, SharedEdge::mayTouch).distance <= within)
+                {
+                    return true;
+                }
+            }
+        }
+        return false;
+    };
+    std::erase_if(touching, [&](const std::pair<int, int>& pair) { return isKnown(pair) || !touches(pair); });
+    return touching;
 }
 
 /// \param isOfNeighbour whose corner, against the face of the other

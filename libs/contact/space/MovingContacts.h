@@ -7,6 +7,7 @@
 #include "contact/space/ConvexContacts.h"
 #include "geometry/Rotation.h"
 
+#include <algorithm>
 #include <optional>
 
 namespace drystone
@@ -140,6 +141,14 @@ private:
         return std::max(tolerances[static_cast<std::size_t>(block)],
                         tolerances[static_cast<std::size_t>(neighbour)]);
     }
+    /// Pairs, not both fixed, that touch as built without a point there: at an edge or a corner.
+    std::vector<std::pair<int, int>> pairsAtEdges() const;
+    SharedEdge sharedEdgeOf(int block, int neighbour) const
+    {
+        return std::binary_search(atEdges.begin(), atEdges.end(), std::pair(block, neighbour))
+                   ? SharedEdge::doesNotTouch
+                   : SharedEdge::rimsMayTouch;
+    }
     void follow(const KnownPair& pair, const Places& places);
     void find(int block, int neighbour, Places& places);
     std::vector<PartContact> contactsTowards(PlacedSolids& heading, int block, int neighbour,
@@ -164,9 +173,10 @@ private:
     Assembly<3> assembly;
     std::vector<Vector<3>> centroids;
     std::vector<ContactPoint<3>> asBuilt;
-    std::vector<Pair> pairs;                 ///< one a point as built
-    std::vector<std::optional<Pair>> others; ///< the other way round, where the point is a vertex of both
-    std::vector<KnownPair> known;            ///< sorted
+    std::vector<Pair> pairs;                  ///< one a point as built
+    std::vector<std::optional<Pair>> others;  ///< the other way round, where the point is a vertex of both
+    std::vector<KnownPair> known;             ///< sorted
+    std::vector<std::pair<int, int>> atEdges; ///< see pairsAtEdges; sorted
     std::vector<std::vector<ConvexSolid>>
         solids;                ///< as built: the convex parts of each block; empty: too many
     std::vector<double> radii; ///< of each block about its mass centre [m]
