@@ -14,6 +14,12 @@ namespace
 /// Paths besides those asked for, until one has met a pair.
 constexpr int furtherStarts = 4;
 
+/// In space, where paths from starts that differ by rounding end in collapses far apart, others are followed
+/// until so many in a row have not lowered the multiplier by this share, or so many have been followed.
+constexpr int vainStarts = 4;
+constexpr int mostStartsToLower = 16;
+constexpr double leastLowering = 1e-3;
+
 /// The multiplier of joints without friction, below which there is no pair. Minus infinity where they cannot
 /// carry the dead load.
 template<int Rows, int Forces>
@@ -42,7 +48,9 @@ void declare(Options& options, NonAssociativeSettings& settings)
 {
     options
         .optional("starts", settings.starts,
-                  "paths to collapse: more of them find lower collapses of the many that Coulomb's law has")
+                  "paths to collapse: more of them find lower collapses of the many that Coulomb's law has; "
+                  "in space "
+                  "others follow until four in a row find none")
         .atLeast(1)
         .atMost(1000);
     options.optional("seed", settings.seed, "of the random numbers that later starts are made from")
@@ -65,17 +73,24 @@ LimitAnalysis solveNonAssociative(const ConeProgram<Rows, Forces>& program,
     CollapseSearch<Rows, Forces> search(program, settings, solver, result);
     if (search.findRest())
     {
+        int vain = 0; // paths in a row that have not lowered the multiplier
         const auto goesOn = [&](int start)
         {
-            return start < settings.starts
-                   || (start < settings.starts + furtherStarts
-                       && (!search.lowest.exists() || search.isByRefinement));
+            const int further = start - settings.starts;
+            const bool isFound = search.lowest.exists() && !search.isByRefinement;
+            return further < 0
+                   || (isFound ? Forces == 3 && vain < vainStarts && further < mostStartsToLower
+                               : further < furtherStarts);
         };
         const auto follow = [&]
         {
             for (int start = 0; goesOn(start); ++start)
             {
+                const double before = search.lowest.alpha;
                 search.go(start);
+                vain = search.lowest.alpha < (1 - leastLowering) * before || !search.lowest.exists()
+                           ? 0
+                           : vain + 1;
             }
         };
         // What wedges by the associative law mostly slides out with a mechanism of which a path knows the

@@ -12,7 +12,8 @@ namespace drystone
 /// Keys of `nonAssociative { ... }` in system/solution/limitAnalysis.
 struct NonAssociativeSettings
 {
-    int starts = 1;          ///< paths to collapse; more of them while there is no collapse
+    int starts = 1; ///< paths to collapse; more of them while there is no collapse, and in space while lower
+                    ///< ones are found
     int seed = 1;            ///< of the random numbers that they are made from
     double tolerance = 1e-6; ///< on the residuals of a pair of forces and mechanism
 };
@@ -46,16 +47,17 @@ void declare(Options& options, NonAssociativeSettings& settings);
 ///
 /// The result is the lowest pair that meets `tolerance` in CoulombCheck.h (`optimal`, its residuals as the
 /// certificate: balance and yield, flow, mismatch). Its multiplier is that of a collapse, and so an upper
-/// bound on the least of all collapses, which nothing here proves; that of the associative law is one that is
-/// proved. In space paths often end just before their collapse, as rounding ends them, and blocks that slide
-/// as one have shears whose directions are known to 1e-5 only: what is nearly a pair is refined
-/// (PairRefinement.h). Where no path has met a collapse or a fall itself, a mechanism is tried that the
-/// forces of the associative collapse allow by Coulomb's law, and where motion from rest begins
-/// (StepFromRest.h). Where only falls have been met the lowest of them is the result. Where all pairs are
-/// below zero, which says that some forces at rest are not safe, it is the highest of them. Without any pair
-/// the result is `upperBound`: forces, mechanism and certificate of the associative collapse, which no pair
-/// exceeds. What the friction cones cannot carry is `unstable` with either law; `unbounded` means that the
-/// associative law has no collapse and no other was met.
+/// bound on the least of all collapses, which nothing here proves (in space paths whose starts differ by
+/// rounding end in collapses as far apart as 2.5 and 5.8, and further ones are followed until four in a row
+/// find none lower); that of the associative law is one that is proved. In space paths often end just before
+/// their collapse, as rounding ends them, and blocks that slide as one have shears whose directions are known
+/// to 1e-5 only: what is nearly a pair is refined (PairRefinement.h). Where no path has met a collapse or a
+/// fall itself, a mechanism is tried that the forces of the associative collapse allow by Coulomb's law, and
+/// where motion from rest begins (StepFromRest.h). Where only falls have been met the lowest of them is the
+/// result. Where all pairs are below zero, which says that some forces at rest are not safe, it is the
+/// highest of them. Without any pair the result is `upperBound`: forces, mechanism and certificate of the
+/// associative collapse, which no pair exceeds. What the friction cones cannot carry is `unstable` with
+/// either law; `unbounded` means that the associative law has no collapse and no other was met.
 ///
 /// Where no pair is met the range says from where on there may be one. A pair of Coulomb's law has
 /// (c - c')'A'y >= 0 for all forces c' with |c'_t| <= C - mu T, -T <= c'_n <= N: where a point opens, c_n is
