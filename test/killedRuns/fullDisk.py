@@ -56,7 +56,7 @@ def main():
         size = sum((os.path.getsize(os.path.join(folder, file)) + 4095) // 4096 * 4096
                    for folder, _, files in os.walk(study) for file in files)
         run = os.path.join(applications, "incrementalDynamics") + " -case study"
-        for prepare, fault in (("mkdir -p study/postProcessing/incrementalDynamics/0/history.dat", "Is a directory"),
+        for prepare, fault in (("mkdir -p study/postProcessing/incrementalDynamics/0/history.dat", "it is a folder"),
                                ("dd if=/dev/zero of=full bs=4096 2> dd.log; true", "No space left on device")):
             done = mounted(disk, f"{size // 1024 + 60}k", f'cp -r "{study}" . && {{ {prepare}; }} && {run}')
             print("incrementalDynamics", done.returncode, done.stderr.splitlines()[-5:])
