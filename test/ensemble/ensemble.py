@@ -563,6 +563,32 @@ results
         self.assertEqual(self.table(case), whole)
         self.assertNotIn("in no journal", self.run_(case).stderr)
 
+    def testSamplesThatHaveLostTheirPlanAreRefused(self):
+        case = self.alike("planless", samples=20)
+        self.run_(case)
+        before = self.read(case, "postProcessing/ensemble/0/samples.dat")
+        plan = os.path.join(case, "postProcessing/ensemble/0/work/plan")
+        whole = self.read(case, "postProcessing/ensemble/0/work/plan")
+        self.edit(case, "system/ensembleDict", "median 0.65", "median 0.4")
+        for text in None, "", "garbage\n", whole[:whole.index("attempts")]:
+            if text is None:
+                os.remove(plan)
+            else:
+                with open(plan, "w", encoding="utf-8") as file:
+                    file.write(text)
+            for option in (), ("-postProcess",):
+                refused = self.run_(case, *option, status=1).stderr
+                self.assertIn("The plan of the ensemble is " + ("gone" if text is None else "empty, cut off"), refused)
+                self.assertIn("Remove postProcessing/ensemble to start again.", refused)
+                self.assertRegex(refused, "file: .*postProcessing/ensemble/0/work/plan")
+                self.assertEqual(self.read(case, "postProcessing/ensemble/0/samples.dat"), before)
+        with open(plan, "w", encoding="utf-8") as file:
+            file.write(whole)
+        self.assertIn("variables of system/ensembleDict have changed", self.run_(case, status=1).stderr)
+        self.edit(case, "system/ensembleDict", "median 0.4", "median 0.65")
+        self.run_(case)
+        self.assertEqual(self.read(case, "postProcessing/ensemble/0/samples.dat"), before)
+
     def testCtrlCStopsAndItContinues(self):
         """The program ends after the samples in hand, so all may be there already: then it is interrupted anew."""
         for attempt in range(10):
