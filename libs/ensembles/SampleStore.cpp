@@ -168,8 +168,8 @@ std::optional<PlanChange> planChange(const fs::path& work, const std::string& pl
     }
     const std::string before = contentOfFile(work / "plan");
     PlanChange change;
-    change.hasInput = !before.starts_with("case "); // of older versions
-    if (change.hasInput && (before.find("\nattempts ") == before.npos || before.back() != '\n'))
+    change.hasInput = hasInputLines(before);
+    if (!before.starts_with("case ") && (before.find("\nattempts ") == before.npos || before.back() != '\n'))
     {
         refusePlan(work, "is empty, cut off or something else"); // its last line is missing
     }
@@ -210,7 +210,7 @@ SampleStore::SampleStore(const fs::path& caseDirectory, const std::string& plan,
                            + change->questions;
         if (!change->hasInput)
         {
-            text = "an older version has begun it, which did not note its input by files";
+            text = "an older version has begun it, which noted its input in another way";
         }
         if (!text.empty())
         {

@@ -48,7 +48,7 @@ struct PlanChange
 {
     std::string input;     ///< files of the case that the samples were computed from
     std::string questions; ///< what system/ensembleDict wants of them: variables, design, results, ...
-    bool hasInput = true;  ///< older versions do not say from which input they computed
+    bool hasInput = true;  ///< older versions do not say in this way from which input they computed
 };
 /// \throws FatalIOError where the plan is damaged, or gone and the samples are there
 std::optional<PlanChange> planChange(const std::filesystem::path& work, const std::string& plan);

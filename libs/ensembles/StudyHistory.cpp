@@ -79,9 +79,9 @@ std::string changeOf(const std::string& text, const fs::path& file, const std::s
                                        damage, study),
                            {file.string(), "", 1});
     }
-    if (text.starts_with("# case ")) // of older versions
+    if (!hasInputLines(text, "# ") && hasInputLines(heading, "# "))
     {
-        return "an older version has begun it, which did not note its input by files";
+        return "an older version has begun it, which noted its input in another way";
     }
     const std::string changes = changedInput(text, heading, "# ");
     return changes.empty() ? fmt::format("what system/{}Dict requests of a run has changed", study) : changes;

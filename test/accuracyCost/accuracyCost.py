@@ -141,6 +141,8 @@ class AccuracyCost(CaseTest):
     def testAHistoryOfAnotherCaseIsRefused(self):
         case = self.case("changed")
         self.run_(case)
+        self.replace(case, "constant/contactProperties", r"mu\s+1;", "\n    mu 1; // of stone")
+        self.run_(case)
         properties = self.read(case, "constant/contactProperties")
         self.replace(case, "constant/contactProperties", r"mu\s+1;", "mu 0.9;")
         refused = self.run_(case, status=1).stderr

@@ -18,7 +18,8 @@ using testing::HasSubstr;
 namespace
 {
 
-const std::string heading = "# input 0123456789abcdef constant/g\n# a[-] b[m]\n";
+const std::string how = inputLines({}, "# ");
+const std::string heading = how + "# input 0123456789abcdef constant/g\n# a[-] b[m]\n";
 
 enum class Side
 {
@@ -91,13 +92,13 @@ TEST_F(StudyHistory, NumbersThatAColumnDoesNotTakeAreNamedWithTheirLine)
             faultOf(heading + number + " 1\n", [](const HistoryRow& row) { row.choice<Side>(0); });
         EXPECT_THAT(fault, HasSubstr("a[-], column 1 of a row of the history, is "));
         EXPECT_THAT(fault, HasSubstr("it takes whole numbers from 0 to 1"));
-        EXPECT_THAT(fault, HasSubstr("history.dat at line 3."));
+        EXPECT_THAT(fault, HasSubstr("history.dat at line 4."));
     }
     for (const char* number : {"-1", "nan", "inf"})
     {
         EXPECT_THAT(
             faultOf(heading + "1 1\n1 " + number + "\n", [](const HistoryRow& row) { row.finite(1, 0); }),
-            testing::AllOf(HasSubstr("b[m], column 2"), HasSubstr("history.dat at line 4.")));
+            testing::AllOf(HasSubstr("b[m], column 2"), HasSubstr("history.dat at line 5.")));
     }
 }
 
@@ -106,7 +107,7 @@ TEST_F(StudyHistory, RowsOfOtherLengthsAndOfOneThatIsCutOffAreNamedWithTheirLine
     for (const char* row : {"1\n", "1 2 3\n", "1 x\n", "\n", "1 2"})
     {
         EXPECT_THAT(faultOf(heading + "1 1\n" + row),
-                    testing::AllOf(HasSubstr("history.dat at line 4."), HasSubstr("Remove the row")))
+                    testing::AllOf(HasSubstr("history.dat at line 5."), HasSubstr("Remove the row")))
             << row;
     }
 }
@@ -120,7 +121,7 @@ TEST_F(StudyHistory, ADamagedFileIsNotThatOfOtherInput)
         EXPECT_THAT(faultOf(heading.substr(0, length)),
                     HasSubstr("damaged: it is cut off before its first row"));
     }
-    EXPECT_THAT(faultOf("# input 0000000000000000 constant/g\n"), HasSubstr("damaged: it is cut off"));
+    EXPECT_THAT(faultOf(how + "# input 0000000000000000 constant/g\n"), HasSubstr("damaged: it is cut off"));
     EXPECT_THAT(faultOf(""), HasSubstr("Remove postProcessing/search to start again."));
     EXPECT_THAT(faultOf(""), HasSubstr("history.dat at line 1."));
     std::filesystem::remove(file);
@@ -131,10 +132,12 @@ TEST_F(StudyHistory, ADamagedFileIsNotThatOfOtherInput)
 TEST_F(StudyHistory, OtherInputIsNamed)
 {
     EXPECT_THAT(
-        faultOf("# input 0000000000000001 constant/g\n# a[-] b[m]\n1 2\n"),
+        faultOf(how + "# input 0000000000000001 constant/g\n# a[-] b[m]\n1 2\n"),
         HasSubstr("belongs to another search, so that it cannot be continued: constant/g has changed"));
-    EXPECT_THAT(faultOf("# input 0123456789abcdef constant/g\n# a[-] c[m]\n1 2\n"),
+    EXPECT_THAT(faultOf(how + "# input 0123456789abcdef constant/g\n# a[-] c[m]\n1 2\n"),
                 HasSubstr("what system/searchDict requests of a run has changed"));
+    EXPECT_THAT(faultOf("# input 0123456789abcdef constant/g\n# a[-] b[m]\n1 2\n"),
+                HasSubstr("an older version has begun it"));
 }
 
 } // namespace
