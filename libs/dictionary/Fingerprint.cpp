@@ -1,6 +1,8 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "dictionary/Fingerprint.h"
 
+#include "dictionary/DictionaryGrammar.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -55,6 +57,37 @@ void add(Fingerprint& print, const Dictionary& dictionary, const std::vector<std
             print.add(separator);
         }
         print.add(";");
+    }
+}
+
+void add(Fingerprint& print, const Token& token)
+{
+    const std::array<char, 2> kind{static_cast<char>('a' + static_cast<int>(token.kind)), ' '};
+    print.add(std::string_view(kind.data(), kind.size()));
+    print.add(token.text);
+    print.add(separator);
+}
+
+void add(Fingerprint& print, const std::vector<Statement>& statements, bool isRoot)
+{
+    for (const Statement& statement : statements)
+    {
+        if (isRoot && statement.keyword.text == "FoamFile")
+        {
+            continue;
+        }
+        const char kind = static_cast<char>('A' + static_cast<int>(statement.kind));
+        print.add(std::string_view(&kind, 1));
+        add(print, statement.keyword);
+        for (const Token& token : statement.value)
+        {
+            add(print, token);
+        }
+        print.add("{");
+        add(print, statement.body, false);
+        print.add("}{");
+        add(print, statement.otherwise, false);
+        print.add("}");
     }
 }
 
@@ -115,6 +148,20 @@ std::uint64_t fingerprint(const Dictionary& dictionary, const std::vector<std::s
     Fingerprint print;
     add(print, dictionary, leftOut);
     return print.value();
+}
+
+std::uint64_t fingerprintOfTokens(const SourceFile& file)
+{
+    try
+    {
+        Fingerprint print;
+        add(print, parseStatements(file), true);
+        return print.value();
+    }
+    catch (const FatalError&)
+    {
+        return fingerprint(file.text); // whoever reads it reports what is wrong with it
+    }
 }
 
 std::vector<std::string> filesNamedIn(const Dictionary& dictionary)

@@ -34,6 +34,11 @@ std::uint64_t fingerprint(std::string_view bytes);
 /// \param leftOut keys of the dictionary that do not count either
 std::uint64_t fingerprint(const Dictionary& dictionary, const std::vector<std::string>& leftOut = {});
 
+/// Of a dictionary as it is written, for what changes entries before it is read: its tokens, duplicates and
+/// all branches of conditions among them, with macros, includes and arithmetic not carried out. Neither
+/// comments, layout nor the header FoamFile count. Of the bytes where the text is no dictionary.
+std::uint64_t fingerprintOfTokens(const SourceFile& file);
+
 /// The files that entries `file "..."` of a dictionary and of its sub-dictionaries name.
 std::vector<std::string> filesNamedIn(const Dictionary& dictionary);
 

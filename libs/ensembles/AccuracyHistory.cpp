@@ -4,7 +4,7 @@
 #include "core/Log.h"
 #include "core/WholeFile.h"
 #include "dictionary/Fingerprint.h"
-#include "ensembles/CaseRuns.h"
+#include "ensembles/StudyHistory.h"
 #include "functionObjects/ColumnFile.h"
 #include "runControl/Case.h"
 
@@ -50,15 +50,20 @@ std::string historyHeading(const fs::path& caseDirectory, const Dictionary& dict
 AccuracyRuns::AccuracyRuns(const AccuracyStudy& accuracyStudy)
     : study(accuracyStudy), file(accuracyFolder(study.caseDirectory) / "history.dat")
 {
-    for (const std::vector<double>& row : readHistory(file, study.heading, historyNumbers, accuracyCostName))
+    const long quantities = static_cast<long>(study.quantities.size());
+    for (const HistoryRow& row : readHistory(file, study.heading, historyNumbers, accuracyCostName))
     {
-        const auto whole = [&row](std::size_t column) { return static_cast<int>(row[column]); };
-        RunKey key{static_cast<std::size_t>(row[0]),
-                   {row[1], row[2], FlowRule{whole(3)}, SolverType{whole(4)}, row[5], whole(6), whole(7),
-                    Displacements{whole(8)}, ContactFormulation{whole(9)}, row[10],
-                    EffectSelection{whole(11)}},
-                   {whole(12), whole(13)}};
-        add(key, {row[14], row[15], row[16], row[17], row[18], RunEnd{whole(19)}});
+        const int phases = row.wholeInt(13, 1);
+        const RunKey key{static_cast<std::size_t>(row.whole(0, 0, quantities - 1)),
+                         {row.finite(1, 0), row.finite(2, 0), row.choice<FlowRule>(3),
+                          row.choice<SolverType>(4), row.finite(5, 0), row.wholeInt(6, 0), row.wholeInt(7, 0),
+                          row.choice<Displacements>(8), row.choice<ContactFormulation>(9), row.finite(10, 0),
+                          row.choice<EffectSelection>(11)},
+                         {row.wholeInt(12, 0, phases - 1), phases}};
+        const RunEnd end{row.wholeInt(19, 0, static_cast<int>(RunEnd::missing))};
+        const auto figure = [&](std::size_t column) // of which a run that has failed may have none
+        { return end == RunEnd::done ? row.finite(column) : row.number(column); };
+        add(key, {figure(14), figure(15), row.finite(16, 0), row.finite(17, 0), row.number(18), end});
     }
     if (size() > 0)
     {

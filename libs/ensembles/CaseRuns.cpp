@@ -16,7 +16,6 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
-#include <sstream>
 
 #include <fcntl.h>
 #include <poll.h>
@@ -148,65 +147,6 @@ std::vector<fs::path> filesOfCase(const fs::path& caseDirectory)
     listFiles(caseDirectory, files);
     std::sort(files.begin(), files.end());
     return files;
-}
-
-std::string historyInput(const std::vector<InputFile>& files)
-{
-    return inputLines(files, "# ");
-}
-
-std::string changedHistory(const std::string& history, const std::string& heading, const std::string& study)
-{
-    if (history.starts_with("# case ")) // of older versions
-    {
-        return "an older version has begun it, which did not note its input by files";
-    }
-    const std::string changes = changedInput(history, heading, "# ");
-    return changes.empty() ? fmt::format("what system/{}Dict requests of a run has changed", study) : changes;
-}
-
-std::vector<std::vector<double>> readHistory(const fs::path& file, const std::string& heading,
-                                             std::size_t numbers, const std::string& study)
-{
-    std::vector<std::vector<double>> rows;
-    if (!fs::exists(file))
-    {
-        return rows;
-    }
-    const std::string text = contentOfFile(file);
-    if (!text.starts_with(heading))
-    {
-        throw FatalError(fmt::format("{} belongs to another {}, so that it cannot be continued: {}. Restore "
-                                     "what was there to continue. Remove postProcessing/{} to start again.",
-                                     file.string(), study, changedHistory(text, heading, study), study));
-    }
-    std::istringstream lines(text.substr(heading.size()));
-    int lineNumber = static_cast<int>(std::count(heading.begin(), heading.end(), '\n'));
-    for (std::string line; std::getline(lines, line);)
-    {
-        ++lineNumber;
-        std::vector<double> row;
-        const char* at = line.c_str();
-        for (char* end = nullptr;; at = end)
-        {
-            const double value = std::strtod(at, &end);
-            if (end == at)
-            {
-                break;
-            }
-            row.push_back(value);
-        }
-        if (row.size() != numbers
-            || line.find_first_not_of(" \t", static_cast<std::size_t>(at - line.c_str())) != line.npos)
-        {
-            throw FatalIOError(fmt::format("A row of the history has {} numbers and not something else.\n\n"
-                                           "Remove the row, or postProcessing/{} to start again.",
-                                           numbers, study),
-                               {file.string(), "", lineNumber});
-        }
-        rows.push_back(std::move(row));
-    }
-    return rows;
 }
 
 bool isScript(const std::string& application)

@@ -4,7 +4,6 @@
 #pragma once
 
 #include "ensembles/CaseEntry.h"
-#include "ensembles/StudyInput.h"
 
 #include <filesystem>
 #include <optional>
@@ -22,21 +21,6 @@ void copyCase(const std::filesystem::path& caseDirectory, const std::filesystem:
 
 /// The files that copyCase copies, sorted.
 std::vector<std::filesystem::path> filesOfCase(const std::filesystem::path& caseDirectory);
-
-/// Lines of a heading that say from which input the rows of a study follow (StudyInput.h).
-std::string historyInput(const std::vector<InputFile>& files);
-
-/// Why a history with another heading is not continued: `constant/g has changed`.
-std::string changedHistory(const std::string& history, const std::string& heading, const std::string& study);
-
-/// The rows that an interrupted study has written.
-/// \param heading comment lines that identify what the rows depend on, files as `historyInput` has them
-/// \param numbers in a row
-/// \param study name of its folder in postProcessing, for messages
-/// \return nothing when there is no such file
-/// \throws FatalError when the heading differs, naming what has changed, or a row cannot be read
-std::vector<std::vector<double>> readHistory(const std::filesystem::path& file, const std::string& heading,
-                                             std::size_t numbers, const std::string& study);
 
 /// The result of an application.
 struct ApplicationRun

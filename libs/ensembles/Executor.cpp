@@ -11,6 +11,27 @@
 
 namespace drystone
 {
+namespace
+{
+
+/// What a report has thrown: it must leave neither a thread, nor threads that nobody has joined.
+std::exception_ptr errorOf(const std::function<void(std::size_t)>& report, std::size_t number)
+{
+    try
+    {
+        if (report)
+        {
+            report(number);
+        }
+    }
+    catch (...)
+    {
+        return std::current_exception();
+    }
+    return {};
+}
+
+} // namespace
 
 void carryOutAll(std::size_t count, int threads, const std::function<void(std::size_t)>& work,
                  const std::function<void(std::size_t)>& report)
@@ -24,22 +45,29 @@ void carryOutAll(std::size_t count, int threads, const std::function<void(std::s
     {
         for (std::size_t i = next++; i < count; i = next++)
         {
+            std::exception_ptr error;
             try
             {
                 work(i);
             }
             catch (...)
             {
-                errors[i] = std::current_exception();
+                error = std::current_exception();
             }
             const std::lock_guard lock(reporting);
+            errors[i] = error;
             isDone[i] = 1;
             for (; reported < count && isDone[reported] && !errors[reported]; ++reported)
             {
-                if (report)
+                errors[reported] = errorOf(report, reported);
+                if (errors[reported])
                 {
-                    report(reported);
+                    break;
                 }
+            }
+            if (errors[i] || (reported < count && errors[reported]))
+            {
+                next = count; // what is before the fault has been begun: pieces are taken in order
             }
         }
     };

@@ -3,7 +3,7 @@
 #include "ensembles/IncrementalHistory.h"
 
 #include "core/WholeFile.h"
-#include "ensembles/CaseRuns.h"
+#include "ensembles/StudyHistory.h"
 
 #include <fmt/format.h>
 
@@ -15,6 +15,7 @@ namespace
 {
 
 constexpr std::size_t columns = 10;
+constexpr const char* studyName = "incrementalDynamics";
 
 template<int Dim>
 std::string headingOf(const std::filesystem::path& caseDirectory, const IncrementalDynamics<Dim>& study)
@@ -51,36 +52,24 @@ IncrementalHistory<Dim>::IncrementalHistory(const std::filesystem::path& caseDir
                                             const IncrementalDynamics<Dim>& study)
     : file(folder / "history.dat"), text(headingOf(caseDirectory, study)), curves(study.motions.size())
 {
-    if (!std::filesystem::exists(file))
+    change = changedHistory(file, text, studyName);
+    if (!change.empty())
     {
         return;
     }
-    if (const std::string known = contentOfFile(file); !known.starts_with(text))
+    for (const HistoryRow& row : readHistory(file, text, columns, studyName))
     {
-        change = changedHistory(known, text, "incrementalDynamics");
-        return;
-    }
-    for (const std::vector<double>& row : readHistory(file, text, columns, "incrementalDynamics"))
-    {
-        const auto motion = static_cast<std::size_t>(row[0]);
-        const auto verdict = static_cast<int>(row[3]);
-        if (row[0] < 0 || motion >= curves.size() || verdict < 0
-            || verdict > static_cast<int>(Verdict::notConverged))
-        {
-            throw FatalIOError("A row of the history has the number of a motion and a verdict of 0, 1 or 2. "
-                               "Remove postProcessing/incrementalDynamics to start again.",
-                               {file.string(), "", 0});
-        }
+        const auto motion = static_cast<std::size_t>(row.whole(0, 0, static_cast<long>(curves.size()) - 1));
         IncrementalRun run;
-        run.intensity = row[1];
-        run.factor = row[2];
-        run.verdict = static_cast<Verdict>(verdict);
-        run.largest = row[4];
-        run.endTime = row[5];
-        run.steps = static_cast<long>(row[6]);
-        run.worstResidual = row[7];
-        run.cpuTime = row[8];
-        run.isGrowing = row[9] != 0;
+        run.intensity = row.finite(1, 0);
+        run.factor = row.finite(2);
+        run.verdict = Verdict{row.wholeInt(3, 0, static_cast<int>(Verdict::notConverged))};
+        run.largest = row.number(4);
+        run.endTime = row.finite(5);
+        run.steps = row.whole(6, 0);
+        run.worstResidual = row.number(7);
+        run.cpuTime = row.finite(8, 0);
+        run.isGrowing = row.whole(9, 0, 1) != 0;
         curves[motion].push_back(run);
         text += rowOf(motion, run);
     }

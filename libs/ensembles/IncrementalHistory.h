@@ -20,6 +20,7 @@ class IncrementalHistory
 public:
     /// Reads the runs of an earlier analysis with the same input; those of another are left aside, and
     /// replaced with the first `add`. Nothing is written yet.
+    /// \throws FatalError where the file is damaged
     IncrementalHistory(const std::filesystem::path& caseDirectory, const std::filesystem::path& folder,
                        const IncrementalDynamics<Dim>& study);
 

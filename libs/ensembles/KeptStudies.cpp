@@ -92,7 +92,7 @@ std::vector<std::string> compareStudies(const fs::path& caseDirectory)
             const fs::path file = folder / time / (isEnsemble ? "work/plan" : "history.dat");
             const std::string notes = contentOfFile(file);
             const std::string mark = isEnsemble ? "" : "# ";
-            if (!notes.starts_with(mark + "input "))
+            if (!hasInputLines(notes, mark))
             {
                 continue; // of an older version
             }

@@ -6,6 +6,7 @@
 #include "core/WholeFile.h"
 #include "ensembles/CaseRuns.h"
 #include "ensembles/SearchPicture.h"
+#include "ensembles/StudyHistory.h"
 #include "functionObjects/ColumnFile.h"
 #include "runControl/Case.h"
 

@@ -124,18 +124,55 @@ std::map<std::string, std::string> questionsIn(const std::string& plan)
     return lines;
 }
 
+/// Whether a folder has what only samples leave: rows, or attempts that failed.
+bool hasSamples(const fs::path& work)
+{
+    std::error_code error;
+    for (fs::directory_iterator file(work, error), end; !error && file != end; file.increment(error))
+    {
+        const std::string name = file->path().filename().string();
+        std::error_code none;
+        if ((name == "failures" || name.starts_with("journal.")) && fs::file_size(file->path(), none) > 1
+            && !none)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+[[noreturn]] void refusePlan(const fs::path& work, const std::string& fault)
+{
+    throw FatalIOError(
+        fmt::format("The plan of the ensemble {}: what the samples in its folder were computed "
+                    "from is not known.\n\nRestore the file from a copy to continue. Remove "
+                    "postProcessing/ensemble to start again.",
+                    fault),
+        {(work / "plan").string(), "", 0});
+}
+
 } // namespace
 
 std::optional<PlanChange> planChange(const fs::path& work, const std::string& plan)
 {
+    // Before the plan is looked for: others may write it, and then samples, at any time.
+    const bool isBegun = hasSamples(work);
     std::error_code none;
     if (!fs::exists(work / "plan", none))
     {
+        if (isBegun)
+        {
+            refusePlan(work, "is gone");
+        }
         return {};
     }
     const std::string before = contentOfFile(work / "plan");
     PlanChange change;
-    change.hasInput = !before.starts_with("case "); // of older versions
+    change.hasInput = hasInputLines(before);
+    if (!before.starts_with("case ") && (before.find("\nattempts ") == before.npos || before.back() != '\n'))
+    {
+        refusePlan(work, "is empty, cut off or something else"); // its last line is missing
+    }
     change.input = change.hasInput ? changedInput(before, plan) : "";
     std::map<std::string, std::string> then = questionsIn(before);
     for (const auto& [word, line] : questionsIn(plan))
@@ -173,7 +210,7 @@ SampleStore::SampleStore(const fs::path& caseDirectory, const std::string& plan,
                            + change->questions;
         if (!change->hasInput)
         {
-            text = "an older version has begun it, which did not note its input by files";
+            text = "an older version has begun it, which noted its input in another way";
         }
         if (!text.empty())
         {

@@ -3,7 +3,9 @@
 /// they came out.
 ///
 /// postProcessing/ensemble/0/work/
-///     plan             what the samples depend on: a folder of another plan is refused
+///     plan             what the samples depend on: a folder of another plan is refused, and one that has
+///     lost
+///                      its plan but not its samples
 ///     chunks.<n>.<m>   of n samples a byte for each chunk of m: 1 when all of them are in a journal. A
 ///                      process claims a chunk by locking its byte (fcntl): the kernel releases the lock when
 ///                      the process dies, however it does
@@ -41,13 +43,14 @@ struct FailedAttempt
     std::string message;
 };
 
-/// How the plan of a folder differs from that of now; nothing where the folder has none yet.
+/// How the plan of a folder differs from that of now; nothing where the folder has none yet, and no samples.
 struct PlanChange
 {
     std::string input;     ///< files of the case that the samples were computed from
     std::string questions; ///< what system/ensembleDict wants of them: variables, design, results, ...
-    bool hasInput = true;  ///< older versions do not say from which input they computed
+    bool hasInput = true;  ///< older versions do not say in this way from which input they computed
 };
+/// \throws FatalIOError where the plan is damaged, or gone and the samples are there
 std::optional<PlanChange> planChange(const std::filesystem::path& work, const std::string& plan);
 
 class SampleStore

@@ -2,7 +2,7 @@
 #include "ensembles/SearchHistory.h"
 
 #include "core/WholeFile.h"
-#include "ensembles/CaseRuns.h"
+#include "ensembles/StudyHistory.h"
 #include "functionObjects/ColumnFile.h"
 
 #include <fmt/format.h>
@@ -50,15 +50,23 @@ std::filesystem::path searchFolder(const std::filesystem::path& caseDirectory)
 SearchHistory::SearchHistory(const ParameterSearch& parameterSearch)
     : search(parameterSearch), file(searchFolder(search.caseDirectory) / "history.dat")
 {
-    const std::size_t numbers = search.settings.variables.size() + search.settings.results.size() + 2;
-    for (const std::vector<double>& row :
-         readHistory(file, historyHeading(search), numbers, parameterSearchName))
+    const std::size_t variables = search.settings.variables.size();
+    const std::size_t numbers = variables + search.settings.results.size() + 2;
+    for (const HistoryRow& row : readHistory(file, historyHeading(search), numbers, parameterSearchName))
     {
-        const auto variables = static_cast<std::ptrdiff_t>(search.settings.variables.size());
-        SearchRecord record{{row.begin(), row.begin() + variables},
-                            {row.begin() + variables, row.end() - 2},
-                            static_cast<int>(row.end()[-2]),
-                            row.back()};
+        SearchRecord record;
+        std::size_t column = 0;
+        for (; column < variables; ++column)
+        {
+            record.variables.push_back(row.finite(column));
+        }
+        for (; column < numbers - 2; ++column)
+        {
+            record.results.push_back(row.number(column));
+        }
+        constexpr int mostStatus = 255;
+        record.exitStatus = row.wholeInt(numbers - 2, 0, mostStatus);
+        record.cpuTime = row.finite(numbers - 1, 0);
         places[record.variables] = knownRecords.size();
         knownRecords.push_back(std::move(record));
     }

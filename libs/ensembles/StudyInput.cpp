@@ -13,6 +13,7 @@
 #include <cctype>
 #include <map>
 #include <optional>
+#include <set>
 #include <sstream>
 
 namespace drystone
@@ -21,6 +22,9 @@ namespace
 {
 
 namespace fs = std::filesystem;
+
+/// The first of the lines: of no form that a file has.
+constexpr const char* howCompared = "input of dictionaries by tokens\n";
 
 bool hasScript(const StudyRuns& runs)
 {
@@ -53,7 +57,11 @@ const SourceText* sourceOf(const Dictionary& dictionary)
 class InputFiles
 {
 public:
-    explicit InputFiles(const fs::path& directory) : caseDirectory(directory.lexically_normal()) {}
+    /// \param hasScripts which may read a dictionary in their own way
+    InputFiles(const fs::path& directory, bool hasScripts)
+        : caseDirectory(directory.lexically_normal()), isByTokens(!hasScripts)
+    {
+    }
 
     /// \return its text when it is new
     std::optional<std::string> add(const fs::path& file)
@@ -80,11 +88,13 @@ public:
                 for (const SourceFile& source : text->files)
                 {
                     add(source.name);
+                    compareByTokens(source.name);
                 }
             }
             for (const std::string& named : filesNamedIn(dictionary))
             {
                 add(caseDirectory / named); // an absolute one stays so
+                data.insert(nameOf(caseDirectory / named));
             }
         }
         catch (const FatalIOError&)
@@ -98,7 +108,8 @@ public:
         std::vector<InputFile> result;
         for (const auto& [name, content] : contents)
         {
-            result.push_back({name, content});
+            const auto tokens = data.contains(name) ? tokenContents.end() : tokenContents.find(name);
+            result.push_back({name, tokens == tokenContents.end() ? content : tokens->second});
         }
         return result;
     }
@@ -115,8 +126,20 @@ private:
                                                         : relative.string();
     }
 
+    void compareByTokens(const fs::path& file)
+    {
+        const std::string name = nameOf(file);
+        if (isByTokens && contents.contains(name) && !tokenContents.contains(name))
+        {
+            tokenContents[name] = fingerprintOfTokens({name, contentOfFile(file)});
+        }
+    }
+
     fs::path caseDirectory;
-    std::map<std::string, std::uint64_t> contents; ///< fingerprints by name
+    bool isByTokens;
+    std::map<std::string, std::uint64_t> contents;      ///< fingerprints by name, of the bytes
+    std::map<std::string, std::uint64_t> tokenContents; ///< of dictionaries
+    std::set<std::string> data;                         ///< that dictionaries name
 };
 
 /// Whether a text has the name as a word of its own, or at the end of a path.
@@ -231,7 +254,7 @@ std::vector<std::string> linesIn(const std::string& text, const std::string& mar
 std::vector<InputFile> inputOfStudy(const fs::path& caseDirectory, const StudyRuns& runs)
 {
     const fs::path base = (caseDirectory / "").lexically_normal();
-    InputFiles files(base);
+    InputFiles files(base, hasScript(runs));
     for (const std::string& name : runs.cases)
     {
         const fs::path directory = (base / name).lexically_normal();
@@ -243,12 +266,17 @@ std::vector<InputFile> inputOfStudy(const fs::path& caseDirectory, const StudyRu
 
 std::string inputLines(const std::vector<InputFile>& files, const std::string& mark)
 {
-    std::string text;
+    std::string text = mark + howCompared;
     for (const std::string& line : textsOf(files))
     {
         text += mark + "input " + line + "\n";
     }
     return text;
+}
+
+bool hasInputLines(const std::string& text, const std::string& mark)
+{
+    return text.starts_with(mark + howCompared);
 }
 
 std::string changedInput(const std::string& before, const std::string& now, const std::string& mark)

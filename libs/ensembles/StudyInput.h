@@ -19,14 +19,20 @@ struct StudyRuns
     std::vector<std::string> cases{"."};   ///< in the case directory: in each all of them are run
 };
 
-/// The files that the runs read, byte by byte, sorted by name: 0/, constant/ and system/, what these include
-/// or name with `file`, scripts, and files of the case that a script mentions. Neither copies of editors
+/// The files that the runs read, sorted by name: 0/, constant/ and system/, what these include or name with
+/// `file`, scripts, and files of the case that a script mentions. Dictionaries by their tokens, as variables
+/// of a study change them before they are read: comments and layout do not count. All else byte by byte, and
+/// dictionaries too where a script is run, which may read them in its own way. Neither copies of editors
 /// (`g~`, `g.orig`), hidden files, logs and results, nor dictionaries of other studies; nor constant/assembly
 /// where blockTexture comes first and writes it anew.
 std::vector<InputFile> inputOfStudy(const std::filesystem::path& caseDirectory, const StudyRuns& runs);
 
-/// As a file of a study keeps them: `input 1f2e3d4c5b6a7988 constant/g`, a line each behind `mark`.
+/// As a file of a study keeps them: `input 1f2e3d4c5b6a7988 constant/g`, a line each behind `mark`, after one
+/// that says how dictionaries were compared.
 std::string inputLines(const std::vector<InputFile>& files, const std::string& mark = "");
+
+/// Whether a text begins with such lines; those of older versions do not, and cannot be compared with them.
+bool hasInputLines(const std::string& text, const std::string& mark = "");
 
 /// How the input differs between two texts with such lines: `constant/g has changed`. Empty: not at all.
 /// \param mark before each of the lines

@@ -141,6 +141,8 @@ class AccuracyCost(CaseTest):
     def testAHistoryOfAnotherCaseIsRefused(self):
         case = self.case("changed")
         self.run_(case)
+        self.replace(case, "constant/contactProperties", r"mu\s+1;", "\n    mu 1; // of stone")
+        self.run_(case)
         properties = self.read(case, "constant/contactProperties")
         self.replace(case, "constant/contactProperties", r"mu\s+1;", "mu 0.9;")
         refused = self.run_(case, status=1).stderr
@@ -152,6 +154,27 @@ class AccuracyCost(CaseTest):
         with open(os.path.join(case, results, "history.dat"), "a", encoding="utf-8") as file:
             file.write("1 2 half a ro")
         self.assertRegex(self.run_(case, status=1).stderr, r"history.dat at line \d+")
+
+    def testNumbersOfAHistoryThatNoRunHasAreRefusedWithTheirLine(self):
+        case = self.case("edited")
+        self.run_(case)
+        history = os.path.join(case, results, "history.dat")
+        sound = self.read(case, results + "/history.dat")
+        *before, last = sound.splitlines()
+        for column, numbers in ((0, ("-1", "1e300", "0.5", "2")), (3, ("99", "-1", "nan")), (12, ("3", "-1")),
+                                (13, ("0",)), (19, ("77", "3"))):
+            for number in numbers:
+                words = last.split()
+                words[column] = number
+                with open(history, "w", encoding="utf-8") as file:
+                    file.write("\n".join([*before, " ".join(words), ""]))
+                refused = self.run_(case, status=1).stderr
+                self.assertIn(f"column {column + 1} of a row of the history, is ", refused)
+                self.assertIn(f"history.dat at line {len(before) + 1}.", refused)
+        for text in "", "garbage", sound[:30]:
+            with open(history, "w", encoding="utf-8") as file:
+                file.write(text)
+            self.assertIn("The history is damaged: it ", self.run_(case, status=1).stderr)
 
     def testAFigureThatARunDoesNotHaveIsAFailureAndNotAnError(self):
         case = self.case("short", reference='value; value 0.4938; source "Housner"')

@@ -48,6 +48,41 @@ TEST(Fingerprint, OfADictionaryIsOfWhatItSays)
     EXPECT_EQ(of("a 0;"), of("a -0;"));
 }
 
+std::uint64_t ofTokens(const std::string& text)
+{
+    return fingerprintOfTokens({"g", text});
+}
+
+TEST(Fingerprint, OfTokensIsOfWhatIsWritten)
+{
+    const std::string text = "a 1;\nb { c ($a 2); }\n#ifeq $a 1\nd 1;\n#else\nd 2;\n#endif\n";
+    const std::uint64_t plain = ofTokens(text);
+    for (const char* same :
+         {"// of stone\na 1;\n\nb\n{\n    c /* \" */ ( $a 2 );\n}\n#ifeq $a 1 // or so\n"
+          "d 1;\n#else\nd 2;\n#endif",
+          "FoamFile { class dictionary; }\r\na 1;\r\nb { c ($a 2); }\n#ifeq $a 1\nd 1;\n#else\n"
+          "d 2;\n#endif\n"})
+    {
+        EXPECT_EQ(ofTokens(same), plain) << same;
+    }
+    // What a variable of a study would make of these differs, although they say the same as they stand.
+    for (const char* other :
+         {"a 1;\nb { c (1 2); }\n#ifeq $a 1\nd 1;\n#else\nd 2;\n#endif\n", "a 1;\nb { c ($a 2); }\nd 1;\n",
+          "a 1;\nb { c ($a 2); }\n#ifeq $a 1\nd 1;\n#else\nd 3;\n#endif\n",
+          "a 1;\nb { c ($a 2); }\n#ifeq $a 1\nd 1;\nd 2;\n#endif\n",
+          "a 1;\na 1;\nb { c ($a 2); }\n#ifeq $a 1\nd 1;\n#else\nd 2;\n#endif\n"})
+    {
+        EXPECT_NE(ofTokens(other), plain) << other;
+    }
+    EXPECT_NE(ofTokens("a (1 2);"), ofTokens("a (12);"));
+    EXPECT_NE(ofTokens("a b;"), ofTokens("a \"b\";"));
+    EXPECT_NE(ofTokens("a \"//b\";"), ofTokens("a \"\";"));
+    EXPECT_NE(ofTokens("a #calc { 1 // 2 };"), ofTokens("a #calc { 1 };"));
+    EXPECT_NE(ofTokens("a { b 1; } c 1;"), ofTokens("a { b 1; c 1; }"));
+    // No dictionary: by its bytes.
+    EXPECT_EQ(ofTokens("a { "), fingerprint("a { "));
+}
+
 TEST(Fingerprint, OfInputFilesTellsWhichHaveChanged)
 {
     const fs::path folder = fs::temp_directory_path() / ("drystone_input_" + std::to_string(getpid()));

@@ -180,7 +180,7 @@ class Ensemble(CaseTest):
             self.assertEqual(self.read(case, "postProcessing/ensemble/0/samples.dat"), before)
             self.edit(case, "system/ensembleDict", new, old)
         # The values of the samples are the same: their results are those of the case as it was, and it is said.
-        self.edit(case, "constant/materialProperties", "unitWeight", "unitWeight ")
+        self.edit(case, "constant/materialProperties", "unitWeight ", "unitWeight 1")
         warned = self.run_(case, "-postProcess")
         self.assertRegex(warned.stderr + warned.stdout,
                          r"those of other input: constant/materialProperties has changed\.")
@@ -201,15 +201,22 @@ class Ensemble(CaseTest):
                 file.write("x")
             self.set(case, samples=samples, design="random")
             self.run_(case)
-        # What samples read is named.
-        for name in "constant/materialProperties", "system/controlDict":
+        # Comments and layout say nothing; what samples read is named.
+        for name, old, new in (("constant/materialProperties", "unitWeight", "// [N/m3]\n\nunitWeight   "),
+                               ("system/controlDict", "FoamFile", "// of the wall\nFoamFile")):
+            self.edit(case, name, old, new)
+            self.run_(case)
+        for name, old, new in (("constant/materialProperties", "1000;", "1001;"),
+                               ("system/controlDict", "FoamFile", "writeFormat binary;\nFoamFile")):
             text = self.read(case, name)
-            with open(os.path.join(case, name), "a", encoding="utf-8") as file:
-                file.write("\n")
+            self.edit(case, name, old, new)
             self.assertIn(f": {name} has changed.", self.run_(case, status=1).stderr)
             with open(os.path.join(case, name), "w", encoding="utf-8") as file:
                 file.write(text)
         self.run_(case)
+        # A macro is not its value, and what is written counts: a variable may be what it stands for.
+        self.edit(case, "system/blockTextureDict", "($unitLength", "(#calc \"$unitLength\"")
+        self.assertIn(": system/blockTextureDict has changed.", self.run_(case, status=1).stderr)
 
     def testFilesThatScriptsAndDictionariesReadCount(self):
         case = self.case("scripts", samples=2, design="random", applications='"./prepare" blockTexture limitAnalysis')
@@ -562,6 +569,32 @@ results
         self.assertIn(f"{lost} samples that were computed are in no journal", self.run_(case).stderr)
         self.assertEqual(self.table(case), whole)
         self.assertNotIn("in no journal", self.run_(case).stderr)
+
+    def testSamplesThatHaveLostTheirPlanAreRefused(self):
+        case = self.alike("planless", samples=20)
+        self.run_(case)
+        before = self.read(case, "postProcessing/ensemble/0/samples.dat")
+        plan = os.path.join(case, "postProcessing/ensemble/0/work/plan")
+        whole = self.read(case, "postProcessing/ensemble/0/work/plan")
+        self.edit(case, "system/ensembleDict", "median 0.65", "median 0.4")
+        for text in None, "", "garbage\n", whole[:whole.index("attempts")]:
+            if text is None:
+                os.remove(plan)
+            else:
+                with open(plan, "w", encoding="utf-8") as file:
+                    file.write(text)
+            for option in (), ("-postProcess",):
+                refused = self.run_(case, *option, status=1).stderr
+                self.assertIn("The plan of the ensemble is " + ("gone" if text is None else "empty, cut off"), refused)
+                self.assertIn("Remove postProcessing/ensemble to start again.", refused)
+                self.assertRegex(refused, "file: .*postProcessing/ensemble/0/work/plan")
+                self.assertEqual(self.read(case, "postProcessing/ensemble/0/samples.dat"), before)
+        with open(plan, "w", encoding="utf-8") as file:
+            file.write(whole)
+        self.assertIn("variables of system/ensembleDict have changed", self.run_(case, status=1).stderr)
+        self.edit(case, "system/ensembleDict", "median 0.4", "median 0.65")
+        self.run_(case)
+        self.assertEqual(self.read(case, "postProcessing/ensemble/0/samples.dat"), before)
 
     def testCtrlCStopsAndItContinues(self):
         """The program ends after the samples in hand, so all may be there already: then it is interrupted anew."""

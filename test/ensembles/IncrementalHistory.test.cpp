@@ -3,9 +3,11 @@
 #include "ensembles/IncrementalHistory.h"
 
 #include "core/Error.h"
+#include "core/WholeFile.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include <gtest/gtest.h>
@@ -92,7 +94,31 @@ TEST_F(IncrementalHistoryTest, OfOtherInputIsLeftAside)
 TEST_F(IncrementalHistoryTest, DamagedRowsAreNamed)
 {
     history().add(0, someRun(0.5));
-    std::ofstream(folder / "postProcessing/history.dat", std::ios::app) << "7 0.5 1 1 1 1 1 1 1\n";
+    const auto file = folder / "postProcessing/history.dat";
+    const std::string sound = contentOfFile(file);
+    const int line = static_cast<int>(std::count(sound.begin(), sound.end(), '\n')) + 1;
+    for (const char* row : {"7 0.5 1 1 1 1 1 1 1", "2 0.5 1 1 1 1 1 1 1 0", "-1 0.5 1 1 1 1 1 1 1 0",
+                            "1e300 0.5 1 1 1 1 1 1 1 0", "0.5 0.5 1 1 1 1 1 1 1 0", "nan 0.5 1 1 1 1 1 1 1 0",
+                            "1 nan 1 1 1 1 1 1 1 0", "1 0.5 1 3 1 1 1 1 1 0", "1 0.5 1 0.5 1 1 1 1 1 0",
+                            "1 0.5 1 1 1 1 1e30 1 1 0", "1 0.5 1 1 1 1 1 1 1 2"})
+    {
+        writeWholeFile(file, sound + row + "\n");
+        try
+        {
+            history();
+            ADD_FAILURE() << row;
+        }
+        catch (const FatalIOError& error)
+        {
+            EXPECT_EQ(error.location().line, line) << row;
+            EXPECT_EQ(error.location().file, file.string());
+        }
+    }
+}
+
+TEST_F(IncrementalHistoryTest, DamagedFilesAreNotTakenForThoseOfOtherInput)
+{
+    writeWholeFile(folder / "postProcessing/history.dat", "");
     EXPECT_THROW(history(), FatalIOError);
 }
 

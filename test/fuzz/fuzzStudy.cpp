@@ -4,9 +4,9 @@
 #include "SoundCase.h"
 
 #include "ensembles/AccuracyCostCase.h"
-#include "ensembles/CaseRuns.h"
 #include "ensembles/IncrementalDynamicsCase.h"
 #include "ensembles/ParameterSearchCase.h"
+#include "ensembles/StudyHistory.h"
 #include "functionObjects/LimitAnalysisResults.h"
 #include "io/VtkSeries.h"
 #include "runControl/CommandLine.h"
@@ -61,7 +61,11 @@ void readSeries(const std::filesystem::path& caseDirectory)
 
 void readRows(const std::filesystem::path& caseDirectory)
 {
-    readHistory(caseDirectory / historyFile, heading, 3, "fuzz");
+    for (const HistoryRow& row : readHistory(caseDirectory / historyFile, heading, 3, "fuzz"))
+    {
+        row.whole(0, 0);
+        row.finite(1);
+    }
 }
 
 void readTable(const std::filesystem::path& caseDirectory)

@@ -4,16 +4,17 @@
 file or folder behind. The disk is a tmpfs of some hundred kB, mounted in a namespace of its own; where this is not allowed
 the test is skipped (77).
 
-fullDisk.py BIN
+fullDisk.py BIN TUTORIALS
 """
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
 
 import shakenWall
 
-applications = os.path.abspath(sys.argv[1])
+applications, tutorials = (os.path.abspath(path) for path in sys.argv[1:3])
 
 
 def mounted(folder, size, commands):
@@ -46,7 +47,23 @@ def main():
             assert "case/" in done.stderr, "the message names no file: " + done.stderr
             left = done.stdout.split("== left\n")[1].split()
             assert not left, f"left behind: {left}"
-        # On a disk that has room the same run ends well.
+        # The history of a study is written by the threads that carry out its runs.
+        study = os.path.join(root, "study")
+        shutil.copytree(os.path.join(tutorials, "incrementalDynamics/space/cornerWalls/structure"), study,
+                        ignore=shutil.ignore_patterns("VTK", "postProcessing", "log.*", "assembly", "*.svg"))
+        subprocess.run([os.path.join(applications, "blockTexture"), "-case", study], check=True, capture_output=True)
+        shutil.rmtree(os.path.join(study, "VTK"))
+        size = sum((os.path.getsize(os.path.join(folder, file)) + 4095) // 4096 * 4096
+                   for folder, _, files in os.walk(study) for file in files)
+        run = os.path.join(applications, "incrementalDynamics") + " -case study"
+        for prepare, fault in (("mkdir -p study/postProcessing/incrementalDynamics/0/history.dat", "it is a folder"),
+                               ("dd if=/dev/zero of=full bs=4096 2> dd.log; true", "No space left on device")):
+            done = mounted(disk, f"{size // 1024 + 60}k", f'cp -r "{study}" . && {{ {prepare}; }} && {run}')
+            print("incrementalDynamics", done.returncode, done.stderr.splitlines()[-5:])
+            assert done.returncode == 1, done.stdout[-500:] + done.stderr
+            assert "Cannot write study/" in done.stderr and fault in done.stderr, done.stderr
+        # On a disk that has room the run ends well.
+        run = os.path.join(applications, "contactDynamics") + " -case case"
         done = mounted(disk, "200m", f'cp -r "{case}" . && {run}')
         assert done.returncode == 0, done.stderr
     return 0

@@ -107,7 +107,7 @@ class ParameterSearch(CaseTest):
         self.assertIn("Remove postProcessing/parameterSearch", done.stderr)
         self.assertIn("constant/contactProperties has changed", done.stderr)
         with open(os.path.join(case, "constant/contactProperties"), "w", encoding="utf-8") as file:
-            file.write(properties)
+            file.write("// of the arch\n\n" + properties)
         self.run_(case)
         with open(os.path.join(case, "postProcessing/parameterSearch/0/history.dat"), "a", encoding="utf-8") as file:
             file.write("45 half a ro")

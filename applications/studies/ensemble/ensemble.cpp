@@ -48,8 +48,8 @@ void compareWithPlan(const Ensemble& ensemble)
     }
     if (!change->hasInput)
     {
-        info("{} does not say from which input it was computed: an older version has written it, and changes "
-             "since are not noticed.",
+        info("An older version has written {} and noted its input in another way: changes since are not "
+             "noticed.",
              work.string());
     }
     if (!change->input.empty())
