@@ -51,10 +51,13 @@ void addFault(CheckResult& result, std::string fault)
     }
 }
 
+/// To the millimetre where a structure has coordinates of a map.
 template<int Dim>
 std::string asText(const Vector<Dim>& point)
 {
-    return fmt::format("({:.6g})", fmt::join(point.data(), point.data() + Dim, " "));
+    constexpr double ofMap = 1e3; // [m]
+    const int digits = point.template lpNorm<Eigen::Infinity>() < ofMap ? 6 : 10;
+    return fmt::format("({:.{}g})", fmt::join(point.data(), point.data() + Dim, " "), digits);
 }
 
 template<int Dim>

@@ -2,14 +2,17 @@
 /// Checks of 0/motion against the blocks.
 #include "dynamics/StartCheck.h"
 
+#include "assembly/BlockShape.h"
 #include "contact/AlmostJoints.h"
 #include "contact/Penetration.h"
 #include "core/Degrees.h"
+#include "core/Log.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace drystone
 {
@@ -125,6 +128,33 @@ template void questionSpeeds(const Assembly<2>& assembly, const InitialState<2>&
                              const TimeControls& controls);
 template void questionSpeeds(const Assembly<3>& assembly, const InitialState<3>& start,
                              const TimeControls& controls);
+template<int Dim>
+void questionDigits(const DynamicCase<Dim>& scene)
+{
+    constexpr double noticeable =
+        1e-3; // of the error allowed in gaps: a wall has moved by 2e-5 m of 4 cm otherwise
+    double largest = 0;
+    for (const Block<Dim>& block : scene.assembly.blocks)
+    {
+        const Box<Dim> box = boundingBox(block);
+        largest = std::max({largest, box.lower.template lpNorm<Eigen::Infinity>(),
+                            box.upper.template lpNorm<Eigen::Infinity>()});
+    }
+    const double next = std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
+    const double allowed = scene.schemes.contactTolerance * scene.blockSize;
+    if (next > noticeable * allowed)
+    {
+        printWarning(fmt::format("Coordinates of up to {:.3g} m have neighbours {:.1e} m apart, {:.2g} of "
+                                 "the error that contactTolerance "
+                                 "allows in gaps ({:.1e} m): steps may find no solution, or another. Take a "
+                                 "constant off all coordinates of "
+                                 "the structure, as off those of a map, so that it is near 0.",
+                                 largest, next, next / allowed, allowed));
+    }
+}
+
+template void questionDigits(const DynamicCase<2>& scene);
+template void questionDigits(const DynamicCase<3>& scene);
 template void refuseStartOverlaps(const Assembly<2>& assembly, const std::vector<Placement<2>>& placements,
                                   const std::vector<SourceLocation>& places);
 template void refuseStartOverlaps(const Assembly<3>& assembly, const std::vector<Placement<3>>& placements,

@@ -1,8 +1,9 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Whether blocks can start where 0/motion puts them.
+/// Whether blocks can start where 0/motion puts them, and where they were built.
 #pragma once
 
 #include "assembly/Assembly.h"
+#include "dynamics/DynamicCase.h"
 #include "dynamics/InitialMotion.h"
 #include "runControl/Time.h"
 
@@ -27,5 +28,9 @@ void questionRotation(const BlockStart<Dim>& start, const SourceLocation& place)
 template<int Dim>
 void questionSpeeds(const Assembly<Dim>& assembly, const InitialState<Dim>& start,
                     const TimeControls& controls);
+
+/// Warns of coordinates so large that gaps between blocks are rounding: of maps, say.
+template<int Dim>
+void questionDigits(const DynamicCase<Dim>& scene);
 
 } // namespace drystone

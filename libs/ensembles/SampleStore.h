@@ -3,9 +3,8 @@
 /// they came out.
 ///
 /// postProcessing/ensemble/0/work/
-///     plan             what the samples depend on: a folder of another plan is refused, and one that has
-///     lost
-///                      its plan but not its samples
+///     plan             what the samples depend on: a folder of another plan is refused, and one without it
+///                      that has samples
 ///     chunks.<n>.<m>   of n samples a byte for each chunk of m: 1 when all of them are in a journal. A
 ///                      process claims a chunk by locking its byte (fcntl): the kernel releases the lock when
 ///                      the process dies, however it does

@@ -148,6 +148,7 @@ template<int Dim>
 Motion<Dim> startOrContinue(const std::filesystem::path& caseDirectory, const DynamicCase<Dim>& scene,
                             Time& time)
 {
+    questionDigits(scene);
     const std::string startName = time.startName();
     const std::filesystem::path file = caseDirectory / startName / "state";
     if (!std::filesystem::exists(file))

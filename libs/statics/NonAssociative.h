@@ -14,7 +14,7 @@ struct NonAssociativeSettings
 {
     int starts = 1; ///< paths to collapse; more of them while there is no collapse, and in space while lower
                     ///< ones are found
-    int seed = 1;            ///< of the random numbers that they are made from
+    int seed = 1;   ///< of the random numbers that they are made from
     double tolerance = 1e-6; ///< on the residuals of a pair of forces and mechanism
 };
 

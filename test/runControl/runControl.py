@@ -514,6 +514,18 @@ class RunControl(CaseTest):
         errors = process.communicate(timeout=120)[1]
         self.assertIn("functions, purgeWrite of system/controlDict stay as when this run was started", errors)
 
+    def testCoordinatesOfAMapThatLeaveNoDigitsForGapsAreWarnedOf(self):
+        for offset, warns in (("0", False), ("1e3", False), ("5e6", True)):
+            case = self.copy("map" + offset)
+            far = re.sub(r"\((-?[\d.]+) (-?[\d.]+)\)",
+                         lambda point: f"({float(point[1]) + float(offset)!r} {point[2]})", texture)
+            self.write(case, "system/blockTextureDict", far)
+            self.runApplication("blockTexture", case)
+            done = self.run_(case, "-dry-run")
+            self.assertEqual("neighbours 9.3e-10 m apart" in done.stdout + done.stderr, warns, done.stdout)
+            box = self.runApplication("checkBlocks", case).stdout
+            self.assertIn("Bounding box of the free blocks (5000000 0) (5000000.42 1.5)" if warns else "Bounding", box)
+
     def testATimeWithoutAStartIsNamedWithItsLine(self):
         case = self.copy("noStart", startFrom="startTime", startTime="0.3")
         self.assertRegex(self.run_(case, status=1).stderr,
