@@ -21,7 +21,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <sstream>
 
 namespace drystone
 {
@@ -68,54 +67,6 @@ void questionSteps(const Time& time)
                         time.value() + last, controls.endTime, step, time.value(),
                         length / std::ceil(length / step)),
             time.controlDict().locationOf("deltaT"));
-    }
-}
-
-/// Whether a table has a row at another time than those of the states.
-bool hasOtherTimes(const std::filesystem::path& table,
-                   const std::vector<std::pair<std::string, State>>& states)
-{
-    std::istringstream lines(contentOfFile(table));
-    for (std::string line; std::getline(lines, line);)
-    {
-        double time = 0;
-        std::istringstream words(line);
-        const auto isThere = [&time](const std::pair<std::string, State>& state)
-        {
-            const double then = stateScalar(state.second, "time");
-            constexpr double digitsOfTables = 1e-4;
-            return std::abs(time - then) <= digitsOfTables * std::abs(then);
-        };
-        if (!line.empty() && line.front() != '#' && words >> time
-            && std::none_of(states.begin(), states.end(), isThere))
-        {
-            return true;
-        }
-    }
-    return false;
-}
-
-/// `-postProcess` writes into the folders of the first state, where a run that began there has tables of its
-/// own: rows at other times than those of states. \throws FatalError for such a table
-void refuseTablesOfRun(const std::filesystem::path& caseDirectory, const Dictionary& functions,
-                       const std::vector<std::pair<std::string, State>>& states)
-{
-    for (const Entry& function : functions.entries())
-    {
-        const std::filesystem::path folder =
-            postProcessingFolder(caseDirectory, function.keyword(), states.front().first);
-        std::error_code none;
-        for (const auto& entry : std::filesystem::directory_iterator(folder, none))
-        {
-            if (entry.path().extension() == ".dat" && hasOtherTimes(entry.path(), states))
-            {
-                throw FatalError(fmt::format("{} is a table of the run that began at {}, and would be "
-                                             "written over: it has rows between "
-                                             "the states.\n\nRename the folder {} to keep it, or remove it.",
-                                             entry.path().lexically_normal().string(), states.front().first,
-                                             folder.lexically_normal().string()));
-            }
-        }
     }
 }
 
@@ -195,40 +146,6 @@ void chooseFirstTimeStep(const DynamicCase<Dim>& scene, const Motion<Dim>& motio
     {
         chooseTimeStep(scene, motion, time.wantedDeltaT(), time);
     }
-}
-
-template<int Dim>
-void postProcess(const std::filesystem::path& caseDirectory, const DynamicCase<Dim>& scene, const Time& time)
-{
-    std::vector<std::pair<std::string, State>> states;
-    for (const std::string& name : timesOfStates(caseDirectory))
-    {
-        states.emplace_back(name, readState(caseDirectory / name / "state"));
-    }
-    if (states.empty())
-    {
-        throw FatalError("There are no results to process: no time directory of this case has a state. Run "
-                         "contactDynamics without -postProcess first.");
-    }
-    compareWithInput(states, inputOfMotion(caseDirectory, scene.assembly, time, beginningOf(states, time)));
-    const Dictionary functions =
-        time.controlDict().found("functions") ? time.controlDict().subDict("functions") : Dictionary();
-    refuseTablesOfRun(caseDirectory, functions, states);
-    FunctionList<Dim> list(functions, caseDirectory, states.front().first, {}, 0, scene.assembly);
-    ObservedLists<Dim> lists;
-    for (const auto& [name, saved] : states)
-    {
-        info("Time = {}", name);
-        const Motion<Dim> motion = motionOf(scene, saved);
-        StepObservation<Dim> seen = observe(scene, motion, time, lists);
-        const TimeState then = timeOf(saved);
-        seen.time = then.value;
-        seen.timeStep = stateScalar(saved, "stepLength");
-        seen.step = then.index;
-        seen.stageTimes.reset();
-        list.writeAlways(seen);
-    }
-    list.writePictures();
 }
 
 template<int Dim>
@@ -371,15 +288,20 @@ void MotionResults<Dim>::writeFirstFrames()
     hasState = writeParaViewState(caseDirectory); // so that a motion can be watched while it is computed
     blocks.begin();
     contacts.begin();
-    // A run that was killed may have written one of the two.
-    writing.start(
-        [this, frames = framesNow()]
+    const bool hasBlocks = blocks.hasFrameAt(time.value());
+    const bool hasContacts = contacts.hasFrameAt(time.value());
+    if (hasBlocks && hasContacts)
+    {
+        return;
+    }
+    writing.start( // a run that was killed may have written one of the two
+        [this, hasBlocks, hasContacts, frames = framesNow()]
         {
-            if (!blocks.hasFrameAt(frames.time))
+            if (!hasBlocks)
             {
                 blocks.write(frames.time, frames.blocks);
             }
-            if (!contacts.hasFrameAt(frames.time))
+            if (!hasContacts)
             {
                 contacts.write(frames.time, frames.contacts);
             }
@@ -419,16 +341,12 @@ void MotionResults<Dim>::printWritten() const
 template Motion<2> startOrContinue(const std::filesystem::path& caseDirectory, const DynamicCase<2>& scene,
                                    Time& time);
 template void chooseFirstTimeStep(const DynamicCase<2>& scene, const Motion<2>& motion, Time& time);
-template void postProcess(const std::filesystem::path& caseDirectory, const DynamicCase<2>& scene,
-                          const Time& time);
 template void writePrograms(DynamicCase<2>& scene, const std::filesystem::path& caseDirectory,
                             const Time& time);
 template class MotionResults<2>;
 template Motion<3> startOrContinue(const std::filesystem::path& caseDirectory, const DynamicCase<3>& scene,
                                    Time& time);
 template void chooseFirstTimeStep(const DynamicCase<3>& scene, const Motion<3>& motion, Time& time);
-template void postProcess(const std::filesystem::path& caseDirectory, const DynamicCase<3>& scene,
-                          const Time& time);
 template void writePrograms(DynamicCase<3>& scene, const std::filesystem::path& caseDirectory,
                             const Time& time);
 template class MotionResults<3>;

@@ -29,11 +29,6 @@ Motion<Dim> startOrContinue(const std::filesystem::path& caseDirectory, const Dy
 template<int Dim>
 void chooseFirstTimeStep(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, Time& time);
 
-/// `-postProcess`: runs the functions of controlDict on each state stored in the case, in order of time, into
-/// postProcessing/<function>/<first time>/. \throws FatalError when there is no state
-template<int Dim>
-void postProcess(const std::filesystem::path& caseDirectory, const DynamicCase<Dim>& scene, const Time& time);
-
 /// Lets the solver write its cone programs as postProcessing/contactDynamics/<time>/coneProgram, when
 /// `writeProgram` of system/solution requests it. \param time of the run; must outlive the scene
 template<int Dim>

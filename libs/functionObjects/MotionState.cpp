@@ -57,20 +57,25 @@ void append(std::vector<double>& values, const Eigen::MatrixBase<Derived>& vecto
     values.insert(values.end(), vector.derived().begin(), vector.derived().end());
 }
 
-/// A number of steps. \throws FatalIOError where it is none
-long countOf(const State& saved, const std::string& name)
+/// A whole number, which counts or identifies something. \param where `entry timeIndex`
+/// \throws FatalIOError where it is not at least `least` and less than `end`
+long wholeNumber(const State& saved, const std::string& where, double value, double least, double end)
 {
-    constexpr double most = 1e15; // whole numbers up to there are exact
-    const double value = stateScalar(saved, name);
-    if (!(value >= 0 && value <= most) || value != std::floor(value))
+    if (!(value >= least && value < end) || value != std::floor(value))
     {
-        throw FatalIOError(
-            fmt::format("The entry {} of the state is {:g}, which is no number of steps: the file "
-                        "is damaged.\n\nRemove the time directory to start from an earlier one.",
-                        name, value),
-            {saved.file.string(), "", 1});
+        throw FatalIOError(fmt::format("The {} of the state has {:g}, which is no such number: the file is "
+                                       "damaged.\n\nRemove the time directory to start from an earlier one.",
+                                       where, value),
+                           {saved.file.string(), "", 1});
     }
     return static_cast<long>(value);
+}
+
+/// Of steps, or of times.
+long countOf(const State& saved, const std::string& name)
+{
+    constexpr double end = 1e15; // whole numbers up to there are exact
+    return wholeNumber(saved, "entry " + name, stateScalar(saved, name), 0, end);
 }
 
 /// The integers that identify corner and edge of one contact point.
@@ -94,30 +99,9 @@ TimeState timeOf(const State& saved)
     time.wanted = kept("deltaTWanted");
     time.given = kept("deltaTGiven");
     time.stepLength = kept("stepLength");
-    time.writeTimes = static_cast<long>(kept("timeWrites"));
+    time.writeTimes = saved.scalars.contains("timeWrites") ? countOf(saved, "timeWrites") : 0;
     return time;
 }
-
-namespace
-{
-
-/// A number that identifies something: a whole one. \throws FatalIOError where it is not at least `least` and
-/// less than `end`
-int numberOf(const State& saved, const char* list, double value, int least, int end)
-{
-    if (!(value >= least && value < end) || value != std::floor(value))
-    {
-        throw FatalIOError(
-            fmt::format("The list {} of the state has {:g}, which is no number of this structure: "
-                        "the file is damaged.\n\nRemove the time directory to start from an "
-                        "earlier one.",
-                        list, value),
-            {saved.file.string(), "", 1});
-    }
-    return static_cast<int>(value);
-}
-
-} // namespace
 
 template<int Dim>
 Motion<Dim> motionOf(const DynamicCase<Dim>& scene, const State& saved)
@@ -158,14 +142,14 @@ Motion<Dim> motionOf(const DynamicCase<Dim>& scene, const State& saved)
     {
         ContactPoint<Dim>& point = motion.points[i];
         const double* numbers = &features[featureNumbers * i];
-        const auto number = [&](std::size_t index, int least, int end)
-        { return numberOf(saved, "contactFeature", numbers[index], least, end); };
-        constexpr int least = std::numeric_limits<int>::min(); // of corners and edges, which shapes number
-        constexpr int most = std::numeric_limits<int>::max();
-        point.block = number(0, 0, static_cast<int>(blocks));
-        point.neighbour = number(1, 0, static_cast<int>(blocks));
-        point.feature = {number(2, -1, static_cast<int>(blocks)), number(3, least, most),
-                         number(4, least, most)};
+        const auto number = [&](std::size_t index, double least, double end)
+        { return static_cast<int>(wholeNumber(saved, "list contactFeature", numbers[index], least, end)); };
+        constexpr double least = std::numeric_limits<int>::min(); // of corners and edges, which shapes number
+        constexpr double most = std::numeric_limits<int>::max();
+        const auto count = static_cast<double>(blocks);
+        point.block = number(0, 0, count);
+        point.neighbour = number(1, 0, count);
+        point.feature = {number(2, -1, count), number(3, least, most), number(4, least, most)};
         point.gap = gaps[i];
         point.position = vectorAt<Dim>(positions, i);
         point.normal = vectorAt<Dim>(normals, i);

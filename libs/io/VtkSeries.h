@@ -63,8 +63,8 @@ private:
     std::filesystem::path folder;
     std::string name;
     std::vector<SeriesFrame> frames;
-    std::size_t staleFrom =
-        0;                    ///< the first frame after startTime, until these are removed; else their number
+    /// The first frame after startTime, until these are removed; then the number of frames.
+    std::size_t staleFrom = 0;
     std::size_t listSize = 0; ///< bytes of the list file as we wrote it; 0 when it is not known
 };
 

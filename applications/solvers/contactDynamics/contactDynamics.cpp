@@ -14,6 +14,7 @@
 #include "functionObjects/EffectAdvice.h"
 #include "functionObjects/MotionLog.h"
 #include "functionObjects/MotionResults.h"
+#include "functionObjects/StoredStates.h"
 #include "runControl/Application.h"
 #include "runControl/Case.h"
 #include "runControl/ReportApplication.h"
