@@ -32,10 +32,10 @@ PartingAxis faceAxis(const ConvexSolid& first, const ConvexSolid& second, double
 {
     PartingAxis best;
     best.distance = -infinite;
-    std::vector<const Vector<3>*> parting; // normals of faces that do, of the first solid and of both
+    std::vector<const Vector<3>*> parting; // normals of faces that do
+    const double most = sharedEdge == SharedEdge::rimsMayTouch ? nearlyAcross : nearlyOneFace;
     for (const bool isOfFirst : {true, false})
     {
-        const std::size_t ofOther = parting.size();
         const ConvexSolid& solid = isOfFirst ? first : second;
         const ConvexSolid& other = isOfFirst ? second : first;
         for (int face = 0; face < static_cast<int>(solid.faces.size()); ++face)
@@ -44,14 +44,12 @@ PartingAxis faceAxis(const ConvexSolid& first, const ConvexSolid& second, double
             const double distance = leastAlong(other, normal, pointOf(solid, face));
             if (sharedEdge != SharedEdge::mayTouch && distance > -tolerance)
             {
-                for (std::size_t i = 0; i < parting.size(); ++i)
+                const auto leavesAnEdge = [&](const Vector<3>* before)
+                { return std::abs(before->dot(normal)) < most; };
+                if (std::any_of(parting.begin(), parting.end(), leavesAnEdge))
                 {
-                    const bool mayBeRim = i < ofOther && sharedEdge == SharedEdge::rimsMayTouch;
-                    if (std::abs(parting[i]->dot(normal)) < (mayBeRim ? nearlyAcross : nearlyOneFace))
-                    {
-                        best.isAnEdgeAtMost = true;
-                        return best;
-                    }
+                    best.isAnEdgeAtMost = true;
+                    return best;
                 }
                 parting.push_back(&normal);
             }

@@ -41,8 +41,7 @@ struct PartingAxis
 enum class SharedEdge
 {
     mayTouch,     ///< as any others
-    rimsMayTouch, ///< apart where both faces are of one solid, or across each other: one may rock on the rim
-                  ///< of the other
+    rimsMayTouch, ///< apart where the faces are across each other: one may rock on the rim of the other
     doesNotTouch  ///< apart, unless both faces have nearly one direction, as those of a ridge
 };
 
