@@ -32,7 +32,7 @@ PartingAxis faceAxis(const ConvexSolid& first, const ConvexSolid& second, double
 {
     PartingAxis best;
     best.distance = -infinite;
-    std::vector<const Vector<3>*> parting; // normals of faces that do
+    const Vector<3>* parting = nullptr; // normal of the first face that does
     const double most = sharedEdge == SharedEdge::rimsMayTouch ? nearlyAcross : nearlyOneFace;
     for (const bool isOfFirst : {true, false})
     {
@@ -44,14 +44,12 @@ PartingAxis faceAxis(const ConvexSolid& first, const ConvexSolid& second, double
             const double distance = leastAlong(other, normal, pointOf(solid, face));
             if (sharedEdge != SharedEdge::mayTouch && distance > -tolerance)
             {
-                const auto leavesAnEdge = [&](const Vector<3>* before)
-                { return std::abs(before->dot(normal)) < most; };
-                if (std::any_of(parting.begin(), parting.end(), leavesAnEdge))
+                if (parting && std::abs(parting->dot(normal)) < most)
                 {
                     best.isAnEdgeAtMost = true;
                     return best;
                 }
-                parting.push_back(&normal);
+                parting = parting ? parting : &normal;
             }
             if (distance > best.distance + (best.isOfFirst == isOfFirst ? 0 : tolerance))
             {
