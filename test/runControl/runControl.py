@@ -318,16 +318,22 @@ class RunControl(CaseTest):
         self.run_(case)
         self.assertEqual(self.times(case), ["0.5", "0.6"])
 
-    def testAnEditOfControlDictIsHeardWhileItRuns(self):
-        case = self.copy("modified", endTime="100", deltaT="0.0005", writeInterval="100")
+    def editWhileItRuns(self, name, **changes):
+        """A run of which controlDict is edited at 0.1 s. \return its case, and what it has said of errors"""
+        long = {"endTime": "100", "deltaT": "0.0005", "writeInterval": "100"}
+        case = self.copy(name, **long)
         process = subprocess.Popen([os.path.join(applications, "contactDynamics"), "-case", case],
-                                   stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         for line in process.stdout:
             if line.startswith("Time = 0.1"):
-                self.control(case, endTime="100", deltaT="0.0005", writeInterval="100", stopAt="writeNow")
+                self.control(case, **long, **changes)
                 break
-        process.communicate(timeout=120)
+        errors = process.communicate(timeout=120)[1]
         self.assertEqual(process.returncode, 0)
+        return case, errors
+
+    def testAnEditOfControlDictIsHeardWhileItRuns(self):
+        case, _ = self.editWhileItRuns("modified", stopAt="writeNow")
         self.assertLess(float(self.times(case)[-1]), 100)
 
     def testLogFrequencyThinsTheLogAndChangesNothingElse(self):
@@ -503,15 +509,7 @@ class RunControl(CaseTest):
         self.assertIn("Cannot write", done.stderr)
 
     def testWhatAnEditOfControlDictDoesNotReachIsNamed(self):
-        case = self.copy("unreached", endTime="100", deltaT="0.0005", writeInterval="100")
-        process = subprocess.Popen([os.path.join(applications, "contactDynamics"), "-case", case],
-                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        for line in process.stdout:
-            if line.startswith("Time = 0.1"):
-                self.control(case, endTime="100", deltaT="0.0005", writeInterval="100", stopAt="noWriteNow",
-                             purgeWrite="2", functions="{ energy {} }")
-                break
-        errors = process.communicate(timeout=120)[1]
+        _, errors = self.editWhileItRuns("unreached", stopAt="noWriteNow", purgeWrite="2", functions="{ energy {} }")
         self.assertIn("functions, purgeWrite of system/controlDict stay as when this run was started", errors)
 
     def testCoordinatesOfAMapThatLeaveNoDigitsForGapsAreWarnedOf(self):

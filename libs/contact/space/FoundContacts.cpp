@@ -289,12 +289,12 @@ double MovingContacts<3>::overlookedDepth(const std::vector<Placement<3>>& place
     {
         double depth = 0;
         const double within = toleranceOf(pair.first, pair.second);
+        const SharedEdge sharedEdge = sharedEdgeOf(pair.first, pair.second);
         for (const ConvexSolid& own : there.of(pair.first))
         {
             for (const ConvexSolid& other : there.of(pair.second))
             {
-                const PartingAxis axis =
-                    partingAxis(own, other, within, sharedEdgeOf(pair.first, pair.second));
+                const PartingAxis axis = partingAxis(own, other, within, sharedEdge);
                 depth = axis.isAnEdgeAtMost ? depth : std::max(depth, -axis.distance);
             }
         }
