@@ -3,7 +3,7 @@
 #pragma once
 
 #include "effects/RecordPlausibility.h"
-#include "runControl/Time.h"
+#include "runControl/TimeControls.h"
 
 #include <vector>
 

@@ -5,7 +5,7 @@
 #include "assembly/Assembly.h"
 #include "dynamics/DynamicCase.h"
 #include "dynamics/InitialMotion.h"
-#include "runControl/Time.h"
+#include "runControl/TimeControls.h"
 
 namespace drystone
 {

@@ -3,7 +3,7 @@
 #include "functionObjects/MotionPictures.h"
 
 #include "io/MechanismPicture.h"
-#include "runControl/Time.h"
+#include "runControl/TimeControls.h"
 
 #include <fmt/format.h>
 

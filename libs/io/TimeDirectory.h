@@ -3,7 +3,7 @@
 #pragma once
 
 #include "runControl/Case.h"
-#include "runControl/Time.h"
+#include "runControl/TimeControls.h"
 
 #include <cstddef>
 #include <deque>

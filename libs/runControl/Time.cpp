@@ -5,11 +5,9 @@
 
 #include "core/Log.h"
 #include "core/Signals.h"
-#include "dictionary/Fingerprint.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace drystone
 {
@@ -19,210 +17,13 @@ namespace fs = std::filesystem;
 namespace
 {
 
-/// More digits than a double has.
-constexpr int largestPrecision = 17;
-
 fs::file_time_type modificationTime(const fs::path& file)
 {
     std::error_code ignored;
     return fs::last_write_time(file, ignored);
 }
 
-TimeControls readControls(const Dictionary& dictionary, ControlDict needed)
-{
-    if (needed == ControlDict::optional)
-    {
-        return readOptions<TimeControls>(dictionary);
-    }
-    auto controls = readOptions<SteppedTimeControls>(dictionary);
-    controls.endTime = controls.givenEndTime.value_or(controls.endTime);
-    return controls;
-}
-
-/// Nearer to 0 than this [s] is the start: -0, and the rounding left of 0.3 - 0.1 - 0.2.
-constexpr double sameTime = 1e-14;
-
-/// What a case may be made for.
-const std::vector<std::string>& applicationNames()
-{
-    static const std::vector<std::string> names{
-        "accuracyCost",    "blockTexture",    "caseDictionary", "checkBlocks",
-        "contactDynamics", "ensemble",        "exportBlocks",   "incrementalDynamics",
-        "limitAnalysis",   "parameterSearch", "report",         "solveProgram"};
-    return names;
-}
-
-/// Any application of this suite may be run in a case, and another's name says that the case is not one.
-std::string doubtOfApplication(const std::string& application)
-{
-    const std::vector<std::string>& names = applicationNames();
-    if (application.empty() || std::find(names.begin(), names.end(), application) != names.end())
-    {
-        return {};
-    }
-    const std::string nearest = nearestWord(application, names);
-    return fmt::format("application {} is none of Drystone's: is this another program's case?{} Usual is one "
-                       "of {}.",
-                       application, nearest.empty() ? "" : fmt::format(" Did you mean {}?", nearest),
-                       fmt::join(names, " "));
-}
-
-/// What of controlDict a run takes up when it is started, and is not as it was.
-std::vector<std::string> changesForNextStart(const Dictionary& before, const Dictionary& now)
-{
-    std::vector<std::string> changed;
-    for (const char* key : {"functions", "nThreads", "pictureFormats", "purgeWrite", "writeFormat"})
-    {
-        const auto contentOf = [key](const Dictionary& all)
-        {
-            std::vector<std::string> others;
-            for (const Entry& entry : all.entries())
-            {
-                if (entry.keyword() != key)
-                {
-                    others.push_back(entry.keyword());
-                }
-            }
-            return fingerprint(all, others);
-        };
-        if (contentOf(before) != contentOf(now))
-        {
-            changed.emplace_back(key);
-        }
-    }
-    return changed;
-}
-
-constexpr const char* docOfStep = "length of a time step";
-constexpr const char* docOfEnd = "for `stopAt endTime`";
-
-void declareStartAndStop(Options& options, TimeControls& controls)
-{
-    options.optional("application", controls.application, "the application that this case is made for");
-    options.question("application", [&controls] { return doubtOfApplication(controls.application); });
-    options.optional("startFrom", controls.startFrom, "where a run starts or continues");
-    options.optional("startTime", controls.startTime, "for `startFrom startTime`").unit("s");
-    options.optional("stopAt", controls.stopAt, "when a run ends");
-}
-
-/// All but the times of its start, its end and its steps.
-void declareOutput(Options& options, TimeControls& controls)
-{
-    declare(options, controls.output);
-    options
-        .optional("logFrequency", controls.logFrequency,
-                  "one step in so many has its lines in the log; events are printed in any step")
-        .atLeast(1);
-    options
-        .optional("purgeWrite", controls.purgeWrite,
-                  "number of time directories to keep of those that a run writes, 0 for all")
-        .atLeast(0);
-    options.optional("writeFormat", controls.writeFormat, "of the restart state");
-    options.optional("writePrecision", controls.writePrecision, "significant digits of tables")
-        .atLeast(1)
-        .atMost(largestPrecision);
-    options.optional("timeFormat", controls.timeFormat, "of the names of time directories");
-    options.optional("timePrecision", controls.timePrecision, "digits of the names of time directories")
-        .atLeast(1)
-        .atMost(largestPrecision);
-    declarePictureFormats(options, controls.pictureFormats);
-    options.optional("runTimeModifiable", controls.runTimeModifiable,
-                     "read this file again when it has changed");
-    options.optional(
-        "adjustTimeStep", controls.adjustTimeStep,
-        "let the run choose the length of its steps, so that some end where it writes, and at endTime");
-    options.readElsewhere({"nThreads"}); // ThreadControls.h
-    options.readElsewhere({"functions"}, "function objects, each a dictionary with a name of the user's");
-    options.check("writeControl",
-                  [&controls]() -> std::string
-                  {
-                      if (controls.output.writeControl != WriteControl::writeTime)
-                      {
-                          return {};
-                      }
-                      return "writeControl writeTime is for function objects.\n\nChoose timeStep or runTime.";
-                  });
-}
-
-/// Times of steps are numbers and names of directories: nearer to each other than this they are the same.
-std::string faultOfStep(const SteppedTimeControls& controls)
-{
-    const double latest =
-        std::max(std::abs(controls.startTime),
-                 controls.stopAt == StopAt::endTime ? std::abs(controls.givenEndTime.value_or(0)) : 0);
-    const double shortest = std::max(10 * sameTime, 4 * std::numeric_limits<double>::epsilon() * latest);
-    return controls.deltaT < shortest
-               ? fmt::format("deltaT {:g} s is too short: the times of two steps could not be told apart.\n\n"
-                             "Give at least {:.2g} s; usual are 1e-4 to 0.01 s.",
-                             controls.deltaT, shortest)
-               : "";
-}
-
-constexpr const char* endsBefore =
-    "endTime lies before startTime.\n\nA run goes forward in time: give a later endTime.";
-
-/// Where the run is to start from another time, startTime may be any.
-std::string faultOfEnd(const TimeControls& controls, double endTime)
-{
-    return controls.startFrom == StartFrom::startTime && controls.stopAt == StopAt::endTime
-                   && endTime < controls.startTime
-               ? endsBefore
-               : "";
-}
-
 } // namespace
-
-void declare(Options& options, TimeControls& controls)
-{
-    declareStartAndStop(options, controls);
-    options.optional("endTime", controls.endTime, docOfEnd).unit("s");
-    options.optional("deltaT", controls.deltaT, docOfStep).unit("s").above(0);
-    declareOutput(options, controls);
-    options.check("endTime", [&controls] { return faultOfEnd(controls, controls.endTime); });
-}
-
-void declare(Options& options, SteppedTimeControls& controls)
-{
-    declareStartAndStop(options, controls);
-    options
-        .optional("endTime", controls.givenEndTime,
-                  std::string(docOfEnd) + ", which is the default, and then required")
-        .unit("s")
-        .example("1");
-    options.required("deltaT", controls.deltaT, docOfStep).unit("s").above(0).example("0.01");
-    declareOutput(options, controls);
-    options.check("deltaT", [&controls] { return faultOfStep(controls); });
-    options.check("endTime",
-                  [&controls]() -> std::string
-                  {
-                      if (controls.givenEndTime)
-                      {
-                          return faultOfEnd(controls, *controls.givenEndTime);
-                      }
-                      return controls.stopAt == StopAt::endTime
-                                 ? "The entry endTime is missing: when the run ends [s]. Write for example "
-                                   "`endTime 1;`."
-                                 : "";
-                  });
-}
-
-std::string timeName(double value, TimeFormat format, int precision)
-{
-    if (std::abs(value) < sameTime)
-    {
-        value = 0;
-    }
-    switch (format)
-    {
-    case TimeFormat::fixed:
-        return fmt::format("{:.{}f}", value, precision);
-    case TimeFormat::scientific:
-        return fmt::format("{:.{}e}", value, precision);
-    case TimeFormat::general:
-        break;
-    }
-    return fmt::format("{:.{}g}", value, precision);
-}
 
 Time::Time(const fs::path& caseDirectory, ControlDict presence)
     : file((caseDirectory / "system/controlDict").lexically_normal()), needed(presence)
@@ -237,13 +38,13 @@ Time::Time(const fs::path& caseDirectory, ControlDict presence)
     }
     fileTime = modificationTime(file);
     dictionary = Dictionary::readFileIfPresent(file);
-    settings = readControls(dictionary, presence);
+    settings = readTimeControls(dictionary, presence);
 
     const std::vector<TimeDirectory> times = timeDirectories(caseDirectory);
     findStart(times);
     if (times.empty() && settings.stopAt == StopAt::endTime && settings.endTime < settings.startTime)
     {
-        throw FatalIOError(endsBefore, dictionary.locationOf("endTime"));
+        throw FatalIOError(endsBeforeStart, dictionary.locationOf("endTime"));
     }
     now = origin = beginning = begin;
     step = settings.deltaT;
@@ -282,7 +83,7 @@ Time::Time(const TimeControls& controls, const TimeState& from)
     : needed(ControlDict::required), settings(controls)
 {
     settings.runTimeModifiable = false;
-    namePrecision = largestPrecision; // no name is too short, so that there is nothing to tell
+    namePrecision = largestTimePrecision; // no name is too short, so that there is nothing to tell
     resume(from);
     startDirectory = timeName(begin, settings.timeFormat, namePrecision);
 }
@@ -335,7 +136,7 @@ bool Time::reread()
     try
     {
         Dictionary read = Dictionary::readFile(file);
-        TimeControls controls = readControls(read, needed);
+        TimeControls controls = readTimeControls(read, needed);
         info("Reading system/controlDict again: it has changed.");
         if (const std::vector<std::string> later = changesForNextStart(dictionary, read); !later.empty())
         {
@@ -425,7 +226,7 @@ void Time::sharpenName()
     const double tolerance = std::max(
         {std::min(std::pow(10.0, -settings.timePrecision), 0.1 * step), 1e-15, 1e-15 * std::abs(now)});
     const int before = namePrecision;
-    while (namePrecision < largestPrecision && distance() > tolerance)
+    while (namePrecision < largestTimePrecision && distance() > tolerance)
     {
         ++namePrecision;
     }

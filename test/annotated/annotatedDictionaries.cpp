@@ -19,7 +19,7 @@
 #include "ensembles/ParameterSearch.h"
 #include "functionObjects/FunctionList.h"
 #include "runControl/Schemes.h"
-#include "runControl/Time.h"
+#include "runControl/TimeControls.h"
 #include "statics/LimitAnalysisCase.h"
 #include "texture/Texture.h"
 
