@@ -219,10 +219,11 @@ Certificate certifyOptimal(const ConeProgram<Rows, Forces>& program, const ConeS
                                         / largest<Rows, Forces>(program.liveLoad, 1 / lever)});
         certificate.dualResidual = relative(std::abs(program.liveLoad.dot(y) - 1), 1);
     }
-    Eigen::VectorXd z = Eigen::VectorXd::Zero(c.size());
+    Eigen::VectorXd z =
+        isAtRest ? Eigen::VectorXd(Eigen::VectorXd::Zero(c.size())) : applyTransposed(program, y);
     if (!isAtRest)
     {
-        z -= applyTransposed(program, y);
+        z *= -1;
     }
     if (program.gap.size() > 0 || program.hasCompliance())
     {

@@ -14,16 +14,8 @@ Eigen::VectorXd applyEquilibrium(const ConeProgram<Rows, Forces>& program,
     Eigen::VectorXd balanced = Eigen::VectorXd::Zero(Rows * program.bodies);
     for (int point = 0; point < program.points(); ++point)
     {
-        const auto& columns = program.contacts[point];
-        const auto force = contactForce.template segment<Forces>(Forces * point);
-        if (columns.first >= 0)
-        {
-            balanced.template segment<Rows>(Rows * columns.first) += columns.onFirst * force;
-        }
-        if (columns.second >= 0)
-        {
-            balanced.template segment<Rows>(Rows * columns.second) += columns.onSecond * force;
-        }
+        addForce<Rows, Forces>(program.contacts[point], contactForce.template segment<Forces>(Forces * point),
+                               balanced);
     }
     return balanced;
 }
@@ -35,18 +27,10 @@ Eigen::VectorXd applyTransposed(const ConeProgram<Rows, Forces>& program, const 
     for (int point = 0; point < program.points(); ++point)
     {
         const auto& columns = program.contacts[point];
-        Eigen::Matrix<double, Forces, 1> change = Eigen::Matrix<double, Forces, 1>::Zero();
-        if (columns.first >= 0)
+        for (int component = 0; component < Forces; ++component)
         {
-            change += columns.onFirst.transpose().lazyProduct(
-                displacement.template segment<Rows>(Rows * columns.first));
+            closing[Forces * point + component] = closingAlong(columns, component, displacement);
         }
-        if (columns.second >= 0)
-        {
-            change += columns.onSecond.transpose().lazyProduct(
-                displacement.template segment<Rows>(Rows * columns.second));
-        }
-        closing.template segment<Forces>(Forces * point) = change;
     }
     return closing;
 }

@@ -23,6 +23,56 @@ struct ConeColumns
     Eigen::Matrix<double, Rows, Forces> onSecond = Eigen::Matrix<double, Rows, Forces>::Zero();
 };
 
+/// By how much displacements close a point in the direction of one component of its force: an entry of A'y.
+/// Such entries are stored one by one and, where time counts, used so: loaded as a vector just after that,
+/// they are waited for.
+/// \param component 0: the normal force, then shear
+template<int Rows, int Forces>
+double closingAlong(const ConeColumns<Rows, Forces>& columns, int component,
+                    const Eigen::VectorXd& displacement)
+{
+    double closing = 0;
+    if (columns.first >= 0)
+    {
+        closing +=
+            columns.onFirst.col(component).dot(displacement.template segment<Rows>(Rows * columns.first));
+    }
+    if (columns.second >= 0)
+    {
+        closing +=
+            columns.onSecond.col(component).dot(displacement.template segment<Rows>(Rows * columns.second));
+    }
+    return closing;
+}
+
+/// By how much displacements close a point, and make it slide: its entries of A'y.
+template<int Rows, int Forces>
+Eigen::Matrix<double, Forces, 1> closingOf(const ConeColumns<Rows, Forces>& columns,
+                                           const Eigen::VectorXd& displacement)
+{
+    Eigen::Matrix<double, Forces, 1> closing;
+    for (int component = 0; component < Forces; ++component)
+    {
+        closing[component] = closingAlong(columns, component, displacement);
+    }
+    return closing;
+}
+
+/// Adds to the rows of the bodies what a force at a point is to them: its part of A c.
+template<int Rows, int Forces>
+void addForce(const ConeColumns<Rows, Forces>& columns, const Eigen::Matrix<double, Forces, 1>& force,
+              Eigen::VectorXd& rows)
+{
+    if (columns.first >= 0)
+    {
+        rows.template segment<Rows>(Rows * columns.first) += columns.onFirst.lazyProduct(force);
+    }
+    if (columns.second >= 0)
+    {
+        rows.template segment<Rows>(Rows * columns.second) += columns.onSecond.lazyProduct(force);
+    }
+}
+
 /// Whether the forces on the two bodies are opposite, to rounding; where one of them is fixed they are.
 template<int Rows, int Forces>
 bool hasOppositeForces(const ConeColumns<Rows, Forces>& columns)

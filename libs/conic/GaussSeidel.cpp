@@ -289,18 +289,10 @@ ConeSolution solveGaussSeidel(const ConeProgram<Rows, Forces>& program, const Co
             const int point = sweep % 2 == 0 ? step : points - 1 - step;
             const auto& columns = program.contacts[point];
             const auto& problem = problems[point];
-            Force<Forces> z = Force<Forces>::Zero();
+            Force<Forces> z = -closingOf(columns, y);
             if (program.gap.size() > 0)
             {
-                z = program.gap.template segment<Forces>(Forces * point);
-            }
-            if (columns.first >= 0)
-            {
-                z -= columns.onFirst.transpose() * y.template segment<Rows>(Rows * columns.first);
-            }
-            if (columns.second >= 0)
-            {
-                z -= columns.onSecond.transpose() * y.template segment<Rows>(Rows * columns.second);
+                z += program.gap.template segment<Forces>(Forces * point);
             }
             if (columns.first < 0 && columns.second < 0)
             {

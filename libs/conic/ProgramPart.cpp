@@ -67,15 +67,8 @@ ProgramPart<Rows, Forces> partOf(const ConeProgram<Rows, Forces>& whole, const s
             }
             continue;
         }
-        const auto force = forces->segment<Forces>(Forces * static_cast<Eigen::Index>(point));
-        if (first >= 0)
-        {
-            part.program.load.template segment<Rows>(Rows * first) -= columns.onFirst * force;
-        }
-        if (second >= 0)
-        {
-            part.program.load.template segment<Rows>(Rows * second) -= columns.onSecond * force;
-        }
+        addForce<Rows, Forces>(columns, -forces->segment<Forces>(Forces * static_cast<Eigen::Index>(point)),
+                               part.program.load);
     }
     part.program.gap = takenFrom<Forces>(part.points, whole.gap);
     part.program.compliance = takenFrom<Forces>(part.points, whole.compliance);

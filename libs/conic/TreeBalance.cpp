@@ -25,6 +25,16 @@ Eigen::Matrix<double, Forces, Forces> barrierMetric(const Eigen::Matrix<double, 
         metric(0, 0) = std::pow(std::max(least, force[0]), 2);
         return metric;
     }
+    if constexpr (Forces == 2) // whose shear has one direction
+    {
+        const double reach = force[1] / friction;
+        const double along = std::pow(std::max(least, force[0] + reach), 2);
+        const double against = std::pow(std::max(least, force[0] - reach), 2);
+        metric(0, 0) = along + against;
+        metric(1, 0) = metric(0, 1) = friction * (along - against);
+        metric(1, 1) = friction * friction * (along + against);
+        return metric;
+    }
     using Shear = Eigen::Matrix<double, Forces - 1, 1>;
     const Shear shear = force.template tail<Forces - 1>();
     const double length = shear.norm();
@@ -45,54 +55,75 @@ Eigen::Matrix<double, Forces, Forces> barrierMetric(const Eigen::Matrix<double, 
     return metric;
 }
 
+/// What the forces at the points of a branch answer a motion of its outer body with.
+template<int Rows, int Forces>
+struct BranchAnswers
+{
+    std::vector<Eigen::Matrix<double, Forces, Rows>> ofPoint; ///< D A' of each point of the program
+    std::vector<Eigen::Matrix<double, Rows, Rows>> inverse;   ///< of the factor of A D A' of each branch
+};
+
+/// \param least that eigenvalues of D count as \return nothing where the points of a branch can not give a
+/// body every load
+template<int Rows, int Forces>
+std::optional<BranchAnswers<Rows, Forces>> answersOf(const ConeProgram<Rows, Forces>& program,
+                                                     const std::vector<TreeBranch>& branches,
+                                                     const Eigen::VectorXd& forces, double least)
+{
+    using System = Eigen::Matrix<double, Rows, Rows>;
+    constexpr double relative = 1e-13; // one point alone leaves S singular
+    BranchAnswers<Rows, Forces> answers;
+    answers.ofPoint.resize(static_cast<std::size_t>(program.points()));
+    answers.inverse.resize(branches.size());
+    for (std::size_t i = 0; i < branches.size(); ++i)
+    {
+        System system = System::Zero();
+        for (int point = branches[i].begin; point < branches[i].end; ++point)
+        {
+            const auto at = static_cast<std::size_t>(point);
+            const auto& columns = columnsOn(program.contacts[at], branches[i].body);
+            answers.ofPoint[at] =
+                barrierMetric<Forces>(forces.segment<Forces>(Forces * point), program.friction[at], least)
+                    .lazyProduct(columns.transpose());
+            system += columns.lazyProduct(answers.ofPoint[at]);
+        }
+        system.diagonal() *= 1 + relative;
+        if (!invertFactor<Rows, double>(system, answers.inverse[i]))
+        {
+            return std::nullopt;
+        }
+    }
+    return answers;
+}
+
 /// Changes the forces at the points of a branch by the least until they balance what its outer body lacks.
-/// \param lacking load of that body that no other force balances \param allowed error of the balance
-/// \param answers room for D A' of each point \return whether they do
+/// \param lacking load of each body that no force balances \param allowed error of the balance \return
+/// whether they do
 template<int Rows, int Forces>
 bool balanceBranch(const ConeProgram<Rows, Forces>& program, const TreeBranch& branch,
-                   Eigen::Matrix<double, Rows, 1> lacking, double least, double allowed,
-                   std::vector<Eigen::Matrix<double, Forces, Rows>>& answers, Eigen::VectorXd& forces)
+                   const BranchAnswers<Rows, Forces>& answers,
+                   const Eigen::Matrix<double, Rows, Rows>& inverse, double allowed, Eigen::VectorXd& lacking,
+                   Eigen::VectorXd& forces)
 {
-    using Force = Eigen::Matrix<double, Forces, 1>;
-    using System = Eigen::Matrix<double, Rows, Rows>;
     constexpr int mostRefinements = 4;
-    constexpr double relative = 1e-13; // one point alone leaves S singular
-    const auto at = [&forces](int point) { return forces.segment<Forces>(Forces * point); };
-    System system = System::Zero();
-    answers.clear();
-    for (int point = branch.begin; point < branch.end; ++point)
+    const auto own = lacking.segment<Rows>(Rows * branch.body);
+    for (int refinement = 0; own.template lpNorm<Eigen::Infinity>() > allowed; ++refinement)
     {
-        const auto index = static_cast<std::size_t>(point);
-        const auto& columns = columnsOn(program.contacts[index], branch.body);
-        const Force force = at(point);
-        answers.push_back(
-            barrierMetric<Forces>(force, program.friction[index], least).lazyProduct(columns.transpose()));
-        system += columns.lazyProduct(answers.back());
-        lacking -= columns.lazyProduct(force);
-    }
-    system.diagonal() *= 1 + relative;
-    System inverse; // of the factor
-    if (!invertFactor<Rows, double>(system, inverse))
-    {
-        return false;
-    }
-    for (int refinement = 0; refinement <= mostRefinements; ++refinement)
-    {
-        if (lacking.template lpNorm<Eigen::Infinity>() <= allowed)
+        if (refinement == mostRefinements)
         {
-            return true;
+            return false;
         }
         const Eigen::Matrix<double, Rows, 1> motion =
-            inverse.transpose().lazyProduct(inverse.lazyProduct(lacking).eval());
+            inverse.transpose().lazyProduct(inverse.lazyProduct(own).eval());
         for (int point = branch.begin; point < branch.end; ++point)
         {
-            const Force change = answers[static_cast<std::size_t>(point - branch.begin)].lazyProduct(motion);
-            at(point) += change;
-            lacking -=
-                columnsOn(program.contacts[static_cast<std::size_t>(point)], branch.body).lazyProduct(change);
+            const auto at = static_cast<std::size_t>(point);
+            const Eigen::Matrix<double, Forces, 1> change = answers.ofPoint[at].lazyProduct(motion);
+            forces.segment<Forces>(Forces * point) += change;
+            addForce<Rows, Forces>(program.contacts[at], -change, lacking);
         }
     }
-    return false;
+    return true;
 }
 
 } // namespace
@@ -166,21 +197,18 @@ Eigen::VectorXd nearestForcesInTree(const ConeProgram<Rows, Forces>& program,
     }
     const double least = leastOfMean * std::sqrt(squares / std::max(1, program.points()));
     const double allowed = tolerance * program.load.template lpNorm<Eigen::Infinity>();
-    Eigen::VectorXd forces = near;
-    Eigen::VectorXd lacking = program.load;
-    const auto rowsOf = [&lacking](int body) { return lacking.segment<Rows>(Rows * body); };
-    std::vector<Eigen::Matrix<double, Forces, Rows>> answers;
-    for (const TreeBranch& branch : branches)
+    const auto answers = answersOf(program, branches, near, least);
+    if (!answers)
     {
-        if (!balanceBranch<Rows, Forces>(program, branch, rowsOf(branch.body), least, allowed, answers,
-                                         forces))
+        return {};
+    }
+    Eigen::VectorXd forces = near;
+    Eigen::VectorXd lacking = program.load - applyEquilibrium(program, forces);
+    for (std::size_t i = 0; i < branches.size(); ++i)
+    {
+        if (!balanceBranch(program, branches[i], *answers, answers->inverse[i], allowed, lacking, forces))
         {
             return {};
-        }
-        for (int point = branch.begin; branch.other >= 0 && point < branch.end; ++point)
-        {
-            rowsOf(branch.other) -= columnsOn(program.contacts[static_cast<std::size_t>(point)], branch.other)
-                                        .lazyProduct(forces.segment<Forces>(Forces * point));
         }
     }
     return forces;

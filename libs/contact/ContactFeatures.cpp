@@ -406,13 +406,17 @@ void MovingContacts<2>::findPoints(int block, int neighbour, double margin)
     pairBlock = block;
     pairNeighbour = neighbour;
     const double lowest = -std::min(deepest[block], deepest[neighbour]);
-    const Outlines& at = *placedAhead;
     bool anyOblique = false;
-    for (int blockEdge = first[block]; blockEdge < first[block + 1]; ++blockEdge)
+    const Vector<2>* const tangent = placedAhead->tangent.data();
+    const int endOfBlock = first[block + 1];
+    const int beginOfNeighbour = first[neighbour];
+    const int endOfNeighbour = first[neighbour + 1];
+    for (int blockEdge = first[block]; blockEdge < endOfBlock; ++blockEdge)
     {
-        for (int neighbourEdge = first[neighbour]; neighbourEdge < first[neighbour + 1]; ++neighbourEdge)
+        const Vector<2> along = tangent[blockEdge];
+        for (int neighbourEdge = beginOfNeighbour; neighbourEdge < endOfNeighbour; ++neighbourEdge)
         {
-            const double opposing = -at.tangent[blockEdge].dot(at.tangent[neighbourEdge]);
+            const double opposing = -along.dot(tangent[neighbourEdge]);
             if (opposing >= leastOpposing)
             {
                 matchEdges(blockEdge, neighbourEdge, lowest, margin);
@@ -445,6 +449,7 @@ void MovingContacts<2>::findPoints(int block, int neighbour, double margin)
                              < std::tie(blockEdgeB, neighbourEdgeB, b.owner, b.corner);
                   });
     }
+    static const ContactPoint<2> blank;
     int lastBlockEdge = -1;
     int lastNeighbourEdge = -1;
     for (const Candidate& candidate : candidates)
@@ -459,7 +464,8 @@ void MovingContacts<2>::findPoints(int block, int neighbour, double margin)
             ++joints;
         }
         cornerAndEdge.emplace_back(candidate.corner, candidate.edge);
-        ContactPoint<2>& point = found.emplace_back();
+        found.push_back(blank); // emplaced, it would be cleared twice
+        ContactPoint<2>& point = found.back();
         point.block = block;
         point.neighbour = neighbour;
         point.joint = joints - 1;

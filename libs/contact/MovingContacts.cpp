@@ -4,10 +4,7 @@
 
 #include "contact/EdgeNormal.h"
 #include "contact/Penetration.h"
-#include "geometry/PackedMatrix.h"
 #include "geometry/PolygonShape.h"
-
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cassert>
@@ -114,23 +111,23 @@ MovingContacts<2>::MovingContacts(const Assembly<2>& assembly, const MovingConta
     reaches.resize(blocks);
 }
 
+MovingContacts<2>::Rotation::Rotation(const Placement<2>& placement)
+    : cosine(std::cos(placement.rotation)), sine(std::sin(placement.rotation))
+{
+}
+
 void MovingContacts<2>::place(Outlines& outlines, const std::vector<Placement<2>>& placements) const
 {
     for (std::size_t b = 0; b < centroids.size(); ++b)
     {
-        const double cosine = std::cos(placements[b].rotation);
-        const double sine = std::sin(placements[b].rotation);
+        const Rotation turned(placements[b]);
         const Vector<2> centre = centroids[b] + placements[b].translation;
         BoundingBox box;
         for (int i = first[b]; i < first[b + 1]; ++i)
         {
-            const Vector<2>& local = localCorner[i];
-            const Vector<2>& along = localTangent[i];
-            const Vector<2> corner(centre.x() + (cosine * local.x() - sine * local.y()),
-                                   centre.y() + (sine * local.x() + cosine * local.y()));
+            const Vector<2> corner = centre + turned(localCorner[i]);
             outlines.corner[i] = corner;
-            outlines.tangent[i] = {cosine * along.x() - sine * along.y(),
-                                   sine * along.x() + cosine * along.y()};
+            outlines.tangent[i] = turned(localTangent[i]);
             box.lower = box.lower.cwiseMin(corner);
             box.upper = box.upper.cwiseMax(corner);
         }
@@ -239,11 +236,6 @@ double MovingContacts<2>::overlookedDepth(const std::vector<Placement<2>>& place
 namespace
 {
 
-Eigen::Matrix2d rotationOf(const Placement<2>& placement)
-{
-    return Eigen::Rotation2Dd(placement.rotation).toRotationMatrix();
-}
-
 /// The blocks of the corner and of the edge that meet at a point.
 std::pair<int, int> blocksOf(const ContactPoint<2>& point)
 {
@@ -257,43 +249,42 @@ void MovingContacts<2>::measure(const std::vector<Placement<2>>& placements,
                                 std::vector<ContactPoint<2>>& points) const
 {
     assert(placements.size() == centroids.size());
-    points.resize(found.size());
-    std::vector<PackedMatrix<2>> rotations;
+    points = found;
+    std::vector<Rotation> rotations;
     rotations.reserve(placements.size());
     for (const Placement<2>& placement : placements)
     {
-        rotations.push_back(rotationOf(placement));
+        rotations.emplace_back(placement);
     }
     for (std::size_t i = 0; i < points.size(); ++i)
     {
         const auto [cornerBlock, edgeBlock] = blocksOf(found[i]);
-        points[i] = pointAt(placements, rotations[cornerBlock], rotations[edgeBlock], i);
+        measure(placements, rotations[cornerBlock], rotations[edgeBlock], i, points[i]);
     }
 }
 
 ContactPoint<2> MovingContacts<2>::pointAt(const std::vector<Placement<2>>& placements,
                                            std::size_t index) const
 {
-    const auto [cornerBlock, edgeBlock] = blocksOf(found[index]);
-    return pointAt(placements, rotationOf(placements[cornerBlock]), rotationOf(placements[edgeBlock]), index);
-}
-
-ContactPoint<2> MovingContacts<2>::pointAt(const std::vector<Placement<2>>& placements,
-                                           const Eigen::Matrix2d& turned, const Eigen::Matrix2d& turnedEdge,
-                                           std::size_t index) const
-{
-    const auto [corner, edge] = cornerAndEdge[index];
     ContactPoint<2> point = found[index];
     const auto [cornerBlock, edgeBlock] = blocksOf(point);
-    const Vector<2> cornerArm = turned * localCorner[corner];
-    const Vector<2> normal = outwardNormal(turnedEdge * localTangent[edge]);
+    measure(placements, Rotation(placements[cornerBlock]), Rotation(placements[edgeBlock]), index, point);
+    return point;
+}
+
+void MovingContacts<2>::measure(const std::vector<Placement<2>>& placements, const Rotation& turned,
+                                const Rotation& turnedEdge, std::size_t index, ContactPoint<2>& point) const
+{
+    const auto [corner, edge] = cornerAndEdge[index];
+    const auto [cornerBlock, edgeBlock] = blocksOf(point);
+    const Vector<2> cornerArm = turned(localCorner[corner]);
+    const Vector<2> normal = outwardNormal(turnedEdge(localTangent[edge]));
     // Differences of places first, so that a structure far from the origin keeps its digits.
     const Vector<2> centres = (centroids[cornerBlock] - centroids[edgeBlock])
                               + (placements[cornerBlock].translation - placements[edgeBlock].translation);
-    point.gap = (centres + cornerArm - turnedEdge * localCorner[edge]).dot(normal);
+    point.gap = (centres + cornerArm - turnedEdge(localCorner[edge])).dot(normal);
     point.position = centroids[cornerBlock] + placements[cornerBlock].translation + cornerArm;
     point.normal = cornerBlock == point.block ? normal : Vector<2>(-normal);
-    return point;
 }
 
 double MovingContacts<2>::marginFor(const std::vector<Vector<3>>& velocities, double timeStep,

@@ -119,6 +119,19 @@ public:
     int rebuilds() const { return rebuildCount; }
 
 private:
+    /// How a block has turned.
+    struct Rotation
+    {
+        explicit Rotation(const Placement<2>& placement);
+        Vector<2> operator()(const Vector<2>& arm) const
+        {
+            return {cosine * arm.x() - sine * arm.y(), sine * arm.x() + cosine * arm.y()};
+        }
+
+        double cosine;
+        double sine;
+    };
+
     /// Corners and edges of all blocks, one after the other; edge i of a block runs from its corner i to the
     /// next.
     struct Outlines
@@ -149,9 +162,10 @@ private:
     };
 
     void place(Outlines& outlines, const std::vector<Placement<2>>& placements) const;
-    /// \param turned, turnedEdge rotations of the blocks of its corner and of its edge
-    ContactPoint<2> pointAt(const std::vector<Placement<2>>& placements, const Eigen::Matrix2d& turned,
-                            const Eigen::Matrix2d& turnedEdge, std::size_t index) const;
+    /// \param turned, turnedEdge rotations of the blocks of its corner and of its edge \param point the one
+    /// of that index, of which place, normal and gap are overwritten
+    void measure(const std::vector<Placement<2>>& placements, const Rotation& turned,
+                 const Rotation& turnedEdge, std::size_t index, ContactPoint<2>& point) const;
     void findNeighbours(double margin);
     bool isLookedAt(int block, int neighbour) const;
     Polygon outlineOf(const Outlines& outlines, int block) const;

@@ -91,6 +91,7 @@ template<int Dim>
 double takeStep(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeStep,
                 const ImpactChoice& impacts, std::vector<Eigen::VectorXd> overlooking)
 {
+    motion.stageTimes.end.reset(); // what was done between the steps is of no stage
     Step<Dim> step(scene, motion, timeStep, impacts);
     step.overlooking = std::move(overlooking);
     if (staysAtRest(step))

@@ -177,9 +177,14 @@ void GroupChoice<Dim>::joinBlocks()
             }
             bent = turnsAsOne ? (*bending)(centre[first] - centre[second]) : Vector<Dim>(Vector<Dim>::Zero());
         }
-        const Vector<Dim> closing =
-            closingOf(contact, moved) + contact.onSecond.template topRows<Dim>().transpose() * bent;
-        isJoined[point] = turnsAsOne && closing.norm() <= kept;
+        double squares = 0; // of what it closes and slides by
+        for (int component = 0; component < Dim; ++component)
+        {
+            const double closing = closingAlong(contact, component, moved)
+                                   + contact.onSecond.col(component).template head<Dim>().dot(bent);
+            squares += closing * closing;
+        }
+        isJoined[point] = turnsAsOne && squares <= kept * kept;
     }
 }
 

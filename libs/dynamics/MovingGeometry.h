@@ -77,23 +77,6 @@ Shear<2> slip(const Step<2>& step, BlockMotions<2>& motions, std::size_t point,
 Shear<3> slip(const Step<3>& step, BlockMotions<3>& motions, std::size_t point,
               const ConeColumns<6, 3>& columns);
 
-/// By how much displacements close a point, and make it slide: its entries of A'y.
-template<int Rows, int Forces>
-Eigen::Matrix<double, Forces, 1> closingOf(const ConeColumns<Rows, Forces>& columns,
-                                           const Eigen::VectorXd& displacement)
-{
-    Eigen::Matrix<double, Forces, 1> closing = Eigen::Matrix<double, Forces, 1>::Zero();
-    if (columns.first >= 0)
-    {
-        closing += columns.onFirst.transpose() * displacement.segment<Rows>(Rows * columns.first);
-    }
-    if (columns.second >= 0)
-    {
-        closing += columns.onSecond.transpose() * displacement.segment<Rows>(Rows * columns.second);
-    }
-    return closing;
-}
-
 /// What finite rotations change in the balance of angular momentum of a step. In the plane nothing. In space,
 /// with W the angular velocity in axes that turn with a block, R0 and R1 its orientations and J its inertia
 /// in these axes, the theta method (Simo & Wong 1991 for theta 1/2) is

@@ -5,6 +5,7 @@
 #include <array>
 #include <chrono>
 #include <numeric>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -42,28 +43,38 @@ constexpr std::array<std::pair<std::string_view, Stage>, 9> namesOf(Stage)
 struct StageTimes
 {
     std::array<double, namesOf(Stage{}).size()> seconds{}; ///< in the order of Stage
+    /// Of the stage before in the same step; empty until the first has ended.
+    std::optional<std::chrono::steady_clock::time_point> end;
 
     double of(Stage stage) const { return seconds[static_cast<std::size_t>(stage)]; }
     double total() const { return std::accumulate(seconds.begin(), seconds.end(), 0.0); }
 };
 
-/// Adds the time of its life to a stage. The times are not owned and must outlive it.
+/// Adds to a stage the time until the end of its own life: since the stage before has ended, so that the
+/// clock is read once for each, or since its own beginning where there is none. The times are not owned and
+/// must outlive it.
 class StageTimer
 {
 public:
-    StageTimer(StageTimes& stageTimes, Stage timedStage) : times(stageTimes), stage(timedStage) {}
+    StageTimer(StageTimes& stageTimes, Stage timedStage)
+        : times(stageTimes), stage(timedStage), start(times.end ? *times.end : Clock::now())
+    {
+    }
     ~StageTimer()
     {
+        times.end = Clock::now();
         times.seconds[static_cast<std::size_t>(stage)] +=
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+            std::chrono::duration<double>(*times.end - start).count();
     }
     StageTimer(const StageTimer&) = delete;
     StageTimer& operator=(const StageTimer&) = delete;
 
 private:
+    using Clock = std::chrono::steady_clock;
+
     StageTimes& times;
     Stage stage;
-    std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+    Clock::time_point start;
 };
 
 } // namespace drystone

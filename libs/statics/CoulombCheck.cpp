@@ -59,17 +59,8 @@ CoulombResiduals coulombResiduals(const ConeProgram<Rows, Forces>& program, doub
         const auto at = static_cast<std::size_t>(point);
         const auto& columns = program.contacts[at];
         const Eigen::Matrix<double, Forces, 1> force = contactForce.template segment<Forces>(Forces * point);
-        Eigen::Matrix<double, Forces, 1> closing = Eigen::Matrix<double, Forces, 1>::Zero();
-        if (columns.first >= 0)
-        {
-            unbalanced.template segment<Rows>(Rows * columns.first) -= columns.onFirst * force;
-            closing += columns.onFirst.transpose() * mechanism.template segment<Rows>(Rows * columns.first);
-        }
-        if (columns.second >= 0)
-        {
-            unbalanced.template segment<Rows>(Rows * columns.second) -= columns.onSecond * force;
-            closing += columns.onSecond.transpose() * mechanism.template segment<Rows>(Rows * columns.second);
-        }
+        const Eigen::Matrix<double, Forces, 1> closing = closingOf(columns, mechanism);
+        addForce<Rows, Forces>(columns, -force, unbalanced);
         const Strength strength = program.hasStrength() ? program.strength[at] : Strength{};
         const double normal = force[0];
         const Shear shear = force.template tail<Forces - 1>();

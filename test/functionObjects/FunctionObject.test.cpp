@@ -168,7 +168,7 @@ TEST_F(FunctionObjects, StageTimesWriteAColumnAStageAndWarnOfAStateThatHasNone)
     EXPECT_NE(warning.find("does not keep the times of the stages"), std::string::npos) << warning;
     EXPECT_EQ(warning.find("does not keep", warning.find("does not keep") + 1), std::string::npos) << warning;
     EXPECT_FALSE(std::filesystem::exists(folder));
-    step.stageTimes = StageTimes{{0.5, 0.25, 0, 2, 0, 0, 0.125, 1, 3}};
+    step.stageTimes = StageTimes{{0.5, 0.25, 0, 2, 0, 0, 0.125, 1, 3}, {}};
     stageTimes.write(step);
     EXPECT_THAT(lines("stageTimes.dat"),
                 ElementsAre("# Time[s]  findContacts[s]  assemble[s]  contribute[s]  solve[s]  collide[s]  "

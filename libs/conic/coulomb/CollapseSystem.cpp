@@ -81,15 +81,7 @@ VectorXd CollapseSystem<Rows, Forces>::columnsTimes(const VectorXd& forces) cons
     Eigen::Index row = 0;
     for (const ConeColumns<Rows, Forces>& column : pointColumns)
     {
-        const Eigen::Matrix<double, Forces, 1> point = forces.template segment<Forces>(row);
-        if (column.first >= 0)
-        {
-            rows.template segment<Rows>(Rows * column.first) += column.onFirst.lazyProduct(point);
-        }
-        if (column.second >= 0)
-        {
-            rows.template segment<Rows>(Rows * column.second) += column.onSecond.lazyProduct(point);
-        }
+        addForce<Rows, Forces>(column, forces.template segment<Forces>(row), rows);
         row += Forces;
     }
     return rows;

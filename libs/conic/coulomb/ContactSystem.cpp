@@ -111,15 +111,7 @@ template<int Rows, int Forces>
 void ContactSystem<Rows, Forces>::addForce(int point, const Eigen::Matrix<double, Forces, 1>& contactForce,
                                            VectorXd& rows) const
 {
-    const ConeColumns<Rows, Forces>& column = columns[static_cast<std::size_t>(point)];
-    if (column.first >= 0)
-    {
-        rows.template segment<Rows>(Rows * column.first) += column.onFirst * contactForce;
-    }
-    if (column.second >= 0)
-    {
-        rows.template segment<Rows>(Rows * column.second) += column.onSecond * contactForce;
-    }
+    drystone::addForce(columns[static_cast<std::size_t>(point)], contactForce, rows);
 }
 
 template<int Rows, int Forces>
@@ -144,17 +136,7 @@ double ContactSystem<Rows, Forces>::normalCompliance(int point) const
 template<int Rows, int Forces>
 Eigen::Matrix<double, Forces, 1> ContactSystem<Rows, Forces>::closing(int point, const VectorXd& x) const
 {
-    const ConeColumns<Rows, Forces>& column = columns[static_cast<std::size_t>(point)];
-    Eigen::Matrix<double, Forces, 1> result = Eigen::Matrix<double, Forces, 1>::Zero();
-    if (column.first >= 0)
-    {
-        result += column.onFirst.transpose() * x.template segment<Rows>(Rows * column.first);
-    }
-    if (column.second >= 0)
-    {
-        result += column.onSecond.transpose() * x.template segment<Rows>(Rows * column.second);
-    }
-    return result;
+    return closingOf(columns[static_cast<std::size_t>(point)], x);
 }
 
 template<int Rows, int Forces>
