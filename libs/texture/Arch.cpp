@@ -156,8 +156,9 @@ std::string profileFault(const Arch& arch)
         if (arch.offset <= 0 || arch.offset >= arch.radius - arch.thickness / 2)
         {
             return fmt::format(
-                "The offset of the centres of a pointed arch lies between 0 and the inner radius, {:g} m.",
-                arch.radius - arch.thickness / 2);
+                "A pointed arch has its centres beside its axis: give an offset above 0 and below the inner "
+                "radius, {:g} m, such as `offset {:.3g};`.",
+                arch.radius - arch.thickness / 2, arch.radius / 5);
         }
     }
     if (arch.profile == ArchProfile::elliptic)
@@ -213,10 +214,12 @@ void declareSection(Options& options, Arch& arch)
         .unit("m")
         .above(0)
         .example("1");
-    options.optional("offset", arch.offset, "of the centres of a pointed arch from its axis")
+    options.optional("offset", arch.offset, "of the centres of a pointed arch from its axis: above 0 for one")
         .unit("m")
         .atLeast(0);
-    options.optional("rise", arch.rise, "of an elliptic arch, its centreline").unit("m").atLeast(0);
+    options.optional("rise", arch.rise, "of an elliptic arch, its centreline: above 0 for one")
+        .unit("m")
+        .atLeast(0);
     options.required("thickness", arch.thickness, "in the radial direction")
         .unit("m")
         .above(0)
@@ -274,8 +277,12 @@ Assembly<2> makeAssembly(const Arch& arch, Abutments abutments)
     const double margin = std::min(arch.thickness, halfSpan / 2);
     const double inner = springing.inner - margin;
     const double outer = springing.outer + arch.thickness;
-    const Vector<2> away =
-        -arch.thickness * perpendicular(springing.direction); // along the centreline, out of the arch
+    // Along the centreline, out of the arch; under a horseshoe they end before the middle, too.
+    const Vector<2> outwards = -perpendicular(springing.direction);
+    const double depth = outwards.x() < 0
+                             ? std::min(arch.thickness, springing.at(inner).x() / (2 * -outwards.x()))
+                             : arch.thickness;
+    const Vector<2> away = depth * outwards;
     const Polygon right{springing.at(inner), springing.at(inner) + away, springing.at(outer) + away,
                         springing.at(outer)};
     Polygon left;

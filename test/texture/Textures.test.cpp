@@ -122,6 +122,27 @@ TEST(Arch, EveryAngleHasAJointAtEachSpringingAndIsItsOwnMirrorImage)
     }
 }
 
+TEST(Arch, AbutmentsOfAHorseshoeDoNotMeet)
+{
+    for (const double angle : {181.0, 200.0, 220.0, 240.0, 270.0})
+    {
+        for (const double thickness : {0.1, 0.5, 1.0, 1.5, 1.9})
+        {
+            Arch arch;
+            arch.angle = angle;
+            arch.thickness = thickness;
+            arch.voussoirs = 15;
+            const Assembly<2> assembly = makeAssembly(arch);
+            EXPECT_EQ(findContactPoints(assembly).size(), 32U) << angle << ' ' << thickness;
+            for (const Vector<2>& corner : assembly.blocks.back().outline)
+            {
+                EXPECT_GT(corner.x(), 0) << angle << ' ' << thickness;
+            }
+            EXPECT_GT(areaProperties(assembly.blocks.back().outline).area, 0);
+        }
+    }
+}
+
 TEST(Arch, APointedArchHasItsCrownJointOnTheAxisAndSpringsLevel)
 {
     Arch arch;
