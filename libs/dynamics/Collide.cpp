@@ -31,6 +31,21 @@ double slowestRebound(const Step<Dim>& step)
     return 0.5 * step.acceleration * step.impacts.shortestFlight;
 }
 
+/// Whether a point that comes, or has come, with a speed rebounds to a flight that is long enough to count.
+/// By the associative law what slides is apart, however little: there any does. \param speed at which the
+/// point closes, or parts where it is negative [m/s] \param clearance at the start of the step [m]
+template<int Dim>
+bool flies(const Step<Dim>& step, double speed, double clearance)
+{
+    if (step.settings.flowRule == FlowRule::associative)
+    {
+        return true;
+    }
+    const double byLoads = 2 * step.acceleration * std::max(0.0, clearance); // as it falls, squared
+    const double share = speed > 0 ? step.scene.restitution() : 1; // what parts has rebounded already
+    return share * std::sqrt(speed * speed + byLoads) > slowestRebound(step);
+}
+
 /// Whether an impact of its own changes what a point does: with theta 1 the step is itself the impact without
 /// rebound. So joints that turn or slide in a smooth motion, and close by a little in every step, need none.
 /// By the associative rule sliding joints are apart, which looks like a fall.
@@ -39,13 +54,7 @@ double slowestRebound(const Step<Dim>& step)
 template<int Dim>
 bool needsImpact(const Step<Dim>& step, double speed, double clearance)
 {
-    if (step.scheme.theta < 1 || step.settings.flowRule == FlowRule::associative)
-    {
-        return true;
-    }
-    const double byLoads = 2 * step.acceleration * std::max(0.0, clearance); // as it falls, squared
-    const double share = speed > 0 ? step.scene.restitution() : 1; // what parts has rebounded already
-    return share * std::sqrt(speed * speed + byLoads) > slowestRebound(step);
+    return step.scheme.theta < 1 || flies(step, speed, clearance);
 }
 
 /// A point belongs to the impact when it carries more than this share of the largest contact force, and is
@@ -104,6 +113,36 @@ bool isByErrors(const Step<Dim>& step)
     return step.settings.flowRule == FlowRule::associative;
 }
 
+/// Whether a point is open, and not only as points are that have just met.
+template<int Dim>
+bool isApart(const Step<Dim>& step, std::size_t point, double speed)
+{
+    const double gap = step.points[point].gap;
+    return gap > step.settings.contactTolerance && gap > step.impacts.tolerance * speed;
+}
+
+/// With points that meet in the course of the step, in their order, all others that are open and close: which
+/// of several that meet together carry the force is one choice of many, and what the others do until then has
+/// to be without them too. \param closing see collidingPoints
+template<int Dim>
+std::vector<std::size_t> withOthersApart(const Step<Dim>& step, const Eigen::VectorXd& closing,
+                                         const std::vector<std::size_t>& meeting)
+{
+    std::vector<std::size_t> all;
+    auto next = meeting.begin();
+    for (std::size_t point = 0; point < step.points.size(); ++point)
+    {
+        const bool meets = next != meeting.end() && *next == point;
+        next += meets ? 1 : 0;
+        const double speed = closing[Dim * static_cast<Eigen::Index>(point)];
+        if (meets || (speed > step.solved.slowest && isApart(step, point, speed)))
+        {
+            all.push_back(point);
+        }
+    }
+    return all;
+}
+
 /// Points that the step closes.
 struct Colliding
 {
@@ -131,7 +170,10 @@ Colliding collidingPoints(const Step<Dim>& step, const Eigen::VectorXd& closing)
     const auto mayMeet = [&](std::size_t point) { return carries(point) && !isBonded(step.program, point); };
     const auto collides = [&](std::size_t point) { return mayMeet(point) && speedOf(point) > slowest; };
     const auto returns = [&](std::size_t point)
-    { return mayReturn && mayMeet(point) && speedOf(point) < -slowest; };
+    {
+        return mayReturn && mayMeet(point) && speedOf(point) < -slowest
+               && flies(step, speedOf(point), step.points[point].gap);
+    };
     std::vector<std::size_t> points(static_cast<std::size_t>(step.program.points()));
     std::iota(points.begin(), points.end(), 0);
     const auto mayCollide = [&](std::size_t point) { return collides(point) || returns(point); };
@@ -140,22 +182,28 @@ Colliding collidingPoints(const Step<Dim>& step, const Eigen::VectorXd& closing)
         return {};
     }
     const std::vector<char> isClosed = closedPoints(step);
-    std::erase_if(points, [&](std::size_t point) { return !carries(point) || !isClosed[point]; });
+    // Which of several points that meet at once the step gives its force is one choice of many.
+    const auto meetsNow = [&](std::size_t point)
+    {
+        return !isByErrors(step) && !isBonded(step.program, point) && speedOf(point) > slowest
+               && !isApart(step, point, speedOf(point));
+    };
+    std::erase_if(points, [&](std::size_t point)
+                  { return !(carries(point) && isClosed[point]) && !meetsNow(point); });
     const auto isImpact = [&](std::size_t point)
     { return needsImpact(step, speedOf(point), step.points[point].gap); };
-    const auto rebounds = [&](std::size_t point) { return collides(point) && isImpact(point); };
+    const auto rebounds = [&](std::size_t point)
+    { return (collides(point) || meetsNow(point)) && isImpact(point); };
 
     Colliding colliding;
-    std::set<std::pair<int, int>> pairs;
+    std::set<std::pair<int, int>> pairs; // of bodies: what is fixed is one, in however many pieces
+    const auto bodyOf = [&step](int block) { return step.scene.free[static_cast<std::size_t>(block)]; };
     for (const std::size_t point : points)
     {
-        const double gap = step.points[point].gap;
-        const bool isApart =
-            gap > step.settings.contactTolerance && gap > step.impacts.tolerance * speedOf(point);
-        if (isLocated && isImpact(point) && (isApart || returns(point)))
+        if (isLocated && isImpact(point) && (isApart(step, point, speedOf(point)) || returns(point)))
         {
             colliding.later.push_back(point);
-            pairs.emplace(step.points[point].block, step.points[point].neighbour);
+            pairs.emplace(bodyOf(step.points[point].block), bodyOf(step.points[point].neighbour));
         }
         else
         {
@@ -292,7 +340,7 @@ bool collideOnce(Step<Dim>& step)
     }
     if (!colliding.later.empty() && colliding.now.empty())
     {
-        Meeting meeting = firstMeeting(step, closing, colliding.later);
+        Meeting meeting = firstMeeting(step, closing, withOthersApart(step, closing, colliding.later));
         if (meeting.isSolved && meeting.part * step.scheme.timeStep > step.impacts.tolerance)
         {
             if (meeting.part < 1)

@@ -51,6 +51,17 @@ double strongestBond(const ImpactProblem<Dim>& problem, const StepProgram<Dim>& 
     return leverage * forces;
 }
 
+/// Velocity at which a point parts by Newton's law, e u_n-, where that is not too slow to count [m/s].
+/// \param closing u- of all points
+template<int Dim>
+double reboundAt(const ImpactProblem<Dim>& problem, const Eigen::VectorXd& closing, std::size_t point)
+{
+    const double rebound = isBonded(problem.program, point)
+                               ? 0
+                               : problem.restitution * closing[Dim * static_cast<Eigen::Index>(point)];
+    return rebound > problem.slowestRebound ? rebound : 0;
+}
+
 /// The program of the impact: a step of theta 1 without loads whose gaps are -dt k e u_n-.
 template<int Dim>
 StepProgram<Dim> impactProgram(const ImpactProblem<Dim>& problem, const ImpactGroups& groups,
@@ -75,7 +86,6 @@ StepProgram<Dim> impactProgram(const ImpactProblem<Dim>& problem, const ImpactGr
         impact.friction.push_back(program.friction[point]);
         const auto row = Dim * static_cast<Eigen::Index>(i);
         const auto there = Dim * static_cast<Eigen::Index>(point);
-        const bool isBond = isBonded(program, point);
         if (program.hasStrength())
         {
             Strength strength = program.strength[point];
@@ -83,9 +93,7 @@ StepProgram<Dim> impactProgram(const ImpactProblem<Dim>& problem, const ImpactGr
             strength.tension = std::min(strength.tension * problem.timeOfBonds / timeStep, strongest);
             impact.strength.push_back(strength);
         }
-        const double rebound = isBond ? 0 : problem.restitution * closing[there];
-        impact.gap[row] =
-            rebound > problem.slowestRebound ? -timeStep * share[groups.ofPoint[i]] * rebound : 0;
+        impact.gap[row] = -timeStep * share[groups.ofPoint[i]] * reboundAt(problem, closing, point);
         if (problem.closingBySupports.size() > 0)
         {
             impact.gap.template segment<Dim>(row) -= problem.closingBySupports.template segment<Dim>(there);
@@ -133,6 +141,9 @@ public:
 
     /// \return whether it is solved
     bool find(ImpactOutcome& chosen);
+
+    /// Of the restitution, what is left of it where it is least; 1 where no point rebounds.
+    double leastShare(const ImpactOutcome& chosen) const;
 
     int iterations = 0;
     int factorisations = 0;
@@ -322,6 +333,20 @@ bool ImpactSearch<Dim>::find(ImpactOutcome& chosen)
     return true;
 }
 
+template<int Dim>
+double ImpactSearch<Dim>::leastShare(const ImpactOutcome& chosen) const
+{
+    double least = 1;
+    for (std::size_t i = 0; i < problem.meeting.size(); ++i)
+    {
+        if (reboundAt(problem, closing, problem.meeting[i]) > 0)
+        {
+            least = std::min(least, chosen.share[groups.ofPoint[i]]);
+        }
+    }
+    return least;
+}
+
 } // namespace
 
 template<int Dim>
@@ -340,7 +365,7 @@ Impact impactOf(const ImpactProblem<Dim>& problem, const StepSettings& settings)
     }
     impact.velocity = std::move(chosen.velocity);
     impact.impulse = problem.timeStep * chosen.force;
-    impact.restitutionShare = problem.restitution > 0 ? chosen.share.minCoeff() : 1;
+    impact.restitutionShare = search.leastShare(chosen);
     impact.energyLoss = -chosen.gain.sum();
     for (std::size_t i = 0; problem.closingBySupports.size() > 0 && i < problem.meeting.size(); ++i)
     {

@@ -4,6 +4,7 @@
 
 #include "ensembles/References.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace drystone
@@ -121,18 +122,24 @@ TEST(ImpactInstants, ABounceEndsWithinTwoStepsOfItsTimeForEveryTheta)
 
 const RockingBlock slender{0.5, 2, g};
 
-DynamicCase<2> rockingScene(const scenes::Settings& settings)
+DynamicCase<2> rockingScene(const scenes::Settings& settings, const std::vector<double>& cuts = {})
 {
-    Assembly<2> assembly = scenes::ground(-4, 4);
+    Assembly<2> assembly = scenes::ground(-4, cuts.empty() ? 4 : cuts.front());
     assembly.blocks.push_back(scenes::rectangle(-0.25, 0, 0.5, 2));
+    for (std::size_t i = 0; i < cuts.size(); ++i)
+    {
+        const double right = i + 1 < cuts.size() ? cuts[i + 1] : 4;
+        assembly.blocks.push_back(scenes::rectangle(cuts[i], -1, right - cuts[i], 1));
+        assembly.blocks.back().support = 0;
+    }
     return scenes::sceneOf(assembly, settings);
 }
 
 /// The time of the third return to upright of a block released at half its critical angle: two impacts are
 /// behind it [s].
-double thirdReturn(const scenes::Settings& settings, double timeStep)
+double thirdReturn(const scenes::Settings& settings, double timeStep, const std::vector<double>& cuts = {})
 {
-    const DynamicCase<2> scene = rockingScene(settings);
+    const DynamicCase<2> scene = rockingScene(settings, cuts);
     DynamicState<2> start = stateAtRest(scene.assembly);
     const double rotation = slender.slenderness() / 2;
     const Vector<2> arm(0.25, 1);
@@ -190,6 +197,62 @@ TEST(ImpactInstants, WithTheTrapezoidalRuleRockingIsOfSecondOrderThroughItsImpac
                   << " off, with impacts at the start of steps "
                   << errorOf(ImpactInstant::stepStart, timeStep) << '\n';
         EXPECT_LT(located, 1e-5 * std::pow(timeStep / 1e-3, 2) + 1e-6);
+    }
+}
+
+// Its joint then has points that land together with the corner, between it and the one it turns on.
+TEST(ImpactInstants, ABlockRocksOnGroundInPiecesAsOnOne)
+{
+    constexpr double timeStep = 2e-3;
+    const scenes::Settings settings{.theta = 0.5, .mu = 1};
+    const double exact = exactThirdReturn();
+    for (const std::vector<double>& cuts : {std::vector<double>{0}, std::vector<double>{-0.1, 0.1},
+                                            std::vector<double>{-0.2, -0.1, 0, 0.1, 0.2}})
+    {
+        EXPECT_NEAR(thirdReturn(settings, timeStep, cuts) / exact, 1, 4e-5) << cuts.size() + 1 << " pieces";
+    }
+}
+
+// Three blocks in a row without friction, of masses 1, 1, 2, collide twice, at velocities that elastic
+// impacts exchange in turn: v1 = -2/3, v2 = 0, v3 = 4/3 after a start with v1 = 2. Both impacts are of whole
+// faces, so that no block turns, wherever in the step they fall.
+TEST(ImpactInstants, BlocksInARowCollideFaceToFace)
+{
+    for (const double gap : {0.5, 0.513})
+    {
+        for (const double theta : {0.5, 0.7, 1.0})
+        {
+            for (const double timeStep : {0.02, 0.0097})
+            {
+                Assembly<2> assembly = scenes::ground(-20, 20);
+                assembly.blocks.push_back(scenes::rectangle(0, 0, 1, 1));
+                assembly.blocks.push_back(scenes::rectangle(2, 0, 1, 1));
+                assembly.blocks.push_back(scenes::rectangle(3 + gap, 0, 2, 1));
+                const DynamicCase<2> scene =
+                    scenes::sceneOf(assembly, {.theta = theta, .mu = 0, .restitution = 1});
+                DynamicState<2> start = stateAtRest(scene.assembly);
+                start.velocity[0] = 2;
+                Motion<2> motion = startMotion(scene, start);
+                const std::string which = fmt::format("gap {}, theta {}, step {}", gap, theta, timeStep);
+                double leastShare = 1;
+                while (motion.state.time < 2)
+                {
+                    ASSERT_TRUE(advance(scene, motion, timeStep)) << which;
+                    leastShare = std::min(leastShare, motion.restitutionShare);
+                }
+                EXPECT_GT(leastShare, 0.999) << which;
+                const double secondImpact = 0.5 + gap / 2;
+                EXPECT_NEAR(motion.state.placements[3].translation.x(),
+                            4.0 / 3 * (motion.state.time - secondImpact), 1e-3 * timeStep)
+                    << which;
+                for (const auto& [block, velocity] : {std::pair{0, -2.0 / 3}, {1, 0.0}, {2, 4.0 / 3}})
+                {
+                    EXPECT_NEAR(motion.state.velocity[3 * block], velocity, 1e-5) << which;
+                    EXPECT_NEAR(motion.state.velocity[3 * block + 1], 0, 1e-4) << which;
+                    EXPECT_NEAR(motion.state.velocity[3 * block + 2], 0, 1e-4) << which;
+                }
+            }
+        }
     }
 }
 
