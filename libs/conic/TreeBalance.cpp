@@ -133,8 +133,12 @@ std::optional<std::vector<TreeBranch>> branchesOfTree(const ConeProgram<Rows, Fo
 {
     std::vector<TreeBranch> pairs;
     pairs.reserve(static_cast<std::size_t>(program.points()));
-    std::vector<int> pairsLeft(static_cast<std::size_t>(program.bodies), 0);
-    std::vector<int> sumOfPairs(pairsLeft.size(), 0); // of those left: the pair itself where there is one
+    struct PairsLeft
+    {
+        int count = 0;
+        int sum = 0; // of their indices: the pair itself where there is one
+    };
+    std::vector<PairsLeft> left(static_cast<std::size_t>(program.bodies));
     for (int point = 0; point < program.points(); ++point)
     {
         const auto& columns = program.contacts[static_cast<std::size_t>(point)];
@@ -149,8 +153,8 @@ std::optional<std::vector<TreeBranch>> branchesOfTree(const ConeProgram<Rows, Fo
         {
             if (body >= 0)
             {
-                ++pairsLeft[static_cast<std::size_t>(body)];
-                sumOfPairs[static_cast<std::size_t>(body)] += pair;
+                ++left[static_cast<std::size_t>(body)].count;
+                left[static_cast<std::size_t>(body)].sum += pair;
             }
         }
     }
@@ -159,20 +163,20 @@ std::optional<std::vector<TreeBranch>> branchesOfTree(const ConeProgram<Rows, Fo
     for (int first = 0; first < program.bodies; ++first)
     {
         // From a leaf inwards, as far as what it hangs on becomes one.
-        for (int body = first; body >= 0 && pairsLeft[static_cast<std::size_t>(body)] == 1;)
+        for (int body = first; body >= 0 && left[static_cast<std::size_t>(body)].count == 1;)
         {
-            const int pair = sumOfPairs[static_cast<std::size_t>(body)];
+            const int pair = left[static_cast<std::size_t>(body)].sum;
             TreeBranch branch = pairs[static_cast<std::size_t>(pair)];
             if (branch.body != body)
             {
                 std::swap(branch.body, branch.other);
             }
             branches.push_back(branch);
-            pairsLeft[static_cast<std::size_t>(body)] = 0;
+            left[static_cast<std::size_t>(body)].count = 0;
             if (branch.other >= 0)
             {
-                --pairsLeft[static_cast<std::size_t>(branch.other)];
-                sumOfPairs[static_cast<std::size_t>(branch.other)] -= pair;
+                --left[static_cast<std::size_t>(branch.other)].count;
+                left[static_cast<std::size_t>(branch.other)].sum -= pair;
             }
             body = branch.other;
         }

@@ -31,13 +31,14 @@ BlockVector<Dim> linearOfBlock(const Vector<Dim>& arm, const BlockVector<Dim>& o
     return own;
 }
 
-/// T'Mbar T of one block: about another point than its mass centre (Steiner), but for what the masses of all
-/// have about their common centre, which is nothing.
+/// Adds T'Mbar T of one block: about another point than its mass centre (Steiner), but for what the masses of
+/// all have about their common centre, which is nothing.
 template<int Dim>
-BlockMatrix<Dim> inertiaAbout(const Vector<Dim>& arm, BlockMatrix<Dim> inertia)
+void addInertiaAbout(const Vector<Dim>& arm, const BlockMatrix<Dim>& inertia, BlockMatrix<Dim>& sum)
 {
     const double mass = inertia(0, 0);
-    auto tensor = inertia.template bottomRightCorner<rotationCount<Dim>, rotationCount<Dim>>();
+    sum += inertia;
+    auto tensor = sum.template bottomRightCorner<rotationCount<Dim>, rotationCount<Dim>>();
     if constexpr (Dim == 2)
     {
         tensor(0, 0) += mass * arm.squaredNorm();
@@ -46,7 +47,6 @@ BlockMatrix<Dim> inertiaAbout(const Vector<Dim>& arm, BlockMatrix<Dim> inertia)
     {
         tensor += mass * (arm.squaredNorm() * Eigen::Matrix3d::Identity() - arm * arm.transpose());
     }
-    return inertia;
 }
 
 /// The columns of a point with the groups for bodies.
@@ -106,6 +106,10 @@ BlockGroups<Dim> blockGroups(const Step<Dim>& step, std::vector<int> group)
     }
     groups.group = std::move(group);
     groups.blocks.resize(static_cast<std::size_t>(count));
+    if (count == 1)
+    {
+        groups.blocks.front().reserve(groups.group.size());
+    }
     for (std::size_t body = 0; body < groups.group.size(); ++body)
     {
         if (groups.group[body] >= 0)
@@ -187,7 +191,8 @@ Eigen::VectorXd linearDisplacement(const BlockGroups<Dim>& groups, const Eigen::
 }
 
 template<int Dim>
-Eigen::VectorXd displacementOfBlocks(const BlockGroups<Dim>& groups, const Eigen::VectorXd& ofGroups)
+Eigen::VectorXd displacementOfBlocks(const BlockGroups<Dim>& groups, const Eigen::VectorXd& ofGroups,
+                                     const std::vector<char>& which)
 {
     constexpr int size = freedomCount<Dim>;
     Eigen::VectorXd y = Eigen::VectorXd::Zero(size * static_cast<Eigen::Index>(groups.group.size()));
@@ -203,9 +208,12 @@ Eigen::VectorXd displacementOfBlocks(const BlockGroups<Dim>& groups, const Eigen
         const Swing<Dim> swing(turnOf<Dim>(own.template tail<rotationCount<Dim>>()));
         for (const int body : blocks)
         {
-            auto rows = y.segment<size>(size * body);
-            rows = own;
-            rows.template head<Dim>() += swing(groups.arm[static_cast<std::size_t>(body)]);
+            if (which.empty() || which[static_cast<std::size_t>(body)])
+            {
+                auto rows = y.segment<size>(size * body);
+                rows = own;
+                rows.template head<Dim>() += swing(groups.arm[static_cast<std::size_t>(body)]);
+            }
         }
     }
     return y;
@@ -262,10 +270,9 @@ public:
         return sum;
     }
 
-    /// T'Mbar h of all groups.
-    Eigen::VectorXd load() const
+    /// Takes T'Mbar h from rows of the groups.
+    void takeLoad(Eigen::VectorXd& rows) const
     {
-        Eigen::VectorXd rows = Eigen::VectorXd::Zero(freedomCount<Dim> * groups.count());
         for (std::size_t group = 0; group < bent.size(); ++group)
         {
             auto moment =
@@ -274,15 +281,14 @@ public:
                 groups.spread[group].lazyProduct(bent[group].transpose());
             if constexpr (Dim == 2)
             {
-                moment[0] = product(0, 1) - product(1, 0);
+                moment[0] -= product(0, 1) - product(1, 0);
             }
             else
             {
-                moment << product(1, 2) - product(2, 1), product(2, 0) - product(0, 2),
-                    product(0, 1) - product(1, 0);
+                moment -= Vector<3>(product(1, 2) - product(2, 1), product(2, 0) - product(0, 2),
+                                    product(0, 1) - product(1, 0));
             }
         }
-        return rows;
     }
 
 private:
@@ -331,8 +337,8 @@ StepProgram<Dim> programOfGroups(const BlockGroups<Dim>& groups, const StepProgr
     {
         if (groups.group[body] >= 0)
         {
-            program.inertia[static_cast<std::size_t>(groups.group[body])] +=
-                inertiaAbout<Dim>(groups.arm[body], ofBlocks.inertia[body]);
+            addInertiaAbout<Dim>(groups.arm[body], ofBlocks.inertia[body],
+                                 program.inertia[static_cast<std::size_t>(groups.group[body])]);
         }
     }
     program.load = rowsOfGroups(groups, ofBlocks.load);
@@ -362,6 +368,34 @@ StepGuess guessOfGroups(const BlockGroups<Dim>& groups, const StepProgram<Dim>& 
     return own;
 }
 
+namespace
+{
+
+/// Of which blocks a relinearisation asks: in the plane finite rotations change gaps and no momenta, so that
+/// it is those at the points. \return empty: of all
+template<int Dim>
+std::vector<char> blocksThatMatter(const BlockGroups<Dim>& groups, const StepProgram<Dim>& ofBlocks)
+{
+    std::vector<char> atPoints;
+    if constexpr (Dim == 2)
+    {
+        atPoints.resize(groups.group.size());
+        for (const auto& columns : ofBlocks.contacts)
+        {
+            for (const int body : {columns.first, columns.second})
+            {
+                if (body >= 0)
+                {
+                    atPoints[static_cast<std::size_t>(body)] = true;
+                }
+            }
+        }
+    }
+    return atPoints;
+}
+
+} // namespace
+
 template<int Dim>
 Relinearisation<Dim> relinearisationOfGroups(const Step<Dim>& step, const BlockGroups<Dim>& groups,
                                              StepProgram<Dim>& ofBlocks)
@@ -370,10 +404,11 @@ Relinearisation<Dim> relinearisationOfGroups(const Step<Dim>& step, const BlockG
     {
         return {};
     }
-    return [&step, &groups, &ofBlocks](const Eigen::VectorXd& displacement,
-                                       const Eigen::VectorXd& contactForce, StepProgram<Dim>& program)
+    return [&step, &groups, &ofBlocks, which = blocksThatMatter<Dim>(groups, ofBlocks)](
+               const Eigen::VectorXd& displacement, const Eigen::VectorXd& contactForce,
+               StepProgram<Dim>& program)
     {
-        const Eigen::VectorXd y = displacementOfBlocks(groups, displacement);
+        const Eigen::VectorXd y = displacementOfBlocks(groups, displacement, which);
         if (groups.areSingle())
         {
             std::swap(ofBlocks.gap, program.gap);
@@ -388,7 +423,8 @@ Relinearisation<Dim> relinearisationOfGroups(const Step<Dim>& step, const BlockG
         ofBlocks.gap = program.gap + bent;
         const double error = step.relinearise(y, contactForce, ofBlocks);
         program.gap = ofBlocks.gap - bent;
-        Eigen::VectorXd load = rowsOfGroups(groups, ofBlocks.load) - bending.load();
+        Eigen::VectorXd load = rowsOfGroups(groups, ofBlocks.load);
+        bending.takeLoad(load);
         const double moved =
             farthestMotion<Dim>(displacementUnder(program, load - program.load), step.scene.blockSize);
         program.load = std::move(load);
@@ -407,8 +443,9 @@ Eigen::VectorXd balancedDisplacement(const BlockGroups<Dim>& groups, const StepP
         rowsOfGroups(groups, ofBlocks.load) - applyEquilibrium(program, contactForce);
     for (int round = 0; round < mostRounds; ++round)
     {
-        const Eigen::VectorXd next =
-            displacementUnder<Dim>(program, straight - Bending<Dim>(groups, ofGroups).load());
+        Eigen::VectorXd rows = straight;
+        Bending<Dim>(groups, ofGroups).takeLoad(rows);
+        const Eigen::VectorXd next = displacementUnder<Dim>(program, std::move(rows));
         const double change = (next - ofGroups).template lpNorm<Eigen::Infinity>();
         ofGroups = next;
         if (change <= lastDigits * ofGroups.lpNorm<Eigen::Infinity>())
@@ -424,7 +461,8 @@ template std::vector<Vector<2>> centresOfBodies(const Step<2>& step);
 template BlockGroups<2> blockGroups(const Step<2>& step, std::vector<int> group);
 template Eigen::VectorXd rowsOfGroups(const BlockGroups<2>& groups, const Eigen::VectorXd& rows);
 template Eigen::VectorXd linearDisplacement(const BlockGroups<2>& groups, const Eigen::VectorXd& ofGroups);
-template Eigen::VectorXd displacementOfBlocks(const BlockGroups<2>& groups, const Eigen::VectorXd& ofGroups);
+template Eigen::VectorXd displacementOfBlocks(const BlockGroups<2>& groups, const Eigen::VectorXd& ofGroups,
+                                              const std::vector<char>& which);
 template StepProgram<2> programOfBlocks(const BlockGroups<2>& groups, const StepProgram<2>& whole);
 template StepProgram<2> programOfGroups(const BlockGroups<2>& groups, const StepProgram<2>& ofBlocks);
 template StepGuess guessOfGroups(const BlockGroups<2>& groups, const StepProgram<2>& ofBlocks,
@@ -439,7 +477,8 @@ template std::vector<Vector<3>> centresOfBodies(const Step<3>& step);
 template BlockGroups<3> blockGroups(const Step<3>& step, std::vector<int> group);
 template Eigen::VectorXd rowsOfGroups(const BlockGroups<3>& groups, const Eigen::VectorXd& rows);
 template Eigen::VectorXd linearDisplacement(const BlockGroups<3>& groups, const Eigen::VectorXd& ofGroups);
-template Eigen::VectorXd displacementOfBlocks(const BlockGroups<3>& groups, const Eigen::VectorXd& ofGroups);
+template Eigen::VectorXd displacementOfBlocks(const BlockGroups<3>& groups, const Eigen::VectorXd& ofGroups,
+                                              const std::vector<char>& which);
 template StepProgram<3> programOfBlocks(const BlockGroups<3>& groups, const StepProgram<3>& whole);
 template StepProgram<3> programOfGroups(const BlockGroups<3>& groups, const StepProgram<3>& ofBlocks);
 template StepGuess guessOfGroups(const BlockGroups<3>& groups, const StepProgram<3>& ofBlocks,

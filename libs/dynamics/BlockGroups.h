@@ -66,9 +66,11 @@ Eigen::VectorXd rowsOfGroups(const BlockGroups<Dim>& groups, const Eigen::Vector
 template<int Dim>
 Eigen::VectorXd linearDisplacement(const BlockGroups<Dim>& groups, const Eigen::VectorXd& ofGroups);
 
-/// y of all blocks, turned by finite angles. \param ofGroups (u, r) of each group
+/// y of all blocks, turned by finite angles. \param ofGroups (u, r) of each group \param which blocks that
+/// are asked for, others have zeros; empty: all
 template<int Dim>
-Eigen::VectorXd displacementOfBlocks(const BlockGroups<Dim>& groups, const Eigen::VectorXd& ofGroups);
+Eigen::VectorXd displacementOfBlocks(const BlockGroups<Dim>& groups, const Eigen::VectorXd& ofGroups,
+                                     const std::vector<char>& which = {});
 
 /// The program of all blocks with the outer points alone, in their order.
 template<int Dim>

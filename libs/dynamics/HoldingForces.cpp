@@ -47,10 +47,11 @@ InnerBalance<Dim> innerBalance(const Step<Dim>& step, const BlockGroups<Dim>& gr
         }
     }
     const bool isAnyHeld = std::find(groups.group.begin(), groups.group.end(), -1) != groups.group.end();
-    const std::vector<char> isClosed = isAnyHeld ? closedPoints<Dim>(whole, step.settings.solver.tolerance)
-                                                 : std::vector<char>(whole.contacts.size(), false);
+    const std::vector<char> isClosed =
+        isAnyHeld ? closedPoints<Dim>(whole, step.settings.solver.tolerance) : std::vector<char>();
     const double kept = keptGap(step);
     std::vector<double> gaps;
+    gaps.reserve(groups.inner.size());
     inner.points.reserve(groups.inner.size());
     inner.program.contacts.reserve(groups.inner.size());
     inner.program.friction.reserve(groups.inner.size());
@@ -59,7 +60,7 @@ InnerBalance<Dim> innerBalance(const Step<Dim>& step, const BlockGroups<Dim>& gr
         const auto& contact = whole.contacts[point];
         const bool moves = groups.of(contact.first >= 0 ? contact.first : contact.second) >= 0;
         const double gap = whole.gap[Dim * static_cast<Eigen::Index>(point)];
-        if (std::abs(gap) <= kept || (isClosed[point] && !moves))
+        if (std::abs(gap) <= kept || (isAnyHeld && isClosed[point] && !moves))
         {
             inner.points.push_back(point);
             inner.program.contacts.push_back(contact);

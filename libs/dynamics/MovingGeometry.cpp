@@ -49,15 +49,19 @@ Relinearisation<Dim> movingContactGeometry(const Step<Dim>& step)
         const double early = 1 - step.scheme.theta;
         const std::vector<std::size_t>* some = step.measuredPoints ? &step.measuredPoints->points : nullptr;
         const Eigen::VectorXd linear = applyTransposed(program, displacement);
+        Eigen::VectorXd between; // with the lever arms of the mean time
         if (early > 0)
         {
-            const auto between = placementsAfter(step, displacement, early);
-            motion.contacts->measure(between, points);
-            setColumns(program, columnsAt(scene, between, points));
+            const auto placements = placementsAfter(step, displacement, early);
+            motion.contacts->measure(placements, points);
+            setColumns(program, columnsAt(scene, placements, points));
+            between = applyTransposed(program, displacement);
         }
+        const Eigen::VectorXd& closing = early > 0 ? between : linear;
         const auto after = placementsAfter(step, displacement);
         if (some)
         {
+            points.reserve(some->size());
             for (const std::size_t index : *some)
             {
                 points.push_back(motion.contacts->pointAt(after, index));
@@ -72,8 +76,6 @@ Relinearisation<Dim> movingContactGeometry(const Step<Dim>& step)
         {
             forgetRounding(scene, points);
         }
-        const Eigen::VectorXd closing =
-            early > 0 ? applyTransposed(program, displacement) : Eigen::VectorXd(linear);
         BlockMotions<Dim> motions(motion.state.placements, after);
         double error = turnMomenta(step, displacement, contactForce, program);
         for (std::size_t k = 0; k < points.size(); ++k)
