@@ -4,6 +4,7 @@
 
 #include "assembly/AssemblyFile.h"
 #include "contact/JointClosure.h"
+#include "contact/space/StatedJointChecks.h"
 
 #include <fmt/format.h>
 
@@ -84,18 +85,43 @@ std::string blockName(const Assembly<Dim>& assembly, int block)
 template<int Dim>
 std::string almostJointsText(const Assembly<Dim>& assembly)
 {
+    if constexpr (Dim == 3)
+    {
+        if (!assembly.statedJoints.empty())
+        {
+            return misplacedJointsText(assembly);
+        }
+    }
     const std::vector<Facing<Dim>> pieces = faultyPieces(assembly);
     return pieces.empty() ? "" : faultText<Dim>(assembly, pieces);
 }
 
+namespace
+{
+
+/// The second block of the joint at fault.
+template<int Dim>
+std::size_t secondAtFault(const Assembly<Dim>& assembly)
+{
+    if constexpr (Dim == 3)
+    {
+        if (!assembly.statedJoints.empty())
+        {
+            const int joint = misplacedJoints(assembly).front().joint;
+            return static_cast<std::size_t>(assembly.statedJoints[static_cast<std::size_t>(joint)].neighbour);
+        }
+    }
+    return static_cast<std::size_t>(faultyPieces(assembly).front().neighbour);
+}
+
+} // namespace
+
 template<int Dim>
 void refuseAlmostJoints(const Assembly<Dim>& assembly, const std::filesystem::path& caseDirectory)
 {
-    const std::vector<Facing<Dim>> pieces = faultyPieces(assembly);
-    if (!pieces.empty())
+    if (const std::string text = almostJointsText(assembly); !text.empty())
     {
-        throw FatalIOError(faultText<Dim>(assembly, pieces),
-                           blockPlaces<Dim>(caseDirectory)[pieces.front().neighbour]);
+        throw FatalIOError(text, blockPlaces<Dim>(caseDirectory)[secondAtFault(assembly)]);
     }
 }
 

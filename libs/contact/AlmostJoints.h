@@ -41,7 +41,7 @@ std::string blockName(const Assembly<Dim>& assembly, int block);
 
 /// What to say of faces that almost meet: how many, the pair that is farthest from meeting, and the repair.
 /// Faces that are farther apart than a stated Assembly::jointTolerance are apart on purpose and left out.
-/// Empty when there are none.
+/// Empty when there are none. Where joints are stated instead of found: misplacedJointsText.
 template<int Dim>
 std::string almostJointsText(const Assembly<Dim>& assembly);
 

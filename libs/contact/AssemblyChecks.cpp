@@ -8,6 +8,7 @@
 #include "contact/JointClosure.h"
 #include "contact/ShapeChecks.h"
 #include "contact/SupportPaths.h"
+#include "contact/space/StatedJointChecks.h"
 #include "geometry/BroadPhase.h"
 
 #include <fmt/format.h>
@@ -250,6 +251,31 @@ CheckResult checkJointSizes(const Assembly<Dim>& assembly, const Findings<Dim>& 
 }
 
 /// Blocks that touch without a face in common.
+/// Whether joints that are stated are those of the blocks.
+CheckResult checkStatedJoints(const Assembly<3>& assembly)
+{
+    CheckResult result{"statedJoints", "", 0, {}};
+    const std::vector<MisplacedJoint> misplaced = misplacedJoints(assembly);
+    for (const MisplacedJoint& one : misplaced)
+    {
+        const StatedJoint<3>& joint = assembly.statedJoints[static_cast<std::size_t>(one.joint)];
+        addFault(result, fmt::format("the joint of {} and {} has a point at {} that is {:.3g} m off block {}",
+                                     blockName(assembly, joint.block), blockName(assembly, joint.neighbour),
+                                     asText<3>(one.point), one.farOff, one.block));
+    }
+    const std::vector<std::pair<int, int>> lacking = facesWithoutStatedJoint(assembly);
+    for (const auto& [block, neighbour] : lacking)
+    {
+        addFault(result, fmt::format("{} and {} share a face, and no joint is stated between them",
+                                     blockName(assembly, block), blockName(assembly, neighbour)));
+    }
+    result.message = fmt::format(
+        "{} joints are stated: {} off their blocks by more than {:.2g} m, {} lacking "
+        "where blocks share a face",
+        assembly.statedJoints.size(), misplaced.size(), statedJointTolerance(assembly), lacking.size());
+    return result;
+}
+
 template<int Dim>
 CheckResult checkTouches(const Assembly<Dim>& assembly, const Findings<Dim>& findings,
                          const CheckLimits& limits)
@@ -415,6 +441,13 @@ AssemblyReport<Dim> checkAssembly(const Assembly<Dim>& assembly, CheckExtent ext
     report.checks.push_back(std::move(duplicates));
     report.checks.push_back(std::move(overlaps));
     report.checks.push_back(checkGaps(assembly, findings, limits));
+    if constexpr (Dim == 3)
+    {
+        if (!assembly.statedJoints.empty())
+        {
+            report.checks.push_back(checkStatedJoints(assembly));
+        }
+    }
     report.checks.push_back(checkSlivers(assembly, limits));
     report.checks.push_back(checkSupportPaths(assembly, findings));
     if (extent == CheckExtent::all)

@@ -2,6 +2,7 @@
 /// The tree, built from the events of nlohmann's parser, which itself needs no stack.
 #include "core/Json.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -45,8 +46,13 @@ public:
         constexpr int outOfRange = 406; // a number, of nlohmann's list of errors
         const auto before = static_cast<std::ptrdiff_t>(std::min(position, text.size()));
         const auto line = 1 + std::count(text.begin(), text.begin() + before, '\n');
-        throw JsonFault(error.id == outOfRange ? "a number is too large" : "the text is no JSON here",
-                        static_cast<int>(line));
+        const auto lineBegin =
+            std::find(std::make_reverse_iterator(text.begin() + before), text.rend(), '\n');
+        throw JsonFault(
+            fmt::format("{} (character {} of the line)",
+                        error.id == outOfRange ? "a number is too large" : "the text is no JSON here",
+                        text.begin() + before - lineBegin.base()),
+            static_cast<int>(line));
     }
 
 private:

@@ -173,9 +173,27 @@ private:
             }
             else
             {
-                carryOut(isTrue(reading, statement) ? statement.body : statement.otherwise);
+                const bool holds = isTrue(reading, statement);
+                refuseOtherConditions(holds ? statement.otherwise : statement.body);
+                carryOut(holds ? statement.body : statement.otherwise);
             }
             break;
+        }
+    }
+
+    /// What is not carried out is not read either, but for `#elif` and the like, which are meant to part it.
+    void refuseOtherConditions(const std::vector<Statement>& skipped) const
+    {
+        for (const Statement& statement : skipped)
+        {
+            if (statement.kind == Statement::Kind::directive && statement.keyword.text.starts_with("#el"))
+            {
+                throw FatalIOError(
+                    fmt::format("{} is no directive here. Write `#else`, and in what follows it another "
+                                "`#if ... #endif`.",
+                                statement.keyword.text),
+                    locationOf(reading, statement.keyword));
+            }
         }
     }
 

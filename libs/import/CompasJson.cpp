@@ -120,12 +120,26 @@ private:
         return *value;
     }
 
+    /// true or false, or 1 or 0 as Python has them too.
+    bool isOn(const Place& place) const
+    {
+        if (const bool* isTrue = place.value->asSwitch())
+        {
+            return *isTrue;
+        }
+        const double* number = place.value->asNumber();
+        if (number == nullptr || (*number != 0 && *number != 1))
+        {
+            fail(place, "true or false is expected here.");
+        }
+        return *number == 1;
+    }
+
     /// `is_support`, and the texts of `zones`; what others keep under this name, and is no list, is theirs.
-    static std::vector<std::string> zonesOf(const Place& node)
+    std::vector<std::string> zonesOf(const Place& node) const
     {
         std::vector<std::string> zones;
-        const Place support = node.member("is_support");
-        if (support && support.value->asSwitch() != nullptr && *support.value->asSwitch())
+        if (const Place support = node.member("is_support"); support && isOn(support))
         {
             zones.emplace_back("is_support");
         }
@@ -288,6 +302,11 @@ private:
                 else if (const Place usual = defaults ? defaults.member(coordinate) : defaults)
                 {
                     position[axis] = number(usual);
+                }
+                else
+                {
+                    fail(place,
+                         fmt::format("This vertex has no {}, and the mesh no default of it.", coordinate));
                 }
             }
             vertexOf[key] = static_cast<int>(solid.vertices.size());

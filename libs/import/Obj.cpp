@@ -44,6 +44,13 @@ public:
             readLine(line);
         }
         closeSolid();
+        if (loneVertices > 0)
+        {
+            refuse(file, number,
+                   fmt::format("The file ends with {} vertices that no face follows: is it cut off? Write it "
+                               "anew, or remove these lines.",
+                               loneVertices));
+        }
         if (solids.solids.empty())
         {
             refuse(file, 0,
@@ -68,10 +75,16 @@ private:
         if (word == "v")
         {
             readVertex(line);
+            ++loneVertices;
         }
         else if (word == "f")
         {
             readFace(line);
+            loneVertices = 0;
+        }
+        else if (word == "l" || word == "p")
+        {
+            loneVertices = 0;
         }
         else if (word == "o")
         {
@@ -191,6 +204,7 @@ private:
     int number = 0;   ///< of the line
     int beginsAt = 0; ///< line of the last `o` or `g`
     std::vector<Vector<3>> vertices;
+    int loneVertices = 0; ///< since the last face, line or point
     Solid current;
     std::unordered_map<int, int> own; ///< index in `current` of a vertex of the file
     std::string name;

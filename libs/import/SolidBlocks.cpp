@@ -43,7 +43,8 @@ struct Tally
     std::size_t faces = 0; ///< in the file
     int turned = 0;
     int merged = 0;
-    int dropped = 0; ///< faces that are a line or a point
+    int dropped = 0;      ///< faces that are a line or a point
+    int joinedMeshes = 0; ///< objects that were parted, being no solids as they are
 };
 
 /// A place of the file in metres, z upwards.
@@ -88,6 +89,22 @@ double meanSize(const std::vector<Piece>& pieces)
     return sum / static_cast<double>(pieces.size());
 }
 
+/// Whether a shape is no solid, but the parts of it that share no edge are: blocks that were joined to one
+/// object before they were exported.
+bool isJoinedMesh(const Polyhedron& shape, std::vector<Polyhedron> parts)
+{
+    if (parts.size() < 2 || !findFault(welded(shape, 0)))
+    {
+        return false;
+    }
+    return std::none_of(parts.begin(), parts.end(),
+                        [](Polyhedron& part)
+                        {
+                            turnOutwards(part);
+                            return findFault(part).has_value();
+                        });
+}
+
 std::vector<Piece> piecesOf(Solids& solids, const SolidSettings& settings, const ImportedFile& file,
                             Tally& tally)
 {
@@ -97,12 +114,14 @@ std::vector<Piece> piecesOf(Solids& solids, const SolidSettings& settings, const
         tally.faces += solid.faces.size();
         Polyhedron shape = placed(solid, settings, file);
         solid.vertices = {};
-        if (solids.division == Division::asWritten)
+        std::vector<Polyhedron> parts = parted(welded(shape, settings.tolerance.value_or(0)));
+        if (solids.division == Division::asWritten && !isJoinedMesh(shape, parts))
         {
             pieces.push_back({std::move(shape), solid.name, solid.zones, solid.line});
             continue;
         }
-        for (Polyhedron& part : parted(welded(shape, settings.tolerance.value_or(0))))
+        tally.joinedMeshes += solids.division == Division::asWritten ? 1 : 0;
+        for (Polyhedron& part : parts)
         {
             pieces.push_back({std::move(part), solid.name, solid.zones, solid.line});
         }
@@ -247,6 +266,11 @@ void printTally(const Tally& tally, const PlaneFaces& planes, double tolerance, 
              "{} "
              "without area left out",
              tally.faces, tally.merged, tally.turned, tally.dropped);
+    }
+    if (tally.joinedMeshes > 0)
+    {
+        info("Import: objects that are no solid, but several: {}; each is parted into these",
+             tally.joinedMeshes);
     }
     if (rounding > 0)
     {

@@ -58,7 +58,8 @@ std::string withoutNumber(std::string_view name);
 
 /// Wavefront OBJ: `v`, `f`, `l` and `p` are read over; each `o`, or where there is none each `g`, is a solid,
 /// `usemtl` its zone; where there is no material at all it is the object's name without its number. A file
-/// with neither objects nor groups is parted by connectivity.
+/// with neither objects nor groups is parted by connectivity; one that ends with vertices for no face is
+/// refused as cut off.
 Solids readObj(const ImportedFile& file);
 
 /// Stanford PLY, ascii and binary of either byte order: elements `vertex` (x y z) and `face` (a list

@@ -6,6 +6,7 @@
 #include "contact/JointClosure.h"
 #include "contact/PointAreas.h"
 #include "contact/SupportPaths.h"
+#include "contact/space/StatedJointChecks.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -48,6 +49,42 @@ std::vector<std::string> failed(const Assembly<3>& assembly, CheckExtent extent 
 }
 
 const Polyhedron cube = makeBox({0, 0, 0}, {1, 1, 1});
+
+// Nothing else compares joints that are stated with the blocks: of other places, or lacking, they make
+// another structure.
+TEST(SpaceAssemblyChecks, StatedJointsLieOnTheFacesOfBothBlocksAndAreComplete)
+{
+    Assembly<3> sound = onGround({cube, makeBox({0, 0, 1}, {1, 1, 2})});
+    const Vector<3> up(0, 0, 1);
+    sound.statedJoints = {{0, 1, -up, {{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}},
+                          {0, 2, up, {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}}};
+    EXPECT_THAT(failed(sound, CheckExtent::all), IsEmpty());
+    EXPECT_EQ(almostJointsText(sound), "");
+
+    Assembly<3> wide = sound;
+    for (Vector<3>& point : wide.statedJoints[1].points)
+    {
+        point.x() = 3 * point.x() - 1;
+    }
+    EXPECT_THAT(failed(wide, CheckExtent::all), ElementsAre("statedJoints"));
+    EXPECT_THAT(almostJointsText(wide),
+                AllOf(HasSubstr("between blocks 0 and 2"), HasSubstr("1 m off the surface of block 0"),
+                      HasSubstr("remove `interfaces contacts;`")));
+
+    Assembly<3> inside = sound;
+    for (Vector<3>& point : inside.statedJoints[0].points)
+    {
+        point.z() = 1.5;
+    }
+    EXPECT_THAT(failed(inside), ElementsAre("statedJoints"));
+
+    Assembly<3> lacking = sound;
+    lacking.statedJoints.erase(lacking.statedJoints.begin() + 1);
+    EXPECT_THAT(failed(lacking), testing::Contains("statedJoints"));
+    EXPECT_EQ(almostJointsText(lacking), "");
+    EXPECT_THAT(facesWithoutStatedJointText(lacking), HasSubstr("Blocks 0 and 2 share a face"));
+    EXPECT_EQ(facesWithoutStatedJointText(onGround({cube})), "");
+}
 
 TEST(SpaceAssemblyChecks, SoundBlocksPass)
 {

@@ -312,6 +312,11 @@ TEST(Dictionary, DirectivesMergeRemoveAndChoose)
     EXPECT_EQ(expanded("m off; #if $m\n a 1;\n#else\n a 2;\n#endif", "a"), "2");
     EXPECT_EQ(expanded("#if on\n b { c 1; }\n #if off\n d 1;\n #else\n d 2;\n #endif\n#endif", "d"), "2");
     EXPECT_THAT(reportOfReading("#if on\na 1;"), HasSubstr("The condition of line 1 is not closed"));
+    for (const char* condition : {"on", "off"})
+    {
+        EXPECT_THAT(reportOfReading(fmt::format("#if {}\na 1;\n#elif on\na 2;\n#endif", condition)),
+                    HasSubstr("#elif"));
+    }
     EXPECT_THAT(reportOfReading("a 1;\n#endif"), HasSubstr("without a condition"));
     EXPECT_THAT(reportOfReading("#includ \"x\""), HasSubstr("Did you mean #include?"));
     EXPECT_THAT(reportOfReading("a #codeStream { code #{ #}; };"), HasSubstr("never run code"));

@@ -163,6 +163,32 @@ TEST(SolidBlocks, TouchingSolidsOfASoupOfTrianglesAreParted)
     }
 }
 
+TEST(SolidBlocks, BlocksThatWereJoinedToOneObjectAreParted)
+{
+    Polyhedron joined;
+    for (const Vector<3>& lower : {Vector<3>(0, 0, 0), Vector<3>(0, 0, 1), Vector<3>(1, 0, 0)})
+    {
+        const Polyhedron box = makeBox(lower, lower + Vector<3>::Ones());
+        for (std::vector<int> face : box.faces)
+        {
+            for (int& vertex : face)
+            {
+                vertex += static_cast<int>(joined.vertices.size());
+            }
+            joined.faces.push_back(std::move(face));
+        }
+        joined.vertices.insert(joined.vertices.end(), box.vertices.begin(), box.vertices.end());
+    }
+    const Polyhedron other = makeBox({5, 0, 0}, {6, 1, 1});
+    const Assembly<3> assembly = solidBlocks(solidsOf({joined, other}), {}, file);
+    ASSERT_EQ(assembly.blocks.size(), 4u);
+    for (const Block<3>& block : assembly.blocks)
+    {
+        EXPECT_EQ(block.shape.faces.size(), 6u);
+        EXPECT_NEAR(volumeProperties(block.shape).volume, 1, 1e-15);
+    }
+}
+
 TEST(SolidBlocks, FacesInAnyOrderAreTurnedOutwards)
 {
     std::mt19937 random(7);

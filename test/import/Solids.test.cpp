@@ -68,6 +68,10 @@ TEST(Obj, FaultsAreNamedWithTheirLine)
     EXPECT_THAT(report("v 0 0 1e999\n"), HasSubstr("too large"));
     EXPECT_THAT(report("v 0 0 nan\n"), HasSubstr("not a finite"));
     EXPECT_THAT(report("hello\n"), HasSubstr("There is no face"));
+    const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    EXPECT_THAT(report(triangle + "o next\nv 0 0 1\nv 1 0 1\nv 0 0 0."),
+                AllOf(HasSubstr("ends with 3 vertices that no face follows"), HasSubstr("line 8")));
+    EXPECT_EQ(report(triangle + "v 0 0 1\nl 1 4\n"), "no error");
 }
 
 std::string plyHeader(std::string_view format, std::string_view type)
@@ -302,6 +306,14 @@ TEST(CompasJson, ANodeNamesTheZonesOfItsBlock)
     EXPECT_THAT(zonesOf(R"(, "is_support": true, "zones": ["ground", "tuff"])"),
                 testing::ElementsAre("is_support", "ground", "tuff"));
     EXPECT_THAT(zonesOf(R"(, "zones": [])"), testing::IsEmpty());
+    EXPECT_THAT(zonesOf(R"(, "is_support": 1)"), testing::ElementsAre("is_support"));
+    EXPECT_THAT(zonesOf(R"(, "is_support": 0)"), testing::IsEmpty());
+    EXPECT_THAT(zonesOf(R"(, "is_support": null)"), testing::IsEmpty());
+    for (const std::string_view wrong : {"\"yes\"", "2", "[]"})
+    {
+        EXPECT_THAT(reportOf([&] { zonesOf(fmt::format(R"(, "is_support": {})", wrong)); }),
+                    AllOf(HasSubstr("true or false is expected"), HasSubstr("is_support")));
+    }
     // What other programs keep under this name.
     EXPECT_THAT(zonesOf(R"(, "zones": {"a": 1})"), testing::IsEmpty());
     EXPECT_THAT(zonesOf(R"(, "zones": "tuff")"), testing::IsEmpty());

@@ -6,6 +6,7 @@
 #include "contact/AlmostJoints.h"
 #include "contact/ClosedAssembly.h"
 #include "contact/JointClosure.h"
+#include "contact/space/StatedJointChecks.h"
 #include "core/Error.h"
 #include "core/Log.h"
 #include "core/WholeFile.h"
@@ -72,6 +73,13 @@ void warnOfFaults(const Assembly<Dim>& assembly, const Dictionary& dictionary)
     else if (const std::string fault = almostJointsText(assembly); !fault.empty())
     {
         printWarning(fault, dictionary.locationOf("texture"));
+    }
+    if constexpr (Dim == 3)
+    {
+        if (const std::string lacking = facesWithoutStatedJointText(assembly); !lacking.empty())
+        {
+            printWarning(lacking, dictionary.locationOf("texture"));
+        }
     }
 }
 

@@ -43,11 +43,23 @@ double solidAngle(const Vector<3>& a, const Vector<3>& b, const Vector<3>& c)
 
 } // namespace
 
+double distanceFromSurface(const Polyhedron& polyhedron, const Vector<3>& point)
+{
+    double least = std::numeric_limits<double>::max();
+    for (const std::vector<int>& corners : polyhedron.faces)
+    {
+        const FacePolygon face = facePolygon(polyhedron, corners);
+        const double height = face.frame.col(0).dot(point - face.origin);
+        least = std::min(
+            least, std::hypot(height, std::max(0.0, signedDistance(face.outline, inPlane(face, point)))));
+    }
+    return least;
+}
+
 double distance(const Polyhedron& polyhedron, const Vector<3>& point)
 {
     // From inside all faces together are seen under the full angle, from outside under none.
     double angle = 0;
-    double least = std::numeric_limits<double>::max();
     for (const std::vector<int>& corners : polyhedron.faces)
     {
         for (std::size_t i = 1; i + 1 < corners.size(); ++i)
@@ -56,12 +68,8 @@ double distance(const Polyhedron& polyhedron, const Vector<3>& point)
                 solidAngle(polyhedron.vertices[corners[0]] - point, polyhedron.vertices[corners[i]] - point,
                            polyhedron.vertices[corners[i + 1]] - point);
         }
-        const FacePolygon face = facePolygon(polyhedron, corners);
-        const double height = face.frame.col(0).dot(point - face.origin);
-        least = std::min(
-            least, std::hypot(height, std::max(0.0, signedDistance(face.outline, inPlane(face, point)))));
     }
-    return angle > 2 * EIGEN_PI ? 0 : least;
+    return angle > 2 * EIGEN_PI ? 0 : distanceFromSurface(polyhedron, point);
 }
 
 } // namespace drystone

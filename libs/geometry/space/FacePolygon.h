@@ -25,6 +25,9 @@ inline Vector<2> inPlane(const FacePolygon& face, const Vector<3>& point)
     return {face.frame.col(1).dot(arm), face.frame.col(2).dot(arm)};
 }
 
+/// Distance of a point from the nearest face [m], inside the solid too.
+double distanceFromSurface(const Polyhedron& polyhedron, const Vector<3>& point);
+
 /// Distance of a point from the solid [m]: 0 inside and on it.
 double distance(const Polyhedron& polyhedron, const Vector<3>& point);
 
