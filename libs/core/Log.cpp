@@ -133,18 +133,23 @@ double clockTime()
     return std::max(0.0, secondsOf(CLOCK_BOOTTIME) - start);
 }
 
+void flushLog()
+{
+    std::fflush(stdout);
+}
+
 void printExecutionTime()
 {
     info("ExecutionTime = {:.4g} s  ClockTime = {:.0f} s", cpuTime(), clockTime());
     printLine();
-    std::fflush(stdout);
+    flushLog();
 }
 
 void printEnd()
 {
     printLine("End");
     printLine();
-    std::fflush(stdout);
+    flushLog();
 }
 
 std::string hostName()

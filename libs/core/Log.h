@@ -30,6 +30,10 @@ void printEffects(const std::vector<std::string>& simulated, const std::vector<s
 double cpuTime();   ///< of this process, all its threads together [s]
 double clockTime(); ///< since the program started [s]
 
+/// Sends on what was printed so far, before something that may take long: a log in a file then says where it
+/// is.
+void flushLog();
+
 /// `ExecutionTime = 1.25 s  ClockTime = 1 s`, and sends on what was printed so far.
 void printExecutionTime();
 

@@ -253,6 +253,25 @@ void printLimitAnalysisCase(const LimitAnalysisCase<Dim>& structure,
     info("{}\n", machineText());
 }
 
+std::function<void(const CollapseProgress&)> collapseProgressLog()
+{
+    constexpr double every = 10; // [s]
+    return [last = clockTime()](const CollapseProgress& progress) mutable
+    {
+        if (clockTime() - last >= every)
+        {
+            last = clockTime();
+            info("Coulomb's law: path {}, {} pieces, at {:.4g} times the live load; {}. ClockTime = {:.0f} s",
+                 progress.path, progress.pieces, progress.multiplier,
+                 std::isfinite(progress.lowest)
+                     ? fmt::format("lowest collapse so far {:.6g}", progress.lowest)
+                     : "no collapse met yet",
+                 last);
+            flushLog();
+        }
+    };
+}
+
 template<int Dim>
 void printLimitAnalysis(const LimitAnalysisCase<Dim>& structure, const std::vector<LimitAnalysis>& results)
 {

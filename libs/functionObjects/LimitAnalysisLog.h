@@ -16,6 +16,10 @@ template<int Dim>
 void printLimitAnalysisCase(const LimitAnalysisCase<Dim>& structure,
                             const std::filesystem::path& caseDirectory);
 
+/// Tells every ten seconds how far a search for collapses by Coulomb's law has come, for
+/// NonAssociativeSettings::observe.
+std::function<void(const CollapseProgress&)> collapseProgressLog();
+
 /// Multiplier, status and certificate. No multiplier is printed for what did not converge.
 template<int Dim>
 void printLimitAnalysis(const LimitAnalysisCase<Dim>& structure, const std::vector<LimitAnalysis>& results);

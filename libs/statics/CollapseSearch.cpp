@@ -178,7 +178,17 @@ ConeSolution CollapseSearch<Rows, Forces>::solveRoughly(const Program& program)
 template<int Rows, int Forces>
 CollapsePair CollapseSearch<Rows, Forces>::path(const Start& start, const CollapsePathSettings& settings)
 {
-    CollapsePair pair = followCollapsePath(given, start.contactForce, start.alpha, settings);
+    CollapsePathSettings observed = settings;
+    if (searchSettings.observe)
+    {
+        observed.observe = [this](int pieces, double multiplier)
+        {
+            searchSettings.observe(
+                {range.starts, pieces, multiplier,
+                 lowest.exists() ? lowest.alpha : std::numeric_limits<double>::infinity()});
+        };
+    }
+    CollapsePair pair = followCollapsePath(given, start.contactForce, start.alpha, observed);
     effort.iterations += pair.pieces;
     effort.factorisations += pair.factorisations;
     effort.solves += pair.solves;

@@ -6,8 +6,19 @@
 #include "statics/CoulombCheck.h"
 #include "statics/LimitAnalysis.h"
 
+#include <functional>
+
 namespace drystone
 {
+
+/// How far a search has come.
+struct CollapseProgress
+{
+    int path = 0;          ///< that is being followed, from 1
+    int pieces = 0;        ///< of it, so far
+    double multiplier = 0; ///< to which it has been followed
+    double lowest = 0;     ///< of the pairs met so far; infinite: none
+};
 
 /// Keys of `nonAssociative { ... }` in system/solution/limitAnalysis.
 struct NonAssociativeSettings
@@ -16,6 +27,7 @@ struct NonAssociativeSettings
                     ///< ones are found
     int seed = 1;   ///< of the random numbers that they are made from
     double tolerance = 1e-6; ///< on the residuals of a pair of forces and mechanism
+    std::function<void(const CollapseProgress&)> observe = {}; ///< no key: told of each piece; may be empty
 };
 
 void declare(Options& options, NonAssociativeSettings& settings);

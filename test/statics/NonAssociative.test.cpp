@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 using namespace drystone;
 
 namespace
@@ -74,6 +76,29 @@ TEST(NonAssociative, IsTheSameOnASecondRun)
     const LimitAnalysis two = solveNonAssociative(program, settings);
     EXPECT_EQ(one.alpha, two.alpha);
     EXPECT_EQ(one.contactForce, two.contactForce);
+}
+
+TEST(NonAssociative, TellsHowFarItHasComeWithoutChangingTheResult)
+{
+    const WeighedStructure structure = standing(paperWalls()[4].bond);
+    const PlaneConeProgram program = structure.program(0.65, structure.weightLoads());
+    std::vector<CollapseProgress> told;
+    NonAssociativeSettings settings{.starts = 3};
+    const LimitAnalysis silent = solveNonAssociative(program, settings);
+    settings.observe = [&told](const CollapseProgress& progress) { told.push_back(progress); };
+    const LimitAnalysis observed = solveNonAssociative(program, settings);
+    EXPECT_EQ(observed.alpha, silent.alpha);
+    EXPECT_EQ(observed.mechanism, silent.mechanism);
+    ASSERT_FALSE(told.empty());
+    EXPECT_EQ(told.front().path, 1);
+    EXPECT_TRUE(std::isinf(told.front().lowest));
+    EXPECT_EQ(told.back().path, 3);
+    EXPECT_GE(told.back().lowest, observed.alpha);
+    EXPECT_LT(told.back().lowest, observed.coulomb->associative);
+    for (std::size_t i = 1; i < told.size(); ++i)
+    {
+        EXPECT_TRUE(told[i].path > told[i - 1].path || told[i].pieces > told[i - 1].pieces);
+    }
 }
 
 TEST(NonAssociative, OfAMonolithIsThatOfTheAssociativeLaw)

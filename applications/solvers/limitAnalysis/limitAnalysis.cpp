@@ -60,6 +60,8 @@ int runIn(const CommandLine& commandLine)
     }
     if (!commandLine.dryRun && !commandLine.postProcess)
     {
+        flushLog();
+        structure.nonAssociative.observe = collapseProgressLog();
         const double start = cpuTime();
         const std::vector<LimitAnalysis> results = solveLimitAnalyses(structure);
         const double used = cpuTime() - start;

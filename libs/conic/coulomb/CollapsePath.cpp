@@ -61,7 +61,7 @@ public:
     CollapsePath(const ConeProgram<Rows, Forces>& program, const VectorXd& contactForce, double multiplier,
                  const CollapsePathSettings& settings);
 
-    PathEnd follow(int mostPieces);
+    PathEnd follow(int mostPieces, const std::function<void(int, double)>& observe);
     /// Another psi from now on, with the same forces and slips.
     void changeDilatancy(double dilatancy);
     CollapsePair pair(PathEnd end) const;
@@ -420,7 +420,7 @@ void CollapsePath<Rows, Forces>::take(Walk& walk, double distance, const typenam
 }
 
 template<int Rows, int Forces>
-PathEnd CollapsePath<Rows, Forces>::follow(int mostPieces)
+PathEnd CollapsePath<Rows, Forces>::follow(int mostPieces, const std::function<void(int, double)>& observe)
 {
     Walk walk{.begin = pieceCount};
     for (; pieceCount < walk.begin + mostPieces; ++pieceCount)
@@ -464,6 +464,10 @@ PathEnd CollapsePath<Rows, Forces>::follow(int mostPieces)
             }
         }
         take(walk, distance, first, leaving);
+        if (observe)
+        {
+            observe(pieceCount, alphaNow * scaled.force / scaled.live);
+        }
     }
     return PathEnd::unfinished;
 }
@@ -498,11 +502,11 @@ CollapsePair followCollapsePath(const ConeProgram<Rows, Forces>& program, const 
     constexpr int piecesOfPoint = Forces == 2 ? 10 : 4;
     const int mostPieces =
         settings.maximumPieces > 0 ? settings.maximumPieces : 1000 + piecesOfPoint * program.points();
-    PathEnd end = path.follow(mostPieces);
+    PathEnd end = path.follow(mostPieces, settings.observe);
     if (end == PathEnd::collapse && settings.finalDilatancy < settings.dilatancy)
     {
         path.changeDilatancy(settings.finalDilatancy);
-        end = path.follow(mostPieces);
+        end = path.follow(mostPieces, settings.observe);
     }
     return path.pair(end);
 }

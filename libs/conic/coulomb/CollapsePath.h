@@ -5,6 +5,8 @@
 
 #include "conic/ConeProgram.h"
 
+#include <functional>
+
 namespace drystone
 {
 
@@ -17,6 +19,8 @@ struct CollapsePathSettings
     unsigned seed = 1;            ///< of the random numbers that they are
     /// Of the path; 0: 1,000 and ten for each contact point, in space four.
     int maximumPieces = 0;
+    /// Told of each piece: how many there are, and the multiplier now. May be empty.
+    std::function<void(int pieces, double multiplier)> observe = {};
 };
 
 /// Where a path leads.
