@@ -6,6 +6,7 @@
 #include "SpaceScenes.h"
 #include "ThrownBlocks.h"
 
+#include "contact/JointClosure.h"
 #include "contact/Penetration.h"
 
 #include <gtest/gtest.h>
@@ -348,6 +349,36 @@ TEST(SpaceNewContacts, AHookThatFallsIntoAHookHangsAtRest)
     // Its stem leans on the corner of the other, and its tip stands in the corner: atan(3/4).
     EXPECT_NEAR(motion.state.placements[1].rotation.norm(), 0.643501, 1e-4);
     EXPECT_LE(kineticEnergy(scene, motion.state), 1e-9);
+}
+
+// Joints within a tolerance that is stated start closed. Where four blocks meet, blocks across the meeting
+// point are in each other by a sliver that is no joint, and do not push each other out of it.
+TEST(SpaceNewContacts, BlocksOfUnevenJointsStandAsTheyAreBuilt)
+{
+    constexpr double off = 3e-4;
+    for (const FlowRule flowRule : {FlowRule::associative, FlowRule::nonAssociative})
+    {
+        Assembly<3> assembly;
+        assembly.supports.push_back({"ground", "ground"});
+        assembly.jointTolerance = 1e-3;
+        assembly.blocks = {
+            spaceScenes::boxBlock({-3, -3, -1}, {3, 3, 0}, 0), spaceScenes::boxBlock({-1, 0, 0}, {0, 1, 1}),
+            spaceScenes::boxBlock({0, 0, 0}, {1, 1, 1 + off}), spaceScenes::boxBlock({-1, 0, 1}, {off, 1, 2}),
+            spaceScenes::boxBlock({off, 0, 1}, {1, 1, 2})};
+        closeJoints(assembly);
+        const DynamicCase<3> scene =
+            spaceScenes::sceneOf(assembly, 1, 0.7, {0, 0, -spaceScenes::g}, flowRule);
+        Motion<3> motion = startMotion(scene, stateAtRest(scene.assembly));
+        for (int step = 0; step < 20; ++step)
+        {
+            ASSERT_TRUE(advance(scene, motion, 0.005));
+        }
+        for (const Placement<3>& placement : motion.state.placements)
+        {
+            EXPECT_LT(placement.translation.norm(), 1e-12);
+        }
+        EXPECT_LT(motion.energy.kinetic, 1e-12);
+    }
 }
 
 // A step is linearised about the motion that is expected. A block that spins at 1 rad/s in a slot does not

@@ -217,7 +217,7 @@ MovingContacts<3>::contactsOfParts(const ConvexSolid& there, const ConvexSolid& 
                                    const PartContact& parts, int block, int neighbour, Places& places) const
 {
     const double within = toleranceOf(block, neighbour);
-    const PartingAxis axis = partingAxis(there, otherThere, within, sharedEdgeOf(block, neighbour));
+    const PartingAxis axis = axisBetween(there, otherThere, block, neighbour);
     if (axis.isAnEdgeAtMost)
     {
         return {};
@@ -288,13 +288,11 @@ double MovingContacts<3>::overlookedDepth(const std::vector<Placement<3>>& place
     const auto depthOf = [&](const std::pair<int, int>& pair)
     {
         double depth = 0;
-        const double within = toleranceOf(pair.first, pair.second);
-        const SharedEdge sharedEdge = sharedEdgeOf(pair.first, pair.second);
         for (const ConvexSolid& own : there.of(pair.first))
         {
             for (const ConvexSolid& other : there.of(pair.second))
             {
-                const PartingAxis axis = partingAxis(own, other, within, sharedEdge);
+                const PartingAxis axis = axisBetween(own, other, pair.first, pair.second);
                 depth = axis.isAnEdgeAtMost ? depth : std::max(depth, -axis.distance);
             }
         }

@@ -4,6 +4,7 @@
 #include "contact/space/MovingContacts.h"
 
 #include "contact/AlmostJoints.h"
+#include "contact/JointClosure.h"
 #include "core/Error.h"
 #include "geometry/BroadPhase.h"
 #include "geometry/Rotation.h"
@@ -176,13 +177,16 @@ MovingContacts<3>::MovingContacts(const Assembly<3>& structure, const MovingCont
     atEdges = pairsAtEdges();
 }
 
-std::vector<std::pair<int, int>> MovingContacts<3>::pairsAtEdges() const
+/// Joints within a tolerance that is stated, narrower than it too, are none: blocks across the meeting point
+/// of four that are in each other by a sliver are at an edge as well.
+std::map<std::pair<int, int>, double> MovingContacts<3>::pairsAtEdges() const
 {
+    constexpr double steps = 2; // of the tolerances that are tried
+    const double widest = jointTolerance(assembly).oblique;
     const std::vector<Placement<3>> built(assembly.blocks.size());
     const Places places{
         built, tolerance, swingsOf(built, 1), swingsOf(built, -1), PlacedSolids(solids, centroids, built),
         {}};
-    std::vector<std::pair<int, int>> touching = meetingPairs(places);
     const auto isKnown = [this](const std::pair<int, int>& pair)
     {
         return std::binary_search(
@@ -190,14 +194,14 @@ std::vector<std::pair<int, int>> MovingContacts<3>::pairsAtEdges() const
             [](const KnownPair& one, const KnownPair& other)
             { return std::pair(one.block, one.neighbour) < std::pair(other.block, other.neighbour); });
     };
-    const auto touches = [this](const std::pair<int, int>& pair)
+    const auto touch = [this](const std::pair<int, int>& pair, double within, SharedEdge sharedEdge)
     {
-        const double within = toleranceOf(pair.first, pair.second);
         for (const ConvexSolid& own : solids[static_cast<std::size_t>(pair.first)])
         {
             for (const ConvexSolid& other : solids[static_cast<std::size_t>(pair.second)])
             {
-                if (partingAxis(own, other, within, SharedEdge::mayTouch).distance <= within)
+                const PartingAxis axis = partingAxis(own, other, within, sharedEdge);
+                if (!axis.isAnEdgeAtMost && axis.distance <= toleranceOf(pair.first, pair.second))
                 {
                     return true;
                 }
@@ -205,8 +209,31 @@ std::vector<std::pair<int, int>> MovingContacts<3>::pairsAtEdges() const
         }
         return false;
     };
-    std::erase_if(touching, [&](const std::pair<int, int>& pair) { return isKnown(pair) || !touches(pair); });
+    std::map<std::pair<int, int>, double> touching;
+    for (const std::pair<int, int>& pair : meetingPairs(places))
+    {
+        const double least = toleranceOf(pair.first, pair.second);
+        if (isKnown(pair) || !touch(pair, least, SharedEdge::mayTouch))
+        {
+            continue;
+        }
+        double within = least;
+        while (within < widest && touch(pair, within, SharedEdge::doesNotTouch))
+        {
+            within = std::min(steps * within, widest);
+        }
+        touching[pair] = touch(pair, within, SharedEdge::doesNotTouch) ? least : within;
+    }
     return touching;
+}
+
+PartingAxis MovingContacts<3>::axisBetween(const ConvexSolid& first, const ConvexSolid& second, int block,
+                                           int neighbour) const
+{
+    const auto atEdge = atEdges.find({block, neighbour});
+    return atEdge == atEdges.end()
+               ? partingAxis(first, second, toleranceOf(block, neighbour), SharedEdge::rimsMayTouch)
+               : partingAxis(first, second, atEdge->second, SharedEdge::doesNotTouch);
 }
 
 /// \param isOfNeighbour whose corner, against the face of the other

@@ -8,6 +8,7 @@
 #include "geometry/Rotation.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 
 namespace drystone
@@ -142,13 +143,11 @@ private:
                         tolerances[static_cast<std::size_t>(neighbour)]);
     }
     /// Pairs, not both fixed, that touch as built without a point there: at an edge or a corner.
-    std::vector<std::pair<int, int>> pairsAtEdges() const;
-    SharedEdge sharedEdgeOf(int block, int neighbour) const
-    {
-        return std::binary_search(atEdges.begin(), atEdges.end(), std::pair(block, neighbour))
-                   ? SharedEdge::doesNotTouch
-                   : SharedEdge::rimsMayTouch;
-    }
+    std::map<std::pair<int, int>, double> pairsAtEdges() const;
+    /// What part of one block and part of another are apart by, if they are built at an edge as what they
+    /// are.
+    PartingAxis axisBetween(const ConvexSolid& first, const ConvexSolid& second, int block,
+                            int neighbour) const;
     void follow(const KnownPair& pair, const Places& places);
     void find(int block, int neighbour, Places& places);
     std::vector<PartContact> contactsTowards(PlacedSolids& heading, int block, int neighbour,
@@ -173,10 +172,12 @@ private:
     Assembly<3> assembly;
     std::vector<Vector<3>> centroids;
     std::vector<ContactPoint<3>> asBuilt;
-    std::vector<Pair> pairs;                  ///< one a point as built
-    std::vector<std::optional<Pair>> others;  ///< the other way round, where the point is a vertex of both
-    std::vector<KnownPair> known;             ///< sorted
-    std::vector<std::pair<int, int>> atEdges; ///< see pairsAtEdges; sorted
+    std::vector<Pair> pairs;                 ///< one a point as built
+    std::vector<std::optional<Pair>> others; ///< the other way round, where the point is a vertex of both
+    std::vector<KnownPair> known;            ///< sorted
+    /// See pairsAtEdges; with what their faces are in each other by there, as built and at least toleranceOf
+    /// [m].
+    std::map<std::pair<int, int>, double> atEdges;
     std::vector<std::vector<ConvexSolid>>
         solids;                ///< as built: the convex parts of each block; empty: too many
     std::vector<double> radii; ///< of each block about its mass centre [m]
