@@ -334,7 +334,10 @@ bool collideOnce(Step<Dim>& step)
         step.isOfAllBlocks = true;
         if (isReduced(step))
         {
+            // As if all blocks had come first: from how much work is left follows whether impacts are
+            // located.
             forgetBodies(step);
+            step.motion.work.done = step.workBeforeSolution;
             return true;
         }
     }

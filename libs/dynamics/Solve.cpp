@@ -67,6 +67,7 @@ void solve(Step<Dim>& step)
 {
     const StageTimer timer(step.motion.stageTimes, Stage::solve);
     StepSolution& solved = step.solved;
+    step.workBeforeSolution = step.motion.work.done;
     const bool mayBeStuck = mayStick(step);
     const bool isTried = mayBeStuck && !step.motion.slides;
     solved.sticks = isTried && solveWithoutSliding(step);

@@ -94,7 +94,8 @@ struct Step
 
     // solve, collide, review
     StepSolution solved;
-    int overlapsLeft = 0; ///< see Motion, after the step
+    double workBeforeSolution = 0; ///< of Motion::work, done until then
+    int overlapsLeft = 0;          ///< see Motion, after the step
     /// Of each free block, whether it is taken as one body with others, so that forces between them are not
     /// known yet and its moments follow from its motion; empty: none is.
     std::vector<char> isShared;

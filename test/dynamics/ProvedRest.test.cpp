@@ -433,6 +433,16 @@ TEST(ProvedRest, RandomTowersWithRestitutionOrBondsMoveAsWithEverythingOnByCoulo
     }
 }
 
+// Work on fewer bodies that was in vain, as points collide, does not count: from how much is left follows
+// whether impacts are located.
+TEST(ProvedRest, AStepWithImpactsIsTheSameWhateverWasTriedBefore)
+{
+    const StepCounts count =
+        verifyRandomWalls<3>(1, 950058, FlowRule::nonAssociative, randomWalls::towers<3>, withRestitution<3>);
+    EXPECT_EQ(count.unsolved, 0);
+    EXPECT_EQ(count.unverified, 0);
+}
+
 // Impacts whose interior point came to a standstill, and then to what is no number, from where nothing was
 // found.
 TEST(ProvedRest, WallsWithImpactsThatWereNotSolvedAre)
