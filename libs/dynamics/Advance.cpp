@@ -33,8 +33,13 @@ constexpr int stepsWithOverlaps = 20;
 /// That contact gives a block within a step, beyond what it was turning by [rad].
 constexpr double farthestTurn = 1;
 
-/// Of a step that is chosen, over the last one.
+/// Of a step that is chosen, over the last one that was.
 constexpr double mostGrowth = 1.2;
+
+/// Of a step that is chosen, over the last one that was taken. One cut short for an instant need not grow
+/// anew from there; but lengths that no step has had would grow without bound at rest, and pass over the
+/// points of a record, which are told from the end of a step by a part of its length.
+constexpr double mostOverStep = 10;
 
 /// Adds a step to the use of effects. \param provedBefore steps at rest before it \param since CPU time at
 /// its start [s]
@@ -254,7 +259,7 @@ bool advance(const DynamicCase<Dim>& scene, Motion<Dim>& motion, Time& time)
     motion.state.time = time.value(); // the sum of the steps may differ from it in the last digit
     if (time.controls().adjustTimeStep)
     {
-        chooseTimeStep(scene, motion, mostGrowth * wanted, time);
+        chooseTimeStep(scene, motion, std::min(mostGrowth * wanted, mostOverStep * taken.timeStep), time);
     }
     return true;
 }

@@ -222,6 +222,37 @@ TEST(SlidingBlock, ARecordIsFollowedWithoutShortSteps)
     }
 }
 
+// What rests has no bound on its steps but those of the record, however long it has rested: the length that
+// was wanted grew without bound, and with it the part of it within which instants were taken for one.
+TEST(SlidingBlock, ARecordThatBeginsLateIsNotSteppedOver)
+{
+    std::vector<double> times;
+    std::vector<double> accelerations;
+    for (int i = 0; i <= 900; ++i)
+    {
+        times.push_back(0.01 * i);
+        accelerations.push_back(i < 800 ? 0 : 5 * std::sin(2 * M_PI * 0.01 * i));
+    }
+    DynamicCase<2> scene = scenes::sceneOf(blockOnGround(), {.mu = 0.3});
+    scenes::shake(scene, std::shared_ptr<const GroundAcceleration>(tabulatedAcceleration(
+                             times, accelerations, Interpolation::linear, OutOfBounds::zero)));
+    Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
+    TimeControls controls;
+    controls.deltaT = 0.001;
+    controls.endTime = 10;
+    controls.adjustTimeStep = true;
+    Time time(controls, {0, controls.deltaT});
+    chooseTimeStep(scene, motion, controls.deltaT, time);
+    double longest = 0;
+    while (time.loop())
+    {
+        ASSERT_TRUE(advance(scene, motion, time));
+        longest = time.value() < 9 ? std::max(longest, time.deltaT()) : longest;
+    }
+    EXPECT_LE(longest, 0.01 + 1e-9);
+    EXPECT_GT(motion.largestKinetic, 0.03 * scene.mass[0]) << "it slides";
+}
+
 TEST(SlidingBlock, AGroundThatAlsoRisesPressesTheBlockOn)
 {
     // In units of g, for half a second: 0.5 along x and v along y. The block is left behind at first by
