@@ -38,7 +38,7 @@ constexpr double mostGrowth = 1.2;
 
 /// Of a step that is chosen, over the last one that was taken. One cut short for an instant need not grow
 /// anew from there; but lengths that no step has had would grow without bound at rest, and pass over the
-/// points of a record, which are told from the end of a step by a part of its length.
+/// points of a record, which are distinguished from the end of a step by a part of its length.
 constexpr double mostOverStep = 10;
 
 /// Adds a step to the use of effects. \param provedBefore steps at rest before it \param since CPU time at

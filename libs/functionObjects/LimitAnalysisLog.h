@@ -16,7 +16,7 @@ template<int Dim>
 void printLimitAnalysisCase(const LimitAnalysisCase<Dim>& structure,
                             const std::filesystem::path& caseDirectory);
 
-/// Tells every ten seconds how far a search for collapses by Coulomb's law has come, for
+/// Reports every ten seconds how far a search for collapses by Coulomb's law has come, for
 /// NonAssociativeSettings::observe.
 std::function<void(const CollapseProgress&)> collapseProgressLog();
 

@@ -91,14 +91,14 @@ double meanSize(const std::vector<Piece>& pieces)
 
 /// Whether a shape is no solid, but the parts of it that share no edge are: blocks that were joined to one
 /// object before they were exported.
-bool isJoinedMesh(const Polyhedron& shape, std::vector<Polyhedron> parts)
+bool isJoinedMesh(const Polyhedron& shape, const std::vector<Polyhedron>& parts)
 {
     if (parts.size() < 2 || !findFault(welded(shape, 0)))
     {
         return false;
     }
     return std::none_of(parts.begin(), parts.end(),
-                        [](Polyhedron& part)
+                        [](Polyhedron part)
                         {
                             turnOutwards(part);
                             return findFault(part).has_value();

@@ -27,7 +27,7 @@ struct NonAssociativeSettings
                     ///< ones are found
     int seed = 1;   ///< of the random numbers that they are made from
     double tolerance = 1e-6; ///< on the residuals of a pair of forces and mechanism
-    std::function<void(const CollapseProgress&)> observe = {}; ///< no key: told of each piece; may be empty
+    std::function<void(const CollapseProgress&)> observe = {}; ///< no key: called after each piece; or empty
 };
 
 void declare(Options& options, NonAssociativeSettings& settings);

@@ -78,26 +78,26 @@ TEST(NonAssociative, IsTheSameOnASecondRun)
     EXPECT_EQ(one.contactForce, two.contactForce);
 }
 
-TEST(NonAssociative, TellsHowFarItHasComeWithoutChangingTheResult)
+TEST(NonAssociative, ReportsHowFarItHasComeWithoutChangingTheResult)
 {
     const WeighedStructure structure = standing(paperWalls()[4].bond);
     const PlaneConeProgram program = structure.program(0.65, structure.weightLoads());
-    std::vector<CollapseProgress> told;
+    std::vector<CollapseProgress> reported;
     NonAssociativeSettings settings{.starts = 3};
     const LimitAnalysis silent = solveNonAssociative(program, settings);
-    settings.observe = [&told](const CollapseProgress& progress) { told.push_back(progress); };
+    settings.observe = [&reported](const CollapseProgress& progress) { reported.push_back(progress); };
     const LimitAnalysis observed = solveNonAssociative(program, settings);
     EXPECT_EQ(observed.alpha, silent.alpha);
     EXPECT_EQ(observed.mechanism, silent.mechanism);
-    ASSERT_FALSE(told.empty());
-    EXPECT_EQ(told.front().path, 1);
-    EXPECT_TRUE(std::isinf(told.front().lowest));
-    EXPECT_EQ(told.back().path, 3);
-    EXPECT_GE(told.back().lowest, observed.alpha);
-    EXPECT_LT(told.back().lowest, observed.coulomb->associative);
-    for (std::size_t i = 1; i < told.size(); ++i)
+    ASSERT_FALSE(reported.empty());
+    EXPECT_EQ(reported.front().path, 1);
+    EXPECT_TRUE(std::isinf(reported.front().lowest));
+    EXPECT_EQ(reported.back().path, 3);
+    EXPECT_GE(reported.back().lowest, observed.alpha);
+    EXPECT_LT(reported.back().lowest, observed.coulomb->associative);
+    for (std::size_t i = 1; i < reported.size(); ++i)
     {
-        EXPECT_TRUE(told[i].path > told[i - 1].path || told[i].pieces > told[i - 1].pieces);
+        EXPECT_TRUE(reported[i].path > reported[i - 1].path || reported[i].pieces > reported[i - 1].pieces);
     }
 }
 

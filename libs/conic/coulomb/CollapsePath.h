@@ -19,7 +19,7 @@ struct CollapsePathSettings
     unsigned seed = 1;            ///< of the random numbers that they are
     /// Of the path; 0: 1,000 and ten for each contact point, in space four.
     int maximumPieces = 0;
-    /// Told of each piece: how many there are, and the multiplier now. May be empty.
+    /// Called after each piece with their number so far and the multiplier there. May be empty.
     std::function<void(int pieces, double multiplier)> observe = {};
 };
 

@@ -218,11 +218,16 @@ std::map<std::pair<int, int>, double> MovingContacts<3>::pairsAtEdges() const
             continue;
         }
         double within = least;
-        while (within < widest && touch(pair, within, SharedEdge::doesNotTouch))
+        while (touch(pair, within, SharedEdge::doesNotTouch))
         {
+            if (within >= widest)
+            {
+                within = least;
+                break;
+            }
             within = std::min(steps * within, widest);
         }
-        touching[pair] = touch(pair, within, SharedEdge::doesNotTouch) ? least : within;
+        touching[pair] = within;
     }
     return touching;
 }

@@ -144,8 +144,8 @@ private:
     }
     /// Pairs, not both fixed, that touch as built without a point there: at an edge or a corner.
     std::map<std::pair<int, int>, double> pairsAtEdges() const;
-    /// What part of one block and part of another are apart by, if they are built at an edge as what they
-    /// are.
+    /// What parts a convex part of a block from one of its neighbour; those of blocks that are built at an
+    /// edge do not touch there, see SharedEdge.
     PartingAxis axisBetween(const ConvexSolid& first, const ConvexSolid& second, int block,
                             int neighbour) const;
     void follow(const KnownPair& pair, const Places& places);

@@ -119,19 +119,7 @@ double depthOfConvex(const Polyhedron& a, const Polyhedron& b)
 /// How deep a point lies in a polyhedron; 0 outside.
 double depthOf(const Polyhedron& polyhedron, const Vector<3>& point)
 {
-    if (distance(polyhedron, point) > 0)
-    {
-        return 0;
-    }
-    double least = std::numeric_limits<double>::max();
-    for (const std::vector<int>& corners : polyhedron.faces)
-    {
-        const FacePolygon face = facePolygon(polyhedron, corners);
-        const double height = face.frame.col(0).dot(point - face.origin);
-        least = std::min(
-            least, std::hypot(height, std::max(0.0, signedDistance(face.outline, inPlane(face, point)))));
-    }
-    return least;
+    return distance(polyhedron, point) > 0 ? 0 : distanceFromSurface(polyhedron, point);
 }
 
 using Tetrahedron = std::array<Vector<3>, 4>;
