@@ -115,16 +115,15 @@ double takeStep(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeS
     do
     {
         beginAgain(step);
-        solve(step);
-        if (!step.solved.isSolved && leaveAllOverlaps(step))
+        do
         {
             solve(step);
-            step.overlapsLeft = stepsWithOverlaps;
-        }
-        while (collide(step))
-        {
-            solve(step);
-        }
+            if (!step.solved.isSolved && leaveAllOverlaps(step))
+            {
+                solve(step);
+                step.overlapsLeft = stepsWithOverlaps;
+            }
+        } while (collide(step));
     } while (review(step));
     if (!step.solved.isSolved)
     {

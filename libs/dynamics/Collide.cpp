@@ -1,5 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// The stage of a step in which blocks collide: which points, and when. What they do then is Impact.cpp's.
+#include "core/DisjointSets.h"
 #include "dynamics/FirstMeeting.h"
 #include "dynamics/FreeFlight.h"
 #include "dynamics/HeldBlocks.h"
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 #include <set>
 
@@ -64,8 +66,9 @@ constexpr double carriesForce = 1e-9;
 /// Collisions in a row within one step; what is still closing then is stopped by the step itself.
 constexpr int mostImpacts = 10;
 
-/// A step in which more pairs of blocks meet than these is not parted: where walls fall apart impacts come so
-/// close that it would be parted for ever, and no single one of them decides what the wall does.
+/// A step is not parted where more pairs of bodies of one structure meet in it than these: in walls that fall
+/// apart impacts come so close that it would be parted for ever, and no single one of them decides what the
+/// wall does.
 constexpr std::size_t mostMeetingPairs = 2;
 
 /// Whether the points are closed where the step takes the blocks. Solutions are right to a tolerance, and
@@ -121,36 +124,88 @@ bool isApart(const Step<Dim>& step, std::size_t point, double speed)
     return gap > step.settings.contactTolerance && gap > step.impacts.tolerance * speed;
 }
 
-/// With points that meet in the course of the step, in their order, all others that are open and close: which
-/// of several that meet together carry the force is one choice of many, and what the others do until then has
-/// to be without them too. \param closing see collidingPoints
-template<int Dim>
-std::vector<std::size_t> withOthersApart(const Step<Dim>& step, const Eigen::VectorXd& closing,
-                                         const std::vector<std::size_t>& meeting)
-{
-    std::vector<std::size_t> all;
-    auto next = meeting.begin();
-    for (std::size_t point = 0; point < step.points.size(); ++point)
-    {
-        const bool meets = next != meeting.end() && *next == point;
-        next += meets ? 1 : 0;
-        const double speed = closing[Dim * static_cast<Eigen::Index>(point)];
-        if (meets || (speed > step.solved.slowest && isApart(step, point, speed)))
-        {
-            all.push_back(point);
-        }
-    }
-    return all;
-}
-
 /// Points that the step closes.
 struct Colliding
 {
     std::vector<std::size_t> now;   ///< at the start of the step, where one of them closes then
     std::vector<std::size_t> later; ///< in the course of it
-    std::vector<std::size_t> all;   ///< those at rest, too
-    bool isReturning = false; ///< none closes when it begins, but some part, and are back before its end
+    /// At the start after all, of structures of which more than mostMeetingPairs meet in the course of it.
+    std::vector<std::size_t> crowded;
+    std::vector<std::size_t> all; ///< those at rest, too
+    bool isReturning = false;     ///< none closes when it begins, but some part, and are back before its end
 };
+
+/// A pair of bodies that have a point in common; what is fixed is one body, -1, in however many pieces.
+template<int Dim>
+std::pair<int, int> bodiesAt(const Step<Dim>& step, std::size_t point)
+{
+    const auto bodyOf = [&step](int block) { return step.scene.free[static_cast<std::size_t>(block)]; };
+    return std::minmax({bodyOf(step.points[point].block), bodyOf(step.points[point].neighbour)});
+}
+
+/// Finds the structures, bodies that are connected by points, of which too many pairs meet: all their points
+/// are `crowded` then.
+template<int Dim>
+void moveCrowded(const Step<Dim>& step, Colliding& colliding)
+{
+    std::set<std::pair<int, int>> pairs;
+    for (const std::size_t point : colliding.later)
+    {
+        pairs.insert(bodiesAt(step, point));
+    }
+    if (pairs.size() <= mostMeetingPairs)
+    {
+        return;
+    }
+    DisjointSets structures(step.scene.free.size());
+    for (std::size_t point = 0; point < step.points.size(); ++point)
+    {
+        if (const auto [one, other] = bodiesAt(step, point); one >= 0)
+        {
+            structures.join(one, other);
+        }
+    }
+    std::vector<std::size_t> pairsOf(step.scene.free.size());
+    const auto ofStructure = [&](const std::pair<int, int>& pair) -> std::size_t&
+    { return pairsOf[static_cast<std::size_t>(structures.firstOf(pair.second))]; };
+    for (const auto& pair : pairs)
+    {
+        ++ofStructure(pair);
+    }
+    const auto isCrowded = [&](std::size_t point)
+    { return ofStructure(bodiesAt(step, point)) > mostMeetingPairs; };
+    for (std::vector<std::size_t>* together : {&colliding.now, &colliding.later})
+    {
+        const auto crowded =
+            std::stable_partition(together->begin(), together->end(), std::not_fn(isCrowded));
+        colliding.crowded.insert(colliding.crowded.end(), crowded, together->end());
+        together->erase(crowded, together->end());
+    }
+    std::sort(colliding.crowded.begin(), colliding.crowded.end());
+}
+
+/// With points that meet in the course of the step all others that are open and close, but for those of
+/// crowded structures: which of several that meet together carry the force is one choice of many, and what
+/// the others do until then has to be without them too. \param closing see collidingPoints
+template<int Dim>
+std::vector<std::size_t> withOthersApart(const Step<Dim>& step, const Eigen::VectorXd& closing,
+                                         const Colliding& colliding)
+{
+    const auto isIn = [](const std::vector<std::size_t>& points, std::size_t point)
+    { return std::binary_search(points.begin(), points.end(), point); };
+    std::vector<std::size_t> apart;
+    for (std::size_t point = 0; point < step.points.size(); ++point)
+    {
+        const double speed = closing[Dim * static_cast<Eigen::Index>(point)];
+        const bool mayMeet =
+            speed > step.solved.slowest && isApart(step, point, speed) && !isIn(colliding.crowded, point);
+        if (mayMeet || isIn(colliding.later, point))
+        {
+            apart.push_back(point);
+        }
+    }
+    return apart;
+}
 
 /// With ImpactInstant::stepStart all collide now that the step closes, if one was closing when it began.
 /// \param closing velocity of the points [m/s], Dim a point
@@ -182,11 +237,12 @@ Colliding collidingPoints(const Step<Dim>& step, const Eigen::VectorXd& closing)
         return {};
     }
     const std::vector<char> isClosed = closedPoints(step);
-    // Which of several points that meet at once the step gives its force is one choice of many.
+    // Which of several points that meet at once the step gives its force is one choice of many: at its start,
+    // or where impacts are not located, in it.
     const auto meetsNow = [&](std::size_t point)
     {
         return !isByErrors(step) && !isBonded(step.program, point) && speedOf(point) > slowest
-               && !isApart(step, point, speedOf(point));
+               && (isLocated ? !isApart(step, point, speedOf(point)) : static_cast<bool>(isClosed[point]));
     };
     std::erase_if(points, [&](std::size_t point)
                   { return !(carries(point) && isClosed[point]) && !meetsNow(point); });
@@ -196,27 +252,19 @@ Colliding collidingPoints(const Step<Dim>& step, const Eigen::VectorXd& closing)
     { return (collides(point) || meetsNow(point)) && isImpact(point); };
 
     Colliding colliding;
-    std::set<std::pair<int, int>> pairs; // of bodies: what is fixed is one, in however many pieces
-    const auto bodyOf = [&step](int block) { return step.scene.free[static_cast<std::size_t>(block)]; };
     for (const std::size_t point : points)
     {
-        if (isLocated && isImpact(point) && (isApart(step, point, speedOf(point)) || returns(point)))
-        {
-            colliding.later.push_back(point);
-            pairs.emplace(bodyOf(step.points[point].block), bodyOf(step.points[point].neighbour));
-        }
-        else
-        {
-            colliding.now.push_back(point);
-        }
+        const bool isLater =
+            isLocated && isImpact(point) && (isApart(step, point, speedOf(point)) || returns(point));
+        (isLater ? colliding.later : colliding.now).push_back(point);
     }
-    if (pairs.size() > mostMeetingPairs)
+    moveCrowded(step, colliding);
+    for (std::vector<std::size_t>* together : {&colliding.now, &colliding.crowded})
     {
-        colliding = {points, {}, points};
-    }
-    if (std::none_of(colliding.now.begin(), colliding.now.end(), rebounds))
-    {
-        colliding.now.clear(); // at rest
+        if (std::none_of(together->begin(), together->end(), rebounds))
+        {
+            together->clear(); // at rest
+        }
     }
     colliding.all = points;
     colliding.isReturning = std::none_of(points.begin(), points.end(), rebounds);
@@ -327,8 +375,9 @@ bool collideOnce(Step<Dim>& step)
         solved.slowest = std::max(solved.slowest, closing[Dim * static_cast<Eigen::Index>(point)]);
     }
     Colliding colliding = collidingPoints(step, closing);
-    solved.collides =
-        isByErrors(step) ? !colliding.all.empty() : !colliding.now.empty() || !colliding.later.empty();
+    solved.collides = isByErrors(step)
+                          ? !colliding.all.empty()
+                          : !colliding.now.empty() || !colliding.later.empty() || !colliding.crowded.empty();
     if (solved.collides)
     {
         step.isOfAllBlocks = true;
@@ -343,27 +392,28 @@ bool collideOnce(Step<Dim>& step)
     }
     if (!colliding.later.empty() && colliding.now.empty())
     {
-        Meeting meeting = firstMeeting(step, closing, withOthersApart(step, closing, colliding.later));
+        Meeting meeting = firstMeeting(step, closing, withOthersApart(step, closing, colliding));
         if (meeting.isSolved && meeting.part * step.scheme.timeStep > step.impacts.tolerance)
         {
             if (meeting.part < 1)
             {
                 solved.isSolved = false;
                 solved.length = meeting.part;
+                return false;
             }
-            else
-            {
-                solved.result = std::move(meeting.result);
-            }
-            return false;
+            solved.result = std::move(meeting.result); // they do not meet
+            return !colliding.crowded.empty() && takeImpact(step, std::move(colliding.crowded));
         }
         if (colliding.isReturning)
         {
             return false;
         }
-        colliding.now = std::move(colliding.all);
+        return takeImpact(step, std::move(colliding.all));
     }
-    return !colliding.now.empty() && takeImpact(step, std::move(colliding.now));
+    std::vector<std::size_t>& meeting = colliding.now;
+    meeting.insert(meeting.end(), colliding.crowded.begin(), colliding.crowded.end());
+    std::sort(meeting.begin(), meeting.end());
+    return !meeting.empty() && takeImpact(step, std::move(meeting));
 }
 
 } // namespace

@@ -3,12 +3,12 @@
 #include "dynamics/GroupChoice.h"
 
 #include "conic/ProgramPart.h"
+#include "core/DisjointSets.h"
 #include "dynamics/BlockGroups.h"
 #include "dynamics/MovingGeometry.h"
 #include "geometry/Rotation.h"
 
 #include <algorithm>
-#include <numeric>
 #include <optional>
 #include <set>
 
@@ -43,18 +43,6 @@ constexpr std::size_t fewFailing = 20;
 
 /// So many neighbours deep blocks wake up.
 constexpr int rings = 2;
-
-/// The first of the blocks that one is joined with.
-int rootOf(std::vector<int>& parent, int body)
-{
-    while (parent[static_cast<std::size_t>(body)] != body)
-    {
-        int& above = parent[static_cast<std::size_t>(body)];
-        above = parent[static_cast<std::size_t>(above)];
-        body = above;
-    }
-    return body;
-}
 
 /// How points move that are at an arm from the centre of a block which has turned until now, but for the
 /// linear part of it: they were at R(-t) arm, and so have moved by arm - R(-t) arm, not by t x arm.
@@ -191,21 +179,18 @@ void GroupChoice<Dim>::joinBlocks()
 template<int Dim>
 void GroupChoice<Dim>::number()
 {
-    std::vector<int> parent(isHeld.size());
-    std::iota(parent.begin(), parent.end(), 0);
+    DisjointSets together(isHeld.size());
     for (std::size_t point = 0; point < isJoined.size(); ++point)
     {
         if (isJoined[point])
         {
-            const int one = rootOf(parent, current.program.contacts[point].first);
-            const int other = rootOf(parent, current.program.contacts[point].second);
-            parent[static_cast<std::size_t>(std::max(one, other))] = std::min(one, other);
+            together.join(current.program.contacts[point].first, current.program.contacts[point].second);
         }
     }
     group.resize(isHeld.size());
     for (std::size_t body = 0; body < group.size(); ++body)
     {
-        group[body] = isHeld[body] ? -1 : rootOf(parent, static_cast<int>(body));
+        group[body] = isHeld[body] ? -1 : together.firstOf(static_cast<int>(body));
     }
 }
 

@@ -16,6 +16,12 @@ namespace
 /// Where Newton's law creates energy: programs solved for the restitution that does not.
 constexpr int mostRefinements = 6;
 
+/// Of a program: those that have a solution are solved in fewer, and those of wedged blocks have none.
+constexpr int mostIterations = 60;
+
+/// After so many factorisations what is known of the impact is enough.
+constexpr int manyFactorisations = 300;
+
 /// They end when energy leaves undecided no more than this part of the restitution.
 constexpr double restitutionKnown = 1e-3;
 
@@ -33,24 +39,6 @@ bool isBonded(const StepProgram<Dim>& program, std::size_t point)
 namespace
 {
 
-/// No impulse is larger than so many times all momentum that there is: bonds that are stronger hold, and only
-/// cost digits [N].
-template<int Dim>
-double strongestBond(const ImpactProblem<Dim>& problem, const StepProgram<Dim>& impact)
-{
-    constexpr double leverage = 1e3;
-    const double bySupports = problem.closingBySupports.size() > 0
-                                  ? problem.closingBySupports.template lpNorm<Eigen::Infinity>()
-                                  : 0;
-    double forces = 0;
-    for (int body = 0; body < impact.bodies; ++body)
-    {
-        forces += impact.load.template segment<Dim>(freedomCount<Dim> * body).norm()
-                  + impact.inertia[static_cast<std::size_t>(body)](0, 0) * bySupports;
-    }
-    return leverage * forces;
-}
-
 /// Velocity at which a point parts by Newton's law, e u_n-, where that is not too slow to count [m/s].
 /// \param closing u- of all points
 template<int Dim>
@@ -62,10 +50,11 @@ double reboundAt(const ImpactProblem<Dim>& problem, const Eigen::VectorXd& closi
     return rebound > problem.slowestRebound ? rebound : 0;
 }
 
-/// The program of the impact: a step of theta 1 without loads whose gaps are -dt k e u_n-.
+/// The program of the impact: a step of theta 1 without loads whose gaps are -dt k e u_n-. Bonds that are
+/// stronger than any force hold, and would only cost digits.
 template<int Dim>
 StepProgram<Dim> impactProgram(const ImpactProblem<Dim>& problem, const ImpactGroups& groups,
-                               const Eigen::VectorXd& closing, const Eigen::VectorXd& share)
+                               const Eigen::VectorXd& closing, const Eigen::VectorXd& share, double blockSize)
 {
     const StepProgram<Dim>& program = problem.program;
     const double timeStep = problem.timeStep;
@@ -78,7 +67,6 @@ StepProgram<Dim> impactProgram(const ImpactProblem<Dim>& problem, const ImpactGr
     }
     impact.load = timeStep * times(inertia, problem.velocity);
     impact.gap = Eigen::VectorXd::Zero(Dim * static_cast<Eigen::Index>(problem.meeting.size()));
-    const double strongest = strongestBond(problem, impact);
     for (std::size_t i = 0; i < problem.meeting.size(); ++i)
     {
         const std::size_t point = problem.meeting[i];
@@ -86,18 +74,19 @@ StepProgram<Dim> impactProgram(const ImpactProblem<Dim>& problem, const ImpactGr
         impact.friction.push_back(program.friction[point]);
         const auto row = Dim * static_cast<Eigen::Index>(i);
         const auto there = Dim * static_cast<Eigen::Index>(point);
-        if (program.hasStrength())
-        {
-            Strength strength = program.strength[point];
-            strength.cohesion = std::min(strength.cohesion * problem.timeOfBonds / timeStep, strongest);
-            strength.tension = std::min(strength.tension * problem.timeOfBonds / timeStep, strongest);
-            impact.strength.push_back(strength);
-        }
         impact.gap[row] = -timeStep * share[groups.ofPoint[i]] * reboundAt(problem, closing, point);
         if (problem.closingBySupports.size() > 0)
         {
             impact.gap.template segment<Dim>(row) -= problem.closingBySupports.template segment<Dim>(there);
         }
+    }
+    const double strongest = program.hasStrength() ? largestForce(impact, blockSize) : 0;
+    for (std::size_t i = 0; program.hasStrength() && i < problem.meeting.size(); ++i)
+    {
+        Strength strength = program.strength[problem.meeting[i]];
+        strength.cohesion = std::min(strength.cohesion * problem.timeOfBonds / timeStep, strongest);
+        strength.tension = std::min(strength.tension * problem.timeOfBonds / timeStep, strongest);
+        impact.strength.push_back(strength);
     }
     return impact;
 }
@@ -134,6 +123,7 @@ public:
           isFollowed(settings.flowRule == FlowRule::nonAssociative && settings.overlaps == Overlaps::damped)
     {
         instant.kind = StepKind::impact;
+        instant.solver.maximumIterations = std::min(instant.solver.maximumIterations, mostIterations);
         instant.overlaps = isFollowed ? Overlaps::closed : Overlaps::none;
         addUpEnergy();
         takeStart();
@@ -155,7 +145,10 @@ private:
     bool followInstead();
     bool solve(const Eigen::VectorXd& share, FlowRule flowRule, ImpactOutcome& outcome);
     std::vector<char> whichGain(const ImpactOutcome& outcome) const;
+    bool solveOfWedged(ImpactOutcome& chosen);
     ImpactOutcome withoutGain(std::vector<char> missing);
+    void takeGain(ImpactOutcome& chosen);
+    void addRebounds(ImpactOutcome& chosen);
     ImpactOutcome refined(const std::vector<char>& gains, ImpactOutcome low, ImpactOutcome high);
 
     const ImpactProblem<Dim>& problem;
@@ -163,6 +156,7 @@ private:
     Eigen::VectorXd closing;
     Eigen::VectorXd energy; ///< kinetic, of each group before the impact [J]
     StepSettings instant;
+    bool isWedged = false; ///< found by the last program
     /// Steps that are followed have unique forces, from which impulses can be followed too.
     bool isFollowed;
     SymbolicAnalysis symbolic; ///< of all programs: they differ in their gaps
@@ -215,12 +209,15 @@ template<int Dim>
 bool ImpactSearch<Dim>::solve(const Eigen::VectorXd& share, FlowRule flowRule, ImpactOutcome& outcome)
 {
     instant.flowRule = flowRule;
-    const ThetaStep step = solveThetaStep(impactProgram(problem, groups, closing, share), instant, guess,
-                                          Relinearisation<Dim>(), &symbolic);
+    const StepProgram<Dim> program = impactProgram(problem, groups, closing, share, instant.blockSize);
+    const ThetaStep step = solveThetaStep(program, instant, guess, Relinearisation<Dim>(), &symbolic);
     iterations += step.iterations;
     factorisations += step.factorisations;
     programs += step.programs;
-    if (step.status != SolveStatus::optimal)
+    isWedged =
+        !share.isZero(0)
+        && step.contactForce.template lpNorm<Eigen::Infinity>() > largestForce(program, instant.blockSize);
+    if (step.status != SolveStatus::optimal || isWedged)
     {
         return false;
     }
@@ -290,7 +287,8 @@ ImpactOutcome ImpactSearch<Dim>::refined(const std::vector<char>& gains, ImpactO
                                      .cwiseProduct(roots.cwiseProduct(all - roots))
                                      .template lpNorm<Eigen::Infinity>();
         ImpactOutcome trial;
-        if (undecided <= restitutionKnown || !solve(share, FlowRule::nonAssociative, trial))
+        if (undecided <= restitutionKnown || factorisations > manyFactorisations
+            || !solve(share, FlowRule::nonAssociative, trial))
         {
             break;
         }
@@ -309,15 +307,19 @@ ImpactOutcome ImpactSearch<Dim>::refined(const std::vector<char>& gains, ImpactO
     return outcomeBetween(problem, groups, low, high, roots);
 }
 
+/// A block that is wedged can not part from all points that it meets, as Newton's law asks for: the impact
+/// without rebound. \return whether there is one
 template<int Dim>
-bool ImpactSearch<Dim>::find(ImpactOutcome& chosen)
+bool ImpactSearch<Dim>::solveOfWedged(ImpactOutcome& chosen)
 {
-    const Eigen::VectorXd all = Eigen::VectorXd::Ones(groups.count);
-    if (!solve(all, FlowRule::nonAssociative, chosen)
-        && !(followInstead() && solve(all, FlowRule::nonAssociative, chosen)))
-    {
-        return false;
-    }
+    const Eigen::VectorXd none = Eigen::VectorXd::Zero(groups.count);
+    return solve(none, FlowRule::nonAssociative, chosen) || solve(none, FlowRule::associative, chosen);
+}
+
+/// Takes from an outcome the energy that it creates.
+template<int Dim>
+void ImpactSearch<Dim>::takeGain(ImpactOutcome& chosen)
+{
     const std::vector<char> gains = whichGain(chosen);
     if (isAny(gains))
     {
@@ -329,6 +331,41 @@ bool ImpactSearch<Dim>::find(ImpactOutcome& chosen)
         }
         takeGroups<Dim>(low, chosen, groups, others);
         chosen = refined(gains, std::move(low), chosen);
+    }
+}
+
+/// Where the groups have not all come without rebound for themselves: lets those rebound that can.
+template<int Dim>
+void ImpactSearch<Dim>::addRebounds(ImpactOutcome& chosen)
+{
+    for (int group = 0; groups.count > 1 && problem.restitution > 0 && group < groups.count; ++group)
+    {
+        ImpactOutcome rebound;
+        if (factorisations <= manyFactorisations
+            && solve(Eigen::VectorXd::Unit(groups.count, group), FlowRule::nonAssociative, rebound))
+        {
+            std::vector<char> only(static_cast<std::size_t>(groups.count), false);
+            only[static_cast<std::size_t>(group)] = true;
+            takeGain(rebound);
+            takeGroups<Dim>(chosen, rebound, groups, only);
+        }
+    }
+}
+
+template<int Dim>
+bool ImpactSearch<Dim>::find(ImpactOutcome& chosen)
+{
+    const Eigen::VectorXd all = Eigen::VectorXd::Ones(groups.count);
+    const bool isNewtons = solve(all, FlowRule::nonAssociative, chosen)
+                           || (!isWedged && followInstead() && solve(all, FlowRule::nonAssociative, chosen));
+    if (!isNewtons && !solveOfWedged(chosen))
+    {
+        return false;
+    }
+    takeGain(chosen);
+    if (!isNewtons)
+    {
+        addRebounds(chosen);
     }
     return true;
 }

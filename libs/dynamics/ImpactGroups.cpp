@@ -2,9 +2,10 @@
 /// Groups of blocks that meet each other: their energy, and outcomes put together from several.
 #include "dynamics/ImpactGroups.h"
 
+#include "core/DisjointSets.h"
+
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace drystone
 {
@@ -13,31 +14,21 @@ template<int Dim>
 ImpactGroups impactGroups(const ImpactProblem<Dim>& problem)
 {
     const StepProgram<Dim>& program = problem.program;
-    std::vector<int> parent(static_cast<std::size_t>(program.bodies));
-    std::iota(parent.begin(), parent.end(), 0);
-    const auto rootOf = [&parent](int body)
-    {
-        while (parent[static_cast<std::size_t>(body)] != body)
-        {
-            body = parent[static_cast<std::size_t>(body)] =
-                parent[static_cast<std::size_t>(parent[static_cast<std::size_t>(body)])];
-        }
-        return body;
-    };
+    DisjointSets together(static_cast<std::size_t>(program.bodies));
     for (const std::size_t point : problem.meeting)
     {
         const auto& contact = program.contacts[point];
         if (contact.first >= 0 && contact.second >= 0)
         {
-            parent[static_cast<std::size_t>(rootOf(contact.first))] = rootOf(contact.second);
+            together.join(contact.first, contact.second);
         }
     }
     ImpactGroups groups;
-    groups.ofBody.assign(parent.size(), -1);
-    std::vector<int> ofRoot(parent.size(), -1);
+    groups.ofBody.assign(static_cast<std::size_t>(program.bodies), -1);
+    std::vector<int> ofFirst(groups.ofBody.size(), -1);
     const auto groupOf = [&](int body)
     {
-        int& group = ofRoot[static_cast<std::size_t>(rootOf(body))];
+        int& group = ofFirst[static_cast<std::size_t>(together.firstOf(body))];
         group = group < 0 ? groups.count++ : group;
         return groups.ofBody[static_cast<std::size_t>(body)] = group;
     };

@@ -44,10 +44,10 @@ double advanceUnparted(const DynamicCase<Dim>& scene, Motion<Dim>& motion, doubl
                        const ImpactChoice& impacts);
 
 /// A step, in parts up to where blocks meet and on from there. A rebound that would last less than a tenth of
-/// the step is none: bounces that grow shorter for ever end. After eight attempts at parts, or where more
-/// than two pairs of blocks meet in one, and with `impacts stepStart`, points that the step closes and that
-/// were closing when it began collide at its start, wherever they meet. \return whether it was solved;
-/// otherwise nothing but `attempt`, `work` and `stageTimes` has changed
+/// the step is none: bounces that grow shorter for ever end. After eight attempts at parts, in structures of
+/// which more than two pairs of bodies meet in one, and with `impacts stepStart`, points that the step closes
+/// and that were closing when it began collide at its start, wherever they meet. \return whether it was
+/// solved; otherwise nothing but `attempt`, `work` and `stageTimes` has changed
 template<int Dim>
 bool advanceInParts(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeStep);
 

@@ -99,6 +99,12 @@ using Relinearisation = std::type_identity_t<std::function<double(
 template<int Dim>
 void setColumns(StepProgram<Dim>& program, const std::vector<ContactColumns<Dim>>& columns);
 
+/// No contact force is larger than so many times all that there is to balance, which is what loads and
+/// momenta are and what it takes to open gaps that are closed [N]: blocks that would need it are wedged.
+/// \param blockSize mean [m]
+template<int Dim>
+double largestForce(const StepProgram<Dim>& program, double blockSize);
+
 /// A solved step.
 struct ThetaStep
 {

@@ -3,6 +3,7 @@
 #include "Scenes.h"
 
 #include "dynamics/Impact.h"
+#include "dynamics/Step.h"
 #include "texture/Texture.h"
 
 #include <gtest/gtest.h>
@@ -83,6 +84,41 @@ TEST(Impact, TheLowestCourseThrownFromUnderAWallIsSolved)
         start.velocity.segment<3>(3 * block) << 0.603653, 0.0911534, -1.59109;
     }
     EXPECT_LT(largestGain(scene, start, 0.005, 0.05), 1e-3);
+}
+
+// A block that fits between two walls and turns can not part from all four points of its sides at once, as
+// restitution asks for: it stops, and another block, which meets the ground, rebounds as if it was alone.
+TEST(Impact, AWedgedBlockStopsAndTakesNoReboundFromOthers)
+{
+    Assembly<2> assembly = scenes::ground(-1, 0, 2);
+    assembly.blocks.push_back(scenes::rectangle(1, -2, 1, 2));
+    assembly.blocks.back().support = 0;
+    assembly.blocks.push_back(scenes::rectangle(5, -1, 9, 1));
+    assembly.blocks.back().support = 0;
+    assembly.blocks.push_back(scenes::rectangle(0, -1.5, 1, 1));
+    assembly.blocks.push_back(scenes::rectangle(8, 0, 1, 1));
+    const DynamicCase<2> scene = scenes::sceneOf(assembly, {.restitution = 0.5});
+    Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
+    motion.state.velocity << 0, 0, 1, 0, -1, 0;
+    constexpr double timeStep = 1e-3;
+    Step<2> step(scene, motion, timeStep, {});
+    findContacts(step);
+    assemble(step);
+    ASSERT_EQ(step.program.points(), 6);
+    const Impact impact = impactOf<2>({.mass = step.mass,
+                                       .velocity = motion.state.velocity,
+                                       .program = step.program,
+                                       .meeting = {0, 1, 2, 3, 4, 5},
+                                       .closingBySupports = {},
+                                       .restitution = 0.5,
+                                       .slowestRebound = 0,
+                                       .timeStep = timeStep,
+                                       .timeOfBonds = timeStep},
+                                      step.settings);
+    ASSERT_TRUE(impact.isSolved);
+    EXPECT_EQ(impact.restitutionShare, 0);
+    EXPECT_LT(impact.velocity.head(3).norm(), 1e-9);
+    EXPECT_NEAR(impact.velocity[4], 0.5, 1e-9);
 }
 
 TEST(Impact, FortyThrowsGainNoEnergy)
