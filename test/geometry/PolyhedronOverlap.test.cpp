@@ -137,6 +137,32 @@ TEST(PolyhedronOverlap, DistancesOfPointsAreFromTheSolid)
     EXPECT_NEAR(distance(angle, {2, 0.5, 0.5}), 0, 1e-12);
 }
 
+// In the plane of its ends the notch of a U is seen under half the full angle, or none, by rounding: a box
+// that hung in the notch, flush with both ends, was reported as deep in the block.
+TEST(PolyhedronOverlap, OfABoxInANotchFlushWithBothEndsIsNone)
+{
+    const auto at = [](double y)
+    {
+        return std::vector<Vector<3>>{{0, y, 0},   {4, y, 0},   {4, y, 1}, {3, y, 1},
+                                      {3, y, 0.2}, {1, y, 0.2}, {1, y, 1}, {0, y, 1}};
+    };
+    const Polyhedron notched = makePrism(at(1), at(0));
+    ASSERT_NEAR(volumeProperties(notched).volume, 2.4, 1e-12);
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> chance(-1, 1);
+    for (int i = 0; i < 200; ++i)
+    {
+        const Vector<3> lower(1.5 + 0.4 * chance(random), 0, 0.5 + 0.29 * chance(random));
+        const Polyhedron box = makeBox(lower, lower + Vector<3>(0.4, 1, 0.4));
+        const Eigen::Matrix3d turn =
+            Eigen::AngleAxisd(chance(random), Vector<3>(chance(random), chance(random), 1).normalized())
+                .toRotationMatrix();
+        EXPECT_LT(overlapDepth(moved(notched, turn, {5, 6, 7}), moved(box, turn, {5, 6, 7})), 1e-12) << i;
+        const Polyhedron inFloor = moved(box, Eigen::Matrix3d::Identity(), {0, 0, 0.19 - lower.z()});
+        EXPECT_NEAR(overlapDepth(notched, inFloor), 0.01, 1e-12) << i;
+    }
+}
+
 TEST(PolyhedronOverlap, ABallIsMostCompact)
 {
     EXPECT_NEAR(solidQuality(makeBox({0, 0, 0}, {1, 1, 1})).compactness, EIGEN_PI / 6, 1e-12);

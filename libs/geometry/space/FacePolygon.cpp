@@ -58,10 +58,19 @@ double distanceFromSurface(const Polyhedron& polyhedron, const Vector<3>& point)
 
 double distance(const Polyhedron& polyhedron, const Vector<3>& point)
 {
-    // From inside all faces together are seen under the full angle, from outside under none.
+    // From inside all faces together are seen under the full angle, from outside under none. The triangles of
+    // a face in whose plane the point lies are seen under 0 or half the full angle, with a sign of rounding:
+    // left out, as where the point is on such a face itself it has half the angle by the others.
+    constexpr double inPlaneOf = 1e-9;
     double angle = 0;
     for (const std::vector<int>& corners : polyhedron.faces)
     {
+        const Vector<3> fromPoint = polyhedron.vertices[corners[0]] - point;
+        if (std::abs(areaVector(polyhedron, corners).normalized().dot(fromPoint))
+            <= inPlaneOf * fromPoint.norm())
+        {
+            continue;
+        }
         for (std::size_t i = 1; i + 1 < corners.size(); ++i)
         {
             angle +=

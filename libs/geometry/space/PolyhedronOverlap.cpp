@@ -2,7 +2,7 @@
 /// Separating axes, and clipping of tetrahedra by half spaces.
 #include "geometry/space/PolyhedronOverlap.h"
 
-#include "geometry/PolygonShape.h"
+#include "geometry/space/ConvexParts.h"
 #include "geometry/space/FacePolygon.h"
 
 #include <Eigen/Geometry>
@@ -224,6 +224,14 @@ std::vector<Tetrahedron> tetrahedra(const Polyhedron& polyhedron, const Vector<3
     return result;
 }
 
+/// A convex solid as it is, another in convex parts; none where they are too many.
+std::vector<Polyhedron> partsOf(const Polyhedron& polyhedron)
+{
+    constexpr std::size_t most = 200;
+    return isConvex(polyhedron) ? std::vector<Polyhedron>{polyhedron}
+                                : convexParts(polyhedron, 1e-9 * reachOf(polyhedron), most);
+}
+
 } // namespace
 
 bool isConvex(const Polyhedron& polyhedron)
@@ -259,6 +267,14 @@ double overlapDepth(const Polyhedron& a, const Polyhedron& b)
         for (const Vector<3>& vertex : one->vertices)
         {
             deepest = std::max(deepest, depthOf(*other, vertex));
+        }
+    }
+    const std::vector<Polyhedron> partsOfB = partsOf(b);
+    for (const Polyhedron& part : partsOf(a))
+    {
+        for (const Polyhedron& other : partsOfB)
+        {
+            deepest = std::max(deepest, depthOfConvex(part, other));
         }
     }
     return deepest;

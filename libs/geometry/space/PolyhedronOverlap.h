@@ -14,8 +14,8 @@ bool isConvex(const Polyhedron& polyhedron, double within);
 
 /// Depth to which two polyhedra overlap [m]: for convex ones the least distance by which one must be moved to
 /// part them, along the normals of their faces and the directions across pairs of their edges (theorem of the
-/// separating axis); with a concave one the farthest that a vertex of one lies inside the other, which is too
-/// little where only edges have entered. 0 when they touch or lie apart.
+/// separating axis); with a concave one the same of the deepest pair of their convex parts, or the farthest
+/// that a vertex of one lies inside the other, whichever is more. 0 when they touch or lie apart.
 double overlapDepth(const Polyhedron& a, const Polyhedron& b);
 
 /// Volume common to two polyhedra [m3], convex or not. A solid is the sum of the tetrahedra from one point to
