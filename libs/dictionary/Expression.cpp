@@ -2,6 +2,7 @@
 /// Arithmetic in dictionaries, by muParser.
 #include "dictionary/Expression.h"
 
+#include <cfenv>
 #include <cmath>
 #include <fmt/format.h>
 #include <muParser.h>
@@ -101,6 +102,17 @@ void defineFunctions(mu::Parser& parser)
 double evaluateExpression(const std::string& expression)
 {
     return evaluateExpression(expression, {});
+}
+
+double evaluateExpressionOfDefined(const std::string& expression, const std::map<std::string, double>& names)
+{
+    std::feclearexcept(FE_INVALID);
+    const double result = evaluateExpression(expression, names);
+    if (std::fetestexcept(FE_INVALID) != 0)
+    {
+        throw std::invalid_argument("a part of it is not a finite number");
+    }
+    return result;
 }
 
 double evaluateExpression(const std::string& expression, const std::map<std::string, double>& names)

@@ -18,4 +18,9 @@ double evaluateExpression(const std::string& expression);
 /// The same with names that stand for numbers: letters, digits and _.
 double evaluateExpression(const std::string& expression, const std::map<std::string, double>& names);
 
+/// The same where no part may be undefined, as the logarithm of a negative number: compared with anything
+/// that is false, and the whole has a value all the same. Found by the flag of IEEE 754 for invalid
+/// operations.
+double evaluateExpressionOfDefined(const std::string& expression, const std::map<std::string, double>& names);
+
 } // namespace drystone

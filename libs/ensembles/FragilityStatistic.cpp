@@ -82,6 +82,7 @@ struct Observations
     std::vector<char> exceeded;
     std::vector<std::string> curve; ///< empty without curves
     std::size_t failures = 0;
+    std::size_t undefined = 0; ///< of these: samples that were run, with no value of `exceeded`
 };
 
 Observations observationsOf(const FragilitySettings& settings, const SampleTable& table, FailedAs failedAs)
@@ -97,6 +98,7 @@ Observations observationsOf(const FragilitySettings& settings, const SampleTable
     {
         const bool isUnknown = table.isFailed[row] || std::isnan(exceeded[row]);
         found.failures += isUnknown;
+        found.undefined += isUnknown && !table.isFailed[row];
         found.intensity.push_back(intensities[row]);
         found.exceeded.push_back(isUnknown ? failedAs == FailedAs::fallen : exceeded[row] != 0);
         if (settings.curve)
@@ -359,6 +361,12 @@ StatisticResult evaluateFragility(const FragilitySettings& settings, const std::
     const double none = std::nan("");
     result.rows.push_back({"samples", static_cast<double>(table.rows()), none, none, none});
     result.rows.push_back({"failed", static_cast<double>(standing.failures), none, none, none});
+    if (standing.undefined > 0)
+    {
+        result.remarks.push_back(
+            fmt::format("{} samples count as failed since `{}` is not defined with their values",
+                        standing.undefined, settings.exceeded));
+    }
     if (std::any_of(standing.intensity.begin(), standing.intensity.end(), [](double x) { return !(x > 0); }))
     {
         result.remarks.push_back(

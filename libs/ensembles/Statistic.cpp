@@ -303,11 +303,11 @@ std::vector<double> valuesOf(const std::string& expression, const SampleTable& t
         }
         try
         {
-            values.push_back(evaluateExpression(expression, names));
+            values.push_back(evaluateExpressionOfDefined(expression, names));
         }
         catch (const std::invalid_argument&)
         {
-            values.push_back(std::nan("")); // not finite with these values
+            values.push_back(std::nan("")); // not defined, or not finite, with these values
         }
     }
     return values;

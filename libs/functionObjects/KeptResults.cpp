@@ -250,26 +250,20 @@ std::string compareLimitAnalysis(const std::filesystem::path& caseDirectory, con
 
 bool isOfMotion(const std::filesystem::path& caseDirectory)
 {
+    std::error_code none;
+    const bool hasMotion = !timesOfStates(caseDirectory).empty();
+    const bool hasMechanism = std::filesystem::exists(limitAnalysisTable(caseDirectory), none);
     const Dictionary controls = Dictionary::readFileIfPresent(caseDirectory / "system/controlDict");
     const Entry* application = controls.find("application");
-    if (application)
-    {
-        return application->valueText() != "limitAnalysis";
-    }
-    std::error_code none;
-    return !timesOfStates(caseDirectory).empty()
-           && !std::filesystem::exists(limitAnalysisTable(caseDirectory), none);
+    return hasMotion != hasMechanism ? hasMotion : application && application->valueText() != "limitAnalysis";
 }
 
 template<int Dim>
 std::string compareFrames(const std::filesystem::path& caseDirectory, const Assembly<Dim>& assembly)
 {
-    std::error_code none;
     const std::vector<std::string> times = timesOfStates(caseDirectory);
-    const bool hasMechanism = std::filesystem::exists(limitAnalysisTable(caseDirectory), none);
-    return !times.empty() && (isOfMotion(caseDirectory) || !hasMechanism)
-               ? compareMotion(caseDirectory, assembly, times)
-               : compareLimitAnalysis(caseDirectory, assembly);
+    return !times.empty() && isOfMotion(caseDirectory) ? compareMotion(caseDirectory, assembly, times)
+                                                       : compareLimitAnalysis(caseDirectory, assembly);
 }
 
 std::vector<std::string> timesOfStates(const std::filesystem::path& caseDirectory)

@@ -66,7 +66,8 @@ std::string compareLimitAnalysis(const std::filesystem::path& caseDirectory, con
 template<int Dim>
 std::string compareFrames(const std::filesystem::path& caseDirectory, const Assembly<Dim>& assembly);
 
-/// Whether the frames of a case are meant to be of a motion in time, not of a mechanism.
+/// Whether the frames of a case are of a motion in time, not of a mechanism: what has been run, and where
+/// that is both or none the application that controlDict names.
 bool isOfMotion(const std::filesystem::path& caseDirectory);
 
 /// The time directories with a state, in the order of their times.

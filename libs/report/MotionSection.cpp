@@ -4,15 +4,19 @@
 
 #include "assembly/AssemblyFile.h"
 #include "contact/AssemblyChecks.h"
+#include "core/Error.h"
 #include "core/WholeFile.h"
 #include "functionObjects/KeptResults.h"
+#include "io/TimeDirectory.h"
 #include "report/ViewerData.h"
 #include "runControl/Case.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <optional>
 #include <sstream>
 
 namespace drystone
@@ -23,36 +27,81 @@ namespace fs = std::filesystem;
 namespace
 {
 
-/// What can be said of a structure none of whose blocks is far from its place. It stands unless a block still
-/// moves: as fast as in the last frame it would have come, in the time of the whole run, a hundredth of
-/// `far`.
-template<int Dim>
-std::string standing(const Assembly<Dim>& assembly, const std::vector<BlockFrame>& frames, double far)
+/// How fast blocks move at the last frame.
+struct SpeedsAtEnd
 {
+    std::vector<double> ofBlock; ///< 0 of what is fixed [m/s]
+    bool isMean = false;         ///< since the frame before
+};
+
+/// From the state that was written with the last frame, or if there is none from the last two frames.
+/// \return nothing where neither says it
+template<int Dim>
+std::optional<SpeedsAtEnd> speedsAtEnd(const fs::path& caseDirectory, const Assembly<Dim>& assembly,
+                                       const std::vector<BlockFrame>& frames)
+{
+    const std::vector<int> free = freeIndices(assembly);
+    SpeedsAtEnd speeds{std::vector<double>(assembly.blocks.size()), false};
+    const auto rows =
+        freedomCount<Dim> * static_cast<std::size_t>(*std::max_element(free.begin(), free.end()) + 1);
+    for (const TimeDirectory& directory : timeDirectories(caseDirectory))
+    {
+        const fs::path file = caseDirectory / directory.name / "state";
+        if (std::abs(directory.time - frames.back().time) > 1e-9 * directory.time || !fs::exists(file))
+        {
+            continue;
+        }
+        try
+        {
+            const std::vector<double> velocity = stateArray(readState(file), "velocity", rows);
+            for (std::size_t block = 0; block < free.size(); ++block)
+            {
+                const auto first = static_cast<std::ptrdiff_t>(freedomCount<Dim>) * free[block];
+                speeds.ofBlock[block] =
+                    free[block] < 0 ? 0 : Eigen::Map<const Vector<Dim>>(velocity.data() + first).norm();
+            }
+            return speeds;
+        }
+        catch (const FatalError&)
+        {
+            break; // damaged, or of another structure
+        }
+    }
     if (frames.size() < 2)
+    {
+        return std::nullopt;
+    }
+    speeds.isMean = true;
+    const BlockFrame& last = frames.back();
+    const BlockFrame& before = frames[frames.size() - 2];
+    for (std::size_t block = 0; block < free.size(); ++block)
+    {
+        const auto column = static_cast<Eigen::Index>(block);
+        speeds.ofBlock[block] = free[block] < 0
+                                    ? 0
+                                    : (last.displacement.col(column) - before.displacement.col(column)).norm()
+                                          / (last.time - before.time);
+    }
+    return speeds;
+}
+
+/// What can be said of a structure none of whose blocks is far from its place. It stands unless a block still
+/// moves: as fast as at the last frame it would have come, in the time of the whole run, a hundredth of
+/// `far`.
+std::string standing(const std::optional<SpeedsAtEnd>& speeds, const std::vector<BlockFrame>& frames,
+                     double far)
+{
+    if (!speeds)
     {
         return ""; // nothing of its motion is known
     }
     constexpr double hardlyAnything = 0.01;
-    double fastest = 0; // [m/s]
-    std::size_t moving = 0;
-    for (std::size_t block = 0; block < assembly.blocks.size(); ++block)
-    {
-        const BlockFrame& last = frames.back();
-        const BlockFrame& before = frames[frames.size() - 2];
-        const auto column = static_cast<Eigen::Index>(block);
-        const double speed = (last.displacement.col(column) - before.displacement.col(column)).norm()
-                             / (last.time - before.time);
-        if (assembly.blocks[block].support < 0 && speed > fastest)
-        {
-            fastest = speed;
-            moving = block;
-        }
-    }
-    return fastest * (frames.back().time - frames.front().time) <= hardlyAnything * far
+    const auto fastest = std::max_element(speeds->ofBlock.begin(), speeds->ofBlock.end());
+    return *fastest * (frames.back().time - frames.front().time) <= hardlyAnything * far
                ? ": the structure stands"
-               : fmt::format(", but block {} still moves there, by {:.4g} m/s between the last two frames",
-                             moving, fastest);
+               : fmt::format(", but block {} still moves there, by {:.4g} m/s{}",
+                             fastest - speeds->ofBlock.begin(), *fastest,
+                             speeds->isMean ? " between the last two frames" : "");
 }
 
 /// The last time of a table over time; 0 of another [s].
@@ -97,8 +146,8 @@ RunEnd endOfRun(const fs::path& caseDirectory)
 
 /// How far blocks go in the frames of a motion, and where they are at its end.
 template<int Dim>
-std::vector<std::string> motionMeaning(const Assembly<Dim>& assembly, const std::vector<BlockFrame>& frames,
-                                       const RunEnd& end)
+std::vector<std::string> motionMeaning(const fs::path& caseDirectory, const Assembly<Dim>& assembly,
+                                       const std::vector<BlockFrame>& frames)
 {
     struct Farthest
     {
@@ -106,6 +155,7 @@ std::vector<std::string> motionMeaning(const Assembly<Dim>& assembly, const std:
         std::size_t block = 0;
         double time = 0; ///< [s]
     };
+    const RunEnd end = endOfRun(caseDirectory);
     Farthest largest;
     Farthest atTheEnd;
     const double far = 0.5 * meanBlockSize(assembly);
@@ -141,7 +191,9 @@ std::vector<std::string> motionMeaning(const Assembly<Dim>& assembly, const std:
         fmt::format("After {:.4g} s the largest displacement of a block is {:.4g} m, of block {}; {} of {} "
                     "blocks are farther from their places than half the mean block size of {:.3g} m{}.",
                     frames.back().time, atTheEnd.distance, atTheEnd.block, away, freeBlocks, 2 * far,
-                    away == 0 && isWhole && !end.isBroken ? standing(assembly, frames, far) : "")};
+                    away == 0 && isWhole && !end.isBroken
+                        ? standing(speedsAtEnd(caseDirectory, assembly, frames), frames, far)
+                        : "")};
     if (!isWhole)
     {
         sentences.push_back(
@@ -173,7 +225,7 @@ void addMotion(HtmlPage& page, const fs::path& caseDirectory, const Assembly<Dim
         caseDirectory / "VTK", "blocks", assembly.blocks.size(), std::clamp<std::size_t>(mostFrames, 2, 101));
     if (isMotion && !frames.empty())
     {
-        for (const std::string& sentence : motionMeaning(assembly, frames, endOfRun(caseDirectory)))
+        for (const std::string& sentence : motionMeaning(caseDirectory, assembly, frames))
         {
             page.paragraph(sentence);
         }

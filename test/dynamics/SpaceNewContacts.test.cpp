@@ -85,6 +85,16 @@ std::vector<PlaneScene> planeScenes()
          -1});
     scene.assembly.blocks.push_back(rectangle(-0.6, 0.8, 0.4, 0.2));
     all.push_back(scene);
+    // Built on the floor of a notch, and hits its wall: sliding, and in flight. Points between the two were
+    // those as built only, as long as it was above that floor.
+    for (const double up : {0.0, 1.0})
+    {
+        scene = {up > 0 ? "fliesToAWall" : "slidesToAWall", ground(0, 4), {{4, up, 0}}, 0.2, 400};
+        scene.assembly.blocks[0].outline = {{0, -1},  {4, -1},  {4, 1}, {3, 1},
+                                            {3, 0.2}, {1, 0.2}, {1, 1}, {0, 1}};
+        scene.assembly.blocks.push_back(rectangle(1.5, 0.2, 0.4, 0.4));
+        all.push_back(scene);
+    }
     return all;
 }
 

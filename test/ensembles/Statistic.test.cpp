@@ -6,6 +6,7 @@
 #include "ensembles/Fragility.h"
 #include "ensembles/Philox.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -156,6 +157,22 @@ TEST(FragilityStatistic, GivesFailedSamplesBothWays)
         evaluated("type fragility; intensity x; exceeded \"y > 0.5\"; bootstrap 0;", table);
     EXPECT_EQ(rowOf(result, "failed").value, 3);
     EXPECT_LT(rowOf(result, "thetaFailedAsFallen").value, rowOf(result, "thetaFailedAsStanding").value);
+}
+
+// A comparison with what is not a number is false: these samples counted as standing without a word.
+TEST(FragilityStatistic, CountsSamplesAsFailedWhoseConditionIsNotDefined)
+{
+    const SampleTable table = collapseTable();
+    const double least = *std::min_element(table.columns[0].begin(), table.columns[0].end());
+    const auto undefined = std::count(table.columns[0].begin(), table.columns[0].end(), least);
+    ASSERT_GT(undefined, 0);
+    const StatisticResult result = evaluated(
+        fmt::format("type fragility; intensity x; exceeded \"y > 0.5 + 0*log(x - {})\"; bootstrap 0;",
+                    least * 1.0001),
+        table);
+    EXPECT_EQ(rowOf(result, "failed").value, undefined);
+    ASSERT_FALSE(result.remarks.empty());
+    EXPECT_THAT(result.remarks.front(), HasSubstr("is not defined"));
 }
 
 TEST(FragilityStatistic, OfCurvesTakesTheLowestIntensityThatFails)

@@ -129,19 +129,31 @@ MovingContacts<3>::Pair MovingContacts<3>::pairOfContact(const PartContact& meet
     return pair;
 }
 
-/// Lists what two blocks that were not built on each other, or have left that, touch each other with.
-void MovingContacts<3>::find(int block, int neighbour, Places& places)
+/// Whether parts of a pair that is followed are built on each other: then they are not searched.
+bool MovingContacts<3>::isBuilt(const SearchedPair& pair, std::size_t part, std::size_t otherPart) const
 {
+    return pair.followed >= 0
+           && known[static_cast<std::size_t>(pair.followed)]
+                  .isBuilt[part * parts(pair.neighbour) + otherPart];
+}
+
+/// Lists what two blocks that were not built on each other, or have left that, touch each other with; of a
+/// pair whose points as built have just been listed what else meets.
+void MovingContacts<3>::find(const SearchedPair& pairOfBlocks, Places& places)
+{
+    const auto [block, neighbour, followed] = pairOfBlocks;
     if (!isSearched(block, neighbour))
     {
         refuseMeeting(block, neighbour, places.now);
         return;
     }
-    lookedAt.emplace_back(block, neighbour);
+    searched.push_back(pairOfBlocks);
     const std::size_t first = points.size();
+    const KnownPair* followedPair = followed >= 0 ? &known[static_cast<std::size_t>(followed)] : nullptr;
+    const std::size_t firstOfPair = first - (followedPair ? followedPair->end - followedPair->begin : 0);
     for (PlacedSolids& heading : places.headings)
     {
-        for (const PartContact& meeting : contactsTowards(heading, block, neighbour, places))
+        for (const PartContact& meeting : contactsTowards(heading, pairOfBlocks, places))
         {
             Pair pair = pairOfContact(meeting, block, neighbour);
             const auto& facing = solids[static_cast<std::size_t>(pair.faceBlock)];
@@ -168,17 +180,17 @@ void MovingContacts<3>::find(int block, int neighbour, Places& places)
             // Of an earlier heading, of another part, or beside one: how the two share a force would not be
             // determined. The nearer face is met first.
             const auto there =
-                std::find_if(points.begin() + static_cast<std::ptrdiff_t>(first), points.end(), isSame);
+                std::find_if(points.begin() + static_cast<std::ptrdiff_t>(firstOfPair), points.end(), isSame);
             if (there == points.end())
             {
                 found.push_back(std::move(pair));
                 points.push_back(point);
                 foundIndex.push_back(static_cast<int>(found.size()) - 1);
             }
-            else if (point.gap < there->gap)
+            else if (const int index = foundIndex[static_cast<std::size_t>(there - points.begin())];
+                     index >= 0 && point.gap < there->gap)
             {
-                const auto index = static_cast<std::size_t>(there - points.begin());
-                found[static_cast<std::size_t>(foundIndex[index])] = std::move(pair);
+                found[static_cast<std::size_t>(index)] = std::move(pair);
                 *there = point;
             }
         }
@@ -188,20 +200,25 @@ void MovingContacts<3>::find(int block, int neighbour, Places& places)
 
 /// What meets where two blocks are heading.
 std::vector<MovingContacts<3>::PartContact>
-MovingContacts<3>::contactsTowards(PlacedSolids& heading, int block, int neighbour, Places& places) const
+MovingContacts<3>::contactsTowards(PlacedSolids& heading, const SearchedPair& pair, Places& places) const
 {
-    const std::vector<ConvexSolid>& own = heading.of(block);
-    const std::vector<ConvexSolid>& ofNeighbour = heading.of(neighbour);
+    const std::vector<ConvexSolid>& own = heading.of(pair.block);
+    const std::vector<ConvexSolid>& ofNeighbour = heading.of(pair.neighbour);
     std::vector<PartContact> contacts;
     for (std::size_t part = 0; part < own.size(); ++part)
     {
         for (std::size_t otherPart = 0; otherPart < ofNeighbour.size(); ++otherPart)
         {
             const bool isOfOnePart = own.size() == 1 && ofNeighbour.size() == 1;
+            if (isBuilt(pair, part, otherPart))
+            {
+                continue;
+            }
             if (isOfOnePart || areNear(own[part], ofNeighbour[otherPart], places.margin))
             {
-                const std::vector<PartContact> ofParts = contactsOfParts(
-                    own[part], ofNeighbour[otherPart], {{}, part, otherPart}, block, neighbour, places);
+                const std::vector<PartContact> ofParts =
+                    contactsOfParts(own[part], ofNeighbour[otherPart], {{}, part, otherPart}, pair.block,
+                                    pair.neighbour, places);
                 contacts.insert(contacts.end(), ofParts.begin(), ofParts.end());
             }
         }
@@ -285,25 +302,32 @@ double MovingContacts<3>::pressedIn(int block, int neighbour,
 double MovingContacts<3>::overlookedDepth(const std::vector<Placement<3>>& placements) const
 {
     PlacedSolids there(solids, centroids, placements);
-    const auto depthOf = [&](const std::pair<int, int>& pair)
+    const auto depthOf = [&](const SearchedPair& pair)
     {
         double depth = 0;
-        for (const ConvexSolid& own : there.of(pair.first))
+        const std::vector<ConvexSolid>& own = there.of(pair.block);
+        const std::vector<ConvexSolid>& ofNeighbour = there.of(pair.neighbour);
+        for (std::size_t part = 0; part < own.size(); ++part)
         {
-            for (const ConvexSolid& other : there.of(pair.second))
+            for (std::size_t otherPart = 0; otherPart < ofNeighbour.size(); ++otherPart)
             {
-                const PartingAxis axis = axisBetween(own, other, pair.first, pair.second);
+                if (isBuilt(pair, part, otherPart))
+                {
+                    continue;
+                }
+                const PartingAxis axis =
+                    axisBetween(own[part], ofNeighbour[otherPart], pair.block, pair.neighbour);
                 depth = axis.isAnEdgeAtMost ? depth : std::max(depth, -axis.distance);
             }
         }
         return depth;
     };
     double deepest = 0;
-    for (const auto& pair : lookedAt)
+    for (const SearchedPair& pair : searched)
     {
         const double depth = depthOf(pair);
-        const double error = std::max(toleranceOf(pair.first, pair.second), overlooked * blockSize);
-        if (depth > error && depth > error + pressedIn(pair.first, pair.second, placements))
+        const double error = std::max(toleranceOf(pair.block, pair.neighbour), overlooked * blockSize);
+        if (depth > error && depth > error + pressedIn(pair.block, pair.neighbour, placements))
         {
             deepest = std::max(deepest, depth);
         }

@@ -168,77 +168,17 @@ MovingContacts<3>::MovingContacts(const Assembly<3>& structure, const MovingCont
         const std::size_t index = pairs.size() - 1;
         if (known.empty() || known.back().block != point.block || known.back().neighbour != point.neighbour)
         {
-            known.push_back({point.block, point.neighbour, index, index});
+            known.push_back({point.block, point.neighbour, index, index, {}});
         }
         ++known.back().end;
     }
     points = asBuilt;
     foundIndex.assign(points.size(), -1);
-    atEdges = pairsAtEdges();
-}
-
-/// Joints within a tolerance that is stated, narrower than it too, are none: blocks across the meeting point
-/// of four that are in each other by a sliver are at an edge as well.
-std::map<std::pair<int, int>, double> MovingContacts<3>::pairsAtEdges() const
-{
-    constexpr double steps = 2; // of the tolerances that are tried
-    const double widest = jointTolerance(assembly).oblique;
-    const std::vector<Placement<3>> built(assembly.blocks.size());
-    const Places places{
-        built, tolerance, swingsOf(built, 1), swingsOf(built, -1), PlacedSolids(solids, centroids, built),
-        {}};
-    const auto isKnown = [this](const std::pair<int, int>& pair)
+    for (KnownPair& pair : known)
     {
-        return std::binary_search(
-            known.begin(), known.end(), KnownPair{pair.first, pair.second, 0, 0},
-            [](const KnownPair& one, const KnownPair& other)
-            { return std::pair(one.block, one.neighbour) < std::pair(other.block, other.neighbour); });
-    };
-    const auto touch = [this](const std::pair<int, int>& pair, double within, SharedEdge sharedEdge)
-    {
-        for (const ConvexSolid& own : solids[static_cast<std::size_t>(pair.first)])
-        {
-            for (const ConvexSolid& other : solids[static_cast<std::size_t>(pair.second)])
-            {
-                const PartingAxis axis = partingAxis(own, other, within, sharedEdge);
-                if (!axis.isAnEdgeAtMost && axis.distance <= toleranceOf(pair.first, pair.second))
-                {
-                    return true;
-                }
-            }
-        }
-        return false;
-    };
-    std::map<std::pair<int, int>, double> touching;
-    for (const std::pair<int, int>& pair : meetingPairs(places))
-    {
-        const double least = toleranceOf(pair.first, pair.second);
-        if (isKnown(pair) || !touch(pair, least, SharedEdge::mayTouch))
-        {
-            continue;
-        }
-        double within = least;
-        while (touch(pair, within, SharedEdge::doesNotTouch))
-        {
-            if (within >= widest)
-            {
-                within = least;
-                break;
-            }
-            within = std::min(steps * within, widest);
-        }
-        touching[pair] = within;
+        findBuiltParts(pair);
     }
-    return touching;
-}
-
-PartingAxis MovingContacts<3>::axisBetween(const ConvexSolid& first, const ConvexSolid& second, int block,
-                                           int neighbour) const
-{
-    const auto atEdge = atEdges.find({block, neighbour});
-    return atEdge == atEdges.end()
-               ? partingAxis(first, second, toleranceOf(block, neighbour), SharedEdge::rimsMayTouch)
-               : partingAxis(first, second, atEdge->second, SharedEdge::doesNotTouch);
+    atEdges = pairsAtEdges();
 }
 
 /// \param isOfNeighbour whose corner, against the face of the other
@@ -331,7 +271,7 @@ MovingContacts<3>::update(const std::vector<Placement<3>>& now,
     foundIndex.clear();
     found.clear();
     foundJoints = 0;
-    lookedAt.clear();
+    searched.clear();
     Places places{now, margin, swingsOf(now, 1), swingsOf(now, -1), PlacedSolids(solids, centroids, now), {}};
     for (const std::vector<Placement<3>>& heading : headings)
     {
@@ -343,7 +283,7 @@ MovingContacts<3>::update(const std::vector<Placement<3>>& now,
     {
         for (; next != meeting.end() && *next < end; ++next)
         {
-            find(next->first, next->second, places);
+            find({next->first, next->second, -1}, places);
         }
     };
     for (const KnownPair& pair : known)
@@ -360,10 +300,14 @@ MovingContacts<3>::update(const std::vector<Placement<3>>& now,
         if (isFollowed(pair, places))
         {
             follow(pair, places);
+            if (wayApart(pair, places) + places.margin >= pair.clearance)
+            {
+                find({pair.block, pair.neighbour, static_cast<int>(&pair - known.data())}, places);
+            }
         }
         else if (isMeeting)
         {
-            find(pair.block, pair.neighbour, places);
+            find({pair.block, pair.neighbour, -1}, places);
         }
     }
     findBefore({static_cast<int>(now.size()), 0});

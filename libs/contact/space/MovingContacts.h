@@ -105,6 +105,18 @@ private:
         int neighbour;
         std::size_t begin; ///< of asBuilt
         std::size_t end;
+        /// Of parts, those of the block times those of the neighbour: whether they are built on each other;
+        /// empty where each block is one.
+        std::vector<char> isBuilt;
+        /// As built, of those that are not; infinite where there are none [m].
+        double clearance = std::numeric_limits<double>::infinity();
+    };
+    /// A pair of blocks between which points were searched.
+    struct SearchedPair
+    {
+        int block;
+        int neighbour;
+        int followed; ///< index of the known pair of which points are followed too; -1: none
     };
     /// Where the blocks are, and back to where they were built.
     struct Places
@@ -137,6 +149,7 @@ private:
     double wayApart(const KnownPair& pair, const Places& places) const;
     bool isFollowed(const KnownPair& pair, const Places& places) const;
     bool isSearched(int block, int neighbour) const;
+    bool isBuilt(const SearchedPair& pair, std::size_t part, std::size_t otherPart) const;
     double toleranceOf(int block, int neighbour) const
     {
         return std::max(tolerances[static_cast<std::size_t>(block)],
@@ -149,8 +162,9 @@ private:
     PartingAxis axisBetween(const ConvexSolid& first, const ConvexSolid& second, int block,
                             int neighbour) const;
     void follow(const KnownPair& pair, const Places& places);
-    void find(int block, int neighbour, Places& places);
-    std::vector<PartContact> contactsTowards(PlacedSolids& heading, int block, int neighbour,
+    void findBuiltParts(KnownPair& pair) const;
+    void find(const SearchedPair& pair, Places& places);
+    std::vector<PartContact> contactsTowards(PlacedSolids& heading, const SearchedPair& pair,
                                              Places& places) const;
     std::vector<PartContact> contactsOfParts(const ConvexSolid& there, const ConvexSolid& otherThere,
                                              const PartContact& parts, int block, int neighbour,
@@ -192,7 +206,7 @@ private:
     std::vector<int> foundIndex; ///< of each point: in `found`, or -1 where it is followed
     std::vector<Pair> found;
     int foundJoints = 0;
-    std::vector<std::pair<int, int>> lookedAt; ///< pairs of blocks that points were searched between
+    std::vector<SearchedPair> searched;
 };
 
 } // namespace drystone
