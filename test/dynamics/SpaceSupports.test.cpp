@@ -75,6 +75,40 @@ TEST(SpaceSupports, BricksOnATableThatMovesMoveAsInThePlane)
     }
 }
 
+// On a table that starts at once they slide until they have its velocity, which changes slowly from then on.
+// With theta 1/2 what was left of theirs in the step in which they stop turned round in each step after it.
+TEST(SpaceSupports, BricksThatHaveStoppedSlidingMoveWithTheTable)
+{
+    Assembly<2> assembly = scenes::ground(-0.5, 0.5, 0.2);
+    assembly.blocks.push_back(scenes::rectangle(-0.2, 0, 0.4, 0.2));
+    assembly.blocks.push_back(scenes::rectangle(-0.1, 0.2, 0.3, 0.2));
+    constexpr double timeStep = 1e-3;
+    const Points velocity{{0, 0}, {0.0103, 0}, {0.0103, 0.5}, {0.4, 0.5}, {0.6, 0.7}, {1, 0.7}};
+    for (const double theta : {0.5, 0.7})
+    {
+        DynamicCase<2> flat = scenes::sceneOf(assembly, {.theta = theta, .mu = 0.4, .tolerance = 1e-10});
+        DynamicCase<3> solid = spaceScenes::sceneOf(extruded(assembly), theta, 0.4, {0, 0, -spaceScenes::g});
+        move<2>(flat, {1, 0}, velocity, {0, 0}, 1, {{0, 0}, {1, 0}});
+        move<3>(solid, {1, 0, 0}, velocity, {0, 0, 0}, {0, -1, 0}, {{0, 0}, {1, 0}});
+        Motion<2> inPlane = startMotion(flat, stateAtRest(flat.assembly));
+        Motion<3> inSpace = startMotion(solid, stateAtRest(solid.assembly));
+        for (int step = 1; step <= 800; ++step)
+        {
+            ASSERT_TRUE(advance(flat, inPlane, timeStep)) << step;
+            ASSERT_TRUE(advance(solid, inSpace, timeStep)) << step;
+            const double now = step * timeStep;
+            const double ofTable = std::clamp(0.5 + (now - 0.4), 0.5, 0.7);
+            for (int block = 0; block < 2 && now > 0.3; ++block)
+            {
+                EXPECT_NEAR(inPlane.state.velocity[3 * block], ofTable, 1e-6) << theta << " at " << now;
+                EXPECT_NEAR(inSpace.state.velocity[6 * block], ofTable, 1e-6) << theta << " at " << now;
+            }
+        }
+        EXPECT_LE(scenes::relativeImbalance(inPlane.energy), 1e-9) << theta;
+        EXPECT_LE(scenes::relativeImbalance(inSpace.energy), 1e-9) << theta;
+    }
+}
+
 // About the vertical, so slowly that friction takes a block along.
 TEST(SpaceSupports, ABlockTurnsWithATurntable)
 {
