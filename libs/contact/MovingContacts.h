@@ -22,6 +22,10 @@ struct MovingContactOptions
     double mayEnter = 1e-2;
 };
 
+/// By what elastic joints give way, relative to the mean block size: beyond, a block may come out on the
+/// other side.
+inline constexpr double mayEnterElastic = 0.25;
+
 template<int Dim>
 class MovingContacts;
 

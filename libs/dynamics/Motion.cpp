@@ -42,6 +42,21 @@ void setGapsAsBuilt(const DynamicCase<Dim>& scene, Motion<Dim>& motion)
     }
 }
 
+/// Gives points that start pressed together the force of their spring. \return what they store [J]
+template<int Dim>
+double pressElasticPoints(const DynamicCase<Dim>& scene, Motion<Dim>& motion)
+{
+    const double stiffness = traitsOf(scene.effects).stiffness;
+    double stored = 0;
+    for (std::size_t point = 0; stiffness > 0 && point < motion.points.size(); ++point)
+    {
+        const double pressed = std::max(0.0, -motion.points[point].gap);
+        motion.contactForces[point][0] = stiffness * pressed;
+        stored += 0.5 * stiffness * pressed * pressed;
+    }
+    return stored;
+}
+
 } // namespace
 
 KeptAnalysis::KeptAnalysis() = default;
@@ -73,7 +88,6 @@ Motion<Dim> startMotion(const DynamicCase<Dim>& scene, DynamicState<Dim> state)
     }
     if (!scene.schemes.smallDisplacements)
     {
-        constexpr double mayEnterElastic = 0.25; // of a block: beyond, it may come out on the other side
         MovingContactOptions options;
         options.mayEnter = traitsOf(scene.effects).isCompliant ? mayEnterElastic : options.mayEnter;
         motion.contacts.emplace(scene.assembly, options);
@@ -88,7 +102,8 @@ Motion<Dim> startMotion(const DynamicCase<Dim>& scene, DynamicState<Dim> state)
     motion.contactForces.assign(motion.points.size(), Vector<Dim>::Zero());
     motion.energy.kinetic = kineticEnergy(scene, motion.state);
     motion.energy.potential = potentialEnergy(scene, motion.state.placements);
-    motion.energy.opening = motion.energy.kinetic + motion.energy.potential;
+    motion.energy.elastic = pressElasticPoints(scene, motion);
+    motion.energy.opening = motion.energy.kinetic + motion.energy.potential + motion.energy.elastic;
     motion.largestKinetic = motion.energy.kinetic;
     motion.effectStatesBefore = motion.effectStates;
     return motion;

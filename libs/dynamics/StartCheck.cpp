@@ -4,6 +4,7 @@
 
 #include "assembly/BlockShape.h"
 #include "contact/AlmostJoints.h"
+#include "contact/MovingContacts.h"
 #include "contact/Penetration.h"
 #include "core/Degrees.h"
 #include "core/Log.h"
@@ -26,7 +27,7 @@ constexpr double mostInAStep = 1e9;
 
 template<int Dim>
 void refuseStartOverlaps(const Assembly<Dim>& assembly, const std::vector<Placement<Dim>>& placements,
-                         const std::vector<SourceLocation>& places)
+                         const std::vector<SourceLocation>& places, bool isElastic)
 {
     if (places.empty())
     {
@@ -42,6 +43,16 @@ void refuseStartOverlaps(const Assembly<Dim>& assembly, const std::vector<Placem
     { return !rowsOf(placements[block].rotation).isZero(0) || !placements[block].translation.isZero(0); };
     const int displaced = isDisplaced(deepest.block) ? deepest.block : deepest.neighbour;
     const int other = displaced == deepest.block ? deepest.neighbour : deepest.block;
+    if (isElastic && deepest.depth <= mayEnterElastic * meanBlockSize(assembly))
+    {
+        printWarning(
+            fmt::format(
+                "At the start {} is {:.3g} m deep in {}: elastic joints are pressed together by that. "
+                "What is deeper than their forces hold at rest springs apart.",
+                blockName(assembly, displaced), deepest.depth, blockName(assembly, other)),
+            places[static_cast<std::size_t>(displaced)]);
+        return;
+    }
     throw FatalIOError(
         fmt::format(
             "At the start {} is {:.3g} m deep in {}. Blocks may touch, but not share space: correct "
@@ -156,9 +167,9 @@ void questionDigits(const DynamicCase<Dim>& scene)
 template void questionDigits(const DynamicCase<2>& scene);
 template void questionDigits(const DynamicCase<3>& scene);
 template void refuseStartOverlaps(const Assembly<2>& assembly, const std::vector<Placement<2>>& placements,
-                                  const std::vector<SourceLocation>& places);
+                                  const std::vector<SourceLocation>& places, bool isElastic);
 template void refuseStartOverlaps(const Assembly<3>& assembly, const std::vector<Placement<3>>& placements,
-                                  const std::vector<SourceLocation>& places);
+                                  const std::vector<SourceLocation>& places, bool isElastic);
 template void questionRotation(const BlockStart<2>& start, const SourceLocation& place);
 template void questionRotation(const BlockStart<3>& start, const SourceLocation& place);
 

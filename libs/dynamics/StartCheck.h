@@ -12,11 +12,12 @@ namespace drystone
 
 /// Refuses a start inside another block: motion has no answer to it, and would part the blocks or let them
 /// fall through each other. Blocks may be 1e-6 of the mean block size in each other, and as deep as they were
-/// built. \param places of InitialState; nothing is checked where there are none
-/// \throws FatalIOError with both blocks and the depth, at the line of the block that is displaced
+/// built. Elastic joints press out of each other what is deeper, from their settlement under loads, say: up
+/// to a quarter of a block that is warned of. \param places of InitialState; nothing is checked where there
+/// are none \throws FatalIOError with both blocks and the depth, at the line of the block that is displaced
 template<int Dim>
 void refuseStartOverlaps(const Assembly<Dim>& assembly, const std::vector<Placement<Dim>>& placements,
-                         const std::vector<SourceLocation>& places);
+                         const std::vector<SourceLocation>& places, bool isElastic);
 
 /// Warns of a rotation beyond a quarter of a turn, which looks like degrees.
 template<int Dim>

@@ -37,6 +37,7 @@ EffectTraits traitsOf(const Effects<Dim>& effects)
         all.actsOnBlocks = all.actsOnBlocks || own.actsOnBlocks;
         all.movesSupports = all.movesSupports || own.movesSupports;
         all.isIdleAtRest = all.isIdleAtRest && own.isIdleAtRest;
+        all.stiffness += own.stiffness;
     }
     return all;
 }

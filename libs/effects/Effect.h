@@ -93,6 +93,7 @@ struct EffectTraits
     /// A step from rest to rest is the same without it, but for the load that it adds and for what it puts
     /// into the program, which is the same in each such step. Said by each effect, with the reason.
     bool isIdleAtRest = false;
+    double stiffness = 0; ///< of compliant contact points against pressing [N/m]
 };
 
 /// Numbers under names, as a state keeps them.

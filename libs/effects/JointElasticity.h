@@ -34,7 +34,7 @@ public:
     {
         compliance[0] = 1 / elasticity.normal;
     }
-    EffectTraits traits() const override { return {.isCompliant = true}; }
+    EffectTraits traits() const override { return {.isCompliant = true, .stiffness = 1 / compliance[0]}; }
     void contribute(const EffectContext<Dim>& context, EffectState& state,
                     StepProgram<Dim>& program) const override;
     void account(const EffectContext<Dim>& context, const EffectSolution& solution,

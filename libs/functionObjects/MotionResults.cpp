@@ -125,7 +125,8 @@ Motion<Dim> startOrContinue(const std::filesystem::path& caseDirectory, const Dy
         initial.time = time.startValue();
         if (!scene.schemes.smallDisplacements) // whose geometry is the one as built
         {
-            refuseStartOverlaps(scene.assembly, initial.placements, places);
+            refuseStartOverlaps(scene.assembly, initial.placements, places,
+                                traitsOf(scene.effects).isCompliant);
         }
         questionSteps(time);
         return startMotion(scene, std::move(initial));

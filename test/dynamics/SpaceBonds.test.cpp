@@ -189,6 +189,28 @@ TEST(SpaceBonds, AnAngleOfTwoBlocksFallsAsOneBlock)
     }
 }
 
+// Two points carry half of the weight each: what they store was reported as created by contact.
+TEST(SpaceBonds, ElasticJointsRestInTheirSettlement)
+{
+    constexpr double stiffness = 1e6;
+    Assembly<2> assembly = scenes::ground(-1, 1);
+    assembly.blocks.push_back(scenes::rectangle(-0.5, 0, 1, 0.4));
+    DynamicCase<2> scene = scenes::sceneOf(assembly, {.tolerance = 1e-10, .density = 2000});
+    scene.effects.push_back(std::make_shared<JointElasticity<2>>(Elasticity{stiffness, stiffness}));
+    DynamicState<2> start = stateAtRest(scene.assembly);
+    const double settlement = 0.4 * 2000 * scenes::g / (2 * stiffness);
+    start.placements[1].translation.y() = -settlement;
+    Motion<2> motion = startMotion(scene, start);
+    for (int step = 0; step < 100; ++step)
+    {
+        ASSERT_TRUE(advance(scene, motion, 1e-3));
+    }
+    EXPECT_NEAR(motion.state.placements[1].translation.y(), -settlement, 1e-12);
+    EXPECT_NEAR(motion.energy.elastic, stiffness * settlement * settlement, 1e-9);
+    EXPECT_LT(motion.created, 1e-9);
+    EXPECT_LE(scenes::relativeImbalance(motion.energy), 1e-9);
+}
+
 TEST(SpaceBonds, ElasticJointsGiveWayAsInThePlane)
 {
     for (const double acceleration : {1.0, 6.0})
