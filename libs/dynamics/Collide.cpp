@@ -289,12 +289,12 @@ void addBonded(const StepProgram<Dim>& program, std::vector<std::size_t>& meetin
 /// What friction takes from the blocks in an impact: P_t (u_t- + u_t+)/2, since the velocities change in
 /// proportion to the impulses [J].
 template<int Dim>
-double rubbedIn(const Impact& impact, const StepProgram<Dim>& arrival,
+double rubbedIn(const Impact& impact, const StepProgram<Dim>& arrival, const Eigen::VectorXd& bySupports,
                 const std::vector<std::size_t>& meeting, const Step<Dim>& step)
 {
     const Eigen::VectorXd twiceTheMean =
-        closingVelocity(arrival, step.solved.velocity, step.bySupports, step.scheme.timeStep)
-        + closingVelocity(arrival, impact.velocity, step.bySupports, step.scheme.timeStep);
+        closingVelocity(arrival, step.solved.velocity, bySupports, step.scheme.timeStep)
+        + closingVelocity(arrival, impact.velocity, bySupports, step.scheme.timeStep);
     double loss = 0;
     for (std::size_t i = 0; i < meeting.size(); ++i)
     {
@@ -319,12 +319,14 @@ bool takeImpact(Step<Dim>& step, std::vector<std::size_t> meeting)
     {
         setColumns(arrival, step.arrivals);
     }
+    const Eigen::VectorXd bySupports =
+        closingAtTheStart(step.points, step.arrivals.empty() ? step.columns : step.arrivals, step.supports);
     addBonded(arrival, meeting);
     Impact impact = impactOf<Dim>({.mass = step.mass,
                                    .velocity = solved.velocity,
                                    .program = arrival,
                                    .meeting = meeting,
-                                   .closingBySupports = step.bySupports,
+                                   .closingBySupports = bySupports,
                                    .restitution = scene.restitution(),
                                    .slowestRebound = slowestRebound(step),
                                    .timeStep = timeStep,
@@ -343,7 +345,7 @@ bool takeImpact(Step<Dim>& step, std::vector<std::size_t> meeting)
     }
     ++solved.impacts;
     solved.lostInImpacts += impact.energyLoss;
-    solved.rubbedInImpacts += rubbedIn<Dim>(impact, arrival, meeting, step);
+    solved.rubbedInImpacts += rubbedIn<Dim>(impact, arrival, bySupports, meeting, step);
     solved.workOfSupports += impact.workOfSupports;
     solved.restitutionShare = std::min(solved.restitutionShare, impact.restitutionShare);
     solved.velocity = std::move(impact.velocity);

@@ -1,8 +1,8 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// The stage of a step that gives the blocks their new placements and velocities.
+#include "dynamics/CarriedMotion.h"
 #include "dynamics/Step.h"
 
-#include <algorithm>
 #include <initializer_list>
 
 namespace drystone
@@ -10,61 +10,14 @@ namespace drystone
 namespace
 {
 
-/// What a step gives a block that is fixed to a support: it moves by `way` and has `velocity` at the end.
-template<int Dim>
-struct CarriedMotion
-{
-    BlockVector<Dim> way = BlockVector<Dim>::Zero();
-    BlockVector<Dim> velocity = BlockVector<Dim>::Zero();
-};
-
-/// The motions of all free blocks, were they fixed to the supports; zero where these rest, or are several,
-/// which may move apart. The placements are those at the end of the step.
-template<int Dim>
-std::vector<CarriedMotion<Dim>> carriedMotions(const Step<Dim>& step)
-{
-    const DynamicCase<Dim>& scene = step.scene;
-    const std::vector<Placement<Dim>>& ends = step.motion.state.placements;
-    std::vector<CarriedMotion<Dim>> carried(static_cast<std::size_t>(step.program.bodies));
-    if (step.supports.empty() || scene.assembly.supports.size() != 1)
-    {
-        return carried;
-    }
-    const auto fixed =
-        static_cast<std::size_t>(std::find(scene.free.begin(), scene.free.end(), -1) - scene.free.begin());
-    constexpr double last = 1e-6; // of the step: a velocity that jumps at its end does so after it
-    const double end = step.motion.state.time;
-    const BlockVector<Dim> velocity =
-        velocitiesOfAllBlocks(scene, step.motion.state, end - last * step.scheme.timeStep, end)[fixed];
-    const Turn<Dim> spin = turnOf<Dim>(velocity.template tail<rotationCount<Dim>>());
-    const auto centreOf = [&](std::size_t block) -> Vector<Dim>
-    { return scene.blocks[block].centroid + ends[block].translation; };
-    const Vector<Dim> way = displacementAfter(step.supports[fixed]).template head<Dim>();
-    for (std::size_t block = 0; block < scene.free.size(); ++block)
-    {
-        if (scene.free[block] < 0)
-        {
-            continue;
-        }
-        const Eigen::Index row = freedomCount<Dim> * scene.free[block];
-        const Vector<Dim> arm = centreOf(block) - centreOf(fixed);
-        SupportStep<Dim> own = step.supports[fixed];
-        own.arm += arm - (step.solved.result.displacement.template segment<Dim>(row) - way); // at the start
-        CarriedMotion<Dim>& motion = carried[static_cast<std::size_t>(scene.free[block])];
-        motion.way = displacementAfter(own);
-        motion.velocity << velocity.template head<Dim>() + velocityOfArm(spin, arm), rowsOf(spin);
-    }
-    return carried;
-}
-
 /// Bodies that joints hold in their places over the whole step are at rest at its end, or move as the support
 /// does that carries all. The rule, v1 = (dx/dt - (1-theta) v0)/theta, would turn the velocity round that a
 /// body had when it stopped sliding in the last step, -(1-theta)/theta v0: with theta 1/2 for ever, and its
 /// shear with it, between mu N and -mu N. What it still had is lost. A body that flies or rocks may be back
 /// where it was after a step, too, but in no case to this part of the way that its velocity would take it,
-/// and not on as many points that press.
+/// and not on as many points that press. \param carried displacements of bodies that stay where they are
 template<int Dim>
-void stopWhatStands(Step<Dim>& step)
+void stopWhatStands(Step<Dim>& step, const Eigen::VectorXd& carried)
 {
     constexpr double partOfWay = 1e-6;
     const StepProgram<Dim>& program = step.program;
@@ -84,25 +37,30 @@ void stopWhatStands(Step<Dim>& step)
             }
         }
     }
-    const std::vector<CarriedMotion<Dim>> carried = carriedMotions(step);
+    const Eigen::VectorXd velocities = carriedVelocity(step);
     const double timeStep = step.scheme.timeStep;
     for (int body = 0; body < program.bodies; ++body)
     {
         const auto own = [body](const Eigen::VectorXd& motion) -> BlockVector<Dim>
-        { return motion.segment<freedomCount<Dim>>(freedomCount<Dim> * body); };
+        {
+            return motion.size() > 0
+                       ? BlockVector<Dim>(motion.segment<freedomCount<Dim>>(freedomCount<Dim> * body))
+                       : BlockVector<Dim>(BlockVector<Dim>::Zero());
+        };
         const auto farthest = [&step](const BlockVector<Dim>& motion)
         { return farthestMotion<Dim>(Eigen::VectorXd(motion), step.settings.blockSize); };
-        const auto& [way, velocityCarried] = carried[static_cast<std::size_t>(body)];
+        const BlockVector<Dim> way = own(carried);
+        const BlockVector<Dim> standing = own(velocities);
         auto velocity =
             step.motion.state.velocity.template segment<freedomCount<Dim>>(freedomCount<Dim> * body);
-        if (pressing[static_cast<std::size_t>(body)] >= Dim && velocity != velocityCarried
+        if (pressing[static_cast<std::size_t>(body)] >= Dim && velocity != standing
             && farthest(own(step.solved.result.displacement) - way)
                    <= partOfWay * farthest(timeStep * own(step.solved.velocity) - way))
         {
             step.lostInStopping += 0.5
                                    * (squareOf(step.mass, body, BlockVector<Dim>(velocity))
-                                      - squareOf(step.mass, body, velocityCarried));
-            velocity = velocityCarried;
+                                      - squareOf(step.mass, body, standing));
+            velocity = standing;
         }
     }
 }
@@ -148,10 +106,11 @@ void moveBlocks(Step<Dim>& step)
     const bool isAnyFlying = solved.flight.size() > 0;
     const std::vector<Placement<Dim>> start =
         Dim == 3 && isAnyFlying ? state.placements : std::vector<Placement<Dim>>();
+    const Eigen::VectorXd carried = step.scheme.theta < 1 ? carriedDisplacement(step) : Eigen::VectorXd();
     state.velocity = solved.velocity;
     step.velocityAtEnd = advance(state, step.scene.free, solved.result.displacement, step.scheme);
     moveWithSupports(state.placements, step.supports);
-    stopWhatStands(step);
+    stopWhatStands(step, carried);
     if (!isAnyFlying)
     {
         return;

@@ -35,4 +35,12 @@ Eigen::VectorXd closingBySupports(const std::vector<ContactPoint<Dim>>& points,
                                   const std::vector<ContactColumns<Dim>>& columns,
                                   const std::vector<SupportStep<Dim>>& supports);
 
+/// The same as if they went on for the time of the step at the velocities with which they begin it, which are
+/// those of one body for all blocks of a support: what an impact there needs. By chords of their turn they
+/// come nearer to each other, and squeeze what stands between them. \param columns at the start
+template<int Dim>
+Eigen::VectorXd closingAtTheStart(const std::vector<ContactPoint<Dim>>& points,
+                                  const std::vector<ContactColumns<Dim>>& columns,
+                                  const std::vector<SupportStep<Dim>>& supports);
+
 } // namespace drystone

@@ -109,6 +109,43 @@ TEST(SpaceSupports, BricksThatHaveStoppedSlidingMoveWithTheTable)
     }
 }
 
+// Walls of a support that turns come nearer to each other by the chords of their ways: flush between them a
+// block had no room, in impacts with theta below 1 and in steps without friction. About an axis across.
+TEST(SpaceSupports, ABlockFlushBetweenWallsThatTurnTurnsWithThem)
+{
+    using spaceScenes::boxBlock;
+    for (const double mu : {0.0, 0.3})
+    {
+        for (const double theta : {0.5, 1.0})
+        {
+            Assembly<3> assembly;
+            assembly.supports.push_back({"socket", "socket"});
+            assembly.blocks = {boxBlock({-0.5, -0.5, -0.2}, {0.5, 0.5, 0}, 0),
+                               boxBlock({-0.5, -0.5, 0}, {-0.2, 0.5, 0.3}, 0),
+                               boxBlock({0.2, -0.5, 0}, {0.5, 0.5, 0.3}, 0),
+                               boxBlock({-0.2, -0.5, 0}, {0.2, -0.2, 0.3}, 0),
+                               boxBlock({-0.2, 0.2, 0}, {0.2, 0.5, 0.3}, 0),
+                               boxBlock({-0.2, -0.2, 0}, {0.2, 0.2, 0.5})};
+            DynamicCase<3> scene = spaceScenes::sceneOf(assembly, theta, mu, {0, 0, -spaceScenes::g});
+            scene.solution.tolerance = 1e-9;
+            const Vector<3> axis = Vector<3>(1, 2, 3).normalized();
+            const Vector<3> centre(1, 0.3, 0);
+            move<3>(scene, {1, 0, 0}, {{0, 0}, {1, 0}}, centre, axis, {{0, 0.5}, {1, 0.5}});
+            Motion<3> motion = startMotion(scene, stateAtRest(scene.assembly));
+            for (int step = 0; step < 200; ++step)
+            {
+                ASSERT_TRUE(advanceOrShorten(scene, motion, 2e-3).isSolved)
+                    << mu << " " << theta << " " << step;
+            }
+            const Vector<3> turn = 0.5 * motion.state.time * axis;
+            const Vector<3> arm = Vector<3>(0, 0, 0.25) - centre;
+            const Placement<3>& block = motion.state.placements[5];
+            EXPECT_LE((block.translation - swing(turn, arm)).norm(), 1e-6) << mu << " " << theta;
+            EXPECT_LE((block.rotation - turn).norm(), 1e-6) << mu << " " << theta;
+        }
+    }
+}
+
 // About the vertical, so slowly that friction takes a block along.
 TEST(SpaceSupports, ABlockTurnsWithATurntable)
 {
