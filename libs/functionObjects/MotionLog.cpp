@@ -415,15 +415,22 @@ std::string unsolvedStep(const DynamicCase<Dim>& scene, const Motion<Dim>& motio
             "right. The state at its start has been written. Restart from an earlier one with {}.",
             time.name(), textOf(motion.attempt.fault), motion.attempt.retries, shorterSteps(time));
     }
+    const double residual = worst(motion.attempt);
     return fmt::format("The step at time {} was not solved to tolerance {:g}, nor when it was made shorter "
-                       "{} times (residual "
-                       "{:.3g}). The state at its start has been written. Raise tolerance or {} in "
-                       "system/solution/contactDynamics, or restart from it with {}.",
-                       time.name(), scene.solution.tolerance, motion.attempt.retries, worst(motion.attempt),
+                       "{} times ({}). The state at its start has been written. Raise tolerance or {} in "
+                       "system/solution/contactDynamics, or restart from it with {}.{}",
+                       time.name(), scene.solution.tolerance, motion.attempt.retries,
+                       residual > scene.solution.tolerance
+                           ? fmt::format("residual {:.3g}", residual)
+                           : "its last program was, but not an impact in it, or the turns of its blocks",
                        scene.solution.solver == SolverType::gaussSeidel
                            ? "maximumSweeps, or choose another solver,"
                            : "maximumIterations",
-                       shorterSteps(time));
+                       shorterSteps(time),
+                       traitsOf(scene.effects).movesSupports
+                           ? " Where supports that move press blocks together between them, rigid blocks "
+                             "have no motion at all."
+                           : "");
 }
 
 template void printAddedEffects(const DynamicCase<2>& scene);

@@ -267,6 +267,22 @@ class RunControl(CaseTest):
         self.run_(case)
         self.assertEqual(self.state(case), self.state(once))
 
+    def testOfSupportsThatSqueezeABlockItIsSaidThatThereIsNoMotion(self):
+        case = self.copy("squeezed")
+        self.write(case, "system/blockTextureDict", header % "blockTextureDict" + """dimensions 2;
+            texture { type polygons; thickness 1; blocks (((-1 0) (-0.2 0) (-0.2 1) (-1 1))
+                ((0.2 0) (1 0) (1 1) (0.2 1)) ((-0.18 0.3) (0.18 0.3) (0.18 0.7) (-0.18 0.7))
+                ((-0.2 -0.1) (0.2 -0.1) (0.2 0.3) (-0.2 0.3))); }
+            supports { left { type blocks; blocks (0); } right { type blocks; blocks (1); }
+                floor { type blocks; blocks (3); } }""")
+        self.write(case, "constant/supportMotion", header % "supportMotion" +
+                   "left { direction (1 0); velocity ((0 0.1) (3 0.1)); }")
+        made = subprocess.run([os.path.join(applications, "blockTexture"), "-case", case], capture_output=True,
+                              text=True, check=False)
+        self.assertEqual(made.returncode, 0, made.stderr)
+        done = self.run_(case, status=2)
+        self.assertIn("supports that move press blocks together between them", done.stderr)
+
     def testGaussSeidelSolvesToALooseToleranceAndSaysWhereItDoesNot(self):
         exact = self.copy("exact")
         self.run_(exact)
