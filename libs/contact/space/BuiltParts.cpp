@@ -1,7 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Which convex parts of blocks in space are built on each other, or at an edge of each other: what meets is
 /// found between the others.
-#include "contact/AlmostJoints.h"
+#include "contact/JointClosure.h"
 #include "contact/space/MovingContacts.h"
 
 #include <algorithm>

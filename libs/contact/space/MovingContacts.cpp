@@ -4,7 +4,6 @@
 #include "contact/space/MovingContacts.h"
 
 #include "contact/AlmostJoints.h"
-#include "contact/JointClosure.h"
 #include "core/Error.h"
 #include "geometry/BroadPhase.h"
 #include "geometry/Rotation.h"

@@ -8,6 +8,7 @@
 #include "geometry/Rotation.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <optional>
 
