@@ -104,6 +104,23 @@ bool expectCarried(Step<Dim>& step)
     return isOther;
 }
 
+/// Solves the program, which may have no solution as it stands: then about another motion, and then with the
+/// overlaps that there are.
+template<int Dim>
+void solveOrHelp(Step<Dim>& step)
+{
+    solve(step);
+    if (!step.solved.isSolved && expectCarried(step))
+    {
+        solve(step);
+    }
+    if (!step.solved.isSolved && leaveAllOverlaps(step))
+    {
+        solve(step);
+        step.overlapsLeft = stepsWithOverlaps;
+    }
+}
+
 /// \param overlooking see Step: tries of this step before
 template<int Dim>
 double takeStep(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeStep,
@@ -130,16 +147,7 @@ double takeStep(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeS
         beginAgain(step);
         do
         {
-            solve(step);
-            if (!step.solved.isSolved && expectCarried(step))
-            {
-                solve(step);
-            }
-            if (!step.solved.isSolved && leaveAllOverlaps(step))
-            {
-                solve(step);
-                step.overlapsLeft = stepsWithOverlaps;
-            }
+            solveOrHelp(step);
         } while (collide(step));
     } while (review(step));
     if (!step.solved.isSolved)

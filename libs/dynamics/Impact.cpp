@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace drystone
 {
@@ -209,14 +210,15 @@ template<int Dim>
 bool ImpactSearch<Dim>::solve(const Eigen::VectorXd& share, FlowRule flowRule, ImpactOutcome& outcome)
 {
     instant.flowRule = flowRule;
-    const StepProgram<Dim> program = impactProgram(problem, groups, closing, share, instant.blockSize);
-    const ThetaStep step = solveThetaStep(program, instant, guess, Relinearisation<Dim>(), &symbolic);
+    StepProgram<Dim> program = impactProgram(problem, groups, closing, share, instant.blockSize);
+    const double largest =
+        share.isZero(0) ? std::numeric_limits<double>::infinity() : largestForce(program, instant.blockSize);
+    const ThetaStep step =
+        solveThetaStep(std::move(program), instant, guess, Relinearisation<Dim>(), &symbolic);
     iterations += step.iterations;
     factorisations += step.factorisations;
     programs += step.programs;
-    isWedged =
-        !share.isZero(0)
-        && step.contactForce.template lpNorm<Eigen::Infinity>() > largestForce(program, instant.blockSize);
+    isWedged = step.contactForce.template lpNorm<Eigen::Infinity>() > largest;
     if (step.status != SolveStatus::optimal || isWedged)
     {
         return false;

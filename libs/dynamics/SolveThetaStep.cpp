@@ -503,33 +503,15 @@ ThetaStep StepSearch<Dim>::solve()
 } // namespace
 
 template<int Dim>
-double largestForce(const StepProgram<Dim>& program, double blockSize)
-{
-    constexpr double leverage = 1e3;
-    const double closed = program.points() > 0 ? std::max(0.0, -program.gap.minCoeff()) : 0;
-    double all = 0;
-    for (int body = 0; body < program.bodies; ++body)
-    {
-        const BlockVector<Dim> load =
-            program.load.template segment<freedomCount<Dim>>(freedomCount<Dim> * body);
-        all += load.template head<Dim>().norm() + load.template tail<rotationCount<Dim>>().norm() / blockSize
-               + program.inertia[static_cast<std::size_t>(body)](0, 0) * closed;
-    }
-    return leverage * all;
-}
-
-template<int Dim>
 ThetaStep solveThetaStep(StepProgram<Dim> program, const StepSettings& settings, const StepGuess& guess,
                          const Relinearisation<Dim>& relinearise, SymbolicAnalysis* symbolic)
 {
     return StepSearch<Dim>(std::move(program), settings, guess, relinearise, symbolic).solve();
 }
 
-template double largestForce(const StepProgram<2>& program, double blockSize);
 template ThetaStep solveThetaStep(StepProgram<2> program, const StepSettings& settings,
                                   const StepGuess& guess, const Relinearisation<2>& relinearise,
                                   SymbolicAnalysis* symbolic);
-template double largestForce(const StepProgram<3>& program, double blockSize);
 template ThetaStep solveThetaStep(StepProgram<3> program, const StepSettings& settings,
                                   const StepGuess& guess, const Relinearisation<3>& relinearise,
                                   SymbolicAnalysis* symbolic);

@@ -20,6 +20,22 @@ Eigen::VectorXd displacementUnder(const StepProgram<Dim>& program, Eigen::Vector
 }
 
 template<int Dim>
+double largestForce(const StepProgram<Dim>& program, double blockSize)
+{
+    constexpr double leverage = 1e3;
+    const double closed = program.points() > 0 ? std::max(0.0, -program.gap.minCoeff()) : 0;
+    double all = 0;
+    for (int body = 0; body < program.bodies; ++body)
+    {
+        const BlockVector<Dim> load =
+            program.load.template segment<freedomCount<Dim>>(freedomCount<Dim> * body);
+        all += load.template head<Dim>().norm() + load.template tail<rotationCount<Dim>>().norm() / blockSize
+               + program.inertia[static_cast<std::size_t>(body)](0, 0) * closed;
+    }
+    return leverage * all;
+}
+
+template<int Dim>
 bool keepMomenta(ThetaStep& step, StepProgram<Dim>& program, const Relinearisation<Dim>& relinearise)
 {
     // Each leaves the square of the last, in effect; in space the part by which a block turns in a step,
@@ -118,6 +134,8 @@ StepEnergy stepEnergy(const ThetaStep& step, const MassMatrix<Dim>& mass, const 
     return energy;
 }
 
+template double largestForce(const StepProgram<2>& program, double blockSize);
+template double largestForce(const StepProgram<3>& program, double blockSize);
 template Eigen::VectorXd displacementUnder(const StepProgram<2>& program, Eigen::VectorXd rows);
 template bool keepMomenta(ThetaStep& step, StepProgram<2>& program, const Relinearisation<2>& relinearise);
 template void setColumns(StepProgram<2>& program, const std::vector<ContactColumns<2>>& columns);
