@@ -202,12 +202,10 @@ Assembly<Dim> readBlocks(const std::filesystem::path& caseDirectory)
     const Dictionary dictionary = readFileOfBlocks(caseDirectory);
     if (const int dimensions = dimensionsOfBlocks(dictionary); dimensions != Dim)
     {
-        throw FatalIOError(
-            Dim == 2
-                ? "The blocks of this case are in space (dimensions 3): studies in space are not available "
-                  "yet. blockTexture, checkBlocks, limitAnalysis and contactDynamics compute in space."
-                : "The blocks of this case are in the plane (dimensions 2), not in space.",
-            dictionary.locationOf("dimensions"));
+        throw FatalIOError(Dim == 2
+                               ? "The blocks of this case are in space (dimensions 3), not in the plane."
+                               : "The blocks of this case are in the plane (dimensions 2), not in space.",
+                           dictionary.locationOf("dimensions"));
     }
     Assembly<Dim> assembly;
     readShapes(dictionary, assembly);

@@ -33,11 +33,11 @@ std::string assemblyText(const Assembly<Dim>& assembly, const std::vector<InputF
 /// has changed, or sizes are improbable. Outlines may be in either orientation and are turned
 /// counter-clockwise. Computations take readAssembly of contact/ClosedAssembly.h instead, which also closes
 /// joints.
-/// \throws Error with file and line when the file is missing or no dictionary, a key is missing or unknown,
-/// dimensions are not Dim, there is no block, a number is not finite, an outline has fewer than three
-/// corners, no area, or crosses or touches itself, a thickness is not positive, a polyhedron is none (see
-/// findFault of geometry/space/PolyhedronFault.h), a support fixes a block that does not exist or is fixed
-/// already, a jointTolerance is more than a tenth of the mean block size
+/// \throws FatalIOError with file and line when the file is missing or no dictionary, a key is missing or
+/// unknown, dimensions are not Dim, there is no block, a number is not finite, an outline has fewer than
+/// three corners, no area, or crosses or touches itself, a thickness is not positive, a polyhedron is none
+/// (see findFault of geometry/space/PolyhedronFault.h), a support fixes a block that does not exist or is
+/// fixed already, a jointTolerance is more than a tenth of the mean block size
 template<int Dim>
 Assembly<Dim> readBlocks(const std::filesystem::path& caseDirectory);
 

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Shapes, supports, zones and stated joints make one fingerprint; files are compared by theirs.
 #include "assembly/AssemblyOrigin.h"
 
 #include "core/Log.h"
@@ -115,8 +116,7 @@ void compareWithOrigin(const Dictionary& blocks, const fs::path& caseDirectory)
         if (fs::exists(caseDirectory / "system/blockTextureDict", ignored))
         {
             info("{} does not say from which dictionary it was built: changes of system/blockTextureDict "
-                 "since "
-                 "are not noticed.\n",
+                 "since are not noticed.\n",
                  blocks.location().file);
         }
         return;

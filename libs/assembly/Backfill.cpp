@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Presses face by face: by weight where a face looks up, sideways where the fill reaches it from above.
 #include "assembly/Backfill.h"
 
 #include "assembly/FillFromAbove.h"

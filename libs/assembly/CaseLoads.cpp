@@ -131,8 +131,7 @@ CaseLoads<Dim> readLoads(const std::filesystem::path& caseDirectory, const LoadC
     {
         throw FatalIOError(
             "The live load is zero on every block, as where gravity (constant/g) is zero or pressures "
-            "cancel: there "
-            "is nothing to find the multiplier of. Give gravity, or a live load of type force.",
+            "cancel: there is nothing to find the multiplier of. Give gravity, or a live load of type force.",
             dictionary.locationOf("live"));
     }
     return loads;

@@ -351,6 +351,22 @@ LoadMaker<Dim> makeCombined(const CombinedSettings& settings, const Dictionary& 
     };
 }
 
+/// What a load may be that is one of several.
+template<int Dim>
+std::string loadsToCombine()
+{
+    std::vector<std::string_view> names;
+    for (const auto& load : loadTypes<Dim>().models)
+    {
+        if (load.name != "supportMovement" && load.name != "moving")
+        {
+            names.push_back(load.name);
+        }
+    }
+    std::sort(names.begin(), names.end());
+    return fmt::format("Loads that can stand here: {}.", fmt::join(names, " "));
+}
+
 } // namespace
 
 template<int Dim>
@@ -385,11 +401,12 @@ const Registry<LoadMaker<Dim>>& loadTypes()
             {
                 return [place = dictionary.locationOf("type")](const LoadContext<Dim>&) -> Eigen::VectorXd
                 {
-                    throw FatalIOError("supportMovement can only be the live load, by itself and without "
-                                       "combinations: its answer is a reaction in N, which no multiplier "
-                                       "compares with. Loads that can stand here: backfill combined force "
-                                       "gravity inertial line pressure sum.",
-                                       place);
+                    throw FatalIOError(
+                        fmt::format("supportMovement can only be the live load, by itself and without "
+                                    "combinations: its answer is a reaction in N, which no multiplier "
+                                    "compares with. {}",
+                                    loadsToCombine<Dim>()),
+                        place);
                 };
             }));
         all.models.push_back(model<LoadMaker<Dim>, MovingLoadSettings<Dim>>(
@@ -400,10 +417,11 @@ const Registry<LoadMaker<Dim>>& loadTypes()
             {
                 return [place = dictionary.locationOf("type")](const LoadContext<Dim>&) -> Eigen::VectorXd
                 {
-                    throw FatalIOError("A moving load can only be the live load, by itself and without "
-                                       "combinations. Loads that can stand here: backfill combined force "
-                                       "gravity inertial line pressure sum.",
-                                       place);
+                    throw FatalIOError(
+                        fmt::format("A moving load can only be the live load, by itself and without "
+                                    "combinations. {}",
+                                    loadsToCombine<Dim>()),
+                        place);
                 };
             }));
         return all;

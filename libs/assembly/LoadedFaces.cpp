@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Surfaces of the chosen free blocks and, to be taken away, what is covered of them, cut at the box.
 #include "assembly/LoadedFaces.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Mean size and plane thickness against bounds within which small models and slices of dams lie.
 #include "assembly/Plausibility.h"
 
 #include <fmt/format.h>

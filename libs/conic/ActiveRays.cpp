@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// A small Cholesky factor of the active rays for each set of them; the certificate has the last word.
 #include "conic/ActiveRays.h"
 
 #include "conic/Certificate.h"

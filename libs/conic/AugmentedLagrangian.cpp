@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Semismooth Newton's method within each round, its steps by regula falsi; limits bound the projections.
 #include "conic/AugmentedLagrangian.h"
 
 #include "conic/Certificate.h"

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Each error over the size of what it is compared with; strengths enter the dual objective as lost work.
 #include "conic/Certificate.h"
 
 #include <Eigen/Cholesky>

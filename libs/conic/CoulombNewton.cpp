@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Newton's method in increments from the start, with shortened steps; forces become multipliers in turns.
 #include "conic/CoulombNewton.h"
 
 #include "conic/coulomb/ContactSystem.h"

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Forces point by point, the nearest in the measure of C; steps are halved by Armijo's rule.
 #include "conic/ElasticNewton.h"
 
 #include "conic/Certificate.h"

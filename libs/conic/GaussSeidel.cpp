@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The best force of a point at the tip, inside or on the surface; in space there by guarded Newton steps.
 #include "conic/GaussSeidel.h"
 
 #include "conic/Certificate.h"

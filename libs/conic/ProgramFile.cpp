@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Checks each list that it reads, with its place; writes the fewest digits that read back the same.
 #include "conic/ProgramFile.h"
 
 #include "core/WholeFile.h"
@@ -326,8 +327,7 @@ std::string programText(const ConeProgram<Rows, Forces>& program)
     std::string text = headerText("coneProgram");
     const auto out = std::back_inserter(text);
     text += "// minimise 1/2 r'Mbar^-1 r + g'c - alpha subject to r + A c = f + alpha L, |c_t| <= mu c_n at "
-            "every "
-            "point:\n// libs/conic/ProgramFile.h says what stands where. solveProgram solves it.\n\n";
+            "every point:\n// libs/conic/ProgramFile.h says what stands where. solveProgram solves it.\n\n";
     fmt::format_to(out, "{:<16}{};\n{:<16}{};\n", "dimensions", Forces, "bodies", program.bodies);
     fmt::format_to(out, "{:<16}{}\n(\n", "contacts", program.points());
     for (const auto& columns : program.contacts)

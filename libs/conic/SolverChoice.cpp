@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The turns of `automatic`: active rays, multipliers from nearby, the interior point, the last digits.
 #include "conic/SolverChoice.h"
 
 #include "conic/ActiveRays.h"

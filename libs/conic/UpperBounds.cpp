@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// One program of unit masses for each multiplier; the motion it leaves is the mechanism of the next bound.
 #include "conic/UpperBounds.h"
 
 #include "conic/AugmentedLagrangian.h"

@@ -52,15 +52,14 @@ std::string faultText(const Assembly<Dim>& assembly, const std::vector<Facing<Di
 {
     const Facing<Dim>& worst = pieces.front();
     const double most = openness(worst);
-    std::string text = fmt::format(
-        "{} and {} almost meet: at {} their faces are {:.3g} m {}, where joints are closed up "
-        "to "
-        "{:.3g} m.{} Without these joints the answer would be that of another structure.\n\nCorrect the "
-        "coordinates in system/blockTextureDict",
-        blockName(assembly, worst.block), blockName(assembly, worst.neighbour),
-        asWritten<Dim>(placeOf(worst)), most, isApart(worst) ? "apart" : "in each other",
-        usualJointTolerance(assembly, worst.isOblique),
-        pieces.size() > 1 ? fmt::format(" {} pairs of faces do so.", pieces.size()) : "");
+    std::string text =
+        fmt::format("{} and {} almost meet: at {} their faces are {:.3g} m {}, where joints are closed up to "
+                    "{:.3g} m.{} Without these joints the answer would be that of another "
+                    "structure.\n\nCorrect the coordinates in system/blockTextureDict",
+                    blockName(assembly, worst.block), blockName(assembly, worst.neighbour),
+                    asWritten<Dim>(placeOf(worst)), most, isApart(worst) ? "apart" : "in each other",
+                    usualJointTolerance(assembly, worst.isOblique),
+                    pieces.size() > 1 ? fmt::format(" {} pairs of faces do so.", pieces.size()) : "");
     // One digit more than the faces need.
     const double unit = std::pow(10.0, std::floor(std::log10(most)));
     if (!assembly.jointTolerance)

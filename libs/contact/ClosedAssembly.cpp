@@ -24,8 +24,8 @@ std::string overlapText(const Overlap<Dim>& overlap)
     constexpr double rounded = 0.05; // of a block: not by more
     return fmt::format(
         "Blocks {} and {} overlap by {:.6g} {}, {:.3g} of the smaller one. Blocks may touch, but not "
-        "overlap: "
-        "correct system/blockTextureDict and run blockTexture again (checkBlocks lists all overlaps).{}",
+        "overlap: correct system/blockTextureDict and run blockTexture again (checkBlocks lists all "
+        "overlaps).{}",
         overlap.block, overlap.neighbour, overlap.common, Dim == 2 ? "m2" : "m3", overlap.fraction,
         overlap.fraction < rounded
             ? " Where faces are only in each other by what they were rounded or flattened by, state that as "

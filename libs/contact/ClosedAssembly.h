@@ -12,7 +12,7 @@ namespace drystone
 {
 
 /// The blocks of a case (readBlocks of assembly/AssemblyFile.h). Joints whose faces do not quite meet are
-/// closed (JointClosure.h); say so with printClosure. \throws Error as readBlocks
+/// closed (JointClosure.h); say so with printClosure. \throws FatalIOError as readBlocks
 template<int Dim>
 Assembly<Dim> readAssembly(const std::filesystem::path& caseDirectory);
 

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <tuple>
 
 namespace drystone
@@ -19,7 +20,7 @@ namespace
 /// Edges are paired as faces of one joint up to this angle from parallel. Beyond it the far end of a face
 /// stands off by a quarter of its length, and the common direction says little about which corner an edge
 /// will meet.
-const double leastOpposing = std::cos(15 * M_PI / 180);
+const double leastOpposing = std::cos(15 * std::numbers::pi / 180);
 
 /// Corners of two blocks this close, relative to the tolerance, are at the same place: then the corner of
 /// `block` is taken, so that rounding errors do not decide.

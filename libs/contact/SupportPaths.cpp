@@ -142,8 +142,7 @@ std::string instabilityCause(const Assembly<Dim>& assembly, const std::vector<Co
                     [](const Block<Dim>& block) { return block.support < 0; }))
     {
         return "Cause: no block is fixed. State supports in system/blockTextureDict, for instance `supports "
-               "{ ground "
-               "{ type ground; } }`, and run blockTexture again.";
+               "{ ground { type ground; } }`, and run blockTexture again.";
     }
     const std::vector<int> loose = blocksWithoutSupport(assembly, points);
     if (loose.empty())

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Words the doubt, with the entry as it would be were degrees meant.
 #include "core/Degrees.h"
 
 #include <fmt/format.h>

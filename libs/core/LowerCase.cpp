@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// One byte at a time, unsigned, as std::tolower needs it.
 #include "core/LowerCase.h"
 
 #include <algorithm>

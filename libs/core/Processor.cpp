@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Asks for each extension that the compiler's macros name, as a constructor before those of other files.
 #include "core/Processor.h"
 
 #include <cstdio>

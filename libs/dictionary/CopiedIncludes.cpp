@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Parses the statements to find the names, and replaces these alone: all else in the text stays.
 #include "dictionary/CopiedIncludes.h"
 
 #include "dictionary/DictionaryGrammar.h"

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Loops over the bytes that count brackets as they go; nothing is kept from one call to the next.
 #include "dictionary/DictionaryScanner.h"
 
 #include <algorithm>

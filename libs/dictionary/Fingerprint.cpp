@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Pieces of the input in their order, with separators, and numbers as the bytes of their doubles.
 #include "dictionary/Fingerprint.h"
 
 #include "dictionary/DictionaryGrammar.h"

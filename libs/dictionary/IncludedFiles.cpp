@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Replaces `<case>`, `<etc>` and macros in names; refuses loops, and includes too many or too deep.
 #include "dictionary/IncludedFiles.h"
 
 #include "core/WholeFile.h"

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Replaces macros from the inside out; texts made on the way are parsed as if they stood at the macro.
 #include "dictionary/MacroExpansion.h"
 
 #include "dictionary/DictionaryGrammar.h"

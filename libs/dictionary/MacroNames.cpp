@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Scopes from the innermost outwards; a keyword with points in it comes before a path of that name.
 #include "dictionary/MacroNames.h"
 
 #include <fmt/format.h>

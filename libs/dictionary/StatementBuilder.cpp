@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Stacks of open statements and brackets, from which messages know what was left open and where.
 #include "dictionary/StatementBuilder.h"
 
 #include "dictionary/Dictionary.h"

@@ -57,7 +57,7 @@ public:
     /// What stands where no rule fits, as a user would call it.
     std::string found(const char* at) const;
 
-    /// \throws FatalIOError: what is wrong at a place where no rule fits, and how to mend it
+    /// \throws FatalIOError: what is wrong at a place where no rule fits, and how to repair it
     [[noreturn]] void failMissingSemicolon(const char* at);
     [[noreturn]] void failUnclosed(char closing, const char* at);
     [[noreturn]] void failUnexpected(const char* at);

@@ -133,7 +133,6 @@ double takeStep(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeS
     {
         return 1;
     }
-    forgetBodies(step);
     findContacts(step);
     assemble(step);
     contribute(step);

@@ -29,8 +29,8 @@ namespace drystone
 /// Where blocks meet in the course of the step it is taken in parts, up to where they meet and on from there
 /// (PartedStep.h).
 ///
-/// \return whether the step was solved and is taken (StepFault); otherwise nothing but `attempt`, `work` and
-/// `stageTimes` has changed
+/// \return whether the step was solved and is taken (StepFault); otherwise nothing but `attempt`, `work`,
+/// `stageTimes`, and what is kept to find things again (the analyses, `contacts`, `restProof`), has changed
 template<int Dim>
 bool advance(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeStep);
 

@@ -41,7 +41,7 @@ std::vector<int> pointsOfLastStep(const Motion<Dim>& motion, const std::vector<C
     return old;
 }
 
-/// What the points of the last step had, two numbers each, at those of this one; zero where a point is new.
+/// What the points of the last step had, Dim numbers each, at those of this one; zero where a point is new.
 /// \param valueOf a point of the last step
 template<int Dim, typename ValueOf>
 Eigen::VectorXd atPoints(const std::vector<int>& old, const ValueOf& valueOf)

@@ -19,8 +19,7 @@ constexpr int mostIterations = 60;
 constexpr double partOfStepTolerance = 0.1;
 constexpr double leastTolerance = 1e-10;
 
-/// Of the error allowed in gaps: at the head of a body it is several times what it is at its foot, in one
-/// step of 140,000 of random walls of space 28 times.
+/// Of the error allowed in gaps: at the head of a body it is several times what it is at its foot.
 template<int Dim>
 constexpr double partOfGapOfBodies = Dim == 2 ? partOfGapWithLess : 0.1 * partOfGapWithLess;
 

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The step of one block of the support, taken to each mass centre by the arm between the two.
 #include "dynamics/CarriedMotion.h"
 
 #include <algorithm>

@@ -76,7 +76,7 @@ constexpr std::size_t mostMeetingPairs = 2;
 /// force and opening, which the exact solution never has both, the smaller part is then the error: force as a
 /// share of the largest one, opening as a share of the farthest motion.
 template<int Dim>
-std::vector<char> closedPoints(const Step<Dim>& step)
+std::vector<char> closedAtEnd(const Step<Dim>& step)
 {
     const StepProgram<Dim>& program = step.program;
     const ThetaStep& result = step.solved.result;
@@ -105,7 +105,7 @@ std::vector<char> closedPoints(const Step<Dim>& step)
 template<int Dim>
 bool isReduced(const Step<Dim>& step)
 {
-    return step.solved.sticks || !step.motion.isAwake.empty();
+    return step.solved.sticks || !step.isAwake.empty();
 }
 
 /// Whether closing velocities as small as the errors of a solution count: by the associative law, where any
@@ -236,7 +236,7 @@ Colliding collidingPoints(const Step<Dim>& step, const Eigen::VectorXd& closing)
     {
         return {};
     }
-    const std::vector<char> isClosed = closedPoints(step);
+    const std::vector<char> isClosed = closedAtEnd(step);
     // Which of several points that meet at once the step gives its force is one choice of many: at its start,
     // or where impacts are not located, in it.
     const auto meetsNow = [&](std::size_t point)

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// The third stage of a step: what is not rigid blocks at rest supports and dry joints.
+/// The third stage of a step: what comes to rigid blocks, supports at rest and dry joints.
 #include "dynamics/MovingGeometry.h"
 
 namespace drystone

@@ -39,7 +39,7 @@ double slidingPoints(const Step<Dim>& step)
 }
 
 template<int Dim>
-double collidingPoints(const Step<Dim>& step)
+double countOfColliding(const Step<Dim>& step)
 {
     Share share;
     for (Eigen::Index row = 0; row < step.solved.impulse.size(); row += Dim)
@@ -94,7 +94,7 @@ struct EffectPlaces
 template<int Dim>
 constexpr std::array<EffectPlaces<Dim>, 6> effectPlaces{
     {{"friction", "points that slide", slidingPoints<Dim>},
-     {"restitution", "points that collide", collidingPoints<Dim>},
+     {"restitution", "points that collide", countOfColliding<Dim>},
      {"cohesion", "points that friction alone does not hold", bondedPoints<Dim>},
      {"tension", "points that friction alone does not hold", bondedPoints<Dim>},
      {"elasticity", "points, which give way at rest too", everywhere<Dim>},

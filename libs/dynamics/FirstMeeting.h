@@ -15,7 +15,7 @@ struct Meeting
     double part = 1; ///< of the step after which the first of them meet; 1: none does
 };
 
-/// \param closing velocities of the points of the step [m/s], two a point \param approaching points that the
+/// \param closing velocities of the points of the step [m/s], Dim a point \param approaching points that the
 /// step closes and that are apart at its start
 template<int Dim>
 Meeting firstMeeting(Step<Dim>& step, const Eigen::VectorXd& closing,

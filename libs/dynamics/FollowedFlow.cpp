@@ -38,8 +38,7 @@ constexpr double partOfFollowed = 0.1;
 /// end the other often does.
 constexpr std::array<double, 5> gentle{65536, 4096, 256, 16, 1};
 constexpr std::array<double, 4> fromFarSofter{16777216, 65536, 256, 1};
-/// In space, where pieces turn, a third way with short stages: of 300 shaken walls without it 2 had a step
-/// that was not solved.
+/// In space, where pieces turn, a third way with short stages.
 constexpr std::array<double, 13> slow{16777216, 4194304, 1048576, 262144, 65536, 16384, 4096,
                                       1024,     256,     64,      16,     4,     1};
 constexpr std::array<std::span<const double>, 3> softenings{gentle, fromFarSofter, slow};

@@ -126,14 +126,12 @@ template<int Dim>
 void keepGroups(Step<Dim>& step, const BlockGroups<Dim>& groups)
 {
     const std::vector<int>& free = step.scene.free;
-    std::vector<char>& isAwake = step.motion.isAwake;
-    std::vector<int>& bodies = step.motion.bodies;
-    isAwake.assign(free.size(), false);
-    bodies.assign(free.size(), -1);
+    step.isAwake.assign(free.size(), false);
+    step.bodies.assign(free.size(), -1);
     for (std::size_t block = 0; block < free.size(); ++block)
     {
-        bodies[block] = groups.of(free[block]);
-        isAwake[block] = bodies[block] >= 0;
+        step.bodies[block] = groups.of(free[block]);
+        step.isAwake[block] = step.bodies[block] >= 0;
     }
 }
 
@@ -142,8 +140,8 @@ void keepGroups(Step<Dim>& step, const BlockGroups<Dim>& groups)
 template<int Dim>
 void forgetBodies(Step<Dim>& step)
 {
-    step.motion.isAwake.clear();
-    step.motion.bodies.clear();
+    step.isAwake.clear();
+    step.bodies.clear();
 }
 
 template<int Dim>
@@ -156,8 +154,7 @@ std::string_view whyAllBlocks(const DynamicCase<Dim>& scene, FlowRule flowRule)
     if (scene.schemes.timeIntegration.theta < 1)
     {
         return "with theta below 1 blocks that meet have impacts of their own, which depend on forces that "
-               "are not "
-               "unique";
+               "are not unique";
     }
     if (flowRule == FlowRule::nonAssociative)
     {

@@ -40,16 +40,16 @@ namespace drystone
 template<int Dim>
 bool solveAwake(Step<Dim>& step);
 
-/// Has the motion say that all blocks were simulated, each as a body: a solution with fewer is not taken.
+/// Has the step say that all blocks were simulated, each as a body: a solution with fewer is not taken.
 template<int Dim>
 void forgetBodies(Step<Dim>& step);
 
 /// Why steps in which anything moves are taken with all blocks as bodies of their own; empty: they need not
 /// be. Points that give way do so at rest too. With theta below 1 plastic impacts are instants of their own:
 /// which points take part in one follows from the forces of the step, of which there are many, and other ones
-/// come of fewer bodies (0.08 mm apart after a step, in one of a hundred random walls). By Coulomb's law, for
+/// come of fewer bodies. By Coulomb's law, for
 /// which c_I and y are a solution, too, it is not the only one: a block that the pressure of a head joint
-/// could hold rests or moves (1 um to 0.1 mm apart in one of sixty random walls); steps in which nothing
+/// could hold rests or moves; steps in which nothing
 /// slides are taken by the associative law in space and in columns (StickingStep.h). \param flowRule that the
 /// steps are solved by
 template<int Dim>

@@ -14,10 +14,10 @@ template<int Dim>
 struct ImpactProblem
 {
     const MassMatrix<Dim>& mass;             ///< M where the blocks are
-    const Eigen::VectorXd& velocity;         ///< v- before the impact, likewise [m/s, m/s, rad/s]
+    const Eigen::VectorXd& velocity;         ///< v- before the impact, likewise [m/s and rad/s]
     const StepProgram<Dim>& program;         ///< of the step: contact columns where the blocks meet, friction
     const std::vector<std::size_t>& meeting; ///< points of it that take part
-    const Eigen::VectorXd& closingBySupports; ///< over the step, two a point of the program [m]; or empty
+    const Eigen::VectorXd& closingBySupports; ///< over the step, Dim a point of the program [m]; or empty
     double restitution = 0;                   ///< e, 0 to 1
     double slowestRebound = 0;                ///< points that would part slower do not part at all [m/s]
     double timeStep = 1;                      ///< of the step [s]; scales the program only
@@ -76,7 +76,7 @@ Impact impactOf(const ImpactProblem<Dim>& problem, const StepSettings& settings)
 template<int Dim>
 bool isBonded(const StepProgram<Dim>& program, std::size_t point);
 
-/// By how much the points of a program close per time, two a point [m/s]: A'v and what the supports do.
+/// By how much the points of a program close per time, Dim a point [m/s]: A'v and what the supports do.
 /// \param closingBySupports over the step [m]; or empty
 template<int Dim>
 Eigen::VectorXd closingVelocity(const StepProgram<Dim>& program, const Eigen::VectorXd& velocity,

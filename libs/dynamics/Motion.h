@@ -34,8 +34,9 @@ private:
     std::unique_ptr<SymbolicAnalysis> analysis;
 };
 
-/// All that changes in a run. What a run needs to continue bit for bit is `state`, `energy`, `points`,
-/// `contactForces`, `meanForces`, `interior` and `effectStates`.
+/// All that changes in a run. What a run needs to continue bit for bit is `state`, `energy`, `residuals`,
+/// `points`, `contactForces`, `meanForces`, `interior`, `effectStates`, `slides`, `collisions` and
+/// `overlapsLeft`; the analyses, `contacts` and `restProof` are found again from these.
 template<int Dim>
 struct Motion
 {
@@ -94,8 +95,8 @@ double leaveOutBlocks(const DynamicCase<Dim>& scene, Motion<Dim>& motion);
 template<int Dim>
 Motion<Dim> startMotion(const DynamicCase<Dim>& scene, DynamicState<Dim> state);
 
-/// Velocities (ux uy rz) of all blocks; of those that move with a support the mean from one instant to
-/// another [m/s, m/s, rad/s].
+/// Velocities (ux uy rz), in space (ux uy uz rx ry rz), of all blocks; of those that move with a support the
+/// mean from one instant to another [m/s and rad/s].
 template<int Dim>
 std::vector<BlockVector<Dim>> velocitiesOfAllBlocks(const DynamicCase<Dim>& scene,
                                                     const DynamicState<Dim>& state, double from, double to);

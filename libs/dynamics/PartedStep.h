@@ -37,8 +37,8 @@ private:
 };
 
 /// A step that is not parted: the stages in their order. \return 1: it was solved; more than 0: blocks meet
-/// after this part of it, to which the next attempt is to be shortened; 0: it was not solved. But for 1 only
-/// `attempt`, `work` and `stageTimes` have changed
+/// after this part of it, to which the next attempt is to be shortened; 0: it was not solved. But for 1 the
+/// motion is as `advance` leaves that of a step which was not solved
 template<int Dim>
 double advanceUnparted(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeStep,
                        const ImpactChoice& impacts);
@@ -47,7 +47,7 @@ double advanceUnparted(const DynamicCase<Dim>& scene, Motion<Dim>& motion, doubl
 /// the step is none: bounces that grow shorter for ever end. After eight attempts at parts, in structures of
 /// which more than two pairs of bodies meet in one, and with `impacts stepStart`, points that the step closes
 /// and that were closing when it began collide at its start, wherever they meet. \return whether it was
-/// solved; otherwise nothing but `attempt`, `work` and `stageTimes` has changed
+/// solved; otherwise see `advance`
 template<int Dim>
 bool advanceInParts(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeStep);
 

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace drystone
 {
@@ -75,7 +76,7 @@ void questionRotation(const BlockStart<Dim>& start, const SourceLocation& place)
     {
         angle = start.rotation.norm();
     }
-    if (std::abs(angle) > EIGEN_PI / 2)
+    if (std::abs(angle) > std::numbers::pi / 2)
     {
         printWarning(
             doubtAboutDegrees(angle, Dim == 2 ? "rotation " : "rotation (0 0 ", Dim == 2 ? ";" : ");"),

@@ -31,7 +31,7 @@ struct StepSolution
     double rubbedInImpacts = 0;  ///< of it by friction [J]
     double workOfSupports = 0;   ///< in impacts [J]
     double restitutionShare = 1; ///< the least of the impacts, see Impact
-    Eigen::VectorXd impulse;     ///< of all impacts, two a point [N s]; empty: there were none
+    Eigen::VectorXd impulse;     ///< of all impacts, Dim a point [N s]; empty: there were none
     int impacts = 0;             ///< [-]
     std::vector<std::size_t> collided; ///< points of the last impact
     bool sticks = false;   ///< solved by the associative law in place of Coulomb's, as nothing slides
@@ -64,8 +64,8 @@ struct Step
     Step<Dim>& operator=(const Step<Dim>&) = delete;
 
     const DynamicCase<Dim>& scene;
-    Motion<Dim>&
-        motion; ///< but for `attempt`, `work`, `symbolic` and `stageTimes` changed by `move` and later
+    Motion<Dim>& motion; ///< but for `attempt`, `work`, `stageTimes` and what is found again (see `advance`)
+                         ///< changed by `move` and later
     ImpactChoice impacts;
     ThetaScheme scheme;
     StepSettings settings;
@@ -96,6 +96,8 @@ struct Step
     StepSolution solved;
     double workBeforeSolution = 0; ///< of Motion::work, done until then
     int overlapsLeft = 0;          ///< see Motion, after the step
+    std::vector<char> isAwake;     ///< likewise
+    std::vector<int> bodies;       ///< likewise
     /// Of each free block, whether it is taken as one body with others, so that forces between them are not
     /// known yet and its moments follow from its motion; empty: none is.
     std::vector<char> isShared;
@@ -204,7 +206,7 @@ void account(Step<Dim>& step);
 template<int Dim>
 void countWork(Step<Dim>& step, int iterations, int factorisations, int programs);
 
-/// Gaps, and minus the slips, where displacements take the blocks, two a point [m].
+/// Gaps, and minus the slips, where displacements take the blocks, Dim a point [m].
 template<int Dim>
 Eigen::VectorXd openingAtEnd(const Step<Dim>& step, const Eigen::VectorXd& displacement,
                              const Eigen::VectorXd& contactForce);

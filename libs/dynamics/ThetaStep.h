@@ -32,7 +32,7 @@ struct ThetaScheme
 ///
 /// and without v1 it reads Mbar y + A c = f + Mbar v0 dt with Mbar = M/(theta dt^2).
 /// \param mass M, where the blocks are at the start \param velocity v0
-/// \param load f: mean over the step of all that acts on the blocks but the contacts [N, N, N m]
+/// \param load f: mean over the step of all that acts on the blocks but the contacts [N and N m]
 /// \param points contact points, with their gaps now \param columns theirs, with the lever arms of now
 /// \param friction mu of each point
 template<int Dim>
@@ -82,7 +82,7 @@ struct StepSettings
 struct StepGuess
 {
     Eigen::VectorXd displacement; ///< dt v0, say, to linearise about at first; or empty
-    Eigen::VectorXd contactForce; ///< of the last step, two a point; or empty
+    Eigen::VectorXd contactForce; ///< of the last step, Dim a point; or empty
     InteriorStart interior;       ///< of the last step that had one; or empty
 };
 

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Steps of `selection automatic` beside the same steps with all effects of the case, of all blocks.
+/// Steps of `selection automatic` compared with the same steps with all effects of the case, of all blocks.
 #pragma once
 
 #include "dynamics/Motion.h"

@@ -56,7 +56,7 @@ struct EffectContext
                                                    ///< at its end
     const std::vector<ContactPoint<Dim>>& points;  ///< of the step, with their gaps at its start; none before
                                                    ///< they are found
-    const Eigen::VectorXd& forcesBefore;           ///< of the last step at these points [N], two a point
+    const Eigen::VectorXd& forcesBefore;           ///< of the last step at these points [N], Dim a point
     const std::vector<Vector<Dim>>& allForcesBefore; ///< at the points of the last step (normal, tangent) [N]
     const MassMatrix<Dim>& mass; ///< M with the blocks where they are at the start of the step
     Displacements displacements = Displacements::large;
@@ -118,7 +118,8 @@ public:
     /// What it remembers at the start of a motion.
     virtual void start(const Structure<Dim>&, const std::vector<Placement<Dim>>&, EffectState&) const {}
 
-    /// Adds to the forces on the blocks [N, N, N m]: those that are known before the step is solved.
+    /// Adds to the forces [N] and moments [N m] on the blocks, freedomCount<Dim> rows each: those that are
+    /// known before the step is solved.
     virtual void addLoad(const EffectContext<Dim>&, const EffectState&, Eigen::VectorXd& /*load*/) const {}
 
     /// Loads of which addLoad adds a sum with factors that change in time, if it does: what the structure
@@ -141,8 +142,9 @@ public:
         return {};
     }
 
-    /// The mean velocities (ux uy rz) of the mass centres of all blocks between two instants, zero where no
-    /// support moves them; of one at an instant where they are the same [m/s, m/s, rad/s]. Empty: likewise
+    /// The mean velocities (ux uy rz), in space (ux uy uz rx ry rz), of the mass centres of all blocks
+    /// between two instants, zero where no support moves them; of one at an instant where they are the same
+    /// [m/s and rad/s]. Empty: likewise
     virtual std::vector<BlockVector<Dim>> supportVelocities(const Structure<Dim>&,
                                                             const std::vector<Placement<Dim>>& /*placements*/,
                                                             double /*from*/, double /*to*/) const

@@ -313,7 +313,7 @@ void JointBonds<Dim>::restore(const EffectArrays& arrays, EffectState& state) co
 template<int Dim>
 std::string JointBonds<Dim>::startText(const Structure<Dim>&, const EffectState& state) const
 {
-    return fmt::format("Bonds: {} at the ends of joints, {} of them broken",
+    return fmt::format("Bonds: {} at contact points, {} of them broken",
                        std::count_if(bonds.begin(), bonds.end(),
                                      [](const Bond<Dim>& bond) { return bond.strength.isBond(); }),
                        broken(state));

@@ -33,13 +33,14 @@ struct Bond
     Strength strength;                          ///< of cohesion and tension [N]
 };
 
-/// The bonds of a structure, two a joint in the order of findContactPoints, some perhaps of no strength;
+/// The bonds of a structure, one a contact point in the order of findContactPoints, some perhaps of no
+/// strength;
 /// empty where no joint has cohesion or tension. \throws FatalIOError, see pointLaws
 template<int Dim>
 std::vector<Bond<Dim>> jointBonds(const ContactProperties& properties, const Assembly<Dim>& assembly);
 
 /// Whether the two ends of each bond are no longer where they were joined, or it has no strength.
-/// \param centroids of all blocks as built \param reach how far apart they may be [m]
+/// \param blocks all of them as built \param reach how far apart they may be [m]
 template<int Dim>
 std::vector<char> partedBonds(const std::vector<Bond<Dim>>& bonds, const std::vector<BlockMass<Dim>>& blocks,
                               const std::vector<Placement<Dim>>& placements, double reach);

@@ -64,23 +64,18 @@ EffectType<Dim> jointModelType()
             options
                 .optional("pointsPerJoint", contact.pointsPerJoint,
                           "contact points along each joint of the plane, of limitAnalysis; absent: its ends, "
-                          "and where it "
-                          "crushes as many as that takes")
+                          "and where it crushes as many as that takes")
                 .atLeast(2)
                 .atMost(1000)
                 .example("11");
             options.optional("jointPoints", contact.jointPoints, jointPointTypes(),
                              "contact points of each joint in space, of limitAnalysis; absent: its corners, "
-                             "and with crushing "
-                             "as adaptive. Twisting a joint with cohesion takes more at its corners than "
-                             "over its face: then "
-                             "write adaptive");
-            options.optional(
-                "joints", contact.joints,
-                "what some joints have instead: by name, as 3-7 for that of blocks 3 and 7, 12-ground for "
-                "that of block 12 and the support ground, by the zones of both blocks, as footing-shaft, or "
-                "by "
-                "quoted pattern");
+                             "and with crushing as adaptive. Twisting a joint with cohesion takes more at "
+                             "its corners than over its face: then write adaptive");
+            options.optional("joints", contact.joints,
+                             "what some joints have instead: by name, as 3-7 for that of blocks 3 and 7, "
+                             "12-ground for that of block 12 and the support ground, by the zones of both "
+                             "blocks, as footing-shaft, or by quoted pattern");
         },
         [](const ContactProperties& contact)
         { return contact.contact && contact.contact->formulation == ContactFormulation::surface; },

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 #include <string_view>
 
@@ -68,10 +69,8 @@ std::string faultInBeginning(const Table& table, std::string_view key)
     }
     const auto& [time, value] = table.front();
     return fmt::format("{} begins with {:g} at {:g} s: a support is as built until then, and does not jump. "
-                       "Begin with 0, for "
-                       "instance `{} (({:g} 0) ({:g} {:g}) ...);`, with {:g} less at each time, or move it "
-                       "there from a time "
-                       "before.",
+                       "Begin with 0, for instance `{} (({:g} 0) ({:g} {:g}) ...);`, with {:g} less at each "
+                       "time, or move it there from a time before.",
                        key, value, time, key, time, table[1].first, table[1].second - value, value);
 }
 
@@ -83,8 +82,7 @@ std::string faultIn(const SupportMotionSettings<Dim>& settings)
     if (!translates && !turns)
     {
         return "A support that moves needs either displacement or velocity, or rotation or angularVelocity: "
-               "a list "
-               "((time value) ...).";
+               "a list ((time value) ...).";
     }
     if (!settings.displacement.empty() && !settings.velocity.empty())
     {
@@ -230,7 +228,7 @@ void questionMotion(const SupportMotionSettings<Dim>& settings, const Dictionary
     {
         farthest = std::abs(angle) > std::abs(farthest) ? angle : farthest;
     }
-    if (std::abs(farthest) > 2 * EIGEN_PI)
+    if (std::abs(farthest) > 2 * std::numbers::pi)
     {
         printWarning(doubtAboutDegrees(farthest, "(time ", ")"), given.locationOf("rotation"));
     }

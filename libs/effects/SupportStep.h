@@ -20,7 +20,8 @@ struct SupportStep
     Vector<Dim> arm = Vector<Dim>::Zero(); ///< from that centre to the block's mass centre at the start [m]
 };
 
-/// The displacement (ux uy rz) of the block's mass centre after a share of the time: to the last digits.
+/// The displacement (ux uy rz), in space (ux uy uz rx ry rz), of the block's mass centre after a share of the
+/// time: to the last digits [m and rad].
 template<int Dim>
 BlockVector<Dim> displacementAfter(const SupportStep<Dim>& step, double share = 1);
 
@@ -29,7 +30,7 @@ template<int Dim>
 void moveWithSupports(std::vector<Placement<Dim>>& placements, const std::vector<SupportStep<Dim>>& steps,
                       double share = 1);
 
-/// By how much points close and slide because supports move, two a point [m]; empty where none does.
+/// By how much points close and slide because supports move, Dim a point [m]; empty where none does.
 template<int Dim>
 Eigen::VectorXd closingBySupports(const std::vector<ContactPoint<Dim>>& points,
                                   const std::vector<ContactColumns<Dim>>& columns,

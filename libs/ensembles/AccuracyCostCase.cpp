@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Reads what quantities need, one structure for each number of points; refuses settings without meaning.
 #include "ensembles/AccuracyCostCase.h"
 
 #include "ensembles/AccuracyHistory.h"

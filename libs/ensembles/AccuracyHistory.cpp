@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Rows with the fewest digits that read back the same, under a heading with fingerprints of the input.
 #include "ensembles/AccuracyHistory.h"
 
 #include "core/Log.h"

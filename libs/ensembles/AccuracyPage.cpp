@@ -220,8 +220,7 @@ std::string accuracyTable(const AccuracyStudy& study, const AccuracyResults& res
         {
             const RunSetting& setting = point.setting;
             text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{:.12g},{:.6g},{:.6g},{:.6g},{:"
-                                ".6g},{:.6g},{:.6g},"
-                                "{:.6g}\n",
+                                ".6g},{:.6g},{:.6g},{:.6g}\n",
                                 sweep.name, quantityOf(study, sweep).name, setting.deltaT, setting.theta,
                                 wordOf(setting.flowRule), wordOf(setting.solver), setting.tolerance,
                                 setting.pointsPerJoint, setting.pointsPerSide, wordOf(setting.displacements),

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Solid medians and dashed worst runs on logarithmic axes; profiles of solvers are drawn as steps.
 #include "ensembles/AccuracyPictures.h"
 
 #include "ensembles/AccuracyWords.h"

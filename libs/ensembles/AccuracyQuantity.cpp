@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// One section for each type: its keys, how a run measures it and, where there is one, Housner's value.
 #include "ensembles/AccuracyQuantity.h"
 
 #include "core/Log.h"

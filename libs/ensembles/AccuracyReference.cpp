@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The keys of the three types, read into plans; no value is computed yet.
 #include "ensembles/AccuracyReference.h"
 
 namespace drystone

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The first step is shortened to its phase, others where they are not solved; the largest hover is kept.
 #include "ensembles/AccuracyRun.h"
 
 #include "conic/UnitOfWork.h"
@@ -12,9 +13,6 @@ namespace drystone
 {
 namespace
 {
-
-/// How often a step that is not solved is repeated with half its length.
-constexpr int mostHalvings = 10;
 
 /// The largest gap at a point that carries force [m]: at least a hundredth of the largest force or load,
 /// since solvers that end inside the cones leave small forces, within their tolerance, at points far apart.
@@ -80,20 +78,19 @@ Measurement stepThrough(const DynamicCase<Dim>& scene, const AccuracyCase<Dim>& 
         }
         const bool isLast = study.endTime - motion.state.time <= stepLength * (1 + 1e-9);
         const double stepEnd = isLast ? study.endTime : motion.state.time + stepLength;
-        // As in contactDynamics, a step that is not solved is divided.
-        double part = stepEnd - motion.state.time;
-        int halvings = 0;
-        while (goesOn && motion.state.time < stepEnd && halvings <= mostHalvings)
+        double part = stepEnd - motion.state.time; // of a step that was shortened
+        while (goesOn && motion.state.time < stepEnd)
         {
             const bool endsStep = stepEnd - motion.state.time <= part * (1 + 1e-9);
             const double timeStep = endsStep ? stepEnd - motion.state.time : part;
-            if (!advance(scene, motion, timeStep))
+            const ShortenedStep taken = advanceOrShorten(scene, motion, timeStep);
+            if (!taken.isSolved)
             {
-                part = timeStep / 2;
-                ++halvings;
-                continue;
+                result.end = RunEnd::unsolved;
+                break;
             }
-            if (endsStep)
+            part = taken.timeStep;
+            if (endsStep && taken.timeStep == timeStep)
             {
                 motion.state.time = stepEnd; // the sum of the steps may differ from it in the last digit
             }
@@ -101,11 +98,10 @@ Measurement stepThrough(const DynamicCase<Dim>& scene, const AccuracyCase<Dim>& 
             result.hover = std::max(result.hover, hoverOf(scene, motion));
             result.worstResidual = std::max({result.worstResidual, motion.residuals.primalResidual,
                                              motion.residuals.dualResidual, motion.residuals.gap});
-            goesOn = observe(motion, timeStep);
+            goesOn = observe(motion, taken.timeStep);
         }
-        if (halvings > mostHalvings)
+        if (result.end == RunEnd::unsolved)
         {
-            result.end = RunEnd::unsolved;
             break;
         }
         stepLength = setting.deltaT;

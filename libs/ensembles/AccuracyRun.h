@@ -69,11 +69,12 @@ int jointPointsOf(const RunSetting& setting)
     return Dim == 2 ? setting.pointsPerJoint : setting.pointsPerSide;
 }
 
-/// Steps a case with a setting, and reports each state.
-/// \param observe called before the first step with a step of 0, and after each one; false ends the run
-/// \return how the run ended, with its costs; `value` remains 0
+/// Called before the first step with a step of 0, and after each one; false ends the run.
 template<int Dim>
 using MotionObserver = std::function<bool(const Motion<Dim>& motion, double timeStep)>;
+
+/// Steps a case with a setting, and reports each state; a step that is not solved is shortened as in
+/// contactDynamics. \return how the run ended, with its costs; `value` remains 0
 template<int Dim>
 Measurement stepThrough(const DynamicCase<Dim>& scene, const AccuracyCase<Dim>& study,
                         const RunSetting& setting, const StepPhase& phase,

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// References first, of motions by Richardson's extrapolation; settings whose first runs fail are given up.
 #include "ensembles/AccuracyStudyRun.h"
 
 #include "core/Log.h"

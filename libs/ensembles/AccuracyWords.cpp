@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// A phrase for each key; those that do not differ, or mean nothing for the quantity, are left out.
 #include "ensembles/AccuracyWords.h"
 
 namespace drystone

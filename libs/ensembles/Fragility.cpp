@@ -11,6 +11,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numbers>
 
 namespace drystone
 {
@@ -24,13 +25,13 @@ double logProbability(double x)
     {
         return std::log(0.5 * std::erfc(-x / std::sqrt(2.0)));
     }
-    return -x * x / 2 - std::log(-x * std::sqrt(2 * M_PI)) - 1 / (x * x);
+    return -x * x / 2 - std::log(-x * std::sqrt(2 * std::numbers::pi)) - 1 / (x * x);
 }
 
 /// phi(x)/Phi(x), the derivative of ln Phi(x). That derivative's own is -r (r + x).
 double millsRatio(double x)
 {
-    return std::exp(-x * x / 2 - logProbability(x)) / std::sqrt(2 * M_PI);
+    return std::exp(-x * x / 2 - logProbability(x)) / std::sqrt(2 * std::numbers::pi);
 }
 
 /// Value, gradient and curvature of a concave function of two parameters.
@@ -145,8 +146,11 @@ std::optional<FragilityFit> fitStripes(const std::vector<Stripe>& stripes)
         }
         return sum;
     };
+    // Where all stripes have failed in the same part the slope 1/beta is zero but for rounding, and theta
+    // anything.
+    constexpr double leastSlope = 1e-6;
     const std::optional<Eigen::Vector2d> best = maximum(likelihood, Eigen::Vector2d::Zero());
-    if (!best || !((*best)[1] > 0))
+    if (!best || !((*best)[1] > leastSlope))
     {
         return {};
     }

@@ -392,11 +392,10 @@ StatisticResult evaluateFragility(const FragilitySettings& settings, const std::
             result.remarks.emplace_back(
                 settings.method == FragilityMethod::multipleStripe
                     ? "The likelihood has no maximum: samples that exceed and samples that do not have to "
-                      "overlap, "
-                      "and their part has to grow with the intensity. Take more samples, or other intensities"
+                      "overlap, and their part has to grow with the intensity. Take more samples, or other "
+                      "intensities"
                     : "The likelihood has no maximum: no curve fails, or all fail at one intensity. Take "
-                      "more "
-                      "curves, or more intensities");
+                      "more curves, or more intensities");
             return;
         }
         const std::vector<FragilityFit> fits = bootstrap(settings, observations);

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Tests one condition of Housner's equation after the other, and says what the case would need.
 #include "ensembles/HousnerCase.h"
 
 #include "core/Error.h"

@@ -99,7 +99,8 @@ using IncrementalCurve = std::vector<IncrementalRun>;
 /// at a time. \param motion index into IncrementalDynamics::motions
 using RunReport = std::function<void(std::size_t motion, const IncrementalRun& run)>;
 
-/// All runs, `jobs` at a time. The result does not depend on `jobs`. After a signal no further run is
+/// All runs, on as many threads as there are. The result does not depend on their number. After a signal no
+/// further run is
 /// started. \param report of the runs that are carried out \param known of each motion, runs that are not
 /// repeated; those that the plan does not ask for are left out; empty: none
 /// \return one curve for each ground motion

@@ -260,8 +260,7 @@ void printLeast(const IncrementalDynamics<Dim>& study, const std::vector<Increme
         else if (least.kind == LeastIntensity::Kind::found && study.intensity.isBisection)
         {
             info("{}A bisection finds one change of the verdict: whether lower accelerations meet the "
-                 "criterion "
-                 "too, as those of one-sine pulses may, `type step` shows",
+                 "criterion too, as those of one-sine pulses may, `type step` shows",
                  name);
         }
         const auto growing = std::count_if(finished.begin(), finished.end(),

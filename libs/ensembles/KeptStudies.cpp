@@ -7,6 +7,7 @@
 #include "core/WholeFile.h"
 #include "ensembles/SampleStore.h"
 #include "ensembles/StudyInput.h"
+#include "functionObjects/KeptResults.h"
 #include "runControl/CaseFiles.h"
 
 #include <sstream>
@@ -78,6 +79,14 @@ std::string changedQuestions(const fs::path& caseDirectory)
     }
 }
 
+/// How system/parameterSearchDict differs from what the best point was chosen for. Empty where it does not,
+/// or no point was.
+std::string changedSearch(const fs::path& caseDirectory, const fs::path& folder)
+{
+    const std::optional<std::vector<InputFile>> before = readInput(folder / "input");
+    return before ? textOf(changesOfInput(*before, inputOfSearch(caseDirectory))) : "";
+}
+
 } // namespace
 
 std::vector<std::string> compareStudies(const fs::path& caseDirectory)
@@ -98,7 +107,10 @@ std::vector<std::string> compareStudies(const fs::path& caseDirectory)
             }
             std::string changes = changedInput(
                 notes, inputLines(inputOfStudy(caseDirectory, runsIn(notes, study)), mark), mark);
-            if (const std::string questions = isEnsemble ? changedQuestions(caseDirectory) : "";
+            if (const std::string questions = isEnsemble ? changedQuestions(caseDirectory)
+                                              : study == "parameterSearch"
+                                                  ? changedSearch(caseDirectory, folder / time)
+                                                  : "";
                 !questions.empty())
             {
                 changes += (changes.empty() ? "" : ", ") + questions;

@@ -1,8 +1,10 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Mehler's series of Hermite polynomials, for two step functions Plackett's formula; then bisection.
 #include "ensembles/NatafCorrelation.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 namespace drystone
@@ -15,7 +17,7 @@ constexpr std::size_t terms = 60;  // of series of Hermite polynomials
 
 double normalDensity(double z)
 {
-    return std::exp(-z * z / 2) / std::sqrt(2 * M_PI);
+    return std::exp(-z * z / 2) / std::sqrt(2 * std::numbers::pi);
 }
 
 /// Where a function of a normal variable jumps, and by how much.
@@ -141,7 +143,8 @@ double covarianceOfSteps(const NormalFunction& first, const NormalFunction& seco
             for (const Jump& other : second.jumps)
             {
                 const double square = one.at * one.at + other.at * other.at - 2 * one.at * other.at * sine;
-                sum += weight * one.by * other.by * std::exp(-square / (2 * cosine * cosine)) / (2 * M_PI);
+                sum += weight * one.by * other.by * std::exp(-square / (2 * cosine * cosine))
+                       / (2 * std::numbers::pi);
             }
         }
     }

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Takes known points from the history, runs the others, and keeps the best one's copy by renaming it.
 #include "ensembles/ParameterSearchCase.h"
 
 #include "core/Log.h"
@@ -7,7 +8,9 @@
 #include "ensembles/CaseRuns.h"
 #include "ensembles/SearchPicture.h"
 #include "ensembles/StudyHistory.h"
+#include "ensembles/StudyInput.h"
 #include "functionObjects/ColumnFile.h"
+#include "functionObjects/KeptResults.h"
 #include "runControl/Case.h"
 
 #include <algorithm>
@@ -61,8 +64,7 @@ const char* statusText(const SearchOutcome& outcome)
         return "not converged: the last algorithm ended at a point that violates the constraints";
     case SearchEnd::notMonotone:
         return "not converged: the objective does not grow, or fall, all the way from one bound to the "
-               "other, "
-               "as bisection needs: take COBYLA or DIRECT";
+               "other, as bisection needs: take COBYLA or DIRECT";
     case SearchEnd::evaluations:
         return isShort(outcome) ? "not converged: raise maximumEvaluations" : "all evaluations made";
     case SearchEnd::failed:
@@ -338,6 +340,7 @@ void writeOutcome(const ParameterSearch& search, const SearchHistory& history, c
     add("end", static_cast<double>(outcome.end));
     add("evaluations", static_cast<double>(history.records().size()));
     ColumnFile(folder / "best.dat", columns, 12).write(row);
+    writeInput(folder / "input", inputOfSearch(search.caseDirectory));
 
     std::vector<Evaluation> points;
     for (const SearchRecord& record : history.records())

@@ -6,6 +6,7 @@
 /// postProcessing/parameterSearch/0/
 ///     history.dat              a row for each point; a search that is restarted repeats none of them
 ///     best.dat                 the row of the best one, and the number of points
+///     input                    what the search was for: the fingerprint of its dictionary
 ///     parameterSearch.svg      the objective over the evaluations, or over the variable when there is one
 #pragma once
 

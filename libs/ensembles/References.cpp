@@ -41,7 +41,7 @@ namespace
 {
 
 /// The first time from `from` at which the ground accelerates by more than a level, or the last kink if it
-/// never does. \param kinks  of the ground, from `from` on and with the end of the search
+/// never does. \param from where the search begins \param end of the search [s]
 double firstTimeAbove(const GroundAcceleration& ground, double level, double from, double end)
 {
     std::vector<double> times = ground.kinks();

@@ -4,12 +4,14 @@
 
 #include "core/WholeFile.h"
 #include "ensembles/StudyInput.h"
+#include "runControl/CaseFiles.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <ctime>
 #include <fstream>
@@ -232,6 +234,20 @@ SampleStore::SampleStore(const fs::path& caseDirectory, const std::string& plan,
     {
         refuse(chunkName);
     }
+}
+
+long samplesOrdered(const fs::path& work)
+{
+    long most = 0; // where the ensemble has grown there are several
+    for (const std::string& name : namesIn(work))
+    {
+        constexpr std::string_view beginning = "chunks.";
+        if (name.starts_with(beginning))
+        {
+            most = std::max(most, std::strtol(name.c_str() + beginning.size(), nullptr, 10));
+        }
+    }
+    return most;
 }
 
 SampleStore::~SampleStore()

@@ -42,6 +42,9 @@ struct FailedAttempt
     std::string message;
 };
 
+/// How many samples the ensemble of a folder has, whether they are computed or not; 0 where it does not say.
+long samplesOrdered(const std::filesystem::path& work);
+
 /// How the plan of a folder differs from that of now; nothing where the folder has none yet, and no samples.
 struct PlanChange
 {

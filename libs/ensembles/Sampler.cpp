@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Probabilities from random bits, strata or Sobol' points, correlated through a Cholesky factor.
 #include "ensembles/Sampler.h"
 
 #include "core/ByteOrderMark.h"

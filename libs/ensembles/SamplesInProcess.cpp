@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Sets entries in texts in memory; blocks and symbolic analysis are kept from sample to sample.
 #include "ensembles/SamplesInProcess.h"
 
 #include "assembly/AssemblyFile.h"

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Writes the whole table anew with each point, under a heading of all that its rows depend on.
 #include "ensembles/SearchHistory.h"
 
 #include "core/WholeFile.h"

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Sets the entries in a copy of the case; takes the CPU time of child processes and figures from tables.
 #include "ensembles/SearchPoint.h"
 
 #include "ensembles/CaseRuns.h"

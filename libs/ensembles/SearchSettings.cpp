@@ -33,6 +33,31 @@ std::vector<std::string> namesOfValues(const ParameterSearchSettings& settings)
     return names;
 }
 
+/// What the algorithm of a stage can not do with the variables and constraints of a search; empty: nothing.
+std::string faultOf(const SearchStage& stage, const ParameterSearchSettings& settings)
+{
+    const bool isBisection = stage.algorithm == SearchAlgorithm::bisection;
+    if (isBisection && (settings.variables.size() != 1 || settings.constraints.empty()))
+    {
+        return "bisection finds where constraints cease to hold, along one variable: give it constraints, "
+               "and one variable.";
+    }
+    if (settings.constraints.empty() || takesConstraints(stage.algorithm))
+    {
+        return "";
+    }
+    std::vector<std::string_view> others;
+    for (const auto& [name, algorithm] : namesOf(stage.algorithm))
+    {
+        if (takesConstraints(algorithm))
+        {
+            others.push_back(name);
+        }
+    }
+    return fmt::format("{} takes no constraints.\n\nAlgorithms that do: {}", nameOf(stage.algorithm),
+                       fmt::join(others, " "));
+}
+
 } // namespace
 
 std::string_view nameOf(SearchAlgorithm algorithm)
@@ -131,7 +156,7 @@ void declare(Options& options, SearchConstraint& constraint)
 
 void declare(Options& options, SearchStage& stage)
 {
-    options.required("algorithm", stage.algorithm, "of NLopt").example("BOBYQA");
+    options.required("algorithm", stage.algorithm, "bisection, or one of NLopt").example("BOBYQA");
     options.optional("maximumEvaluations", stage.maximumEvaluations, "of the objective").atLeast(1);
     options
         .optional("tolerance", stage.tolerance,
@@ -232,18 +257,9 @@ void declare(Options& options, ParameterSearchSettings& settings)
                       }
                       for (const SearchStage& stage : settings.search)
                       {
-                          const bool isBisection = stage.algorithm == SearchAlgorithm::bisection;
-                          if (isBisection && (settings.variables.size() != 1 || settings.constraints.empty()))
+                          if (std::string fault = faultOf(stage, settings); !fault.empty())
                           {
-                              return "bisection finds where constraints cease to hold, along one variable: "
-                                     "give it constraints, and one variable.";
-                          }
-                          if (!settings.constraints.empty() && !takesConstraints(stage.algorithm))
-                          {
-                              return fmt::format(
-                                  "{} takes no constraints.\n\nAlgorithms that do: COBYLA DIRECT "
-                                  "DIRECT_L ISRES",
-                                  nameOf(stage.algorithm));
+                              return fault;
                           }
                       }
                       return "";

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Direction numbers by the recurrence of primitive polynomials, combined by XOR where the index has a bit.
 #include "ensembles/SobolSequence.h"
 
 #include <array>

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <stdexcept>
 
 namespace drystone
@@ -103,7 +104,7 @@ Plot histogram(const std::string& name, const std::string& value, const std::vec
             const double z = ((isPositive ? std::log(x) : x) - mean) / deviation;
             curve.x.push_back(x);
             curve.y.push_back(std::exp(-z * z / 2)
-                              / (std::sqrt(2 * M_PI) * deviation * (isPositive ? x : 1)));
+                              / (std::sqrt(2 * std::numbers::pi) * deviation * (isPositive ? x : 1)));
         }
         plot.curves.push_back(std::move(curve));
     }
@@ -243,8 +244,7 @@ Model<Statistic> distributionStatistic()
     return model<Statistic, DistributionSettings>(
         "distribution",
         "mean, deviation, fractiles and histogram of a value; errors and intervals are those of samples "
-        "drawn "
-        "independently, and mostly too wide for latinHypercube and sobol",
+        "drawn independently, and mostly too wide for latinHypercube and sobol",
         [](const DistributionSettings& settings, const Dictionary& dictionary)
         {
             Statistic statistic;

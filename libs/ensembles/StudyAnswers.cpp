@@ -1,10 +1,12 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Reads tables as words under their headings; one function a study picks the columns that answer it.
 #include "ensembles/StudyAnswers.h"
 
 #include "core/WholeFile.h"
 #include "ensembles/Ensemble.h"
 #include "ensembles/Intensity.h"
 #include "ensembles/ParameterSearch.h"
+#include "ensembles/SampleStore.h"
 #include "runControl/CaseFiles.h"
 
 #include <fmt/format.h>
@@ -102,7 +104,29 @@ std::vector<std::string> cellsOf(const WordTable& table, const std::vector<std::
     return cells;
 }
 
-StudyAnswer answerOfEnsemble(const fs::path& folder)
+/// The statistics that system/ensembleDict asks for and that have no row in their table.
+std::vector<std::string> missingStatistics(const fs::path& caseDirectory, const WordTable& statistics)
+{
+    const Dictionary dictionary = Dictionary::readFileIfPresent(caseDirectory / "system/ensembleDict");
+    std::vector<std::string> missing;
+    if (!dictionary.found("statistics"))
+    {
+        return missing;
+    }
+    for (const Entry& statistic : dictionary.subDict("statistics").entries())
+    {
+        const bool isThere = std::any_of(statistics.rows.begin(), statistics.rows.end(),
+                                         [&](const std::vector<std::string>& row)
+                                         { return row.front() == statistic.keyword(); });
+        if (!isThere)
+        {
+            missing.push_back(statistic.keyword());
+        }
+    }
+    return missing;
+}
+
+StudyAnswer answerOfEnsemble(const fs::path& caseDirectory, const fs::path& folder)
 {
     StudyAnswer answer;
     const WordTable samples = readWords(folder / "samples.dat", ' ');
@@ -123,8 +147,21 @@ StudyAnswer answerOfEnsemble(const fs::path& folder)
     {
         answer.sentences.push_back(
             fmt::format("{} samples; {}.", samples.rows.size(), fmt::join(parts, ", ")));
+        if (const long ordered = samplesOrdered(folder / "work"); std::ssize(samples.rows) < ordered)
+        {
+            answer.faults.push_back(
+                fmt::format("samples.dat has {} of the {} samples of the design: run ensemble, "
+                            "which computes those that are missing",
+                            samples.rows.size(), ordered));
+        }
     }
     const WordTable statistics = readWords(folder / "statistics.dat", ' ');
+    const std::vector<std::string> missing = missingStatistics(caseDirectory, statistics);
+    if (!parts.empty() && !missing.empty())
+    {
+        answer.faults.push_back(fmt::format("statistics.dat has nothing of {}: run ensemble -postProcess",
+                                            fmt::join(missing, ", ")));
+    }
     answer.head = {"statistic", "quantity", "value", "standard error", "95% from", "to"};
     for (const std::vector<std::string>& row : statistics.rows)
     {
@@ -134,7 +171,7 @@ StudyAnswer answerOfEnsemble(const fs::path& folder)
     return answer;
 }
 
-StudyAnswer answerOfIncrementalDynamics(const fs::path& folder)
+StudyAnswer answerOfIncrementalDynamics(const fs::path&, const fs::path& folder)
 {
     static constexpr std::array meanings{"the least that meets the criterion; the one below does not",
                                          "the lowest tried meets it already", "none that was tried meets it",
@@ -160,7 +197,7 @@ StudyAnswer answerOfIncrementalDynamics(const fs::path& folder)
     return answer;
 }
 
-StudyAnswer answerOfParameterSearch(const fs::path& folder)
+StudyAnswer answerOfParameterSearch(const fs::path&, const fs::path& folder)
 {
     StudyAnswer answer;
     const WordTable table = readWords(folder / "best.dat", ' ');
@@ -183,13 +220,45 @@ StudyAnswer answerOfParameterSearch(const fs::path& folder)
     return answer;
 }
 
-StudyAnswer answerOfAccuracyCost(const fs::path& folder)
+/// Whether all rows say the same in a column.
+bool isTheSameInAll(const WordTable& table, const std::string& name)
 {
-    static const std::vector<std::string> names{"sweep",      "quantity",  "deltaT", "theta",
-                                                "solver",     "tolerance", "value",  "medianError",
-                                                "worstError", "cpuTime"};
+    return std::all_of(table.rows.begin(), table.rows.end(),
+                       [&](const std::vector<std::string>& row)
+                       { return cellsOf(table, row, {name}) == cellsOf(table, table.rows.front(), {name}); });
+}
+
+/// Settings that are the same in all rows are named once, those that differ have a column each.
+StudyAnswer answerOfAccuracyCost(const fs::path&, const fs::path& folder)
+{
+    static const std::vector<std::string> settings{
+        "deltaT",        "theta",         "flowRule",    "solver",         "tolerance", "pointsPerJoint",
+        "pointsPerSide", "displacements", "formulation", "contactOverlap", "effects"};
     StudyAnswer answer;
     const WordTable table = readWords(folder / "accuracyCost.csv", ',');
+    if (table.rows.empty())
+    {
+        return answer;
+    }
+    std::vector<std::string> names{"sweep", "quantity"};
+    std::vector<std::string> common;
+    for (const std::string& name : settings)
+    {
+        const std::string value = cellsOf(table, table.rows.front(), {name}).front();
+        if (!isTheSameInAll(table, name))
+        {
+            names.push_back(name);
+        }
+        else if (value != "0" && !value.empty()) // 0: it has no meaning for these quantities
+        {
+            common.push_back(name + " " + value);
+        }
+    }
+    if (!common.empty())
+    {
+        answer.sentences.push_back(fmt::format("In all rows: {}.", fmt::join(common, ", ")));
+    }
+    names.insert(names.end(), {"value", "medianError", "worstError", "cpuTime"});
     for (const std::string& name : names)
     {
         const auto column = std::find(table.head.begin(), table.head.end(), name) - table.head.begin();
@@ -208,22 +277,33 @@ StudyAnswer answerOfAccuracyCost(const fs::path& folder)
 
 std::vector<StudyAnswer> answersOfStudies(const fs::path& caseDirectory)
 {
-    static const std::vector<std::pair<std::string, StudyAnswer (*)(const fs::path&)>> studies{
-        {"accuracyCost", answerOfAccuracyCost},
-        {"ensemble", answerOfEnsemble},
-        {"incrementalDynamics", answerOfIncrementalDynamics},
-        {"parameterSearch", answerOfParameterSearch}};
-    std::vector<StudyAnswer> answers;
-    for (const auto& [study, answerOf] : studies)
+    struct Study
     {
-        for (const std::string& time : namesIn(caseDirectory / "postProcessing" / study))
+        std::string name;
+        std::string table; ///< that its answer is in
+        StudyAnswer (*answer)(const fs::path& caseDirectory, const fs::path& folder);
+    };
+    static const std::vector<Study> studies{
+        {"accuracyCost", "accuracyCost.csv", answerOfAccuracyCost},
+        {"ensemble", "samples.dat", answerOfEnsemble},
+        {"incrementalDynamics", "leastIntensity.dat", answerOfIncrementalDynamics},
+        {"parameterSearch", "best.dat", answerOfParameterSearch}};
+    std::vector<StudyAnswer> answers;
+    for (const Study& study : studies)
+    {
+        for (const std::string& time : namesIn(caseDirectory / "postProcessing" / study.name))
         {
-            StudyAnswer answer = answerOf(caseDirectory / "postProcessing" / study / time);
-            if (!answer.rows.empty() || !answer.sentences.empty())
+            StudyAnswer answer =
+                study.answer(caseDirectory, caseDirectory / "postProcessing" / study.name / time);
+            if (answer.rows.empty() && answer.sentences.empty())
             {
-                answer.study = study;
-                answers.push_back(std::move(answer));
+                answer.faults.push_back(
+                    fmt::format("{} is missing or holds nothing: the study has not come to "
+                                "its end. Run {}, which repeats nothing that it has",
+                                study.table, study.name));
             }
+            answer.study = study.name;
+            answers.push_back(std::move(answer));
         }
     }
     return answers;

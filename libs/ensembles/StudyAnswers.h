@@ -14,13 +14,13 @@ struct StudyAnswer
 {
     std::string study; ///< ensemble
     std::vector<std::string> sentences;
+    std::vector<std::string> faults; ///< what is not there, with the repair
     std::vector<std::string> head;
     std::vector<std::vector<std::string>> rows;
 };
 
 /// From the tables in postProcessing: what samples have come to and their statistics, least accelerations of
-/// incremental analyses, the best point of a search, errors and times of accuracyCost. A study without its
-/// table is left out.
+/// incremental analyses, the best point of a search, errors and times of accuracyCost.
 std::vector<StudyAnswer> answersOfStudies(const std::filesystem::path& caseDirectory);
 
 } // namespace drystone

@@ -251,6 +251,12 @@ std::vector<std::string> linesIn(const std::string& text, const std::string& mar
 
 } // namespace
 
+std::vector<InputFile> inputOfSearch(const fs::path& caseDirectory)
+{
+    const std::string name = "system/parameterSearchDict";
+    return {{name, fingerprint(Dictionary::readFile(caseDirectory / name))}};
+}
+
 std::vector<InputFile> inputOfStudy(const fs::path& caseDirectory, const StudyRuns& runs)
 {
     const fs::path base = (caseDirectory / "").lexically_normal();

@@ -27,6 +27,9 @@ struct StudyRuns
 /// where blockTexture comes first and writes it anew.
 std::vector<InputFile> inputOfStudy(const std::filesystem::path& caseDirectory, const StudyRuns& runs);
 
+/// What makes one of the points of a search the best: objective, constraints and all else of its dictionary.
+std::vector<InputFile> inputOfSearch(const std::filesystem::path& caseDirectory);
+
 /// As a file of a study keeps them: `input 1f2e3d4c5b6a7988 constant/g`, a line each behind `mark`, after one
 /// that says how dictionaries were compared.
 std::string inputLines(const std::vector<InputFile>& files, const std::string& mark = "");

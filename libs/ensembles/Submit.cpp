@@ -86,11 +86,8 @@ std::string slurmScript(const fs::path& program, const fs::path& caseDirectory, 
     const std::string command =
         fmt::format("{} -case {} -parallel", quoted(program.string()), quoted(caseDirectory.string()));
     return heading(caseDirectory, wordsOf(options), "ensemble", "log.ensemble.%A_%a")
-           + fmt::format("if [ \"${{SLURM_NTASKS:-1}}\" -gt 1 ]\n"
-                         "then\n"
-                         "    exec srun --cpus-per-task=\"${{SLURM_CPUS_PER_TASK:-1}}\" {0}\n"
-                         "fi\n"
-                         "exec {0}\n",
+           + fmt::format("if [ \"${{SLURM_NTASKS:-1}}\" -gt 1 ]\nthen\n    exec srun "
+                         "--cpus-per-task=\"${{SLURM_CPUS_PER_TASK:-1}}\" {0}\nfi\nexec {0}\n",
                          command);
 }
 

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Computes samples together first, then alone what did not come out; notes whether a signal was sent.
 #include "ensembles/WorkerProcess.h"
 
 #include "core/Signals.h"

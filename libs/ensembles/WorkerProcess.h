@@ -46,7 +46,7 @@ struct Worker
 /// Lets a descriptor of this process write to the end of a file; nothing where that cannot be opened.
 void redirect(const std::filesystem::path& file, int descriptor);
 
-/// The life of a worker: chunks until there is no other. \param known samples that are done
+/// The life of a worker: chunks until there is no other. \param knownBefore samples that are done
 [[noreturn]] void work(const Ensemble& ensemble, const SampleStore& store, const Worker& worker,
                        const std::map<long, SampleRow>& knownBefore);
 

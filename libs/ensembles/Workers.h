@@ -3,8 +3,8 @@
 /// other such programs that share the folder.
 #pragma once
 
-#include "ensembles/LaunchedAs.h"
 #include "ensembles/SampleStore.h"
+#include "runControl/LaunchedAs.h"
 
 #include <functional>
 

@@ -18,7 +18,9 @@ namespace
 
 [[noreturn]] void refuse(const std::filesystem::path& file, int reason)
 {
-    throw FatalError(fmt::format("Cannot write {}: {}.", file.string(), std::strerror(reason)));
+    throw FatalError(
+        fmt::format("Cannot write {}: {}.\n\nMake room on the disk, or permit writing there, and run again.",
+                    file.string(), std::strerror(reason)));
 }
 
 } // namespace
@@ -38,6 +40,7 @@ ColumnFile::ColumnFile(const std::filesystem::path& path, const std::vector<std:
     {
         refuse(file, errno);
     }
+    std::setvbuf(stream.get(), nullptr, _IONBF, 0); // a row that is longer than a buffer would go in two
     for (const std::string& note : notes)
     {
         put("# " + note + "\n");
@@ -62,9 +65,7 @@ void ColumnFile::write(std::span<const double> values)
 
 void ColumnFile::put(const std::string& line)
 {
-    // a row is shorter than the stream's buffer or not, it leaves in one call of fwrite and is flushed
-    if (std::fwrite(line.data(), 1, line.size(), stream.get()) != line.size()
-        || std::fflush(stream.get()) != 0)
+    if (std::fwrite(line.data(), 1, line.size(), stream.get()) != line.size())
     {
         refuse(file, errno);
     }

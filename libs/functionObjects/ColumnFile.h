@@ -14,7 +14,7 @@ namespace drystone
 
 /// A text table with one column per scalar: a heading `# Time[s]  kinetic[J]  potential[J]` and rows of
 /// numbers that plotting programs read directly. Each row is written by a single system call as soon as it is
-/// complete, so that a run can be observed and an interrupted one leaves no partial row.
+/// complete, so that a run can be observed and one that is killed leaves no partial row.
 class ColumnFile
 {
 public:

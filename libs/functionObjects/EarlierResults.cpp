@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Finds answers by their pictures, and frames of their series by name, number and ending.
 #include "functionObjects/EarlierResults.h"
 
 #include "io/PictureFile.h"

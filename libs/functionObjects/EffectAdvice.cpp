@@ -110,7 +110,7 @@ std::string reasonAgainst(const DynamicCase<2>& scene, const DynamicState<2>& st
 
 Margin margin(double demand, double available)
 {
-    if (std::abs(demand - available) <= border * available)
+    if (std::isfinite(available) && std::abs(demand - available) <= border * available)
     {
         return Margin::nearLimit;
     }

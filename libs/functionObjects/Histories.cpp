@@ -118,7 +118,7 @@ std::size_t writeHistoryPictures(const std::filesystem::path& folder, const std:
         const std::string name = file.stem().string();
         // A function with the name of its table is named once.
         const std::string full = title.ends_with(", " + name) ? title : title + ", " + name;
-        for (const auto& [unit, plot] : historyPlotsOfUnits(table, full))
+        for (const auto& [unit, plot] : historyPlots(table, full))
         {
             writePlot(historyPicture(file, unit), plot, formats);
             ++count;
@@ -127,18 +127,7 @@ std::size_t writeHistoryPictures(const std::filesystem::path& folder, const std:
     return count;
 }
 
-std::vector<Plot> historyPlots(const NumberTable& table, const std::string& title)
-{
-    std::vector<Plot> plots;
-    for (auto& [unit, plot] : historyPlotsOfUnits(table, title))
-    {
-        plots.push_back(std::move(plot));
-    }
-    return plots;
-}
-
-std::vector<std::pair<std::string, Plot>> historyPlotsOfUnits(const NumberTable& table,
-                                                              const std::string& title)
+std::vector<std::pair<std::string, Plot>> historyPlots(const NumberTable& table, const std::string& title)
 {
     constexpr std::size_t mostPoints = 2000;
     std::vector<std::pair<std::string, Plot>> plots;

@@ -26,11 +26,8 @@ NumberTable readNumberTable(const std::filesystem::path& file);
 
 /// A plot over the first column for the columns of each unit, with at most some thousand points each: columns
 /// that are zero throughout are left out. None for a table whose first column is no time.
-std::vector<Plot> historyPlots(const NumberTable& table, const std::string& title);
-
-/// The same with the unit of each.
-std::vector<std::pair<std::string, Plot>> historyPlotsOfUnits(const NumberTable& table,
-                                                              const std::string& title);
+/// \return each with the unit of its columns
+std::vector<std::pair<std::string, Plot>> historyPlots(const NumberTable& table, const std::string& title);
 
 /// The picture of the columns of a unit beside their table, without its ending: energy_J, block3_m_s, and
 /// <table>_numbers for columns without a unit.

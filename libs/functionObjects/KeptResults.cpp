@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Fingerprints of then against those of now; of a run that goes on, changes of method are only reported.
 #include "functionObjects/KeptResults.h"
 
 #include "assembly/AssemblyOrigin.h"
@@ -189,22 +190,28 @@ void writeInput(const std::filesystem::path& file, const std::vector<InputFile>&
     writeWholeFile(file, text + ");\n");
 }
 
-std::string compareWithInput(const std::filesystem::path& file, const std::vector<InputFile>& now)
+std::optional<std::vector<InputFile>> readInput(const std::filesystem::path& file)
 {
     const Dictionary kept = Dictionary::readFileIfPresent(file);
-    if (!kept.found("input"))
+    return kept.found("input") ? std::optional(inputFilesIn(kept.get<std::vector<std::string>>("input")))
+                               : std::nullopt;
+}
+
+std::string compareWithInput(const std::filesystem::path& file, const std::vector<InputFile>& now)
+{
+    const std::optional<std::vector<InputFile>> kept = readInput(file);
+    if (!kept)
     {
         info("{} {}", file.parent_path().string(), noInput);
         return {};
     }
-    const std::vector<InputChange> changes =
-        changesOfInput(inputFilesIn(kept.get<std::vector<std::string>>("input")), now);
+    const std::vector<InputChange> changes = changesOfInput(*kept, now);
     if (changes.empty())
     {
         return {};
     }
     std::string warning = fmt::format("The results of limitAnalysis are those of other input: {}. Run "
-                                      "limitAnalysis without -postProcess to compute anew.",
+                                      "limitAnalysis to compute anew.",
                                       textOf(changes));
     printWarning(warning, {file.string(), "", 0});
     return warning;

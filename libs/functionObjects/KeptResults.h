@@ -8,6 +8,7 @@
 #include "runControl/Time.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,8 +48,9 @@ void compareWithInput(const State& start, const std::vector<InputFile>& now, con
 std::string compareWithInput(const std::vector<std::pair<std::string, State>>& states,
                              const std::vector<InputFile>& now);
 
-/// `input` beside the tables of limitAnalysis.
+/// `input` beside the tables of an application, and what it says; nothing where there is none.
 void writeInput(const std::filesystem::path& file, const std::vector<InputFile>& files);
+std::optional<std::vector<InputFile>> readInput(const std::filesystem::path& file);
 /// Warns when the results beside this file follow from other input. \return the warning; empty: none
 std::string compareWithInput(const std::filesystem::path& file, const std::vector<InputFile>& now);
 

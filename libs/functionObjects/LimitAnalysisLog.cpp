@@ -82,8 +82,7 @@ void printCoulombRange(const CoulombRange& range, const LimitAnalysis& result)
     constexpr int manyStarts = 10;
     if (range.converged > 0)
     {
-        info("Coulomb's law: lowest of the collapses found, alpha {} to {} ({} of {} starts "
-             "converged{}); "
+        info("Coulomb's law: lowest of the collapses found, alpha {} to {} ({} of {} starts converged{}); "
              "associative, an upper bound: {}",
              alphaText(range.lowest), alphaText(range.highest), range.converged, range.starts,
              range.starts < manyStarts ? ", of which more may find lower ones" : "",
@@ -92,8 +91,7 @@ void printCoulombRange(const CoulombRange& range, const LimitAnalysis& result)
     else
     {
         info("Coulomb's law: no collapse found on which the live load does work ({} starts); its multiplier "
-             "is at "
-             "most that of the associative law, {}{}",
+             "is at most that of the associative law, {}{}",
              range.starts, alphaText(range.associative),
              std::isfinite(range.safe)
                  ? fmt::format(", and at least that of joints without friction, {}", alphaText(range.safe))
@@ -101,8 +99,7 @@ void printCoulombRange(const CoulombRange& range, const LimitAnalysis& result)
     }
     if (range.fall < range.lowest)
     {
-        info("Blocks may fall under the dead load alone from alpha {} on: with other forces at rest, or "
-             "as "
+        info("Blocks may fall under the dead load alone from alpha {} on: with other forces at rest, or as "
              "joints beside them are relieved.",
              alphaText(range.fall));
     }
@@ -154,10 +151,8 @@ void printWholeJoints(const LimitAnalysisCase<3>& structure, const LimitAnalysis
     if (less > worthSaying * std::abs(result.alpha))
     {
         info("Over the whole faces of its joints this mechanism has alpha <= {:.6g}, {:.2g}% less: strengths "
-             "act "
-             "at contact points. With `jointPoints {{ type adaptive; tolerance 1e-4; }}` or a finer grid "
-             "both come "
-             "nearer to the exact multiplier.",
+             "act at contact points. With `jointPoints {{ type adaptive; tolerance 1e-4; }}` or a finer grid "
+             "both come nearer to the exact multiplier.",
              result.alpha - std::copysign(less, live.dot(result.mechanism)),
              100 * less / std::abs(result.alpha));
     }

@@ -140,7 +140,7 @@ void reportRemoved(const std::vector<std::string>& names)
 
 } // namespace
 
-void removeLimitAnalysisTable(const std::filesystem::path& caseDirectory)
+void removeLimitAnalysisResults(const std::filesystem::path& caseDirectory)
 {
     std::error_code ignored;
     std::filesystem::remove(limitAnalysisTable(caseDirectory), ignored);

@@ -32,9 +32,9 @@ void confirmResults(const std::filesystem::path& caseDirectory);
 /// \throws FatalError naming the one that cannot
 void requireWritableResults(const std::filesystem::path& caseDirectory);
 
-/// Removes the table of an earlier run, so that after a run that did not converge its multiplier is not taken
-/// for an answer.
-void removeLimitAnalysisTable(const std::filesystem::path& caseDirectory);
+/// Removes what an earlier run has written, tables, pictures and VTK series, so that after a run that did not
+/// converge none of it is taken for an answer.
+void removeLimitAnalysisResults(const std::filesystem::path& caseDirectory);
 
 /// Writes the cone program as postProcessing/limitAnalysis/0/coneProgram, when `writeProgram` of
 /// system/solution requests it.

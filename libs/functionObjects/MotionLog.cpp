@@ -143,7 +143,9 @@ std::vector<std::string> eventsOf(const DynamicCase<Dim>& scene, const Motion<Di
     }
     if (residuals.retries > 0)
     {
-        events.push_back(fmt::format("The step was shortened {} times to be solved", residuals.retries));
+        events.push_back(
+            fmt::format("The step was shortened {} to be solved",
+                        residuals.retries == 1 ? "once" : fmt::format("{} times", residuals.retries)));
     }
     return events;
 }
@@ -200,8 +202,7 @@ void printIntegrationError(const DynamicCase<Dim>& scene, const Motion<Dim>& mot
     if (theta > 0.5 && motion.largestKinetic > fall)
     {
         info("Estimated error of the time integration: theta {:g} has dissipated {:.3g} J outside impacts, "
-             "{:.2g}% "
-             "of the largest kinetic energy. It is proportional to the steps{}{}\n",
+             "{:.2g}% of the largest kinetic energy. It is proportional to the steps{}{}\n",
              theta, motion.smoothLoss, 100 * motion.smoothLoss / motion.largestKinetic,
              isChosen ? ", which adjustTimeStep chooses up to maxDeltaT" : "",
              traitsOf(scene.effects).isCompliant ? "." : "; theta 0.5 is of second order.");
@@ -209,12 +210,10 @@ void printIntegrationError(const DynamicCase<Dim>& scene, const Motion<Dim>& mot
     constexpr double noticeable = 0.01;
     if (traitsOf(scene.effects).isCompliant && motion.created > noticeable * motion.largestKinetic + fall)
     {
-        printWarning(
-            fmt::format("Elastic contact points have created {:.3g} J, {:.2g}% of the largest kinetic "
-                        "energy: where a corner passes an edge, points appear with the overlap that others "
-                        "had. Stiffer joints "
-                        "are entered less.",
-                        motion.created, 100 * motion.created / motion.largestKinetic));
+        printWarning(fmt::format("Elastic contact points have created {:.3g} J, {:.2g}% of the largest "
+                                 "kinetic energy: where a corner passes an edge, points appear with the "
+                                 "overlap that others had. Stiffer joints are entered less.",
+                                 motion.created, 100 * motion.created / motion.largestKinetic));
     }
 }
 
@@ -265,9 +264,7 @@ void printEffectUse(const DynamicCase<Dim>& scene, const Motion<Dim>& motion)
     {
         const double full = use.secondsOfVerified / static_cast<double>(use.verified);
         info("Verified with all effects of the case: {} steps, largest difference {:.3g} m at {:g} s; {:.3g} "
-             "s a step, "
-             "so "
-             "that {:.3g} s are saved",
+             "s a step, so that {:.3g} s are saved",
              use.verified, use.largestDifference, use.timeOfLargestDifference, full,
              full * steps - use.secondsAtRest - use.secondsOfOthers);
     }
@@ -337,12 +334,11 @@ std::string stepWithoutEnd(const DynamicCase<Dim>& scene, const Motion<Dim>& mot
         1e-10; // below, last digits of forces that are not unique take many factorisations
     const double farthest = farthestInOneStep(scene, motion, time);
     return fmt::format(
-        "The step after time {} takes more than the maximumFactorisations of {} that a step may have "
-        "({} shorter attempts, up to {} contact points of {} blocks).\n\n"
-        "In a step of {:g} s the fastest block moves by {:.3g} m, {:.3g} times the mean block size. The "
-        "state "
-        "at its start has been written: begin from there with {}, so that blocks move by a small part of "
-        "their size in a step, or raise {} in system/solution/contactDynamics.",
+        "The step after time {} takes more than the maximumFactorisations of {} that a step may have ({} "
+        "shorter attempts, up to {} contact points of {} blocks).\n\nIn a step of {:g} s the fastest block "
+        "moves by {:.3g} m, {:.3g} times the mean block size. The state at its start has been written: begin "
+        "from there with {}, so that blocks move by a small part of their size in a step, or raise {} in "
+        "system/solution/contactDynamics.",
         time.name(), scene.solution.maximumFactorisations, motion.work.attempts - 1, motion.work.mostPoints,
         scene.mass.size() / freedomCount<Dim>, abandonedStep(time), farthest, farthest / scene.blockSize,
         shorterSteps(time),

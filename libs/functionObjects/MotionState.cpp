@@ -6,8 +6,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace drystone
 {
@@ -71,11 +73,13 @@ long wholeNumber(const State& saved, const std::string& where, double value, dou
     return static_cast<long>(value);
 }
 
-/// Of steps, or of times.
-long countOf(const State& saved, const std::string& name)
+/// Of steps, times or iterations.
+template<class Count = long>
+Count countOf(const State& saved, const std::string& name)
 {
-    constexpr double end = 1e15; // whole numbers up to there are exact
-    return wholeNumber(saved, "entry " + name, stateScalar(saved, name), 0, end);
+    constexpr double exact = 1e15; // whole numbers up to there are exact
+    const double end = std::min(exact, static_cast<double>(std::numeric_limits<Count>::max()));
+    return static_cast<Count>(wholeNumber(saved, "entry " + name, stateScalar(saved, name), 0, end));
 }
 
 /// The integers that identify corner and edge of one contact point.
@@ -104,25 +108,43 @@ TimeState timeOf(const State& saved)
 }
 
 template<int Dim>
+std::vector<Placement<Dim>> placementsIn(const State& saved, std::size_t blocks)
+{
+    const auto& translation = stateArray(saved, "translation", Dim * blocks);
+    const auto& rotation = stateArray(saved, "rotation", rotationCount<Dim> * blocks);
+    std::vector<Placement<Dim>> placements;
+    for (std::size_t block = 0; block < blocks; ++block)
+    {
+        placements.push_back(
+            {vectorAt<Dim>(translation, block), turnOf<Dim>(vectorAt<rotationCount<Dim>>(rotation, block))});
+    }
+    return placements;
+}
+
+template<int Dim>
 Motion<Dim> motionOf(const DynamicCase<Dim>& scene, const State& saved)
 {
     DynamicState<Dim> state = stateAtRest(scene.assembly);
     state.time = stateScalar(saved, "time");
     const std::size_t blocks = state.placements.size();
-    const auto& translation = stateArray(saved, "translation", Dim * blocks);
-    const auto& rotation = stateArray(saved, "rotation", rotationCount<Dim> * blocks);
-    for (std::size_t block = 0; block < blocks; ++block)
-    {
-        state.placements[block] = {vectorAt<Dim>(translation, block),
-                                   turnOf<Dim>(vectorAt<rotationCount<Dim>>(rotation, block))};
-    }
+    state.placements = placementsIn<Dim>(saved, blocks);
     const auto& velocity = stateArray(saved, "velocity", static_cast<std::size_t>(state.velocity.size()));
     state.velocity = Eigen::Map<const Eigen::VectorXd>(velocity.data(), state.velocity.size());
 
     Motion<Dim> motion = startMotion(scene, std::move(state));
     visitLedger(motion.energy, [&](const char* name, double& value) { value = stateScalar(saved, name); });
-    visitResiduals(motion.residuals, [&](const char* name, auto& value)
-                   { value = static_cast<std::decay_t<decltype(value)>>(stateScalar(saved, name)); });
+    visitResiduals(motion.residuals,
+                   [&]<class Value>(const char* name, Value& value)
+                   {
+                       if constexpr (std::is_integral_v<Value>)
+                       {
+                           value = countOf<Value>(saved, name);
+                       }
+                       else
+                       {
+                           value = stateScalar(saved, name);
+                       }
+                   });
     const auto gapsThere = saved.arrays.find("contactGap");
     const std::size_t points = gapsThere == saved.arrays.end() ? 0 : gapsThere->second.size();
     const auto& gaps = stateArray(saved, "contactGap", points);
@@ -177,11 +199,11 @@ Motion<Dim> motionOf(const DynamicCase<Dim>& scene, const State& saved)
     if (saved.scalars.contains("stepSlides"))
     {
         motion.slides = stateScalar(saved, "stepSlides") != 0;
-        motion.collisions = static_cast<int>(stateScalar(saved, "stepCollisions"));
+        motion.collisions = countOf<int>(saved, "stepCollisions");
     }
     if (saved.scalars.contains("stepOverlapsLeft"))
     {
-        motion.overlapsLeft = static_cast<int>(stateScalar(saved, "stepOverlapsLeft"));
+        motion.overlapsLeft = countOf<int>(saved, "stepOverlapsLeft");
     }
     for (std::size_t i = 0; i < scene.effects.size(); ++i)
     {
@@ -264,8 +286,10 @@ State stateOf(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const Ti
 }
 
 template State stateOf(const DynamicCase<2>& scene, const Motion<2>& motion, const Time& time);
+template std::vector<Placement<2>> placementsIn<2>(const State& saved, std::size_t blocks);
 template Motion<2> motionOf(const DynamicCase<2>& scene, const State& saved);
 template State stateOf(const DynamicCase<3>& scene, const Motion<3>& motion, const Time& time);
+template std::vector<Placement<3>> placementsIn<3>(const State& saved, std::size_t blocks);
 template Motion<3> motionOf(const DynamicCase<3>& scene, const State& saved);
 
 } // namespace drystone

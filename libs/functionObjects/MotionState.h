@@ -14,6 +14,10 @@ namespace drystone
 template<int Dim>
 State stateOf(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const Time& time);
 
+/// Where the blocks are in a state. \throws FatalIOError where it is not one of so many blocks
+template<int Dim>
+std::vector<Placement<Dim>> placementsIn(const State& saved, std::size_t blocks);
+
 /// The motion stored in a state. \throws FatalError where it is not one of this structure
 template<int Dim>
 Motion<Dim> motionOf(const DynamicCase<Dim>& scene, const State& saved);

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Observes states as if just computed; a table with more times than states is a run's, which stops it.
 #include "functionObjects/StoredStates.h"
 
 #include "core/Log.h"
@@ -88,7 +89,7 @@ void postProcess(const std::filesystem::path& caseDirectory, const DynamicCase<D
         StepObservation<Dim> seen = observe(scene, motion, time, lists);
         const TimeState then = timeOf(saved);
         seen.time = then.value;
-        seen.timeStep = stateScalar(saved, "stepLength");
+        seen.timeStep = then.stepLength;
         seen.step = then.index;
         seen.stageTimes.reset();
         list.writeAlways(seen);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace drystone
 {
@@ -85,8 +86,8 @@ Polygon withoutStraightVertices(const Polygon& polygon, double tolerance)
             if (reference.isZero())
             {
                 reference = previousArm;
-                low = -EIGEN_PI / 2;
-                high = EIGEN_PI / 2;
+                low = -std::numbers::pi / 2;
+                high = std::numbers::pi / 2;
             }
             const auto angleOf = [&](const Vector<2>& a)
             { return std::atan2(cross(reference, a), reference.dot(a)); };

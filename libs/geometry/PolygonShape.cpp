@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace drystone
 {
@@ -274,7 +275,7 @@ ShapeQuality shapeQuality(const Polygon& polygon)
     ShapeQuality quality;
     double perimeter = 0;
     double shortest = std::numeric_limits<double>::infinity();
-    quality.smallestAngle = EIGEN_PI;
+    quality.smallestAngle = std::numbers::pi;
     const std::size_t size = polygon.size();
     for (std::size_t i = 0; i < size; ++i)
     {
@@ -287,7 +288,8 @@ ShapeQuality shapeQuality(const Polygon& polygon)
     }
     if (perimeter > 0)
     {
-        quality.compactness = 4 * EIGEN_PI * std::abs(areaProperties(polygon).area) / (perimeter * perimeter);
+        quality.compactness =
+            4 * std::numbers::pi * std::abs(areaProperties(polygon).area) / (perimeter * perimeter);
         quality.shortestEdge = shortest / perimeter;
     }
     return quality;

@@ -263,8 +263,7 @@ void printTally(const Tally& tally, const PlaneFaces& planes, double tolerance, 
     if (tally.merged > 0 || tally.turned > 0 || tally.dropped > 0)
     {
         info("Import: {} faces in the file; {} fewer by merging those that are coplanar, {} turned outwards, "
-             "{} "
-             "without area left out",
+             "{} without area left out",
              tally.faces, tally.merged, tally.turned, tally.dropped);
     }
     if (tally.joinedMeshes > 0)
@@ -279,8 +278,7 @@ void printTally(const Tally& tally, const PlaneFaces& planes, double tolerance, 
     if (planes.moved > 0)
     {
         info("Import: faces were uneven by up to {:.3g} m; {} corners moved by up to {:.3g} m to make them "
-             "plane, {} of "
-             "them joined with a neighbour's; tolerance {:.3g} m",
+             "plane, {} of them joined with a neighbour's; tolerance {:.3g} m",
              planes.unevenness, planes.moved, planes.farthest, planes.joined, tolerance);
     }
 }
@@ -347,8 +345,7 @@ Assembly<3> solidBlocks(Solids solids, const SolidSettings& settings, const Impo
     else if (!solids.interfaces.empty())
     {
         info("Import: the {} interfaces of the file are not used, joints are found from the shapes; "
-             "`interfaces "
-             "contacts;` makes them the joints",
+             "`interfaces contacts;` makes them the joints",
              solids.interfaces.size());
     }
     return assembly;

@@ -351,8 +351,7 @@ private:
             {
                 refuse(file, line,
                        "The rectangle has round corners, rx and ry: blocks have straight edges. Set rx and "
-                       "ry to "
-                       "0, or convert it to a path of lines in the program that drew it.");
+                       "ry to 0, or convert it to a path of lines in the program that drew it.");
             }
             add({{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}}, transform, layer, line);
         }

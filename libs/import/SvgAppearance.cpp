@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The last word of a style wins over attributes; visibility is inherited, `display: none` is final.
 #include "import/SvgAppearance.h"
 
 #include "import/ImportedFile.h"

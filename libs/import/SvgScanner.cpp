@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Takes the longest number from the front of the text: a second point or sign begins the next one.
 #include "import/SvgScanner.h"
 
 #include <fmt/format.h>

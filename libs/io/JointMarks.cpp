@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Rates in each contact frame say what points of a joint do; hulls are by Andrew's monotone chain.
 #include "io/JointMarks.h"
 
 #include <algorithm>

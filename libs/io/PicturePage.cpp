@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// One scale fits width and height; a load that is seen along its own direction becomes a dot.
 #include "io/PicturePage.h"
 
 #include <fmt/format.h>

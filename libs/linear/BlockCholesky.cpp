@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Columns of blocks padded to vector registers; the factors of the pivots are kept inverted.
 #include "linear/BlockCholesky.h"
 
 #include "linear/PivotBlock.h"

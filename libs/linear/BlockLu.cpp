@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// L and the transpose of U side by side, column by column; only what depends on a change is done anew.
 #include "linear/BlockLu.h"
 
 #include <Eigen/LU>

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Each column of the factor joins the rows of its children in the elimination tree.
 #include "linear/BlockPattern.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// From supernodes to fronts, their rows in their parents, a schedule for threads, and places for updates.
 #include "linear/FrontPlan.h"
 
 #include "linear/FrontKernel.h"

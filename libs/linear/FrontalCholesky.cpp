@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The numeric factorisation: panels and updates of each front, by one thread or shared out among several.
 #include "linear/FrontalCholesky.h"
 
 #include "core/Threads.h"
@@ -21,8 +22,7 @@ using namespace frontKernel;
 /// such panels.
 constexpr int panelWidth = 48;
 
-/// Columns of a front from which on the packing of the dense kernel pays for its U. Measured on walls of 40
-/// and 160 units: 1.27 and 52.6 ms with 12, 1.36 and 56 with 24, 1.5 and 60 with 48.
+/// Columns of a front from which on the packing of the dense kernel pays for its U.
 constexpr int denseFrom = 12;
 
 /// Rows of a front that are one task, in whole registers, and bodies whose columns are one.

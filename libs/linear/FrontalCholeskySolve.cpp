@@ -11,14 +11,11 @@ namespace
 
 using namespace frontKernel;
 
-/// Numbers in a factor from which it is worth rounding: 8 MB, more than caches hold. A solve takes 0.8 ms
-/// instead of 2.4 at 6,440 blocks and 8 instead of 13 at 25,680; their limit analyses 0.78 and 0.95 of the
-/// time.
+/// Numbers in a factor from which it is worth rounding: 8 MB, more than caches hold.
 constexpr std::size_t roundedFrom = 1'000'000;
 
-/// Numbers in a factor up to which it may be rounded: what that leaves of the balance grows with it. Limit
-/// analyses of 102,560 blocks with a friction of 0.65 and 1 or 2% more or less took 31 to 38 factorisations
-/// without, 36 to 40 with it, and one took 246 with 10 correctors, 27 without (now 24 without).
+/// Numbers in a factor up to which it may be rounded: what that leaves of the balance grows with it, and
+/// costs iterations (TUNING.md).
 constexpr std::size_t roundedUpTo = 10'000'000;
 
 /// Numbers of a front above the tasks from which several threads share it: 0.8 MB, some 50 microseconds.

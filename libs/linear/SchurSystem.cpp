@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// By fronts where a factorisation takes many multiplications; by blocks below that, and in DoubleDouble.
 #include "linear/SchurSystem.h"
 
 #include "core/Threads.h"

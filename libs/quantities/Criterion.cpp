@@ -104,7 +104,7 @@ void declare(Options& options, CollapseSettings& settings)
     options
         .optional("drop", settings.drop,
                   "how far the mass centre of a block sinks when it falls, in mean block sizes (the root of "
-                  "the mean area)")
+                  "the mean area, in space the cube root of the mean volume)")
         .above(0);
 }
 

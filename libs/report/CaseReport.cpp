@@ -174,7 +174,7 @@ void addHistories(HtmlPage& page, const fs::path& caseDirectory)
     for (const fs::path& file : filesWithEnding(caseDirectory / "postProcessing", ".dat"))
     {
         const std::string name = fs::relative(file, caseDirectory).string();
-        for (const auto& [unit, plot] : historyPlotsOfUnits(readNumberTable(file), name))
+        for (const auto& [unit, plot] : historyPlots(readNumberTable(file), name))
         {
             const std::string drawn = historyPicture(file, unit).string();
             if (fs::exists(drawn + ".svg", none) || fs::exists(drawn + ".png", none))
@@ -220,7 +220,10 @@ std::vector<std::string> damagedResults(const fs::path& caseDirectory)
     const fs::path multipliers = limitAnalysisTable(caseDirectory);
     const NumberTable found = readNumberTable(multipliers);
     const bool isAnswer = found.columns.size() >= 10 && !found.columns.front().empty();
-    if (fs::exists(limitAnalysisInput(caseDirectory), none) && !fs::exists(multipliers, none))
+    const bool isOfMechanism =
+        fs::exists(caseDirectory / "VTK/blocks.vtp.series", none) && !isOfMotion(caseDirectory);
+    const bool isExpected = fs::exists(limitAnalysisInput(caseDirectory), none) || isOfMechanism;
+    if (isExpected && !fs::exists(multipliers, none))
     {
         faults.push_back(fmt::format("{} is missing, which has the multiplier. Run limitAnalysis again.",
                                      fs::relative(multipliers, caseDirectory).string()));
@@ -241,9 +244,20 @@ std::vector<std::string> damagedResults(const fs::path& caseDirectory)
     return faults;
 }
 
-void addDamage(HtmlPage& page, const fs::path& caseDirectory)
+/// Says of a case of which nothing has an answer that there is none. \param isAnyOfStudies whether studies
+/// have
+void addDamage(HtmlPage& page, const fs::path& caseDirectory, bool isAnyOfStudies)
 {
-    const std::vector<std::string> faults = damagedResults(caseDirectory);
+    std::vector<std::string> faults = damagedResults(caseDirectory);
+    std::error_code none;
+    if (faults.empty() && !isAnyOfStudies && timesOfStates(caseDirectory).empty()
+        && !fs::exists(limitAnalysisTable(caseDirectory), none))
+    {
+        faults.emplace_back(
+            "There is no answer to report: neither a multiplier of limitAnalysis, nor a state of "
+            "contactDynamics, nor the table of a study. What was run has given none, as its log "
+            "says, or its results were removed.");
+    }
     if (!faults.empty())
     {
         page.heading("Results that are missing or damaged");
@@ -378,6 +392,7 @@ std::string studyText(const fs::path& caseDirectory, std::vector<std::string> wa
     addSections(page, sections);
     addPictures(page, caseDirectory);
     addWarnings(page, caseDirectory);
+    addInputs<2>(page, caseDirectory); // the keys of studies, and of most else, are those of space too
     addRepetition(page, caseDirectory);
     return page.text();
 }
@@ -389,11 +404,12 @@ std::string reportText(const fs::path& caseDirectory, std::vector<std::string> w
     const Assembly<Dim> assembly = readAssembly<Dim>(caseDirectory);
     HtmlPage page(caseName(caseDirectory));
     warnings.push_back(compareLimitAnalysis(caseDirectory, assembly));
+    const InputOfResults input = warnings.back().empty() ? InputOfResults::same : InputOfResults::other;
     warnings.push_back(compareMotion(caseDirectory, assembly, timesOfStates(caseDirectory)));
     addOldResults(page, warnings);
-    addDamage(page, caseDirectory);
+    addDamage(page, caseDirectory, !sections.empty());
     addStructure(page, caseDirectory, assembly);
-    addCollapse<Dim>(page, caseDirectory);
+    addCollapse<Dim>(page, caseDirectory, input);
     addMotion(page, caseDirectory, assembly);
     addSections(page, sections);
     addPictures(page, caseDirectory);

@@ -61,12 +61,18 @@ std::vector<std::string> searchInLog(const fs::path& caseDirectory)
     return sentences;
 }
 
+/// Whether there is a multiplier; of a damaged table there may be none.
+bool isMultiplier(const LimitAnalysis& answer)
+{
+    return answer.status == CollapseStatus::optimal && std::isfinite(answer.alpha);
+}
+
 std::string verdict(const LimitAnalysis& answer)
 {
     switch (answer.status)
     {
     case CollapseStatus::optimal:
-        if (!std::isfinite(answer.alpha)) // of a damaged table
+        if (!isMultiplier(answer))
         {
             break;
         }
@@ -77,8 +83,7 @@ std::string verdict(const LimitAnalysis& answer)
         return "unbounded: no load of this direction makes it collapse";
     case CollapseStatus::upperBound:
         return "no collapse by Coulomb's law was found: alpha is at most that of the associative law, which "
-               "may "
-               "be infinite, as the log says";
+               "may be infinite, as the log says";
     case CollapseStatus::notConverged:
         break;
     }
@@ -105,41 +110,63 @@ void moveToWorstPosition(LimitAnalysisCase<Dim>& structure, const fs::path& case
         structure.loads.positions[std::min(worst, structure.loads.positions.size() - 1)].live;
 }
 
+/// What the forces at a joint obey: `without tension and with friction`, or with the strengths of the case.
+std::string lawOfJoints(const ContactProperties& contact)
+{
+    const auto isAny = [&](std::optional<JointStrength> ContactProperties::*ofAll,
+                           std::optional<JointStrength> JointProperties::*ofOne)
+    {
+        return contact.*ofAll
+               || std::any_of(contact.joints.begin(), contact.joints.end(),
+                              [&](const auto& joint) { return (joint.second.*ofOne).has_value(); });
+    };
+    const bool hasTension = isAny(&ContactProperties::tension, &JointProperties::tension);
+    std::string law =
+        hasTension ? "with tension up to a strength, friction" : "without tension and with friction";
+    const bool hasCohesion = isAny(&ContactProperties::cohesion, &JointProperties::cohesion);
+    law += hasCohesion ? hasTension ? ", cohesion" : " and cohesion" : "";
+    const bool hasCrushing = isAny(&ContactProperties::crushing, &JointProperties::crushing);
+    law += hasCrushing ? ", and pressure up to a strength" : "";
+    return law;
+}
+
 /// What alpha is.
 template<int Dim>
 std::string meaningOfAlpha(const LimitAnalysisCase<Dim>& structure)
 {
+    const std::string law = lawOfJoints(structure.contact);
     if (structure.movement)
     {
         return fmt::format(
             "Support {} moves, and there is no live load: alpha is the least reaction [N] of the support "
             "against its own movement: positive where it gives way to the structure, negative where it "
-            "has to push. Forces between the "
-            "blocks balance the loads without tension and with friction, and a mechanism in which the "
-            "support moves shows that the reaction is not less (Portioli and Cascini 2016).",
-            structure.assembly.supports[static_cast<std::size_t>(structure.movement->support)].name);
+            "has to push. Forces between the blocks balance the loads {}, and a mechanism in which the "
+            "support "
+            "moves shows that the reaction is not less (Portioli and Cascini 2016).",
+            structure.assembly.supports[static_cast<std::size_t>(structure.movement->support)].name, law);
     }
     if (flowRuleOf(structure.contact) == FlowRule::nonAssociative)
     {
-        return "Under the live load times the multiplier alpha the structure may collapse by Coulomb's law: "
-               "forces "
-               "between the blocks balance it without tension and with friction, and blocks slide without "
-               "opening "
-               "in a mechanism of these forces. Such a pair is not unique, and alpha is the lowest that a "
-               "search "
-               "has met. Forces alone may balance more, up to the multiplier of the associative law.";
+        return fmt::format("Under the live load times the multiplier alpha the structure may collapse by "
+                           "Coulomb's law: forces "
+                           "between the blocks balance it {}, and blocks slide without opening in a "
+                           "mechanism of these forces. "
+                           "Such a pair is not unique, and alpha is the lowest that a search has met. Forces "
+                           "alone may balance "
+                           "more, up to the multiplier of the associative law.",
+                           law);
     }
-    return "The live load times the multiplier alpha is the largest that the structure carries: forces "
-           "between the "
-           "blocks balance it without tension and with friction, and a mechanism shows that more cannot be "
-           "carried "
-           "(Portioli, Cascini and Landolfo 2017, eq. 10).";
+    return fmt::format(
+        "The live load times the multiplier alpha is the largest that the structure carries: forces "
+        "between the blocks balance it {}, and a mechanism shows that more cannot be carried "
+        "(Portioli, Cascini and Landolfo 2017, eq. 10).",
+        law);
 }
 
 } // namespace
 
 template<int Dim>
-void addCollapse(HtmlPage& page, const fs::path& caseDirectory)
+void addCollapse(HtmlPage& page, const fs::path& caseDirectory, InputOfResults input)
 {
     const NumberTable table = readNumberTable(limitAnalysisTable(caseDirectory));
     if (table.columns.size() < 10)
@@ -149,7 +176,12 @@ void addCollapse(HtmlPage& page, const fs::path& caseDirectory)
     page.heading("Collapse");
     LimitAnalysisCase<Dim> structure = readLimitAnalysisCase<Dim>(caseDirectory);
     moveToWorstPosition(structure, caseDirectory);
-    page.paragraph(meaningOfAlpha(structure));
+    const std::vector<LimitAnalysis> answers = storedAnswers(caseDirectory, table);
+    const bool hasMultiplier = std::any_of(answers.begin(), answers.end(), isMultiplier);
+    if (hasMultiplier)
+    {
+        page.paragraph(meaningOfAlpha(structure));
+    }
     if (flowRuleOf(structure.contact) == FlowRule::nonAssociative)
     {
         for (const std::string& sentence : searchInLog(caseDirectory))
@@ -157,11 +189,11 @@ void addCollapse(HtmlPage& page, const fs::path& caseDirectory)
             page.paragraph(sentence);
         }
     }
-    for (const LimitAnalysis& answer : storedAnswers(caseDirectory, table))
+    for (const LimitAnalysis& answer : answers)
     {
         page.paragraph((answer.combination.empty() ? "" : "Combination " + answer.combination + ": ")
                        + verdict(answer) + ".");
-        if (answer.status == CollapseStatus::optimal && std::isfinite(answer.alpha))
+        if (isMultiplier(answer) && input == InputOfResults::same)
         {
             for (const std::string& sentence : loadMeaning(structure, answer))
             {
@@ -182,7 +214,7 @@ void addCollapse(HtmlPage& page, const fs::path& caseDirectory)
     page.table({"alpha", "primal residual", "dual residual", "gap", "iterations", "CPU time"}, rows);
 }
 
-template void addCollapse<2>(HtmlPage& page, const fs::path& caseDirectory);
-template void addCollapse<3>(HtmlPage& page, const fs::path& caseDirectory);
+template void addCollapse<2>(HtmlPage& page, const fs::path& caseDirectory, InputOfResults input);
+template void addCollapse<3>(HtmlPage& page, const fs::path& caseDirectory, InputOfResults input);
 
 } // namespace drystone

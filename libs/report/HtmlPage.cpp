@@ -20,7 +20,7 @@ h1 { font-size: 1.7em; } h2 { font-size: 1.25em; margin-top: 2em; border-bottom:
 table { border-collapse: collapse; margin: 0.8em 0; } td, th { padding: 0.15em 0.8em 0.15em 0; text-align: left;
 vertical-align: top; border-bottom: 1px solid #e6e6e6; } td { font-variant-numeric: tabular-nums; }
 figure { margin: 1em 0; } figure svg { max-width: 100%; height: auto; } figcaption { color: #555; }
-pre { background: #f6f6f4; padding: 0.6em; overflow-x: auto; }
+pre { background: #f6f6f4; padding: 0.6em; white-space: pre-wrap; overflow-wrap: anywhere; }
 .viewer canvas { border: 1px solid #ccc; touch-action: none; } .viewer .controls > * { margin-right: 0.8em; }
 @media print { .viewer { display: none; } figure { break-inside: avoid; } }
 )";

@@ -5,11 +5,13 @@
 #include "assembly/AssemblyFile.h"
 #include "contact/AssemblyChecks.h"
 #include "core/Error.h"
+#include "core/Log.h"
 #include "core/WholeFile.h"
 #include "functionObjects/KeptResults.h"
 #include "io/TimeDirectory.h"
 #include "report/ViewerData.h"
 #include "runControl/Case.h"
+#include "runControl/TimeControls.h"
 
 #include <fmt/format.h>
 
@@ -118,11 +120,17 @@ double lastTimeOf(const fs::path& table)
 struct RunEnd
 {
     double time = 0;       ///< [s]
+    double wanted = 0;     ///< endTime of system/controlDict, 0 where a run ends by stopAt [s]
     bool isBroken = false; ///< by an error
+
+    bool isAtItsEnd() const { return time >= wanted * (1 - 1e-9); }
 };
 RunEnd endOfRun(const fs::path& caseDirectory)
 {
     RunEnd end;
+    const TimeControls controls =
+        readTimeControls(Dictionary::readFile(caseDirectory / "system/controlDict"), ControlDict::optional);
+    end.wanted = controls.stopAt == StopAt::endTime ? controls.endTime : 0;
     std::istringstream log(contentOfFile(caseDirectory / "log.contactDynamics"));
     for (std::string line; std::getline(log, line);)
     {
@@ -191,7 +199,7 @@ std::vector<std::string> motionMeaning(const fs::path& caseDirectory, const Asse
         fmt::format("After {:.4g} s the largest displacement of a block is {:.4g} m, of block {}; {} of {} "
                     "blocks are farther from their places than half the mean block size of {:.3g} m{}.",
                     frames.back().time, atTheEnd.distance, atTheEnd.block, away, freeBlocks, 2 * far,
-                    away == 0 && isWhole && !end.isBroken
+                    away == 0 && isWhole && end.isAtItsEnd() && !end.isBroken
                         ? standing(speedsAtEnd(caseDirectory, assembly, frames), frames, far)
                         : "")};
     if (!isWhole)
@@ -205,6 +213,15 @@ std::vector<std::string> motionMeaning(const fs::path& caseDirectory, const Asse
     {
         sentences.emplace_back("The run broke off with an error, which its log has.");
     }
+    if (!end.isAtItsEnd())
+    {
+        sentences.push_back(
+            fmt::format("The run has come to {:.6g} s, and endTime is {:.6g} s: it was stopped, or a step "
+                        "was not solved. "
+                        "contactDynamics goes on from its last state where startFrom is latestTime.",
+                        end.time, end.wanted));
+        printWarning(sentences.back());
+    }
     return sentences;
 }
 
@@ -215,11 +232,18 @@ void addMotion(HtmlPage& page, const fs::path& caseDirectory, const Assembly<Dim
 {
     constexpr std::size_t mostNumbers = 150'000; // of positions: some 2 MB of page
     const std::size_t mostFrames = mostNumbers / std::max<std::size_t>(1, assembly.blocks.size());
+    const bool isMotion = isOfMotion(caseDirectory);
     if (!fs::exists(caseDirectory / "VTK" / "blocks.vtp.series"))
     {
+        if (isMotion && !timesOfStates(caseDirectory).empty())
+        {
+            page.heading("Motion");
+            page.paragraph(
+                "There are states, but no frames: VTK/blocks.vtp.series is missing, from which this "
+                "section is made. contactDynamics writes frames as it goes.");
+        }
         return;
     }
-    const bool isMotion = isOfMotion(caseDirectory);
     page.heading(isMotion ? "Motion" : "Mechanism");
     const std::vector<BlockFrame> frames = readBlockFrames(
         caseDirectory / "VTK", "blocks", assembly.blocks.size(), std::clamp<std::size_t>(mostFrames, 2, 101));

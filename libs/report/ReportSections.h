@@ -10,9 +10,16 @@
 namespace drystone
 {
 
+/// What results follow from: the input that the case has now, or another.
+enum class InputOfResults
+{
+    same,
+    other ///< what multiplies a result by a load of now is left out
+};
+
 /// The answers of limitAnalysis with what they mean and their certificate; nothing without its table.
 template<int Dim>
-void addCollapse(HtmlPage& page, const std::filesystem::path& caseDirectory);
+void addCollapse(HtmlPage& page, const std::filesystem::path& caseDirectory, InputOfResults input);
 
 /// The animation, with what its end shows, and the viewer.
 template<int Dim>

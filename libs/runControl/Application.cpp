@@ -8,6 +8,7 @@
 #include "core/Signals.h"
 #include "runControl/CaseFiles.h"
 #include "runControl/CaseLock.h"
+#include "runControl/LaunchedAs.h"
 
 #include <algorithm>
 #include <csignal>
@@ -42,7 +43,7 @@ void printBanner(const CommandLine& commandLine)
     info("Host    : {}", hostName());
     info("PID     : {}", ::getpid());
     info("Case    : {}", fullName(commandLine.caseDirectory).string());
-    info("nProcs  : 1");
+    info("nProcs  : {}", commandLine.parallel ? launchedAs().size : 1);
     printLine();
     std::fflush(stdout);
 }

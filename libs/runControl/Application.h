@@ -20,9 +20,9 @@
 namespace drystone
 {
 
-/// A time step frees its arrays and the next asks for the same again. Given back to the system and fetched
-/// anew, page by page, they cost a seventh of the time of a wall of 146 blocks, so that the C library is
-/// instructed to keep them. jemalloc, which applications have where it is installed, keeps them by itself.
+/// A time step frees its arrays and the next asks for the same again. Given back to the system they are
+/// fetched anew page by page, which takes long, so that the C library is instructed to keep them. jemalloc,
+/// which applications have where it is installed, keeps them by itself.
 void keepFreedMemory();
 
 /// Name, version and, where git knew it when the build was configured, commit: `Drystone 0.1.0 at

@@ -54,8 +54,9 @@ fs::path requireCaseFile(const fs::path& caseDirectory, const fs::path& file, co
     }
     if (::access(path.c_str(), R_OK) != 0)
     {
-        throw FatalIOError(fmt::format("{} may not be read.\n\nMend its permissions.", file.string()),
-                           {path.string(), "", 0});
+        throw FatalIOError(
+            fmt::format("{} may not be read.\n\nPermit reading it (chmod u+r).", file.string()),
+            {path.string(), "", 0});
     }
     return path;
 }

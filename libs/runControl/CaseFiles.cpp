@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Lists the known names of each folder; others are tried in small letters, without .txt and by spelling.
 #include "runControl/CaseFiles.h"
 
 #include "core/Error.h"

@@ -91,7 +91,7 @@ struct CommandLine
     std::filesystem::path dictionaryFile(const std::filesystem::path& defaultFile) const;
 };
 
-/// Reads the command line. With `-help` or `-version` the other arguments are not looked at.
+/// Reads the command line, all of it with `-help` and `-version` too.
 /// \throws FatalError for an unknown option (naming the nearest), a missing or repeated one, and for
 /// `-parallel` where the application has no parallel mode
 CommandLine readCommandLine(int argc, const char* const* argv, const ApplicationDescription& description);

@@ -34,16 +34,15 @@ OutputControl::OutputControl(const OutputSettings& outputSettings, const TimePoi
     passed = intervalsPassed(begin);
 }
 
-long OutputControl::intervalsPassed(const TimePoint& now) const
+double OutputControl::intervalsPassed(const TimePoint& now) const
 {
-    const auto count = [&](double amount)
-    { return static_cast<long>(std::floor(amount / settings.writeInterval)); };
+    const auto count = [&](double amount) { return std::floor(amount / settings.writeInterval); };
     switch (settings.writeControl)
     {
     case WriteControl::timeStep:
-        return now.index / std::max(1L, std::lround(settings.writeInterval));
+        return count(static_cast<double>(now.index));
     case WriteControl::writeTime:
-        return now.writeTimes / std::max(1L, std::lround(settings.writeInterval));
+        return count(static_cast<double>(now.writeTimes));
     // Half a step early, so that rounding does not put the write off by a step.
     case WriteControl::runTime:
     case WriteControl::adjustableRunTime:
@@ -60,7 +59,7 @@ long OutputControl::intervalsPassed(const TimePoint& now) const
 
 bool OutputControl::due(const TimePoint& now)
 {
-    const long count = intervalsPassed(now);
+    const double count = intervalsPassed(now);
     const bool isDue = count > passed;
     passed = count;
     return isDue;

@@ -69,12 +69,12 @@ public:
     double timeToNextWrite(double value, double deltaT) const;
 
 private:
-    /// Number of whole intervals that have passed.
-    long intervalsPassed(const TimePoint& now) const;
+    /// Number of whole intervals that have passed: as large as the smallest interval makes it.
+    double intervalsPassed(const TimePoint& now) const;
 
     OutputSettings settings;
     double start = 0;
-    long passed = 0;
+    double passed = 0;
 };
 
 } // namespace drystone

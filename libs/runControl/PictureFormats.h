@@ -34,7 +34,7 @@ void declarePictureFormats(Options& options, PictureFormats& formats);
 /// \throws FatalIOError for a format that there is not
 PictureFormats readPictureFormats(const std::filesystem::path& caseDirectory);
 
-/// `mechanism.svg`, or `mechanism.png and mechanism.pdf`: the files of a picture, for the log.
+/// `mechanism.svg`, or `mechanism.png, mechanism.pdf`: the files of a picture, for the log.
 std::string pictureNames(std::string_view name, const PictureFormats& formats);
 
 } // namespace drystone

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// In space rough hinges first, then cells where joints are farthest from whole faces, then exact hinges.
 #include "statics/AddedPoints.h"
 
 #include "statics/CrushingHinges.h"

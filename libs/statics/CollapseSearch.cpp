@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Paths from forces moved inwards, pairs refined, and exchanges until the multiplier falls no more.
 #include "statics/CollapseSearch.h"
 
 #include "statics/PairRefinement.h"

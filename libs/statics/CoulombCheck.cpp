@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// All four figures in one pass over the points, each relative to a load, a force, a rate or a power.
 #include "statics/CoulombCheck.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Forces of a point that slides become one column; mechanisms are the multipliers of a cone program.
 #include "statics/CoulombExchange.h"
 
 #include <algorithm>

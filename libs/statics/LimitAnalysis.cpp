@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Beside the multiplier it proves that the dead load alone is carried, or by a mechanism that it is not.
 #include "statics/LimitAnalysis.h"
 
 #include "conic/form/Form.h"

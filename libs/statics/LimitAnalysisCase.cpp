@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Refuses overlaps and joints that almost close, then joins contact, loads and strengths in a program.
 #include "statics/LimitAnalysisCase.h"
 
 #include "assembly/AssemblyFile.h"

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// One refusal for each combination of entries that is not formulated, with the entry to change.
 #include "statics/LimitAnalysisScope.h"
 
 #include "effects/JointLaws.h"

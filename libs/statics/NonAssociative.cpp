@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The order of the moves: paths, the associative forces, steps from rest, paths that may wedge.
 #include "statics/NonAssociative.h"
 
 #include "statics/CollapseSearch.h"
@@ -49,8 +50,7 @@ void declare(Options& options, NonAssociativeSettings& settings)
     options
         .optional("starts", settings.starts,
                   "paths to collapse: more of them find lower collapses of the many that Coulomb's law has; "
-                  "in space "
-                  "others follow until four in a row find none")
+                  "in space others follow until four in a row find none")
         .atLeast(1)
         .atMost(1000);
     options.optional("seed", settings.seed, "of the random numbers that later starts are made from")

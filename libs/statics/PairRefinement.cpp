@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Damped, sparse normal equations in units of the largest force and rate; then points change their roles.
 #include "statics/PairRefinement.h"
 
 #include <Eigen/SparseCholesky>

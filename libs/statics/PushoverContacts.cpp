@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// In space patches are found anew where blocks are now; those too deep are of the far side and left out.
 #include "statics/PushoverContacts.h"
 
 #include "contact/space/FacingPatches.h"

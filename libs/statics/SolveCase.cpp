@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Goes through positions, combinations and ends of the range, again after each round of added points.
 #include "statics/SolveCase.h"
 
 #include "conic/form/Form.h"

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Two steps beyond the onset, with stiffer points in stages, extrapolated back to where motion begins.
 #include "statics/StepFromRest.h"
 
 #include "conic/coulomb/ContactPath.h"

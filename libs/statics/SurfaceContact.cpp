@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Sums the forces at both ends to resultants; writes balance anew from the middles of the joints.
 #include "statics/SurfaceContact.h"
 
 #include "contact/Facing.h"

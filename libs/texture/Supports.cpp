@@ -281,8 +281,7 @@ void declare(Options& options, GroundSlab& ground)
     options
         .optional("margin", ground.margin,
                   "by how far the slab extends past the structure on each side; three times the structure's "
-                  "size if "
-                  "absent")
+                  "size if absent")
         .unit("m")
         .atLeast(0)
         .example("10");

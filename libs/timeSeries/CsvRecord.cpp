@@ -213,8 +213,7 @@ std::size_t accelerationColumn(const Table& table, const CsvLayout& layout)
                 "of them has the accelerations is not known.",
                 table.width, layout.timeStep),
             "Write for instance `accelerationColumn 1;` (counted from 0); or remove `timeStep` where the "
-            "first "
-            "column has the times.");
+            "first column has the times.");
     }
     return layout.timeStep != 0 ? 0 : 1;
 }

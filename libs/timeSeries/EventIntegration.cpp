@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// GSL's rk8pd; the instant by the Illinois variant of false position, from the beginning of its step.
 #include "timeSeries/EventIntegration.h"
 
 #include <gsl/gsl_errno.h>

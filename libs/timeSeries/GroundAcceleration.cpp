@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Integrals in closed form, by running sums of a table, or of GSL's splines without an accelerator.
 #include "timeSeries/GroundAcceleration.h"
 
 #include <fmt/format.h>

@@ -344,8 +344,9 @@ void declare(Options& options, RecordMotion& settings)
         .example("\"constant/record.AT2\"");
     options.optional("format", settings.format, "how the file is laid out");
     options.optional("unit", settings.unit,
-                     "of the values: g, m/s2, cm/s2 or gal; where neither this nor the file says it, a "
-                     "csv file is in m/s2");
+                     fmt::format("of the values: {}; where neither this nor the file says it, a csv file is "
+                                 "in m/s2",
+                                 accelerationUnits));
     options.optional(
         "timeColumn", settings.timeColumn,
         "of a csv file: its position counted from 0, or its title; the first one when absent; in "
@@ -388,18 +389,18 @@ void declare(Options& options, RecordMotion& settings)
                   [=, &settings] { return ofCsvOnly(settings.timeColumn.has_value(), "timeColumn"); });
     options.check("accelerationColumn", [=, &settings]
                   { return ofCsvOnly(settings.accelerationColumn.has_value(), "accelerationColumn"); });
-    options.check("unit",
-                  [&settings]() -> std::string
-                  {
-                      if (!settings.unit || accelerationUnit(settings.unit->text) > 0)
-                      {
-                          return "";
-                      }
-                      return fmt::format(
-                          "'{}' is not a unit of acceleration that Drystone knows. Valid units: g m/s2 "
-                          "cm/s2 gal mm/s2 ft/s2 in/s2",
-                          settings.unit->text);
-                  });
+    options.check(
+        "unit",
+        [&settings]() -> std::string
+        {
+            if (!settings.unit || accelerationUnit(settings.unit->text) > 0)
+            {
+                return "";
+            }
+            return fmt::format(
+                "'{}' is not a unit of acceleration that Drystone knows.\n\nDeclare the unit as {}.",
+                settings.unit->text, accelerationUnits);
+        });
 }
 
 DescribedAcceleration recordedAcceleration(const RecordMotion& motion,

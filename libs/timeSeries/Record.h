@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Accelerograms measured by instruments: reading them, mending them, and the figures by which they are
+/// Accelerograms measured by instruments: reading them, repairing them, and the figures by which they are
 /// known.
 #pragma once
 
@@ -23,15 +23,18 @@ struct Record
 {
     std::filesystem::path file;        ///< where it was read
     std::string title;                 ///< what the file says of itself: event, station, component
-    std::string unit;                  ///< of the values in the file: g, m/s2, cm/s2 or gal
+    std::string unit;                  ///< of the values in the file, one of accelerationUnits
     bool unitIsAssumed = false;        ///< neither the file nor the user says it
     std::vector<double> times;         ///< strictly increasing [s]
     std::vector<double> accelerations; ///< one a time [m/s2]
 };
 
-/// How many [m/s2] one of this unit is. Knows g, m/s2, cm/s2, gal, mm/s2, ft/s2 and in/s2 in any case and in
-/// the spellings that headers use: `CM/SEC/SEC`, `cm/s^2`, `M/SEC**2`, `GALS`, ... \return 0 when the unit is
-/// not known, or is not one of acceleration
+/// Those of the values in a record.
+inline constexpr std::string_view accelerationUnits = "g, m/s2, cm/s2, gal, mm/s2, ft/s2 or in/s2";
+
+/// How many [m/s2] one of this unit is. Knows accelerationUnits in any case and in the spellings that headers
+/// use: `CM/SEC/SEC`, `cm/s^2`, `M/SEC**2`, `GALS`, ... \return 0 when the unit is not known, or is not one
+/// of acceleration
 double accelerationUnit(const std::string& unit);
 
 /// Read a file in the AT2 format of the PEER strong motion database, old or new. The header is everything up

@@ -157,30 +157,23 @@ std::vector<std::string_view> wordsBetween(std::string_view line, std::string_vi
     }
 }
 
-namespace
-{
-
-constexpr std::string_view knownUnits = "g, m/s2, cm/s2, gal, mm/s2, ft/s2 or in/s2";
-
-} // namespace
-
 std::string settledUnit(const RecordText& text, std::size_t line, const std::string& declared,
                         const std::string& found)
 {
     if (!declared.empty() && accelerationUnit(declared) == 0)
     {
         text.refuse(line, fmt::format("'{}' is not a unit of acceleration that Drystone knows.", declared),
-                    fmt::format("Declare the unit as {}.", knownUnits));
+                    fmt::format("Declare the unit as {}.", accelerationUnits));
     }
     if (!found.empty() && accelerationUnit(found) == 0)
     {
         text.refuse(line, fmt::format("The record is in '{}', which is not a unit of acceleration.", found),
-                    fmt::format("Use an acceleration record in {}.", knownUnits));
+                    fmt::format("Use an acceleration record in {}.", accelerationUnits));
     }
     if (declared.empty() && found.empty())
     {
         text.refuse(line, "The record does not say its unit.",
-                    fmt::format("Declare `unit`: {}.", knownUnits));
+                    fmt::format("Declare `unit`: {}.", accelerationUnits));
     }
     if (!declared.empty() && !found.empty() && accelerationUnit(declared) != accelerationUnit(found))
     {

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// The oscillator's exponential by its series, which loses no digits in short steps; GSL's fast transform.
 #include "timeSeries/Spectrum.h"
 
 #include <Eigen/Core>

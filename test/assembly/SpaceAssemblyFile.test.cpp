@@ -131,7 +131,7 @@ TEST_F(SpaceAssemblyFile, KeysAreChecked)
 TEST_F(SpaceAssemblyFile, MotionOfACaseInSpaceIsRefused)
 {
     EXPECT_THAT(report<2>(box()),
-                AllOf(HasSubstr("studies in space are not available yet"), HasSubstr("line 1")));
+                AllOf(HasSubstr("in space (dimensions 3), not in the plane"), HasSubstr("line 1")));
 }
 
 TEST_F(SpaceAssemblyFile, GravityHasThreeComponentsAndPointsDown)

@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <numbers>
 
 using namespace drystone;
 
@@ -161,9 +162,9 @@ TEST(JointClosure, ClosesJointsWhereThreeLinesMeetAtACorner)
     {
         const auto at = [&](double angle) -> Vector<2>
         { return middle + Vector<2>(std::cos(angle), std::sin(angle)); };
-        const double angle = 0.2 + 2 * EIGEN_PI / 3 * i;
+        const double angle = 0.2 + 2 * std::numbers::pi / 3 * i;
         assembly.blocks.push_back(
-            {{middle, at(angle), 1.5 * at(angle + 1) - 0.5 * middle, at(angle + 2 * EIGEN_PI / 3)},
+            {{middle, at(angle), 1.5 * at(angle + 1) - 0.5 * middle, at(angle + 2 * std::numbers::pi / 3)},
              1,
              i - 1 < 0 ? 0 : -1});
         // Each block with a middle of its own.

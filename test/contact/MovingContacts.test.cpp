@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <random>
 
 using namespace drystone;
@@ -67,10 +68,10 @@ Polygon randomConvex(std::mt19937& random)
     std::vector<double> angles;
     while (static_cast<int>(angles.size()) < count)
     {
-        const double angle = 2 * M_PI * unit(random);
+        const double angle = 2 * std::numbers::pi * unit(random);
         if (std::none_of(angles.begin(), angles.end(),
                          [&](double other)
-                         { return std::abs(std::remainder(angle - other, 2 * M_PI)) < 0.2; }))
+                         { return std::abs(std::remainder(angle - other, 2 * std::numbers::pi)) < 0.2; }))
         {
             angles.push_back(angle);
         }

@@ -133,6 +133,24 @@ TEST(HeldBlocks, AStoneThatStandsNeedsNoStepAtAll)
     }
 }
 
+TEST(HeldBlocks, AStepThatIsNotSolvedLeavesThemHeld)
+{
+    DynamicCase<2> scene = wallWithStone(0.24);
+    Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
+    for (int step = 0; step < 3; ++step)
+    {
+        ASSERT_TRUE(advance(scene, motion, timeStep));
+    }
+    ASSERT_GT(awakeOf(motion), 0);
+    ASSERT_FALSE(motion.isAwake.empty());
+    const std::vector<char> isAwake = motion.isAwake;
+    const std::vector<int> bodies = motion.bodies;
+    scene.solution.maximumIterations = 1;
+    ASSERT_FALSE(advance(scene, motion, timeStep));
+    EXPECT_EQ(motion.isAwake, isAwake);
+    EXPECT_EQ(motion.bodies, bodies);
+}
+
 // The ground pushes the wall beyond what it carries while the stone falls: all of it wakes up and moves.
 TEST(HeldBlocks, BlocksThatArePushedWakeUp)
 {

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <random>
 
 namespace drystone
@@ -262,7 +263,7 @@ TEST(Impact, ThrowsOfAllKindsGainNoMoreThanTheToleranceOfGaps)
             assembly, {.theta = theta, .mu = mu, .flowRule = flowRule, .restitution = restitution});
         DynamicState<2> start = stateAtRest(scene.assembly);
         start.placements[1] = {{0, std::hypot(width, height) / 2 - height / 2 + draw(0, 0.02)},
-                               draw(-M_PI, M_PI)};
+                               draw(-std::numbers::pi, std::numbers::pi)};
         start.velocity << draw(-3, 3), draw(-3, -1), draw(-8, 8);
         // With theta 0.5 what a step leaves of gaps, within contactTolerance, is closed without a loss. With
         // theta 1 points that follow Coulomb's law give way by contactOverlap and come back: the weight sinks

@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <random>
 
 namespace drystone
@@ -187,7 +188,7 @@ TEST(Tower, FallsWithoutBlocksEnteringEachOther)
             for (const FlowRule flowRule : {FlowRule::associative, FlowRule::nonAssociative})
             {
                 const auto path = fall({.theta = theta, .flowRule = flowRule, .restitution = restitution}, 2);
-                EXPECT_NEAR(path.back()[2], M_PI / 2, 0.05); // the lowest block lies on its side
+                EXPECT_NEAR(path.back()[2], std::numbers::pi / 2, 0.05); // the lowest block lies on its side
             }
         }
     }

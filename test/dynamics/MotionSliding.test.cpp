@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 namespace drystone
 {
 namespace
@@ -231,7 +233,7 @@ TEST(SlidingBlock, ARecordThatBeginsLateIsNotSteppedOver)
     for (int i = 0; i <= 900; ++i)
     {
         times.push_back(0.01 * i);
-        accelerations.push_back(i < 800 ? 0 : 5 * std::sin(2 * M_PI * 0.01 * i));
+        accelerations.push_back(i < 800 ? 0 : 5 * std::sin(2 * std::numbers::pi * 0.01 * i));
     }
     DynamicCase<2> scene = scenes::sceneOf(blockOnGround(), {.mu = 0.3});
     scenes::shake(scene, std::shared_ptr<const GroundAcceleration>(tabulatedAcceleration(

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <set>
 
@@ -285,7 +286,8 @@ TEST(Nataf, AgreesWithTheClosedForms)
                     1e-8);
     }
     const Distribution uniformOne = distributionOf("type uniform; minimum -3; maximum 1;");
-    EXPECT_NEAR(*natafCorrelation(uniformOne, uniformOne, 0.5), 2 * std::sin(M_PI * 0.5 / 6), 1e-5);
+    EXPECT_NEAR(*natafCorrelation(uniformOne, uniformOne, 0.5), 2 * std::sin(std::numbers::pi * 0.5 / 6),
+                1e-5);
     // Two lognormal variables cannot be correlated by -0.9.
     EXPECT_FALSE(natafCorrelation(lognormal, lognormal, -0.9));
 }
@@ -304,9 +306,9 @@ TEST(Nataf, OfStepsAgreesWithTheClosedForms)
     const Distribution normal = distributionOf("type normal; mean 3; standardDeviation 2;");
     for (const double wanted : {-0.8, 0.3, 0.8, 0.98})
     {
-        EXPECT_NEAR(*natafCorrelation(coin, coin, wanted), std::sin(M_PI / 2 * wanted), 1e-8);
+        EXPECT_NEAR(*natafCorrelation(coin, coin, wanted), std::sin(std::numbers::pi / 2 * wanted), 1e-8);
     }
-    EXPECT_NEAR(*natafCorrelation(coin, normal, 0.7), 0.7 * std::sqrt(2 * M_PI) / 2, 1e-8);
+    EXPECT_NEAR(*natafCorrelation(coin, normal, 0.7), 0.7 * std::sqrt(2 * std::numbers::pi) / 2, 1e-8);
 }
 
 TEST(Nataf, CorrelatesStepsOfAnyWeights)

@@ -10,6 +10,7 @@
 #include "core/Signals.h"
 
 #include <csignal>
+#include <numbers>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -299,7 +300,7 @@ TEST(Criterion, MeasuresFromWhereTheRunBegan)
     EXPECT_EQ(measured("type motion;", start, start), 0);
     EXPECT_NEAR(measured("type motion;", start, {{1.3, 2.4}, 0.1}), 0.5, 1e-14);
     // half a turn about the centre takes a corner to the other end of the diagonal
-    EXPECT_NEAR(measured("type motion;", {}, {{0, 0}, M_PI}), std::hypot(0.5, 2), 1e-14);
+    EXPECT_NEAR(measured("type motion;", {}, {{0, 0}, std::numbers::pi}), std::hypot(0.5, 2), 1e-14);
     EXPECT_NEAR(measured("type displacement; limit 1;", start, {{1.3, 1.6}, 0.7}), 0.5, 1e-14);
     EXPECT_NEAR(measured("type rotation; limit 1;", start, {{0, 0}, -0.2}), 0.3, 1e-14);
     EXPECT_NEAR(measured("type collapse; drop 0.5;", start, {{0, 1.3}, 0}), 0.7, 1e-14);

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 using namespace drystone;
 using testing::HasSubstr;
@@ -125,7 +126,8 @@ TEST(Fragility, HasNoMaximumWhereItHasNone)
     EXPECT_FALSE(fitStripes({{0.1, 10, 0}, {0.2, 10, 3}, {0.3, 10, 10}})); // one intensity alone is mixed
     EXPECT_FALSE(fitStripes({{0.1, 10, 0}, {0.2, 10, 0}}));
     EXPECT_FALSE(fitStripes({{0.1, 10, 10}, {0.2, 10, 10}}));
-    EXPECT_FALSE(fitStripes({{0.1, 10, 6}, {0.2, 10, 3}})); // fewer fail in a stronger motion
+    EXPECT_FALSE(fitStripes({{0.1, 10, 6}, {0.2, 10, 3}}));            // fewer fail in a stronger motion
+    EXPECT_FALSE(fitStripes({{0.3, 7, 3}, {0.7, 7, 3}, {1.1, 7, 3}})); // the same part fails in any motion
     EXPECT_FALSE(fitStripes({}));
     EXPECT_FALSE(fitTruncated({}, {1, 1}));
     EXPECT_FALSE(fitTruncated({0.5, 0.5}, {}));
@@ -356,8 +358,8 @@ TEST(SensitivityStatistic, OfIshigamisFunctionIsTheClosedForm)
         double b[3];
         for (std::uint32_t k = 0; k < 3; ++k)
         {
-            a[k] = M_PI * (2 * uniform(1, Stream::sample, k, i) - 1);
-            b[k] = M_PI * (2 * uniform(1, Stream::second, k, i) - 1);
+            a[k] = std::numbers::pi * (2 * uniform(1, Stream::sample, k, i) - 1);
+            b[k] = std::numbers::pi * (2 * uniform(1, Stream::second, k, i) - 1);
         }
         for (int role = 0; role < 5; ++role)
         {

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 using namespace drystone;
 using namespace drystone::scenes;
 
@@ -96,6 +98,7 @@ TEST(EffectAdvice, WarnsWithinFivePercentOfABorderAndNotBeyond)
     EXPECT_EQ(margin(0.96, 1), Margin::nearLimit);
     EXPECT_EQ(margin(1.04, 1), Margin::nearLimit);
     EXPECT_EQ(margin(1.06, 1), Margin::above);
+    EXPECT_EQ(margin(1, std::numeric_limits<double>::infinity()), Margin::below);
 }
 
 TEST(EffectAdvice, OfTwoComponentsTheWorstCornerCounts)

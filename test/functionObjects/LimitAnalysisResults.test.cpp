@@ -103,7 +103,7 @@ TEST_F(LimitAnalysisResults, OfACollapseHaveTheMultiplier)
         EXPECT_TRUE(fs::exists(directory / file)) << file;
     }
 
-    removeLimitAnalysisTable(directory);
+    removeLimitAnalysisResults(directory);
     EXPECT_FALSE(fs::exists(limitAnalysisTable(directory)));
     EXPECT_THROW(confirmResults(directory), FatalError);
 }

@@ -3,9 +3,12 @@
 #include "functionObjects/MotionState.h"
 
 #include "../dynamics/Scenes.h"
+#include "core/Error.h"
 #include "dynamics/Advance.h"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 using namespace drystone;
 
@@ -56,4 +59,21 @@ TEST(MotionState, SaysWhatTheNextStepNeedNotTry)
     DynamicCase<2> asGiven = scene;
     asGiven.schemes.effects.selection = EffectSelection::asGiven;
     EXPECT_FALSE(stateOf(asGiven, motion, time).scalars.contains("stepSlides"));
+}
+
+TEST(MotionState, RefusesCountsThatAreNone)
+{
+    const DynamicCase<2> scene = twoBoxes();
+    const Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
+    const State state = stateOf(scene, motion, Time(TimeControls{}, TimeState{}));
+    ASSERT_NO_THROW(motionOf(scene, state));
+    for (const char* name : {"solverIterations", "solverPrograms", "stepCollisions"})
+    {
+        for (const double value : {1e300, -1.0, 0.5, std::nan("")})
+        {
+            State damaged = state;
+            damaged.scalars[name] = value;
+            EXPECT_THROW(motionOf(scene, damaged), FatalIOError) << name << " " << value;
+        }
+    }
 }

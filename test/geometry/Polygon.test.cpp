@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 using namespace drystone;
 
 namespace
@@ -47,14 +49,14 @@ TEST(Polygon, AFineCircleIsNotStraightenedAwayBitByBit)
     Polygon circle;
     for (int i = 0; i < 3142; ++i)
     {
-        const double angle = 2 * EIGEN_PI * i / 3142;
+        const double angle = 2 * std::numbers::pi * i / 3142;
         circle.emplace_back(std::cos(angle), std::sin(angle));
     }
     const double tolerance = 1e-5;
     const Polygon kept = withoutStraightVertices(circle, tolerance);
     // A chord of sagitta s on the unit circle has area 4/3 s sqrt(2 s) less than its arc; with s <= tolerance
     // the loss is below 2 pi tolerance.
-    EXPECT_LT(areaProperties(circle).area - areaProperties(kept).area, 2 * EIGEN_PI * tolerance);
+    EXPECT_LT(areaProperties(circle).area - areaProperties(kept).area, 2 * std::numbers::pi * tolerance);
     EXPECT_LT(kept.size(), 1600U);
 }
 

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <random>
 
@@ -123,7 +124,7 @@ TEST(PolygonIntersection, RandomStarsHaveTheAreaThatTheirTrianglesHaveInCommon)
         Polygon polygon;
         for (int i = 0; i < corners; ++i)
         {
-            const double angle = 2 * EIGEN_PI * i / corners;
+            const double angle = 2 * std::numbers::pi * i / corners;
             polygon.push_back(radius(random) * Vector<2>(std::cos(angle), std::sin(angle)));
         }
         return polygon;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <random>
 
 using namespace drystone;
@@ -37,7 +38,7 @@ Polygon randomStar(std::mt19937& random, int corners)
     Polygon polygon;
     for (int i = 0; i < corners; ++i)
     {
-        const double angle = 2 * EIGEN_PI * i / corners;
+        const double angle = 2 * std::numbers::pi * i / corners;
         polygon.push_back(radius(random) * Vector<2>(std::cos(angle), std::sin(angle)));
     }
     return polygon;
@@ -135,8 +136,8 @@ TEST(PolygonShape, SignedDistanceIsNegativeInsideAndZeroOnTheOutline)
 TEST(PolygonShape, ANeedleHasASmallCompactnessAndASmallAngle)
 {
     const ShapeQuality square = shapeQuality(rectangle(0, 0, 1, 1));
-    EXPECT_NEAR(square.compactness, EIGEN_PI / 4, 1e-15);
-    EXPECT_NEAR(square.smallestAngle, EIGEN_PI / 2, 1e-15);
+    EXPECT_NEAR(square.compactness, std::numbers::pi / 4, 1e-15);
+    EXPECT_NEAR(square.smallestAngle, std::numbers::pi / 2, 1e-15);
     EXPECT_DOUBLE_EQ(square.shortestEdge, 0.25);
     const ShapeQuality needle = shapeQuality({{0, 0}, {1, 0}, {0, 1e-4}});
     EXPECT_NEAR(needle.smallestAngle, 1e-4, 1e-8);

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 using namespace drystone;
@@ -32,7 +33,7 @@ Polygon randomStar(std::mt19937& random, int corners)
     Polygon polygon;
     for (int i = 0; i < corners; ++i)
     {
-        const double angle = 2 * EIGEN_PI * i / corners;
+        const double angle = 2 * std::numbers::pi * i / corners;
         polygon.push_back(radius(random) * Vector<2>(std::cos(angle), std::sin(angle)));
     }
     return polygon;

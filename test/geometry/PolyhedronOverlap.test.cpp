@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 namespace drystone
@@ -107,9 +108,11 @@ TEST(PolyhedronOverlap, BlocksThatTouchOrLieApartHaveNone)
         EXPECT_NEAR(overlapVolume(cube, other), 0, 1e-14);
     }
     // Edge across edge, parted by neither's faces: only the direction across both edges parts them.
-    const Eigen::Matrix3d onEdge = Eigen::AngleAxisd(EIGEN_PI / 4, Vector<3>::UnitX()).toRotationMatrix();
+    const Eigen::Matrix3d onEdge =
+        Eigen::AngleAxisd(std::numbers::pi / 4, Vector<3>::UnitX()).toRotationMatrix();
     const Polyhedron lower = moved(makeBox({-2, -0.5, -0.5}, {2, 0.5, 0.5}), onEdge, {0, 0, 0});
-    const Eigen::Matrix3d across = Eigen::AngleAxisd(EIGEN_PI / 2, Vector<3>::UnitZ()).toRotationMatrix();
+    const Eigen::Matrix3d across =
+        Eigen::AngleAxisd(std::numbers::pi / 2, Vector<3>::UnitZ()).toRotationMatrix();
     const double top = std::sqrt(0.5);
     EXPECT_EQ(overlapDepth(lower, moved(lower, across, {0, 0, 2 * top + 1e-6})), 0);
     EXPECT_NEAR(overlapDepth(lower, moved(lower, across, {0, 0, 2 * top - 0.01})), 0.01, 1e-12);
@@ -165,7 +168,7 @@ TEST(PolyhedronOverlap, OfABoxInANotchFlushWithBothEndsIsNone)
 
 TEST(PolyhedronOverlap, ABallIsMostCompact)
 {
-    EXPECT_NEAR(solidQuality(makeBox({0, 0, 0}, {1, 1, 1})).compactness, EIGEN_PI / 6, 1e-12);
+    EXPECT_NEAR(solidQuality(makeBox({0, 0, 0}, {1, 1, 1})).compactness, std::numbers::pi / 6, 1e-12);
     EXPECT_LT(solidQuality(makeBox({0, 0, 0}, {1, 1, 1e-3})).compactness, 1e-4);
     EXPECT_NEAR(solidQuality(makeBox({0, 0, 0}, {1, 2, 0.25})).shortestEdge, 0.25, 1e-15);
 }

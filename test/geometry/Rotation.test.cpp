@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <random>
 
 using namespace drystone;
@@ -27,7 +28,7 @@ TEST(Rotation, RotationVectorsOfSpaceAreThoseOfMatrices)
         EXPECT_LT((turned(composed(first, then), arm) - matrixOf(then) * (matrixOf(first) * arm)).norm(),
                   1e-13);
         EXPECT_LT((turned(composed(first, turnBetween(first, then)), arm) - turned(then, arm)).norm(), 1e-13);
-        EXPECT_LE(composed(first, then).norm(), EIGEN_PI * (1 + 1e-15));
+        EXPECT_LE(composed(first, then).norm(), std::numbers::pi * (1 + 1e-15));
     }
     EXPECT_EQ(turned(Vector<3>(0, 0, 0), Vector<3>(1, 2, 3)), Vector<3>(1, 2, 3));
     // A small turn keeps its digits.

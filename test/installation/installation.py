@@ -37,6 +37,14 @@ class Installation(unittest.TestCase):
         return shutil.copytree(os.path.join(self.prefix, "share/drystone/tutorials", name), os.path.join(folder, "mine"),
                                ignore=shutil.ignore_patterns("log.*", "postProcessing", "VTK", "assembly"))
 
+    def testNothingIsInstalledElsewhere(self):
+        with open(os.path.join(build, "install_manifest.txt"), encoding="utf-8") as manifest:
+            files = manifest.read().split("\n")
+        self.assertIn(os.path.join(self.prefix, "bin/limitAnalysis"), files)
+        self.assertEqual([file for file in files if file and not file.startswith(self.prefix + "/")], [])
+        if os.path.exists(os.path.join(build, "share/drystone/viewer.js")):
+            self.assertIn(os.path.join(self.prefix, "share/drystone/viewer.js"), files)
+
     def testATutorialCopiedElsewhereRuns(self):
         folder = self.copyOfTutorial("limitAnalysis/arch")
         done = bash("./Allrun", folder, self.path)
@@ -45,6 +53,17 @@ class Installation(unittest.TestCase):
         self.assertIn("Status: unstable", done.stdout)
         self.assertEqual(bash("./Allclean", folder, self.path).returncode, 0)
         self.assertFalse(os.path.exists(os.path.join(folder, "stands", "log.limitAnalysis")))
+
+    def testEveryTutorialFindsTheFunctionsOfTheInstallation(self):
+        lost = []
+        for folder, _, names in os.walk(os.path.join(self.prefix, "share/drystone/tutorials")):
+            for name in names:
+                if name.startswith("All"):
+                    with open(os.path.join(folder, name), encoding="utf-8") as script:
+                        text = script.read()
+                    if "RunFunctions" in text and "|| . drystoneRunFunctions" not in text:
+                        lost.append(os.path.join(folder, name))
+        self.assertEqual(lost, [])
 
     def testAStudyInPythonFindsThePackage(self):
         done = bash("./Allrun", self.copyOfTutorial("limitAnalysis/fromPython"), self.path)

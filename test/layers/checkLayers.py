@@ -126,6 +126,16 @@ def violations(root):
     return found
 
 
+def withoutOpening(root):
+    """Each source whose second line, after the licence, does not say why it is in its library."""
+    found = []
+    for path, _ in sourceFiles(root):
+        second = (path.read_text(encoding="utf-8").splitlines() + ["", ""])[1]
+        if not second.startswith("/// "):
+            found.append(f"{path.relative_to(root)}:2: begin with a line `/// ...` that says why the file is here")
+    return found
+
+
 def selfTest():
     """Every kind of violation, each of which must be found, and alone."""
     good = {"libs/core/Error.h": "#pragma once\n#include <string>\n#include <fmt/format.h>\n#include <unistd.h>\n",
@@ -168,11 +178,16 @@ def selfTest():
             found = violations(tree({**good, name: good.get(name, "") + line + "\n"}))
             if len(found) != 1 or message not in found[0]:
                 failures.append(f"{line} in {name}: expected '{message}', got {found}")
-    return len(planted), failures
+        licence = "// SPDX-License-Identifier: GPL-3.0-or-later\n"
+        if withoutOpening(tree({"libs/core/Error.h": licence + "/// What programs say.\n"})):
+            failures.append("a source with its opening line is refused")
+        if len(withoutOpening(tree({"libs/core/Error.h": licence, "libs/core/Error.cpp": licence + "#include <x>\n"}))) != 2:
+            failures.append("sources without an opening line are not found")
+    return len(planted) + 2, failures
 
 
 def check(root):
-    found = violations(root)
+    found = violations(root) + withoutOpening(root)
     count = len(list(sourceFiles(root)))
     return found if count else ["no source files"], f"{count} files, {len(found)} violations"
 

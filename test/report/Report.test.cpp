@@ -101,10 +101,10 @@ TEST_F(Histories, DrawsColumnsOfOneUnitTogetherAndThoseThatAreZeroNot)
     const auto plots = historyPlots(
         tableOf("# Time[s] ux[m] uy[m] vx[m/s] wz[rad/s]\n0 0 0 1 0\n1 2 3 1 0\n2 4 3 1 0\n"), "block");
     ASSERT_EQ(plots.size(), 2U);
-    EXPECT_EQ(plots[0].y.label, "displacement [m]");
-    ASSERT_EQ(plots[0].curves.size(), 2U);
-    EXPECT_THAT(plots[0].curves[1].y, ElementsAre(0, 3, 3));
-    ASSERT_EQ(plots[1].curves.size(), 1U);
+    EXPECT_EQ(plots[0].second.y.label, "displacement [m]");
+    ASSERT_EQ(plots[0].second.curves.size(), 2U);
+    EXPECT_THAT(plots[0].second.curves[1].y, ElementsAre(0, 3, 3));
+    ASSERT_EQ(plots[1].second.curves.size(), 1U);
     EXPECT_TRUE(historyPlots(tableOf("# alpha[-] x[m]\n1 2\n2 3\n"), "").empty()); // not over time
 }
 

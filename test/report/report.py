@@ -290,6 +290,99 @@ statistics { capacity { type distribution; value alpha; } }
             self.assertNotIn("the structure stands", page)
             self.assertIn("The run went on to 0.5 s without another frame", page)
 
+    def testOfARunBeforeItsEndNothingIsConcluded(self):
+        slide = "../../contactDynamics/slidingBlock/slide"
+        case = self.caseOf(slide)
+        shutil.copytree(os.path.join(tutorial, slide, "0"), os.path.join(case, "0"))
+        self.edit(case, "system/controlDict", "endTime", "0.5")
+        self.runApplication("contactDynamics", case)
+        self.run_(case)
+        self.assertIn("the structure stands", self.read(case, "report.html"))
+        self.edit(case, "system/controlDict", "endTime", "12")
+        done = self.run_(case)
+        page = self.read(case, "report.html")
+        for said in (page, done.stdout + done.stderr):
+            self.assertIn("The run has come to 0.5 s, and endTime is 12 s", said)
+        self.assertNotIn("the structure stands", page)
+        shutil.rmtree(os.path.join(case, "VTK"))
+        self.run_(case)
+        self.assertIn("There are states, but no frames", self.read(case, "report.html"))
+
+    def testWithoutAnAnswerSaysSo(self):
+        case = self.wall()
+        self.runApplication("caseDictionary", case, "system/solution", "-entry", "limitAnalysis/maximumIterations", "-add", "3")
+        self.runApplication("limitAnalysis", case, status=2)
+        done = self.run_(case)
+        for said in (done.stdout + done.stderr, self.read(case, "report.html")):
+            self.assertIn("There is no answer to report", said)
+        self.runApplication("caseDictionary", case, "system/solution", "-entry", "limitAnalysis/maximumIterations", "-remove")
+        self.runApplication("limitAnalysis", case)
+        shutil.rmtree(os.path.join(case, "postProcessing"))
+        self.run_(case)  # a mechanism without its multiplier
+        self.assertIn("limitAnalysis.dat is missing", self.read(case, "report.html"))
+
+    def testSaysWhichLawTheForcesObey(self):
+        for name, said in (("../jointStrength/tension", "balance it with tension up to a strength"),
+                           ("../jointStrength/cohesion", "and cohesion"),
+                           ("../jointStrength/crushing", "pressure up to a strength")):
+            case = self.caseOf(name)
+            self.runApplication("limitAnalysis", case, "-report")
+            self.assertIn(said, self.read(case, "report.html"), name)
+            shutil.rmtree(case)
+
+    def testOfAStructureThatDoesNotStandNothingIsSaidOfAlpha(self):
+        case = self.caseOf("../arch/falls")
+        self.runApplication("limitAnalysis", case, "-report")
+        page = self.read(case, "report.html")
+        self.assertIn("unstable: the blocks cannot carry their dead load", page)
+        self.assertNotIn("largest that the structure carries", page)
+
+    def testAnAlphaOfOtherInputIsNotMultipliedByALoadOfNow(self):
+        case = self.wall()
+        self.runApplication("limitAnalysis", case, "-report")
+        self.assertIn("at collapse", self.read(case, "report.html"))
+        self.edit(case, "constant/materialProperties", "unitWeight", "2000")
+        self.run_(case)
+        self.assertNotIn("at collapse", self.read(case, "report.html"))
+
+    def testSaysWhereAStudyHasNotEnded(self):
+        case = self.wall()
+        with open(os.path.join(case, "system/ensembleDict"), "w", encoding="utf-8") as file:
+            file.write("""applications (blockTexture limitAnalysis);
+variables { mu { file "constant/contactProperties"; entry "friction/mu"; distribution { type uniform; minimum 0.2; maximum 0.4; } } }
+design { type random; samples 4; seed 3; }
+results { alpha { table "postProcessing/limitAnalysis/0/limitAnalysis.dat"; column alpha; } }
+statistics { capacity { type distribution; value alpha; } }
+""")
+        shutil.rmtree(os.path.join(case, "constant/assembly"))
+        self.runApplication("ensemble", case)
+        self.run_(case)
+        page = self.read(case, "report.html")
+        self.assertIn("system/ensembleDict", page)
+        folder = os.path.join(case, "postProcessing/ensemble/0")
+        samples = self.read(folder, "samples.dat")
+        for name, text, said in (("samples.dat", samples.rsplit("\n", 2)[0] + "\n", "samples.dat has 3 of the 4 samples"),
+                                 ("statistics.dat", "", "statistics.dat has nothing of capacity"),
+                                 ("samples.dat", None, "samples.dat is missing or holds nothing")):
+            self.assertNotIn(said, page)
+            os.remove(os.path.join(folder, name))
+            if name == "samples.dat" and text is None:
+                os.remove(os.path.join(folder, "statistics.dat"))
+            if text is not None:
+                with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
+                    file.write(text)
+            done = self.run_(case)
+            page = self.read(case, "report.html")
+            for where in (done.stdout + done.stderr, page):
+                self.assertIn(said, where)
+
+    def testWarnsOfASearchOfAnotherObjective(self):
+        case = self.copyOf(os.path.join(tutorial, "../../parameterSearch/frictionFromTilting"))
+        self.runApplication("parameterSearch", case)
+        self.checkWarnsOfNothing(case)
+        self.edit(case, "system/parameterSearchDict", "objective/goal", "maximise")
+        self.checkWarns(case, "parameterSearch are those of other input: system/parameterSearchDict has changed")
+
     def testOfASettlementAlphaIsAReaction(self):
         case = self.caseOf("../settlement/vertical")
         self.runApplication("limitAnalysis", case, "-report")

@@ -544,6 +544,17 @@ TEST(OutputControl, CountsSecondsOfTheClocks)
     EXPECT_FALSE(none.due({5, 1, 5, 5, 5, 1}));
 }
 
+TEST(OutputControl, TakesIntervalsOfAnySize)
+{
+    OutputControl never({WriteControl::timeStep, 1e20}, TimePoint{});
+    OutputControl always({WriteControl::runTime, 1e-25}, TimePoint{});
+    for (int i = 1; i <= 5; ++i)
+    {
+        EXPECT_FALSE(never.due({0.1 * i, 0.1, i, 0, 0, 0})) << i;
+        EXPECT_TRUE(always.due({0.1 * i, 0.1, i, 0, 0, 0})) << i;
+    }
+}
+
 TEST_F(TimeCase, AMissingControlDictIsRepairedFromAFileThatExists)
 {
     try

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 namespace drystone
 {
 namespace
@@ -37,7 +39,7 @@ TEST(CoulombInSpace, APrismInAGrooveSlidesAtMuOverCosine)
     for (int i = 0; i < test::instances; ++i)
     {
         SCOPED_TRACE(testing::Message() << "instance " << i);
-        const double slope = i == 0 ? EIGEN_PI / 4 : i == 1 ? EIGEN_PI / 6 : chance(0.2, 1.2);
+        const double slope = i == 0 ? std::numbers::pi / 4 : i == 1 ? std::numbers::pi / 6 : chance(0.2, 1.2);
         const double mu = i == 0 ? 0.3 : i == 1 ? 0.5 : chance(0.05, 0.9 / std::tan(slope));
         const double h = std::tan(slope);
         const auto along = [](const std::vector<Vector<2>>& outline, double from, double to)

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 namespace drystone
 {
@@ -119,7 +120,7 @@ TEST(CrushingInSpace, ABoxPushedAskewCrushesATriangleAtItsCorner)
         const double a = chance(0.1, 1);
         const double b = chance(0.1, 1);
         const double h = chance(0.5, 2);
-        const double angle = i == 0 ? EIGEN_PI / 4 : std::atan2(b, a) + chance(-0.2, 0.2);
+        const double angle = i == 0 ? std::numbers::pi / 4 : std::atan2(b, a) + chance(-0.2, 0.2);
         const double pressure = 2 * h; // of the weight over the base
         const double crushing = pressure * std::exp(chance(1.5, 7));
         // A triangle with the legs p and q along the sides, p q/2 = W/s, has its centroid at (a - p/3, b -
@@ -153,7 +154,7 @@ TEST(CrushingInSpace, GridsOfPointsApproachTheStressBlockFromAbove)
         std::vector<Vector<2>> outline;
         for (int k = 0; k < sides; ++k)
         {
-            const double angle = 2 * EIGEN_PI * (k + chance(-0.2, 0.2)) / sides;
+            const double angle = 2 * std::numbers::pi * (k + chance(-0.2, 0.2)) / sides;
             outline.emplace_back(chance(0.3, 0.5) * std::cos(angle), 0.4 * std::sin(angle));
         }
         if (i % 5 == 4)

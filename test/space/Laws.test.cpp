@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 namespace drystone
@@ -49,7 +50,7 @@ std::vector<Polyhedron> randomStack(Chance& chance, int count)
 
 Vector<3> randomDirection(Chance& chance)
 {
-    const double angle = chance(0, 2 * EIGEN_PI);
+    const double angle = chance(0, 2 * std::numbers::pi);
     return {std::cos(angle), std::sin(angle), 0};
 }
 
@@ -230,11 +231,11 @@ TEST(LawsOfSpace, APrismOverturnsAboutAFaceOrACorner)
         std::vector<Vector<2>> outline;
         for (int k = 0; k < sides; ++k)
         {
-            const double angle = 2 * EIGEN_PI * k / sides;
+            const double angle = 2 * std::numbers::pi * k / sides;
             outline.emplace_back(circumradius * std::cos(angle), circumradius * std::sin(angle));
         }
         const Assembly<3> assembly = onGround({test::prism(outline, 0, height)});
-        const double half = EIGEN_PI / sides;
+        const double half = std::numbers::pi / sides;
         EXPECT_NEAR(multiplier(assembly, 2, {std::cos(half), std::sin(half), 0}),
                     std::min(2.0, circumradius * std::cos(half) / (height / 2)), exact)
             << "instance " << i << ", towards a face";
@@ -257,7 +258,7 @@ TEST(LawsOfSpace, PureTorqueOnPointsOfOneRadius)
         std::vector<Vector<2>> outline;
         for (int k = 0; k < sides; ++k)
         {
-            const double angle = 2 * EIGEN_PI * k / sides;
+            const double angle = 2 * std::numbers::pi * k / sides;
             outline.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
         }
         const Assembly<3> assembly = onGround({test::prism(outline, 0, height)});
@@ -290,7 +291,7 @@ TEST(LawsOfSpace, APrismInAGrooveIsWedgedByTheAssociativeLaw)
     Chance chance(7);
     for (int i = 0; i < instances; ++i)
     {
-        const double slope = i == 0 ? EIGEN_PI / 4 : i == 1 ? EIGEN_PI / 6 : chance(0.2, 1.2);
+        const double slope = i == 0 ? std::numbers::pi / 4 : i == 1 ? std::numbers::pi / 6 : chance(0.2, 1.2);
         const double mu = i == 0 ? 0.3 : i == 1 ? 0.5 : chance(0.05, 0.9 / std::tan(slope));
         // A triangular prism, its edge down along x, between two fixed wedges.
         const double h = std::tan(slope);
@@ -413,7 +414,7 @@ TEST(LawsOfSpace, StepsBuiltInAnyDepthNeverCollapse)
                            {makeBox({-0.5, 1, -0.5}, {width + 0.5, 1.2, 1}), 0}};
         assembly.supports = {{"wall", "blocks"}};
         LoadVectors loads = pushed(assembly, {1, 0, 0});
-        const double angle = chance(0, 2 * EIGEN_PI);
+        const double angle = chance(0, 2 * std::numbers::pi);
         // Anywhere on its free end, in any direction of that face.
         loads.live = pointLoad(assembly, 0, {chance(0, width), 0, chance(0, thickness)},
                                {std::cos(angle), 0, std::sin(angle)});

@@ -15,6 +15,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <numbers>
 
 namespace drystone
 {
@@ -83,7 +84,7 @@ TEST(RoundedStructures, KeepTheirJointsAndTheirMultiplier)
     int open = 0; // with few digits all corners of joints may round alike
     for (const Vector<3>& axis : {vertical, inclined})
     {
-        const Eigen::Matrix3d rotation = turn(10 * EIGEN_PI / 180, axis);
+        const Eigen::Matrix3d rotation = turn(10 * std::numbers::pi / 180, axis);
         for (const int digits : {4, 5, 6, 7, 9})
         {
             const double unit = std::pow(10.0, -digits);

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numbers>
 #include <tuple>
 
 namespace drystone
@@ -244,7 +245,7 @@ TEST(LawsOfVaults, BondedWallsAreSolvedInEveryDirectionByFewFactorisations)
         for (int direction = 0; direction < 8; ++direction)
         {
             SCOPED_TRACE(fmt::format("{} {} x {}, direction {} of 8", bond, length, courses, direction));
-            const double angle = direction * EIGEN_PI / 4;
+            const double angle = direction * std::numbers::pi / 4;
             const LoadVectors loads = pushed(wall, {std::cos(angle), std::sin(angle), 0});
             const LimitAnalysis result = collapse(wall, points, 0.6, loads);
             EXPECT_EQ(result.status, CollapseStatus::optimal);

@@ -11,6 +11,7 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include <numbers>
 #include <random>
 #include <span>
 
@@ -814,7 +815,7 @@ Outcome vibration(SolverType solver, double frequency)
                           std::make_shared<SinePulse>(PulseShape{amplitude * g, 20 / frequency, 0}, 40.0));
             Watched run(scene, outcome);
             run.until(20 / frequency, timeStep);
-            const double ground = amplitude * g / std::pow(2 * M_PI * frequency, 2);
+            const double ground = amplitude * g / std::pow(2 * std::numbers::pi * frequency, 2);
             worsen(outcome, amplitude < 0.25 ? run.largestDisplacement() / ground
                                              : 0.05 * run.largestDisplacement() / ground);
         }

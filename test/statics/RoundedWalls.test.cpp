@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <numbers>
 #include <random>
 
 namespace drystone
@@ -72,14 +73,14 @@ TEST_P(RoundedWalls, KeepTheirJointsAndTheirMultiplier)
     const double reference = analysed(assembly, 0, Rounding::significant, 17).second.alpha;
     EXPECT_NEAR(reference, wall.alpha, 5e-7);
     std::mt19937 random(20261122u + static_cast<unsigned>(GetParam()));
-    std::uniform_real_distribution<double> angles(-EIGEN_PI, EIGEN_PI);
+    std::uniform_real_distribution<double> angles(-std::numbers::pi, std::numbers::pi);
     for (int digits = 5; digits <= 9; ++digits)
     {
         for (const Rounding rounding : {Rounding::decimals, Rounding::significant})
         {
             for (int turn = 0; turn < 4; ++turn)
             {
-                const double angle = turn == 0 ? EIGEN_PI / 18 : angles(random);
+                const double angle = turn == 0 ? std::numbers::pi / 18 : angles(random);
                 SCOPED_TRACE(fmt::format("{} {} digits, turned by {}", digits,
                                          rounding == Rounding::decimals ? "decimal" : "significant", angle));
                 const auto [points, result] = analysed(assembly, angle, rounding, digits);

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 using namespace drystone;
@@ -205,7 +206,7 @@ TEST(SpaceTextures, FillTheVolumeThatTheyShould)
     EXPECT_NEAR(
         freeVolume(structure("type barrelVault; radius 1; thickness 0.15; voussoirs 27; length 2; slices 3; "
                              "staggered yes;")),
-        2 * 0.15 * 27 * std::sin(EIGEN_PI / 27), 1e-12);
+        2 * 0.15 * 27 * std::sin(std::numbers::pi / 27), 1e-12);
     // Rings between regular octagons: 4 sin(45 deg)(ro^2 - ri^2) times the height, whatever the bond.
     for (const std::string type : {"turned", "toothed", "stacked"})
     {

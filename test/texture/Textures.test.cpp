@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 using namespace drystone;
@@ -72,7 +73,7 @@ TEST(Arch, VoussoirsAreTrapezoidsBetweenTheTwoCircles)
         area += areaProperties(outline).area;
     }
     // n trapezoids of the angle pi/n between radii r and R: (R^2 - r^2) sin(pi/n) n/2 = R t n sin(pi/n).
-    EXPECT_NEAR(area, arch.thickness * 27 * std::sin(EIGEN_PI / 27), 1e-14);
+    EXPECT_NEAR(area, arch.thickness * 27 * std::sin(std::numbers::pi / 27), 1e-14);
     EXPECT_EQ(assembly.supports[0].name, "left");
     EXPECT_EQ(assembly.supports[1].name, "right");
     EXPECT_EQ(findContactPoints(assembly).size(), 2U * 28);

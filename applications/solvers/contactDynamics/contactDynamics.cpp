@@ -116,12 +116,16 @@ int main(int argc, char* argv[])
                             "contactDynamics -postProcess    # the functions again, from stored states"};
     description.tutorial = "contactDynamics/archUnderPulse";
     description.dictionaries = {{"constant/g", describeOptions<Gravity<2>>},
+                                {"constant/g in space", describeOptions<Gravity<3>>},
                                 {"constant/materialProperties", describeOptions<MaterialProperties>},
                                 {"constant/contactProperties", describeOptions<CaseEffects<2>>},
                                 {"constant/loads", describeOptions<LoadCases<2>>},
+                                {"constant/loads in space", describeOptions<LoadCases<3>>},
                                 {"constant/groundMotion", describeOptions<GroundMotionSettings>},
                                 {"constant/supportMotion", describeOptions<SupportMotionFile<2>>},
+                                {"constant/supportMotion in space", describeOptions<SupportMotionFile<3>>},
                                 {"0/motion", describeOptions<InitialMotion<2>>},
+                                {"0/motion in space", describeOptions<InitialMotion<3>>},
                                 {"system/controlDict", describeOptions<ControlDictSettings>},
                                 {"system/schemes", describeOptions<Schemes>},
                                 {"system/solution/contactDynamics", describeOptions<SolverChoice>}};

@@ -69,7 +69,7 @@ int runIn(const CommandLine& commandLine)
         writeLimitAnalysisProgram(directory, structure, results.front());
         if (!std::all_of(results.begin(), results.end(), hasAnswer))
         {
-            removeLimitAnalysisTable(directory);
+            removeLimitAnalysisResults(directory);
             return 2;
         }
         writeLimitAnalysisResults(directory, structure, results, used,

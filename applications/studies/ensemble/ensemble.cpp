@@ -61,7 +61,7 @@ void compareWithPlan(const Ensemble& ensemble)
     }
 }
 
-/// `Samples: 1200 of 100000, 3 attempts failed, 2100/s, 47 s left`
+/// `Samples: 1200 of 100000, 3 attempts ended, 2100/s, 47 s left`
 void printProgress(const EnsembleProgress& progress)
 {
     const auto left = static_cast<double>(progress.samples - progress.done);

@@ -45,8 +45,7 @@ int main(int argc, char* argv[])
     description.name = "parameterSearch";
     description.summary =
         "Varies entries of a case until a result is least or largest, within constraints: runs applications "
-        "in "
-        "copies of the case and lets algorithms of NLopt choose the points. Started again, it continues.";
+        "in copies of the case and lets algorithms of NLopt choose the points. Started again, it continues.";
     description.kind = ApplicationKind::solver;
     description.examples = {"parameterSearch -case arch"};
     description.tutorial = "parameterSearch/archThickness";

@@ -1,19 +1,17 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// exportBlocks: writes the blocks of a case, as built or at a moment of a motion, for other programs.
+#include "ExportFormats.h"
+
 #include "assembly/AssemblyFile.h"
 #include "assembly/Materials.h"
-#include "contact/ContactPoint.h"
 #include "contact/JointClosure.h"
 #include "core/Error.h"
 #include "core/Log.h"
 #include "core/WholeFile.h"
 #include "dynamics/InitialMotion.h"
-#include "effects/EffectList.h"
 #include "functionObjects/KeptResults.h"
-#include "import/export/Unwritten.h"
-#include "import/export/Writers.h"
+#include "functionObjects/MotionState.h"
 #include "io/FrameReader.h"
-#include "io/TimeDirectory.h"
 #include "runControl/Application.h"
 
 #include <algorithm>
@@ -26,30 +24,20 @@ namespace fs = std::filesystem;
 namespace
 {
 
-/// A format: its name, and the ending of its files.
-using Format = std::pair<std::string_view, std::string_view>;
-constexpr std::array<Format, 6> formats{{{"obj", ".obj"},
-                                         {"compasJson", ".json"},
-                                         {"dxf", ".dxf"},
-                                         {"gltf", ".gltf"},
-                                         {"lmgc90", ".py"},
-                                         {"3dec", ".dat"}}};
-
-const Format& formatOf(const CommandLine& commandLine)
+template<int Dim>
+const ExportFormat<Dim>& formatOf(const CommandLine& commandLine)
 {
     const std::string name = commandLine.get("format").value_or("obj");
-    const auto found = std::find_if(formats.begin(), formats.end(),
-                                    [&](const Format& format) { return format.first == name; });
-    if (found == formats.end())
+    std::vector<std::string> names;
+    for (const ExportFormat<Dim>& format : exportFormats<Dim>())
     {
-        std::vector<std::string> names;
-        for (const Format& format : formats)
+        if (format.name == name)
         {
-            names.emplace_back(format.first);
+            return format;
         }
-        throw FatalError(unknownWordMessage("format", name, names));
+        names.emplace_back(format.name);
     }
-    return *found;
+    throw FatalError(unknownWordMessage("format", name, names));
 }
 
 template<class Number>
@@ -126,47 +114,39 @@ std::vector<Placement<Dim>> placementsAt(const fs::path& caseDirectory, const st
     {
         return readInitialMotion(caseDirectory, time, assembly).state.placements;
     }
-    const std::size_t blocks = assembly.blocks.size();
-    const State state = readState(caseDirectory / time / "state");
-    constexpr std::size_t rotations = rotationCount<Dim>;
-    const std::vector<double>& translation = stateArray(state, "translation", Dim * blocks);
-    const std::vector<double>& rotation = stateArray(state, "rotation", rotations * blocks);
-    std::vector<Placement<Dim>> placements(blocks);
-    for (std::size_t i = 0; i < blocks; ++i)
+    return placementsIn<Dim>(readState(caseDirectory / time / "state"), assembly.blocks.size());
+}
+
+/// Refuses options that the format, or the other options, leave without a meaning.
+template<int Dim>
+void refuseOptions(const CommandLine& commandLine, const ExportFormat<Dim>& format)
+{
+    const bool isAnimated = commandLine.has("animation");
+    if (!isAnimated && commandLine.has("magnification"))
     {
-        for (std::size_t axis = 0; axis < Dim; ++axis)
-        {
-            placements[i].translation[static_cast<int>(axis)] = translation[Dim * i + axis];
-        }
-        if constexpr (Dim == 2)
-        {
-            placements[i].rotation = rotation[i];
-        }
-        else
-        {
-            placements[i].rotation = {rotation[3 * i], rotation[3 * i + 1], rotation[3 * i + 2]};
-        }
+        throw FatalError("-magnification is of the displacements of -animation, which is not given.\n\nAdd "
+                         "-animation, or leave -magnification out.");
     }
-    return placements;
+    if (isAnimated && (!format.takesFrames || commandLine.has("time")))
+    {
+        throw FatalError("-animation has all moments of a motion, in the format gltf only.\n\nWrite "
+                         "exportBlocks -format gltf -animation, without -time.");
+    }
+    if (commandLine.has("decimals") && !format.takesDecimals)
+    {
+        throw FatalError(
+            fmt::format("-decimals is of obj, compasJson and dxf; {} has all digits.\n\nLeave -decimals out.",
+                        format.name));
+    }
 }
 
 /// The frames of the case with the axes of solids: blocks of the plane lie in x-z.
 template<int Dim>
 std::vector<SolidFrame> framesOf(const CommandLine& commandLine, std::size_t blocks)
 {
-    if (!commandLine.has("animation") && commandLine.has("magnification"))
-    {
-        throw FatalError("-magnification is of the displacements of -animation, which is not given.\n\nAdd "
-                         "-animation, or leave -magnification out.");
-    }
     if (!commandLine.has("animation"))
     {
         return {};
-    }
-    if (formatOf(commandLine).first != "gltf" || commandLine.has("time"))
-    {
-        throw FatalError("-animation has all moments of a motion, in the format gltf only.\n\nWrite "
-                         "exportBlocks -format gltf -animation, without -time.");
     }
     if (!fs::exists(commandLine.caseDirectory / "VTK/blocks.vtp.series"))
     {
@@ -197,7 +177,7 @@ std::vector<SolidFrame> framesOf(const CommandLine& commandLine, std::size_t blo
 
 /// Warns where what is shown was computed from other input than that of now: old motion of new blocks.
 template<int Dim>
-void compareWithInput(const CommandLine& commandLine, Assembly<Dim> assembly, const std::string& time)
+void warnOfOtherInput(const CommandLine& commandLine, Assembly<Dim> assembly, const std::string& time)
 {
     closeJoints(assembly);
     const fs::path& directory = commandLine.caseDirectory;
@@ -211,179 +191,86 @@ void compareWithInput(const CommandLine& commandLine, Assembly<Dim> assembly, co
     }
 }
 
-/// The joints as built, for formats that have them.
-std::vector<StatedJoint<3>> jointsOf(Assembly<3> assembly)
-{
-    closeJoints(assembly);
-    std::vector<StatedJoint<3>> joints;
-    int last = -1;
-    for (const ContactPoint<3>& point : findContactPoints(assembly))
-    {
-        if (point.joint != last)
-        {
-            joints.push_back({point.block, point.neighbour, point.normal, {}});
-            last = point.joint;
-        }
-        joints.back().points.push_back(point.position);
-    }
-    return joints;
-}
-std::vector<StatedJoint<3>> jointsOf(const Assembly<2>&)
-{
-    return {}; // of the plane are lines, not interfaces
-}
-
-std::string dxfOf(const Assembly<2>& assembly, const std::vector<Placement<2>>& placements,
-                  const std::vector<ExportedSolid>&, const WrittenNumbers& numbers)
-{
-    return dxfText(assembly, placements, numbers);
-}
-std::string dxfOf(const Assembly<3>&, const std::vector<Placement<3>>&,
-                  const std::vector<ExportedSolid>& solids, const WrittenNumbers& numbers)
-{
-    return dxfText(solids, numbers);
-}
-
-/// \param time empty: as built, when joints are where they were stated
 template<int Dim>
-WrittenProperties propertiesIn(std::string_view format, const std::string& time)
+BlockExport<Dim> blocksToWrite(const CommandLine& commandLine, const ExportFormat<Dim>& format,
+                               const Assembly<Dim>& assembly)
 {
-    WrittenProperties written;
-    if (format == "compasJson")
-    {
-        written.zones = WrittenZones::all;
-        written.joints = time.empty() && Dim == 3 ? WrittenJoints::all : WrittenJoints::none;
-    }
-    if (format == "dxf" && Dim == 2)
-    {
-        written.thickness = WrittenThickness::none;
-    }
-    return written;
+    const fs::path& directory = commandLine.caseDirectory;
+    BlockExport<Dim> blocks{.caseDirectory = directory, .assembly = assembly};
+    blocks.numbers.decimals = numberOf<int>(commandLine, "decimals", 0, 17);
+    blocks.time = timeOf(commandLine);
+    warnOfOtherInput(commandLine, assembly, blocks.time);
+    blocks.frames = framesOf<Dim>(commandLine, assembly.blocks.size());
+    blocks.placements = placementsAt(directory, blocks.time, assembly);
+    const std::vector<double> densities =
+        format.hasDensities ? readDensities<Dim>(directory, assembly, readGravity<Dim>(directory))
+                            : std::vector<double>();
+    blocks.solids = exportedSolids(assembly, blocks.placements, densities);
+    return blocks;
 }
 
-/// What the joints of the case do and an LMGC90 script does not.
-void warnOfLaws(const ContactProperties& properties)
+void requireEnoughDecimals(const std::vector<ExportedSolid>& solids, int decimals)
 {
-    std::vector<std::string_view> others;
-    for (const auto& [isGiven, name] : {std::pair{properties.restitution.has_value(), "restitution"},
-                                        std::pair{properties.cohesion.has_value(), "cohesion"},
-                                        std::pair{properties.tension.has_value(), "tension"},
-                                        std::pair{properties.crushing.has_value(), "crushing"}})
-    {
-        if (isGiven)
-        {
-            others.emplace_back(name);
-        }
-    }
-    if (!others.empty())
-    {
-        printWarning(fmt::format("The script has friction alone (IQS_CLB): of constant/contactProperties it "
-                                 "leaves out {}.",
-                                 fmt::join(others, ", ")));
-    }
-    if (properties.friction && properties.friction->flowRule == FlowRule::associative)
-    {
-        printWarning("The script slides by Coulomb's law, without dilatancy, where flowRule of "
-                     "constant/contactProperties is associative.");
-    }
-    if (!properties.joints.empty())
-    {
-        printWarning("The script has one law for all joints: what `joints` of constant/contactProperties "
-                     "says of some is not in it.");
-    }
-}
-
-void requireEnoughDecimals(const std::vector<ExportedSolid>& solids, std::string_view format, int decimals)
-{
-    if (format != "obj" && format != "compasJson" && format != "dxf")
-    {
-        throw FatalError(
-            fmt::format("-decimals is of obj, compasJson and dxf; {} has all digits.\n\nLeave -decimals "
-                        "out.",
-                        format));
-    }
     if (const int block = flattenedBlock(solids, decimals); block >= 0)
     {
         throw FatalError(
-            fmt::format("With {} decimals block {} has less than half of its volume.\n\nGive more "
-                        "of them.",
+            fmt::format("With {} decimals block {} has less than half of its volume.\n\nGive more of them.",
                         decimals, block));
     }
+}
+
+/// Warns of what the file does not say of the blocks.
+template<int Dim>
+void warnOfLosses(const BlockExport<Dim>& blocks, const ExportFormat<Dim>& format)
+{
+    WrittenProperties written = format.written;
+    if (!blocks.time.empty())
+    {
+        written.joints = WrittenJoints::none; // they are where they were stated as built only
+    }
+    for (const std::string& lost : unwritten(blocks.assembly, format.name, written))
+    {
+        printWarning(lost);
+    }
+    if (format.ofConcaveBlocks.empty())
+    {
+        return;
+    }
+    if (const std::vector<int> concave = concaveBlocks(blocks.solids); !concave.empty())
+    {
+        printWarning(fmt::format("{} blocks are not convex, as block {}: {} takes convex ones only; {}.",
+                                 concave.size(), concave.front(), format.name, format.ofConcaveBlocks));
+    }
+}
+
+template<int Dim>
+fs::path fileOf(const CommandLine& commandLine, const BlockExport<Dim>& blocks,
+                const ExportFormat<Dim>& format)
+{
+    const std::string standard = fmt::format("export/{}{}{}", blocks.frames.empty() ? "blocks" : "motion",
+                                             blocks.time.empty() ? "" : "_" + blocks.time, format.ending);
+    return commandLine.caseDirectory / commandLine.get("output").value_or(standard);
 }
 
 template<int Dim>
 int runIn(const CommandLine& commandLine)
 {
-    const fs::path& directory = commandLine.caseDirectory;
-    const auto [format, ending] = formatOf(commandLine);
-    const WrittenNumbers numbers{numberOf<int>(commandLine, "decimals", 0, 17)};
-    const std::string time = timeOf(commandLine);
-    const Assembly<Dim> assembly = readBlocks<Dim>(directory);
-    compareWithInput(commandLine, assembly, time);
-    const std::vector<SolidFrame> frames = framesOf<Dim>(commandLine, assembly.blocks.size());
-    const auto placements = placementsAt(directory, time, assembly);
-    const bool hasDensities = format == "lmgc90";
-    const std::vector<double> densities =
-        hasDensities ? readDensities<Dim>(directory, assembly, readGravity<Dim>(directory))
-                     : std::vector<double>();
-    const std::vector<ExportedSolid> solids = exportedSolids(assembly, placements, densities);
-    if (numbers.decimals)
+    const ExportFormat<Dim>& format = formatOf<Dim>(commandLine);
+    refuseOptions(commandLine, format);
+    const Assembly<Dim> assembly = readBlocks<Dim>(commandLine.caseDirectory);
+    const BlockExport<Dim> blocks = blocksToWrite(commandLine, format, assembly);
+    if (blocks.numbers.decimals)
     {
-        requireEnoughDecimals(solids, format, *numbers.decimals);
+        requireEnoughDecimals(blocks.solids, *blocks.numbers.decimals);
     }
-    std::string text;
-    if (format == "obj")
-    {
-        text = objText(solids, numbers);
-    }
-    else if (format == "compasJson")
-    {
-        text = compasJsonText(solids, time.empty() ? jointsOf(assembly) : std::vector<StatedJoint<3>>(),
-                              numbers);
-    }
-    else if (format == "dxf")
-    {
-        text = dxfOf(assembly, placements, solids, numbers);
-    }
-    else if (format == "gltf")
-    {
-        text = gltfText(solids, frames);
-    }
-    else if (format == "lmgc90")
-    {
-        const ContactProperties properties = readContactProperties(directory);
-        text = lmgc90Text(solids, properties.friction ? properties.friction->mu : 0);
-        warnOfLaws(properties);
-    }
-    else
-    {
-        text = threeDecText(solids);
-        info("3DEC commands have the shapes alone: which blocks are fixed stands in comments, densities and "
-             "properties of joints are yours to add");
-    }
-    for (const std::string& lost : unwritten(assembly, format, propertiesIn<Dim>(format, time)))
-    {
-        printWarning(lost);
-    }
-    if (format == "lmgc90" || format == "3dec")
-    {
-        if (const std::vector<int> concave = concaveBlocks(solids); !concave.empty())
-        {
-            printWarning(
-                fmt::format("{} blocks are not convex, as block {}: {} takes convex ones only; {}.",
-                            concave.size(), concave.front(), format,
-                            format == "3dec" ? "they are left out" : "divide them before it computes"));
-        }
-    }
-    const fs::path file =
-        directory
-        / commandLine.get("output").value_or(fmt::format(
-            "export/{}{}{}", frames.empty() ? "blocks" : "motion", time.empty() ? "" : "_" + time, ending));
+    const std::string text = format.text(blocks);
+    warnOfLosses(blocks, format);
+    const fs::path file = fileOf(commandLine, blocks, format);
     writeWholeFile(file, text);
     info("Blocks: {}, {}", assembly.blocks.size(),
-         !frames.empty() ? fmt::format("in {} frames", frames.size())
-         : time.empty()  ? "as built"
-                         : "at time " + time);
+         !blocks.frames.empty() ? fmt::format("in {} frames", blocks.frames.size())
+         : blocks.time.empty()  ? "as built"
+                                : "at time " + blocks.time);
     info("Wrote {}\n", file.lexically_normal().string());
     printExecutionTime();
     printEnd();

@@ -20,6 +20,11 @@ int run(const CommandLine& commandLine)
     std::vector<ReportSection> studies;
     for (StudyAnswer& answer : answersOfStudies(directory))
     {
+        for (const std::string& fault : answer.faults)
+        {
+            printWarning(fmt::format("{}: {}.", answer.study, fault));
+            answer.sentences.push_back(fault + ".");
+        }
         studies.push_back({fmt::format("Study: {}", answer.study), std::move(answer.sentences),
                            std::move(answer.head), std::move(answer.rows)});
     }

@@ -42,8 +42,7 @@ std::string faultOf(const ConeProgram<Rows, Forces>& program, const SolverChoice
                    ? ""
                    : "Programs with a compliance are solved where they have inertia, no live load and no "
                      "strength, and all points give way, in space alike in all shears. With inertia and "
-                     "without "
-                     "live load -solver gaussSeidel takes others, in space those without strength.";
+                     "without live load -solver gaussSeidel takes others, in space those without strength.";
     }
     if (isGaussSeidel && Forces == 3 && program.hasStrength())
     {

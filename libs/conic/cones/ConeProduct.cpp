@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Rays as whole arrays; round cones in packs, several abreast where numbers allow it.
 #include "conic/cones/ConeProduct.h"
 
 namespace drystone

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// From one point's exit to the next; in space steps are corrected at once, and taken back if too long.
 #include "conic/coulomb/CollapsePath.h"
 
 #include "conic/coulomb/CollapseSystem.h"

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// K is changed point by point, factorised anew in the columns that depend on it, at times summed afresh.
 #include "conic/coulomb/CollapseSystem.h"
 
 #include "linear/SchurSystem.h"

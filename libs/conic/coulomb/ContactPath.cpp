@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Walks by changes of rank 1, polishes the end by Newton's steps, and goes on from it if not right.
 #include "conic/coulomb/ContactPath.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Columns divided by the Cholesky root of each body's inertia; S summed for Cholesky's method or for LU.
 #include "conic/coulomb/ContactSystem.h"
 
 #include <Eigen/Cholesky>

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Changes by Sherman & Morrison; where LU loses its digits, the minimal residuals of Saad & Schultz 1986.
 #include "conic/coulomb/PieceMatrix.h"
 
 #include <Eigen/QR>

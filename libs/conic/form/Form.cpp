@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Columns point by point in elimination order, units that are powers of two, and shares for threads.
 #include "conic/form/Form.h"
 
 #include "conic/form/PointCones.h"

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Products pair by pair of bodies, in shares for threads; what two shares add to is summed apart.
 #include "conic/form/FormOperators.h"
 
 #include "conic/form/FormColumns.h"

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Limits are eliminated by hand into sums of positive terms, so that a firm limit cancels no digits.
 #include "conic/form/FormSchur.h"
 
 #include "conic/form/FormColumns.h"

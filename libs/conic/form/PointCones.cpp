@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Friction gives unit rays or a scale, cohesion a ray of shear or a disc; tension moves the origin.
 #include "conic/form/PointCones.h"
 
 #include <algorithm>

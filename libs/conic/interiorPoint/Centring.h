@@ -25,8 +25,7 @@ struct Centring
     double longStep;    ///< needs no more correctors
 };
 
-/// The best of some 160 settings drawn at random in limit analysis, within 2% of the best of 50 in steps
-/// (test/benchmark/results/TUNING.md).
+/// The best of many settings drawn at random (test/benchmark/results/TUNING.md).
 constexpr Centring wide{.partOfCube = 0.25,
                         .aim = 5,
                         .leastAim = 1e-3,

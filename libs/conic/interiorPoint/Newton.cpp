@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Raises pivots until the factor exists; refines steps only where complementarity is small.
 #include "conic/interiorPoint/Newton.h"
 
 #include "conic/form/FormOperators.h"

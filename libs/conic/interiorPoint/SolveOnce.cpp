@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Tries starts in turn: near, kept from the last step, from nothing; one alone in extended numbers.
 #include "conic/interiorPoint/SolveOnce.h"
 
 #include "conic/Certificate.h"

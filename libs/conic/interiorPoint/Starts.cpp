@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Mehrotra's start, complementarity smoothed on eigenvalues, and a kept iterate moved on with the blocks.
 #include "conic/interiorPoint/Starts.h"
 
 #include "conic/form/FormOperators.h"

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// What is left of balance, openings and work, each compared with the size of its own terms.
 #include "conic/interiorPoint/State.h"
 
 #include "conic/form/FormOperators.h"

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Few cones can block: those are kept as functions of the weight, and a few weights tried, four abreast.
 #include "conic/interiorPoint/StepLength.h"
 
 #include "core/Threads.h"

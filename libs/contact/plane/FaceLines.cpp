@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Unites edges that face each other into lines; lines and corners are fitted in turn by least squares.
 #include "contact/plane/FaceLines.h"
 
 #include "geometry/BroadPhase.h"

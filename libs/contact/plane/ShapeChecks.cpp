@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 
 namespace drystone
 {
@@ -33,7 +34,7 @@ std::string inertiaFault(const Block<2>& block, const CheckLimits& limits, Check
     const double gyration = area.polarMoment / (area.area * area.area);
     range.add(gyration);
     // No shape has less than the circle's 1/(2 pi).
-    const bool isSound = gyration >= 0.5 / EIGEN_PI * (1 - 1e-6) && gyration <= limits.gyration;
+    const bool isSound = gyration >= 0.5 / std::numbers::pi * (1 - 1e-6) && gyration <= limits.gyration;
     return isSound ? std::string()
                    : fmt::format("has the polar moment {:.6g} m4 on an area of {:.6g} m2", area.polarMoment,
                                  area.area);
@@ -79,7 +80,7 @@ std::string sliverMessage<2>(const SliverRanges& ranges)
     return ranges.angle.isEmpty()
                ? "Slivers: no free blocks"
                : fmt::format("Min compactness = {:.3g}. Sharpest corner = {:.4g} degrees",
-                             ranges.compactness.least, ranges.angle.least * 180 / EIGEN_PI);
+                             ranges.compactness.least, ranges.angle.least * 180 / std::numbers::pi);
 }
 
 double jointSize(std::span<const ContactPoint<2>> points)

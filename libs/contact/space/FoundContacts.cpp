@@ -130,7 +130,7 @@ MovingContacts<3>::Pair MovingContacts<3>::pairOfContact(const PartContact& meet
 }
 
 /// Whether parts of a pair that is followed are built on each other: then they are not searched.
-bool MovingContacts<3>::isBuilt(const SearchedPair& pair, std::size_t part, std::size_t otherPart) const
+bool MovingContacts<3>::arePartsBuilt(const SearchedPair& pair, std::size_t part, std::size_t otherPart) const
 {
     return pair.followed >= 0
            && known[static_cast<std::size_t>(pair.followed)]
@@ -210,7 +210,7 @@ MovingContacts<3>::contactsTowards(PlacedSolids& heading, const SearchedPair& pa
         for (std::size_t otherPart = 0; otherPart < ofNeighbour.size(); ++otherPart)
         {
             const bool isOfOnePart = own.size() == 1 && ofNeighbour.size() == 1;
-            if (isBuilt(pair, part, otherPart))
+            if (arePartsBuilt(pair, part, otherPart))
             {
                 continue;
             }
@@ -311,7 +311,7 @@ double MovingContacts<3>::overlookedDepth(const std::vector<Placement<3>>& place
         {
             for (std::size_t otherPart = 0; otherPart < ofNeighbour.size(); ++otherPart)
             {
-                if (isBuilt(pair, part, otherPart))
+                if (arePartsBuilt(pair, part, otherPart))
                 {
                     continue;
                 }

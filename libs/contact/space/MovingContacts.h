@@ -150,7 +150,7 @@ private:
     double wayApart(const KnownPair& pair, const Places& places) const;
     bool isFollowed(const KnownPair& pair, const Places& places) const;
     bool isSearched(int block, int neighbour) const;
-    bool isBuilt(const SearchedPair& pair, std::size_t part, std::size_t otherPart) const;
+    bool arePartsBuilt(const SearchedPair& pair, std::size_t part, std::size_t otherPart) const;
     double toleranceOf(int block, int neighbour) const
     {
         return std::max(tolerances[static_cast<std::size_t>(block)],

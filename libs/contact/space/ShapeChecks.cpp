@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace drystone
@@ -41,7 +42,7 @@ std::string inertiaFault(const Block<3>& block, const CheckLimits& limits, Check
     const double gyration = volume.inertia.trace() / std::pow(volume.volume, 5.0 / 3);
     range.add(gyration);
     // No shape has less than the ball's 6/5 r^2 V / V^(5/3).
-    const double ofBall = 1.2 / std::pow(4 * EIGEN_PI / 3, 2.0 / 3);
+    const double ofBall = 1.2 / std::pow(4 * std::numbers::pi / 3, 2.0 / 3);
     const bool isSound = gyration >= ofBall * (1 - 1e-6) && gyration <= limits.gyration;
     return isSound ? std::string()
                    : fmt::format("has the sum of moments of inertia {:.6g} m5 in a volume of {:.6g} m3",

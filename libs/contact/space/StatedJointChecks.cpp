@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Distances of points from both surfaces, and the contacts that there would be without statements.
 #include "contact/space/StatedJointChecks.h"
 
 #include "contact/ContactPoint.h"

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace drystone
 {
@@ -78,7 +79,7 @@ double distance(const Polyhedron& polyhedron, const Vector<3>& point)
                            polyhedron.vertices[corners[i + 1]] - point);
         }
     }
-    return angle > 2 * EIGEN_PI ? 0 : distanceFromSurface(polyhedron, point);
+    return angle > 2 * std::numbers::pi ? 0 : distanceFromSurface(polyhedron, point);
 }
 
 } // namespace drystone

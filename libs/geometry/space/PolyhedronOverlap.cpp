@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 namespace drystone
@@ -311,7 +312,7 @@ SolidQuality solidQuality(const Polyhedron& polyhedron)
         }
     }
     const double volume = volumeProperties(polyhedron).volume;
-    quality.compactness = 36 * EIGEN_PI * volume * volume / (surface * surface * surface);
+    quality.compactness = 36 * std::numbers::pi * volume * volume / (surface * surface * surface);
     return quality;
 }
 

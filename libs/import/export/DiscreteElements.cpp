@@ -44,13 +44,11 @@ std::string lmgc90Text(const std::vector<ExportedSolid>& solids, double friction
                            index, index, solid.density, index);
         }
     }
-    text += "\n\ndef block(vertices, faces, material, fixed):\n"
-            "    body = pre.rigidPolyhedron(model=rigid, material=material, color='BLEUx', "
-            "generation_type='full',\n"
-            "                               vertices=numpy.array(vertices), faces=numpy.array(faces))\n"
-            "    if fixed:\n"
-            "        body.imposeDrivenDof(component=[1, 2, 3, 4, 5, 6], dofty='vlocy')\n"
-            "    bodies.addAvatar(body)\n\n\n";
+    text +=
+        "\n\ndef block(vertices, faces, material, fixed):\n    body = pre.rigidPolyhedron(model=rigid, "
+        "material=material, color='BLEUx', generation_type='full',\n                               "
+        "vertices=numpy.array(vertices), faces=numpy.array(faces))\n    if fixed:\n        "
+        "body.imposeDrivenDof(component=[1, 2, 3, 4, 5, 6], dofty='vlocy')\n    bodies.addAvatar(body)\n\n\n";
     for (std::size_t i = 0; i < solids.size(); ++i)
     {
         const Polyhedron& shape = solids[i].shape;

@@ -236,13 +236,12 @@ std::string gltfText(const std::vector<ExportedSolid>& solids, const std::vector
     }
     return fmt::format(
         "{{\"asset\":{{\"version\":\"2.0\",\"generator\":\"Drystone\"}},\"scene\":0,\"scenes\":[{{\"nodes\":["
-        "{}]}}],\n"
-        "\"materials\":[{{\"name\":\"blocks\",\"pbrMetallicRoughness\":{{\"baseColorFactor\":[0.72,0.45,0.32,"
-        "1],"
-        "\"metallicFactor\":0,\"roughnessFactor\":0.9}}}},{{\"name\":\"supports\",\"pbrMetallicRoughness\":"
-        "{{\"baseColorFactor\":[0.55,0.55,0.55,1],\"metallicFactor\":0,\"roughnessFactor\":0.9}}}}],\n"
-        "\"nodes\":[{}],\n\"meshes\":[{}],\n{}\"accessors\":[{}],\n\"bufferViews\":[{}],\n"
-        "\"buffers\":[{{\"byteLength\":{},\"uri\":\"data:application/octet-stream;base64,{}\"}}]}}\n",
+        "{}]}}],\n\"materials\":[{{\"name\":\"blocks\",\"pbrMetallicRoughness\":{{\"baseColorFactor\":[0.72,"
+        "0.45,0.32,1],\"metallicFactor\":0,\"roughnessFactor\":0.9}}}},{{\"name\":\"supports\","
+        "\"pbrMetallicRoughness\":{{\"baseColorFactor\":[0.55,0.55,0.55,1],\"metallicFactor\":0,"
+        "\"roughnessFactor\":0.9}}}}],\n\"nodes\":[{}],\n\"meshes\":[{}],\n{}\"accessors\":[{}],"
+        "\n\"bufferViews\":[{}],\n\"buffers\":[{{\"byteLength\":{},\"uri\":\"data:application/"
+        "octet-stream;base64,{}\"}}]}}\n",
         children, nodes, meshes, animations, buffer.accessorList, buffer.viewList, buffer.bytes.size(),
         base64(buffer.bytes));
 }

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Sorts edges by their left ends, so that each is compared with few; what none covers is left.
 #include "io/plane/BuiltOutline.h"
 
 #include "geometry/PolygonShape.h"

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Moves marks with their block; single points and the middles of lines decide what is seen of them.
 #include "io/space/MarkPainter.h"
 
 #include "geometry/space/Polyhedron.h"

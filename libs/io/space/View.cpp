@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <sstream>
 
 namespace drystone
@@ -27,8 +28,8 @@ View axonometricView(const Vector<3>& towardsViewer)
 
 Vector<3> usualView()
 {
-    const double azimuth = -55 * EIGEN_PI / 180;
-    const double elevation = 25 * EIGEN_PI / 180;
+    const double azimuth = -55 * std::numbers::pi / 180;
+    const double elevation = 25 * std::numbers::pi / 180;
     return {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
             std::sin(elevation)};
 }

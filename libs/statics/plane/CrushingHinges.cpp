@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Lays each joint along a line and compares moments about its ends with those of the stress block.
 #include "statics/CrushingHinges.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Sums up what the points of a joint had, and gives each of the new ones the share of its area.
 #include "statics/JointPoints.h"
 
 namespace drystone

@@ -26,8 +26,7 @@ void declare(Options& options, Rubble& rubble)
     options
         .optional("relaxations", rubble.relaxations,
                   "how often points are moved to the centroids of their cells: stones become rounder and "
-                  "more equal, "
-                  "small faces rarer")
+                  "more equal, small faces rarer")
         .atLeast(0)
         .atMost(1000);
     options

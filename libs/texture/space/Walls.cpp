@@ -117,8 +117,7 @@ void declare(Options& options, WallOpening& opening)
     options
         .optional("lintel", opening.lintel,
                   "bearing, in bricks, at both ends of one block over the opening, in the course above; "
-                  "absent: the "
-                  "course above goes on")
+                  "absent: the course above goes on")
         .atLeast(0)
         .example("0.5");
 }

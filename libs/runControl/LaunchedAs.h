@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Several programs that compute one ensemble, as mpirun and Slurm start them.
+/// How many programs of one command there are, as mpirun and Slurm start them.
 #pragma once
 
 namespace drystone

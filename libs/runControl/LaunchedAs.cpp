@@ -1,6 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// What launchers say in the environment.
-#include "ensembles/LaunchedAs.h"
+#include "runControl/LaunchedAs.h"
 
 #include <algorithm>
 #include <cstdlib>
