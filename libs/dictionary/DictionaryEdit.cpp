@@ -12,25 +12,53 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace drystone
 {
 
+std::string withoutQuotes(std::string_view path)
+{
+    std::string plain(path);
+    std::erase(plain, '"');
+    return plain;
+}
+
 namespace
 {
 
+/// The names between the slashes of a path, as they are given: patterns with their quotes.
+std::vector<std::string> namesIn(std::string_view path)
+{
+    std::vector<std::string> names;
+    std::string name;
+    bool isQuoted = false;
+    for (const char c : path)
+    {
+        isQuoted = isQuoted != (c == '"');
+        if (c != '/' || isQuoted)
+        {
+            name += c;
+        }
+        else if (!name.empty())
+        {
+            names.push_back(std::exchange(name, ""));
+        }
+    }
+    if (!name.empty())
+    {
+        names.push_back(name);
+    }
+    return names;
+}
+
 std::vector<std::string> keywordsOf(std::string_view path)
 {
-    std::vector<std::string> keywords;
-    while (!path.empty())
+    std::vector<std::string> keywords = namesIn(path);
+    for (std::string& keyword : keywords)
     {
-        const std::size_t slash = std::min(path.find('/'), path.size());
-        if (slash > 0)
-        {
-            keywords.emplace_back(path.substr(0, slash));
-        }
-        path.remove_prefix(std::min(slash + 1, path.size()));
+        keyword = withoutQuotes(keyword);
     }
     return keywords;
 }
@@ -202,6 +230,32 @@ std::string checkedValue(std::string_view value, std::string_view path)
     return text;
 }
 
+/// The name of an entry that is added, as it is given, checked to be one.
+std::string checkedName(const std::string& name)
+{
+    const auto isOne = [&name]
+    {
+        try
+        {
+            const Dictionary dictionary =
+                Dictionary::readString(fmt::format("{} 1;", name), "the name given");
+            return dictionary.entries().size() == 1
+                   && dictionary.entries().front().keyword() == withoutQuotes(name);
+        }
+        catch (const FatalError&)
+        {
+            return false;
+        }
+    };
+    if (!isOne())
+    {
+        throw FatalIOError(
+            fmt::format("`{}` is not the name of an entry. Give one word, or a pattern in quotes.", name),
+            SourceLocation{"the name given", "", 1});
+    }
+    return name;
+}
+
 bool isDictionaryText(const std::string& value)
 {
     return value.starts_with('{');
@@ -342,6 +396,7 @@ std::string withEntrySet(const std::string& text, const std::filesystem::path& f
         return replaced(text, *found.back(), newValue); // of several, the last one counts
     }
 
+    const std::string name = checkedName(namesIn(path).back());
     if (keywords.size() == 1)
     {
         // After the last statement, before what comments may close the file.
@@ -349,8 +404,8 @@ std::string withEntrySet(const std::string& text, const std::filesystem::path& f
                                     ? text.size()
                                     : lineEndAfterComments(text, edited.statements.back().end);
         std::string result = text;
-        const std::string added = fmt::format("{}{}", end > 0 && text[end - 1] != '\n' ? "\n" : "",
-                                              entryText(keywords.back(), newValue, ""));
+        const std::string added =
+            fmt::format("{}{}", end > 0 && text[end - 1] != '\n' ? "\n" : "", entryText(name, newValue, ""));
         return result.insert(end, linesAsIn(text, added));
     }
 
@@ -370,8 +425,7 @@ std::string withEntrySet(const std::string& text, const std::filesystem::path& f
     if (onOneLine && !isDictionaryText(newValue))
     {
         const bool blankBefore = closing > 0 && text[closing - 1] == ' ';
-        return result.insert(closing,
-                             fmt::format("{}{} {}; ", blankBefore ? "" : " ", keywords.back(), newValue));
+        return result.insert(closing, fmt::format("{}{} {}; ", blankBefore ? "" : " ", name, newValue));
     }
     const std::string outer = indentationAt(text, parent.begin);
     const std::string inner =
@@ -381,9 +435,9 @@ std::string withEntrySet(const std::string& text, const std::filesystem::path& f
     const bool opensLine = text.find_first_not_of(" \t", lineBegin) == closing;
     if (opensLine)
     {
-        return result.insert(lineBegin, linesAsIn(text, entryText(keywords.back(), newValue, inner)));
+        return result.insert(lineBegin, linesAsIn(text, entryText(name, newValue, inner)));
     }
-    const std::string added = fmt::format("\n{}{}", entryText(keywords.back(), newValue, inner), outer);
+    const std::string added = fmt::format("\n{}{}", entryText(name, newValue, inner), outer);
     return result.insert(closing, linesAsIn(text, added));
 }
 
@@ -444,7 +498,7 @@ std::pair<std::string, std::string> nearestEntry(const Dictionary& asWritten,
                                                  const std::filesystem::path& file, std::string_view path,
                                                  std::string_view value)
 {
-    std::vector<std::string> keywords = keywordsOf(path);
+    std::vector<std::string> keywords = namesIn(path);
     std::string set(value);
     const auto parentOf = [&keywords]
     { return fmt::format("{}", fmt::join(keywords.begin(), keywords.end() - 1, "/")); };
@@ -488,8 +542,10 @@ void editFile(const std::filesystem::path& file, std::string_view givenPath, Ent
               std::string_view value)
 {
     const Dictionary asWritten = Dictionary::readFile(file, Expansion::none);
-    const std::string path = withSlashes(asWritten, givenPath);
-    const Entry* present = asWritten.findPath(path);
+    const std::string named = withSlashes(asWritten, withoutQuotes(givenPath));
+    const Entry* present = asWritten.findPath(named);
+    const bool isPattern = givenPath.find('"') != givenPath.npos; // which may be added as it is given
+    const std::string path = present || !isPattern ? named : std::string(givenPath);
     if (edit == EntryEdit::add && present)
     {
         printWarning(fmt::format("{} is there already and stays as it is. Setting it would change it.", path),

@@ -9,11 +9,14 @@
 namespace drystone
 {
 
+/// A path as Dictionary::findPath takes it: patterns without the quotes that they have in files.
+std::string withoutQuotes(std::string_view path);
+
 /// The text of a file with one entry given another value, `2` or `{ a 1; }`. An entry that is not there is
 /// added. Macros and directives are not carried out: an entry that comes from an included file counts as not
 /// there, and what is added overrides it. \param file that the text is of, for messages \param path keywords
-/// with slashes between, texture/unit \throws FatalIOError when the text or the value is not right, when
-/// there is no dictionary to add to, or when the entry depends on a condition
+/// with slashes between, texture/unit, patterns in quotes or without \throws FatalIOError when the text or
+/// the value is not right, when there is no dictionary to add to, or when the entry depends on a condition
 std::string withEntrySet(const std::string& text, const std::filesystem::path& file, std::string_view path,
                          std::string_view value);
 

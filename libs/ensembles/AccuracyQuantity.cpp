@@ -284,6 +284,7 @@ QuantityPlan makeThreshold(const Threshold& settings, const Dictionary& dictiona
             quantity.summary =
                 "least peak acceleration of the ground at which a run meets: " + criterion.summary;
             quantity.unit = nameOf(intensity.unit);
+            quantity.resolution = intensity.interval / 2;
             quantity.measure = [=](const RunSetting& setting, const StepPhase& phase)
             { return measureThreshold<Dim>(*study, setting, phase, intensity, criterion, unit); };
             if constexpr (Dim == 2)

@@ -25,6 +25,7 @@ struct Quantity
     std::function<Measurement(const RunSetting&, const StepPhase&)> measure;
     /// The figure from Housner's equation; empty where that does not give it.
     std::function<double()> housner = {};
+    double resolution = 0; ///< what the figure of a run is off by at most, whatever its setting
 };
 
 /// Makes a quantity of a case. \throws FatalIOError for a block that does not exist, or is fixed, and for

@@ -242,6 +242,21 @@ std::optional<Reference> referenceOf(const AccuracyStudy& study, std::size_t ind
                          fmt::format("the case's own finest run ({})", with)};
         }
     }
+    if (plan.kind == ReferencePlan::Kind::finest && quantity.quantity.resolution > reference.uncertainty)
+    {
+        reference.uncertainty = quantity.quantity.resolution;
+        reference.text += "; it is known to half the interval between the intensities that are tried";
+    }
+    if (reference.uncertainty >= std::abs(reference.value))
+    {
+        reference.text += "; it is smaller than its own uncertainty, and errors relative to it say nothing";
+        printWarning(
+            fmt::format("The reference of {}, {:.3g}, is smaller than its own uncertainty of {:.2g}: errors "
+                        "relative to it say nothing. Choose a quantity that is not zero, or a reference "
+                        "of another type.",
+                        quantity.name, reference.value, reference.uncertainty),
+            plan.location);
+    }
     if (reference.value == 0 || !std::isfinite(reference.value))
     {
         throw FatalIOError(
@@ -316,10 +331,11 @@ std::string reasonOf(const AccuracyPoint& point, QuantityKind kind)
     }
     if (point.failed > point.unsolved)
     {
-        reasons.emplace_back(kind == QuantityKind::motion
-                                 ? "the figure does not occur before endTime"
-                                 : "there is no multiplier, as where the live load is unbounded or the dead "
-                                   "load is not carried (limitAnalysis says which)");
+        reasons.emplace_back(
+            kind == QuantityKind::motion
+                ? "the figure does not occur before endTime, or for an intensity that was tried"
+                : "there is no multiplier, as where the live load is unbounded or the dead "
+                  "load is not carried (limitAnalysis says which)");
     }
     return fmt::format("{}", fmt::join(reasons, ", or "));
 }
@@ -401,14 +417,19 @@ void printAccuracyResults(const AccuracyStudy& study, const AccuracyResults& res
     for (const CheapestRow& row : cheapestRows(study, results))
     {
         const bool isMotion = study.quantities[row.quantity].kind == QuantityKind::motion;
-        info("{}: {} is reached {}by {}", study.quantities[row.quantity].name, percentText(row.level),
+        const Reference& reference = results.references[row.quantity];
+        const double known = reference.uncertainty / std::abs(reference.value);
+        info("{}: {} is reached {}by {}{}", study.quantities[row.quantity].name, percentText(row.level),
              !isMotion                             ? ""
              : row.measure == ErrorMeasure::median ? "for half of the phases "
                                                    : "for all phases ",
              row.point ? fmt::format("{} in {:.3g} s",
                                      settingText(row.point->setting, study.quantities[row.quantity].kind),
                                      row.point->cpuTime)
-                       : "none of the settings");
+                       : "none of the settings",
+             row.point && known > row.level
+                 ? fmt::format("; but the reference is known to {:.2g}% only", 100 * known)
+                 : "");
     }
 }
 

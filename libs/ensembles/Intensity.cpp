@@ -72,7 +72,8 @@ IntensityPlan planSteps(const EqualStepsSettings& settings)
                 }
                 return intensities;
             },
-            1 + static_cast<long>(std::floor((settings.to - settings.from) / settings.step + 1e-6))};
+            1 + static_cast<long>(std::floor((settings.to - settings.from) / settings.step + 1e-6)), false,
+            settings.step};
 }
 
 struct BisectionSettings
@@ -161,7 +162,7 @@ IntensityPlan planBisection(const BisectionSettings& settings)
                 return {at(below + (above - below) / 2)};
             },
             // Both ends, then halves until one step is left.
-            2 + static_cast<long>(std::ceil(std::log2(static_cast<double>(last)))), true};
+            2 + static_cast<long>(std::ceil(std::log2(static_cast<double>(last)))), true, settings.tolerance};
 }
 
 struct IntensityList
@@ -186,12 +187,23 @@ void declare(Options& options, IntensityList& settings)
                   });
 }
 
+double widestInterval(std::vector<double> values)
+{
+    std::sort(values.begin(), values.end());
+    double widest = 0;
+    for (std::size_t i = 1; i < values.size(); ++i)
+    {
+        widest = std::max(widest, values[i] - values[i - 1]);
+    }
+    return widest;
+}
+
 IntensityPlan planList(const IntensityList& settings)
 {
     return {settings.unit,
             [settings](const std::vector<Trial>& trials)
             { return trials.empty() ? settings.values : std::vector<double>{}; },
-            static_cast<long>(settings.values.size())};
+            static_cast<long>(settings.values.size()), false, widestInterval(settings.values)};
 }
 
 } // namespace

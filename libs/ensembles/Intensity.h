@@ -61,6 +61,7 @@ struct IntensityPlan
 
     long mostRuns = 0;        ///< that this takes, for one motion of the ground
     bool isBisection = false; ///< takes the verdict to change once
+    double interval = 0;      ///< the widest that may be left between one that meets and the next below
 };
 
 /// All types: step, bisection, list.

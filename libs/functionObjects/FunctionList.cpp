@@ -28,6 +28,15 @@ bool isTimeReached(const std::vector<double>& times, double written, const TimeP
     return next != times.end() && *next <= now.value + nearestStep * now.deltaT;
 }
 
+/// Whether a function may write then. \param plan with its timeStart and timeEnd
+template<int Dim>
+bool isWithin(const FunctionPlan<Dim>& plan, const TimePoint& now)
+{
+    const double small = 1e-9 * now.deltaT; // the end of a step may miss the limit by rounding
+    return !(plan.timeStart && now.value < *plan.timeStart - small)
+           && !(plan.timeEnd && now.value > *plan.timeEnd + small);
+}
+
 /// Of a function without type: its name is one. \throws FatalIOError where it is not
 template<int Dim>
 void requireType(const std::string& name, const SourceLocation& place)
@@ -105,11 +114,7 @@ void FunctionList<Dim>::write(const StepObservation<Dim>& step, const TimePoint&
         const bool isInterval = function.control.due(now); // counts steps, and so is called at every step
         const bool due =
             function.plan.times.empty() ? isInterval : isTimeReached(function.plan.times, written, now);
-        // the end of a step may miss the limit by rounding
-        const double small = 1e-9 * now.deltaT;
-        const bool early = function.plan.timeStart && now.value < *function.plan.timeStart - small;
-        const bool late = function.plan.timeEnd && now.value > *function.plan.timeEnd + small;
-        if (due && !early && !late)
+        if (due && isWithin(function.plan, now))
         {
             function.object->write(step);
         }
@@ -118,12 +123,17 @@ void FunctionList<Dim>::write(const StepObservation<Dim>& step, const TimePoint&
 }
 
 template<int Dim>
-void FunctionList<Dim>::writeAlways(const StepObservation<Dim>& step)
+void FunctionList<Dim>::writeStored(const StepObservation<Dim>& step, const TimePoint& now)
 {
     for (Function& function : functions)
     {
-        function.object->write(step);
+        const std::vector<double>& times = function.plan.times;
+        if (isWithin(function.plan, now) && (times.empty() || isTimeReached(times, written, now)))
+        {
+            function.object->write(step);
+        }
     }
+    written = std::max(written, now.value + nearestStep * now.deltaT);
 }
 
 template<int Dim>

@@ -77,8 +77,9 @@ public:
     /// \throws FatalError when a table cannot be written
     void write(const StepObservation<Dim>& step, const TimePoint& now);
 
-    /// Lets every function write, due or not.
-    void writeAlways(const StepObservation<Dim>& step);
+    /// Lets each function write of a state that was stored, whatever its interval: between its timeStart and
+    /// timeEnd, and where it has `times`, at the first state from each of them on. In order.
+    void writeStored(const StepObservation<Dim>& step, const TimePoint& now);
 
     /// Draws the tables of the functions with `pictures yes;` and prints which. To be called when the run
     /// ends. \throws FatalError naming what cannot be written

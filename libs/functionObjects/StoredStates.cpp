@@ -92,7 +92,7 @@ void postProcess(const std::filesystem::path& caseDirectory, const DynamicCase<D
         seen.timeStep = then.stepLength;
         seen.step = then.index;
         seen.stageTimes.reset();
-        list.writeAlways(seen);
+        list.writeStored(seen, {then.value, then.stepLength, then.index, 0, 0, 0});
     }
     list.writePictures();
 }

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <numbers>
+
 namespace drystone
 {
 namespace
@@ -79,7 +81,9 @@ struct RotationSettings
 void declare(Options& options, RotationSettings& settings)
 {
     declareBlock(options, settings.block);
-    options.required("limit", settings.limit, "of the rotation, either way")
+    options
+        .required("limit", settings.limit,
+                  "of the rotation, either way; in space the angle of the turn, which is pi at most")
         .unit("rad")
         .above(0)
         .example("0.2");
@@ -88,8 +92,18 @@ void declare(Options& options, RotationSettings& settings)
 CriterionMaker makeRotation(const RotationSettings& settings, const Dictionary& dictionary)
 {
     return forBoth(
-        [settings, location = dictionary.locationOf("block")]<int Dim>(const Assembly<Dim>& assembly)
-        { return above(rotationOf(assembly, settings.block, location), settings.limit); });
+        [settings, location = dictionary.locationOf("block"),
+         ofLimit = dictionary.locationOf("limit")]<int Dim>(const Assembly<Dim>& assembly)
+        {
+            if (Dim == 3 && settings.limit >= std::numbers::pi)
+            {
+                throw FatalIOError(
+                    "In space the rotation of a block is the angle of the turn from where it began, "
+                    "which is pi at most: it is never above this limit.\n\nGive a limit below pi.",
+                    ofLimit);
+            }
+            return above(rotationOf(assembly, settings.block, location), settings.limit);
+        });
 }
 
 struct CollapseSettings

@@ -241,7 +241,7 @@ const Registry<Figure>& figureTypes()
          model<Figure, DisplacementSettings>("displacement", "of the mass centre of a block",
                                              makeDisplacement),
          model<Figure, BlockFigureSettings>(
-             "rotation", "of a block, without its sign",
+             "rotation", "of a block, without its sign; in space the angle of its turn, pi at most",
              [](const BlockFigureSettings& settings, const Dictionary& dictionary)
              {
                  return instantFigure("rad", settings.take,

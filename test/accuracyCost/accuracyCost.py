@@ -215,6 +215,21 @@ class AccuracyCost(CaseTest):
         self.assertIn("End", done.stdout)
         self.run_(case, status=1)  # known from the history
 
+    def testAThresholdIsKnownToHalfTheIntervalOfItsIntensities(self):
+        case = self.case("threshold")
+        with open(os.path.join(case, "constant/groundMotion"), "w", encoding="utf-8") as file:
+            file.write("direction (1 0); acceleration { type rectangularPulse; amplitude 1; duration 0.3; }")
+        if os.path.exists(os.path.join(case, "0")):
+            shutil.rmtree(os.path.join(case, "0"))
+        with open(os.path.join(case, "system/accuracyCostDict"), "w", encoding="utf-8") as file:
+            file.write("quantities { c { type threshold; intensity { type step; unit m/s2; from 2; to 6; step 2; } "
+                       "criterion { type rotation; block 1; limit 0.1; } "
+                       "reference { type finest; deltaT 0.01; phases 1; } } }\n"
+                       "sweeps { steps { quantity c; deltaT (0.02 0.01); phases 1; } }")
+        done = self.run_(case)
+        self.assertRegex(done.stdout, r"Reference of c: \d m/s2 \+- 1: .* half the interval between the intensities")
+        self.assertRegex(done.stdout, r"c: 0\.1% is reached .*; but the reference is known to \d+% only")
+
     def testAReferenceOfALargerToleranceThanItsSweepIsWarnedOf(self):
         case = self.multiplierCase("tolerance", "tolerance (1e-6 1e-10);")
         reference = r"type value; value 0.25; source slenderness;"

@@ -265,6 +265,42 @@ TEST(DictionaryEdit, IncludesThatLeadOutOfACaseBecomeAbsolute)
               "not { #include \"../../x\"");
 }
 
+TEST(DictionaryEdit, OnlyNamesOfEntriesAreAdded)
+{
+    for (const char* name : {"a b", "x }", "#include", "#calc", "$a", "x{", "\"q", "x\"", "/*x", ":x",
+                             "\"[bad\"", "x;y", "(x)", "// x"})
+    {
+        for (const std::string& folder : {std::string(), std::string("wall/")})
+        {
+            if (name[0] == '/' || name == std::string("x }"))
+            {
+                EXPECT_THROW(withEntrySet(text, "file", folder + name, "3"), FatalError) << folder << name;
+                continue;
+            }
+            EXPECT_THROW(withEntrySet(text, "file", folder + name, "3"), FatalIOError) << folder << name;
+        }
+    }
+    for (const char* name : {"a", "a.b", "a:b", "\"re.*\"", "\"a|b\""})
+    {
+        const std::string edited = withEntrySet(text, "file", std::string("wall/") + name, "3");
+        EXPECT_THAT(edited, testing::HasSubstr(name));
+        EXPECT_NO_THROW(Dictionary::readString(edited, "text", Expansion::none)) << name;
+    }
+}
+
+TEST(DictionaryEdit, PatternsAreNamedWithTheirQuotesOrWithout)
+{
+    const std::string patterns = "\"re.*\" { x 1; }\nc 2;\n";
+    for (const char* path : {"\"re.*\"/x", "re.*/x"})
+    {
+        EXPECT_EQ(withEntrySet(patterns, "file", path, "5"), "\"re.*\" { x 5; }\nc 2;\n") << path;
+    }
+    for (const char* path : {"\"re.*\"", "re.*"})
+    {
+        EXPECT_EQ(withEntryRemoved(patterns, "file", path), "c 2;\n") << path;
+    }
+}
+
 TEST_F(FileEdit, RemovingWhatIsNotInTheFileIsWarnedOf)
 {
     for (const auto& [path, expected] : {std::pair{"common", "comes from another file"},

@@ -2,6 +2,7 @@
 /// Figures of a run by name: of tables, of collapse, of a motion.
 #include "quantities/Figure.h"
 #include "core/Error.h"
+#include "quantities/Criterion.h"
 #include "quantities/LimitAnalysisFigures.h"
 #include "quantities/MotionFigures.h"
 
@@ -95,6 +96,16 @@ TEST(Figure, RefusesBlocksThatAreNotThereOrNeverMove)
     EXPECT_THROW(valueAfter<2>("type rotation; block 0;", {}), FatalIOError);
     EXPECT_THROW(figureOf("type displacement; direction (1 0 0);"), FatalIOError);
     EXPECT_THROW(figureOf("type energy; part heat;"), FatalIOError);
+}
+
+// In space a turn is known by its angle, from 0 to pi.
+TEST(Criterion, InSpaceALimitOfRotationBeyondHalfATurnIsRefused)
+{
+    const auto limit = [](const char* text)
+    { return criterionTypes().select(Dictionary::readString(text, "dict")); };
+    EXPECT_DOUBLE_EQ(limit("type rotation; limit 4;")(blockOnGround<2>()).limit, 4);
+    EXPECT_DOUBLE_EQ(limit("type rotation; limit 3;")(blockOnGround<3>()).limit, 3);
+    EXPECT_THROW(limit("type rotation; limit 4;")(blockOnGround<3>()), FatalIOError);
 }
 
 TEST(Figure, OfTheTableOfLimitAnalysisIsKnownWithoutTheTable)

@@ -507,6 +507,16 @@ class RunControl(CaseTest):
             self.run_(case, "-postProcess")
         self.assertEqual(len(self.rows(case, "energy/0.2/energy.dat")), 3)
 
+    def testPostProcessKeepsToTheTimesOfAFunction(self):
+        case = self.copy("postWindow", endTime="0.4", writeControl="adjustableRunTime", writeInterval="0.05")
+        self.run_(case)
+        self.control(case, endTime="0.4", functions="{ energy { timeStart 0.2; timeEnd 0.31; } }")
+        shutil.rmtree(os.path.join(case, "postProcessing"), ignore_errors=True)
+        self.run_(case, "-postProcess")
+        folder = os.path.join(case, "postProcessing/energy")
+        times = [row[0] for row in self.rows(case, f"energy/{os.listdir(folder)[0]}/energy.dat")]
+        self.assertEqual([float(time) for time in times], [0.2, 0.25, 0.3])
+
     def testAnotherDeltaTIsTheFirstThatAContinuedRunWants(self):
         case = self.copy("otherStep", endTime="0.2", adjustTimeStep="yes")
         self.run_(case)

@@ -45,7 +45,7 @@ int run(const CommandLine& commandLine)
 
     const bool asWritten = edit || commandLine.has("disableFunctionEntries");
     const Dictionary dictionary = Dictionary::readFile(file, asWritten ? Expansion::none : Expansion::all);
-    const Entry* entry = path.empty() ? nullptr : &dictionary.lookupPath(path);
+    const Entry* entry = path.empty() ? nullptr : &dictionary.lookupPath(withoutQuotes(path));
     if (commandLine.has("keywords"))
     {
         for (const Entry& inner : (entry ? entry->dictionary() : dictionary).entries())
