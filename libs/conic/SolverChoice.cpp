@@ -45,7 +45,10 @@ void declare(Options& options, SolverChoice& choice)
     options.optional("tolerance", choice.tolerance, "on every figure of the certificate")
         .above(0)
         .atMost(1e-3);
-    options.optional("maximumIterations", choice.maximumIterations, "of each solver").atLeast(1);
+    options
+        .optional("maximumIterations", choice.maximumIterations,
+                  "of one attempt of a solver; after one that fails others follow, from other starts")
+        .atLeast(1);
     options.optional("maximumSweeps", choice.maximumSweeps, "over all contact points, of gaussSeidel")
         .atLeast(1);
     options

@@ -127,4 +127,24 @@ double textWidth(std::string_view content, double size)
     return size * width;
 }
 
+FittedText fittedText(std::string_view content, double size, double room)
+{
+    constexpr double smallest = 8;
+    const double fitting = size * std::min(1.0, room / textWidth(content, size));
+    if (content.empty() || fitting >= smallest)
+    {
+        return {std::string(content), content.empty() ? size : fitting};
+    }
+    const auto isContinued = [&](std::size_t at)
+    { return at < content.size() && (content[at] & 0xC0) == 0x80; };
+    std::size_t kept = content.size();
+    while (kept > 0
+           && (isContinued(kept) // no part of a character stays
+               || textWidth(content.substr(0, kept), smallest) + textWidth("...", smallest) > room))
+    {
+        --kept;
+    }
+    return {std::string(content.substr(0, kept)) + "...", smallest};
+}
+
 } // namespace drystone

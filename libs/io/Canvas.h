@@ -133,4 +133,14 @@ struct Canvas
 /// apart.
 double textWidth(std::string_view content, double size);
 
+/// A text made to fit.
+struct FittedText
+{
+    std::string content;
+    double size = 0; ///< [px]
+};
+/// A text in letters of this size, or where it is longer than the room in smaller ones; what does not fit
+/// with the smallest that can be read is left out, with `...` in its place.
+FittedText fittedText(std::string_view content, double size, double room);
+
 } // namespace drystone

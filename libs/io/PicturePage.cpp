@@ -29,13 +29,16 @@ PicturePage makePicturePage(const MechanismPicture& picture, const Vector<2>& wo
         scale, {(picture.width - room.x()) / 2, head}, room, Canvas(picture.width, head + room.y() + legend)};
     if (!picture.title.empty())
     {
-        page.drawing.text({picture.width / 2, 28}, picture.title,
-                          {.size = 17, .anchor = TextAnchor::middle, .weight = "bold"});
+        constexpr double bold = 1.15; // its letters are so much wider
+        const FittedText title = fittedText(picture.title, 17, (picture.width - 2 * margin) / bold);
+        page.drawing.text({picture.width / 2, 28}, title.content,
+                          {.size = title.size, .anchor = TextAnchor::middle, .weight = "bold"});
     }
     if (!picture.subtitle.empty())
     {
-        page.drawing.text({picture.width / 2, 50}, picture.subtitle,
-                          {.size = 14, .anchor = TextAnchor::middle});
+        const FittedText subtitle = fittedText(picture.subtitle, 14, picture.width - 2 * margin);
+        page.drawing.text({picture.width / 2, 50}, subtitle.content,
+                          {.size = subtitle.size, .anchor = TextAnchor::middle});
     }
     return page;
 }
@@ -72,7 +75,7 @@ void paintNotes(PicturePage& page, const MechanismPicture& picture, const Vector
     constexpr double size = 12;
     Canvas& drawing = page.drawing;
     const double y = page.legend() + 30;
-    double x = 20;
+    double x = leftOfLegend;
     // A sixth of the page, rounded down.
     const double metres = roundLength(picture.width / 6 / page.scale);
     const double bar = metres * page.scale;

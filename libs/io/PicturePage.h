@@ -19,6 +19,9 @@ struct PicturePage
     double legend() const { return corner.y() + room.y() + 14; } ///< where it begins, in y [px]
 };
 
+/// Where the legend and the notes begin, in x [px].
+inline constexpr double leftOfLegend = 20;
+
 /// The page with its titles. \param world size of what is drawn [m]: as wide as the page allows, and no
 /// higher than 1.4 times that
 PicturePage makePicturePage(const MechanismPicture& picture, const Vector<2>& world);

@@ -101,6 +101,9 @@ struct Frame
     }
 };
 
+/// Between a text and the edge of the picture [px].
+constexpr double edge = 8;
+
 void paintAxes(Canvas& drawing, const Plot& plot, const Frame& frame, const std::vector<double>& xTicks,
                const std::vector<double>& yTicks, double yLabelRoom)
 {
@@ -154,10 +157,15 @@ void paintAxes(Canvas& drawing, const Plot& plot, const Frame& frame, const std:
     }
     drawing.rectangle({frame.left, frame.top}, frame.width, frame.height,
                       {.stroke = "#555555", .strokeWidth = 1});
-    drawing.text({frame.left + frame.width / 2, bottom + 43}, plot.x.label,
-                 {.size = 13.5, .anchor = TextAnchor::middle});
-    drawing.text({frame.left - yLabelRoom - 16, frame.top + frame.height / 2}, plot.y.label,
-                 {.size = 13.5, .anchor = TextAnchor::middle, .rotation = -90});
+    const FittedText ofX = fittedText(plot.x.label, 13.5, frame.width);
+    drawing.text({frame.left + frame.width / 2, bottom + 43}, ofX.content,
+                 {.size = ofX.size, .anchor = TextAnchor::middle});
+    const FittedText ofY = fittedText(plot.y.label, 13.5, drawing.height - 2 * edge);
+    const double halfOfY = textWidth(ofY.content, ofY.size) / 2;
+    const double middle =
+        std::clamp(frame.top + frame.height / 2, edge + halfOfY, drawing.height - edge - halfOfY);
+    drawing.text({frame.left - yLabelRoom - 16, middle}, ofY.content,
+                 {.size = ofY.size, .anchor = TextAnchor::middle, .rotation = -90});
 }
 
 /// Between the axis and what stands beside it [px].
@@ -220,12 +228,15 @@ void paintTitles(Canvas& drawing, const Plot& plot, const Frame& frame)
 {
     if (!plot.title.empty())
     {
-        drawing.text({frame.left, 30}, plot.title, {.size = 16, .weight = "bold"});
+        constexpr double bold = 1.15; // its letters are so much wider
+        const FittedText title = fittedText(plot.title, 16, (drawing.width - frame.left - edge) / bold);
+        drawing.text({frame.left, 30}, title.content, {.size = title.size, .weight = "bold"});
     }
     if (!plot.subtitle.empty())
     {
-        drawing.text({frame.left, plot.title.empty() ? 24 : 50}, plot.subtitle,
-                     {.size = sizeOfText, .fill = "#555555"});
+        const FittedText subtitle = fittedText(plot.subtitle, sizeOfText, drawing.width - frame.left - edge);
+        drawing.text({frame.left, plot.title.empty() ? 24 : 50}, subtitle.content,
+                     {.size = subtitle.size, .fill = "#555555"});
     }
 }
 

@@ -59,6 +59,29 @@ void keep(const std::string& name, const std::string& text)
     }
 }
 
+TEST(Canvas, TextsFitTheirRoom)
+{
+    EXPECT_EQ(fittedText("short", 14, 100).size, 14);
+    EXPECT_EQ(fittedText("", 14, 100).content, "");
+    const std::string label(20, 'x');
+    const FittedText smaller = fittedText(label, 14, 120);
+    EXPECT_EQ(smaller.content, label);
+    EXPECT_LT(smaller.size, 14);
+    EXPECT_LE(textWidth(smaller.content, smaller.size), 120 * (1 + 1e-9));
+    std::string text;
+    for (int i = 0; i < 100; ++i)
+    {
+        text += "\xc3\xbc";
+    }
+    for (double room = 40; room < 60; ++room)
+    {
+        const FittedText cut = fittedText(text, 14, room);
+        EXPECT_LE(textWidth(cut.content, cut.size), room);
+        EXPECT_EQ(cut.content.size() % 2, 1U); // whole characters and the three points
+        EXPECT_TRUE(cut.content.ends_with("..."));
+    }
+}
+
 TEST(Svg, IsWellFormedWhateverTheTextSays)
 {
     Canvas drawing(100, 50);

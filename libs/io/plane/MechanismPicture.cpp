@@ -334,7 +334,7 @@ void paintLegend(PicturePage& page, const MechanismPicture& picture, const std::
 {
     Canvas& drawing = page.drawing;
     const double y = page.legend();
-    double x = page.corner.x() + 4;
+    double x = leftOfLegend; // also of a structure that is narrower than its legend
     if (isMoving)
     {
         x = paintClayLegend(drawing, {x, y}) + 18;

@@ -394,7 +394,7 @@ Canvas drawnMechanism(const Assembly<3>& assembly, const std::vector<Placement<3
     if (furthest > 0)
     {
         paintMarkLegend(drawing, picture.marks,
-                        {paintClayLegend(drawing, {view.corner.x() + 4, page.legend()}) + 20, page.legend()});
+                        {paintClayLegend(drawing, {leftOfLegend, page.legend()}) + 20, page.legend()});
     }
     paintNotes(page, picture, loadOnPage);
     return drawing;
