@@ -12,6 +12,7 @@
 #include "runControl/Case.h"
 
 #include <algorithm>
+#include <exception>
 #include <set>
 
 #include <unistd.h>
@@ -277,11 +278,37 @@ std::vector<OtherEntry> entriesOf(const Ensemble& ensemble, const std::vector<Sa
     return entries;
 }
 
+namespace
+{
+
+/// As requireReadableCase: one of the samples has to have them.
+void requireFigures(const Ensemble& ensemble, const std::set<long>& tried)
+{
+    SamplesInProcess samples(ensemble);
+    std::exception_ptr first;
+    for (const long sample : tried)
+    {
+        try
+        {
+            samples.requireFigures(ensemble.sampler->at(sample));
+            return;
+        }
+        catch (const FatalError&)
+        {
+            first = first ? first : std::current_exception();
+        }
+    }
+    std::rethrow_exception(first);
+}
+
+} // namespace
+
 void requireReadableCase(const Ensemble& ensemble)
 {
     std::vector<std::vector<OtherEntry>> sets;
     const long count = ensemble.samples();
-    for (const long sample : std::set<long>{0, count / 2, count - 1})
+    const std::set<long> tried{0, count / 2, count - 1};
+    for (const long sample : tried)
     {
         sets.push_back(entriesOf(ensemble, ensemble.sampler->at(sample)));
     }
@@ -293,6 +320,10 @@ void requireReadableCase(const Ensemble& ensemble)
     requireReadableCase(ensemble.caseDirectory,
                         ensemble.isInProcess ? beside : ensembleWork(ensemble.caseDirectory) / name, sets,
                         {ensemble.settings.applications, {"."}, ensemble.options});
+    if (ensemble.isInProcess)
+    {
+        requireFigures(ensemble, tried);
+    }
 }
 
 void printEnsemble(const Ensemble& ensemble)

@@ -3,6 +3,7 @@
 #include "ensembles/SamplesInProcess.h"
 
 #include "assembly/AssemblyFile.h"
+#include "assembly/AssemblyOrigin.h"
 #include "conic/form/Form.h"
 #include "contact/ClosedAssembly.h"
 #include "contact/JointClosure.h"
@@ -142,12 +143,21 @@ struct SamplesInProcess::Cases
         return assembly;
     }
 
+    /// Has the case the blocks of a texture.
+    template<int Dim>
+    void build(const Dictionary& dictionary)
+    {
+        const fs::path& directory = ensemble.caseDirectory;
+        files.set(assemblyFile(directory),
+                  assemblyText(makeStructure<Dim>(dictionary), originOf(directory / textureFile, directory)));
+    }
+
     template<int Dim>
     void runBuilt(const Dictionary& dictionary)
     {
         if (runs("contactDynamics") || runs("incrementalDynamics"))
         {
-            files.set(assemblyFile(ensemble.caseDirectory), assemblyText(makeStructure<Dim>(dictionary)));
+            build<Dim>(dictionary);
         }
         if (runs("limitAnalysis"))
         {
@@ -344,6 +354,51 @@ struct SamplesInProcess::Cases
         }
     }
 
+    /// One for each result that is a figure of the motion, with the number of the result.
+    template<int Dim>
+    std::vector<std::pair<std::size_t, std::unique_ptr<MotionWatch<Dim>>>>
+    watchesOf(const DynamicCase<Dim>& scene, const Motion<Dim>& motion) const
+    {
+        std::vector<std::pair<std::size_t, std::unique_ptr<MotionWatch<Dim>>>> watches;
+        for (std::size_t i = 0; i < results.size(); ++i)
+        {
+            if (const auto& watch = std::get<WatchMaker<Dim>>(ensemble.settings.results[i].second.watch))
+            {
+                watches.emplace_back(i, watch(scene, motion));
+            }
+        }
+        return watches;
+    }
+
+    template<int Dim>
+    void requireFiguresOfMotion()
+    {
+        Time time(ensemble.caseDirectory, ControlDict::required);
+        const DynamicCase<Dim> scene = readDynamicCase<Dim>(ensemble.caseDirectory);
+        watchesOf(scene, startOrContinue(ensemble.caseDirectory, scene, time));
+    }
+
+    void requireFigures(const std::vector<SampleValue>& values)
+    {
+        setEntries(values);
+        if (!runs("contactDynamics"))
+        {
+            return;
+        }
+        bool isOfSpace = false;
+        if (runs("blockTexture"))
+        {
+            const Dictionary dictionary = Dictionary::readFile(ensemble.caseDirectory / textureFile);
+            isOfSpace = dimensionsOf(dictionary) == 3;
+            isOfSpace ? build<3>(dictionary) : build<2>(dictionary);
+        }
+        else
+        {
+            isOfSpace = assemblyDimensions(ensemble.caseDirectory) == 3;
+        }
+        isOfSpace ? requireFiguresOfMotion<3>() : requireFiguresOfMotion<2>();
+    }
+
     template<int Dim>
     void move()
     {
@@ -352,14 +407,10 @@ struct SamplesInProcess::Cases
         const DynamicCase<Dim> scene = readDynamicCase<Dim>(directory);
         Motion<Dim> motion = startOrContinue(directory, scene, time);
         chooseFirstTimeStep(scene, motion, time);
-        std::vector<std::pair<std::size_t, std::unique_ptr<MotionWatch<Dim>>>> watches;
-        for (std::size_t i = 0; i < results.size(); ++i)
+        const auto watches = watchesOf(scene, motion);
+        for (const auto& [index, watch] : watches)
         {
-            if (const auto& watch = std::get<WatchMaker<Dim>>(ensemble.settings.results[i].second.watch))
-            {
-                watches.emplace_back(i, watch(scene, motion));
-                watches.back().second->observe(motion, 0);
-            }
+            watch->observe(motion, 0);
         }
         while (time.loop())
         {
@@ -401,6 +452,11 @@ SamplesInProcess::runTogether(const std::vector<std::vector<SampleValue>>& sampl
                               const std::function<void(std::size_t)>& begins)
 {
     return cases->runTogether(samples, begins);
+}
+
+void SamplesInProcess::requireFigures(const std::vector<SampleValue>& values)
+{
+    cases->requireFigures(values);
 }
 
 bool SamplesInProcess::isForLanes()

@@ -33,6 +33,11 @@ public:
     runTogether(const std::vector<std::vector<SampleValue>>& samples,
                 const std::function<void(std::size_t)>& begins);
 
+    /// Looks up what the results are figures of, as far as they are of a motion, and computes nothing.
+    /// \throws FatalIOError for a block that is not there or never moves, FatalError where the case of these
+    /// values cannot be read
+    void requireFigures(const std::vector<SampleValue>& values);
+
     /// Whether lanes take the case with the entries that are set. \throws FatalError
     bool isForLanes();
 

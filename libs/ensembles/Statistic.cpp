@@ -146,10 +146,10 @@ std::pair<double, double> fractileInterval(const std::vector<double>& sorted, do
     return {below > 0 ? sampleAt(below - 1) : none, above < count ? sampleAt(above) : none};
 }
 
-StatisticResult evaluateDistribution(const DistributionSettings& settings, const std::string& name,
-                                     const SampleTable& table)
+/// The numbers that samples have, sorted, with rows that count the samples without one.
+std::vector<double> knownValues(const DistributionSettings& settings, const SampleTable& table,
+                                StatisticResult& result)
 {
-    StatisticResult result;
     std::vector<double> sorted;
     long failed = 0;
     const std::vector<double> values = valuesOf(settings.value, table);
@@ -161,6 +161,7 @@ StatisticResult evaluateDistribution(const DistributionSettings& settings, const
             sorted.push_back(values[row]);
         }
     }
+    std::sort(sorted.begin(), sorted.end());
     const auto known = static_cast<long>(sorted.size());
     const long missing = static_cast<long>(values.size()) - failed - known;
     const double none = std::nan("");
@@ -173,65 +174,116 @@ StatisticResult evaluateDistribution(const DistributionSettings& settings, const
             fmt::format("{} samples without a number are left out: {} failed, of {} {} is not finite",
                         failed + missing, failed, missing, settings.value));
     }
-    if (sorted.empty())
+    return sorted;
+}
+
+/// How far what samples give may be off.
+struct Confidence
+{
+    long independent = 0; ///< samples
+    double degrees = 0;   ///< of freedom
+    double quantile = 0;  ///< of Student's distribution, of an interval of 95%
+
+    explicit Confidence(long samples)
+        : independent(samples),
+          degrees(static_cast<double>(std::max(independent - 1, 1L))),
+          quantile(gsl_cdf_tdist_Pinv(0.975, degrees))
     {
-        result.remarks.emplace_back("No sample has a number: there is no distribution");
-        return result;
     }
-    if (known == 1)
+
+    bool isOne() const { return independent == 1; } ///< which says nothing of how others differ from it
+    double errorOfMean(double deviation) const
     {
-        result.remarks.emplace_back("One sample has a number: no deviation, error or interval is known");
+        return deviation / std::sqrt(static_cast<double>(independent));
     }
-    std::sort(sorted.begin(), sorted.end());
-    const long independent = table.sensitivityRuns > 0 ? std::max(1L, known / table.sensitivityRuns) : known;
-    if (independent < known)
-    {
-        result.remarks.push_back(fmt::format(
-            "The {} runs of a point differ in one variable each: errors and intervals are those of {} "
-            "independent samples",
-            table.sensitivityRuns, independent));
-    }
-    const bool isOne = independent == 1; // which says nothing of how others differ from it
-    const auto degrees = static_cast<double>(std::max(independent - 1, 1L));
-    const double quantile = gsl_cdf_tdist_Pinv(0.975, degrees);
+};
+
+/// \return the standard deviation; nan of one sample
+double addMoments(const std::vector<double>& sorted, const Confidence& confidence, StatisticResult& result)
+{
+    const double none = std::nan("");
     const auto [mean, ofSamples] = moments(sorted);
-    const double deviation = isOne ? none : ofSamples;
-    const double error = deviation / std::sqrt(static_cast<double>(independent));
-    result.rows.push_back({"mean", mean, error, mean - quantile * error, mean + quantile * error});
+    const double deviation = confidence.isOne() ? none : ofSamples;
+    const double error = confidence.errorOfMean(deviation);
+    const double reach = confidence.quantile * error;
+    result.rows.push_back({"mean", mean, error, mean - reach, mean + reach});
     result.rows.push_back({"standardDeviation", deviation, none, none, none});
     result.rows.push_back({"minimum", sorted.front(), none, none, none});
     result.rows.push_back({"maximum", sorted.back(), none, none, none});
+    return deviation;
+}
+
+void addFractiles(const std::vector<double>& fractiles, const std::vector<double>& sorted,
+                  const Confidence& confidence, StatisticResult& result)
+{
+    const double none = std::nan("");
     bool isOpen = false;
-    for (const double part : settings.fractiles)
+    for (const double part : fractiles)
     {
-        const auto [lower, upper] =
-            isOne ? std::pair{none, none} : fractileInterval(sorted, part, independent);
-        isOpen = isOpen || (!isOne && (std::isnan(lower) || std::isnan(upper)));
+        const auto [lower, upper] = confidence.isOne()
+                                        ? std::pair{none, none}
+                                        : fractileInterval(sorted, part, confidence.independent);
+        isOpen = isOpen || (!confidence.isOne() && (std::isnan(lower) || std::isnan(upper)));
         result.rows.push_back(
             {fmt::format("fractile{:g}", part), fractile(sorted, part), none, lower, upper});
     }
     if (isOpen)
     {
-        result.remarks.push_back(fmt::format("Of {} samples some fractiles have an interval that is open on "
-                                             "one side, where even the outermost "
-                                             "sample may lie beyond them: take more samples",
-                                             independent));
+        result.remarks.push_back(fmt::format(
+            "Of {} samples some fractiles have an interval that is open on one side, where even the "
+            "outermost sample may lie beyond them: take more samples",
+            confidence.independent));
     }
+}
+
+/// Median and beta of the lognormal distribution with the moments of the logarithms.
+void addLognormal(const std::vector<double>& positive, const Confidence& confidence, StatisticResult& result)
+{
+    std::vector<double> logarithms = positive;
+    std::transform(logarithms.begin(), logarithms.end(), logarithms.begin(),
+                   [](double x) { return std::log(x); });
+    const auto [centre, beta] = moments(logarithms);
+    const double theta = std::exp(centre);
+    const double error = confidence.errorOfMean(beta);
+    const double reach = confidence.quantile * error;
+    result.rows.push_back(
+        {"lognormalMedian", theta, theta * error, theta * std::exp(-reach), theta * std::exp(reach)});
+    // Of normal logarithms (n - 1) s^2/sigma^2 is a chi-squared variable.
+    const double degrees = confidence.degrees;
+    result.rows.push_back({"lognormalBeta", beta, beta / std::sqrt(2 * degrees),
+                           beta * std::sqrt(degrees / gsl_cdf_chisq_Pinv(0.975, degrees)),
+                           beta * std::sqrt(degrees / gsl_cdf_chisq_Pinv(0.025, degrees))});
+}
+
+StatisticResult evaluateDistribution(const DistributionSettings& settings, const std::string& name,
+                                     const SampleTable& table)
+{
+    StatisticResult result;
+    const std::vector<double> sorted = knownValues(settings, table, result);
+    if (sorted.empty())
+    {
+        result.remarks.emplace_back("No sample has a number: there is no distribution");
+        return result;
+    }
+    const auto known = static_cast<long>(sorted.size());
+    if (known == 1)
+    {
+        result.remarks.emplace_back("One sample has a number: no deviation, error or interval is known");
+    }
+    const Confidence confidence(table.sensitivityRuns > 0 ? std::max(1L, known / table.sensitivityRuns)
+                                                          : known);
+    if (confidence.independent < known)
+    {
+        result.remarks.push_back(fmt::format(
+            "The {} runs of a point differ in one variable each: errors and intervals are those of {} "
+            "independent samples",
+            table.sensitivityRuns, confidence.independent));
+    }
+    const double deviation = addMoments(sorted, confidence, result);
+    addFractiles(settings.fractiles, sorted, confidence, result);
     if (sorted.front() > 0 && deviation > 0)
     {
-        std::vector<double> logarithms = sorted;
-        std::transform(logarithms.begin(), logarithms.end(), logarithms.begin(),
-                       [](double x) { return std::log(x); });
-        const auto [centre, beta] = moments(logarithms);
-        const double theta = std::exp(centre);
-        const double logError = beta / std::sqrt(static_cast<double>(independent));
-        result.rows.push_back({"lognormalMedian", theta, theta * logError,
-                               theta * std::exp(-quantile * logError),
-                               theta * std::exp(quantile * logError)});
-        // Of normal logarithms (n - 1) s^2/sigma^2 is a chi-squared variable.
-        result.rows.push_back({"lognormalBeta", beta, beta / std::sqrt(2 * degrees),
-                               beta * std::sqrt(degrees / gsl_cdf_chisq_Pinv(0.975, degrees)),
-                               beta * std::sqrt(degrees / gsl_cdf_chisq_Pinv(0.025, degrees))});
+        addLognormal(sorted, confidence, result);
     }
     result.pictures.emplace_back("", histogram(name, settings.value, sorted, result.table));
     return result;

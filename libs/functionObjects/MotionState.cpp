@@ -121,30 +121,13 @@ std::vector<Placement<Dim>> placementsIn(const State& saved, std::size_t blocks)
     return placements;
 }
 
-template<int Dim>
-Motion<Dim> motionOf(const DynamicCase<Dim>& scene, const State& saved)
+namespace
 {
-    DynamicState<Dim> state = stateAtRest(scene.assembly);
-    state.time = stateScalar(saved, "time");
-    const std::size_t blocks = state.placements.size();
-    state.placements = placementsIn<Dim>(saved, blocks);
-    const auto& velocity = stateArray(saved, "velocity", static_cast<std::size_t>(state.velocity.size()));
-    state.velocity = Eigen::Map<const Eigen::VectorXd>(velocity.data(), state.velocity.size());
 
-    Motion<Dim> motion = startMotion(scene, std::move(state));
-    visitLedger(motion.energy, [&](const char* name, double& value) { value = stateScalar(saved, name); });
-    visitResiduals(motion.residuals,
-                   [&]<class Value>(const char* name, Value& value)
-                   {
-                       if constexpr (std::is_integral_v<Value>)
-                       {
-                           value = countOf<Value>(saved, name);
-                       }
-                       else
-                       {
-                           value = stateScalar(saved, name);
-                       }
-                   });
+/// Contact points with their forces. \throws FatalError where the points as built are others
+template<int Dim>
+void readPoints(const State& saved, std::size_t blocks, Motion<Dim>& motion)
+{
     const auto gapsThere = saved.arrays.find("contactGap");
     const std::size_t points = gapsThere == saved.arrays.end() ? 0 : gapsThere->second.size();
     const auto& gaps = stateArray(saved, "contactGap", points);
@@ -185,17 +168,54 @@ Motion<Dim> motionOf(const DynamicCase<Dim>& scene, const State& saved)
             motion.meanForces.push_back(vectorAt<Dim>(means, i));
         }
     }
-    if (saved.arrays.contains("interiorForce"))
+}
+
+/// Where the next program begins, if it is kept.
+template<int Dim>
+void readInterior(const State& saved, Motion<Dim>& motion)
+{
+    if (!saved.arrays.contains("interiorForce"))
     {
-        const auto vectorOf = [&saved](const char* name, Eigen::Index size)
-        {
-            const auto& values = stateArray(saved, name, static_cast<std::size_t>(size));
-            return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(values.data(), size));
-        };
-        const auto ofPoints = Dim * static_cast<Eigen::Index>(points);
-        motion.interior = {vectorOf("interiorForce", ofPoints), vectorOf("interiorOpening", ofPoints),
-                           vectorOf("interiorDisplacement", motion.state.velocity.size())};
+        return;
     }
+    const auto vectorOf = [&saved](const char* name, Eigen::Index size)
+    {
+        const auto& values = stateArray(saved, name, static_cast<std::size_t>(size));
+        return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(values.data(), size));
+    };
+    const auto ofPoints = Dim * static_cast<Eigen::Index>(motion.points.size());
+    motion.interior = {vectorOf("interiorForce", ofPoints), vectorOf("interiorOpening", ofPoints),
+                       vectorOf("interiorDisplacement", motion.state.velocity.size())};
+}
+
+} // namespace
+
+template<int Dim>
+Motion<Dim> motionOf(const DynamicCase<Dim>& scene, const State& saved)
+{
+    DynamicState<Dim> state = stateAtRest(scene.assembly);
+    state.time = stateScalar(saved, "time");
+    const std::size_t blocks = state.placements.size();
+    state.placements = placementsIn<Dim>(saved, blocks);
+    const auto& velocity = stateArray(saved, "velocity", static_cast<std::size_t>(state.velocity.size()));
+    state.velocity = Eigen::Map<const Eigen::VectorXd>(velocity.data(), state.velocity.size());
+
+    Motion<Dim> motion = startMotion(scene, std::move(state));
+    visitLedger(motion.energy, [&](const char* name, double& value) { value = stateScalar(saved, name); });
+    visitResiduals(motion.residuals,
+                   [&]<class Value>(const char* name, Value& value)
+                   {
+                       if constexpr (std::is_integral_v<Value>)
+                       {
+                           value = countOf<Value>(saved, name);
+                       }
+                       else
+                       {
+                           value = stateScalar(saved, name);
+                       }
+                   });
+    readPoints(saved, blocks, motion);
+    readInterior(saved, motion);
     if (saved.scalars.contains("stepSlides"))
     {
         motion.slides = stateScalar(saved, "stepSlides") != 0;

@@ -246,6 +246,14 @@ class Ensemble(CaseTest):
         self.assertEqual(self.table(case), self.table(inProcess))
         self.assertEqual(os.path.exists(os.path.join(inProcess, "constant/assembly")), False)
 
+    def testFiguresOfBlocksThatAreNotThereAreRefusedAtOnce(self):
+        for name, block, status in (("there", 30, 0), ("beyond", 4000, 1)):
+            case = self.case(name, applications="blockTexture contactDynamics", samples=4, statistics="")
+            self.edit(case, "system/ensembleDict", 'results { alpha { table "postProcessing/limitAnalysis/0/limitAnalysis.dat"; '
+                      "column alpha; } }", "results { turn { type rotation; block %d; } }" % block)
+            done = self.run_(case, "-dry-run", status=status)
+            self.assertEqual("ensembleDict" in done.stderr, status == 1, done.stderr)
+
     def testACaseThatCannotBeReadIsRefusedAtOnce(self):
         for name, applications in {"unread": "blockTexture limitAnalysis",
                                    "unreadCopy": "blockTexture checkBlocks limitAnalysis"}.items():
@@ -385,7 +393,7 @@ results
         with open(os.path.join(case, "system/ensembleDict"), "w", encoding="utf-8") as written:
             written.write(refused)
         shutil.rmtree(os.path.join(case, "postProcessing"))
-        self.assertIn("returnTime is a figure of the plane", self.run_(case, status=2).stdout)
+        self.assertIn("returnTime is a figure of the plane", self.run_(case, status=1).stderr)
 
     def testAnApplicationThatSomebodyEndsIsBegunAgain(self):
         case = self.case("ended", applications="blockTexture \"./nap\" limitAnalysis", samples=4)
