@@ -212,12 +212,12 @@ std::optional<Reference> referenceOf(const AccuracyStudy& study, std::size_t ind
             points.push_back(summarise(runs.setting, *done, 1, done->size()));
             if (!points.back().isWhole())
             {
-                throw FatalIOError(fmt::format("The finest run that {} is compared with fails: {} of {} runs "
-                                               "({}) were not solved, or "
-                                               "did not have the figure before endTime.",
-                                               quantity.name, points.back().failed, points.back().runs,
-                                               settingText(runs.setting, quantity.kind)),
-                                   plan.location, 2);
+                throw FatalIOError(
+                    fmt::format("The finest run that {} is compared with fails: {} of {} runs ({}) were not "
+                                "solved, or did not have the figure before endTime.",
+                                quantity.name, points.back().failed, points.back().runs,
+                                settingText(runs.setting, quantity.kind)),
+                    plan.location, 2);
             }
         }
         const AccuracyPoint& finest = points.back();

@@ -228,6 +228,7 @@ SampleStore::SampleStore(const fs::path& caseDirectory, const std::string& plan,
     }
     const fs::path chunkName = work / fmt::format("chunks.{}.{}", count, chunkSize);
     chunkFile = openFile(chunkName, O_RDWR);
+    ::futimens(chunkFile, nullptr); // the newest is that of the number of samples now, see samplesOrdered
     struct stat status = {};
     ::fstat(chunkFile, &status);
     if (status.st_size < chunks() && ::ftruncate(chunkFile, chunks()) != 0)
@@ -238,16 +239,20 @@ SampleStore::SampleStore(const fs::path& caseDirectory, const std::string& plan,
 
 long samplesOrdered(const fs::path& work)
 {
-    long most = 0; // where the ensemble has grown there are several
+    constexpr std::string_view beginning = "chunks.";
+    long count = 0;
+    fs::file_time_type newest = fs::file_time_type::min(); // of another number there is a file of its own
     for (const std::string& name : namesIn(work))
     {
-        constexpr std::string_view beginning = "chunks.";
-        if (name.starts_with(beginning))
+        std::error_code gone;
+        const fs::file_time_type written = fs::last_write_time(work / name, gone);
+        if (name.starts_with(beginning) && !gone && written > newest)
         {
-            most = std::max(most, std::strtol(name.c_str() + beginning.size(), nullptr, 10));
+            newest = written;
+            count = std::strtol(name.c_str() + beginning.size(), nullptr, 10);
         }
     }
-    return most;
+    return count;
 }
 
 SampleStore::~SampleStore()

@@ -139,22 +139,19 @@ std::string meaningOfAlpha(const LimitAnalysisCase<Dim>& structure)
     {
         return fmt::format(
             "Support {} moves, and there is no live load: alpha is the least reaction [N] of the support "
-            "against its own movement: positive where it gives way to the structure, negative where it "
-            "has to push. Forces between the blocks balance the loads {}, and a mechanism in which the "
-            "support "
+            "against its own movement: positive where it gives way to the structure, negative where it has "
+            "to push. Forces between the blocks balance the loads {}, and a mechanism in which the support "
             "moves shows that the reaction is not less (Portioli and Cascini 2016).",
             structure.assembly.supports[static_cast<std::size_t>(structure.movement->support)].name, law);
     }
     if (flowRuleOf(structure.contact) == FlowRule::nonAssociative)
     {
-        return fmt::format("Under the live load times the multiplier alpha the structure may collapse by "
-                           "Coulomb's law: forces "
-                           "between the blocks balance it {}, and blocks slide without opening in a "
-                           "mechanism of these forces. "
-                           "Such a pair is not unique, and alpha is the lowest that a search has met. Forces "
-                           "alone may balance "
-                           "more, up to the multiplier of the associative law.",
-                           law);
+        return fmt::format(
+            "Under the live load times the multiplier alpha the structure may collapse by Coulomb's law: "
+            "forces between the blocks balance it {}, and blocks slide without opening in a mechanism of "
+            "these forces. Such a pair is not unique, and alpha is the lowest that a search has met. Forces "
+            "alone may balance more, up to the multiplier of the associative law.",
+            law);
     }
     return fmt::format(
         "The live load times the multiplier alpha is the largest that the structure carries: forces "

@@ -215,11 +215,10 @@ std::vector<std::string> motionMeaning(const fs::path& caseDirectory, const Asse
     }
     if (!end.isAtItsEnd())
     {
-        sentences.push_back(
-            fmt::format("The run has come to {:.6g} s, and endTime is {:.6g} s: it was stopped, or a step "
-                        "was not solved. "
-                        "contactDynamics goes on from its last state where startFrom is latestTime.",
-                        end.time, end.wanted));
+        sentences.push_back(fmt::format(
+            "The run has come to {:.6g} s, and endTime is {:.6g} s: it was stopped, or a step was not "
+            "solved. contactDynamics goes on from its last state where startFrom is latestTime.",
+            end.time, end.wanted));
         printWarning(sentences.back());
     }
     return sentences;

@@ -359,6 +359,13 @@ statistics { capacity { type distribution; value alpha; } }
         self.run_(case)
         page = self.read(case, "report.html")
         self.assertIn("system/ensembleDict", page)
+        for samples in ("3", "4"):  # of an ensemble that was made smaller, and larger again
+            self.edit(case, "system/ensembleDict", "design/samples", samples)
+            self.runApplication("ensemble", case)
+            self.run_(case)
+            page = self.read(case, "report.html")
+            self.assertIn(f"{samples} samples; done", page)
+            self.assertNotIn("samples of the design", page)
         folder = os.path.join(case, "postProcessing/ensemble/0")
         samples = self.read(folder, "samples.dat")
         for name, text, said in (("samples.dat", samples.rsplit("\n", 2)[0] + "\n", "samples.dat has 3 of the 4 samples"),
