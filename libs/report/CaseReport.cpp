@@ -162,6 +162,13 @@ void addPictures(HtmlPage& page, const fs::path& caseDirectory)
             page.image(drawing, name);
             continue;
         }
+        if (drawing.find("</svg>") == std::string::npos)
+        {
+            const std::string fault = fmt::format("{} is cut off, or empty, and left out.", name);
+            printWarning(fault);
+            page.paragraph(fault);
+            continue;
+        }
         page.picture(drawing, name);
     }
 }

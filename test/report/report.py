@@ -321,6 +321,19 @@ statistics { capacity { type distribution; value alpha; } }
         self.run_(case)  # a mechanism without its multiplier
         self.assertIn("limitAnalysis.dat is missing", self.read(case, "report.html"))
 
+    def testAPictureThatIsCutOffIsLeftOut(self):
+        case = self.wall()
+        self.runApplication("limitAnalysis", case)
+        picture = os.path.join(case, "postProcessing/limitAnalysis/0/mechanism.svg")
+        whole = os.path.getsize(picture)
+        for size in (whole // 2, 0):
+            os.truncate(picture, size)
+            done = self.run_(case)
+            page = self.read(case, "report.html")
+            for said in (done.stdout + done.stderr, page):
+                self.assertIn("mechanism.svg is cut off, or empty, and left out", said)
+            self.assertEqual(page.count("<svg"), page.count("</svg>"))
+
     def testSaysWhichLawTheForcesObey(self):
         for name, said in (("../jointStrength/tension", "balance it with tension up to a strength"),
                            ("../jointStrength/cohesion", "and cohesion"),
