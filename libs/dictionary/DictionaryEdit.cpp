@@ -5,6 +5,7 @@
 #include "core/WholeFile.h"
 #include "dictionary/Dictionary.h"
 #include "dictionary/DictionaryGrammar.h"
+#include "dictionary/GivenEntry.h"
 
 #include <algorithm>
 #include <cctype>
@@ -18,50 +19,8 @@
 namespace drystone
 {
 
-std::string withoutQuotes(std::string_view path)
-{
-    std::string plain(path);
-    std::erase(plain, '"');
-    return plain;
-}
-
 namespace
 {
-
-/// The names between the slashes of a path, as they are given: patterns with their quotes.
-std::vector<std::string> namesIn(std::string_view path)
-{
-    std::vector<std::string> names;
-    std::string name;
-    bool isQuoted = false;
-    for (const char c : path)
-    {
-        isQuoted = isQuoted != (c == '"');
-        if (c != '/' || isQuoted)
-        {
-            name += c;
-        }
-        else if (!name.empty())
-        {
-            names.push_back(std::exchange(name, ""));
-        }
-    }
-    if (!name.empty())
-    {
-        names.push_back(name);
-    }
-    return names;
-}
-
-std::vector<std::string> keywordsOf(std::string_view path)
-{
-    std::vector<std::string> keywords = namesIn(path);
-    for (std::string& keyword : keywords)
-    {
-        keyword = withoutQuotes(keyword);
-    }
-    return keywords;
-}
 
 /// A directive with nothing after it would take the next statement for its argument: one that is added, say.
 void refuseBareDirectives(const std::vector<Statement>& statements, const std::string& file)
@@ -92,11 +51,6 @@ struct Edited
     SourceFile file;
     std::vector<Statement> statements;
 };
-
-bool isKeyed(const Statement& statement)
-{
-    return statement.kind == Statement::Kind::entry || statement.kind == Statement::Kind::dictionary;
-}
 
 /// All statements of a path that count, in the order of the text: those of a sub-dictionary that a value of
 /// the same name replaces further down do not.
@@ -185,80 +139,6 @@ void refuseConditions(const Edited& edited, const std::vector<std::string>& keyw
                         path),
             SourceLocation{edited.file.name, std::string(path), statement->keyword.line});
     }
-}
-
-/// Whether a value, by itself in order, ends in a comment `// ...` that takes the rest of its line with it.
-bool hidesWhatFollows(const std::string& value)
-{
-    const SourceFile line{"the value given", fmt::format("key {}; next 1;", value)};
-    try
-    {
-        const std::vector<Statement> statements = parseStatements(line);
-        return statements.empty() || statements.back().keyword.text != "next";
-    }
-    catch (const FatalIOError&)
-    {
-        return true;
-    }
-}
-
-/// The value as it stands in the text, checked to be one value and nothing more.
-std::string checkedValue(std::string_view value, std::string_view path)
-{
-    std::string text(value);
-    text.erase(0, text.find_first_not_of(" \t\n"));
-    text.erase(text.find_last_not_of(" \t\n") + 1);
-    const bool isDictionary = text.starts_with('{');
-    const SourceFile entry{"the value given", fmt::format("key {}{}", text, isDictionary ? "\n" : "\n;")};
-    const std::vector<Statement> statements = parseStatements(entry);
-    if (statements.size() != 1 || !isKeyed(statements.front()))
-    {
-        throw FatalIOError(
-            fmt::format("`{}` is not one value for {}. Write a value without `;`, or `{{ ... }}`.", text,
-                        path),
-            SourceLocation{entry.name, "", 1});
-    }
-    if (hidesWhatFollows(text))
-    {
-        throw FatalIOError(
-            fmt::format(
-                "`{}` ends in a comment, or is one, which would hide what follows the value in its line. "
-                "Give the value alone, or the comment as /* ... */.",
-                text),
-            SourceLocation{entry.name, "", 1});
-    }
-    return text;
-}
-
-/// The name of an entry that is added, as it is given, checked to be one.
-std::string checkedName(const std::string& name)
-{
-    const auto isOne = [&name]
-    {
-        try
-        {
-            const Dictionary dictionary =
-                Dictionary::readString(fmt::format("{} 1;", name), "the name given");
-            return dictionary.entries().size() == 1
-                   && dictionary.entries().front().keyword() == withoutQuotes(name);
-        }
-        catch (const FatalError&)
-        {
-            return false;
-        }
-    };
-    if (!isOne())
-    {
-        throw FatalIOError(
-            fmt::format("`{}` is not the name of an entry. Give one word, or a pattern in quotes.", name),
-            SourceLocation{"the name given", "", 1});
-    }
-    return name;
-}
-
-bool isDictionaryText(const std::string& value)
-{
-    return value.starts_with('{');
 }
 
 /// Blanks in front of the line that a place is in.
@@ -396,7 +276,7 @@ std::string withEntrySet(const std::string& text, const std::filesystem::path& f
         return replaced(text, *found.back(), newValue); // of several, the last one counts
     }
 
-    const std::string name = checkedName(namesIn(path).back());
+    const std::string name = checkedName(givenNames(path).back());
     if (keywords.size() == 1)
     {
         // After the last statement, before what comments may close the file.
@@ -498,7 +378,7 @@ std::pair<std::string, std::string> nearestEntry(const Dictionary& asWritten,
                                                  const std::filesystem::path& file, std::string_view path,
                                                  std::string_view value)
 {
-    std::vector<std::string> keywords = namesIn(path);
+    std::vector<std::string> keywords = givenNames(path);
     std::string set(value);
     const auto parentOf = [&keywords]
     { return fmt::format("{}", fmt::join(keywords.begin(), keywords.end() - 1, "/")); };

@@ -9,9 +9,6 @@
 namespace drystone
 {
 
-/// A path as Dictionary::findPath takes it: patterns without the quotes that they have in files.
-std::string withoutQuotes(std::string_view path);
-
 /// The text of a file with one entry given another value, `2` or `{ a 1; }`. An entry that is not there is
 /// added. Macros and directives are not carried out: an entry that comes from an included file counts as not
 /// there, and what is added overrides it. \param file that the text is of, for messages \param path keywords

@@ -46,4 +46,10 @@ std::vector<Statement> parseStatements(const SourceFile& file);
 /// \throws FatalIOError as above
 std::vector<Token> parseTokens(const SourceFile& file);
 
+/// Whether a statement gives a keyword a value or a sub-dictionary.
+inline bool isKeyed(const Statement& statement)
+{
+    return statement.kind == Statement::Kind::entry || statement.kind == Statement::Kind::dictionary;
+}
+
 } // namespace drystone

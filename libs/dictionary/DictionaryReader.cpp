@@ -104,9 +104,7 @@ private:
         std::map<std::string_view, const Statement*> first; // of each keyword between these brackets
         for (const Statement& statement : statements)
         {
-            const bool isKeyed =
-                statement.kind == Statement::Kind::entry || statement.kind == Statement::Kind::dictionary;
-            if (isKeyed && expansion == Expansion::all && !isModeGiven)
+            if (isKeyed(statement) && expansion == Expansion::all && !isModeGiven)
             {
                 const auto [earlier, isFirst] = first.try_emplace(statement.keyword.text, &statement);
                 if (!isFirst)

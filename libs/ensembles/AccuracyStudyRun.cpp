@@ -183,6 +183,11 @@ private:
     double spent = 0; ///< [s]
 };
 
+double relativeUncertainty(const Reference& reference)
+{
+    return reference.uncertainty / std::abs(reference.value);
+}
+
 /// The reference of a quantity; nothing when a signal has come.
 std::optional<Reference> referenceOf(const AccuracyStudy& study, std::size_t index, RunSequence& sequence)
 {
@@ -294,8 +299,7 @@ std::vector<RunSetting> settingsAt(const std::vector<AccuracyPoint>& points)
 
 double uncertaintyOf(const AccuracyResults& results, const SweepResult& sweep)
 {
-    const Reference& reference = results.references[sweep.quantity];
-    return reference.uncertainty / std::abs(reference.value);
+    return relativeUncertainty(results.references[sweep.quantity]);
 }
 
 void printAccuracyStudy(const AccuracyStudy& study)
@@ -417,8 +421,7 @@ void printAccuracyResults(const AccuracyStudy& study, const AccuracyResults& res
     for (const CheapestRow& row : cheapestRows(study, results))
     {
         const bool isMotion = study.quantities[row.quantity].kind == QuantityKind::motion;
-        const Reference& reference = results.references[row.quantity];
-        const double known = reference.uncertainty / std::abs(reference.value);
+        const double known = relativeUncertainty(results.references[row.quantity]);
         info("{}: {} is reached {}by {}{}", study.quantities[row.quantity].name, percentText(row.level),
              !isMotion                             ? ""
              : row.measure == ErrorMeasure::median ? "for half of the phases "

@@ -206,17 +206,22 @@ struct SamplesInProcess::Cases
         takeFigures(structure, answers);
     }
 
+    /// Of a texture, or of the assembly that is there.
+    Dictionary dictionaryOfBlocks() const
+    {
+        const fs::path& directory = ensemble.caseDirectory;
+        return Dictionary::readFile(runs("blockTexture") ? directory / textureFile : assemblyFile(directory));
+    }
+
     /// The case with the entries that are set, where it is one of the plane.
     std::optional<LimitAnalysisCase<2>> readPlane()
     {
-        const fs::path& directory = ensemble.caseDirectory;
-        const Dictionary dictionary =
-            Dictionary::readFile(runs("blockTexture") ? directory / textureFile : assemblyFile(directory));
+        const Dictionary dictionary = dictionaryOfBlocks();
         if (dimensionsOf(dictionary) != 2)
         {
             return {};
         }
-        return readLimitAnalysisCase<2>(directory, soundOf<2>(dictionary));
+        return readLimitAnalysisCase<2>(ensemble.caseDirectory, soundOf<2>(dictionary));
     }
 
     /// The structures of several samples. \param read gets the numbers of those without a fault
@@ -371,8 +376,12 @@ struct SamplesInProcess::Cases
     }
 
     template<int Dim>
-    void requireFiguresOfMotion()
+    void requireFiguresOfMotion(const Dictionary& dictionary)
     {
+        if (runs("blockTexture"))
+        {
+            build<Dim>(dictionary);
+        }
         Time time(ensemble.caseDirectory, ControlDict::required);
         const DynamicCase<Dim> scene = readDynamicCase<Dim>(ensemble.caseDirectory);
         watchesOf(scene, startOrContinue(ensemble.caseDirectory, scene, time));
@@ -385,18 +394,9 @@ struct SamplesInProcess::Cases
         {
             return;
         }
-        bool isOfSpace = false;
-        if (runs("blockTexture"))
-        {
-            const Dictionary dictionary = Dictionary::readFile(ensemble.caseDirectory / textureFile);
-            isOfSpace = dimensionsOf(dictionary) == 3;
-            isOfSpace ? build<3>(dictionary) : build<2>(dictionary);
-        }
-        else
-        {
-            isOfSpace = assemblyDimensions(ensemble.caseDirectory) == 3;
-        }
-        isOfSpace ? requireFiguresOfMotion<3>() : requireFiguresOfMotion<2>();
+        const Dictionary dictionary = dictionaryOfBlocks();
+        dimensionsOf(dictionary) == 3 ? requireFiguresOfMotion<3>(dictionary)
+                                      : requireFiguresOfMotion<2>(dictionary);
     }
 
     template<int Dim>

@@ -98,6 +98,14 @@ void Canvas::text(const Vector<2>& at, std::string_view content, const TextStyle
     shapes.emplace_back(CanvasText{at, std::string(content), style});
 }
 
+void Canvas::textWithin(double room, const Vector<2>& at, std::string_view content, TextStyle style)
+{
+    const double wider = style.weight == "bold" ? 1.15 : 1; // its letters
+    const FittedText fitted = fittedText(content, style.size, room / wider);
+    style.size = fitted.size;
+    text(at, fitted.content, style);
+}
+
 void Canvas::defineHatch(std::string_view name, std::string_view colour, double spacing)
 {
     shapes.emplace_back(CanvasHatch{std::string(name), std::string(colour), spacing});

@@ -117,6 +117,8 @@ struct Canvas
     void rectangle(const Vector<2>& corner, double width, double height, const ShapeStyle& style);
     void circle(const Vector<2>& centre, double radius, const ShapeStyle& style);
     void text(const Vector<2>& at, std::string_view content, const TextStyle& style);
+    /// A text that is no longer than a room [px], see fittedText.
+    void textWithin(double room, const Vector<2>& at, std::string_view content, TextStyle style);
 
     /// Defines a hatch, used as fill `url(#name)`.
     void defineHatch(std::string_view name, std::string_view colour, double spacing);

@@ -27,18 +27,16 @@ PicturePage makePicturePage(const MechanismPicture& picture, const Vector<2>& wo
     const Vector<2> room = scale * world;
     PicturePage page{
         scale, {(picture.width - room.x()) / 2, head}, room, Canvas(picture.width, head + room.y() + legend)};
+    const double widest = picture.width - 2 * margin;
     if (!picture.title.empty())
     {
-        constexpr double bold = 1.15; // its letters are so much wider
-        const FittedText title = fittedText(picture.title, 17, (picture.width - 2 * margin) / bold);
-        page.drawing.text({picture.width / 2, 28}, title.content,
-                          {.size = title.size, .anchor = TextAnchor::middle, .weight = "bold"});
+        page.drawing.textWithin(widest, {picture.width / 2, 28}, picture.title,
+                                {.size = 17, .anchor = TextAnchor::middle, .weight = "bold"});
     }
     if (!picture.subtitle.empty())
     {
-        const FittedText subtitle = fittedText(picture.subtitle, 14, picture.width - 2 * margin);
-        page.drawing.text({picture.width / 2, 50}, subtitle.content,
-                          {.size = subtitle.size, .anchor = TextAnchor::middle});
+        page.drawing.textWithin(widest, {picture.width / 2, 50}, picture.subtitle,
+                                {.size = 14, .anchor = TextAnchor::middle});
     }
     return page;
 }

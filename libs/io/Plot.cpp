@@ -157,15 +157,13 @@ void paintAxes(Canvas& drawing, const Plot& plot, const Frame& frame, const std:
     }
     drawing.rectangle({frame.left, frame.top}, frame.width, frame.height,
                       {.stroke = "#555555", .strokeWidth = 1});
-    const FittedText ofX = fittedText(plot.x.label, 13.5, frame.width);
-    drawing.text({frame.left + frame.width / 2, bottom + 43}, ofX.content,
-                 {.size = ofX.size, .anchor = TextAnchor::middle});
-    const FittedText ofY = fittedText(plot.y.label, 13.5, drawing.height - 2 * edge);
-    const double halfOfY = textWidth(ofY.content, ofY.size) / 2;
-    const double middle =
-        std::clamp(frame.top + frame.height / 2, edge + halfOfY, drawing.height - edge - halfOfY);
-    drawing.text({frame.left - yLabelRoom - 16, middle}, ofY.content,
-                 {.size = ofY.size, .anchor = TextAnchor::middle, .rotation = -90});
+    drawing.textWithin(frame.width, {frame.left + frame.width / 2, bottom + 43}, plot.x.label,
+                       {.size = 13.5, .anchor = TextAnchor::middle});
+    const double room = drawing.height - 2 * edge;
+    const double half = std::min(room, textWidth(plot.y.label, 13.5)) / 2;
+    const double middle = std::clamp(frame.top + frame.height / 2, edge + half, drawing.height - edge - half);
+    drawing.textWithin(room, {frame.left - yLabelRoom - 16, middle}, plot.y.label,
+                       {.size = 13.5, .anchor = TextAnchor::middle, .rotation = -90});
 }
 
 /// Between the axis and what stands beside it [px].
@@ -226,17 +224,15 @@ double roomOfLegend(const Plot& plot)
 
 void paintTitles(Canvas& drawing, const Plot& plot, const Frame& frame)
 {
+    const double room = drawing.width - frame.left - edge;
     if (!plot.title.empty())
     {
-        constexpr double bold = 1.15; // its letters are so much wider
-        const FittedText title = fittedText(plot.title, 16, (drawing.width - frame.left - edge) / bold);
-        drawing.text({frame.left, 30}, title.content, {.size = title.size, .weight = "bold"});
+        drawing.textWithin(room, {frame.left, 30}, plot.title, {.size = 16, .weight = "bold"});
     }
     if (!plot.subtitle.empty())
     {
-        const FittedText subtitle = fittedText(plot.subtitle, sizeOfText, drawing.width - frame.left - edge);
-        drawing.text({frame.left, plot.title.empty() ? 24 : 50}, subtitle.content,
-                     {.size = subtitle.size, .fill = "#555555"});
+        drawing.textWithin(room, {frame.left, plot.title.empty() ? 24 : 50}, plot.subtitle,
+                           {.size = sizeOfText, .fill = "#555555"});
     }
 }
 

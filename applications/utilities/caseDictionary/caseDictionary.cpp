@@ -2,6 +2,7 @@
 /// caseDictionary: prints entries of a dictionary, or edits one and leaves the rest of the file unchanged.
 #include "dictionary/Dictionary.h"
 #include "dictionary/DictionaryEdit.h"
+#include "dictionary/GivenEntry.h"
 #include "runControl/Application.h"
 
 #include <fmt/format.h>
