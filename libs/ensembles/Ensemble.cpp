@@ -9,6 +9,7 @@
 #include "ensembles/StudyInput.h"
 #include "functionObjects/ColumnFile.h"
 #include "quantities/LimitAnalysisFigures.h"
+#include "quantities/TableLine.h"
 #include "runControl/Case.h"
 
 #include <algorithm>
@@ -122,8 +123,7 @@ void requireResults(const Ensemble& ensemble)
         {
             const std::vector<std::string_view> headings = limitAnalysisHeadings();
             const std::string& wanted = *figure.ofCollapse;
-            if (std::none_of(headings.begin(), headings.end(),
-                             [&](std::string_view heading) { return isColumn(heading, wanted); }))
+            if (!findColumn(headings, wanted))
             {
                 throw FatalIOError(fmt::format("{} has no column {}.\n\nIts columns: {}",
                                                limitAnalysisTableName, wanted, fmt::join(headings, " ")),

@@ -6,7 +6,7 @@
 #include "ensembles/NatafCorrelation.h"
 #include "ensembles/Philox.h"
 #include "ensembles/SobolSequence.h"
-#include "quantities/TableFigure.h"
+#include "quantities/TableLine.h"
 
 #include <Eigen/Cholesky>
 #include <fmt/format.h>
@@ -16,7 +16,6 @@
 #include <fstream>
 #include <numeric>
 #include <set>
-#include <sstream>
 
 namespace drystone
 {
@@ -246,17 +245,10 @@ void Sampler::readTable(const Dictionary&, const std::filesystem::path& caseDire
     skipByteOrderMark(stream);
     std::vector<std::string> columns;
     std::vector<std::size_t> places;
-    int number = 0;
-    for (std::string line; std::getline(stream, line);)
+    for (TableLine line; nextLine(stream, line);)
     {
-        ++number;
-        std::istringstream words(line.starts_with("#") ? line.substr(1) : line);
-        std::vector<std::string> cells;
-        for (std::string word; words >> word;)
-        {
-            cells.push_back(word);
-        }
-        if (line.starts_with("#"))
+        const std::vector<std::string>& cells = line.words;
+        if (line.isHeading)
         {
             if (places.empty()) // comments between rows are no headings
             {
@@ -272,30 +264,27 @@ void Sampler::readTable(const Dictionary&, const std::filesystem::path& caseDire
         {
             for (const auto& [name, variable] : variables)
             {
-                const auto found = std::find_if(columns.begin(), columns.end(),
-                                                [&wanted = name](const std::string& column)
-                                                { return isColumn(column, wanted); });
-                if (found == columns.end())
+                const std::optional<std::size_t> place = findColumn(columns, name);
+                if (!place)
                 {
                     throw FatalIOError(fmt::format("{} has no column {}.\n\nIts columns: {}", design.file,
                                                    name, fmt::join(columns, " ")),
                                        design.location);
                 }
-                places.push_back(static_cast<std::size_t>(found - columns.begin()));
+                places.push_back(*place);
             }
         }
         if (cells.size() != columns.size())
         {
             throw FatalIOError(
                 fmt::format("A row has {} values, and there are {} columns.", cells.size(), columns.size()),
-                {file.string(), "", number});
+                {file.string(), "", line.number});
         }
         std::vector<SampleValue> row;
         for (const std::size_t place : places)
         {
-            char* end = nullptr;
-            const double value = std::strtod(cells[place].c_str(), &end);
-            row.push_back(*end == 0 ? SampleValue{cells[place], value} : valueOf(cells[place]));
+            const std::optional<double> number = numberIn(cells[place]);
+            row.push_back(number ? SampleValue{cells[place], *number} : valueOf(cells[place]));
         }
         rows.push_back(std::move(row));
     }

@@ -15,6 +15,7 @@
 #include "ensembles/IncrementalDynamicsCase.h"
 #include "functionObjects/MotionResults.h"
 #include "quantities/LimitAnalysisFigures.h"
+#include "quantities/TableLine.h"
 #include "statics/LaneAnalyses.h"
 #include "statics/SolveCase.h"
 #include "texture/Texture.h"
@@ -312,10 +313,8 @@ struct SamplesInProcess::Cases
             {
                 continue;
             }
-            const auto found = std::find_if(table.headings.begin(), table.headings.end(),
-                                            [&](const std::string& heading)
-                                            { return isColumn(heading, *figure.ofLeastIntensity); });
-            if (found == table.headings.end())
+            const std::optional<std::size_t> place = findColumn(table.headings, *figure.ofLeastIntensity);
+            if (!place)
             {
                 throw FatalError(
                     fmt::format("{} has no column {}.", leastIntensityTableName, *figure.ofLeastIntensity));
@@ -324,8 +323,7 @@ struct SamplesInProcess::Cases
             for (const std::vector<double>& row : table.rows)
             {
                 // With the digits of the table, as one that is read has them.
-                const double number = row[static_cast<std::size_t>(found - table.headings.begin())];
-                column.push_back(std::strtod(fmt::format("{:.12g}", number).c_str(), nullptr));
+                column.push_back(std::strtod(fmt::format("{:.12g}", row[*place]).c_str(), nullptr));
             }
             results[i] = taken(column, figure.table->take);
         }

@@ -7,6 +7,7 @@
 #include "ensembles/Intensity.h"
 #include "ensembles/ParameterSearch.h"
 #include "ensembles/SampleStore.h"
+#include "quantities/TableLine.h"
 #include "runControl/CaseFiles.h"
 
 #include <fmt/format.h>
@@ -34,50 +35,33 @@ struct WordTable
     std::vector<std::vector<std::string>> rows;
 };
 
-/// Of blanks between cells, or of commas. The last line with `#` that has as many words as the rows is the
-/// heading.
+/// Of blanks between cells, or of commas: of blanks the last line with `#` is the heading, of commas the
+/// first line.
 WordTable readWords(const fs::path& file, char separator)
 {
-    const auto cellsOf = [separator](std::string line)
-    {
-        if (separator != ' ')
-        {
-            std::replace(line.begin(), line.end(), ' ', '_');
-            std::replace(line.begin(), line.end(), separator, ' ');
-        }
-        std::vector<std::string> cells;
-        std::istringstream words(line);
-        for (std::string word; words >> word;)
-        {
-            cells.push_back(word);
-        }
-        return cells;
-    };
     WordTable table;
-    std::istringstream lines(contentOfFile(file));
-    for (std::string line; std::getline(lines, line);)
+    std::vector<std::string> columns;
+    std::istringstream stream(contentOfFile(file));
+    for (TableLine line; nextLine(stream, line, separator);)
     {
-        const bool isRemark = line.starts_with("# ");
-        if (isRemark)
+        if (line.isHeading)
         {
-            table.remarks.push_back(line.substr(2));
+            table.remarks.push_back(line.text.substr(std::min<std::size_t>(2, line.text.size())));
         }
-        const std::vector<std::string> cells = cellsOf(isRemark ? line.substr(2) : line);
-        if (isRemark || (separator != ' ' && table.head.empty()))
+        if (line.isHeading || (separator != ' ' && columns.empty()))
         {
-            table.head = cells;
+            columns = line.words;
         }
-        else if (cells.size() == table.head.size())
+        else if (line.words.size() == columns.size())
         {
-            table.rows.push_back(cells);
+            table.rows.push_back(line.words);
         }
     }
-    for (std::string& name : table.head)
+    for (const std::string& column : columns)
     {
-        const std::size_t bracket = name.find('[');
-        table.units.push_back(bracket == name.npos ? ""
-                                                   : name.substr(bracket + 1, name.size() - bracket - 2));
-        name = name.substr(0, bracket);
+        const auto [name, unit] = nameAndUnit(column);
+        table.head.push_back(name);
+        table.units.push_back(unit);
     }
     return table;
 }
@@ -85,9 +69,8 @@ WordTable readWords(const fs::path& file, char separator)
 /// A number with six digits; nothing for what is not known.
 std::string numberText(const std::string& cell)
 {
-    char* end = nullptr;
-    const double value = std::strtod(cell.c_str(), &end);
-    return *end != 0 ? cell : std::isnan(value) ? "" : fmt::format("{:.6g}", value);
+    const std::optional<double> value = numberIn(cell);
+    return !value ? cell : std::isnan(*value) ? "" : fmt::format("{:.6g}", *value);
 }
 
 /// Cells of a row in the columns of these names.

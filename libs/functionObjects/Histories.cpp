@@ -2,7 +2,7 @@
 /// Reads tables and draws them over time.
 #include "functionObjects/Histories.h"
 
-#include "quantities/TableFigure.h"
+#include "quantities/TableLine.h"
 
 #include <fmt/format.h>
 
@@ -16,17 +16,6 @@ namespace drystone
 
 namespace
 {
-
-/// `kinetic[J]` as name and unit.
-std::pair<std::string, std::string> nameAndUnit(const std::string& heading)
-{
-    const std::size_t bracket = heading.find('[');
-    if (bracket == std::string::npos || heading.back() != ']')
-    {
-        return {heading, ""};
-    }
-    return {heading.substr(0, bracket), heading.substr(bracket + 1, heading.size() - bracket - 2)};
-}
 
 /// What the columns of a unit are, for the label of an axis.
 std::string quantityOf(const std::string& unit)
@@ -52,39 +41,37 @@ NumberTable readNumberTable(const std::filesystem::path& file)
 {
     NumberTable table;
     std::ifstream stream(file);
-    const std::optional<TableLine> heading = nextLine(stream);
-    if (!heading || !heading->isHeading)
+    TableLine line;
+    if (!nextLine(stream, line) || !line.isHeading)
     {
         return table;
     }
-    for (const std::string& word : heading->words)
+    for (const std::string& column : line.words)
     {
-        const auto [name, unit] = nameAndUnit(word);
+        const auto [name, unit] = nameAndUnit(column);
         table.names.push_back(name);
         table.units.push_back(unit);
     }
     table.columns.resize(table.names.size());
-    int lineNumber = 1;
     int firstLeftOut = 0;
-    while (const std::optional<TableLine> line = nextLine(stream))
+    while (nextLine(stream, line))
     {
-        ++lineNumber;
         std::vector<double> numbers;
-        for (const std::string& word : line->words)
+        for (const std::string& word : line.words)
         {
             if (const std::optional<double> number = numberIn(word))
             {
                 numbers.push_back(*number);
             }
         }
-        const bool isRow = line->words.size() == table.names.size() && numbers.size() == table.names.size();
+        const bool isRow = line.words.size() == table.names.size() && numbers.size() == table.names.size();
         for (std::size_t column = 0; isRow && column < numbers.size(); ++column)
         {
             table.columns[column].push_back(numbers[column]);
         }
-        if (!isRow && !line->isHeading && !line->words.empty() && firstLeftOut == 0)
+        if (!isRow && !line.isHeading && !line.words.empty() && firstLeftOut == 0)
         {
-            firstLeftOut = lineNumber;
+            firstLeftOut = line.number;
         }
     }
     const bool hasRows = !table.columns.empty() && !table.columns.front().empty();

@@ -8,6 +8,7 @@
 #include "functionObjects/KeptResults.h"
 #include "functionObjects/MotionState.h"
 #include "io/TimeDirectory.h"
+#include "quantities/TableLine.h"
 #include "runControl/Case.h"
 #include "runControl/CaseFiles.h"
 
@@ -25,13 +26,14 @@ namespace
 std::size_t timesIn(const std::filesystem::path& table)
 {
     std::set<double> times;
-    std::istringstream lines(contentOfFile(table));
-    for (std::string line; std::getline(lines, line);)
+    std::istringstream stream(contentOfFile(table));
+    for (TableLine line; nextLine(stream, line);)
     {
-        double time = 0;
-        if (!line.empty() && line.front() != '#' && std::istringstream(line) >> time)
+        const std::optional<double> time =
+            line.isHeading || line.words.empty() ? std::nullopt : numberIn(line.words.front());
+        if (time)
         {
-            times.insert(time);
+            times.insert(*time);
         }
     }
     return times.size();

@@ -4,6 +4,7 @@
 
 #include "core/ByteOrderMark.h"
 #include "core/Error.h"
+#include "quantities/TableLine.h"
 
 #include <fmt/format.h>
 
@@ -11,7 +12,6 @@
 #include <cmath>
 #include <fstream>
 #include <numeric>
-#include <sstream>
 
 namespace drystone
 {
@@ -72,35 +72,6 @@ void declare(Options& options, TableFigure& figure)
                   });
 }
 
-bool isColumn(std::string_view heading, std::string_view name)
-{
-    return heading == name
-           || (heading.size() > name.size() && heading.starts_with(name) && heading[name.size()] == '[');
-}
-
-std::optional<TableLine> nextLine(std::istream& table)
-{
-    TableLine line;
-    if (!std::getline(table, line.text))
-    {
-        return std::nullopt;
-    }
-    line.isHeading = line.text.starts_with("#");
-    std::istringstream words(line.isHeading ? line.text.substr(1) : line.text);
-    for (std::string word; words >> word;)
-    {
-        line.words.push_back(word);
-    }
-    return line;
-}
-
-std::optional<double> numberIn(const std::string& word)
-{
-    char* end = nullptr;
-    const double value = std::strtod(word.c_str(), &end);
-    return end == word.c_str() || *end != 0 ? std::nullopt : std::optional(value);
-}
-
 std::optional<std::vector<double>> readColumn(const fs::path& table, const std::string& name)
 {
     std::error_code ignored;
@@ -112,31 +83,28 @@ std::optional<std::vector<double>> readColumn(const fs::path& table, const std::
     skipByteOrderMark(stream);
     std::vector<std::string> columns;
     std::vector<double> values;
-    std::size_t wanted = 0;
-    while (const std::optional<TableLine> line = nextLine(stream))
+    std::optional<std::size_t> wanted;
+    for (TableLine line; nextLine(stream, line);)
     {
-        if (line->isHeading)
+        if (line.isHeading)
         {
-            columns = line->words;
+            columns = line.words;
             continue;
         }
         if (values.empty())
         {
-            const auto found =
-                std::find_if(columns.begin(), columns.end(),
-                             [&](const std::string& column) { return isColumn(column, name); });
-            if (found == columns.end())
+            wanted = findColumn(columns, name);
+            if (!wanted)
             {
                 throw FatalError(fmt::format("{} has no column {}.\n\nIts columns: {}", table.string(), name,
                                              fmt::join(columns, " ")));
             }
-            wanted = static_cast<std::size_t>(found - columns.begin());
         }
         const std::optional<double> value =
-            wanted < line->words.size() ? numberIn(line->words[wanted]) : std::nullopt;
+            *wanted < line.words.size() ? numberIn(line.words[*wanted]) : std::nullopt;
         if (!value)
         {
-            throw FatalError(fmt::format("{} is not a table of numbers: `{}`.", table.string(), line->text));
+            throw FatalError(fmt::format("{} is not a table of numbers: `{}`.", table.string(), line.text));
         }
         values.push_back(*value);
     }

@@ -6,7 +6,6 @@
 
 #include <array>
 #include <filesystem>
-#include <iosfwd>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -50,27 +49,10 @@ void declare(Options& options, TableFigure& figure);
 /// A path that stays within the case directory.
 bool isInsideCase(const std::string& path);
 
-/// A line of a table of the applications: `# Time[s]  alpha[-]`, or a row of numbers.
-struct TableLine
-{
-    bool isHeading = false;
-    std::vector<std::string> words;
-    std::string text; ///< the whole of it
-};
-
-/// The next line of a table; nothing at its end.
-std::optional<TableLine> nextLine(std::istream& table);
-
-/// A word of a row; nothing where it is no number.
-std::optional<double> numberIn(const std::string& word);
-
 /// A column of a table of numbers whose last comment line names the columns, `# Time[s]  alpha[-]`.
 /// \param name with or without the unit
 /// \return nothing when the file does not exist
 /// \throws FatalError when it is not such a table, or has no such column: the message lists its columns
 std::optional<std::vector<double>> readColumn(const std::filesystem::path& table, const std::string& name);
-
-/// Whether a heading `alpha[-]` is the one that a user calls `alpha`, or `alpha[-]`.
-bool isColumn(std::string_view heading, std::string_view name);
 
 } // namespace drystone

@@ -6,6 +6,7 @@
 #include "functionObjects/Histories.h"
 #include "functionObjects/LimitAnalysisResults.h"
 #include "functionObjects/LoadMeaning.h"
+#include "quantities/TableLine.h"
 
 #include <fmt/format.h>
 
@@ -28,11 +29,12 @@ std::vector<LimitAnalysis> storedAnswers(const fs::path& caseDirectory, const Nu
     std::vector<std::string> names;
     std::istringstream combinations(
         contentOfFile(limitAnalysisTable(caseDirectory).replace_filename("combinations.dat")));
-    std::string line;
-    std::getline(combinations, line);
-    while (std::getline(combinations, line))
+    for (TableLine line; nextLine(combinations, line);)
     {
-        names.push_back(line.substr(0, line.find(' ')));
+        if (!line.isHeading && !line.words.empty())
+        {
+            names.push_back(line.words.front());
+        }
     }
     std::vector<LimitAnalysis> answers;
     for (std::size_t row = 0; row < table.columns.front().size(); ++row)

@@ -263,26 +263,3 @@ TEST(ParameterSearch, AnErrorOfTheEvaluationPassesThroughNLopt)
                [](const auto&) { return -1; }),
         FatalError);
 }
-
-TEST(ReadColumn, TakesTheColumnOfTheNameWithOrWithoutItsUnit)
-{
-    const auto file =
-        std::filesystem::temp_directory_path() / fmt::format("drystone-column-{}.dat", ::getpid());
-    std::ofstream(file) << "# made by hand\n# Time[s]  alpha[-] alpha2\n0 1.5 3\n0.5 nan 4\n";
-    EXPECT_THAT(*readColumn(file, "alpha2"), ElementsAre(3, 4));
-    EXPECT_THAT(*readColumn(file, "Time[s]"), ElementsAre(0, 0.5));
-    EXPECT_TRUE(std::isnan(readColumn(file, "alpha")->back()));
-    try
-    {
-        readColumn(file, "beta");
-        FAIL();
-    }
-    catch (const FatalError& error)
-    {
-        EXPECT_THAT(error.what(), HasSubstr("Its columns: Time[s] alpha[-] alpha2"));
-    }
-    std::ofstream(file) << "# Time[s]  alpha[-]\n0 1.5\n0.5\n";
-    EXPECT_THROW(readColumn(file, "alpha"), FatalError);
-    std::filesystem::remove(file);
-    EXPECT_FALSE(readColumn(file, "alpha"));
-}

@@ -159,7 +159,4 @@ TEST(LimitAnalysisFigures, AreTheColumnsOfTheTable)
     EXPECT_EQ(limitAnalysisHeadings().size(), figures.size());
     result.status = CollapseStatus::unstable;
     EXPECT_EQ(limitAnalysisFigures(LimitAnalysisCase<2>(), result, 0).front().text, "nan");
-    EXPECT_TRUE(isColumn("alpha[-]", "alpha"));
-    EXPECT_TRUE(isColumn("alpha[-]", "alpha[-]"));
-    EXPECT_FALSE(isColumn("alphaOfDead[-]", "alpha"));
 }
