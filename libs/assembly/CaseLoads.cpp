@@ -70,6 +70,30 @@ std::vector<LoadPosition<Dim>> readPositions(const Dictionary& loads, const Asse
     return positions;
 }
 
+/// The loads that `cases` names, as load vectors.
+std::vector<std::pair<std::string, Eigen::VectorXd>>
+rowsOf(const std::vector<std::pair<std::string, Load>>& cases)
+{
+    std::vector<std::pair<std::string, Eigen::VectorXd>> rows;
+    for (const auto& [name, load] : cases)
+    {
+        rows.emplace_back(name, load.rows);
+    }
+    return rows;
+}
+
+void setDead(LoadVectors& loads, Load load)
+{
+    loads.dead = std::move(load.rows);
+    loads.firstMomentsOfDead = std::move(load.firstMoments);
+}
+
+void setLive(LoadVectors& loads, Load load)
+{
+    loads.live = std::move(load.rows);
+    loads.firstMomentsOfLive = std::move(load.firstMoments);
+}
+
 /// The context with the loads that `cases` names.
 template<int Dim>
 LoadContext<Dim> withCases(const LoadContext<Dim>& context, const LoadCases<Dim>& cases)
@@ -115,8 +139,8 @@ CaseLoads<Dim> readLoads(const std::filesystem::path& caseDirectory, const LoadC
     loads.locations = EntryLocations(dictionary);
     loads.multiplier = cases.multiplier;
     const LoadContext<Dim> with = withCases(context, cases);
-    loads.cases = with.cases;
-    loads.dead = cases.dead(with);
+    loads.cases = rowsOf(with.cases);
+    setDead(loads, cases.dead(with));
     loads.movement = readMovement(dictionary, context.assembly);
     loads.positions = readPositions(dictionary, context.assembly);
     if (!loads.positions.empty())
@@ -125,7 +149,7 @@ CaseLoads<Dim> readLoads(const std::filesystem::path& caseDirectory, const LoadC
     }
     else if (cases.live && !loads.movement)
     {
-        loads.live = (*cases.live)(with);
+        setLive(loads, (*cases.live)(with));
     }
     if (liveLoad == LiveLoad::required && !loads.movement && loads.live.isZero(0))
     {
@@ -157,10 +181,10 @@ readLoadCombinations(const std::filesystem::path& caseDirectory, const LoadConte
     for (const auto& [name, combination] : cases.combinations)
     {
         LoadVectors loads;
-        loads.cases = with.cases;
+        loads.cases = rowsOf(with.cases);
         loads.multiplier = combination.multiplier;
-        loads.dead = combination.dead(with);
-        loads.live = combination.live(with);
+        setDead(loads, combination.dead(with));
+        setLive(loads, combination.live(with));
         if (loads.live.isZero(0))
         {
             throw FatalIOError(

@@ -113,7 +113,7 @@ template<int Dim>
 LoadMaker<Dim> makeForce(const ForceSettings<Dim>& settings, const Dictionary& dictionary)
 {
     return [settings, place = dictionary.locationOf("at"),
-            blockPlace = dictionary.locationOf("block")](const LoadContext<Dim>& context) -> Eigen::VectorXd
+            blockPlace = dictionary.locationOf("block")](const LoadContext<Dim>& context) -> Load
     {
         const double reach = reachOfAForce * meanBlockSize(context.assembly);
         const LoadedBlocks loaded = findLoadedBlocks(context.assembly, settings.at, reach);
@@ -193,7 +193,7 @@ template<int Dim>
 LoadMaker<Dim> makeLine(const LineSettings<Dim>& settings, const Dictionary& dictionary)
 {
     return [settings, place = dictionary.locationOf("from"),
-            blockPlace = dictionary.locationOf("block")](const LoadContext<Dim>& context) -> Eigen::VectorXd
+            blockPlace = dictionary.locationOf("block")](const LoadContext<Dim>& context) -> Load
     {
         const Assembly<Dim>& assembly = context.assembly;
         const double reach = reachOfAForce * meanBlockSize(assembly);
@@ -231,24 +231,27 @@ template<int Dim>
 std::vector<Model<LoadMaker<Dim>>> singleLoads()
 {
     std::vector<Model<LoadMaker<Dim>>> types{
-        model<LoadMaker<Dim>, GravitySettings>("gravity", "the weight of the blocks",
-                                               [](const GravitySettings&) -> LoadMaker<Dim>
-                                               {
-                                                   return [](const LoadContext<Dim>& context) {
-                                                       return gravityLoad(context.assembly, context.masses,
-                                                                          context.gravity);
-                                                   };
-                                               }),
+        model<LoadMaker<Dim>, GravitySettings>(
+            "gravity", "the weight of the blocks",
+            [](const GravitySettings&) -> LoadMaker<Dim>
+            {
+                return [](const LoadContext<Dim>& context)
+                { return Load{gravityLoad(context.assembly, context.masses, context.gravity)}; };
+            }),
         model<LoadMaker<Dim>, InertialSettings<Dim>>(
             "inertial", "each block's own weight, turned into a direction",
             [](const InertialSettings<Dim>& settings) -> LoadMaker<Dim>
             {
                 return [direction = settings.direction](const LoadContext<Dim>& context)
-                { return inertialLoad(context.assembly, context.masses, context.gravity, direction); };
+                { return Load{inertialLoad(context.assembly, context.masses, context.gravity, direction)}; };
             }),
-        model<LoadMaker<Dim>, ForceSettings<Dim>>("force", "a force on the block at a point", makeForce<Dim>),
-        model<LoadMaker<Dim>, LineSettings<Dim>>("line", "a force per length on the blocks along a line",
-                                                 makeLine<Dim>),
+        model<LoadMaker<Dim>, ForceSettings<Dim>>(
+            "force", "a force on a block at a point of it, with which it moves; its direction stays",
+            makeForce<Dim>),
+        model<LoadMaker<Dim>, LineSettings<Dim>>(
+            "line",
+            "a force per length on the blocks along a line, whose points move with them; its direction stays",
+            makeLine<Dim>),
     };
     for (Model<LoadMaker<Dim>>& type : surfaceLoadTypes<Dim>())
     {
@@ -322,7 +325,7 @@ LoadMaker<Dim> makeCombined(const CombinedSettings& settings, const Dictionary& 
         throw FatalIOError("A combined load needs terms. Write for instance `terms ((1.35 selfWeight));`.",
                            place);
     }
-    return [terms = settings.terms, place](const LoadContext<Dim>& context) -> Eigen::VectorXd
+    return [terms = settings.terms, place](const LoadContext<Dim>& context) -> Load
     {
         SumOfLoads<Dim> sum(context.assembly);
         for (const auto& [factor, name] : terms)
@@ -332,7 +335,7 @@ LoadMaker<Dim> makeCombined(const CombinedSettings& settings, const Dictionary& 
             {
                 if (known == name)
                 {
-                    sum.add(factor * load);
+                    sum.add(load, factor);
                 }
                 names.push_back(known);
             }
@@ -399,7 +402,7 @@ const Registry<LoadMaker<Dim>>& loadTypes()
             "supportMovement", "settlement of a support, of limitAnalysis, in place of the live load only",
             [](const SupportMovementSettings<Dim>&, const Dictionary& dictionary) -> LoadMaker<Dim>
             {
-                return [place = dictionary.locationOf("type")](const LoadContext<Dim>&) -> Eigen::VectorXd
+                return [place = dictionary.locationOf("type")](const LoadContext<Dim>&) -> Load
                 {
                     throw FatalIOError(
                         fmt::format("supportMovement can only be the live load, by itself and without "
@@ -415,7 +418,7 @@ const Registry<LoadMaker<Dim>>& loadTypes()
             "each place",
             [](const MovingLoadSettings<Dim>&, const Dictionary& dictionary) -> LoadMaker<Dim>
             {
-                return [place = dictionary.locationOf("type")](const LoadContext<Dim>&) -> Eigen::VectorXd
+                return [place = dictionary.locationOf("type")](const LoadContext<Dim>&) -> Load
                 {
                     throw FatalIOError(
                         fmt::format("A moving load can only be the live load, by itself and without "

@@ -93,15 +93,16 @@ LoadedBlocks findLoadedBlocks(const Assembly<Dim>& assembly, const std::type_ide
 }
 
 template<int Dim>
-Eigen::VectorXd pointLoad(const Assembly<Dim>& assembly, int block,
-                          const std::type_identity_t<Vector<Dim>>& point,
-                          const std::type_identity_t<Vector<Dim>>& force)
+Load pointLoad(const Assembly<Dim>& assembly, int block, const std::type_identity_t<Vector<Dim>>& point,
+               const std::type_identity_t<Vector<Dim>>& force)
 {
     const std::vector<int> freeIndex = freeIndices(assembly);
-    Eigen::VectorXd load = Eigen::VectorXd::Zero(freeRows<Dim>(freeIndex));
+    const Eigen::Index rows = freeRows<Dim>(freeIndex);
+    Load load{Eigen::VectorXd::Zero(rows), Eigen::MatrixXd::Zero(Dim, rows / freedomCount<Dim> * Dim)};
     const Vector<Dim> arm = point - blockMass(assembly.blocks[block]).centroid;
-    load.template segment<freedomCount<Dim>>(freedomCount<Dim> * freeIndex[block]) << force,
+    load.rows.template segment<freedomCount<Dim>>(freedomCount<Dim> * freeIndex[block]) << force,
         momentOf(arm, force);
+    load.firstMoments.template middleCols<Dim>(Dim * freeIndex[block]) = arm * force.transpose();
     return load;
 }
 
@@ -141,15 +142,21 @@ std::vector<LinePiece<Dim>> piecesOfLine(const Assembly<Dim>& assembly,
 }
 
 template<int Dim>
-void SumOfLoads<Dim>::add(const Eigen::VectorXd& load)
+void SumOfLoads<Dim>::add(const Load& load, double factor)
 {
-    const Eigen::VectorXd size = load.cwiseAbs();
-    total = total.size() == 0 ? load : Eigen::VectorXd(total + load);
+    const Eigen::VectorXd rows = factor * load.rows;
+    const Eigen::VectorXd size = rows.cwiseAbs();
+    total = total.size() == 0 ? rows : Eigen::VectorXd(total + rows);
     sizes = sizes.size() == 0 ? size : Eigen::VectorXd(sizes + size);
+    if (load.firstMoments.size() > 0)
+    {
+        const Eigen::MatrixXd moments = factor * load.firstMoments;
+        firstMoments = firstMoments.size() == 0 ? moments : Eigen::MatrixXd(firstMoments + moments);
+    }
 }
 
 template<int Dim>
-Eigen::VectorXd SumOfLoads<Dim>::sum() const
+Load SumOfLoads<Dim>::sum() const
 {
     // A moment is the difference of products of forces and arms, and rounded as these are.
     Eigen::VectorXd scale = sizes;
@@ -166,7 +173,7 @@ Eigen::VectorXd SumOfLoads<Dim>::sum() const
                 force * (box.upper - box.lower).norm();
         }
     }
-    return (total.array().abs() > roundingOfLoads * scale.array()).select(total, 0);
+    return {(total.array().abs() > roundingOfLoads * scale.array()).select(total, 0), firstMoments};
 }
 
 template<int Dim>
@@ -179,7 +186,7 @@ template Eigen::VectorXd gravityLoad(const Assembly<2>&, const std::vector<doubl
 template Eigen::VectorXd inertialLoad(const Assembly<2>&, const std::vector<double>&, const Vector<2>&,
                                       const Vector<2>&);
 template LoadedBlocks findLoadedBlocks(const Assembly<2>&, const Vector<2>&, double);
-template Eigen::VectorXd pointLoad(const Assembly<2>&, int, const Vector<2>&, const Vector<2>&);
+template Load pointLoad(const Assembly<2>&, int, const Vector<2>&, const Vector<2>&);
 template std::vector<LinePiece<2>> piecesOfLine(const Assembly<2>&, const Vector<2>&, const Vector<2>&,
                                                 double);
 template class SumOfLoads<2>;
@@ -189,7 +196,7 @@ template Eigen::VectorXd gravityLoad(const Assembly<3>&, const std::vector<doubl
 template Eigen::VectorXd inertialLoad(const Assembly<3>&, const std::vector<double>&, const Vector<3>&,
                                       const Vector<3>&);
 template LoadedBlocks findLoadedBlocks(const Assembly<3>&, const Vector<3>&, double);
-template Eigen::VectorXd pointLoad(const Assembly<3>&, int, const Vector<3>&, const Vector<3>&);
+template Load pointLoad(const Assembly<3>&, int, const Vector<3>&, const Vector<3>&);
 template std::vector<LinePiece<3>> piecesOfLine(const Assembly<3>&, const Vector<3>&, const Vector<3>&,
                                                 double);
 template class SumOfLoads<3>;

@@ -34,6 +34,16 @@ inline std::array<std::pair<std::string_view, Multiplier>, 3> namesOf(Multiplier
         {{"positive", Multiplier::positive}, {"negative", Multiplier::negative}, {"both", Multiplier::both}}};
 }
 
+/// Forces at points of the free blocks. As blocks move the forces keep their sizes and directions, and stay
+/// at their points of the blocks (TurnedLoad.h): all that is to be known of the points are the first moments.
+struct Load
+{
+    Eigen::VectorXd rows; ///< as LoadVectors, with the blocks as built
+    /// S = sum a f' of each free block [N m], a from its mass centre to the point of the force f: Dim rows,
+    /// Dim columns a block. Empty: all forces are at mass centres.
+    Eigen::MatrixXd firstMoments = {};
+};
+
 /// Rows of a load vector: freedomCount<Dim> for each free block, forces [N], then moments [N m] about its
 /// centroid (ux uy rz; ux uy uz rx ry rz), in the order of the free blocks (see freeIndices).
 struct LoadVectors
@@ -43,6 +53,8 @@ struct LoadVectors
     Multiplier multiplier = Multiplier::positive;
     /// What the case names under `cases`, each in full, whether a load has it or not.
     std::vector<std::pair<std::string, Eigen::VectorXd>> cases = {};
+    Eigen::MatrixXd firstMomentsOfDead = {}; ///< see Load
+    Eigen::MatrixXd firstMomentsOfLive = {};
 };
 
 /// A support that moves instead of a live load that grows.
@@ -90,9 +102,8 @@ LoadedBlocks findLoadedBlocks(const Assembly<Dim>& assembly, const std::type_ide
 
 /// A force [N] at a point [m] of a free block.
 template<int Dim>
-Eigen::VectorXd pointLoad(const Assembly<Dim>& assembly, int block,
-                          const std::type_identity_t<Vector<Dim>>& point,
-                          const std::type_identity_t<Vector<Dim>>& force);
+Load pointLoad(const Assembly<Dim>& assembly, int block, const std::type_identity_t<Vector<Dim>>& point,
+               const std::type_identity_t<Vector<Dim>>& force);
 
 /// A piece of a straight line, and what it lies on.
 template<int Dim>
@@ -116,13 +127,14 @@ class SumOfLoads
 {
 public:
     explicit SumOfLoads(const Assembly<Dim>& structure) : assembly(structure) {}
-    void add(const Eigen::VectorXd& load);
-    Eigen::VectorXd sum() const;
+    void add(const Load& load, double factor = 1);
+    Load sum() const;
 
 private:
     const Assembly<Dim>& assembly;
     Eigen::VectorXd total;
     Eigen::VectorXd sizes; ///< of all that was added, by row
+    Eigen::MatrixXd firstMoments;
 };
 
 /// What is left by rounding where loads cancel, as a part of the sizes of all that was added.
@@ -137,17 +149,17 @@ struct LoadContext
     Vector<Dim> gravity;               ///< [m/s2]
     /// The parts of faces that others lie on, for loads on faces (contact/CoveredSurface.h); empty: none
     std::function<std::vector<SurfacePiece<Dim>>()> coveredSurface = {};
-    std::vector<std::pair<std::string, Eigen::VectorXd>> cases = {}; ///< see LoadVectors
+    std::vector<std::pair<std::string, Load>> cases = {}; ///< see LoadVectors
 };
 
 /// Points of different blocks that are this near are one [m].
 template<int Dim>
 double widthOfAJoint(const Assembly<Dim>& assembly);
 
-/// Makes a load vector, once blocks and masses are known. \throws FatalIOError when the load does not suit
+/// Makes a load, once blocks and masses are known. \throws FatalIOError when the load does not suit
 /// the structure
 template<int Dim>
-using LoadMaker = std::function<Eigen::VectorXd(const LoadContext<Dim>&)>;
+using LoadMaker = std::function<Load(const LoadContext<Dim>&)>;
 
 /// The loads that `dead { type ...; }` and `live { type ...; }` choose from.
 template<int Dim>

@@ -363,7 +363,8 @@ LoadPosition<Dim> loadAt(const Assembly<Dim>& assembly, const MovingLoadSettings
         for (const auto& [block, parts] : onBlocks)
         {
             const Eigen::VectorXd load = pointLoad(assembly, block, Vector<Dim>(parts.second / parts.first),
-                                                   Vector<Dim>(factor * parts.first * settings.value));
+                                                   Vector<Dim>(factor * parts.first * settings.value))
+                                             .rows;
             met += factor * parts.first;
             position.live = position.live.size() == 0 ? load : Eigen::VectorXd(position.live + load);
         }

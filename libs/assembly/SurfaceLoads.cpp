@@ -15,14 +15,14 @@ namespace
 
 /// The integral of tractions over each piece in the forces and moments of its block.
 template<int Dim>
-Eigen::VectorXd integrated(const Assembly<Dim>& assembly, const Tractions<Dim>& tractions)
+Load integrated(const Assembly<Dim>& assembly, const Tractions<Dim>& tractions)
 {
     const std::vector<int> freeIndex = freeIndices(assembly);
     const auto count =
         std::count_if(freeIndex.begin(), freeIndex.end(), [](int index) { return index >= 0; });
     const std::vector<BlockMass<Dim>> masses = blockMasses(assembly);
-    Eigen::VectorXd load = Eigen::VectorXd::Zero(freedomCount<Dim> * count);
-    Eigen::VectorXd sizes = load; // of all that is added up
+    Load load{Eigen::VectorXd::Zero(freedomCount<Dim> * count), Eigen::MatrixXd::Zero(Dim, Dim * count)};
+    Eigen::VectorXd sizes = load.rows; // of all that is added up
     for (const auto& [piece, direction] : tractions.pieces)
     {
         const auto first = freedomCount<Dim> * freeIndex[piece.block];
@@ -30,14 +30,16 @@ Eigen::VectorXd integrated(const Assembly<Dim>& assembly, const Tractions<Dim>& 
         {
             const Vector<Dim> force = weight * Vector<Dim>(tractions.pressure(place) * direction);
             const Vector<Dim> arm = place - masses[piece.block].centroid;
-            load.template segment<Dim>(first) += force;
-            load.template segment<rotationCount<Dim>>(first + Dim) += momentOf(arm, force);
+            load.rows.template segment<Dim>(first) += force;
+            load.rows.template segment<rotationCount<Dim>>(first + Dim) += momentOf(arm, force);
+            load.firstMoments.template middleCols<Dim>(Dim * freeIndex[piece.block]) +=
+                arm * force.transpose();
             sizes.template segment<Dim>(first).array() += force.norm();
             sizes.template segment<rotationCount<Dim>>(first + Dim).array() += arm.norm() * force.norm();
         }
     }
     // What cancels is zero: rounding left of it would be a load with a multiplier of its own.
-    load = (load.array().abs() > roundingOfLoads * sizes.array()).select(load, 0);
+    load.rows = (load.rows.array().abs() > roundingOfLoads * sizes.array()).select(load.rows, 0);
     return load;
 }
 
@@ -138,7 +140,7 @@ template<int Dim, class Settings>
 LoadMaker<Dim> surfaceLoad(const Settings& settings, const Dictionary& dictionary)
 {
     return [settings, place = dictionary.locationOf("type"),
-            places = EntryLocations(dictionary)](const LoadContext<Dim>& context) -> Eigen::VectorXd
+            places = EntryLocations(dictionary)](const LoadContext<Dim>& context) -> Load
     {
         requireBlocks<Dim>(context.assembly, settings, places);
         const std::vector<SurfacePiece<Dim>> covered =
@@ -167,15 +169,15 @@ LoadMaker<Dim> surfaceLoad(const Settings& settings, const Dictionary& dictionar
 } // namespace
 
 template<int Dim>
-Eigen::VectorXd pressureLoad(const Assembly<Dim>& assembly, const std::vector<SurfacePiece<Dim>>& exposed,
-                             const PressureSettings<Dim>& settings)
+Load pressureLoad(const Assembly<Dim>& assembly, const std::vector<SurfacePiece<Dim>>& exposed,
+                  const PressureSettings<Dim>& settings)
 {
     return integrated(assembly, tractionsOf(assembly, exposed, settings));
 }
 
 template<int Dim>
-Eigen::VectorXd backfillLoad(const Assembly<Dim>& assembly, const std::vector<SurfacePiece<Dim>>& exposed,
-                             const BackfillSettings<Dim>& settings)
+Load backfillLoad(const Assembly<Dim>& assembly, const std::vector<SurfacePiece<Dim>>& exposed,
+                  const BackfillSettings<Dim>& settings)
 {
     return integrated(assembly, tractionsOf(assembly, exposed, settings));
 }
@@ -184,28 +186,29 @@ template<int Dim>
 std::vector<Model<LoadMaker<Dim>>> surfaceLoadTypes()
 {
     return {
-        model<LoadMaker<Dim>, PressureSettings<Dim>>("pressure", "a pressure on faces, as of wind",
-                                                     surfaceLoad<Dim, PressureSettings<Dim>>),
-        model<LoadMaker<Dim>, BackfillSettings<Dim>>(
-            "backfill", "the weight of a fill on the faces that look up, with a surcharge on it",
-            surfaceLoad<Dim, BackfillSettings<Dim>>),
+        model<LoadMaker<Dim>, PressureSettings<Dim>>(
+            "pressure",
+            "a pressure on faces, as of wind; in motion its forces stay at their points of the blocks, with "
+            "their directions",
+            surfaceLoad<Dim, PressureSettings<Dim>>),
+        model<LoadMaker<Dim>, BackfillSettings<Dim>>("backfill",
+                                                     "the weight of a fill on the faces that look up, with a "
+                                                     "surcharge on it; in motion its forces stay at "
+                                                     "their points of the blocks, with their directions",
+                                                     surfaceLoad<Dim, BackfillSettings<Dim>>),
     };
 }
 
 template void declare(Options& options, PressureSettings<2>& settings);
 template void declare(Options& options, PressureSettings<3>& settings);
-template Eigen::VectorXd pressureLoad(const Assembly<2>& assembly,
-                                      const std::vector<SurfacePiece<2>>& exposed,
-                                      const PressureSettings<2>& settings);
-template Eigen::VectorXd pressureLoad(const Assembly<3>& assembly,
-                                      const std::vector<SurfacePiece<3>>& exposed,
-                                      const PressureSettings<3>& settings);
-template Eigen::VectorXd backfillLoad(const Assembly<2>& assembly,
-                                      const std::vector<SurfacePiece<2>>& exposed,
-                                      const BackfillSettings<2>& settings);
-template Eigen::VectorXd backfillLoad(const Assembly<3>& assembly,
-                                      const std::vector<SurfacePiece<3>>& exposed,
-                                      const BackfillSettings<3>& settings);
+template Load pressureLoad(const Assembly<2>& assembly, const std::vector<SurfacePiece<2>>& exposed,
+                           const PressureSettings<2>& settings);
+template Load pressureLoad(const Assembly<3>& assembly, const std::vector<SurfacePiece<3>>& exposed,
+                           const PressureSettings<3>& settings);
+template Load backfillLoad(const Assembly<2>& assembly, const std::vector<SurfacePiece<2>>& exposed,
+                           const BackfillSettings<2>& settings);
+template Load backfillLoad(const Assembly<3>& assembly, const std::vector<SurfacePiece<3>>& exposed,
+                           const BackfillSettings<3>& settings);
 template std::vector<Model<LoadMaker<2>>> surfaceLoadTypes<2>();
 template std::vector<Model<LoadMaker<3>>> surfaceLoadTypes<3>();
 

@@ -21,15 +21,15 @@ struct PressureSettings : LoadedFaces<Dim>
 template<int Dim>
 void declare(Options& options, PressureSettings<Dim>& settings);
 
-/// The load of a pressure on faces, rows as LoadVectors. \param exposed see exposedSurface
+/// The load of a pressure on faces. \param exposed see exposedSurface
 template<int Dim>
-Eigen::VectorXd pressureLoad(const Assembly<Dim>& assembly, const std::vector<SurfacePiece<Dim>>& exposed,
-                             const PressureSettings<Dim>& settings);
+Load pressureLoad(const Assembly<Dim>& assembly, const std::vector<SurfacePiece<Dim>>& exposed,
+                  const PressureSettings<Dim>& settings);
 
 /// The load of a backfill, see backfillTractions.
 template<int Dim>
-Eigen::VectorXd backfillLoad(const Assembly<Dim>& assembly, const std::vector<SurfacePiece<Dim>>& exposed,
-                             const BackfillSettings<Dim>& settings);
+Load backfillLoad(const Assembly<Dim>& assembly, const std::vector<SurfacePiece<Dim>>& exposed,
+                  const BackfillSettings<Dim>& settings);
 
 /// The types `pressure` and `backfill` of constant/loads.
 template<int Dim>

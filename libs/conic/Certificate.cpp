@@ -301,6 +301,14 @@ Certificate certifyUnbounded(const ConeProgram<Rows, Forces>& program, const Eig
     Certificate certificate;
     certificate.primalResidual = std::max(relative(largest<Rows, Forces>(imbalance, 1 / lever), forceScale),
                                           relative(coneViolation(recession(program), forceRay), forceScale));
+    // Along the ray the objective gains 1 - g'c for each unit of the multiplier, and loses c'Cc/2 of its
+    // square.
+    const double gain = 1 - (program.gap.size() > 0 ? program.gap.dot(forceRay) : 0);
+    certificate.primalResidual /= std::min(gain, 1.0);
+    if (!(gain > 0) || (program.hasCompliance() && !forceRay.isZero(0)))
+    {
+        certificate.gap = infinite;
+    }
     return certificate;
 }
 

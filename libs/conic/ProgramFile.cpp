@@ -155,6 +155,10 @@ std::vector<ConeColumns<Rows, Forces>> readContacts(const Dictionary& dictionary
         {
             fail(fmt::format("body {} cannot touch itself.", entry.first));
         }
+        if (entry.first < 0 && entry.second < 0)
+        {
+            fail("both of its bodies are -1, which do not move: it carries nothing. Remove it.");
+        }
         if (entry.onFirst.size() != Rows * Forces || entry.onSecond.size() != Rows * Forces)
         {
             fail(fmt::format("{} and {} numbers, where {} x {} are needed for each of the two bodies.",

@@ -80,13 +80,20 @@ void measureEnergy(Step<Dim>& step)
         energy.frictionLoss += shearWork;
         workOfSupports += normalWork + shearWork;
     }
-    energy.externalWork = (step.load - step.scene.deadLoad).dot(result.displacement) + workOfSupports;
-    if constexpr (Dim == 3) // moments of the dead load, which have no potential
+    energy.externalWork = (step.load - step.deadLoad).dot(result.displacement) + workOfSupports;
+    if (step.scene.deadLoad.firstMoments.size() > 0)
+    {
+        // By what the mean moments of the step differ from those along the way is the time integration's.
+        energy.algorithmicLoss += step.motion.energy.potential
+                                  - potentialEnergy(step.scene, step.motion.state.placements)
+                                  - step.deadLoad.dot(result.displacement);
+    }
+    else if constexpr (Dim == 3) // constant moments have no potential
     {
         for (Eigen::Index row = Dim; row < result.displacement.size(); row += freedomCount<Dim>)
         {
-            energy.externalWork += step.scene.deadLoad.template segment<3>(row).dot(
-                result.displacement.template segment<3>(row));
+            energy.externalWork +=
+                step.deadLoad.template segment<3>(row).dot(result.displacement.template segment<3>(row));
         }
     }
     const std::function<Eigen::VectorXd()> opening = [&step, &result]

@@ -121,13 +121,14 @@ void solveOrHelp(Step<Dim>& step)
     }
 }
 
-/// \param overlooking see Step: tries of this step before
+/// \param attemptForces see Step \param overlooking likewise: tries of this step before
 template<int Dim>
 double takeStep(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeStep,
-                const ImpactChoice& impacts, std::vector<Eigen::VectorXd> overlooking)
+                const ImpactChoice& impacts, AttemptForces<Dim>* attemptForces,
+                std::vector<Eigen::VectorXd> overlooking)
 {
     motion.stageTimes.end.reset(); // what was done between the steps is of no stage
-    Step<Dim> step(scene, motion, timeStep, impacts);
+    Step<Dim> step(scene, motion, timeStep, impacts, attemptForces);
     step.overlooking = std::move(overlooking);
     if (staysAtRest(step))
     {
@@ -159,7 +160,7 @@ double takeStep(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeS
         if (mayLookAgain(step))
         {
             step.overlooking.push_back(step.solved.result.displacement);
-            return takeStep(scene, motion, timeStep, impacts, std::move(step.overlooking));
+            return takeStep(scene, motion, timeStep, impacts, attemptForces, std::move(step.overlooking));
         }
         fault = motion.contacts->isTooDeep(depth) ? StepFault::entersTooDeep : StepFault::none;
     }
@@ -187,9 +188,9 @@ double takeStep(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeS
 
 template<int Dim>
 double advanceUnparted(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeStep,
-                       const ImpactChoice& impacts)
+                       const ImpactChoice& impacts, AttemptForces<Dim>* attemptForces)
 {
-    return takeStep(scene, motion, timeStep, impacts, {});
+    return takeStep(scene, motion, timeStep, impacts, attemptForces, {});
 }
 
 template<int Dim>
@@ -288,13 +289,13 @@ bool advance(const DynamicCase<Dim>& scene, Motion<Dim>& motion, Time& time)
 }
 
 template double advanceUnparted(const DynamicCase<2>& scene, Motion<2>& motion, double timeStep,
-                                const ImpactChoice& impacts);
+                                const ImpactChoice& impacts, AttemptForces<2>* attemptForces);
 template bool advance(const DynamicCase<2>& scene, Motion<2>& motion, double timeStep);
 template ShortenedStep advanceOrShorten(const DynamicCase<2>& scene, Motion<2>& motion, double timeStep);
 template bool advance(const DynamicCase<2>& scene, Motion<2>& motion, Time& time);
 template void chooseTimeStep(const DynamicCase<2>& scene, const Motion<2>& motion, double wanted, Time& time);
 template double advanceUnparted(const DynamicCase<3>& scene, Motion<3>& motion, double timeStep,
-                                const ImpactChoice& impacts);
+                                const ImpactChoice& impacts, AttemptForces<3>* attemptForces);
 template bool advance(const DynamicCase<3>& scene, Motion<3>& motion, double timeStep);
 template ShortenedStep advanceOrShorten(const DynamicCase<3>& scene, Motion<3>& motion, double timeStep);
 template bool advance(const DynamicCase<3>& scene, Motion<3>& motion, Time& time);

@@ -10,14 +10,16 @@ namespace drystone
 namespace
 {
 
-/// Which point of the last step each of this one is, or -1 where it is new.
+/// Which of the points of an earlier step, or of another attempt, each of this one is, or -1 where it is new.
+/// \param areAsBuilt they stay as built, in the same order
 template<int Dim>
-std::vector<int> pointsOfLastStep(const Motion<Dim>& motion, const std::vector<ContactPoint<Dim>>& points)
+std::vector<int> pointsAmong(const std::vector<ContactPoint<Dim>>& earlier,
+                             const std::vector<ContactPoint<Dim>>& points, bool areAsBuilt)
 {
     std::vector<int> old(points.size(), -1);
-    if (!motion.contacts)
+    if (areAsBuilt)
     {
-        std::iota(old.begin(), old.end(), 0); // they stay as built
+        std::iota(old.begin(), old.end(), 0);
         return old;
     }
     // Both lists are sorted by (block, neighbour); a pair has a handful of points.
@@ -25,14 +27,14 @@ std::vector<int> pointsOfLastStep(const Motion<Dim>& motion, const std::vector<C
     for (std::size_t point = 0; point < points.size(); ++point)
     {
         const auto pairOf = [](const ContactPoint<Dim>& p) { return std::pair(p.block, p.neighbour); };
-        while (first < motion.points.size() && pairOf(motion.points[first]) < pairOf(points[point]))
+        while (first < earlier.size() && pairOf(earlier[first]) < pairOf(points[point]))
         {
             ++first;
         }
         for (std::size_t there = first;
-             there < motion.points.size() && pairOf(motion.points[there]) == pairOf(points[point]); ++there)
+             there < earlier.size() && pairOf(earlier[there]) == pairOf(points[point]); ++there)
         {
-            if (isSameFeature<Dim>(motion.points[there].feature, points[point].feature))
+            if (isSameFeature<Dim>(earlier[there].feature, points[point].feature))
             {
                 old[point] = static_cast<int>(there);
             }
@@ -41,8 +43,8 @@ std::vector<int> pointsOfLastStep(const Motion<Dim>& motion, const std::vector<C
     return old;
 }
 
-/// What the points of the last step had, Dim numbers each, at those of this one; zero where a point is new.
-/// \param valueOf a point of the last step
+/// What earlier points had, Dim numbers each, at those of this step; zero where a point is new.
+/// \param valueOf an earlier point
 template<int Dim, typename ValueOf>
 Eigen::VectorXd atPoints(const std::vector<int>& old, const ValueOf& valueOf)
 {
@@ -61,7 +63,7 @@ Eigen::VectorXd atPoints(const std::vector<int>& old, const ValueOf& valueOf)
 template<int Dim>
 StepGuess guessFrom(const Motion<Dim>& motion, const std::vector<ContactPoint<Dim>>& points, double timeStep)
 {
-    const std::vector<int> old = pointsOfLastStep(motion, points);
+    const std::vector<int> old = pointsAmong<Dim>(motion.points, points, !motion.contacts);
     const auto of = [](const Eigen::VectorXd& values)
     { return [&values](int point) { return values.segment<Dim>(Dim * point); }; };
     StepGuess guess;
@@ -86,6 +88,13 @@ void assemble(Step<Dim>& step)
                                     step.columns, frictionAt(step.scene, step.points), step.scheme);
     step.loadAtStart = step.program.load;
     step.guess = guessFrom(step.motion, step.points, step.scheme.timeStep);
+    if (step.attemptForces && !step.attemptForces->start.forces.empty())
+    {
+        const PointForces<Dim>& start = step.attemptForces->start;
+        step.nearForce =
+            atPoints<Dim>(pointsAmong<Dim>(start.points, step.points, !step.motion.contacts),
+                          [&](int point) { return start.forces[static_cast<std::size_t>(point)]; });
+    }
 }
 
 template void assemble(Step<2>& step);

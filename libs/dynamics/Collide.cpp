@@ -364,6 +364,31 @@ bool takeImpact(Step<Dim>& step, std::vector<std::size_t> meeting)
     return true;
 }
 
+/// Of a step that is to be tried shorter, as blocks meet in it. \param apart the step as if they did not
+template<int Dim>
+void keepForces(const Step<Dim>& step, const ThetaStep& apart)
+{
+    if (!step.attemptForces)
+    {
+        return;
+    }
+    const auto forcesOf = [&step](const ThetaStep& result)
+    {
+        PointForces<Dim> forces{step.points, std::vector<Vector<Dim>>(step.points.size())};
+        for (std::size_t point = 0; point < step.points.size(); ++point)
+        {
+            forces.forces[point] =
+                result.contactForce.template segment<Dim>(Dim * static_cast<Eigen::Index>(point));
+        }
+        return forces;
+    };
+    step.attemptForces->apart = forcesOf(apart);
+    if (step.attemptForces->meeting.forces.empty())
+    {
+        step.attemptForces->meeting = forcesOf(step.solved.result);
+    }
+}
+
 /// \return whether blocks collided, or may do so, and the step is to be solved again
 template<int Dim>
 bool collideOnce(Step<Dim>& step)
@@ -401,6 +426,7 @@ bool collideOnce(Step<Dim>& step)
             {
                 solved.isSolved = false;
                 solved.length = meeting.part;
+                keepForces(step, meeting.result);
                 return false;
             }
             solved.result = std::move(meeting.result); // they do not meet

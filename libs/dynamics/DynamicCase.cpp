@@ -113,7 +113,12 @@ DynamicCase<Dim> readDynamicCase(const std::filesystem::path& caseDirectory,
     const std::vector<double> masses = massesOf(scene.blocks, densities);
     const LoadContext<Dim> context{scene.assembly, masses, scene.gravity,
                                    [&scene] { return coveredSurface(scene.assembly); }};
-    scene.deadLoad = readLoads(caseDirectory, context, LiveLoad::optional).dead;
+    CaseLoads<Dim> loads = readLoads(caseDirectory, context, LiveLoad::optional);
+    scene.deadLoad = {std::move(loads.dead), {}};
+    if (!scene.schemes.smallDisplacements) // with which points of forces stay as built, as contacts do
+    {
+        scene.deadLoad.firstMoments = std::move(loads.firstMomentsOfDead);
+    }
     return scene;
 }
 

@@ -2,6 +2,7 @@
 /// Sums of energy over the steps of a motion.
 #include "dynamics/EnergyLedger.h"
 
+#include "assembly/TurnedLoad.h"
 #include "dynamics/DynamicCase.h"
 
 namespace drystone
@@ -21,12 +22,13 @@ double potentialEnergy(const DynamicCase<Dim>& scene, const std::vector<Placemen
     {
         if (scene.free[block] >= 0)
         {
-            const auto load =
-                scene.deadLoad.template segment<freedomCount<Dim>>(freedomCount<Dim> * scene.free[block]);
-            double work = load.template head<Dim>().dot(placements[block].translation);
+            const auto load = scene.deadLoad.rows.template segment<freedomCount<Dim>>(
+                freedomCount<Dim> * scene.free[block]);
+            double work = load.template head<Dim>().dot(placements[block].translation)
+                          + workOfTurning<Dim>(scene.deadLoad, scene.free[block], placements[block]);
             if constexpr (Dim == 2) // a constant moment in space has no potential
             {
-                work += load[2] * placements[block].rotation;
+                work += scene.deadLoad.firstMoments.size() == 0 ? load[2] * placements[block].rotation : 0;
             }
             energy -= work;
         }

@@ -44,7 +44,8 @@ inline double imbalance(const EnergyLedger& ledger)
 template<int Dim>
 double kineticEnergy(const DynamicCase<Dim>& scene, const DynamicState<Dim>& state);
 
-/// Of the dead load, a constant generalised force on each block, in space without its moments [J].
+/// Of the dead load, whose forces keep their directions and stay at their points of the blocks [J]. With
+/// small displacements its moments stay as built, too, which in space have no potential.
 template<int Dim>
 double potentialEnergy(const DynamicCase<Dim>& scene, const std::vector<Placement<Dim>>& placements);
 

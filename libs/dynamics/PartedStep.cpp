@@ -105,6 +105,31 @@ void PartedStep<Dim>::finish(Motion<Dim>& motion) const
 namespace
 {
 
+/// An attempt at a part of a step.
+struct TriedPart
+{
+    double length = 0; ///< [s]
+    double meets = 0;  ///< from its start until blocks meet in it [s]
+};
+
+/// How long the next attempt at a part is. When blocks meet depends on the length of the part that it is
+/// measured in; where two attempts show how, the next one is as long as it takes to meet at its end (the
+/// secant method), less a little, so that they do not: what is left then counts as having met. \param before
+/// of another attempt from the same start \param tolerance see ImpactChoice
+double nextLength(const TriedPart& last, const std::optional<TriedPart>& before, double tolerance)
+{
+    constexpr double steepest = 0.7; // beyond, what is measured is no smooth function of the length
+    constexpr double partOfChange = 0.1;
+    constexpr double partOfTolerance = 0.25;
+    const double slope = before ? (last.meets - before->meets) / (last.length - before->length) : 0;
+    if (!(slope > 0 && slope < steepest))
+    {
+        return last.meets;
+    }
+    const double meeting = (last.meets - slope * last.length) / (1 - slope);
+    return meeting - std::min(partOfChange * (last.meets - meeting), partOfTolerance * tolerance);
+}
+
 template<int Dim>
 bool takeParts(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeStep)
 {
@@ -126,6 +151,8 @@ bool takeParts(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeSt
                          isLocated ? shortestFlight * timeStep : 0, timeStep};
     std::optional<Motion<Dim>> before; // where the step is parted
     PartedStep<Dim> parts;
+    AttemptForces<Dim> attemptForces;
+    std::optional<TriedPart> tried; // from where the next attempt begins
     double left = timeStep;
     double length = left;
     for (int attempts = 0; left > 0; ++attempts)
@@ -133,7 +160,7 @@ bool takeParts(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeSt
         const bool isExpensive = motion.work.done > mostWork * motion.work.most;
         impacts.instant =
             attempts < mostAttempts && !isExpensive ? impacts.instant : ImpactInstant::stepStart;
-        const double part = advanceUnparted(scene, motion, length, impacts);
+        const double part = advanceUnparted(scene, motion, length, impacts, &attemptForces);
         if (part == 0 && before)
         {
             // A part may be too short for the tolerance of the solver: then the step as a whole.
@@ -159,6 +186,10 @@ bool takeParts(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeSt
         {
             parts.add(motion, length);
             left = length == left ? 0 : left - length;
+            // What the first attempt knew of more than what is left tells more of it than a shorter part
+            // does.
+            attemptForces = {.start = left > length ? std::move(attemptForces.meeting) : PointForces<Dim>()};
+            tried.reset();
             length = left;
             continue;
         }
@@ -166,8 +197,11 @@ bool takeParts(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeSt
         {
             before = motion;
         }
+        attemptForces.start = std::move(attemptForces.apart);
+        const TriedPart last{length, part * length};
         // What is left of the step is not shorter than what counts as its start.
-        length = std::min(part * length, left - tolerance * timeStep);
+        length = std::min(nextLength(last, tried, impacts.tolerance), left - tolerance * timeStep);
+        tried = last;
         if (length <= 0)
         {
             length = left;

@@ -43,7 +43,7 @@ RestProof<Dim>& keptProof(Step<Dim>& step)
             loads.push_back(std::move(load));
         }
     }
-    motion.restProof = proofOfRest<Dim>(std::move(own.program), step.scheme.timeStep, scene.deadLoad, loads,
+    motion.restProof = proofOfRest<Dim>(std::move(own.program), step.scheme.timeStep, own.deadLoad, loads,
                                         step.settings.solver.tolerance);
     motion.restProof->points = std::move(own.points);
     motion.restProof->placements = motion.state.placements;

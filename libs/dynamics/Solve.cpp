@@ -1,5 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// The stage of a step that solves its program, and what the others ask of a solution.
+#include "dynamics/FollowedFlow.h"
 #include "dynamics/HeldBlocks.h"
 #include "dynamics/Step.h"
 #include "dynamics/StickingStep.h"
@@ -33,8 +34,13 @@ void solveByFlowRule(Step<Dim>& step, double partOfGaps = 1)
         return;
     }
     step.settings.contactTolerance *= partOfGaps;
+    StepGuess guess = step.guess;
+    if (step.nearForce.size() > 0 && followsFlow(step.settings))
+    {
+        guess.contactForce = step.nearForce;
+    }
     solved.result =
-        solveThetaStep(step.program, step.settings, step.guess, step.relinearise, step.motion.symbolic.get());
+        solveThetaStep(step.program, step.settings, guess, step.relinearise, step.motion.symbolic.get());
     solved.isSolved = solved.result.status == SolveStatus::optimal;
     countWork(step, solved.result.iterations, solved.result.factorisations, solved.result.programs);
 }

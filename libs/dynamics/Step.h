@@ -18,6 +18,24 @@ struct ImpactChoice
     bool isOfAllBlocks = false; ///< see Step: points collided in another part
 };
 
+/// Points of a step and the forces that they carry.
+template<int Dim>
+struct PointForces
+{
+    std::vector<ContactPoint<Dim>> points;
+    std::vector<Vector<Dim>> forces; ///< one a point, (normal, tangent) [N]
+};
+
+/// Forces that attempts at the parts of one step have found: Coulomb's law is followed from them to those of
+/// the next attempt, which are more alike than those of the last step.
+template<int Dim>
+struct AttemptForces
+{
+    PointForces<Dim> start;   ///< where the next attempt begins; empty: with those of the last step
+    PointForces<Dim> meeting; ///< of the first attempt at a part, in the course of which blocks meet
+    PointForces<Dim> apart;   ///< of the last one, as if they did not meet
+};
+
 /// What is known of the end of a step.
 struct StepSolution
 {
@@ -58,8 +76,9 @@ template<int Dim>
 struct Step
 {
     /// What acts on the blocks in the step.
-    Step(const DynamicCase<Dim>& dynamicCase, Motion<Dim>& current, double length,
-         const ImpactChoice& choice);
+    /// \param ofAttempts kept by the caller; null: there are none
+    Step(const DynamicCase<Dim>& dynamicCase, Motion<Dim>& current, double length, const ImpactChoice& choice,
+         AttemptForces<Dim>* ofAttempts = nullptr);
     Step(const Step<Dim>&) = delete;
     Step<Dim>& operator=(const Step<Dim>&) = delete;
 
@@ -67,11 +86,13 @@ struct Step
     Motion<Dim>& motion; ///< but for `attempt`, `work`, `stageTimes` and what is found again (see `advance`)
                          ///< changed by `move` and later
     ImpactChoice impacts;
+    AttemptForces<Dim>* attemptForces; ///< of other attempts at parts of the step; not owned, null: none
     ThetaScheme scheme;
     StepSettings settings;
-    MassMatrix<Dim> mass;    ///< with the blocks where they are at the start
-    Eigen::VectorXd load;    ///< mean over the step of all that acts on the blocks but the contacts
-    double acceleration = 0; ///< the largest that the loads alone give a block [m/s2]
+    MassMatrix<Dim> mass;     ///< with the blocks where they are at the start
+    Eigen::VectorXd deadLoad; ///< mean over the step: as the blocks stand in the middle of it
+    Eigen::VectorXd load;     ///< mean over the step of all that acts on the blocks but the contacts
+    double acceleration = 0;  ///< the largest that the loads alone give a block [m/s2]
     std::vector<SupportStep<Dim>> supports; ///< see supportSteps
 
     // findContacts
@@ -86,6 +107,7 @@ struct Step
     // assemble, contribute
     StepProgram<Dim> program;
     StepGuess guess;
+    Eigen::VectorXd nearForce;     ///< of another attempt, at the points of this one [N]; or empty
     Eigen::VectorXd gapsOfEffects; ///< what effects, and overlaps that stay, have put into the gaps; or empty
     Eigen::VectorXd bySupports;    ///< by how much points close because supports move [m]; or empty
     std::vector<EffectState> effectStates; ///< as they are at the end of the step

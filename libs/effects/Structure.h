@@ -3,6 +3,7 @@
 #pragma once
 
 #include "assembly/Assembly.h"
+#include "assembly/Loads.h"
 #include "effects/MassMatrix.h"
 #include "geometry/Rotation.h"
 
@@ -24,7 +25,7 @@ struct Structure
     /// J1 J2 J3) [kg, kg m2]. In the plane the diagonal of M.
     Eigen::VectorXd mass;
     std::vector<Axes> principalAxes;           ///< of each free block as built, columns; in the plane empty
-    Eigen::VectorXd deadLoad;                  ///< the rows of M [N, N m]
+    Load deadLoad;                             ///< its rows are those of M [N, N m]
     Vector<Dim> gravity = Vector<Dim>::Zero(); ///< [m/s2]
     double blockSize = 1;                      ///< mean [m]
     double roundingGap = 0; ///< a gap that small is none: what rounding leaves of the places of blocks [m]

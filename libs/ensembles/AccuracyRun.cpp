@@ -20,7 +20,8 @@ template<int Dim>
 double hoverOf(const DynamicCase<Dim>& scene, const Motion<Dim>& motion)
 {
     constexpr double carriesForce = 1e-2;
-    double largestForce = scene.deadLoad.template lpNorm<Eigen::Infinity>(); // about mass centres: no moments
+    double largestForce =
+        scene.deadLoad.rows.template lpNorm<Eigen::Infinity>(); // about mass centres: no moments
     for (const Vector<Dim>& force : motion.contactForces)
     {
         largestForce = std::max(largestForce, force[0]);
@@ -120,10 +121,10 @@ double unitOfWork(const AccuracyCase<Dim>& study, const RunSetting& setting, Qua
     const DynamicCase<Dim>& scene = *study.scene;
     const std::vector<ContactPoint<Dim>> points = findContactPoints(scene.assembly);
     const double mu = scene.contact.friction ? scene.contact.friction->mu : 0;
-    return unitOfWork(
-        thetaStepProgram(massAt(scene, study.start.placements), Eigen::VectorXd::Zero(scene.mass.size()),
-                         scene.deadLoad, points, equilibriumColumns(scene.assembly, scene.blocks, points),
-                         std::vector<double>(points.size(), mu), {setting.theta, setting.deltaT}));
+    return unitOfWork(thetaStepProgram(
+        massAt(scene, study.start.placements), Eigen::VectorXd::Zero(scene.mass.size()), scene.deadLoad.rows,
+        points, equilibriumColumns(scene.assembly, scene.blocks, points),
+        std::vector<double>(points.size(), mu), {setting.theta, setting.deltaT}));
 }
 
 template Measurement stepThrough(const DynamicCase<2>& scene, const AccuracyCase<2>& study,

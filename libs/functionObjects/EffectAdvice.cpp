@@ -130,7 +130,7 @@ EffectAdvice adviseEffects(const DynamicCase<2>& scene, const DynamicState<2>& s
     advice.mu = scene.contact.friction ? scene.contact.friction->mu : 0;
 
     Statics statics;
-    const LoadVectors dead{scene.deadLoad, scene.deadLoad};
+    const LoadVectors dead{scene.deadLoad.rows, scene.deadLoad.rows};
     statics.program = limitAnalysisProgram(static_cast<int>(scene.mass.size()) / 3,
                                            equilibriumColumns(scene.assembly, scene.blocks, points),
                                            std::vector<double>(points.size(), advice.mu), dead);

@@ -198,7 +198,7 @@ void printIntegrationError(const DynamicCase<Dim>& scene, const Motion<Dim>& mot
     const double theta = scene.schemes.timeIntegration.theta;
     // What rounding moves a structure that stands still by says nothing: the energy of a fall by as little.
     constexpr double rounding = 1e-12;
-    const double fall = rounding * scene.blockSize * scene.deadLoad.template lpNorm<1>();
+    const double fall = rounding * scene.blockSize * scene.deadLoad.rows.template lpNorm<1>();
     if (theta > 0.5 && motion.largestKinetic > fall)
     {
         info("Estimated error of the time integration: theta {:g} has dissipated {:.3g} J outside impacts, "

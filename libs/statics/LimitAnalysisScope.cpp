@@ -53,16 +53,23 @@ void requirePushover(const LimitAnalysisCase<Dim>& structure)
                            place);
     }
     const CaseLoads<Dim>& loads = structure.loads;
-    bool hasMoments = loads.movement.has_value();
-    for (Eigen::Index row = 0; row < loads.dead.size() && !hasMoments; ++row)
+    if (loads.movement || !loads.positions.empty() || loads.multiplier != Multiplier::positive)
     {
-        hasMoments = row % freedomCount<Dim> >= Dim && (loads.dead[row] != 0 || loads.live[row] != 0);
+        throw FatalIOError("pushover follows loads that stay on their blocks, with a positive multiplier. "
+                           "Remove pushover, or "
+                           "change the live load and `multiplier` of constant/loads.",
+                           place);
     }
-    if (hasMoments || loads.multiplier != Multiplier::positive)
+    double liveForces = 0;
+    for (Eigen::Index row = 0; row < loads.live.size(); row += freedomCount<Dim>)
+    {
+        liveForces += loads.live.template segment<Dim>(row).norm();
+    }
+    if (liveForces == 0)
     {
         throw FatalIOError(
-            "pushover follows loads at the mass centres with a positive multiplier: gravity and "
-            "inertial. Remove pushover, or change constant/loads.",
+            "pushover measures displacements in the direction of the live load, which has moments "
+            "only. Remove pushover, or add a force to the live load of constant/loads.",
             place);
     }
 }

@@ -3,6 +3,7 @@
 #include "statics/Pushover.h"
 
 #include "assembly/BlockShape.h"
+#include "assembly/TurnedLoad.h"
 #include "conic/form/Form.h"
 #include "statics/PushoverContacts.h"
 
@@ -81,6 +82,15 @@ void setColumns(StaticProgram<Dim>& program, const PushoverScene<Dim>& scene,
     }
 }
 
+/// The loads where the blocks are.
+template<int Dim>
+void setLoads(StaticProgram<Dim>& program, const PushoverScene<Dim>& scene, const std::vector<int>& free,
+              const std::vector<Placement<Dim>>& placements)
+{
+    program.load = turnedLoad<Dim>({scene.loads.dead, scene.loads.firstMomentsOfDead}, free, placements);
+    program.liveLoad = turnedLoad<Dim>({scene.loads.live, scene.loads.firstMomentsOfLive}, free, placements);
+}
+
 /// A structure on its way, position by position: contacts and gaps, the program of the position, and the
 /// motion to the next.
 template<int Dim>
@@ -151,8 +161,6 @@ PushoverPath<Dim>::PushoverPath(const PushoverScene<Dim>& structure, const Pusho
         liveForce += scene.loads.live.template segment<Dim>(row).norm();
     }
     program.bodies = static_cast<int>(scene.loads.dead.size() / freedomCount<Dim>);
-    program.load = scene.loads.dead;
-    program.liveLoad = scene.loads.live;
     work = settings.step * liveForce;
 }
 
@@ -163,6 +171,7 @@ void PushoverPath<Dim>::findContacts()
     points = contacts.update(placements, margin);
     program.friction.assign(points.size(), scene.mu);
     setColumns(program, scene, masses, placements, points);
+    setLoads(program, scene, free, placements);
     setGaps();
 }
 
@@ -251,6 +260,7 @@ Eigen::VectorXd PushoverPath<Dim>::motionAboutMiddle()
         points[i].gap = gaps[i];
     }
     setColumns(program, scene, masses, middle, points);
+    setLoads(program, scene, free, middle);
     setGaps();
     ConeSolution motion = solveInteriorPoint(program, solver, &symbolic);
     return motion.status == SolveStatus::optimal ? motion.displacement : solution.displacement;

@@ -50,7 +50,7 @@ struct Pushover
     Penetration overlap; ///< of the position after the last one, with PushoverEnd::meeting
 };
 
-/// What is followed, with loads that act at the mass centres and keep their direction.
+/// What is followed, with forces that keep their directions and stay at their points of the blocks.
 template<int Dim>
 struct PushoverScene
 {

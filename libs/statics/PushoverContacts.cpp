@@ -3,12 +3,12 @@
 #include "statics/PushoverContacts.h"
 
 #include "contact/space/FacingPatches.h"
-#include "geometry/Box.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace drystone
 {
@@ -27,6 +27,25 @@ Eigen::Matrix3d matrixOf(const Vector<3>& rotation)
                      : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
 }
 
+/// The least width across a face [m].
+double thicknessOf(const Polyhedron& shape)
+{
+    double thickness = std::numeric_limits<double>::infinity();
+    for (const std::vector<int>& face : shape.faces)
+    {
+        const Vector<3> normal = areaVector(shape, face).normalized();
+        double least = std::numeric_limits<double>::infinity();
+        double most = -least;
+        for (const Vector<3>& vertex : shape.vertices)
+        {
+            least = std::min(least, normal.dot(vertex));
+            most = std::max(most, normal.dot(vertex));
+        }
+        thickness = std::min(thickness, most - least);
+    }
+    return thickness;
+}
+
 } // namespace
 
 PushoverContacts<3>::PushoverContacts(const Assembly<3>& assembly)
@@ -38,13 +57,8 @@ PushoverContacts<3>::PushoverContacts(const Assembly<3>& assembly)
     }
     for (const Block<3>& block : assembly.blocks)
     {
-        Box<3> box;
-        for (const Vector<3>& vertex : block.shape.vertices)
-        {
-            extend<3>(box, vertex);
-        }
         // Like contacts of motion: up to a quarter of the thinner block. Farther in is its other side.
-        deepest.push_back((box.upper - box.lower).minCoeff() / 4);
+        deepest.push_back(thicknessOf(block.shape) / 4);
     }
 }
 

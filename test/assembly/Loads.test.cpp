@@ -1,6 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Load vectors against hand calculations.
-#include "assembly/Loads.h"
+#include "assembly/TurnedLoad.h"
+#include "geometry/Rotation.h"
 
 #include <gtest/gtest.h>
 
@@ -41,7 +42,7 @@ std::optional<Eigen::VectorXd> lineLoad(const Vector<2>& from, const Vector<2>& 
         }
         load.add(pointLoad(assembly, piece.on.blocks.front(), piece.middle, {0, -10 * piece.length}));
     }
-    return load.sum();
+    return load.sum().rows;
 }
 
 TEST(Loads, GravityActsOnFreeBlocksAtTheirCentroids)
@@ -66,10 +67,35 @@ TEST(Loads, AForceHasItsMomentAboutTheCentroid)
 {
     const Assembly<2> assembly = twoOnGround();
     EXPECT_EQ(blocksAt({2.5, 1}, 1e-6), Blocks{2});
-    const Eigen::VectorXd load = pointLoad(assembly, 2, {2.5, 1}, {3, -4});
+    const Eigen::VectorXd load = pointLoad(assembly, 2, {2.5, 1}, {3, -4}).rows;
     // Arm (0.5 0.5) from the centroid (2 0.5): moment 0.5 (-4) - 0.5 3.
     const Eigen::VectorXd expected = (Eigen::VectorXd(6) << 0, 0, 0, 3, -4, -3.5).finished();
     EXPECT_EQ(load, expected);
+}
+
+/// A force at the corner of a box that turns and moves: its moment about the mass centre and its work.
+template<int Dim>
+void expectForceStaysAtItsPoint(const Assembly<Dim>& assembly, const Vector<Dim>& corner,
+                                const Placement<Dim>& placement)
+{
+    const Vector<Dim> force = Vector<Dim>::LinSpaced(Dim, 3, -4);
+    const Load load = pointLoad(assembly, 0, corner, force);
+    const Vector<Dim> arm = corner - blockMass(assembly.blocks[0]).centroid;
+    const Vector<Dim> now = turned(placement.rotation, arm);
+    const Eigen::VectorXd rows = turnedLoad<Dim>(load, {0}, {placement});
+    EXPECT_EQ(rows.head<Dim>(), force);
+    EXPECT_LT((rows.tail<rotationCount<Dim>>() - momentOf(now, force)).norm(), 1e-14);
+    EXPECT_NEAR(workOfTurning<Dim>(load, 0, placement), force.dot(now - arm), 1e-14);
+    EXPECT_EQ(turnedLoad<Dim>(load, {0}, {Placement<Dim>()}), load.rows);
+}
+
+TEST(Loads, ForcesStayAtTheirPointsOfBlocksThatTurn)
+{
+    expectForceStaysAtItsPoint<2>({{rectangle(0, 0, 1, 2)}, {}}, {1, 2}, {{0.3, 0.1}, 0.7});
+    Assembly<3> box;
+    box.blocks.resize(1);
+    box.blocks[0].shape = makeBox({0, 0, 0}, {1, 0.5, 2});
+    expectForceStaysAtItsPoint<3>(box, {1, 0.5, 2}, {{0.3, 0.1, 0}, {0.4, -0.7, 0.2}});
 }
 
 TEST(Loads, APointOnNoFreeBlockLoadsNone)
@@ -108,7 +134,7 @@ TEST(Loads, ThatCancelButForRoundingAddUpToNothing)
     }
     sum.add(pointLoad(assembly, 2, {2, 0.5}, {1e-9, 0})); // small, and all there is on its block
     const Eigen::VectorXd expected = (Eigen::VectorXd(6) << 0, 0, 0, 1e-9, 0, 0).finished();
-    EXPECT_EQ(sum.sum(), expected);
+    EXPECT_EQ(sum.sum().rows, expected);
 }
 
 } // namespace

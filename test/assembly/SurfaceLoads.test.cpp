@@ -37,13 +37,13 @@ Vector<3> asOfPlane(const Eigen::VectorXd& load)
 template<int Dim, class Settings>
 Vector<3> pressure(const Assembly<Dim>& assembly, const Settings& settings)
 {
-    return asOfPlane(pressureLoad(assembly, exposedSurface<Dim>(assembly, {}, settings), settings));
+    return asOfPlane(pressureLoad(assembly, exposedSurface<Dim>(assembly, {}, settings), settings).rows);
 }
 
 template<int Dim>
 Vector<3> backfill(const Assembly<Dim>& assembly, const BackfillSettings<Dim>& settings)
 {
-    return asOfPlane(backfillLoad(assembly, exposedSurface<Dim>(assembly, {}, settings), settings));
+    return asOfPlane(backfillLoad(assembly, exposedSurface<Dim>(assembly, {}, settings), settings).rows);
 }
 
 TEST(SurfaceLoads, WindPressesOnTheFacesThatItMeets)
@@ -69,7 +69,7 @@ TEST(SurfaceLoads, APressureAllRoundHasNoResultant)
     settings.normal = {1, 0, 0};
     settings.within = 180;
     const Assembly<3> wall = solidWall();
-    EXPECT_LT(pressureLoad(wall, exposedSurface<3>(wall, {}, settings), settings).norm(), 1e-9);
+    EXPECT_LT(pressureLoad(wall, exposedSurface<3>(wall, {}, settings), settings).rows.norm(), 1e-9);
 }
 
 TEST(SurfaceLoads, OfADirectionPressTheWholeAreaThatWay)
@@ -102,12 +102,12 @@ TEST(SurfaceLoads, OtherBlocksAndFixedOnesAreLeftOut)
     settings.value = 600;
     settings.normal = {-1, 0};
     settings.blocks = {0};
-    Eigen::VectorXd load = pressureLoad(two, exposedSurface<2>(two, {}, settings), settings);
+    Eigen::VectorXd load = pressureLoad(two, exposedSurface<2>(two, {}, settings), settings).rows;
     EXPECT_NEAR(load[0], 600, 1e-10);
     EXPECT_EQ(load[3], 0);
     settings.blocks.clear();
     settings.zones = {{"second", [](const std::string& name) { return name == "second"; }}};
-    load = pressureLoad(two, exposedSurface<2>(two, {}, settings), settings);
+    load = pressureLoad(two, exposedSurface<2>(two, {}, settings), settings).rows;
     EXPECT_EQ(load[0], 0);
     EXPECT_NEAR(load[3], 600, 1e-10);
     two.blocks[1].support = 0;
@@ -122,7 +122,8 @@ TEST(SurfaceLoads, WhatOthersLieOnIsNotLoaded)
     settings.normal = {-1, 0};
     // The lower half of the left side.
     const SurfacePiece<2> covered{0, {-1, 0}, {Vector<2>(0, 0), Vector<2>(0, 1)}, -0.5};
-    const Eigen::VectorXd load = pressureLoad(wall, exposedSurface<2>(wall, {covered}, settings), settings);
+    const Eigen::VectorXd load =
+        pressureLoad(wall, exposedSurface<2>(wall, {covered}, settings), settings).rows;
     EXPECT_NEAR(load[0], 300, 1e-10);
 }
 
@@ -228,8 +229,10 @@ TEST(SurfaceLoads, EarthPressureIsLeftOutWhereTheFillWouldHaveToRise)
         settings.unitWeight = 20000;
         settings.level = 2;
         settings.lateralCoefficient = 0.5;
-        const auto sideways = [&](const Assembly<2>& assembly, int block)
-        { return backfillLoad(assembly, exposedSurface<2>(assembly, {}, settings), settings)[3 * block]; };
+        const auto sideways = [&](const Assembly<2>& assembly, int block) {
+            return backfillLoad(assembly, exposedSurface<2>(assembly, {}, settings), settings)
+                .rows[3 * block];
+        };
         // Without a lintel the fill between them presses back.
         EXPECT_NEAR(sideways(piers(0), 0), 0, 1e-6) << lean;
         EXPECT_NEAR(sideways(piers(0), 1), 0, 1e-6) << lean;
@@ -283,7 +286,8 @@ TEST(SurfaceLoads, WhatIsTakenAwayIsPressedAsItsFaceIs)
     settings.unitWeight = 20000;
     settings.level = 2;
     settings.lateralCoefficient = 0.5;
-    const Eigen::VectorXd load = backfillLoad(frame, exposedSurface<2>(frame, {covered}, settings), settings);
+    const Eigen::VectorXd load =
+        backfillLoad(frame, exposedSurface<2>(frame, {covered}, settings), settings).rows;
     EXPECT_NEAR(load[0], 0.5 * 20000 * 2, 1e-6);
 }
 
@@ -296,7 +300,7 @@ Eigen::VectorXd loadOf(const std::string& text, const Assembly<Dim>& assembly,
     const std::vector<double> masses(assembly.blocks.size(), 1.0);
     LoadContext<Dim> context{assembly, masses, Vector<Dim>::Unit(Dim - 1) * -9.81,
                              [&covered] { return covered; }};
-    return Registry<LoadMaker<Dim>>{"load", surfaceLoadTypes<Dim>()}.select(dictionary)(context);
+    return Registry<LoadMaker<Dim>>{"load", surfaceLoadTypes<Dim>()}.select(dictionary)(context).rows;
 }
 
 TEST(SurfaceLoads, OfFillsOnBothSidesCancelAndAreNoFault)

@@ -180,7 +180,7 @@ double leastAcceleration(const DynamicCase<Dim>& scene)
         const auto program =
             limitAnalysisProgram<Dim>(static_cast<int>(scene.mass.size()) / freedomCount<Dim>,
                                       equilibriumColumns(scene.assembly, scene.blocks, points),
-                                      frictionAt(scene, points), LoadVectors{scene.deadLoad, live});
+                                      frictionAt(scene, points), LoadVectors{scene.deadLoad.rows, live});
         const LimitAnalysis analysis = solveLimitAnalysis(program, InteriorPointSettings{});
         if (analysis.status != CollapseStatus::optimal)
         {

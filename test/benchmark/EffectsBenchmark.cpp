@@ -37,10 +37,10 @@ DynamicCase<2> wall()
     const std::vector<double> densities(assembly.blocks.size(), 1000 / weight);
     setStructure(scene, std::move(assembly), densities);
     scene.gravity = {0, -weight};
-    scene.deadLoad = Eigen::VectorXd::Zero(scene.mass.size());
+    scene.deadLoad.rows = Eigen::VectorXd::Zero(scene.mass.size());
     for (Eigen::Index row = 0; row < scene.mass.size(); row += 3)
     {
-        scene.deadLoad.segment<2>(row) = scene.mass[row] * weight * Vector<2>(-1.1 * multiplier, -1);
+        scene.deadLoad.rows.segment<2>(row) = scene.mass[row] * weight * Vector<2>(-1.1 * multiplier, -1);
     }
     return scene;
 }

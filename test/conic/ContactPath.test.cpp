@@ -176,6 +176,9 @@ TEST(ContactPath, WhatItCannotTakeIsRefused)
     PlaneConeProgram program = lowBlock(0.3, 1, 0.4);
     SymbolicAnalysis symbolic;
     EXPECT_THROW((ContactPath<3, 2>(program, {}, {}, symbolic)), std::invalid_argument);
+    PlaneConeProgram statics = program;
+    statics.inertia.clear();
+    EXPECT_THROW((ContactPath<3, 2>(statics, nothing(statics), {}, symbolic)), std::invalid_argument);
     program.compliance = Eigen::VectorXd::Constant(4, 1e-3);
     EXPECT_THROW((ContactPath<3, 2>(program, nothing(program), {}, symbolic)), std::invalid_argument);
 }

@@ -166,6 +166,8 @@ TEST(ProgramFile, TellsFaultsWithTheirLine)
     EXPECT_EQ(fault.line, lineOf("(1 0 ("));
     fault = faultAfter("(1 0 (", "(1 1 (");
     EXPECT_THAT(fault.message, HasSubstr("cannot touch itself"));
+    fault = faultAfter("(1 0 (", "(-1 -1 (");
+    EXPECT_THAT(fault.message, HasSubstr("both of its bodies are -1"));
     fault = faultAfter("(1 0 (", "(1 0 (7 ");
     EXPECT_THAT(fault.message, HasSubstr("7 and 6 numbers, where 3 x 2"));
     fault = faultAfter("(1 0 (0 -1 ", "(1 0 (0 -2 ");

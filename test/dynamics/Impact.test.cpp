@@ -182,8 +182,8 @@ Thrown thrown(Draw& draw, FlowRule flowRule)
     const auto columns = equilibriumColumns(
         result.scene.assembly, placedMasses(result.scene.blocks, start.placements), motion.points);
     result.program =
-        thetaStepProgram(result.scene.mass, result.velocity, result.scene.deadLoad, motion.points, columns,
-                         frictionAt(result.scene, motion.points), {1, 1e-3});
+        thetaStepProgram(result.scene.mass, result.velocity, result.scene.deadLoad.rows, motion.points,
+                         columns, frictionAt(result.scene, motion.points), {1, 1e-3});
     for (std::size_t point = 0; point < motion.points.size(); ++point)
     {
         if (motion.points[point].gap < 1e-9)

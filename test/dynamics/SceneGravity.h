@@ -12,10 +12,10 @@ template<int Dim>
 void setGravity(DynamicCase<Dim>& scene, const std::type_identity_t<Vector<Dim>>& gravity)
 {
     scene.gravity = gravity;
-    scene.deadLoad = Eigen::VectorXd::Zero(scene.mass.size());
+    scene.deadLoad.rows = Eigen::VectorXd::Zero(scene.mass.size());
     for (Eigen::Index row = 0; row < scene.mass.size(); row += freedomCount<Dim>)
     {
-        scene.deadLoad.template segment<Dim>(row) = scene.mass[row] * gravity;
+        scene.deadLoad.rows.template segment<Dim>(row) = scene.mass[row] * gravity;
     }
 }
 

@@ -38,7 +38,7 @@ std::shared_ptr<AccuracyCase<2>> rockingCase(double share = 0.5)
     const std::vector<double> densities(2, 2000);
     setStructure(scene, std::move(assembly), densities);
     scene.gravity = {0, -9.81};
-    scene.deadLoad = gravityLoad(scene.assembly, massesOf(scene.blocks, densities), scene.gravity);
+    scene.deadLoad.rows = gravityLoad(scene.assembly, massesOf(scene.blocks, densities), scene.gravity);
     scene.contact.friction = CoulombFriction{1, FlowRule::nonAssociative};
     study.start = stateAtRest(scene.assembly);
     const double rotation = share * std::atan(0.25);

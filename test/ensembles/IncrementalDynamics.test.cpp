@@ -58,7 +58,7 @@ IncrementalDynamics<2> studyOf(const BlockCase& block)
     const std::vector<double> densities(2, 1800);
     scene.mass = massDiagonal(scene.assembly, scene.blocks, densities);
     scene.gravity = {0, -g};
-    scene.deadLoad = gravityLoad(scene.assembly, massesOf(scene.blocks, densities), scene.gravity);
+    scene.deadLoad.rows = gravityLoad(scene.assembly, massesOf(scene.blocks, densities), scene.gravity);
     scene.contact.friction = CoulombFriction{block.mu, block.flowRule};
     scene.solution.tolerance = 1e-11;
     scene.blockSize = std::sqrt(block.width * block.height);
@@ -261,7 +261,7 @@ TEST(IncrementalDynamics, InSpaceABoxSlidesAndRocksAtTheClosedForms)
         const std::vector<double> densities(2, 1800);
         setStructure(scene, std::move(assembly), densities);
         scene.gravity = {0, 0, -g};
-        scene.deadLoad = gravityLoad(scene.assembly, massesOf(scene.blocks, densities), scene.gravity);
+        scene.deadLoad.rows = gravityLoad(scene.assembly, massesOf(scene.blocks, densities), scene.gravity);
         scene.contact.friction = CoulombFriction{mu, FlowRule::nonAssociative};
         scene.solution.tolerance = 1e-11;
         study.start = startMotion(scene, stateAtRest(scene.assembly));

@@ -62,7 +62,8 @@ Eigen::VectorXd randomLiveLoad(const Assembly<Dim>& assembly, const std::vector<
     const int block =
         candidates[static_cast<std::size_t>(random.upTo(static_cast<int>(candidates.size()) - 1))];
     return pointLoad(assembly, block, cornersOf(assembly.blocks[static_cast<std::size_t>(block)])[0],
-                     dead.template lpNorm<Eigen::Infinity>() * direction);
+                     dead.template lpNorm<Eigen::Infinity>() * direction)
+        .rows;
 }
 
 } // namespace drystone

@@ -280,7 +280,7 @@ TEST(LawsOfSpace, ABoxPushedOffItsCentreTurnsAsItSlides)
         LoadVectors loads = pushed(assembly, {1, 0, 0});
         const double weight = -loads.dead[2];
         // At the height of the base, so that it does not overturn.
-        loads.live = pointLoad(assembly, 0, {0, eccentricity, 0}, {weight, 0, 0});
+        loads.live = pointLoad(assembly, 0, {0, eccentricity, 0}, {weight, 0, 0}).rows;
         EXPECT_NEAR(collapse(assembly, findContactPoints(assembly), 0.5, loads).alpha, expected, exact);
     }
 }
@@ -417,7 +417,8 @@ TEST(LawsOfSpace, StepsBuiltInAnyDepthNeverCollapse)
         const double angle = chance(0, 2 * std::numbers::pi);
         // Anywhere on its free end, in any direction of that face.
         loads.live = pointLoad(assembly, 0, {chance(0, width), 0, chance(0, thickness)},
-                               {std::cos(angle), 0, std::sin(angle)});
+                               {std::cos(angle), 0, std::sin(angle)})
+                         .rows;
         const LimitAnalysis result = collapse(assembly, findContactPoints(assembly), chance(0.1, 1), loads);
         EXPECT_EQ(result.status, CollapseStatus::unbounded) << "instance " << i;
         EXPECT_LE(result.certificate.worst(), 1e-9) << "instance " << i;

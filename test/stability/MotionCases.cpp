@@ -618,7 +618,7 @@ Outcome massRatio(SolverType solver, double ratio)
     setStructure(scene, assembly, {1, 1, ratio});
     for (Eigen::Index row = 0; row < scene.mass.size(); row += 3)
     {
-        scene.deadLoad.segment<2>(row) = scene.mass[row] * scene.gravity;
+        scene.deadLoad.rows.segment<2>(row) = scene.mass[row] * scene.gravity;
     }
     Watched run(scene, outcome);
     run.until(0.05, 1e-3);

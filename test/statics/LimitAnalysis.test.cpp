@@ -318,7 +318,7 @@ TEST(LimitAnalysis, FindsTheForceOnTheExtradosThatBreaksAnArch)
     const std::vector<int> blocks = findLoadedBlocks(structure.assembly, at, 1e-9).blocks;
     ASSERT_EQ(blocks.size(), 1U);
     const int block = blocks.front();
-    loads.live = pointLoad(structure.assembly, block, at, {0, -1});
+    loads.live = pointLoad(structure.assembly, block, at, {0, -1}).rows;
     int row = 0;
     for (int other = 0; other < block; ++other)
     {

@@ -20,10 +20,15 @@ WeighedStructure monolith()
     return WeighedStructure(std::move(assembly));
 }
 
+Pushover push(const WeighedStructure& structure, double mu, const PushoverSettings& settings,
+              const LoadVectors& loads)
+{
+    return solvePushover<2>({structure.assembly, mu, loads}, settings, {},
+                            [](const CapacityPoint&, const std::vector<Placement<2>>&) {});
+}
 Pushover push(const WeighedStructure& structure, double mu, const PushoverSettings& settings)
 {
-    return solvePushover<2>({structure.assembly, mu, structure.weightLoads()}, settings, {},
-                            [](const CapacityPoint&, const std::vector<Placement<2>>&) {});
+    return push(structure, mu, settings, structure.weightLoads());
 }
 
 } // namespace
@@ -46,6 +51,32 @@ TEST(Pushover, OfAMonolithFollowsTheMomentOfItsWeight)
     }
     EXPECT_NEAR(pushover.curve.back().displacement, b, 1e-4 * b);
     EXPECT_EQ(pushover.curve.back().alpha, 0);
+}
+
+TEST(Pushover, AForceStaysAtItsPointOfABlockThatTurns)
+{
+    // As much as the weight, at the middle of the top. About the toe, turned by t, the centroid is at
+    // (x y) = (b cos t - h sin t, b sin t + h cos t) and the force at x - h sin t:
+    // alpha W y = W x + W (x - h sin t), zero at tan t = 2b/3h.
+    const double b = 0.25;
+    const double h = 1;
+    const WeighedStructure structure = monolith();
+    LoadVectors loads = structure.weightLoads();
+    const Load roof = pointLoad(structure.assembly, 0, {b, 2 * h}, {0, -loads.dead.norm()});
+    loads.dead += roof.rows;
+    loads.firstMomentsOfDead = roof.firstMoments;
+    const Pushover pushover = push(structure, 2, {.step = 0.01}, loads);
+    EXPECT_EQ(pushover.end, PushoverEnd::overturned);
+    const double toCorner = std::hypot(b, h);
+    for (const CapacityPoint& point : pushover.curve)
+    {
+        const double x = b - point.displacement;
+        const double turn = std::atan2(b, h) - std::asin(x / toCorner);
+        EXPECT_NEAR(point.alpha * std::sqrt(toCorner * toCorner - x * x), 2 * x - h * std::sin(turn), 1e-4)
+            << point.displacement;
+    }
+    const double last = std::atan(2 * b / (3 * h));
+    EXPECT_NEAR(pushover.curve.back().displacement, b - b * std::cos(last) + h * std::sin(last), 1e-4);
 }
 
 TEST(Pushover, OfAMonolithThatSlidesNeverEnds)

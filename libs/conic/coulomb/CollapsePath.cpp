@@ -480,9 +480,16 @@ CollapsePair CollapsePath<Rows, Forces>::pair(PathEnd end) const
     result.end = end;
     result.multiplier = alphaNow * scaled.force / scaled.live;
     result.contactForce = scaled.force * contactForces();
-    result.mechanism = scaled.scaledRows(direction);
-    result.mechanism /= end == PathEnd::collapse ? given.liveLoad.dot(result.mechanism)
-                                                 : result.mechanism.template lpNorm<Eigen::Infinity>();
+    if (direction.size() == 0) // not even the first piece was found
+    {
+        result.mechanism = VectorXd::Zero(given.load.size());
+    }
+    else
+    {
+        result.mechanism = scaled.scaledRows(direction);
+        result.mechanism /= end == PathEnd::collapse ? given.liveLoad.dot(result.mechanism)
+                                                     : result.mechanism.template lpNorm<Eigen::Infinity>();
+    }
     result.pieces = pieceCount;
     result.factorisations = scaled.factorisations;
     result.solves = scaled.solves;

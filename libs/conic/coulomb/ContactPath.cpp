@@ -42,29 +42,38 @@ bool haveSameColumns(const std::vector<ConeColumns<Rows, Forces>>& some,
                       { return a.onFirst == b.onFirst && a.onSecond == b.onSecond; });
 }
 
+/// \throws std::invalid_argument for a program or start that no path is for
+template<int Rows, int Forces>
+const ConeProgram<Rows, Forces>& checked(const ConeProgram<Rows, Forces>& program, const ConeSolution& start,
+                                         Sliding sliding)
+{
+    if (!program.hasInertia() || program.hasMultiplier() || program.hasCompliance() || program.hasCrushing()
+        || (program.hasStrength() && sliding == Sliding::associative))
+    {
+        throw std::invalid_argument("ContactPath needs inertia and rigid points that do not crush");
+    }
+    if (Forces > 2 && sliding == Sliding::associative)
+    {
+        throw std::invalid_argument("ContactPath follows the associative law in the plane only");
+    }
+    if (start.displacement.size() != program.load.size()
+        || start.contactForce.size() != Forces * program.points())
+    {
+        throw std::invalid_argument("ContactPath needs a start of the size of the program");
+    }
+    return program;
+}
+
 } // namespace
 
 template<int Rows, int Forces>
 ContactPath<Rows, Forces>::ContactPath(const Program& program, const ConeSolution& startAt,
                                        const ContactPathSettings& with, SymbolicAnalysis& symbolic)
     : settings(with),
-      system(program, with.sliding, symbolic),
+      system(checked(program, startAt, with.sliding), with.sliding, symbolic),
       matrix(system, with.stiffness),
       start(startAt.displacement)
 {
-    if (!program.hasInertia() || program.hasMultiplier() || program.hasCompliance() || program.hasCrushing()
-        || (program.hasStrength() && settings.sliding == Sliding::associative))
-    {
-        throw std::invalid_argument("ContactPath needs inertia and rigid points that do not crush");
-    }
-    if (Forces > 2 && settings.sliding == Sliding::associative)
-    {
-        throw std::invalid_argument("ContactPath follows the associative law in the plane only");
-    }
-    if (start.size() != program.load.size() || startAt.contactForce.size() != Forces * program.points())
-    {
-        throw std::invalid_argument("ContactPath needs a start of the size of the program");
-    }
     laws = slidingLaws(program, settings.sliding);
     enough = settings.tolerance * system.scaledRows(program.load).template lpNorm<Eigen::Infinity>();
     x = VectorXd::Zero(program.load.size());

@@ -41,6 +41,10 @@ Proved solveToCertificate(const ConeProgram<Rows, Forces>& program, InteriorPoin
     Proved proved;
     proved.solution = solveOnce(program, settings, aim, symbolic, near);
     proved.worst = worst(proved.solution);
+    if (proved.solution.status == SolveStatus::notConverged && proved.worst <= tolerance)
+    {
+        proved.solution.status = SolveStatus::optimal; // whatever has ended the iterations
+    }
     for (int attempt = 1; attempt < attempts && proved.solution.status == SolveStatus::optimal
                           && proved.worst > tolerance && proved.worst <= hopeless * tolerance;
          ++attempt)
@@ -79,6 +83,16 @@ double worstOfOptimum(const ConeProgram<Rows, Forces>& program, ConeSolution& fo
     return certifyOptimal(program, found).worst();
 }
 
+/// The least r with r + A c = f + alpha L. Without gaps: whether forces balance a load does not depend on
+/// them.
+template<int Rows, int Forces>
+ConeProgram<Rows, Forces> fallProgram(const ConeProgram<Rows, Forces>& program)
+{
+    ConeProgram<Rows, Forces> moving = withUnitInertia(program);
+    moving.gap.resize(0);
+    return moving;
+}
+
 /// Where rounding may have ended the iterations: the same in extended precision, its optimum or the proof
 /// that there is none. \param solution gets the work, and what is answered with its status
 template<int Rows, int Forces>
@@ -106,7 +120,7 @@ void answerInExtendedPrecision(const ConeProgram<Rows, Forces>& program,
         return;
     }
     const Proved moved = solveToCertificate(
-        withUnitInertia(program), settings, {Sought::fall, 0, Numbers::extended}, symbolic,
+        fallProgram(program), settings, {Sought::fall, 0, Numbers::extended}, symbolic,
         [&](const ConeSolution& found) { return certifyInfeasible(program, found.displacement).worst(); });
     addWork(solution, moved.solution);
     if (moved.worst <= settings.tolerance)
@@ -278,10 +292,9 @@ template<int Rows, int Forces>
 void answerWithoutOptimum(const ConeProgram<Rows, Forces>& program, const InteriorPointSettings& settings,
                           SymbolicAnalysis& symbolic, ConeSolution& solution)
 {
-    // Least r with r + A c = f + alpha L: where it does not vanish, y = Mbar^-1 r proves that nothing
-    // balances f, since the optimality conditions are -A'y in the dual cone, L'y = 0 and f'y = r' Mbar^-1 r >
-    // 0.
-    const ConeProgram<Rows, Forces> moving = withUnitInertia(program);
+    // Where the least r does not vanish, y = Mbar^-1 r proves that nothing balances f, since the optimality
+    // conditions are -A'y in the dual cone, L'y = 0 and f'y = r' Mbar^-1 r > 0.
+    const ConeProgram<Rows, Forces> moving = fallProgram(program);
     const Proved moved = solveToCertificate(
         moving, settings, {Sought::fall}, symbolic,
         [&](const ConeSolution& found) { return certifyInfeasible(program, found.displacement).worst(); });
