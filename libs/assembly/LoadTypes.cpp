@@ -325,6 +325,18 @@ LoadMaker<Dim> makeCombined(const CombinedSettings& settings, const Dictionary& 
         throw FatalIOError("A combined load needs terms. Write for instance `terms ((1.35 selfWeight));`.",
                            place);
     }
+    for (auto term = settings.terms.begin(); term != settings.terms.end(); ++term)
+    {
+        const auto isSame = [term](const auto& other) { return other.second == term->second; };
+        if (std::any_of(settings.terms.begin(), term, isSame))
+        {
+            printWarningOnce(
+                fmt::format("The load case {} is there twice in these terms: its factors add up. "
+                            "Usual is one term a case.",
+                            term->second),
+                place);
+        }
+    }
     return [terms = settings.terms, place](const LoadContext<Dim>& context) -> Load
     {
         SumOfLoads<Dim> sum(context.assembly);

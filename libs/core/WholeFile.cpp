@@ -13,6 +13,7 @@
 #include <fcntl.h>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -31,11 +32,62 @@ namespace
         file.string(), std::strerror(reason)));
 }
 
+/// The file that is to be replaced; none where there is none, or no ordinary one.
+std::optional<struct stat> replacedFile(const std::filesystem::path& file)
+{
+    struct stat status = {};
+    const bool isFile = ::stat(file.c_str(), &status) == 0 && S_ISREG(status.st_mode);
+    return isFile ? std::optional(status) : std::nullopt;
+}
+
+/// To take the name of a file needs the permission of its folder alone: who protects the file protects what
+/// is in it.
+void refuseProtected(const std::filesystem::path& file)
+{
+    if (::faccessat(AT_FDCWD, file.c_str(), W_OK, AT_EACCESS) != 0)
+    {
+        const int reason = errno;
+        if (reason != EACCES && reason != EPERM)
+        {
+            refuse(file, reason);
+        }
+        throw FatalError(
+            fmt::format("Cannot write {}: it is write-protected ({}).\n\nPermit writing it (chmod "
+                        "u+w), or work in a copy of your own.",
+                        file.string(), std::strerror(reason)));
+    }
+}
+
+/// Gives a new file owner, group and mode of the one that it is to replace. An owner or a group that this
+/// user cannot give it is not kept, and another group gets no more than everybody.
+/// \returns what has failed, 0 for nothing
+int keepPermissions(int descriptor, const struct stat& replaced)
+{
+    struct stat status = {};
+    if (::fstat(descriptor, &status) != 0)
+    {
+        return errno;
+    }
+    mode_t mode = replaced.st_mode & 0777;
+    if (status.st_uid != replaced.st_uid && ::fchown(descriptor, replaced.st_uid, replaced.st_gid) == 0)
+    {
+        status.st_gid = replaced.st_gid;
+    }
+    if (status.st_gid != replaced.st_gid
+        && ::fchown(descriptor, static_cast<uid_t>(-1), replaced.st_gid) != 0)
+    {
+        mode &= ~static_cast<mode_t>(S_IRWXG) | ((mode & S_IRWXO) << 3);
+    }
+    return ::fchmod(descriptor, mode) == 0 ? 0 : errno;
+}
+
 /// Writes a file, with the folders missing on the way, over what is there: a file cut to nothing first would
 /// be given to the disk as it is closed. \returns what has failed, 0 for nothing
-int written(const std::string& name, const std::filesystem::path& folder, std::string_view content)
+int written(const std::string& name, const std::filesystem::path& folder, std::string_view content,
+            const std::optional<struct stat>& replaced = std::nullopt)
 {
-    const auto open = [&] { return ::open(name.c_str(), O_CREAT | O_WRONLY | O_CLOEXEC, 0666); };
+    const mode_t mode = replaced ? S_IRUSR | S_IWUSR : 0666; // private until it has its permissions
+    const auto open = [&] { return ::open(name.c_str(), O_CREAT | O_WRONLY | O_CLOEXEC, mode); };
     int descriptor = open();
     if (descriptor < 0 && errno == ENOENT && !folder.empty())
     {
@@ -70,6 +122,10 @@ int written(const std::string& name, const std::filesystem::path& folder, std::s
     {
         reason = errno;
     }
+    if (reason == 0 && replaced)
+    {
+        reason = keepPermissions(descriptor, *replaced);
+    }
     if (::close(descriptor) != 0 && reason == 0)
     {
         reason = errno;
@@ -85,8 +141,13 @@ int written(const std::string& name, const std::filesystem::path& folder, std::s
 
 void writeWholeFile(const std::filesystem::path& file, std::string_view content)
 {
+    const std::optional<struct stat> replaced = replacedFile(file);
+    if (replaced)
+    {
+        refuseProtected(file);
+    }
     const std::string temporary = fmt::format("{}.{}.tmp", file.string(), ::getpid());
-    int reason = written(temporary, file.parent_path(), content);
+    int reason = written(temporary, file.parent_path(), content, replaced);
     if (reason == 0 && std::rename(temporary.c_str(), file.c_str()) != 0)
     {
         reason = errno;

@@ -12,8 +12,10 @@ namespace drystone
 
 /// Writes a file through a temporary beside it that then takes its name, so that a reader, or a run that is
 /// killed, meets the old content or the new one and never half of it. Folders missing on the way are made.
-/// \throws FatalError naming the file and the system's reason (no permission, disk full, ...); the
-/// old file then stands.
+/// A file that is replaced keeps its mode and, where this user can give it, its owner; other names of it
+/// (hard links) keep the old content. \throws FatalError naming the file and the system's reason (no
+/// permission, write-protected, disk full,
+/// ...); the old file then stands.
 void writeWholeFile(const std::filesystem::path& file, std::string_view content);
 
 /// The same without the temporary, into a folder that nobody looks at before it takes its name.

@@ -45,9 +45,11 @@ bool isLeftOut(const fs::path& path)
     return end != name.c_str() && *end == 0 && time != 0 && fs::is_directory(path);
 }
 
-/// A copy of a file, whose included files are where those of the file are.
+/// A copy of a file, whose included files are where those of the file are. What is written into it is the
+/// study's: a file that is write-protected has a copy that is not.
 void copyFile(const fs::path& file, const fs::path& to, const fs::path& caseDirectory)
 {
+    const fs::perms permissions = fs::status(file).permissions() | fs::perms::owner_write;
     constexpr std::uintmax_t largestDictionary = 1 << 20; // with includes; records and the like are larger
     if (fs::file_size(file) <= largestDictionary)
     {
@@ -57,10 +59,12 @@ void copyFile(const fs::path& file, const fs::path& to, const fs::path& caseDire
         if (there != text)
         {
             writeWholeFile(to, there);
+            fs::permissions(to, permissions);
             return;
         }
     }
     fs::copy_file(file, to, fs::copy_options::overwrite_existing);
+    fs::permissions(to, permissions);
 }
 
 void copyInto(const fs::path& from, const fs::path& to, const fs::path& caseDirectory)

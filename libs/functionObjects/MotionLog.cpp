@@ -263,16 +263,18 @@ void printEffectUse(const DynamicCase<Dim>& scene, const Motion<Dim>& motion)
     if (use.verified > 0)
     {
         const double full = use.secondsOfVerified / static_cast<double>(use.verified);
+        const double saved = full * steps - use.secondsAtRest - use.secondsOfOthers;
         info("Verified with all effects of the case: {} steps, largest difference {:.3g} m at {:g} s; {:.3g} "
-             "s a step, so that {:.3g} s are saved",
+             "s a step, so that {}",
              use.verified, use.largestDifference, use.timeOfLargestDifference, full,
-             full * steps - use.secondsAtRest - use.secondsOfOthers);
+             saved > 0 ? fmt::format("{:.3g} s are saved", saved) : "no time is saved");
     }
     else if (others > 0)
     {
         const double full = use.secondsOfOthers / static_cast<double>(others);
-        info("Saved: about {:.3g} s, at {:.3g} s for a step without proof; verifyInterval measures it",
-             full * static_cast<double>(use.atRest) - use.secondsAtRest, full);
+        const double saved = full * static_cast<double>(use.atRest) - use.secondsAtRest;
+        info("Saved: {}, at {:.3g} s for a step without proof; verifyInterval measures it",
+             saved > 0 ? fmt::format("about {:.3g} s", saved) : "nothing", full);
     }
     printLine();
 }

@@ -6,6 +6,7 @@
 #include "core/Log.h"
 #include "core/Processor.h"
 #include "core/Signals.h"
+#include "runControl/Case.h"
 #include "runControl/CaseFiles.h"
 #include "runControl/CaseLock.h"
 #include "runControl/LaunchedAs.h"
@@ -80,9 +81,10 @@ int runCommandLine(int argc, const char* const* argv, const ApplicationDescripti
         fmt::print("{}\n", versionText());
         return 0;
     }
-    std::error_code ignored;
-    if (!std::filesystem::is_directory(commandLine.caseDirectory, ignored))
+    std::error_code failure;
+    if (!std::filesystem::is_directory(commandLine.caseDirectory, failure))
     {
+        refuseUnreadable(commandLine.caseDirectory, failure);
         throw FatalError(fmt::format("There is no case directory {}.\n\nName one with -case DIR, or run "
                                      "{} inside of one.",
                                      commandLine.caseDirectory.string(), description.name));

@@ -17,14 +17,31 @@ namespace drystone
 
 namespace fs = std::filesystem;
 
+void refuseUnreadable(const fs::path& caseDirectory, std::error_code failure)
+{
+    const bool isAbsent =
+        !failure || failure == std::errc::no_such_file_or_directory || failure == std::errc::not_a_directory;
+    if (!isAbsent)
+    {
+        std::error_code ignored;
+        throw FatalError(
+            fmt::format("The case directory {} cannot be read: {}.\n\nPermit reading it and the "
+                        "folders that it is in (chmod u+rx), or name another one with -case DIR.",
+                        fs::absolute(caseDirectory, ignored).lexically_normal().string(), failure.message()));
+    }
+}
+
 void requireCase(const fs::path& caseDirectory)
 {
-    std::error_code ignored;
-    if (fs::is_directory(caseDirectory / "system", ignored)
-        || fs::is_directory(caseDirectory / "constant", ignored))
+    std::error_code ofSystem;
+    std::error_code ofConstant;
+    if (fs::is_directory(caseDirectory / "system", ofSystem)
+        || fs::is_directory(caseDirectory / "constant", ofConstant))
     {
         return;
     }
+    refuseUnreadable(caseDirectory, ofSystem);
+    std::error_code ignored;
     throw FatalError(fmt::format("{} is not a case directory: it has neither system/ nor constant/.\n\nName "
                                  "one with -case DIR. A case begins with system/blockTextureDict, from which "
                                  "blockTexture builds the blocks, and system/controlDict; the cases in "

@@ -4,12 +4,18 @@
 
 #include <filesystem>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace drystone
 {
 
-/// \throws FatalError, saying what a case is made of, unless the directory has a system/ or a constant/
+/// Where looking at a case directory, or into it, has failed for another reason than that nothing is there.
+/// \throws FatalError that names the directory and the reason
+void refuseUnreadable(const std::filesystem::path& caseDirectory, std::error_code failure);
+
+/// \throws FatalError, saying what a case is made of, unless the directory has a system/ or a constant/; or
+/// why that cannot be seen
 void requireCase(const std::filesystem::path& caseDirectory);
 
 /// A file of a case that an application cannot do without.

@@ -1,5 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Reads records as columns of numbers between separators.
+#include "core/Error.h"
 #include "timeSeries/Record.h"
 #include "timeSeries/RecordText.h"
 
@@ -257,12 +258,55 @@ void addRow(const Table& table, std::size_t line, const Columns& columns, double
     record.accelerations.push_back(value(columns.acceleration, columns.factor));
 }
 
+/// The unit that a title ends in without saying that it is one, as `acc_g`; empty: none.
+/// It is asked for and not taken: a_g is also the symbol of the acceleration of the ground.
+std::string unitAtEndOf(std::string_view title)
+{
+    const std::vector<std::string_view> words = wordsBetween(title, " \t_-.,:");
+    const std::string last(words.empty() ? "" : words.back());
+    const double unit = accelerationUnit(last);
+    return unit > 0 && unit != 1 ? last : "";
+}
+
+void questionUnit(const Table& table, std::size_t column, Record& record)
+{
+    const std::string_view title = column < table.titles.size() ? table.titles[column] : "";
+    const std::string unit = unitAtEndOf(title);
+    if (!unit.empty())
+    {
+        record.unitIsQuestioned = true;
+        printWarningOnce(
+            fmt::format(
+                "The column '{}' is read in m/s2, and may be in {}. Say in its title which: `{} [{}]`, "
+                "or `{} [m/s2]`; of a record `unit {};` in its dictionary does so too.",
+                title, unit, title, unit, title, unit),
+            {table.text.file.string(), "", static_cast<int>(table.first) + 1});
+    }
+}
+
+/// A file that begins as those of the PEER data base do has no columns.
+void refusePeerRecord(const RecordText& text)
+{
+    constexpr std::size_t headerLines = 60;
+    for (std::size_t i = 0; i < std::min(text.lines.size(), headerLines); ++i)
+    {
+        const std::string line = upper(text.lines[i]);
+        if (!skipped(line) && line.find("NPTS") != std::string::npos && line.find("DT") != std::string::npos)
+        {
+            text.refuse(
+                i, "This line has NPTS and DT, as a record in the PEER AT2 format, which has no columns.",
+                "Write `type record; format PEER_AT2;`.");
+        }
+    }
+}
+
 } // namespace
 
 Record readCsvRecord(const std::filesystem::path& file, const CsvLayout& layout)
 {
     RecordText text;
     load(file, text);
+    refusePeerRecord(text);
     const Table table = tableOf(text);
     const bool hasTimes = layout.timeStep == 0;
     if (!hasTimes)
@@ -282,6 +326,10 @@ Record readCsvRecord(const std::filesystem::path& file, const CsvLayout& layout)
     record.unitIsAssumed = layout.unit.empty() && unitFound.empty();
     record.unit = record.unitIsAssumed ? "m/s2" : settledUnit(text, table.first, layout.unit, unitFound);
     columns.factor = accelerationUnit(record.unit);
+    if (record.unitIsAssumed)
+    {
+        questionUnit(table, columns.acceleration, record);
+    }
     const std::string unitOfTimes = hasTimes ? table.unitOf(columns.time) : "";
     columns.second = timeUnit(unitOfTimes);
     if (columns.second == 0)

@@ -144,8 +144,14 @@ std::filesystem::path inCase(const std::filesystem::path& file, const std::files
     return file.is_absolute() ? file : caseDirectory / file;
 }
 
-/// A list `((t a) (t a))`, or else two columns.
-std::vector<std::pair<double, double>> readTable(const std::filesystem::path& file)
+struct TableFile
+{
+    std::vector<std::pair<double, double>> values; ///< [s], [m/s2]
+    std::string unit = "m/s2";                     ///< of the accelerations in the file
+};
+
+/// A list `((t a) (t a))`, or else two columns, whose titles may say the unit.
+TableFile readTable(const std::filesystem::path& file)
 {
     std::error_code error;
     std::ostringstream content;
@@ -162,16 +168,16 @@ std::vector<std::pair<double, double>> readTable(const std::filesystem::path& fi
     const bool list = begin != std::string::npos && text.find('(', begin) != std::string::npos;
     if (list)
     {
-        return Dictionary::readString("values " + text + "\n;", file.string(), Expansion::none)
-            .get<std::vector<std::pair<double, double>>>("values");
+        return {Dictionary::readString("values " + text + "\n;", file.string(), Expansion::none)
+                    .get<std::vector<std::pair<double, double>>>("values")};
     }
-    const Record record = readCsvRecord(file, {0, 1, 0, "m/s2"});
-    std::vector<std::pair<double, double>> values;
+    const Record record = readCsvRecord(file, {0, 1, 0, ""});
+    TableFile table{{}, record.unit};
     for (std::size_t i = 0; i < record.times.size(); ++i)
     {
-        values.emplace_back(record.times[i], record.accelerations[i]);
+        table.values.emplace_back(record.times[i], record.accelerations[i]);
     }
-    return values;
+    return table;
 }
 
 DescribedAcceleration accelerationOfTable(const TableSettings& settings, const SourceLocation& location,
@@ -179,10 +185,10 @@ DescribedAcceleration accelerationOfTable(const TableSettings& settings, const S
 {
     const bool fromFile = !settings.file.empty();
     const std::filesystem::path file = inCase(settings.file, caseDirectory);
-    const auto values = fromFile ? readTable(file) : settings.values;
+    const TableFile table = fromFile ? readTable(file) : TableFile{settings.values};
     std::vector<double> times;
     std::vector<double> accelerations;
-    for (const auto& [time, acceleration] : values)
+    for (const auto& [time, acceleration] : table.values)
     {
         times.push_back(time);
         accelerations.push_back(acceleration);
@@ -190,6 +196,11 @@ DescribedAcceleration accelerationOfTable(const TableSettings& settings, const S
     DescribedAcceleration described;
     described.summary =
         typeLine("table") + (fromFile ? fmt::format("    file        {}\n", settings.file) : "");
+    if (const double factor = accelerationUnit(table.unit); factor != 1)
+    {
+        described.summary +=
+            fmt::format("    unit        {} (1 {} = {:.6g} m/s2)\n", table.unit, table.unit, factor);
+    }
     try
     {
         described.acceleration = tabulatedAcceleration(std::move(times), std::move(accelerations),
@@ -292,7 +303,7 @@ DescribedAcceleration preparedRecord(const RecordMotion& motion, const std::file
     {
         described.summary += fmt::format("    title       {}\n", record.title);
     }
-    described.unitIsAssumed = record.unitIsAssumed;
+    described.unitIsAssumed = record.unitIsAssumed && !record.unitIsQuestioned;
     described.summary +=
         record.unitIsAssumed
             ? "    unit        m/s2, assumed: neither the file nor `unit` says it\n"

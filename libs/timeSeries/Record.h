@@ -25,6 +25,7 @@ struct Record
     std::string title;                 ///< what the file says of itself: event, station, component
     std::string unit;                  ///< of the values in the file, one of accelerationUnits
     bool unitIsAssumed = false;        ///< neither the file nor the user says it
+    bool unitIsQuestioned = false;     ///< which was warned of, for the title of the column may say another
     std::vector<double> times;         ///< strictly increasing [s]
     std::vector<double> accelerations; ///< one a time [m/s2]
 };

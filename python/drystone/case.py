@@ -1,7 +1,9 @@
 # Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 """A case directory and the applications that run in it."""
+import os
 import re
 import shutil
+import stat
 import subprocess
 from pathlib import Path
 
@@ -39,7 +41,9 @@ class Case:
     def run(self, application, *options):
         """Runs an application in the case, keeps its output in log.<application>, and returns it.
 
-        Raises RunError when the exit status is not 0."""
+        Raises RunError when the exit status is not 0, FileNotFoundError where there is no such case."""
+        if not self.directory.is_dir():
+            raise FileNotFoundError(f"there is no case directory {self.directory}")
         done = subprocess.run([self._program(application), "-case", str(self.directory), *options],
                               capture_output=True, text=True, check=False)
         (self.directory / ("log." + Path(application).name)).write_text(done.stdout + done.stderr, encoding="utf-8")
@@ -102,5 +106,8 @@ class Case:
             return [name for name in names if atTop and (
                 name in ("VTK", "postProcessing", "report.html") or name.startswith("log.")
                 or (name != "0" and isTime(name)))]
-        shutil.copytree(self.directory, directory, ignore=isResult)
+        def copyWritable(file, to):
+            shutil.copy2(file, to)
+            os.chmod(to, os.stat(to).st_mode | stat.S_IWUSR)  # entries of a copy of a protected case can be set
+        shutil.copytree(self.directory, directory, ignore=isResult, copy_function=copyWritable)
         return Case(directory, self.applications)

@@ -256,6 +256,14 @@ class Improbable(InputTest):
         self.edit(case, "constant/g", r"9\.81", "-9810")
         self.only(case, "9810 m/s2", "usual is 9.81")
 
+    def testALoadCaseThatIsTwiceInACombination(self):
+        case = self.copy("terms")
+        loads = "cases { w { type gravity; } }\ndead { type combined; terms (%s); }\n"
+        self.write(case, "constant/loads", loads % "(1 w) (0.35 w)")
+        self.only(case, "load case w is there twice", "factors add up", "dead/terms at line 2")
+        self.write(case, "constant/loads", loads % "(1.35 w)")
+        self.assertEqual(self.warnings(case, "-dry-run")[0], [])
+
     def testDensityInTonnes(self):
         case = self.copy("density")
         self.write(case, "constant/materialProperties", "\ndensity 2.2;\n")

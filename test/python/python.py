@@ -105,6 +105,12 @@ class Package(CaseTest):
         wall.run("limitAnalysis")
         self.assertLess(other.table("limitAnalysis")["alpha"][0], wall.table("limitAnalysis")["alpha"][0])
 
+    def testACopyOfAProtectedCaseIsNotProtected(self):
+        wall = self.wall()
+        os.chmod(wall.directory / "constant/g", 0o440)
+        copy = wall.copy(str(wall.directory) + "Copy")
+        self.assertEqual(os.stat(copy.directory / "constant/g").st_mode & 0o777, 0o640)
+
     def testACopyDoesNotRemoveItsSource(self):
         wall = self.wall()
         for place in (wall.directory, wall.directory.parent, wall.directory / "inside"):
@@ -163,6 +169,8 @@ class Package(CaseTest):
             drystone.readTable(os.path.join(here, "../../python/pyproject.toml"))
         with self.assertRaises(FileNotFoundError):
             drystone.Case(wall.directory, "/nowhere").run("limitAnalysis")
+        with self.assertRaisesRegex(FileNotFoundError, "no case directory /nonexistent"):
+            drystone.Case("/nonexistent", wall.applications).run("limitAnalysis")
 
     def testWorksWithoutNumPy(self):
         wall = self.wall()

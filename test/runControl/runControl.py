@@ -213,6 +213,9 @@ class RunControl(CaseTest):
         self.assertIn("Another run is at work", done.stderr)
         if os.path.exists("/proc/locks") and f" {first.pid} " in self.read("/proc", "locks"):
             self.assertIn(f"(process {first.pid})", done.stderr)
+        self.assertIn("Another run is at work", self.run_(case, "-postProcess", status=1).stderr)
+        for application in ("limitAnalysis", "blockTexture"):
+            self.assertIn("Another run is at work", self.runApplication(application, case, status=1).stderr)
         self.run_(case, "-dry-run")
         first.kill()
         first.communicate(timeout=60)

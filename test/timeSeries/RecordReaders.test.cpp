@@ -391,6 +391,33 @@ TEST(CsvReader, TakesNumbersWithoutAnyUnitForMetresPerSecondSquared)
     EXPECT_DOUBLE_EQ(csv("t,a [g]\n0,1\n", {0, 1, 0, ""}).accelerations[0], standardGravity);
 }
 
+TEST(CsvReader, WarnsOfTitlesThatMayEndInAUnit)
+{
+    for (const char* title : {"a_g", "acc_g", "acc g", "a-GAL", "acceleration.cm/s2"})
+    {
+        testing::internal::CaptureStderr();
+        const Record record = csv(fmt::format("t,{}\n0,1\n", title), {0, 1, 0, ""});
+        EXPECT_EQ(record.accelerations[0], 1);
+        EXPECT_TRUE(record.unitIsQuestioned);
+        EXPECT_THAT(testing::internal::GetCapturedStderr(),
+                    testing::AllOf(testing::HasSubstr(fmt::format("'{}'", title)),
+                                   testing::HasSubstr("at line 1"), testing::HasSubstr("[m/s2]")));
+    }
+    for (const char* text : {"t,a [m/s2]\n0,1\n", "t,ag\n0,1\n", "t,a m/s2\n0,1\n", "t_g,a\n0,1\n", "0,1\n"})
+    {
+        EXPECT_FALSE(csv(text, {0, 1, 0, ""}).unitIsQuestioned) << text;
+    }
+    EXPECT_FALSE(csv("t,a_g\n0,1\n", {0, 1, 0, "g"}).unitIsQuestioned);
+}
+
+TEST(CsvReader, SaysOfARecordOfPeerThatItIsOne)
+{
+    const std::string header = "PEER STRONG MOTION DATABASE RECORD\nEVENT\nACCELERATION IN UNITS OF G\n";
+    EXPECT_THAT(csvRefusal(header + "NPTS= 2, DT= .01 SEC\n.1 .2\n", {0, 1, 0, ""}),
+                testing::AllOf(testing::HasSubstr("format PEER_AT2"), testing::HasSubstr("line 4")));
+    EXPECT_EQ(csv("# NPTS 2 DT 0.01\n0,1\n", {0, 1, 0, ""}).accelerations.size(), 1u);
+}
+
 TEST(CsvReader, ReadsTimesInTheUnitOfTheirTitle)
 {
     const auto lastTime = [](const std::string& title)
