@@ -52,7 +52,7 @@ public:
         {
             drawing.ignored.push_back(fmt::format("{} {}", count, what));
         }
-        drawing.rounding = content.digits.unit();
+        drawing.rounding = largestFactor * content.digits.unit();
         return std::move(drawing);
     }
 
@@ -171,6 +171,7 @@ private:
             }
         }
         corners += outline.corners.size();
+        largestFactor = std::max(largestFactor, plane.matrix.colwise().norm().maxCoeff());
         drawing.outlines.push_back(std::move(outline));
     }
 
@@ -212,6 +213,7 @@ private:
     std::size_t mostCorners; ///< of all outlines: memory is bounded by the size of the file
     std::size_t corners = 0;
     std::size_t inserted = 0;
+    double largestFactor = 0; ///< by which inserts scale an outline
     std::map<std::string, int> unused;
     Drawing drawing;
 };

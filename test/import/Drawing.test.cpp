@@ -492,4 +492,38 @@ TEST(Drawing, CornersThatAreWrittenTwiceAreOneAndOrientationDoesNotMatter)
     EXPECT_EQ(assembly.zones[0].name, "Layer_1");
 }
 
+// Of a wall at an angle, in inches, half of the joints were none: metres have other last digits.
+TEST(Drawing, DigitsOfTheFileSayHowNearFacesAreJoints)
+{
+    Drawing drawing;
+    drawing.outlines = {{{{0, 0}, {38.3, 11.7}, {35.1, 22.4}, {-3.2, 10.7}}, "", 0}};
+    drawing.rounding = 0.1;
+    const auto tolerance = [&](double unit)
+    {
+        drawing.unit = unit;
+        return drawnBlocks(drawing, {}, fileOf("")).jointTolerance.value_or(0);
+    };
+    EXPECT_EQ(tolerance(1), 0) << "found from the coordinates, as before";
+    const double coarsest = 1e-3 * meanBlockSize(drawnBlocks(drawing, {}, fileOf("")));
+    EXPECT_DOUBLE_EQ(tolerance(0.0254), 0.0254 * coarsest);
+    drawing.rounding = 0.001;
+    EXPECT_DOUBLE_EQ(tolerance(0.0254), 1.5 * 0.0254 * 0.001);
+    DrawingSettings settings;
+    settings.tolerance = 1e-5;
+    EXPECT_EQ(drawnBlocks(drawing, settings, fileOf("")).jointTolerance, 1e-5);
+    drawing.outlines = {{{{0, 0}, {38.3, 0}, {38.3, 11.7}, {0, 11.7}}, "", 0}};
+    EXPECT_EQ(tolerance(0.0254), 0) << "edges along the axes stay on common lines";
+}
+
+TEST(Drawing, DigitsAreScaledAsTheOutlinesAre)
+{
+    const std::string insert = groups({{0, "INSERT"}, {2, "b"}, {41, "3"}, {42, "-3"}, {50, "90"}});
+    const std::string triangle =
+        triangleBlock("b", "0.0", {{{"0.0", "0.0"}, {"1.5", "0.5"}, {"0.0", "2.5"}}});
+    EXPECT_NEAR(read(section("BLOCKS", triangle) + section("ENTITIES", insert) + end).rounding, 0.3, 1e-15);
+    EXPECT_NEAR(
+        readVector("<g transform=\"scale(4)\"><polygon points=\"0.0 0.0 1.5 0.5 0.0 2.5\"/></g>").rounding,
+        0.4, 1e-15);
+}
+
 } // namespace
