@@ -35,10 +35,9 @@ struct ChordSettings
 };
 
 /// AutoCAD DXF, text form: closed LWPOLYLINE and POLYLINE of layers that are not frozen or off, also in
-/// blocks that are inserted (moved, turned, scaled, in arrays, nested); bulges as chords; $INSUNITS. What is
-/// marked invisible is left out. Open
-/// polylines whose ends meet are closed; others, and other entities, are reported as ignored. \throws
-/// FatalIOError with the line
+/// blocks that are inserted (moved, turned, scaled, in arrays, nested) on layers that are not frozen; bulges
+/// as chords; $INSUNITS. What is marked invisible is left out. Open polylines whose ends meet are closed;
+/// others, and other entities, are reported as ignored. \throws FatalIOError with the line
 Drawing readDxf(const ImportedFile& file, const ChordSettings& chords);
 
 /// SVG: `path` with straight segments (M L H V Z, absolute and relative), `polygon`, `polyline` whose ends

@@ -185,6 +185,29 @@ TEST(Dxf, TheFrameOfASplineAndMeshesAreNotDrawn)
     EXPECT_THAT(drawing.ignored, testing::ElementsAre("1 entities POLYLINE that are meshes"));
 }
 
+// A layer that is off hides what is on it, one that is frozen also the blocks that are inserted on it.
+TEST(Dxf, InsertsOnFrozenLayersAreLeftOutWithAllThatTheyInsert)
+{
+    const std::string blocks =
+        section("BLOCKS", groups({{0, "BLOCK"}, {2, "b"}}) + square // on `stone`
+                              + groups({{0, "ENDBLK"}, {0, "BLOCK"}, {2, "outer"}})
+                              + groups({{0, "INSERT"}, {8, "0"}, {2, "b"}}) + groups({{0, "ENDBLK"}}));
+    const auto ofInsert = [&](const std::string& flags, const std::string& colour, const std::string& block)
+    {
+        const std::string tables =
+            groups({{0, "TABLE"}, {2, "LAYER"}, {0, "LAYER"}, {2, "Old"}, {70, flags}, {62, colour}})
+            + groups({{0, "ENDTAB"}});
+        const std::string insert = groups({{0, "INSERT"}, {8, "old"}, {2, block}});
+        return read(section("TABLES", tables) + blocks + section("ENTITIES", insert) + end);
+    };
+    const Drawing frozen = ofInsert("1", "7", "b");
+    EXPECT_TRUE(frozen.outlines.empty());
+    EXPECT_THAT(frozen.ignored, testing::ElementsAre("1 inserts on layers that are frozen"));
+    EXPECT_TRUE(ofInsert("1", "7", "outer").outlines.empty());
+    EXPECT_EQ(ofInsert("0", "-7", "b").outlines.size(), 1u);
+    EXPECT_EQ(ofInsert("4", "7", "outer").outlines.size(), 1u) << "only locked";
+}
+
 TEST(Dxf, HiddenLayersAreLeftOut)
 {
     const std::string tables = groups(
@@ -248,6 +271,16 @@ TEST(Dxf, HostileFilesEndInAMessage)
     const std::string all = groups({{0, "INSERT"}, {2, "b15"}, {10, "0"}, {20, "0"}});
     EXPECT_THAT(report(section("BLOCKS", nested) + section("ENTITIES", all) + end),
                 HasSubstr("more than 1000000"));
+    // As many that are left out, each of which took its time.
+    std::string hidden = groups({{0, "BLOCK"}, {2, "h"}});
+    for (int i = 0; i < 2000; ++i)
+    {
+        hidden += groups({{0, "INSERT"}, {60, "1"}, {2, "h"}});
+    }
+    hidden += groups({{0, "ENDBLK"}});
+    const std::string array = groups({{0, "INSERT"}, {2, "h"}, {70, "1000"}, {71, "999"}});
+    EXPECT_THAT(report(section("BLOCKS", hidden) + section("ENTITIES", array) + end),
+                HasSubstr("More than 1000000"));
     const std::string self = groups({{0, "BLOCK"}, {2, "a"}, {0, "INSERT"}, {2, "a"}, {0, "ENDBLK"}});
     EXPECT_THAT(
         report(section("BLOCKS", self) + section("ENTITIES", groups({{0, "INSERT"}, {2, "a"}})) + end),
