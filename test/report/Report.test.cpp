@@ -96,6 +96,19 @@ TEST_F(Histories, ReadsATableUpToARowThatIsCutOff)
     EXPECT_TRUE(readNumberTable("/nowhere/at/all").names.empty());
 }
 
+// One such time ended the whole report.
+TEST_F(Histories, RowsWithoutATimeAreLeftOutAndNamed)
+{
+    const NumberTable table = tableOf("# Time[s] ux[m]\n0 1\nnan 2\n0.2 3\ninf 4\n");
+    EXPECT_THAT(table.columns[0], ElementsAre(0, 0.2));
+    EXPECT_EQ(table.damagedLine, 3);
+    EXPECT_EQ(historyPlots(table, "").size(), 1U);
+    EXPECT_EQ(tableOf("# Time[s] ux[m]\nnan 1\n").damagedLine, 2);
+    NumberTable other{{"Time", "ux"}, {"s", "m"}, {{0, std::nan("")}, {1, 2}}};
+    EXPECT_TRUE(historyPlots(other, "").empty());
+    EXPECT_EQ(tableOf("# alpha[-] b[-]\ninf 1\n").damagedLine, 0);
+}
+
 TEST_F(Histories, DrawsColumnsOfOneUnitTogetherAndThoseThatAreZeroNot)
 {
     const auto plots = historyPlots(
